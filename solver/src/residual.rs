@@ -1,0 +1,74 @@
+//! What is minimised: `½ ‖r(x)‖²`, written once over any scalar.
+
+use faer::Mat;
+
+use crate::scalar::{Jet, Jet2, LANES, Scalar, along, derivatives, second_derivative, variable};
+
+/// A residual vector `r(x)` (length `m`) of parameters `x` (length `n`), over any scalar.
+///
+/// Implement it generically, `impl<D: Scalar> Residual<D> for Mine`; the [`Problem`] that the
+/// solver works on follows from it.
+pub trait Residual<D: Scalar> {
+    /// Appends the `m` residuals at `x` to `out`, which arrives empty.
+    fn residuals(&self, x: &[D], out: &mut Vec<D>);
+}
+
+/// What the solver asks of a residual: values, and derivatives for the free columns only.
+///
+/// Derived for every [`Residual`]; implement it by hand where the Jacobian has a faster form than
+/// dual numbers through the whole computation.
+pub trait Problem {
+    /// Replaces `out` by the residuals at `x`.
+    fn values(&self, x: &[f64], out: &mut Vec<f64>);
+
+    /// Replaces `residuals` by those at `x` and returns `∂r/∂x` (`m × free.len()`) for the
+    /// parameters listed in `free`. A parameter that is not listed costs nothing.
+    fn linearize(&self, x: &[f64], free: &[usize], residuals: &mut Vec<f64>) -> Mat<f64>;
+
+    /// Replaces `out` by `d²/dt² r(x + t·v)` at `t = 0` and returns `true`; returns `false` where
+    /// the problem has no second derivatives to offer.
+    fn second_derivative(&self, x: &[f64], v: &[f64], out: &mut Vec<f64>) -> bool;
+}
+
+impl<R> Problem for R
+where
+    R: Residual<f64> + Residual<Jet> + Residual<Jet2>,
+{
+    fn values(&self, x: &[f64], out: &mut Vec<f64>) {
+        out.clear();
+        Residual::<f64>::residuals(self, x, out);
+    }
+
+    fn linearize(&self, x: &[f64], free: &[usize], residuals: &mut Vec<f64>) -> Mat<f64> {
+        self.values(x, residuals);
+        let mut jacobian = Mat::zeros(residuals.len(), free.len());
+        let mut point: Vec<Jet> = x.iter().map(|&value| Jet::from_re(value)).collect();
+        let mut row_jets = Vec::with_capacity(residuals.len());
+        for (pass, columns) in free.chunks(LANES).enumerate() {
+            for (lane, &k) in columns.iter().enumerate() {
+                point[k] = variable(x[k], lane);
+            }
+            row_jets.clear();
+            Residual::<Jet>::residuals(self, &point, &mut row_jets);
+            for (row, value) in row_jets.iter().enumerate() {
+                let slopes = derivatives(value);
+                for lane in 0..columns.len() {
+                    jacobian[(row, pass * LANES + lane)] = slopes[lane];
+                }
+            }
+            for &k in columns {
+                point[k] = Jet::from_re(x[k]);
+            }
+        }
+        jacobian
+    }
+
+    fn second_derivative(&self, x: &[f64], v: &[f64], out: &mut Vec<f64>) -> bool {
+        let point: Vec<Jet2> = x.iter().zip(v).map(|(&x, &v)| along(x, v)).collect();
+        let mut rows = Vec::new();
+        Residual::<Jet2>::residuals(self, &point, &mut rows);
+        out.clear();
+        out.extend(rows.iter().map(second_derivative));
+        true
+    }
+}
