@@ -1,0 +1,14 @@
+//! The gyroscope: `ω = T (W − b)` plus effects.
+//!
+//! Its nine elements of `T` are relative to the accelerometer's frame and all observable, if the
+//! recording turns enough.
+
+mod effects;
+
+pub use effects::{EFFECTS, GyroGSensitivity};
+use sensor::{Model, Sensor};
+
+/// The base model of a gyroscope.
+pub fn model() -> Model {
+    Model::base(Sensor::Gyroscope)
+}

@@ -1,0 +1,33 @@
+//! What can be wrong with recordings and calibrations.
+
+use std::path::PathBuf;
+
+/// An input or a request that cannot be worked with. Messages name the place, what was found and
+/// what to do about it.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The request contradicts itself or lacks something.
+    #[error("{0}")]
+    Usage(String),
+    /// A file cannot be read.
+    #[error("{path}: {source}", path = path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+    /// A file holds something that is no recording. The message begins with `file:line:column`.
+    #[error("{0}")]
+    Input(String),
+    /// The recording does not determine the parameters.
+    #[error("{0}")]
+    NotEnough(String),
+    /// The fit did not reach a minimum.
+    #[error("{0}")]
+    NotConverged(String),
+    /// The solver refused the problem.
+    #[error(transparent)]
+    Solver(#[from] solver::Error),
+}

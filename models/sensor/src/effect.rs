@@ -1,0 +1,102 @@
+//! An error effect: an additive error in SI units at the true signal.
+
+use nalgebra::{Matrix3, Vector3};
+use solver::{Jet, Jet2, Scalar};
+
+use crate::kinematics::{Kinematics, Sensor};
+use crate::param::Param;
+
+/// An error that a sensor adds to the true signal: `raw = base⁻¹(truth + Σ effect(truth))`.
+///
+/// One file and one registry line make a new effect. It must be silent at its nominal parameters.
+pub trait Effect: Send + Sync + 'static {
+    /// Unique name in snake case.
+    const NAME: &'static str;
+    /// The sensor that has it.
+    const SENSOR: Sensor;
+    /// The equation as users read it.
+    const EQUATION: &'static str;
+    /// Names, units and nominal values.
+    const PARAMS: &'static [Param];
+
+    /// The error at `truth`, in the unit of the sensor's signal, for parameters `p` in the order
+    /// of `PARAMS`.
+    fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D>;
+}
+
+/// An [`Effect`] behind a pointer; derived for every effect.
+pub trait AnyEffect: Send + Sync {
+    /// Unique name in snake case.
+    fn name(&self) -> &'static str;
+    /// The sensor that has it.
+    fn sensor(&self) -> Sensor;
+    /// The equation as users read it.
+    fn equation(&self) -> &'static str;
+    /// Names, units and nominal values.
+    fn params(&self) -> &'static [Param];
+    /// [`Effect::error`] for values.
+    fn error_f64(&self, truth: &Kinematics<f64>, p: &[f64]) -> Vector3<f64>;
+    /// [`Effect::error`] with first derivatives.
+    fn error_jet(&self, truth: &Kinematics<Jet>, p: &[Jet]) -> Vector3<Jet>;
+    /// [`Effect::error`] with second derivatives.
+    fn error_jet2(&self, truth: &Kinematics<Jet2>, p: &[Jet2]) -> Vector3<Jet2>;
+}
+
+impl<E: Effect> AnyEffect for E {
+    fn name(&self) -> &'static str {
+        E::NAME
+    }
+    fn sensor(&self) -> Sensor {
+        E::SENSOR
+    }
+    fn equation(&self) -> &'static str {
+        E::EQUATION
+    }
+    fn params(&self) -> &'static [Param] {
+        E::PARAMS
+    }
+    fn error_f64(&self, truth: &Kinematics<f64>, p: &[f64]) -> Vector3<f64> {
+        self.error(truth, p)
+    }
+    fn error_jet(&self, truth: &Kinematics<Jet>, p: &[Jet]) -> Vector3<Jet> {
+        self.error(truth, p)
+    }
+    fn error_jet2(&self, truth: &Kinematics<Jet2>, p: &[Jet2]) -> Vector3<Jet2> {
+        self.error(truth, p)
+    }
+}
+
+impl std::fmt::Debug for dyn AnyEffect {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// The scalars that pass through an effect behind a pointer: `f64`, [`Jet`] and [`Jet2`].
+///
+/// Models and residuals are generic over this; an effect author never meets it.
+pub trait ModelScalar: Scalar {
+    /// [`Effect::error`] of a pointed-to effect.
+    fn error(effect: &dyn AnyEffect, truth: &Kinematics<Self>, p: &[Self]) -> Vector3<Self>;
+}
+
+impl ModelScalar for f64 {
+    fn error(effect: &dyn AnyEffect, truth: &Kinematics<f64>, p: &[f64]) -> Vector3<f64> {
+        effect.error_f64(truth, p)
+    }
+}
+impl ModelScalar for Jet {
+    fn error(effect: &dyn AnyEffect, truth: &Kinematics<Jet>, p: &[Jet]) -> Vector3<Jet> {
+        effect.error_jet(truth, p)
+    }
+}
+impl ModelScalar for Jet2 {
+    fn error(effect: &dyn AnyEffect, truth: &Kinematics<Jet2>, p: &[Jet2]) -> Vector3<Jet2> {
+        effect.error_jet2(truth, p)
+    }
+}
+
+/// A 3 × 3 matrix from its nine elements, row by row.
+pub fn mat3<D: Scalar>(p: &[D]) -> Matrix3<D> {
+    Matrix3::from_fn(|i, j| p[3 * i + j])
+}

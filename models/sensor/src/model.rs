@@ -1,0 +1,107 @@
+//! A sensor: its base model and the effects it has.
+
+use nalgebra::Vector3;
+use solver::Parameters;
+
+use crate::base::{BASE_PARAMETERS, Base, base_names};
+use crate::effect::{AnyEffect, ModelScalar};
+use crate::kinematics::{Kinematics, Sensor};
+
+/// Fixed-point steps in [`Model::correct`]. An effect changes by less than 3 % of a change in the
+/// signal, so that twelve steps leave less than 1e-18 of it.
+const CORRECT_STEPS: usize = 12;
+
+/// A base model plus effects.
+///
+/// Its parameters are the twelve of the base, then those of each effect in turn.
+#[derive(Clone, Debug)]
+pub struct Model {
+    sensor: Sensor,
+    effects: Vec<&'static dyn AnyEffect>,
+}
+
+impl Model {
+    /// The base model alone.
+    pub fn base(sensor: Sensor) -> Self {
+        Self { sensor, effects: Vec::new() }
+    }
+
+    /// The same model with one more effect.
+    ///
+    /// An effect of the other sensor is left out: it does not change this signal.
+    #[must_use]
+    pub fn with(mut self, effect: &'static dyn AnyEffect) -> Self {
+        if effect.sensor() == self.sensor {
+            self.effects.push(effect);
+        }
+        self
+    }
+
+    /// The sensor.
+    pub fn sensor(&self) -> Sensor {
+        self.sensor
+    }
+
+    /// The effects, in the order of their parameters.
+    pub fn effects(&self) -> &[&'static dyn AnyEffect] {
+        &self.effects
+    }
+
+    /// Names, units and nominal values of all parameters: `accel.s_x`, …, `gyro_g_sensitivity.xx`.
+    pub fn parameters(&self) -> Parameters {
+        let unit = match self.sensor {
+            Sensor::Accelerometer => "m/s^2",
+            Sensor::Gyroscope => "rad/s",
+        };
+        let mut parameters = Parameters::new();
+        let nominal = Base::identity().parameters();
+        for (k, name) in base_names(self.sensor).into_iter().enumerate() {
+            parameters.push(name, if k < 9 { "" } else { unit }, nominal[k]);
+        }
+        for effect in &self.effects {
+            for p in effect.params() {
+                parameters.push(format!("{}.{}", effect.name(), p.name), p.unit, p.nominal);
+            }
+        }
+        parameters
+    }
+
+    /// The sum of the effects at `truth`, in the unit of the signal.
+    pub fn error<D: ModelScalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
+        let mut sum = Vector3::from_element(D::from(0.0));
+        let mut from = BASE_PARAMETERS;
+        for effect in &self.effects {
+            let to = from + effect.params().len();
+            sum += D::error(*effect, truth, &p[from..to]);
+            from = to;
+        }
+        sum
+    }
+
+    /// The raw reading of `truth`: `T⁻¹ (signal + Σ effect(truth)) + b`; `None` where `T` is singular.
+    pub fn distort<D: ModelScalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Option<Vector3<D>> {
+        let signal = truth.signal(self.sensor) + self.error(truth, p);
+        Base::from_parameters(p).distort(&signal)
+    }
+
+    /// The corrected reading of `raw`: the signal `s` with `s + Σ effect(s) = T (raw − b)`.
+    ///
+    /// `rest` holds what else is known of the instant (the other sensor's signal, time,
+    /// temperature); its value of this sensor's own signal is not used.
+    pub fn correct<D: ModelScalar>(
+        &self,
+        raw: &Vector3<D>,
+        rest: &Kinematics<D>,
+        p: &[D],
+    ) -> Vector3<D> {
+        let base = Base::from_parameters(p).correct(raw);
+        if self.effects.is_empty() {
+            return base;
+        }
+        let mut signal = base;
+        for _ in 0..CORRECT_STEPS {
+            signal = base - self.error(&rest.with_signal(self.sensor, signal), p);
+        }
+        signal
+    }
+}

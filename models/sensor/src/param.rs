@@ -1,0 +1,23 @@
+//! The parameters of an effect: names and units.
+
+/// One parameter of an effect.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Param {
+    /// Name within the effect, such as `xx`.
+    pub name: &'static str,
+    /// Unit.
+    pub unit: &'static str,
+    /// Value of a perfect sensor, at which the effect is silent.
+    pub nominal: f64,
+}
+
+/// Parameters that share a unit and are zero for a perfect sensor.
+pub const fn params<const N: usize>(unit: &'static str, names: [&'static str; N]) -> [Param; N] {
+    let mut all = [Param { name: "", unit, nominal: 0.0 }; N];
+    let mut k = 0;
+    while k < N {
+        all[k].name = names[k];
+        k += 1;
+    }
+    all
+}
