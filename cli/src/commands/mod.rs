@@ -2,6 +2,7 @@
 
 mod apply;
 mod calibrate;
+mod demo;
 mod inputs;
 mod segment;
 
@@ -12,6 +13,7 @@ use crate::exit::Failure;
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
+    Demo(demo::Args),
     Calibrate(Box<calibrate::Args>),
     Segment(segment::Args),
     Apply(apply::Args),
@@ -20,6 +22,7 @@ pub enum Command {
 /// Runs a command.
 pub fn run(command: Command) -> Result<(), Failure> {
     match command {
+        Command::Demo(args) => demo::run(&args),
         Command::Calibrate(args) => calibrate::run(&args),
         Command::Segment(args) => segment::run(&args),
         Command::Apply(args) => apply::run(&args),
