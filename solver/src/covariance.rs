@@ -38,7 +38,10 @@ pub fn uncertainty(jacobian: &Mat<f64>, names: Vec<String>) -> Uncertainty {
     let (rows, n) = (jacobian.nrows(), jacobian.ncols());
     let norms: Vec<f64> = (0..n).map(|k| jacobian.col(k).norm_l2()).collect();
     let unit = |k: usize| if norms[k] > 0.0 { norms[k] } else { 1.0 };
-    let scaled = Mat::from_fn(rows, n, |i, k| jacobian[(i, k)] / unit(k));
+    // Rows of zeros complete the null space where there are fewer residuals than parameters.
+    let scaled = Mat::from_fn(rows.max(n), n, |i, k| {
+        if i < rows { jacobian[(i, k)] / unit(k) } else { 0.0 }
+    });
     let singular_values = jacobian.singular_values().unwrap_or_default();
     let Ok(svd) = scaled.thin_svd() else {
         return Uncertainty {
