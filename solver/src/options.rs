@@ -43,18 +43,29 @@ pub enum Variant {
 
 impl Default for Variant {
     fn default() -> Self {
-        Self::LevenbergMarquardt { damping: Damping::DelayedGratification, geodesic: true }
+        Self::LevenbergMarquardt {
+            damping: Damping::DelayedGratification,
+            geodesic: true,
+        }
     }
 }
 
 impl Variant {
     /// Every variant, to compare them.
     pub fn all() -> Vec<Self> {
-        let dampings = [Damping::Marquardt, Damping::Nielsen, Damping::DelayedGratification];
+        let dampings = [
+            Damping::Marquardt,
+            Damping::Nielsen,
+            Damping::DelayedGratification,
+        ];
         let levenberg = dampings.into_iter().flat_map(|damping| {
             [true, false].map(|geodesic| Self::LevenbergMarquardt { damping, geodesic })
         });
-        let others = [Self::Dogleg, Self::GaussNewton, Self::GaussNewtonMinimumNorm];
+        let others = [
+            Self::Dogleg,
+            Self::GaussNewton,
+            Self::GaussNewtonMinimumNorm,
+        ];
         levenberg.chain(others).collect()
     }
 

@@ -13,7 +13,10 @@ pub(crate) struct Scaling {
 impl Scaling {
     /// Nothing seen yet.
     pub fn new(n: usize) -> Self {
-        Self { largest: vec![0.0; n], scale: vec![1.0; n] }
+        Self {
+            largest: vec![0.0; n],
+            scale: vec![1.0; n],
+        }
     }
 
     /// Takes the column norms of a new Jacobian into account.

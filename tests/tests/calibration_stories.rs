@@ -8,7 +8,10 @@ use calib::recording::Recording;
 use calib::simulate::{HandHeld, Motion, Session, Spec};
 
 fn request(session: &Session) -> Request {
-    Request { gravity: session.truth.spec.gravity, ..Request::default() }
+    Request {
+        gravity: session.truth.spec.gravity,
+        ..Request::default()
+    }
 }
 
 /// (estimate − truth) / standard error of every free parameter that the truth knows.
@@ -43,10 +46,17 @@ fn every_placement_is_found_and_the_truth_lies_within_the_errors() {
         let outcome = calibrate(&[session.recording.clone()], &[], &request(&session)).unwrap();
         let found = outcome.choices[0].segmentation.statics.len();
         assert_eq!(found, session.truth.static_intervals.len(), "seed {seed}");
-        assert_eq!(outcome.calibration.warnings, Vec::<String>::new(), "seed {seed}");
+        assert_eq!(
+            outcome.calibration.warnings,
+            Vec::<String>::new(),
+            "seed {seed}"
+        );
         all.extend(pulls(&session, &outcome));
     }
-    let worst = all.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).unwrap();
+    let worst = all
+        .iter()
+        .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
+        .unwrap();
     // 12 × 18 numbers: one beyond 4.5 standard errors would come by chance in 0.2 % of studies.
     assert!(worst.1.abs() < 4.5, "{worst:?}");
     // The stepwise method weights all turns alike, so its errors need not be the last word, but they
@@ -57,12 +67,24 @@ fn every_placement_is_found_and_the_truth_lies_within_the_errors() {
 
 #[test]
 fn g_sensitivity_in_the_model_is_recovered_within_its_errors() {
-    let session = Spec::hand_held(5).with_effect("gyro_g_sensitivity", 1.0).run().unwrap();
+    let session = Spec::hand_held(5)
+        .with_effect("gyro_g_sensitivity", 1.0)
+        .run()
+        .unwrap();
     let effects = vec![effect_named("gyro_g_sensitivity").unwrap()];
-    let request = Request { effects, ..request(&session) };
+    let request = Request {
+        effects,
+        ..request(&session)
+    };
     let outcome = calibrate(&[session.recording.clone()], &[], &request).unwrap();
     let pulls = pulls(&session, &outcome);
-    assert_eq!(pulls.iter().filter(|p| p.0.starts_with("gyro_g_sensitivity")).count(), 9);
+    assert_eq!(
+        pulls
+            .iter()
+            .filter(|p| p.0.starts_with("gyro_g_sensitivity"))
+            .count(),
+        9
+    );
     assert!(pulls.iter().all(|p| p.1.abs() < 4.0), "{pulls:?}");
 }
 
@@ -85,7 +107,10 @@ fn raw_counts_give_the_same_corrected_signal_as_si_units() {
     // A count of 5e-4 m/s² rounds by 1.4e-4 rms: the two may differ by that and by what the
     // parameters make of it.
     let streams = |k: usize| {
-        (corrected[k].accelerometer.as_ref().unwrap(), corrected[k].gyroscope.as_ref().unwrap())
+        (
+            corrected[k].accelerometer.as_ref().unwrap(),
+            corrected[k].gyroscope.as_ref().unwrap(),
+        )
     };
     let ((a, w), (b, v)) = (streams(0), streams(1));
     let rms = |x: &[nalgebra::Vector3<f64>], y: &[nalgebra::Vector3<f64>]| {
@@ -101,7 +126,10 @@ fn recordings_share_a_bias_unless_the_data_ask_for_their_own() {
     let of = |spec: &Spec, seed: u64, name: &str| {
         let mut spec = spec.clone();
         spec.seed = seed;
-        Recording { name: name.into(), ..spec.run().unwrap().recording }
+        Recording {
+            name: name.into(),
+            ..spec.run().unwrap().recording
+        }
     };
     let truth = Spec::hand_held(21).run().unwrap().truth;
     for p in [&truth.accelerometer, &truth.gyroscope] {
@@ -124,7 +152,10 @@ fn recordings_share_a_bias_unless_the_data_ask_for_their_own() {
     let difference = biases[1].bias[0] - biases[0].bias[0];
     assert!((difference - 0.02).abs() < 1.5e-3, "{difference}");
     // The bias that stands for the device is that of the last recording.
-    assert_eq!(own.calibration.accelerometer.as_ref().unwrap().bias, biases[1].bias);
+    assert_eq!(
+        own.calibration.accelerometer.as_ref().unwrap().bias,
+        biases[1].bias
+    );
 }
 
 #[test]
@@ -133,7 +164,10 @@ fn the_same_recording_twice_counts_once() {
     let once = calibrate(&[session.recording.clone()], &[], &request(&session)).unwrap();
     let both = [session.recording.clone(), session.recording.clone()];
     let twice = calibrate(&both, &[], &request(&session)).unwrap();
-    assert_eq!(once.calibration.accelerometer, twice.calibration.accelerometer);
+    assert_eq!(
+        once.calibration.accelerometer,
+        twice.calibration.accelerometer
+    );
     assert!(twice.calibration.warnings[0].contains("counted once"));
 }
 
@@ -149,15 +183,24 @@ fn refusal(spec: &Spec) -> String {
 #[test]
 fn a_device_that_never_turns_is_refused_with_what_to_do() {
     let what = refusal(&Spec::still(1, 60.0));
-    assert!(what.contains("all static") && what.contains("ten orientations"), "{what}");
+    assert!(
+        what.contains("all static") && what.contains("ten orientations"),
+        "{what}"
+    );
 }
 
 #[test]
 fn three_placements_name_what_is_not_observable() {
     let mut spec = Spec::hand_held(2);
-    spec.motion = Motion::HandHeld(HandHeld { placements: Some(3), ..HandHeld::default() });
+    spec.motion = Motion::HandHeld(HandHeld {
+        placements: Some(3),
+        ..HandHeld::default()
+    });
     let what = refusal(&spec);
-    assert!(what.contains("not observable: ") && what.contains("accel."), "{what}");
+    assert!(
+        what.contains("not observable: ") && what.contains("accel."),
+        "{what}"
+    );
     assert!(what.contains("add placements with"), "{what}");
 }
 
@@ -165,7 +208,11 @@ fn three_placements_name_what_is_not_observable() {
 fn placements_in_one_plane_are_refused_with_the_parameter_that_is_not_known() {
     for seed in 0..10 {
         let mut spec = Spec::hand_held(seed);
-        let motion = HandHeld { placements: Some(12), coplanar: true, ..HandHeld::default() };
+        let motion = HandHeld {
+            placements: Some(12),
+            coplanar: true,
+            ..HandHeld::default()
+        };
         spec.motion = Motion::HandHeld(motion);
         let session = spec.run().unwrap();
         match calibrate(&[session.recording.clone()], &[], &request(&session)) {
@@ -173,7 +220,10 @@ fn placements_in_one_plane_are_refused_with_the_parameter_that_is_not_known() {
             Err(other) => panic!("{other}"),
             Ok(outcome) => {
                 let warnings = outcome.calibration.warnings.join("\n");
-                assert!(warnings.contains("% only"), "seed {seed} was accepted in silence");
+                assert!(
+                    warnings.contains("% only"),
+                    "seed {seed} was accepted in silence"
+                );
             }
         }
     }

@@ -59,7 +59,10 @@ pub(super) fn without_repeats<'a>(
 
 /// A mean of which nothing else is known.
 pub(super) fn bare_mean(raw: Vector3<f64>) -> StaticMean {
-    StaticMean { raw, rest: Kinematics::at_rest(Vector3::zeros()) }
+    StaticMean {
+        raw,
+        rest: Kinematics::at_rest(Vector3::zeros()),
+    }
 }
 
 /// Refuses recordings without rests or without turns.
@@ -99,7 +102,10 @@ pub(super) fn accelerometer_is_determined(
     warnings: &mut Vec<String>,
 ) -> Result<(), Error> {
     let directions = directions(fit, request);
-    let Coverage { words: coverage, complete } = coverage(&directions);
+    let Coverage {
+        words: coverage,
+        complete,
+    } = coverage(&directions);
     let free = fit.fitted.free.len();
     let count = directions.len();
     if fit.fitted.rank < free {
@@ -130,14 +136,21 @@ pub(super) fn accelerometer_is_determined(
     if !refused.is_empty() {
         return Err(Error::NotEnough(format!(
             "{coverage}: {}",
-            refused.iter().map(|w| w.words.as_str()).collect::<Vec<_>>().join("; ")
+            refused
+                .iter()
+                .map(|w| w.words.as_str())
+                .collect::<Vec<_>>()
+                .join("; ")
         )));
     }
     if !complete {
         let worst = worst_known(&fit.fitted, fit.unit.scale);
         warnings.push(format!("{coverage}{worst}"));
     }
-    warnings.extend(weak.into_iter().map(|w| format!("{} ({coverage})", w.words)));
+    warnings.extend(
+        weak.into_iter()
+            .map(|w| format!("{} ({coverage})", w.words)),
+    );
     Ok(())
 }
 
@@ -186,14 +199,21 @@ pub(super) fn gyroscope_is_determined(
         )));
     }
     let weak = weak_parameters(fitted, fit.unit.scale, 1.0);
-    let refused: Vec<&str> = weak.iter().filter(|w| w.refused).map(|w| w.words.as_str()).collect();
+    let refused: Vec<&str> = weak
+        .iter()
+        .filter(|w| w.refused)
+        .map(|w| w.words.as_str())
+        .collect();
     if !refused.is_empty() && fit.rms() < LOST {
         return Err(Error::NotEnough(format!(
             "{turns} turns: {}; turn the device about other axes too",
             refused.join("; ")
         )));
     }
-    warnings.extend(weak.into_iter().map(|w| format!("{} ({turns} turns)", w.words)));
+    warnings.extend(
+        weak.into_iter()
+            .map(|w| format!("{} ({turns} turns)", w.words)),
+    );
     Ok(())
 }
 
@@ -274,7 +294,10 @@ fn directions(fit: &AccelerometerFit, request: &AccelerometerRequest) -> Vec<Vec
     for (k, means) in request.recordings.iter().enumerate() {
         let p = fit.fitted.local(shared, k);
         all.extend(
-            means.iter().map(|m| request.model.correct(&m.raw, &m.rest, &p)).map(|f| f.normalize()),
+            means
+                .iter()
+                .map(|m| request.model.correct(&m.raw, &m.rest, &p))
+                .map(|f| f.normalize()),
         );
     }
     all
@@ -289,10 +312,18 @@ fn not_observable(fitted: &Fitted) -> String {
     let involved: Vec<&str> = fitted
         .free
         .iter()
-        .filter(|name| combinations.iter().any(|words| words.contains(name.as_str())))
+        .filter(|name| {
+            combinations
+                .iter()
+                .any(|words| words.contains(name.as_str()))
+        })
         .map(String::as_str)
         .collect();
-    format!("{} combinations of {}", combinations.len(), involved.join(", "))
+    format!(
+        "{} combinations of {}",
+        combinations.len(),
+        involved.join(", ")
+    )
 }
 
 /// `26 placements, 24 of which differ by more than 20°, none with z down`.
@@ -321,7 +352,10 @@ fn coverage(directions: &[Vector3<f64>]) -> Coverage {
     if !missing.is_empty() {
         words.push_str(&format!("; add placements with {}", missing.join(", ")));
     }
-    Coverage { words, complete: missing.is_empty() }
+    Coverage {
+        words,
+        complete: missing.is_empty(),
+    }
 }
 
 /// Which orientations were recorded.

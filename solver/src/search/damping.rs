@@ -43,7 +43,10 @@ impl Default for Marquardt {
 
 impl Default for Nielsen {
     fn default() -> Self {
-        Self { lambda: FIRST, rise: 2.0 }
+        Self {
+            lambda: FIRST,
+            rise: 2.0,
+        }
     }
 }
 
