@@ -30,7 +30,7 @@ pub const EARTH_RATE: f64 = 7.292_115e-5;
 /// # Ok::<(), stillpoint_calib::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(default, deny_unknown_fields, rename_all = "snake_case")]
 pub struct Spec {
     /// Seed of everything random.
     pub seed: u64,
@@ -88,7 +88,7 @@ impl Default for Spec {
 
 /// The kinds of motion.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[serde(rename_all = "snake_case")]
 pub enum Motion {
     /// Many placements by hand.
     HandHeld(HandHeld),
@@ -122,7 +122,7 @@ impl Motion {
 
 /// What one sensor is like beyond its model. The unit `u` is m/s² or rad/s.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(default, deny_unknown_fields, rename_all = "snake_case")]
 pub struct SensorSpec {
     /// White noise density, u/√Hz; that of the grade where it is not given.
     pub white: Option<f64>,
