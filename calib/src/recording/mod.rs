@@ -1,8 +1,10 @@
 //! What a device recorded, in SI units, each sensor on its own clock.
 
 mod stream;
+mod write;
 
 pub use stream::{Stream, Temperature};
+pub use write::{stream_to_csv, to_csv};
 
 /// One recording of one device.
 #[derive(Clone, Debug, Default)]
@@ -17,4 +19,15 @@ pub struct Recording {
     pub temperature: Option<Temperature>,
     /// What the reader noticed and went on with.
     pub warnings: Vec<String>,
+}
+
+impl Recording {
+    /// The earliest time stamp, s.
+    pub fn start(&self) -> f64 {
+        [&self.accelerometer, &self.gyroscope]
+            .into_iter()
+            .flatten()
+            .filter_map(|stream| stream.t.first().copied())
+            .fold(f64::INFINITY, f64::min)
+    }
 }

@@ -113,3 +113,20 @@ impl<D: Scalar> Kinematics<D> {
         }
     }
 }
+
+impl Kinematics<f64> {
+    /// The same instant as constants of another scalar.
+    pub fn lift<D: Scalar>(&self) -> Kinematics<D> {
+        Kinematics {
+            specific_force: self.specific_force.map(lit),
+            angular_rate: self.angular_rate.map(lit),
+            time: self.time,
+            temperature: self.temperature,
+            angular_acceleration: self.angular_acceleration,
+            specific_force_rate: self.specific_force_rate,
+            last_change: self.last_change,
+            vibration: self.vibration,
+            attitude: self.attitude,
+        }
+    }
+}
