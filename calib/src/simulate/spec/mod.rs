@@ -1,21 +1,26 @@
 //! What to simulate.
 
+mod check;
+mod complaint;
+mod names;
+mod parse;
+
 use std::collections::BTreeMap;
 
 use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 
-use super::clock::{Clock, Stamp};
-use super::device::Grade;
-use super::effects::{Effects, SIZE};
-use super::environment::Temperature;
-use super::fault::Fault;
-use super::motion::{Cart, HandHeld, Path, SixPosition, Still, Surroundings, Walking};
-use super::noise::Noise;
-use super::readout::Readout;
-use super::simulation::{Session, Simulation};
-use super::vibration::Vibration;
 use crate::Error;
+use crate::simulate::clock::{Clock, Stamp};
+use crate::simulate::device::Grade;
+use crate::simulate::effects::{Effects, SIZE};
+use crate::simulate::environment::Temperature;
+use crate::simulate::fault::Fault;
+use crate::simulate::motion::{Cart, HandHeld, Path, SixPosition, Still, Surroundings, Walking};
+use crate::simulate::noise::Noise;
+use crate::simulate::readout::Readout;
+use crate::simulate::simulation::{Session, Simulation};
+use crate::simulate::vibration::Vibration;
 
 /// Rate of the earth's rotation, rad/s (WGS 84).
 pub const EARTH_RATE: f64 = 7.292_115e-5;
@@ -210,9 +215,9 @@ impl Spec {
     /// Plans, draws and runs it.
     ///
     /// # Errors
-    /// [`Error::Usage`] where the spec contradicts itself.
+    /// [`Error::Usage`] where the spec contradicts itself, or is too long for the memory.
     pub fn run(&self) -> Result<Session, Error> {
-        Ok(Simulation::new(self)?.run())
+        Simulation::new(self)?.run()
     }
 
     /// What is said of one sensor.
