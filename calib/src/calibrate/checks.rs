@@ -56,10 +56,7 @@ pub(super) fn without_repeats<'a>(
 
 /// A mean of which nothing else is known.
 pub(super) fn bare_mean(raw: Vector3<f64>) -> StaticMean {
-    StaticMean {
-        raw,
-        rest: Kinematics::at_rest(Vector3::zeros()),
-    }
+    StaticMean { raw, rest: Kinematics::at_rest(Vector3::zeros()) }
 }
 
 /// Refuses recordings without rests or without turns.
@@ -130,17 +127,10 @@ pub(super) fn accelerometer_is_determined(
     if !refused.is_empty() {
         return Err(Error::NotEnough(format!(
             "{coverage}: {}",
-            refused
-                .iter()
-                .map(|w| w.words.as_str())
-                .collect::<Vec<_>>()
-                .join("; ")
+            refused.iter().map(|w| w.words.as_str()).collect::<Vec<_>>().join("; ")
         )));
     }
-    warnings.extend(
-        weak.into_iter()
-            .map(|w| format!("{} ({coverage})", w.words)),
-    );
+    warnings.extend(weak.into_iter().map(|w| format!("{} ({coverage})", w.words)));
     Ok(())
 }
 
@@ -176,21 +166,14 @@ pub(super) fn gyroscope_is_determined(
         )));
     }
     let weak = weak_parameters(fitted, fit.unit.scale, 1.0);
-    let refused: Vec<&str> = weak
-        .iter()
-        .filter(|w| w.refused)
-        .map(|w| w.words.as_str())
-        .collect();
+    let refused: Vec<&str> = weak.iter().filter(|w| w.refused).map(|w| w.words.as_str()).collect();
     if !refused.is_empty() && fit.rms() < LOST {
         return Err(Error::NotEnough(format!(
             "{turns} turns: {}; turn the device about other axes too",
             refused.join("; ")
         )));
     }
-    warnings.extend(
-        weak.into_iter()
-            .map(|w| format!("{} ({turns} turns)", w.words)),
-    );
+    warnings.extend(weak.into_iter().map(|w| format!("{} ({turns} turns)", w.words)));
     Ok(())
 }
 
@@ -271,10 +254,7 @@ fn directions(fit: &AccelerometerFit, request: &AccelerometerRequest) -> Vec<Vec
     for (k, means) in request.recordings.iter().enumerate() {
         let p = fit.fitted.local(shared, k);
         all.extend(
-            means
-                .iter()
-                .map(|m| request.model.correct(&m.raw, &m.rest, &p))
-                .map(|f| f.normalize()),
+            means.iter().map(|m| request.model.correct(&m.raw, &m.rest, &p)).map(|f| f.normalize()),
         );
     }
     all
