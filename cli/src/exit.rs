@@ -51,6 +51,7 @@ impl From<Error> for Failure {
         let code = match error {
             Error::Usage(_) => USAGE,
             Error::NotEnough(_) => NOT_ENOUGH,
+            Error::Output { .. } => OUTPUT,
             Error::NotConverged(_) | Error::Solver(_) => NOT_CONVERGED,
             _ => INPUT,
         };

@@ -76,6 +76,21 @@ impl<D: Scalar> Kinematics<D> {
         Self::new(specific_force, Vector3::from_element(lit(0.0)))
     }
 
+    /// The same instant over another scalar, as a constant.
+    pub fn cast<E: Scalar>(&self) -> Kinematics<E> {
+        Kinematics {
+            specific_force: self.specific_force.map(|v| lit(v.re())),
+            angular_rate: self.angular_rate.map(|v| lit(v.re())),
+            time: self.time,
+            temperature: self.temperature,
+            angular_acceleration: self.angular_acceleration,
+            specific_force_rate: self.specific_force_rate,
+            last_change: self.last_change,
+            vibration: self.vibration,
+            attitude: self.attitude,
+        }
+    }
+
     /// The signal that `sensor` measures.
     pub fn signal(&self, sensor: Sensor) -> Vector3<D> {
         match sensor {
