@@ -58,7 +58,9 @@ pub fn uncertainty(jacobian: &Mat<f64>, names: Vec<String>) -> Uncertainty {
         .map(|i| {
             (0..n)
                 .map(|j| {
-                    let sum: f64 = (0..rank).map(|k| v[(i, k)] * v[(j, k)] / (s[k] * s[k])).sum();
+                    let sum: f64 = (0..rank)
+                        .map(|k| v[(i, k)] * v[(j, k)] / (s[k] * s[k]))
+                        .sum();
                     sum / (unit(i) * unit(j))
                 })
                 .collect()
@@ -70,7 +72,11 @@ pub fn uncertainty(jacobian: &Mat<f64>, names: Vec<String>) -> Uncertainty {
             in_words(&direction, &names)
         })
         .collect();
-    let condition = if rank == 0 { f64::INFINITY } else { largest / s[rank - 1] };
+    let condition = if rank == 0 {
+        f64::INFINITY
+    } else {
+        largest / s[rank - 1]
+    };
     Uncertainty {
         names,
         covariance,
@@ -83,7 +89,10 @@ pub fn uncertainty(jacobian: &Mat<f64>, names: Vec<String>) -> Uncertainty {
 
 /// A direction in parameter space as `a + 0.5 b − c`.
 fn in_words(direction: &[f64], names: &[String]) -> String {
-    let largest = direction.iter().copied().fold(0.0, |a: f64, b| if b.abs() > a.abs() { b } else { a });
+    let largest = direction
+        .iter()
+        .copied()
+        .fold(0.0, |a: f64, b| if b.abs() > a.abs() { b } else { a });
     let mut words = String::new();
     for (value, name) in direction.iter().zip(names) {
         let c = value / largest;

@@ -13,7 +13,11 @@ pub struct Param {
 
 /// Parameters that share a unit and are zero for a perfect sensor.
 pub const fn params<const N: usize>(unit: &'static str, names: [&'static str; N]) -> [Param; N] {
-    let mut all = [Param { name: "", unit, nominal: 0.0 }; N];
+    let mut all = [Param {
+        name: "",
+        unit,
+        nominal: 0.0,
+    }; N];
     let mut k = 0;
     while k < N {
         all[k].name = names[k];
