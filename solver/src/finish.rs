@@ -7,7 +7,7 @@ use crate::system::System;
 use crate::vector::{add, norm, scaled_norm};
 
 /// Most last steps; they converge in two or three or not at all.
-const MOST: usize = 12;
+const MOST: usize = 60;
 
 /// A step this short, relative to `‖D z‖`, changes nothing.
 const NO_CHANGE: f64 = 2.0 * f64::EPSILON;

@@ -15,7 +15,7 @@ pub enum Damping {
     Marquardt,
     /// By the gain ratio, accelerating on failure.
     Nielsen,
-    /// A fifth on success, twice on failure.
+    /// A third on success, twice on failure.
     DelayedGratification,
 }
 
@@ -134,7 +134,7 @@ impl Default for Options {
         Self {
             variant: Variant::default(),
             linear_solver: LinearSolver::default(),
-            max_iterations: 1000,
+            max_iterations: 5_000,
             gradient_tolerance: 1e-8,
             step_tolerance: 1e-15,
         }
