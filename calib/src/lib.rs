@@ -1,6 +1,9 @@
 //! From hand-held recordings to calibrations.
 
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
 mod error;
+pub mod noise;
 pub mod recording;
 
 pub use error::Error;
