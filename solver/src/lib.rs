@@ -16,7 +16,7 @@ pub mod scalar;
 
 pub use covariance::{Uncertainty, uncertainty};
 pub use error::Error;
-pub use lm::{Options, solve};
+pub use lm::{Options, Variant, solve};
 pub use parameters::{Mask, Parameters};
 pub use report::{Iteration, Report, Termination};
 pub use residual::{Problem, Residual};

@@ -8,9 +8,21 @@ use crate::parameters::{Mask, Parameters};
 use crate::report::{Iteration, Report, Termination};
 use crate::residual::Problem;
 
+/// How the step is found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Variant {
+    /// Damped steps.
+    #[default]
+    LevenbergMarquardt,
+    /// Undamped steps of minimum norm.
+    GaussNewton,
+}
+
 /// When to stop.
 #[derive(Clone, Debug)]
 pub struct Options {
+    /// How the step is found.
+    pub variant: Variant,
     /// Most steps tried.
     pub max_iterations: usize,
     /// Largest cosine between the residual and a column of the Jacobian at a minimum.
@@ -22,6 +34,7 @@ pub struct Options {
 impl Default for Options {
     fn default() -> Self {
         Self {
+            variant: Variant::default(),
             max_iterations: 200,
             gradient_tolerance: 1e-14,
             step_tolerance: 1e-15,
@@ -62,7 +75,10 @@ pub fn solve(
             termination = Termination::Gradient;
             break;
         }
-        let step = damped_step(&jacobian, &residuals, &scale, lambda);
+        let step = match options.variant {
+            Variant::LevenbergMarquardt => damped_step(&jacobian, &residuals, &scale, lambda),
+            Variant::GaussNewton => minimum_norm_step(&jacobian, &residuals),
+        };
         let length = step.iter().zip(&scale).map(|(p, s)| (p * s).powi(2)).sum::<f64>().sqrt();
         let size = free.iter().zip(&scale).map(|(&k, s)| (x[k] * s).powi(2)).sum::<f64>().sqrt();
         let mut candidate = x.clone();
@@ -143,6 +159,22 @@ fn damped_step(jacobian: &Mat<f64>, r: &[f64], scale: &[f64], lambda: f64) -> Ve
     let rhs = Mat::from_fn(m + n, 1, |i, _| if i < m { -r[i] } else { 0.0 });
     let solution = stacked.col_piv_qr().solve_lstsq(&rhs);
     (0..n).map(|k| solution[(k, 0)] / unit(k)).collect()
+}
+
+fn minimum_norm_step(jacobian: &Mat<f64>, r: &[f64]) -> Vec<f64> {
+    let n = jacobian.ncols();
+    let Ok(svd) = jacobian.thin_svd() else { return vec![0.0; n] };
+    let s: Vec<f64> = svd.S().column_vector().iter().copied().collect();
+    let mut step = vec![0.0; n];
+    for k in 0..s.len() {
+        if s[k] > 1e-10 * s[0] {
+            let dot: f64 = r.iter().enumerate().map(|(i, v)| svd.U()[(i, k)] * v).sum();
+            for (i, p) in step.iter_mut().enumerate() {
+                *p -= svd.V()[(i, k)] * dot / s[k];
+            }
+        }
+    }
+    step
 }
 
 fn check(r: &[f64], jacobian: &Mat<f64>, free: &[usize], start: &Parameters) -> Result<(), Error> {

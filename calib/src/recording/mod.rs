@@ -18,3 +18,14 @@ pub struct Recording {
     /// What the reader noticed and went on with.
     pub warnings: Vec<String>,
 }
+
+impl Recording {
+    /// The earliest time stamp, s.
+    pub fn start(&self) -> f64 {
+        [&self.accelerometer, &self.gyroscope]
+            .into_iter()
+            .flatten()
+            .filter_map(|stream| stream.t.first().copied())
+            .fold(f64::INFINITY, f64::min)
+    }
+}

@@ -33,6 +33,19 @@ impl Stream {
         (!steps.is_empty()).then(|| *steps.select_nth_unstable_by(middle, f64::total_cmp).1)
     }
 
+    /// The reading at time `t`, linear between samples and constant outside; `None` without samples.
+    pub fn at(&self, t: f64) -> Option<Vector3<f64>> {
+        let after = self.t.partition_point(|&s| s < t);
+        if after == 0 {
+            return self.values.first().copied();
+        }
+        let Some((&t1, v1)) = self.t.get(after).zip(self.values.get(after)) else {
+            return self.values.last().copied();
+        };
+        let (t0, v0) = (self.t[after - 1], self.values[after - 1]);
+        Some(v0 + (v1 - v0) * ((t - t0) / (t1 - t0)))
+    }
+
     /// The samples with `from <= t < to`.
     pub fn between(&self, from: f64, to: f64) -> Range<usize> {
         let start = self.t.partition_point(|&t| t < from);

@@ -73,3 +73,15 @@ impl<D: Scalar> Kinematics<D> {
         }
     }
 }
+
+impl Kinematics<f64> {
+    /// The same instant as constants of another scalar.
+    pub fn lift<D: Scalar>(&self) -> Kinematics<D> {
+        Kinematics {
+            specific_force: self.specific_force.map(lit),
+            angular_rate: self.angular_rate.map(lit),
+            time: self.time,
+            temperature: self.temperature,
+        }
+    }
+}
