@@ -74,6 +74,7 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<(Calibration, Vec<String>)
         parameters: table.names,
         covariance: table.covariance,
         warnings,
+        history: Vec::new(),
     };
     let calibration = match request.frame {
         Frame::Triangular => calibration,
