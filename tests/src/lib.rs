@@ -1,3 +1,4 @@
 //! What the stories share.
 
 pub mod noise_source;
+pub mod phone;

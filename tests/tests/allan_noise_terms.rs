@@ -1,5 +1,6 @@
-#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 //! Noise terms of simulated sensors, found again.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use calib::noise::{AllanCurve, NoiseTerm, identify, settling_time};
 use stillpoint_tests::noise_source::Coefficients;
