@@ -1,9 +1,16 @@
 //! From hand-held recordings to calibrations.
+//!
+//! ```text
+//! Recording ──► intervals ──► residuals + model + mask ──► methods ──► Calibration
+//!     ▲         rests, turns                                fits        cal.json, apply
+//! simulate
+//! ```
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod calibrate;
 pub mod calibration;
+pub mod covariates;
 mod error;
 pub mod intervals;
 pub mod methods;
@@ -11,6 +18,7 @@ pub mod noise;
 pub mod reckon;
 pub mod recording;
 pub mod residuals;
+pub mod simulate;
 
 pub use calibration::Calibration;
 pub use error::Error;

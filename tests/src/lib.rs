@@ -1,4 +1,7 @@
-//! What the stories share.
+//! What the stories share: published test problems, simulated noise, recordings of a phone.
+
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod noise_source;
 pub mod phone;
+pub mod problems;

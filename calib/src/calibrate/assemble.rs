@@ -24,7 +24,7 @@ pub(super) struct Parts<'a> {
 }
 
 /// Writes the fits down, checks the quality gates, turns the result into the frame asked for.
-pub(super) fn calibration(parts: Parts<'_>) -> Result<(Calibration, Vec<String>), Error> {
+pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
     let Parts { recordings, turning, choices, accelerometer, gyroscope, request, mut warnings } =
         parts;
     let mut table = Table::default();
@@ -52,7 +52,6 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<(Calibration, Vec<String>)
         }
         _ => resting_gyroscope(turning, &mut table),
     };
-    warnings.extend(failed_gates.iter().cloned());
     let mut effects = Vec::new();
     for fit in [
         accelerometer.map(|fit| (&fit.model, &fit.fitted)),
@@ -75,12 +74,12 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<(Calibration, Vec<String>)
         covariance: table.covariance,
         warnings,
         history: Vec::new(),
+        failed_gates,
     };
-    let calibration = match request.frame {
+    Ok(match request.frame {
         Frame::Triangular => calibration,
         Frame::Symmetric => crate::calibration::in_symmetric_frame(calibration),
-    };
-    Ok((calibration, failed_gates))
+    })
 }
 
 /// Names and block-diagonal covariance, as the stages add to it.

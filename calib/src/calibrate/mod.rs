@@ -3,7 +3,10 @@
 mod assemble;
 mod checks;
 mod gyro_data;
+mod means_file;
 mod noise;
+
+pub use means_file::read_static_means;
 
 use nalgebra::Vector3;
 use sensor::AnyEffect;
@@ -94,8 +97,6 @@ pub struct Outcome {
     pub accelerometer: Option<AccelerometerFit>,
     /// The fit of the gyroscope.
     pub gyroscope: Option<GyroscopeFit>,
-    /// Quality gates that failed: the calibration should not be used as it stands.
-    pub failed_gates: Vec<String>,
 }
 
 /// Calibrates one device from its recordings; the gyroscope from `gyro_recordings` where there are
@@ -128,7 +129,7 @@ pub fn calibrate(
     };
     let gyroscope =
         gyroscope(&turning, separate.is_empty(), accelerometer.as_ref(), request, &mut warnings)?;
-    let (calibration, failed_gates) = assemble::calibration(assemble::Parts {
+    let calibration = assemble::calibration(assemble::Parts {
         recordings: &recordings,
         turning: &turning,
         choices: &choices,
@@ -137,7 +138,7 @@ pub fn calibrate(
         request,
         warnings,
     })?;
-    Ok(Outcome { calibration, choices, accelerometer, gyroscope, failed_gates })
+    Ok(Outcome { calibration, choices, accelerometer, gyroscope })
 }
 
 /// The rests and turns of recording `k`.

@@ -39,6 +39,9 @@ pub struct Calibration {
     pub covariance: Vec<Vec<f64>>,
     /// What the user should know.
     pub warnings: Vec<String>,
+    /// Reasons not to use the calibration as it stands.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub failed_gates: Vec<String>,
     /// Biases estimated again since, oldest first.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub history: Vec<BiasUpdate>,

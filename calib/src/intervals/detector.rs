@@ -101,18 +101,20 @@ impl Level {
     }
 }
 
-/// The levels of both sensors of a recording.
-pub(super) fn levels(recording: &Recording, detector: &Detector) -> Result<Vec<Level>, Error> {
-    [&recording.accelerometer, &recording.gyroscope]
-        .into_iter()
-        .flatten()
-        .map(|stream| Level::measure(stream, detector))
-        .collect()
+/// The levels of accelerometer and gyroscope.
+pub(super) fn levels(
+    recording: &Recording,
+    detector: &Detector,
+) -> Result<[Option<Level>; 2], Error> {
+    let measure = |stream: &Option<Stream>| {
+        stream.as_ref().map(|stream| Level::measure(stream, detector)).transpose()
+    };
+    Ok([measure(&recording.accelerometer)?, measure(&recording.gyroscope)?])
 }
 
 /// The spans in which any of the sensors moves.
-pub(super) fn motion(levels: &[Level], multiplier: f64) -> Vec<Span> {
-    union(levels.iter().flat_map(|level| level.motion(multiplier)).collect())
+pub(super) fn motion(levels: &[Option<Level>; 2], multiplier: f64) -> Vec<Span> {
+    union(levels.iter().flatten().flat_map(|level| level.motion(multiplier)).collect())
 }
 
 /// `Σ over axes of var²` in a centred window of `window` seconds, at every sample.

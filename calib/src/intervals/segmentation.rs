@@ -74,6 +74,9 @@ pub struct Segmentation {
     pub turns: Vec<Turn>,
     /// The multiplier used.
     pub multiplier: f64,
+    /// The detector's level at rest of accelerometer and gyroscope, raw unit⁴; `None` where the
+    /// rests were given.
+    pub level_at_rest: [Option<f64>; 2],
 }
 
 impl Segmentation {
@@ -98,7 +101,7 @@ impl Segmentation {
                 Turn { from, span, samples, fault }
             })
             .collect();
-        Self { statics, turns, multiplier }
+        Self { statics, turns, multiplier, level_at_rest: [None; 2] }
     }
 }
 
@@ -127,12 +130,15 @@ pub fn segment_each(
 fn segment_at(
     recording: &Recording,
     detector: &Detector,
-    levels: &[Level],
+    levels: &[Option<Level>; 2],
     multiplier: f64,
 ) -> Segmentation {
     let moving = motion(levels, multiplier);
     let spans = static_spans(common(recording), &moving, detector.min_dynamic, detector.min_static);
-    Segmentation::from_spans(recording, &spans, multiplier)
+    Segmentation {
+        level_at_rest: levels.each_ref().map(|level| level.as_ref().map(|l| l.at_rest)),
+        ..Segmentation::from_spans(recording, &spans, multiplier)
+    }
 }
 
 /// The time in which all sensors of the recording have samples.

@@ -128,7 +128,7 @@ fn step_two(
     start.values_mut()[..9].copy_from_slice(&perfect[..9]);
     let base: Vec<String> = start.names()[..9].to_vec();
     let mask = start.free_where(|name| base.iter().any(|free| free == name));
-    let options = Options { variant: Variant::GaussNewton, ..Options::default() };
+    let options = Options { variant: Variant::GaussNewtonMinimumNorm, ..Options::default() };
     Ok(solve(&problem, &start, &mask, &options)?)
 }
 

@@ -1,8 +1,10 @@
 //! What a device recorded, in SI units, each sensor on its own clock.
 
 mod stream;
+mod write;
 
 pub use stream::{Stream, Temperature};
+pub use write::{stream_to_csv, to_csv};
 
 /// One recording of one device.
 #[derive(Clone, Debug, Default)]

@@ -166,6 +166,7 @@ impl SixPosition {
             parameters: base_names(Sensor::Accelerometer).to_vec(),
             covariance,
             warnings: self.warnings.clone(),
+            failed_gates: Vec::new(),
             history: Vec::new(),
         })
     }

@@ -1,0 +1,366 @@
+//! `calibrate`: recordings to a calibration.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+use clap::ValueEnum;
+use nalgebra::Vector3;
+use calib::Recording;
+use calib::calibrate::{
+    Frame, GyroBias, Outcome, Request, STANDARD_GRAVITY, calibrate, read_static_means,
+};
+use calib::calibration::{Calibration, Triad, effect_named};
+use calib::intervals::{Span, read_sections};
+use calib::residuals::Integrator;
+
+use super::inputs::{DetectorArgs, as_paths, read, read_pair, spinner};
+use crate::exit::{Failure, GATE, USAGE};
+use crate::output::Output;
+use crate::read_args::ReadArgs;
+use crate::show;
+
+/// Gravity on the earth's surface lies between these, m/s².
+const GRAVITY: std::ops::RangeInclusive<f64> = 9.76..=9.84;
+
+/// Calibrates both sensors from one or more recordings of one device.
+///
+/// Several recordings share scale factors and misalignments and have biases of their own where the
+/// data ask for it.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  stillpoint calibrate morning/ evening/ --gravity 9.8055 -o cal.json")]
+pub struct Args {
+    /// Files or folders; `-` reads standard input
+    #[arg(value_name = "RECORDING")]
+    recordings: Vec<PathBuf>,
+    /// Accelerometer text of a recording in two files (`t x y z`, no header, any unit)
+    #[arg(long, value_name = "FILE", requires = "gyro_file", conflicts_with = "recordings")]
+    accel_file: Option<PathBuf>,
+    /// Gyroscope text of that recording
+    #[arg(long, value_name = "FILE", requires = "accel_file")]
+    gyro_file: Option<PathBuf>,
+    /// Local gravity, m/s²; a wrong one goes into the accelerometer's scale factors in full
+    #[arg(long, value_name = "M/S²", default_value_t = STANDARD_GRAVITY)]
+    gravity: f64,
+    /// How to calibrate
+    #[arg(long, value_enum, default_value_t = Method::Stepwise)]
+    method: Method,
+    /// Effects to fit on top of the base models, such as gyro_g_sensitivity
+    #[arg(long, value_name = "A,B", value_delimiter = ',')]
+    effects: Vec<String>,
+    /// Recording to take the gyroscope's turns from instead
+    #[arg(long, value_name = "RECORDING")]
+    gyro_recording: Vec<PathBuf>,
+    /// Frame of the accelerometer's matrix
+    #[arg(long, value_enum, default_value_t = FrameArg::Triangular)]
+    frame: FrameArg,
+    /// How the rate is integrated over a turn
+    #[arg(long, value_enum, default_value_t = IntegratorArg::Exponential)]
+    integrator: IntegratorArg,
+    /// Where the bias of a turn is taken from
+    #[arg(long, value_enum, default_value_t = GyroBiasArg::Adjacent)]
+    gyro_bias: GyroBiasArg,
+    /// Assume this sampling rate in turns instead of the time stamps, Hz (to reproduce published
+    /// figures)
+    #[arg(long, value_name = "HZ")]
+    nominal_rate: Option<f64>,
+    /// Table of static intervals picked by hand, for each recording in turn (columns `t0,t1` or
+    /// `start,stop`)
+    #[arg(long, value_name = "FILE")]
+    sections: Vec<PathBuf>,
+    /// Table of static means (columns `ax,ay,az`) for the accelerometer, instead of the recordings'
+    #[arg(long, value_name = "FILE")]
+    static_means: Option<PathBuf>,
+    /// Write the calibration here
+    #[arg(short, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Replace an existing file
+    #[arg(long)]
+    force: bool,
+    /// Print the calibration as JSON instead of tables
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    detector: DetectorArgs,
+    #[command(flatten)]
+    read: ReadArgs,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Method {
+    /// Accelerometer first, then the gyroscope by propagated gravity (Liu et al. 2021)
+    Stepwise,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum FrameArg {
+    /// Upper triangular
+    Triangular,
+    /// Symmetric
+    Symmetric,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum IntegratorArg {
+    /// Exponential map of the mean of neighbouring samples
+    Exponential,
+    /// First order, unit length after each step
+    FirstOrderNormalized,
+    /// First order, as published
+    FirstOrder,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum GyroBiasArg {
+    /// Mean of the rests beside the turn
+    Adjacent,
+    /// First rest of the recording, as published
+    Initial,
+}
+
+/// Runs the command.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    let mut inputs = args.recordings.clone();
+    inputs.extend(args.accel_file.iter().chain(&args.gyro_file).cloned());
+    inputs.extend(args.gyro_recording.iter().chain(&args.sections).cloned());
+    inputs.extend(args.static_means.iter().cloned());
+    if inputs.is_empty() {
+        return Err(Failure::new(USAGE, "no recording given: name a file or a folder"));
+    }
+    let mut request = request(args)?;
+    let output = match &args.output {
+        Some(path) => Some(Output::claim(path, args.force, &as_paths(&inputs))?),
+        None => None,
+    };
+    let recordings = recordings(args)?;
+    let gyro_recordings =
+        args.gyro_recording.iter().map(|p| read(p, &args.read)).collect::<Result<Vec<_>, _>>()?;
+    request.sections = sections(args, &recordings)?;
+    let outcome = {
+        let spinner = spinner("calibrating");
+        let outcome = calibrate(&recordings, &gyro_recordings, &request)?;
+        spinner.finish_and_clear();
+        outcome
+    };
+    report(args, output, &outcome)
+}
+
+fn request(args: &Args) -> Result<Request, Failure> {
+    if !GRAVITY.contains(&args.gravity) {
+        return Err(Failure::new(
+            USAGE,
+            format!(
+                "--gravity {}: on the earth it lies between {} and {} m/s²; an error of 0.01 changes \
+                 every scale factor by 0.1 %",
+                args.gravity,
+                GRAVITY.start(),
+                GRAVITY.end()
+            ),
+        ));
+    }
+    let (detector, choose_multiplier) = args.detector.detector()?;
+    let effects = args
+        .effects
+        .iter()
+        .map(|name| {
+            effect_named(name).ok_or_else(|| {
+                Failure::new(
+                    USAGE,
+                    format!("--effects {name}: not in the catalogue ({})", catalogue_names()),
+                )
+            })
+        })
+        .collect::<Result<Vec<_>, _>>()?;
+    let nominal_step = match args.nominal_rate {
+        Some(rate) if rate > 0.0 && rate.is_finite() => Some(rate.recip()),
+        Some(rate) => {
+            return Err(Failure::new(USAGE, format!("--nominal-rate {rate}: a positive rate expected")));
+        }
+        None => None,
+    };
+    let static_means: Vec<Vector3<f64>> = match &args.static_means {
+        Some(path) => read_static_means(path)?,
+        None => Vec::new(),
+    };
+    let Method::Stepwise = args.method;
+    Ok(Request {
+        gravity: args.gravity,
+        detector,
+        choose_multiplier,
+        sections: Vec::new(),
+        frame: match args.frame {
+            FrameArg::Triangular => Frame::Triangular,
+            FrameArg::Symmetric => Frame::Symmetric,
+        },
+        integrator: match args.integrator {
+            IntegratorArg::Exponential => Integrator::Exponential,
+            IntegratorArg::FirstOrderNormalized => Integrator::FirstOrderNormalized,
+            IntegratorArg::FirstOrder => Integrator::FirstOrder,
+        },
+        gyro_bias: match args.gyro_bias {
+            GyroBiasArg::Adjacent => GyroBias::Adjacent,
+            GyroBiasArg::Initial => GyroBias::Initial,
+        },
+        nominal_step,
+        effects,
+        static_means,
+    })
+}
+
+fn catalogue_names() -> String {
+    let names: Vec<&str> = calib::calibration::catalogue().map(|e| e.name()).collect();
+    names.join(", ")
+}
+
+fn recordings(args: &Args) -> Result<Vec<Recording>, Failure> {
+    match (&args.accel_file, &args.gyro_file) {
+        (Some(accel), Some(gyro)) => Ok(vec![read_pair(accel, gyro, &args.read)?]),
+        _ => args.recordings.iter().map(|path| read(path, &args.read)).collect(),
+    }
+}
+
+fn sections(args: &Args, recordings: &[Recording]) -> Result<Vec<Vec<Span>>, Failure> {
+    match args.sections.as_slice() {
+        [] => Ok(Vec::new()),
+        [one] => recordings.iter().map(|r| Ok(read_sections(one, r)?)).collect(),
+        many if many.len() == recordings.len() => {
+            many.iter().zip(recordings).map(|(path, r)| Ok(read_sections(path, r)?)).collect()
+        }
+        many => Err(Failure::new(
+            USAGE,
+            format!(
+                "{} tables of --sections for {} recordings: give one for all or one for each",
+                many.len(),
+                recordings.len()
+            ),
+        )),
+    }
+}
+
+fn report(args: &Args, output: Option<Output>, outcome: &Outcome) -> Result<(), Failure> {
+    let calibration = &outcome.calibration;
+    let mut json = serde_json::to_string_pretty(calibration)
+        .map_err(|e| Failure::new(crate::exit::BUG, e.to_string()))?;
+    json.push('\n');
+    for warning in &calibration.warnings {
+        show::warn(warning);
+    }
+    if let Some(output) = output {
+        output.write(json.as_bytes())?;
+    }
+    if args.json {
+        show::print(&json);
+    } else {
+        show::print(&text(outcome));
+    }
+    match calibration.failed_gates.as_slice() {
+        [] => Ok(()),
+        gates => Err(Failure::new(GATE, gates.join("\nstillpoint: "))),
+    }
+}
+
+/// The tables for people.
+fn text(outcome: &Outcome) -> String {
+    let calibration = &outcome.calibration;
+    let mut text = String::new();
+    if let Some(triad) = &calibration.accelerometer {
+        let unit = outcome.accelerometer.as_ref().is_none_or(|fit| fit.unit.is_si());
+        let _ = writeln!(text, "Accelerometer   a = T (A - b), gravity {} m/s²", calibration.gravity);
+        let _ = writeln!(text, "{}", triad_table(calibration, triad, if unit { "m/s²" } else { "counts" }, "accel"));
+        let _ = writeln!(
+            text,
+            "{} static intervals, residual {:.2} mm/s² rms{}, condition {:.1}, rank {}",
+            triad.static_intervals.unwrap_or(0),
+            1e3 * triad.residual_rms,
+            over_noise(triad),
+            triad.condition,
+            triad.rank
+        );
+        if let Some(fit) = &outcome.accelerometer {
+            let second = &fit.second.uncertainty;
+            let _ = writeln!(
+                text,
+                "step 2 as published: rank {} of {}, so its frame is free; reported in the {} frame",
+                second.rank,
+                second.names.len(),
+                if triad.t[1][0] == 0.0 { "triangular" } else { "symmetric" }
+            );
+            if let Some(p) = fit.common_bias_p {
+                let _ = writeln!(
+                    text,
+                    "{} (a common bias would leave so much in {:.2} % of cases)",
+                    if fit.own_bias { "each recording has a bias of its own" } else { "one bias for all recordings" },
+                    100.0 * p
+                );
+            }
+        }
+        let _ = writeln!(text);
+    }
+    if let Some(triad) = &calibration.gyroscope {
+        let si = outcome.gyroscope.as_ref().is_none_or(|fit| fit.unit.is_si());
+        let _ = writeln!(text, "Gyroscope   w = T (W - b)");
+        let _ = writeln!(text, "{}", triad_table(calibration, triad, if si { "rad/s" } else { "counts" }, "gyro"));
+        if let Some(fit) = &outcome.gyroscope {
+            let _ = writeln!(
+                text,
+                "{} turns, gravity foretold to {:.3}° rms (raw {:.3}°){}, condition {:.1}, rank {}",
+                fit.chords.len(),
+                fit.rms().to_degrees(),
+                fit.rms_before().to_degrees(),
+                over_noise(triad),
+                triad.condition,
+                triad.rank
+            );
+        }
+    }
+    for effect in &calibration.effects {
+        let mut table = show::table(&[&effect.name, "value", "std error", "unit"]);
+        for p in &effect.parameters {
+            let digits = |v: f64| format!("{v:.3e}");
+            table.add_row([p.name.clone(), digits(p.value), p.std.map_or("fixed".into(), digits), p.unit.clone()]);
+        }
+        let _ = writeln!(text, "\n{table}");
+    }
+    text
+}
+
+/// How far the residual lies above the noise within the intervals.
+fn over_noise(triad: &Triad) -> String {
+    triad.reduced_chi2.map_or(String::new(), |chi2| {
+        format!(" ({:.1} times the noise in the intervals)", chi2.sqrt())
+    })
+}
+
+fn triad_table(calibration: &Calibration, triad: &Triad, unit: &str, prefix: &str) -> comfy_table::Table {
+    let _ = calibration;
+    let angle = if prefix == "accel" { "alpha" } else { "beta" };
+    let names = [
+        ["s_x".to_owned(), format!("{angle}_yz"), format!("{angle}_zy")],
+        [format!("{angle}_xz"), "s_y".to_owned(), format!("{angle}_zx")],
+        [format!("{angle}_xy"), format!("{angle}_yx"), "s_z".to_owned()],
+    ];
+    let mut table = show::table(&["parameter", "value", "std error", "unit"]);
+    let places = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 0), (1, 2), (2, 0), (2, 1)];
+    for (i, j) in places {
+        let (value, std) = (triad.t[i][j], triad.t_std[i][j]);
+        table.add_row([names[i][j].clone(), show::value(value, std), show::error(std), String::new()]);
+    }
+    let biases = |table: &mut comfy_table::Table, suffix: &str, bias: &[f64; 3], std: &[Option<f64>; 3]| {
+        for (k, axis) in ["x", "y", "z"].iter().enumerate() {
+            table.add_row([
+                format!("b_{axis}{suffix}"),
+                show::value(bias[k], std[k]),
+                show::error(std[k]),
+                unit.to_owned(),
+            ]);
+        }
+    };
+    if triad.recordings.is_empty() {
+        biases(&mut table, "", &triad.bias, &triad.bias_std);
+    }
+    for own in &triad.recordings {
+        biases(&mut table, &format!(" in {}", show::printable(&own.recording)), &own.bias, &own.bias_std);
+    }
+    table
+}

@@ -1,0 +1,30 @@
+//! One file per command.
+
+mod apply;
+mod calibrate;
+mod demo;
+mod inputs;
+mod segment;
+
+use clap::Subcommand;
+
+use crate::exit::Failure;
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    Demo(demo::Args),
+    Calibrate(Box<calibrate::Args>),
+    Segment(segment::Args),
+    Apply(apply::Args),
+}
+
+/// Runs a command.
+pub fn run(command: Command) -> Result<(), Failure> {
+    match command {
+        Command::Demo(args) => demo::run(&args),
+        Command::Calibrate(args) => calibrate::run(&args),
+        Command::Segment(args) => segment::run(&args),
+        Command::Apply(args) => apply::run(&args),
+    }
+}

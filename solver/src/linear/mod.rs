@@ -1,0 +1,143 @@
+//! The problem linearised at a point, `r + J p`, and the ways to solve for `p`.
+
+mod cholesky;
+mod minimum_norm;
+mod qr;
+
+pub(crate) use cholesky::CholeskyFactor;
+pub(crate) use minimum_norm::minimum_norm;
+pub(crate) use qr::QrFactor;
+
+use faer::{Mat, MatRef};
+use serde::{Deserialize, Serialize};
+
+use crate::vector::dot;
+
+/// How the damped linear problem is solved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum LinearSolver {
+    /// Column-pivoted QR of the Jacobian, factored once per point and reused for every damping.
+    #[default]
+    Qr,
+    /// Cholesky of the normal equations where they are safely positive definite, QR elsewhere;
+    /// half the work for tall Jacobians, half the digits.
+    Cholesky,
+}
+
+/// Residuals, cost and Jacobian at one point.
+#[derive(Clone, Debug)]
+pub(crate) struct Linearization {
+    /// `r` (`m`), corrected for the loss.
+    pub residuals: Vec<f64>,
+    /// What is minimised: `½ ‖r‖²`, or half the sum of the losses.
+    pub cost: f64,
+    /// `∂r/∂x` (`m × n`), free columns only.
+    pub jacobian: Jacobian,
+}
+
+/// A Jacobian in one of its two shapes.
+#[derive(Clone, Debug)]
+pub(crate) enum Jacobian {
+    /// All of it.
+    Dense(Mat<f64>),
+}
+
+/// A factorisation that solves damped linear least squares for many dampings and right sides.
+pub(crate) trait Factor {
+    /// `argmin ‖J p + b‖² + λ ‖D p‖²`; `None` where that is not finite.
+    fn damped(&self, b: &[f64], lambda: f64) -> Option<Vec<f64>>;
+
+    /// `argmin ‖J p + b‖²`, of minimum `‖D p‖` where the rank is short.
+    fn undamped(&self, b: &[f64]) -> Option<Vec<f64>>;
+
+    /// Length of the part of `b` in the column space of `J`.
+    fn tangential(&self, b: &[f64]) -> f64;
+}
+
+impl Jacobian {
+    /// Number of columns.
+    pub fn columns(&self) -> usize {
+        match self {
+            Self::Dense(j) => j.ncols(),
+        }
+    }
+
+    /// `‖J_k‖` of every column.
+    pub fn column_norms(&self) -> Vec<f64> {
+        match self {
+            Self::Dense(j) => (0..j.ncols()).map(|k| j.col(k).norm_l2()).collect(),
+        }
+    }
+
+    /// `J p`.
+    pub fn multiply(&self, p: &[f64]) -> Vec<f64> {
+        match self {
+            Self::Dense(j) => multiply(j.as_ref(), p),
+        }
+    }
+
+    /// `Jᵀ b`.
+    pub fn transpose_multiply(&self, b: &[f64]) -> Vec<f64> {
+        match self {
+            Self::Dense(j) => transpose_multiply(j.as_ref(), b),
+        }
+    }
+
+    /// Factors `J D⁻¹`.
+    pub fn factor(&self, scale: &[f64], solver: LinearSolver) -> Box<dyn Factor + '_> {
+        match (self, solver) {
+            (Self::Dense(j), LinearSolver::Qr) => Box::new(QrFactor::new(j.as_ref(), scale)),
+            (Self::Dense(j), LinearSolver::Cholesky) => Box::new(CholeskyFactor::new(j.as_ref(), scale)),
+        }
+    }
+
+    /// Scales row `i` by `factors[i]`.
+    pub fn scale_rows(&mut self, factors: &[f64]) {
+        match self {
+            Self::Dense(j) => {
+                for column in j.col_iter_mut() {
+                    for (value, factor) in column.iter_mut().zip(factors) {
+                        *value *= factor;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Row and column of the first entry that is not finite.
+    pub fn not_finite(&self) -> Option<(usize, usize)> {
+        match self {
+            Self::Dense(j) => not_finite(j.as_ref()),
+        }
+    }
+}
+
+/// `A p`.
+pub(crate) fn multiply(a: MatRef<'_, f64>, p: &[f64]) -> Vec<f64> {
+    let mut out = vec![0.0; a.nrows()];
+    for (column, &factor) in a.col_iter().zip(p) {
+        if factor != 0.0 {
+            for (sum, value) in out.iter_mut().zip(column.iter()) {
+                *sum += factor * value;
+            }
+        }
+    }
+    out
+}
+
+/// `Aᵀ b`.
+pub(crate) fn transpose_multiply(a: MatRef<'_, f64>, b: &[f64]) -> Vec<f64> {
+    a.col_iter()
+        .map(|column| match column.try_as_col_major() {
+            Some(column) => dot(column.as_slice(), b),
+            None => column.iter().zip(b).map(|(a, b)| a * b).sum(),
+        })
+        .collect()
+}
+
+/// Row and column of the first entry that is not finite, column by column.
+pub(crate) fn not_finite(a: MatRef<'_, f64>) -> Option<(usize, usize)> {
+    (0..a.ncols()).find_map(|k| (0..a.nrows()).find(|&i| !a[(i, k)].is_finite()).map(|i| (i, k)))
+}

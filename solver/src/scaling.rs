@@ -1,0 +1,36 @@
+//! Scaling that makes the steps independent of the parameters' units.
+
+/// `D`, the largest norm each column of the Jacobian has had.
+///
+/// Moré, "The Levenberg-Marquardt algorithm: implementation and theory", 1978: multiplying a
+/// parameter by a factor divides its column by it and leaves `D x` as it was.
+#[derive(Clone, Debug)]
+pub(crate) struct Scaling {
+    largest: Vec<f64>,
+    scale: Vec<f64>,
+}
+
+impl Scaling {
+    /// Nothing seen yet.
+    pub fn new(n: usize) -> Self {
+        Self { largest: vec![0.0; n], scale: vec![1.0; n] }
+    }
+
+    /// Takes the column norms of a new Jacobian into account.
+    pub fn update(&mut self, norms: &[f64]) {
+        for ((largest, scale), &norm) in self.largest.iter_mut().zip(&mut self.scale).zip(norms) {
+            *largest = largest.max(norm);
+            *scale = unit_if_zero(*largest);
+        }
+    }
+
+    /// The diagonal of `D` (`n`); 1 where a column has always been zero, whose step is zero then.
+    pub fn diagonal(&self) -> &[f64] {
+        &self.scale
+    }
+}
+
+/// The norms with 1 in place of 0, to divide by.
+pub(crate) fn unit_if_zero(norm: f64) -> f64 {
+    if norm > 0.0 { norm } else { 1.0 }
+}

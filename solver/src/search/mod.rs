@@ -1,0 +1,34 @@
+//! How large the next step is, and whether the last one is taken: one file per way.
+
+mod damping;
+mod line_search;
+mod trust_radius;
+
+pub(crate) use damping::{DelayedGratification, Marquardt, Nielsen};
+pub(crate) use line_search::LineSearch;
+pub(crate) use trust_radius::TrustRadius;
+
+/// What came of a step.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Trial {
+    /// Fall of the cost over the fall promised by the linearised problem; not a number or negative
+    /// where the cost rose.
+    pub ratio: f64,
+    /// Length of the step, `‖D p‖`.
+    pub length: f64,
+}
+
+/// A rule for the size given to the descent.
+pub(crate) trait Search {
+    /// The size of the next step: a damping, a radius or a fraction.
+    fn size(&self) -> f64;
+
+    /// Learns that the step was taken.
+    fn accepted(&mut self, trial: Trial);
+
+    /// Learns that the step was not taken, or that there was none.
+    fn rejected(&mut self, trial: Trial);
+
+    /// Whether no smaller step makes sense.
+    fn exhausted(&self) -> bool;
+}

@@ -1,0 +1,71 @@
+//! A problem in its free parameters: what the loop works on.
+
+use crate::linear::{Jacobian, Linearization};
+use crate::parameters::{Mask, Parameters};
+use crate::residual::Problem;
+use crate::vector::half_square;
+
+/// Cost, linearisation and curvature at free parameters `z` (`n`).
+pub(crate) trait System {
+    /// What is minimised, at `z`; infinite where a residual is not finite.
+    fn cost(&self, z: &[f64]) -> f64;
+
+    /// Residuals, cost and Jacobian at `z`; entries may be infinite or not a number.
+    fn linearize(&self, z: &[f64]) -> Linearization;
+
+    /// `d²/dt² r(z + t·v)` at `t = 0`, where the problem offers it.
+    fn second_derivative(&self, z: &[f64], v: &[f64]) -> Option<Vec<f64>>;
+}
+
+/// A [`Problem`] with a dense Jacobian and some parameters held.
+pub(crate) struct Dense<'a> {
+    problem: &'a dyn Problem,
+    full: Vec<f64>,
+    free: Vec<usize>,
+}
+
+impl<'a> Dense<'a> {
+    /// The parameters not freed by `mask` stay at their values in `start`.
+    pub fn new(problem: &'a dyn Problem, start: &Parameters, mask: &Mask) -> Self {
+        Self { problem, full: start.values().to_vec(), free: mask.free_indices() }
+    }
+
+    /// The free entries of a full vector.
+    pub fn restrict(&self, x: &[f64]) -> Vec<f64> {
+        self.free.iter().map(|&k| x[k]).collect()
+    }
+
+    /// All parameters, the free ones at `z`.
+    pub fn embed(&self, z: &[f64]) -> Vec<f64> {
+        self.scatter(self.full.clone(), z)
+    }
+
+    fn scatter(&self, mut x: Vec<f64>, z: &[f64]) -> Vec<f64> {
+        for (&k, &value) in self.free.iter().zip(z) {
+            x[k] = value;
+        }
+        x
+    }
+}
+
+impl System for Dense<'_> {
+    fn cost(&self, z: &[f64]) -> f64 {
+        let mut residuals = Vec::new();
+        self.problem.values(&self.embed(z), &mut residuals);
+        half_square(&residuals)
+    }
+
+    fn linearize(&self, z: &[f64]) -> Linearization {
+        let mut residuals = Vec::new();
+        let jacobian = self.problem.linearize(&self.embed(z), &self.free, &mut residuals);
+        let cost = half_square(&residuals);
+        Linearization { residuals, cost, jacobian: Jacobian::Dense(jacobian) }
+    }
+
+    fn second_derivative(&self, z: &[f64], v: &[f64]) -> Option<Vec<f64>> {
+        let direction = self.scatter(vec![0.0; self.full.len()], v);
+        let mut out = Vec::new();
+        let offered = self.problem.second_derivative(&self.embed(z), &direction, &mut out);
+        (offered && out.iter().all(|v| v.is_finite())).then_some(out)
+    }
+}

@@ -1,0 +1,48 @@
+//! The few vector operations of the solver, on slices.
+
+/// `a · b`.
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// `‖a‖`, without overflow for entries whose squares overflow.
+pub(crate) fn norm(a: &[f64]) -> f64 {
+    let plain = dot(a, a);
+    if plain.is_normal() {
+        return plain.sqrt();
+    }
+    let largest = a.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    if largest == 0.0 || !largest.is_finite() {
+        return if a.iter().any(|v| v.is_nan()) { f64::NAN } else { largest };
+    }
+    largest * a.iter().map(|v| (v / largest).powi(2)).sum::<f64>().sqrt()
+}
+
+/// `‖D a‖` for a diagonal `D`.
+pub(crate) fn scaled_norm(a: &[f64], scale: &[f64]) -> f64 {
+    a.iter().zip(scale).map(|(a, s)| (a * s).powi(2)).sum::<f64>().sqrt()
+}
+
+/// `a + factor · b`.
+pub(crate) fn add(a: &[f64], factor: f64, b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a + factor * b).collect()
+}
+
+/// `½ ‖r‖²`, infinite where it is not a number.
+pub(crate) fn half_square(r: &[f64]) -> f64 {
+    let sum = 0.5 * dot(r, r);
+    if sum.is_nan() { f64::INFINITY } else { sum }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn norm_survives_overflow_and_underflow() {
+        assert!((norm(&[3e200, 4e200]) / 5e200 - 1.0).abs() < 1e-15);
+        assert!((norm(&[3e-200, 4e-200]) / 5e-200 - 1.0).abs() < 1e-15);
+        assert_eq!(norm(&[0.0, 0.0]), 0.0);
+        assert!(norm(&[f64::NAN, 1.0]).is_nan());
+    }
+}
