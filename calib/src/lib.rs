@@ -12,6 +12,7 @@ pub mod calibrate;
 pub mod calibration;
 pub mod covariates;
 mod error;
+mod evaluate;
 pub mod intervals;
 pub mod methods;
 pub mod noise;
@@ -22,4 +23,5 @@ pub mod simulate;
 
 pub use calibration::Calibration;
 pub use error::Error;
+pub use evaluate::{Evaluation, evaluate};
 pub use recording::Recording;
