@@ -15,6 +15,8 @@ mod error;
 mod evaluate;
 pub mod intervals;
 pub mod methods;
+pub mod noise;
+pub mod reckon;
 pub mod recording;
 pub mod residuals;
 pub mod simulate;

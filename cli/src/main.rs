@@ -7,6 +7,7 @@ mod exit;
 mod interrupt;
 mod output;
 mod read_args;
+mod report;
 mod show;
 
 use std::process::ExitCode;

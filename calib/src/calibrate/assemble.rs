@@ -85,6 +85,7 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         parameters: table.names,
         covariance: table.covariance,
         warnings,
+        history: Vec::new(),
         failed_gates,
     };
     Ok(match request.frame {

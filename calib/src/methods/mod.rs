@@ -3,6 +3,8 @@
 mod first_guess;
 mod fitted;
 mod gyroscope;
+pub mod online_bias;
+pub mod six_position;
 mod stepwise;
 mod threshold;
 
