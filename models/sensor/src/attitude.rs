@@ -78,7 +78,10 @@ impl<D: Scalar> Attitude<D> {
 impl Attitude<f64> {
     /// The same attitude over another scalar, as a constant.
     pub fn lift<D: Scalar>(&self) -> Attitude<D> {
-        Attitude { w: lit(self.w), v: self.v.map(lit) }
+        Attitude {
+            w: lit(self.w),
+            v: self.v.map(lit),
+        }
     }
 }
 

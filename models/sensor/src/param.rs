@@ -14,7 +14,11 @@ pub struct Param {
 impl Param {
     /// A parameter with the value it has in a perfect sensor.
     pub const fn new(name: &'static str, unit: &'static str, nominal: f64) -> Self {
-        Self { name, unit, nominal }
+        Self {
+            name,
+            unit,
+            nominal,
+        }
     }
 }
 
