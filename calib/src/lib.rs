@@ -1,5 +1,7 @@
 //! From hand-held recordings to calibrations.
 
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
 mod error;
 pub mod recording;
 
