@@ -39,11 +39,6 @@ impl QrFactor {
         }
     }
 
-    /// Rank of `J D⁻¹` to working precision.
-    pub fn rank(&self) -> usize {
-        self.rank
-    }
-
     /// `Qᵀ b`, its first `min(m, n)` entries.
     fn rotated(&self, b: &[f64]) -> Vec<f64> {
         let (basis, coefficients) = (self.qr.Q_basis(), self.qr.Q_coeff());
