@@ -219,7 +219,8 @@ fn back_substitute(rows: MatRef<'_, f64>, n: usize, known: &[f64]) -> Option<Vec
     let largest = (0..n).map(|i| rows[(i, i)].abs()).fold(0.0, f64::max);
     let mut y = vec![0.0; n];
     for i in (0..n).rev() {
-        if !(rows[(i, i)].abs() > SINGULAR * largest) {
+        let pivot = rows[(i, i)].abs();
+        if pivot <= SINGULAR * largest || pivot.is_nan() {
             return None;
         }
         let own: f64 = (i + 1..n).map(|k| rows[(i, k)] * y[k]).sum();

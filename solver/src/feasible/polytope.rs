@@ -53,7 +53,8 @@ pub(crate) struct Active {
 
 impl Row {
     fn new(source: &Constraint, start: &Parameters, mask: &Mask) -> Result<Self, Error> {
-        if !(source.lower <= source.upper) || source.terms.iter().any(|(_, c)| !c.is_finite()) {
+        let ordered = source.lower <= source.upper;
+        if !ordered || source.terms.iter().any(|(_, c)| !c.is_finite()) {
             return Err(source.empty());
         }
         let free = mask.free_indices();
