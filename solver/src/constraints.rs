@@ -3,7 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
-use crate::parameters::Parameters;
+use crate::feasible::{Polytope, nearest};
+use crate::parameters::{Mask, Parameters};
 
 /// Bounds and linear constraints `lower ≤ Σ cₖ xₖ ≤ upper`.
 ///
@@ -97,23 +98,20 @@ impl Constraints {
         self
     }
 
-    /// Moves every parameter between its own bounds; constraints on several parameters are left.
+    /// Moves the free parameters to the nearest point that meets all constraints; distances count
+    /// relative to the size of each parameter (absolutely below 1).
     ///
     /// # Errors
-    /// A name that no parameter has, and bounds that exclude each other.
-    pub fn clamp(&self, parameters: &mut Parameters) -> Result<(), Error> {
-        for row in &self.rows {
-            if let [(name, c)] = row.terms.as_slice() {
-                let k = parameters
-                    .index(name)
-                    .ok_or_else(|| Error::UnknownParameter { name: name.clone() })?;
-                let (a, b) = (row.lower / c, row.upper / c);
-                if a.is_nan() || b.is_nan() || row.lower > row.upper {
-                    return Err(row.empty());
-                }
-                let value = &mut parameters.values_mut()[k];
-                *value = value.max(a.min(b)).min(a.max(b));
-            }
+    /// A name that no parameter has, and constraints that contradict each other.
+    pub fn project(&self, parameters: &mut Parameters, mask: &Mask) -> Result<(), Error> {
+        let Some(polytope) = Polytope::new(self, parameters, mask)? else {
+            return Ok(());
+        };
+        let free = mask.free_indices();
+        let z: Vec<f64> = free.iter().map(|&k| parameters.values()[k]).collect();
+        let nearest = nearest(&polytope, &z)?;
+        for (&k, value) in free.iter().zip(nearest) {
+            parameters.values_mut()[k] = value;
         }
         Ok(())
     }

@@ -57,7 +57,7 @@ pub enum Error {
     },
     /// The start lies outside a constraint.
     #[error(
-        "constraint {constraint} is {value} at the start, outside {lower} to {upper}: see Constraints::clamp"
+        "constraint {constraint} is {value} at the start, outside {lower} to {upper}: see Constraints::project"
     )]
     StartInfeasible {
         /// The constraint in words.

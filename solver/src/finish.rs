@@ -13,7 +13,7 @@ use crate::vector::{add, norm, scaled_norm};
 /// Most last steps.
 const MOST: usize = 60;
 
-/// A step this short, relative to `‖D z‖`, changes nothing.
+/// A step this short, relative to each parameter, changes nothing.
 const NO_CHANGE: f64 = 2.0 * f64::EPSILON;
 
 /// Relative rise of the cost that rounding may explain.
@@ -111,7 +111,11 @@ pub(crate) fn polish(
         let Some(step) = newton.or_else(|| verdict.step.clone()) else {
             break;
         };
-        if scaled_norm(&step, &verdict.scale) <= NO_CHANGE * scaled_norm(&point.z, &verdict.scale) {
+        if step
+            .iter()
+            .zip(&point.z)
+            .all(|(p, z)| p.abs() <= NO_CHANGE * z.abs())
+        {
             break;
         }
         let next = improved(system, point, &step, polytope, &verdict);

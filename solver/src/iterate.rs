@@ -4,10 +4,13 @@ use std::ops::ControlFlow;
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
-use crate::descent::{Descent, Local};
+use faer::Mat;
+
+use crate::descent::{Descent, Local, Step};
 use crate::feasible::{Face, Polytope};
 use crate::linear::{Factor, Jacobian};
-use crate::options::Options;
+use crate::newton;
+use crate::options::{Options, Variant};
 use crate::point::{NotFinite, Point};
 use crate::report::Iteration;
 use crate::scaling::Scaling;
@@ -18,6 +21,9 @@ use crate::vector::{add, norm, scaled_norm};
 /// Relative offset below which the cost no longer tells two points apart (it changes by the square
 /// of the offset) and the last steps are judged by the gradient instead.
 const NEAR: f64 = 1e-6;
+
+/// Steps taken after which a run counts as slow.
+const SLOW: usize = 20;
 
 /// Falls of the cost in a row, each below rounding, after which it counts as flat.
 const FLAT_STEPS: usize = 3;
@@ -58,6 +64,7 @@ pub(crate) struct Run<'a> {
     descent: Box<dyn Descent>,
     search: Box<dyn Search>,
     flat: usize,
+    taken: usize,
     not_finite: Option<NotFinite>,
     cancelled: bool,
 }
@@ -88,6 +95,7 @@ impl<'a> Run<'a> {
                 .search(scaled_norm(&start.z, scaling.diagonal())),
             scaling,
             flat: 0,
+            taken: 0,
             not_finite: None,
             cancelled: false,
         }
@@ -121,15 +129,32 @@ impl<'a> Run<'a> {
             return Err(Stop::Near);
         }
         self.not_finite = None;
+        let hessian = self.missing_hessian(&local);
         loop {
             self.limits()?;
-            if let Some(next) = self.attempt(&local)? {
+            if let Some(next) = self.attempt(&local, hessian.as_ref())? {
+                self.taken += 1;
                 return Ok(next);
             }
             if self.search.exhausted() {
                 return Err(self.not_finite.map_or(Stop::Stalled, Stop::NotFinite));
             }
         }
+    }
+
+    /// In a slow run of a variant that uses second derivatives, the part of the Hessian that
+    /// Gauss–Newton leaves out, in scaled directions.
+    fn missing_hessian(&self, local: &Local<'_>) -> Option<Mat<f64>> {
+        let wanted = matches!(
+            self.options.variant,
+            Variant::LevenbergMarquardt { geodesic: true, .. }
+        );
+        if !wanted || self.polytope.is_some() || self.taken < SLOW {
+            return None;
+        }
+        let n = local.scale.len();
+        let directions = Mat::from_fn(n, n, |i, k| if i == k { 1.0 / local.scale[i] } else { 0.0 });
+        newton::curvature(self.system, local.point, directions.as_ref())
     }
 
     /// `‖P r‖`, along the active constraints where there are any.
@@ -152,9 +177,13 @@ impl<'a> Run<'a> {
     }
 
     /// One step: `Some` if it was taken, `None` if the next has to be smaller.
-    fn attempt(&mut self, local: &Local<'_>) -> Result<Option<Point>, Stop> {
+    fn attempt(
+        &mut self,
+        local: &Local<'_>,
+        hessian: Option<&Mat<f64>>,
+    ) -> Result<Option<Point>, Stop> {
         let size = self.search.size();
-        let Some(step) = self.descent.step(local, size) else {
+        let Some((step, cost)) = self.better_step(local, size, hessian) else {
             self.search.rejected(Trial {
                 ratio: f64::NAN,
                 length: 0.0,
@@ -174,11 +203,7 @@ impl<'a> Run<'a> {
         if length <= self.options.step_tolerance * scaled_norm(&local.point.z, local.scale) {
             return Err(Stop::Step);
         }
-        let mut z = add(&local.point.z, 1.0, &step.p);
-        if let Some(polytope) = self.polytope {
-            polytope.settle(&mut z);
-        }
-        let cost = self.system.cost(&z);
+        let z = self.landing(local.point, &step);
         let fall = local.point.at.cost - cost;
         let next = if fall > 0.0 { self.linearize(z) } else { None };
         let trial = Trial {
@@ -204,6 +229,36 @@ impl<'a> Run<'a> {
             best,
         );
         Ok(next)
+    }
+
+    /// The step of the descent or, in a slow run, Newton's if that leads lower; with its cost.
+    fn better_step(
+        &self,
+        local: &Local<'_>,
+        size: f64,
+        hessian: Option<&Mat<f64>>,
+    ) -> Option<(Step, f64)> {
+        let cost_of = |step: Step| {
+            let cost = self.system.cost(&self.landing(local.point, &step));
+            (step, cost)
+        };
+        let usual = self.descent.step(local, size).map(cost_of);
+        let newton = hessian
+            .and_then(|s| newton::damped_step(local, s, size))
+            .map(cost_of);
+        match (usual, newton) {
+            (Some(usual), Some(newton)) => Some(if newton.1 < usual.1 { newton } else { usual }),
+            (usual, newton) => usual.or(newton),
+        }
+    }
+
+    /// Where a step leads, exactly on the bounds that it reaches.
+    fn landing(&self, point: &Point, step: &Step) -> Vec<f64> {
+        let mut z = add(&point.z, 1.0, &step.p);
+        if let Some(polytope) = self.polytope {
+            polytope.settle(&mut z);
+        }
+        z
     }
 
     fn linearize(&mut self, z: Vec<f64>) -> Option<Point> {

@@ -3,6 +3,7 @@
 use faer::linalg::solvers::SolveCore;
 use faer::{Conj, Mat, MatRef, Side};
 
+use crate::descent::{Local, Step};
 use crate::linear::{Jacobian, multiply, transpose_multiply};
 use crate::point::Point;
 use crate::system::System;
@@ -59,4 +60,15 @@ pub(crate) fn step(point: &Point, directions: MatRef<'_, f64>, s: &Mat<f64>) -> 
     let u: Vec<f64> = (0..gradient.len()).map(|k| u[(k, 0)]).collect();
     let p = multiply(directions, &u);
     p.iter().all(|v| v.is_finite()).then_some(p)
+}
+
+/// `argmin ½ pᵀ (JᵀJ + S + λ D²) p + rᵀJ p` with `S` known in scaled directions `D⁻¹`; `None` where
+/// the damped Hessian is not positive definite.
+pub(crate) fn damped_step(local: &Local<'_>, s: &Mat<f64>, lambda: f64) -> Option<Step> {
+    let n = local.scale.len();
+    let scaled = Mat::from_fn(n, n, |i, k| if i == k { 1.0 / local.scale[i] } else { 0.0 });
+    let damped = Mat::from_fn(n, n, |i, k| s[(i, k)] + if i == k { lambda } else { 0.0 });
+    let p = step(local.point, scaled.as_ref(), &damped)?;
+    let predicted = local.predicted(&p);
+    Some(Step { p, predicted })
 }

@@ -1,5 +1,7 @@
 //! The default solver on NIST's nonlinear regression problems.
 
+#![allow(clippy::unwrap_used)]
+
 use std::path::Path;
 
 use solver::{Mask, Options, Report, solve};

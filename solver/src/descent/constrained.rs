@@ -1,8 +1,8 @@
 //! The Levenberg–Marquardt step within bounds and linear constraints.
 
-use super::{Damped, Descent, Local, Step, geodesic};
+use super::{Damped, Descent, Local, Step};
 use crate::feasible::{Active, Face, Polytope, active_at_minimum};
-use crate::linear::Jacobian;
+use crate::linear::{Factor, Jacobian};
 use crate::vector::add;
 
 /// Most constraints added one by one after the quadratic program.
@@ -19,9 +19,9 @@ pub(crate) struct Constrained {
 
 impl Descent for Constrained {
     fn step(&self, local: &Local<'_>, lambda: f64) -> Option<Step> {
-        let free = self.damped.step(local, lambda)?;
-        if self.polytope.contains(&add(&local.point.z, 1.0, &free.p)) {
-            return Some(free);
+        let velocity = local.factor.damped(&local.point.at.residuals, lambda)?;
+        if self.stays_inside(local, &velocity) {
+            return self.bent_inside(local, velocity, lambda);
         }
         let Jacobian::Dense(jacobian) = &local.point.at.jacobian else {
             return None;
@@ -61,25 +61,30 @@ impl Constrained {
             1.0,
             &local.point.at.jacobian.multiply(&onto),
         );
-        let velocity = add(
-            &onto,
-            1.0,
-            &crate::linear::Factor::damped(&factor, &shifted, lambda)?,
-        );
-        let predicted = local.predicted(&velocity);
-        if self.damped.geodesic {
-            let on_face = Local {
+        let velocity = add(&onto, 1.0, &factor.damped(&shifted, lambda)?);
+        self.bent_inside(
+            &Local {
                 factor: &factor,
                 ..*local
-            };
-            let bent = geodesic::bend(&on_face, velocity.clone(), lambda)?;
-            if self.polytope.contains(&add(&local.point.z, 1.0, &bent)) {
-                return Some(Step { p: bent, predicted });
-            }
+            },
+            velocity,
+            lambda,
+        )
+    }
+
+    /// The bent step where it stays inside, the straight one otherwise.
+    fn bent_inside(&self, local: &Local<'_>, velocity: Vec<f64>, lambda: f64) -> Option<Step> {
+        let bent = self.damped.bent(local, velocity.clone(), lambda)?;
+        if self.stays_inside(local, &bent.p) {
+            return Some(bent);
         }
         Some(Step {
             p: velocity,
-            predicted,
+            ..bent
         })
+    }
+
+    fn stays_inside(&self, local: &Local<'_>, p: &[f64]) -> bool {
+        self.polytope.contains(&add(&local.point.z, 1.0, p))
     }
 }

@@ -2,8 +2,10 @@
 
 mod face;
 mod polytope;
+mod projection;
 mod quadratic_program;
 
 pub(crate) use face::Face;
 pub(crate) use polytope::{Active, Polytope, Side};
+pub(crate) use projection::nearest;
 pub(crate) use quadratic_program::active_at_minimum;

@@ -186,7 +186,8 @@ impl Polytope {
         for row in &self.rows {
             let Some(k) = row.single else { continue };
             let (lower, upper) = row.interval(k);
-            let near = |bound: f64| (z[k] - bound).abs() <= ROUNDING * bound.abs();
+            let near =
+                |bound: f64| bound.is_finite() && (z[k] - bound).abs() <= ROUNDING * bound.abs();
             let value = if near(lower) {
                 lower
             } else if near(upper) {
