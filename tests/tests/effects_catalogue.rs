@@ -103,7 +103,8 @@ fn names_are_unique_and_in_snake_case() {
     let names: HashSet<_> = effects.iter().map(|e| e.name()).collect();
     assert_eq!(names.len(), effects.len());
     let is_snake = |name: &str| {
-        name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
+        name.chars()
+            .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
             && !name.starts_with('_')
             && !name.ends_with('_')
             && !name.contains("__")
@@ -189,8 +190,11 @@ fn second_derivatives_are_those_of_the_first() {
             let mut next = numbers(seed + 5);
             let direction: Vec<f64> = x.iter().map(|v| v * next()).collect();
             let at = |t: f64| -> Vector3<Jet2> {
-                let jets: Vec<Jet2> =
-                    x.iter().zip(&direction).map(|(&x, &d)| along(x + t * d, d)).collect();
+                let jets: Vec<Jet2> = x
+                    .iter()
+                    .zip(&direction)
+                    .map(|(&x, &d)| along(x + t * d, d))
+                    .collect();
                 effect.error_jet2(&split(n, &truth, &jets), &jets[..n])
             };
             let h = 1e-5;
@@ -220,7 +224,10 @@ fn device(effect: &'static dyn AnyEffect, size: f64, seed: usize) -> (Model, Vec
 #[test]
 fn correct_undoes_distort_at_ten_times_the_typical_size() {
     for effect in catalogue() {
-        for (size, seed) in [1.0, 10.0].into_iter().flat_map(|s| (0..5).map(move |k| (s, k))) {
+        for (size, seed) in [1.0, 10.0]
+            .into_iter()
+            .flat_map(|s| (0..5).map(move |k| (s, k)))
+        {
             let (model, p) = device(effect, size, seed);
             let truth = instant(seed);
             let raw = model.distort(&truth, &p).unwrap();
@@ -237,10 +244,17 @@ fn correct_undoes_distort_at_ten_times_the_typical_size() {
 #[test]
 fn all_effects_of_a_sensor_at_once_can_be_undone() {
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
-        let own: Vec<_> = catalogue().into_iter().filter(|e| e.sensor() == sensor).collect();
-        let model = own.iter().fold(Model::base(sensor), |model, effect| model.with(*effect));
+        let own: Vec<_> = catalogue()
+            .into_iter()
+            .filter(|e| e.sensor() == sensor)
+            .collect();
+        let model = own
+            .iter()
+            .fold(Model::base(sensor), |model, effect| model.with(*effect));
         let mut p = model.parameters().values()[..BASE_PARAMETERS].to_vec();
-        own.iter().enumerate().for_each(|(k, effect)| p.extend(coefficients(*effect, 3.0, k)));
+        own.iter()
+            .enumerate()
+            .for_each(|(k, effect)| p.extend(coefficients(*effect, 3.0, k)));
         let truth = instant(2);
         let raw = model.distort(&truth, &p).unwrap();
         let corrected = model.correct(&raw, &truth.with_signal(sensor, Vector3::zeros()), &p);
@@ -268,7 +282,11 @@ fn the_derivatives_of_a_corrected_reading_are_right() {
                 let exact = derivatives(&corrected[i])[0];
                 // Rounding of the difference: 1e-15 of the signal over h.
                 let allowed = 1e-7 * exact.abs() + 1e-14 * truth.signal(effect.sensor()).amax() / h;
-                assert!((exact - slope[i]).abs() <= allowed, "{} {k} {i}", effect.name());
+                assert!(
+                    (exact - slope[i]).abs() <= allowed,
+                    "{} {k} {i}",
+                    effect.name()
+                );
             }
         }
     }
@@ -283,8 +301,11 @@ fn the_second_derivative_of_a_corrected_reading_is_right() {
         let mut next = numbers(3);
         let direction: Vec<f64> = p.iter().map(|v| v * next()).collect();
         let at = |t: f64| {
-            let jets: Vec<Jet2> =
-                p.iter().zip(&direction).map(|(&x, &d)| along(x + t * d, d)).collect();
+            let jets: Vec<Jet2> = p
+                .iter()
+                .zip(&direction)
+                .map(|(&x, &d)| along(x + t * d, d))
+                .collect();
             model.correct(&raw.map(lit), &truth.cast(), &jets)
         };
         let h = 1e-5;
@@ -292,7 +313,11 @@ fn the_second_derivative_of_a_corrected_reading_is_right() {
         for i in 0..3 {
             let slope = (up[i].v1 - down[i].v1) / (2.0 * h);
             let off = (second_derivative(&here[i]) - slope).abs();
-            assert!(off <= 1e-7 * here.map(|e| e.re).amax(), "{} {i}: {off}", effect.name());
+            assert!(
+                off <= 1e-7 * here.map(|e| e.re).amax(),
+                "{} {i}: {off}",
+                effect.name()
+            );
         }
     }
 }

@@ -36,7 +36,7 @@ pub use fault::Fault;
 pub use motion::{Cart, HandHeld, SixPosition, Still, Walking};
 pub use noise::Noise;
 pub use samples::{Sample, Samples};
-pub use simulation::{Session, Simulation};
+pub use simulation::{MOST_SAMPLES, Session, Simulation};
 pub use spec::{EARTH_RATE, Motion, SensorSpec, Spec};
 pub use truth::{StaticInterval, TRUTH_SCHEMA, Truth};
 pub use vibration::Vibration;
