@@ -37,7 +37,7 @@ pub use motion::{Cart, HandHeld, SixPosition, Still, Walking};
 pub use noise::Noise;
 pub use samples::{Sample, Samples};
 pub use simulation::{MOST_SAMPLES, Session, Simulation};
-pub use spec::{EARTH_RATE, Motion, SensorSpec, Spec};
+pub use spec::{EARTH_RATE, EXAMPLE, Motion, SensorSpec, Spec};
 pub use truth::{StaticInterval, TRUTH_SCHEMA, Truth};
 pub use vibration::Vibration;
 pub use write::FILES;
