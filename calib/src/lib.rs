@@ -12,12 +12,16 @@ pub mod calibrate;
 pub mod calibration;
 pub mod covariates;
 mod error;
+mod evaluate;
 pub mod intervals;
 pub mod methods;
+pub mod noise;
+pub mod reckon;
 pub mod recording;
 pub mod residuals;
 pub mod simulate;
 
 pub use calibration::Calibration;
 pub use error::Error;
+pub use evaluate::{Evaluation, evaluate};
 pub use recording::Recording;

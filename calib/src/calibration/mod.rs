@@ -42,6 +42,24 @@ pub struct Calibration {
     /// Reasons not to use the calibration as it stands.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub failed_gates: Vec<String>,
+    /// Biases estimated again since, oldest first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub history: Vec<BiasUpdate>,
+}
+
+/// A bias estimated again with everything else kept.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BiasUpdate {
+    /// `accel` or `gyro`.
+    pub sensor: String,
+    /// The recording it was estimated on.
+    pub recording: String,
+    /// Rests used.
+    pub rests: usize,
+    /// The bias before.
+    pub bias_before: [f64; 3],
+    /// The bias since.
+    pub bias: [f64; 3],
 }
 
 /// The base model of one sensor and how well it is known.
@@ -150,7 +168,10 @@ impl Calibration {
 
 /// The whole catalogue.
 pub fn catalogue() -> impl Iterator<Item = &'static dyn AnyEffect> {
-    accelerometer::EFFECTS.iter().chain(gyroscope::EFFECTS).copied()
+    accelerometer::EFFECTS
+        .iter()
+        .chain(gyroscope::EFFECTS)
+        .copied()
 }
 
 /// The effect of that name.

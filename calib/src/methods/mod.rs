@@ -3,6 +3,8 @@
 mod first_guess;
 mod fitted;
 mod gyroscope;
+pub mod online_bias;
+pub mod six_position;
 mod stepwise;
 mod threshold;
 
@@ -23,7 +25,10 @@ use crate::residuals::StaticMean;
 pub fn static_means(recording: &Recording, segmentation: &Segmentation) -> Vec<StaticMean> {
     let mean = |rest: &StaticInterval| {
         let raw = rest.accelerometer?.mean;
-        Some(StaticMean { raw, rest: known_of(recording, rest, Vector3::zeros()) })
+        Some(StaticMean {
+            raw,
+            rest: known_of(recording, rest, Vector3::zeros()),
+        })
     };
     segmentation.statics.iter().filter_map(mean).collect()
 }

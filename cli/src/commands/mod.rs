@@ -3,6 +3,7 @@
 mod apply;
 mod calibrate;
 mod demo;
+mod evaluate;
 mod inputs;
 mod segment;
 
@@ -17,6 +18,7 @@ pub enum Command {
     Calibrate(Box<calibrate::Args>),
     Segment(segment::Args),
     Apply(apply::Args),
+    Evaluate(evaluate::Args),
 }
 
 /// Runs a command.
@@ -26,5 +28,6 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Calibrate(args) => calibrate::run(&args),
         Command::Segment(args) => segment::run(&args),
         Command::Apply(args) => apply::run(&args),
+        Command::Evaluate(args) => evaluate::run(&args),
     }
 }

@@ -102,8 +102,14 @@ impl<D: Scalar> Kinematics<D> {
     /// The same instant with another value of the signal that `sensor` measures.
     pub fn with_signal(&self, sensor: Sensor, signal: Vector3<D>) -> Self {
         match sensor {
-            Sensor::Accelerometer => Self { specific_force: signal, ..*self },
-            Sensor::Gyroscope => Self { angular_rate: signal, ..*self },
+            Sensor::Accelerometer => Self {
+                specific_force: signal,
+                ..*self
+            },
+            Sensor::Gyroscope => Self {
+                angular_rate: signal,
+                ..*self
+            },
         }
     }
 }

@@ -20,7 +20,10 @@ pub struct Model {
 impl Model {
     /// The base model alone.
     pub fn base(sensor: Sensor) -> Self {
-        Self { sensor, effects: Vec::new() }
+        Self {
+            sensor,
+            effects: Vec::new(),
+        }
     }
 
     /// The same model with one more effect.
