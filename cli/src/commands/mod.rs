@@ -1,10 +1,12 @@
 //! One file per command.
 
+mod allan;
 mod apply;
 mod calibrate;
 mod demo;
 mod evaluate;
 mod inputs;
+mod pictures;
 mod segment;
 
 use clap::Subcommand;
@@ -18,6 +20,7 @@ pub enum Command {
     Calibrate(Box<calibrate::Args>),
     Segment(segment::Args),
     Apply(apply::Args),
+    Allan(allan::Args),
     Evaluate(evaluate::Args),
 }
 
@@ -28,6 +31,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Calibrate(args) => calibrate::run(&args),
         Command::Segment(args) => segment::run(&args),
         Command::Apply(args) => apply::run(&args),
+        Command::Allan(args) => allan::run(&args),
         Command::Evaluate(args) => evaluate::run(&args),
     }
 }

@@ -151,13 +151,15 @@ fn draw<B: DrawingBackend>(
                 chart.draw_series(dots)
             }
         };
-        let length = 22 * scale;
-        drawn
-            .map_err(words)?
-            .label(&series.name)
-            .legend(move |(x, y)| PathElement::new(vec![(x, y), (x + length, y)], stroke));
+        let drawn = drawn.map_err(words)?;
+        if !series.name.is_empty() {
+            let length = 22 * scale;
+            drawn
+                .label(&series.name)
+                .legend(move |(x, y)| PathElement::new(vec![(x, y), (x + length, y)], stroke));
+        }
     }
-    if plot.series.len() > 1 {
+    if plot.series.iter().filter(|series| !series.name.is_empty()).count() > 1 {
         chart
             .configure_series_labels()
             .position(SeriesLabelPosition::UpperRight)
