@@ -18,6 +18,14 @@ pub enum Error {
         /// The system's reason.
         source: std::io::Error,
     },
+    /// A file cannot be written.
+    #[error("{path}: cannot be written: {source}", path = path.display())]
+    Output {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
     /// A file holds something that is no recording. The message begins with `file:line:column`.
     #[error("{0}")]
     Input(String),

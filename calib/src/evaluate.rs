@@ -56,7 +56,10 @@ pub fn evaluate(
 
 /// The angle by which the corrected rate misses gravity after a turn, degrees.
 fn angle(rate: &Stream, rests: &Segmentation, turn: &Turn) -> Option<f64> {
-    let (before, after) = (rests.statics.get(turn.from)?, rests.statics.get(turn.from + 1)?);
+    let (before, after) = (
+        rests.statics.get(turn.from)?,
+        rests.statics.get(turn.from + 1)?,
+    );
     let bias: Vector3<f64> = 0.5 * (before.gyroscope?.mean + after.gyroscope?.mean);
     let values = &rate.values[turn.samples.clone()];
     let t = &rate.t[turn.samples.clone()];

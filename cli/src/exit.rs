@@ -31,12 +31,18 @@ pub struct Failure {
 impl Failure {
     /// With a status and a message.
     pub fn new(code: u8, message: impl Into<String>) -> Self {
-        Self { code, message: message.into() }
+        Self {
+            code,
+            message: message.into(),
+        }
     }
 
     /// After a panic, whose own message is on standard error already.
     pub fn bug() -> Self {
-        Self::new(BUG, "this is a bug of ours: please report the message above and the command")
+        Self::new(
+            BUG,
+            "this is a bug of ours: please report the message above and the command",
+        )
     }
 }
 
@@ -45,6 +51,7 @@ impl From<Error> for Failure {
         let code = match error {
             Error::Usage(_) => USAGE,
             Error::NotEnough(_) => NOT_ENOUGH,
+            Error::Output { .. } => OUTPUT,
             Error::NotConverged(_) | Error::Solver(_) => NOT_CONVERGED,
             _ => INPUT,
         };

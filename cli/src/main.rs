@@ -19,11 +19,15 @@ use exit::Failure;
 /// Calibrates an accelerometer and a gyroscope from a recording made by hand: hold the device
 /// still, turn it, hold it still again.
 #[derive(Debug, Parser)]
-#[command(name = "stillpoint", version, after_help = "\
+#[command(
+    name = "stillpoint",
+    version,
+    after_help = "\
 Example:
   stillpoint demo                              a simulated session, calibrated, beside its truth
   stillpoint calibrate phone.csv -o cal.json   the calibration of a recording
-  stillpoint apply cal.json run.csv -o corrected.csv")]
+  stillpoint apply cal.json run.csv -o corrected.csv"
+)]
 struct Cli {
     #[command(subcommand)]
     command: commands::Command,

@@ -31,7 +31,11 @@ impl Output {
         if let Some(input) = inputs.iter().find(|input| same(input, &target)) {
             return Err(Failure::new(
                 USAGE,
-                format!("-o {}: is the input {}; choose another name", path.display(), input.display()),
+                format!(
+                    "-o {}: is the input {}; choose another name",
+                    path.display(),
+                    input.display()
+                ),
             ));
         }
         match std::fs::metadata(&target) {
@@ -59,7 +63,10 @@ impl Output {
                 let _ = file.read_to_string(&mut holder);
                 return Err(refused(
                     path,
-                    &format!("is being written by another run (process {})", holder.trim()),
+                    &format!(
+                        "is being written by another run (process {})",
+                        holder.trim()
+                    ),
                 ));
             }
             Err(TryLockError::Error(e)) => {
@@ -67,9 +74,15 @@ impl Output {
             }
         }
         interrupt::remember(partial.clone());
-        let claimed = file.set_len(0).and_then(|()| write!(file, "{}", std::process::id()));
+        let claimed = file
+            .set_len(0)
+            .and_then(|()| write!(file, "{}", std::process::id()));
         claimed.map_err(|e| refused(path, &format!("cannot be written: {e}")))?;
-        Ok(Self { target, partial, file })
+        Ok(Self {
+            target,
+            partial,
+            file,
+        })
     }
 
     /// Puts `contents` in place of the target.

@@ -29,7 +29,13 @@ pub fn warn(text: &str) {
 /// The text with control characters shown instead of obeyed: a file name may hold any.
 pub fn printable(text: &str) -> String {
     text.chars()
-        .map(|c| if c.is_control() && c != '\n' { c.escape_default().to_string() } else { c.into() })
+        .map(|c| {
+            if c.is_control() && c != '\n' {
+                c.escape_default().to_string()
+            } else {
+                c.into()
+            }
+        })
         .collect()
 }
 

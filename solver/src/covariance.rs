@@ -38,7 +38,14 @@ pub fn uncertainty(jacobian: &Mat<f64>, names: Vec<String>) -> Uncertainty {
     let (rows, n) = (jacobian.nrows(), jacobian.ncols());
     let norms: Vec<f64> = (0..n).map(|k| jacobian.col(k).norm_l2()).collect();
     let unit = |k: usize| if norms[k] > 0.0 { norms[k] } else { 1.0 };
-    let scaled = Mat::from_fn(rows, n, |i, k| jacobian[(i, k)] / unit(k));
+    // Rows of zeros complete the null space where there are fewer residuals than parameters.
+    let scaled = Mat::from_fn(rows.max(n), n, |i, k| {
+        if i < rows {
+            jacobian[(i, k)] / unit(k)
+        } else {
+            0.0
+        }
+    });
     let singular_values = jacobian.singular_values().unwrap_or_default();
     let Ok(svd) = scaled.thin_svd() else {
         return Uncertainty {
@@ -58,7 +65,9 @@ pub fn uncertainty(jacobian: &Mat<f64>, names: Vec<String>) -> Uncertainty {
         .map(|i| {
             (0..n)
                 .map(|j| {
-                    let sum: f64 = (0..rank).map(|k| v[(i, k)] * v[(j, k)] / (s[k] * s[k])).sum();
+                    let sum: f64 = (0..rank)
+                        .map(|k| v[(i, k)] * v[(j, k)] / (s[k] * s[k]))
+                        .sum();
                     sum / (unit(i) * unit(j))
                 })
                 .collect()
@@ -70,7 +79,11 @@ pub fn uncertainty(jacobian: &Mat<f64>, names: Vec<String>) -> Uncertainty {
             in_words(&direction, &names)
         })
         .collect();
-    let condition = if rank == 0 { f64::INFINITY } else { largest / s[rank - 1] };
+    let condition = if rank == 0 {
+        f64::INFINITY
+    } else {
+        largest / s[rank - 1]
+    };
     Uncertainty {
         names,
         covariance,
@@ -83,7 +96,10 @@ pub fn uncertainty(jacobian: &Mat<f64>, names: Vec<String>) -> Uncertainty {
 
 /// A direction in parameter space as `a + 0.5 b − c`.
 fn in_words(direction: &[f64], names: &[String]) -> String {
-    let largest = direction.iter().copied().fold(0.0, |a: f64, b| if b.abs() > a.abs() { b } else { a });
+    let largest = direction
+        .iter()
+        .copied()
+        .fold(0.0, |a: f64, b| if b.abs() > a.abs() { b } else { a });
     let mut words = String::new();
     for (value, name) in direction.iter().zip(names) {
         let c = value / largest;

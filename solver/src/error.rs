@@ -6,7 +6,9 @@
 #[non_exhaustive]
 pub enum Error {
     /// A residual is not finite at the start.
-    #[error("residual {row} is {value} at the start: check the start values and the data of that row")]
+    #[error(
+        "residual {row} is {value} at the start: check the start values and the data of that row"
+    )]
     NotFinite {
         /// Row of the residual.
         row: usize,

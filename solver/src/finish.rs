@@ -7,7 +7,7 @@ use crate::system::System;
 use crate::vector::{add, norm, scaled_norm};
 
 /// Most last steps; they converge in two or three or not at all.
-const MOST: usize = 12;
+const MOST: usize = 60;
 
 /// A step this short, relative to `‖D z‖`, changes nothing.
 const NO_CHANGE: f64 = 2.0 * f64::EPSILON;
@@ -29,15 +29,27 @@ pub(crate) struct Verdict {
 impl Verdict {
     /// Solves for the undamped step by pivoted QR of the Jacobian with unit columns.
     pub fn of(point: &Point) -> Self {
-        let scale: Vec<f64> = point.at.jacobian.column_norms().into_iter().map(unit_if_zero).collect();
+        let scale: Vec<f64> = point
+            .at
+            .jacobian
+            .column_norms()
+            .into_iter()
+            .map(unit_if_zero)
+            .collect();
         let factor = point.at.jacobian.factor(&scale, LinearSolver::Qr);
         let residuals = &point.at.residuals;
         let tangential = factor.tangential(residuals);
         let step = factor.undamped(residuals);
-        let length = step.as_ref().map_or(f64::INFINITY, |p| scaled_norm(p, &scale));
+        let length = step
+            .as_ref()
+            .map_or(f64::INFINITY, |p| scaled_norm(p, &scale));
         let size = scaled_norm(&point.z, &scale);
         Self {
-            offset: if tangential > 0.0 { tangential / norm(residuals) } else { 0.0 },
+            offset: if tangential > 0.0 {
+                tangential / norm(residuals)
+            } else {
+                0.0
+            },
             tangential,
             relative_step: if length > 0.0 { length / size } else { 0.0 },
             step,
@@ -57,7 +69,9 @@ pub(crate) fn polish(system: &dyn System, point: &mut Point, evaluations: &mut u
             break;
         }
         *evaluations += 1;
-        let Ok(next) = Point::new(system, add(&point.z, 1.0, step)) else { break };
+        let Ok(next) = Point::new(system, add(&point.z, 1.0, step)) else {
+            break;
+        };
         let after = Verdict::of(&next);
         let higher = next.at.cost > point.at.cost * (1.0 + ROUNDING);
         if higher || after.tangential >= verdict.tangential {

@@ -57,7 +57,9 @@ impl<'a> Run<'a> {
     pub fn new(system: &'a dyn System, start: Point, options: &'a Options) -> Self {
         let mut scaling = Scaling::new(start.z.len());
         scaling.update(&start.at.jacobian.column_norms());
-        let search = options.variant.search(scaled_norm(&start.z, scaling.diagonal()));
+        let search = options
+            .variant
+            .search(scaled_norm(&start.z, scaling.diagonal()));
         Self {
             system,
             point: start,
@@ -112,10 +114,18 @@ impl<'a> Run<'a> {
     /// One step: `Some` if it was taken, `None` if the next has to be smaller.
     fn attempt(&mut self, factor: &dyn Factor, scale: &[f64]) -> Result<Option<Point>, Stop> {
         let size = self.search.size();
-        let local = Local { system: self.system, point: &self.point, factor, scale };
+        let local = Local {
+            system: self.system,
+            point: &self.point,
+            factor,
+            scale,
+        };
         let Some(step) = self.descent.step(&local, size) else {
             self.record(f64::INFINITY, size, f64::NAN, false);
-            self.search.rejected(Trial { ratio: f64::NAN, length: 0.0 });
+            self.search.rejected(Trial {
+                ratio: f64::NAN,
+                length: 0.0,
+            });
             return Ok(None);
         };
         let length = scaled_norm(&step.p, scale);
@@ -125,7 +135,10 @@ impl<'a> Run<'a> {
         let z = add(&self.point.z, 1.0, &step.p);
         let cost = self.system.cost(&z);
         let fall = self.point.at.cost - cost;
-        let trial = Trial { ratio: fall / step.predicted, length };
+        let trial = Trial {
+            ratio: fall / step.predicted,
+            length,
+        };
         let next = if fall > 0.0 { self.linearize(z) } else { None };
         self.record(cost, size, length, next.is_some());
         match next {
@@ -151,6 +164,11 @@ impl<'a> Run<'a> {
     }
 
     fn record(&mut self, cost: f64, lambda: f64, step: f64, accepted: bool) {
-        self.iterations.push(Iteration { cost, lambda, step, accepted });
+        self.iterations.push(Iteration {
+            cost,
+            lambda,
+            step,
+            accepted,
+        });
     }
 }

@@ -15,7 +15,7 @@ pub enum Damping {
     Marquardt,
     /// By the gain ratio, accelerating on failure.
     Nielsen,
-    /// A fifth on success, twice on failure.
+    /// A third on success, twice on failure.
     DelayedGratification,
 }
 
@@ -43,18 +43,29 @@ pub enum Variant {
 
 impl Default for Variant {
     fn default() -> Self {
-        Self::LevenbergMarquardt { damping: Damping::DelayedGratification, geodesic: true }
+        Self::LevenbergMarquardt {
+            damping: Damping::DelayedGratification,
+            geodesic: true,
+        }
     }
 }
 
 impl Variant {
     /// Every variant, to compare them.
     pub fn all() -> Vec<Self> {
-        let dampings = [Damping::Marquardt, Damping::Nielsen, Damping::DelayedGratification];
+        let dampings = [
+            Damping::Marquardt,
+            Damping::Nielsen,
+            Damping::DelayedGratification,
+        ];
         let levenberg = dampings.into_iter().flat_map(|damping| {
             [true, false].map(|geodesic| Self::LevenbergMarquardt { damping, geodesic })
         });
-        let others = [Self::Dogleg, Self::GaussNewton, Self::GaussNewtonMinimumNorm];
+        let others = [
+            Self::Dogleg,
+            Self::GaussNewton,
+            Self::GaussNewtonMinimumNorm,
+        ];
         levenberg.chain(others).collect()
     }
 
@@ -123,7 +134,7 @@ impl Default for Options {
         Self {
             variant: Variant::default(),
             linear_solver: LinearSolver::default(),
-            max_iterations: 1000,
+            max_iterations: 5_000,
             gradient_tolerance: 1e-8,
             step_tolerance: 1e-15,
         }

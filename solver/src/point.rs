@@ -26,7 +26,10 @@ impl Point {
     pub fn new(system: &dyn System, z: Vec<f64>) -> Result<Self, NotFinite> {
         let at = system.linearize(&z);
         if let Some(row) = at.residuals.iter().position(|v| !v.is_finite()) {
-            return Err(NotFinite::Residual { row, value: at.residuals[row] });
+            return Err(NotFinite::Residual {
+                row,
+                value: at.residuals[row],
+            });
         }
         if let Some((row, column)) = at.jacobian.not_finite() {
             return Err(NotFinite::Derivative { row, column });

@@ -1,6 +1,10 @@
 //! Scaling that makes the steps independent of the parameters' units.
 
-/// `D`, the largest norm each column of the Jacobian has had.
+/// What is left of an old norm per step. Moré keeps all of it; a column that was huge far from the
+/// solution then holds its parameter back for ever (MGH10 from its first start passes 1e49).
+const MEMORY: f64 = 0.5;
+
+/// `D`, the largest norm each column of the Jacobian has had of late.
 ///
 /// Moré, "The Levenberg-Marquardt algorithm: implementation and theory", 1978: multiplying a
 /// parameter by a factor divides its column by it and leaves `D x` as it was.
@@ -13,13 +17,16 @@ pub(crate) struct Scaling {
 impl Scaling {
     /// Nothing seen yet.
     pub fn new(n: usize) -> Self {
-        Self { largest: vec![0.0; n], scale: vec![1.0; n] }
+        Self {
+            largest: vec![0.0; n],
+            scale: vec![1.0; n],
+        }
     }
 
     /// Takes the column norms of a new Jacobian into account.
     pub fn update(&mut self, norms: &[f64]) {
         for ((largest, scale), &norm) in self.largest.iter_mut().zip(&mut self.scale).zip(norms) {
-            *largest = largest.max(norm);
+            *largest = norm.max(*largest * MEMORY);
             *scale = unit_if_zero(*largest);
         }
     }

@@ -27,14 +27,26 @@ pub fn solve(
     options: &Options,
 ) -> Result<Report, Error> {
     if mask.len() != start.len() {
-        return Err(Error::MaskLength { mask: mask.len(), parameters: start.len() });
+        return Err(Error::MaskLength {
+            mask: mask.len(),
+            parameters: start.len(),
+        });
     }
-    let names: Vec<String> = mask.free_indices().iter().map(|&k| start.names()[k].clone()).collect();
+    let names: Vec<String> = mask
+        .free_indices()
+        .iter()
+        .map(|&k| start.names()[k].clone())
+        .collect();
     let system = Dense::new(problem, start, mask);
     let first = first_point(&system, system.restrict(start.values()), &names)?;
     let mut run = Run::new(&system, first, options);
     let stop = run.minimise();
-    let Run { mut point, iterations, mut jacobian_evaluations, .. } = run;
+    let Run {
+        mut point,
+        iterations,
+        mut jacobian_evaluations,
+        ..
+    } = run;
     let verdict = match stop {
         Stop::Near | Stop::Step | Stop::Flat | Stop::Stalled => {
             polish(&system, &mut point, &mut jacobian_evaluations)
@@ -42,7 +54,9 @@ pub fn solve(
         Stop::IterationLimit | Stop::NotFinite(_) => Verdict::of(&point),
     };
     let mut parameters = start.clone();
-    parameters.values_mut().copy_from_slice(&system.embed(&point.z));
+    parameters
+        .values_mut()
+        .copy_from_slice(&system.embed(&point.z));
     let Jacobian::Dense(jacobian) = &point.at.jacobian;
     Ok(Report {
         uncertainty: uncertainty(jacobian, names),
@@ -60,9 +74,10 @@ fn first_point(system: &dyn System, z: Vec<f64>, names: &[String]) -> Result<Poi
     let free = z.len();
     let point = Point::new(system, z).map_err(|place| match place {
         NotFinite::Residual { row, value } => Error::NotFinite { row, value },
-        NotFinite::Derivative { row, column } => {
-            Error::DerivativeNotFinite { row, parameter: names[column].clone() }
-        }
+        NotFinite::Derivative { row, column } => Error::DerivativeNotFinite {
+            row,
+            parameter: names[column].clone(),
+        },
     })?;
     let residuals = point.at.residuals.len();
     if residuals == 0 || free == 0 {

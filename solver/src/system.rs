@@ -27,7 +27,11 @@ pub(crate) struct Dense<'a> {
 impl<'a> Dense<'a> {
     /// The parameters not freed by `mask` stay at their values in `start`.
     pub fn new(problem: &'a dyn Problem, start: &Parameters, mask: &Mask) -> Self {
-        Self { problem, full: start.values().to_vec(), free: mask.free_indices() }
+        Self {
+            problem,
+            full: start.values().to_vec(),
+            free: mask.free_indices(),
+        }
     }
 
     /// The free entries of a full vector.
@@ -57,15 +61,23 @@ impl System for Dense<'_> {
 
     fn linearize(&self, z: &[f64]) -> Linearization {
         let mut residuals = Vec::new();
-        let jacobian = self.problem.linearize(&self.embed(z), &self.free, &mut residuals);
+        let jacobian = self
+            .problem
+            .linearize(&self.embed(z), &self.free, &mut residuals);
         let cost = half_square(&residuals);
-        Linearization { residuals, cost, jacobian: Jacobian::Dense(jacobian) }
+        Linearization {
+            residuals,
+            cost,
+            jacobian: Jacobian::Dense(jacobian),
+        }
     }
 
     fn second_derivative(&self, z: &[f64], v: &[f64]) -> Option<Vec<f64>> {
         let direction = self.scatter(vec![0.0; self.full.len()], v);
         let mut out = Vec::new();
-        let offered = self.problem.second_derivative(&self.embed(z), &direction, &mut out);
+        let offered = self
+            .problem
+            .second_derivative(&self.embed(z), &direction, &mut out);
         (offered && out.iter().all(|v| v.is_finite())).then_some(out)
     }
 }

@@ -13,14 +13,22 @@ pub(crate) fn norm(a: &[f64]) -> f64 {
     }
     let largest = a.iter().fold(0.0f64, |m, v| m.max(v.abs()));
     if largest == 0.0 || !largest.is_finite() {
-        return if a.iter().any(|v| v.is_nan()) { f64::NAN } else { largest };
+        return if a.iter().any(|v| v.is_nan()) {
+            f64::NAN
+        } else {
+            largest
+        };
     }
     largest * a.iter().map(|v| (v / largest).powi(2)).sum::<f64>().sqrt()
 }
 
 /// `‖D a‖` for a diagonal `D`.
 pub(crate) fn scaled_norm(a: &[f64], scale: &[f64]) -> f64 {
-    a.iter().zip(scale).map(|(a, s)| (a * s).powi(2)).sum::<f64>().sqrt()
+    a.iter()
+        .zip(scale)
+        .map(|(a, s)| (a * s).powi(2))
+        .sum::<f64>()
+        .sqrt()
 }
 
 /// `a + factor · b`.

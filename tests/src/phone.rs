@@ -37,7 +37,11 @@ pub fn recording(name: &str) -> Result<Recording, calib::Error> {
 
 fn stream(path: PathBuf) -> Stream {
     let mut stream = Stream::default();
-    for line in std::fs::read_to_string(path).unwrap_or_default().lines().skip(1) {
+    for line in std::fs::read_to_string(path)
+        .unwrap_or_default()
+        .lines()
+        .skip(1)
+    {
         let n: Vec<f64> = line.split(',').filter_map(|v| v.parse().ok()).collect();
         if let [t, x, y, z] = n[..] {
             if stream.t.last().is_none_or(|&last| t > last) {

@@ -13,9 +13,10 @@ const GRAVITY: f64 = 9.79;
 /// `golden.json`, `six_turns`: the means over the sample ranges that the authors used.
 #[test]
 fn the_authors_sample_ranges_give_their_matrix_bias_and_gyroscope_part_to_1e_9() {
-    let (Some(golden), Some(ranges)) =
-        (phone::json("golden.json"), phone::json("six_position/recovered_index_ranges.json"))
-    else {
+    let (Some(golden), Some(ranges)) = (
+        phone::json("golden.json"),
+        phone::json("six_position/recovered_index_ranges.json"),
+    ) else {
         return;
     };
     let all = Face::ALL
@@ -51,14 +52,22 @@ fn the_authors_sample_ranges_give_their_matrix_bias_and_gyroscope_part_to_1e_9()
     let gyroscope = found.gyroscope.unwrap();
     for (k, axis) in ["x", "y", "z"].iter().enumerate() {
         let author = |what: &str| {
-            phone::number(&authors, &format!("/Gyro_params_result/{what}_omega_{axis}")).unwrap()
+            phone::number(
+                &authors,
+                &format!("/Gyro_params_result/{what}_omega_{axis}"),
+            )
+            .unwrap()
         };
         assert!((gyroscope.scale_error[k] - author("S")).abs() < 1e-9);
         assert!((gyroscope.bias[k] - author("b")).abs() < 1e-9);
     }
     // The scale factor errors of -0.25 to -0.73 are within three standard errors of zero.
     assert!(!gyroscope.is_meaningful());
-    for (error, std) in gyroscope.scale_error.iter().zip(gyroscope.scale_error_std.iter()) {
+    for (error, std) in gyroscope
+        .scale_error
+        .iter()
+        .zip(gyroscope.scale_error_std.iter())
+    {
         assert!(error.abs() < 3.0 * std);
     }
 }
@@ -68,8 +77,11 @@ fn the_faces_are_found_by_direction_and_the_tilt_of_the_placements_is_warned_abo
     if phone::folder().is_none() {
         return;
     }
-    let recordings: Vec<_> =
-        Face::ALL.iter().rev().map(|face| phone::recording(folder_of(*face)).unwrap()).collect();
+    let recordings: Vec<_> = Face::ALL
+        .iter()
+        .rev()
+        .map(|face| phone::recording(folder_of(*face)).unwrap())
+        .collect();
     let six = placements(&recordings, &Detector::default(), GRAVITY).unwrap();
     for (face, placement) in Face::ALL.iter().zip(six.placements()) {
         assert_eq!(placement.label, folder_of(*face));
@@ -88,7 +100,13 @@ fn one_recording_that_holds_the_six_faces_and_eight_edges_is_enough() {
     }
     let recording = phone::recording("multi_position/rec_1").unwrap();
     let six = placements(&[recording], &Detector::default(), GRAVITY).unwrap();
-    assert_eq!(six.warnings.iter().filter(|w| w.contains("on no face")).count(), 8);
+    assert_eq!(
+        six.warnings
+            .iter()
+            .filter(|w| w.contains("on no face"))
+            .count(),
+        8
+    );
     let found = SixPosition::solve(&six, GRAVITY);
     // Scale factor errors are second order in the tilt: as in METHODS.md section 2 to 1e-3.
     for (k, scale) in [0.99968, 0.99984, 0.99827].iter().enumerate() {
@@ -105,7 +123,9 @@ fn five_recordings_name_the_face_that_is_missing() {
         .iter()
         .map(|face| phone::recording(folder_of(*face)).unwrap())
         .collect();
-    let message = placements(&recordings, &Detector::default(), GRAVITY).unwrap_err().to_string();
+    let message = placements(&recordings, &Detector::default(), GRAVITY)
+        .unwrap_err()
+        .to_string();
     assert!(message.contains("no rest with z up"), "{message}");
 }
 

@@ -12,8 +12,9 @@ use solver::Problem;
 const AGREEMENT: f64 = 1e-7;
 
 /// Base parameters of a plain bad sensor.
-const BASE: [f64; 12] =
-    [1.02, 0.97, 1.01, 0.01, -0.02, 0.005, 0.015, -0.008, 0.012, 0.2, -0.1, 0.05];
+const BASE: [f64; 12] = [
+    1.02, 0.97, 1.01, 0.01, -0.02, 0.005, 0.015, -0.008, 0.012, 0.2, -0.1, 0.05,
+];
 
 fn parameters(model: &Model) -> Vec<f64> {
     let mut x = BASE.to_vec();
@@ -36,7 +37,9 @@ fn assert_derivatives(problem: &dyn Problem, x: &[f64]) {
             out
         };
         let (plus, minus) = (at(1.0), at(-1.0));
-        let largest = (0..residuals.len()).map(|i| jacobian[(i, k)].abs()).fold(1e-9, f64::max);
+        let largest = (0..residuals.len())
+            .map(|i| jacobian[(i, k)].abs())
+            .fold(1e-9, f64::max);
         for i in 0..residuals.len() {
             let difference = (plus[i] - minus[i]) / (2.0 * h);
             let error = (jacobian[(i, k)] - difference).abs();
@@ -50,20 +53,29 @@ fn assert_derivatives(problem: &dyn Problem, x: &[f64]) {
 }
 
 fn placements() -> Vec<StaticMean> {
-    [[9.7, 0.3, -0.2], [0.1, -9.9, 1.0], [5.0, 6.0, -6.1], [-3.0, 2.0, 9.0]]
-        .map(|raw| StaticMean {
-            raw: Vector3::from(raw),
-            rest: Kinematics::at_rest(Vector3::new(1.0, 2.0, 9.0)),
-        })
-        .to_vec()
+    [
+        [9.7, 0.3, -0.2],
+        [0.1, -9.9, 1.0],
+        [5.0, 6.0, -6.1],
+        [-3.0, 2.0, 9.0],
+    ]
+    .map(|raw| StaticMean {
+        raw: Vector3::from(raw),
+        rest: Kinematics::at_rest(Vector3::new(1.0, 2.0, 9.0)),
+    })
+    .to_vec()
 }
 
 fn turns() -> Vec<TurnData> {
     let turn = |phase: f64| {
-        let t: Vec<f64> = (0..120).map(|k| 0.01 * k as f64 + 1e-4 * (k % 3) as f64).collect();
+        let t: Vec<f64> = (0..120)
+            .map(|k| 0.01 * k as f64 + 1e-4 * (k % 3) as f64)
+            .collect();
         let wave = |a: f64, t: f64| (a * t + phase).sin() * 2.0;
-        let readings: Vec<_> =
-            t.iter().map(|&t| Vector3::new(wave(1.3, t), wave(2.1, t), wave(0.7, t))).collect();
+        let readings: Vec<_> = t
+            .iter()
+            .map(|&t| Vector3::new(wave(1.3, t), wave(2.1, t), wave(0.7, t)))
+            .collect();
         let rest = readings
             .iter()
             .map(|w| Kinematics::at_rest(Vector3::new(w.y, 9.0 + w.x, 2.0 * w.z)))
@@ -89,7 +101,11 @@ fn models(base: Model, catalogue: &[&'static dyn sensor::AnyEffect]) -> Vec<Mode
 #[test]
 fn gravity_norm_differentiates_with_every_effect() {
     for model in models(accelerometer::model(), accelerometer::EFFECTS) {
-        let problem = GravityNorm { model: &model, means: &placements(), gravity: 9.8 };
+        let problem = GravityNorm {
+            model: &model,
+            means: &placements(),
+            gravity: 9.8,
+        };
         assert_derivatives(&problem, &parameters(&model));
     }
 }
@@ -97,7 +113,11 @@ fn gravity_norm_differentiates_with_every_effect() {
 #[test]
 fn static_rate_differentiates_with_every_effect() {
     for model in models(gyroscope::model(), gyroscope::EFFECTS) {
-        let problem = StaticRate { model: &model, means: &placements(), sigma: 0.1 };
+        let problem = StaticRate {
+            model: &model,
+            means: &placements(),
+            sigma: 0.1,
+        };
         assert_derivatives(&problem, &parameters(&model));
     }
 }
@@ -105,12 +125,18 @@ fn static_rate_differentiates_with_every_effect() {
 #[test]
 fn propagated_gravity_differentiates_through_every_integrator_and_effect() {
     let turns = turns();
-    for integrator in
-        [Integrator::Exponential, Integrator::FirstOrderNormalized, Integrator::FirstOrder]
-    {
+    for integrator in [
+        Integrator::Exponential,
+        Integrator::FirstOrderNormalized,
+        Integrator::FirstOrder,
+    ] {
         for model in models(gyroscope::model(), gyroscope::EFFECTS) {
-            let problem =
-                PropagatedGravity { model: &model, turns: &turns, integrator, sigma: 0.01 };
+            let problem = PropagatedGravity {
+                model: &model,
+                turns: &turns,
+                integrator,
+                sigma: 0.01,
+            };
             assert_derivatives(&problem, &parameters(&model));
         }
     }
@@ -120,8 +146,16 @@ fn propagated_gravity_differentiates_through_every_integrator_and_effect() {
 fn biases_of_their_own_differentiate() {
     let model = accelerometer::model();
     let means = placements();
-    let part = GravityNorm { model: &model, means: &means, gravity: 9.8 };
-    let problem = OwnBias { parts: vec![part; 3], shared: 12, own_bias: true };
+    let part = GravityNorm {
+        model: &model,
+        means: &means,
+        gravity: 9.8,
+    };
+    let problem = OwnBias {
+        parts: vec![part; 3],
+        shared: 12,
+        own_bias: true,
+    };
     let mut x = parameters(&model);
     x.extend([0.3, 0.1, -0.2, 0.05, -0.15, 0.25]);
     assert_derivatives(&problem, &x);

@@ -25,8 +25,15 @@ pub(super) struct Parts<'a> {
 
 /// Writes the fits down, checks the quality gates, turns the result into the frame asked for.
 pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
-    let Parts { recordings, turning, choices, accelerometer, gyroscope, request, mut warnings } =
-        parts;
+    let Parts {
+        recordings,
+        turning,
+        choices,
+        accelerometer,
+        gyroscope,
+        request,
+        mut warnings,
+    } = parts;
     let mut table = Table::default();
     let mut failed_gates = Vec::new();
     let accelerometer_triad = accelerometer.map(|fit| {
@@ -57,10 +64,15 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         accelerometer.map(|fit| (&fit.model, &fit.fitted)),
         gyroscope.map(|fit| (&fit.model, &fit.fitted)),
     ] {
-        effects.extend(fit.into_iter().flat_map(|(model, fitted)| effect_values(model, fitted)));
+        effects.extend(
+            fit.into_iter()
+                .flat_map(|(model, fitted)| effect_values(model, fitted)),
+        );
     }
     if accelerometer_triad.is_none() && gyroscope_triad.is_none() {
-        return Err(Error::NotEnough("nothing to calibrate in the recording".into()));
+        return Err(Error::NotEnough(
+            "nothing to calibrate in the recording".into(),
+        ));
     }
     let calibration = Calibration {
         schema: SCHEMA.into(),
@@ -127,7 +139,11 @@ fn accelerometer_triad(
                 let bias = &fit.fitted.local(shared, k)[9..BASE_PARAMETERS];
                 let std = ["x", "y", "z"].map(|axis| {
                     let own = format!("accel.b_{axis}[{}]", recording.name);
-                    let name = if k == last { format!("accel.b_{axis}") } else { own };
+                    let name = if k == last {
+                        format!("accel.b_{axis}")
+                    } else {
+                        own
+                    };
                     fit.fitted.standard_error(&name)
                 });
                 RecordingBias {
@@ -179,7 +195,12 @@ fn gyroscope_triad(
         .flat_map(|(r, s)| noise::of_turns(r, s, &base, fit.unit.scale, request.gravity))
         .collect();
     if sigmas.len() == fit.chords.len() {
-        let sum: f64 = fit.chords.iter().zip(&sigmas).map(|(c, s)| (c / s).powi(2)).sum();
+        let sum: f64 = fit
+            .chords
+            .iter()
+            .zip(&sigmas)
+            .map(|(c, s)| (c / s).powi(2))
+            .sum();
         triad.reduced_chi2 = per_degree_of_freedom(sum, 2 * sigmas.len(), fit.fitted.rank);
     }
     if fit.model.effects().is_empty() {
@@ -189,10 +210,7 @@ fn gyroscope_triad(
 }
 
 /// A gyroscope without gravity to carry: its bias from the rests, and nothing else.
-fn resting_gyroscope(
-    turning: &[(&Recording, &Segmentation)],
-    table: &mut Table,
-) -> Option<Triad> {
+fn resting_gyroscope(turning: &[(&Recording, &Segmentation)], table: &mut Table) -> Option<Triad> {
     let rests = turning.iter().flat_map(|(_, s)| &s.statics);
     rests.clone().find_map(|rest| rest.gyroscope)?;
     let identity = Matrix3::identity();
@@ -218,8 +236,10 @@ fn resting_gyroscope(
 /// The gyroscope's bias: the mean over the rests of each recording, with the scatter between rests
 /// as its error; that of the last recording stands for the device.
 fn rest_biases(triad: &mut Triad, turning: &[(&Recording, &Segmentation)], table: &mut Table) {
-    let biases: Vec<RecordingBias> =
-        turning.iter().filter_map(|(recording, s)| rest_bias(recording, s)).collect();
+    let biases: Vec<RecordingBias> = turning
+        .iter()
+        .filter_map(|(recording, s)| rest_bias(recording, s))
+        .collect();
     let Some(last) = biases.last() else { return };
     triad.bias = last.bias;
     triad.bias_std = last.bias_std;
@@ -227,7 +247,9 @@ fn rest_biases(triad: &mut Triad, turning: &[(&Recording, &Segmentation)], table
     let block: Vec<Vec<f64>> = (0..3)
         .map(|i| {
             let variance = last.bias_std[i].map_or(f64::NAN, |s| s * s);
-            (0..3).map(|j| if i == j { variance } else { 0.0 }).collect()
+            (0..3)
+                .map(|j| if i == j { variance } else { 0.0 })
+                .collect()
         })
         .collect();
     if last.bias_std.iter().all(Option::is_some) {
@@ -239,14 +261,25 @@ fn rest_biases(triad: &mut Triad, turning: &[(&Recording, &Segmentation)], table
 }
 
 fn rest_bias(recording: &Recording, segmentation: &Segmentation) -> Option<RecordingBias> {
-    let rests: Vec<_> = segmentation.statics.iter().filter_map(|s| s.gyroscope).collect();
+    let rests: Vec<_> = segmentation
+        .statics
+        .iter()
+        .filter_map(|s| s.gyroscope)
+        .collect();
     let count: f64 = rests.iter().map(|m| m.count as f64).sum();
     if rests.is_empty() {
         return None;
     }
-    let mean: Vector3<f64> = rests.iter().map(|m| m.mean * m.count as f64).sum::<Vector3<f64>>() / count;
+    let mean: Vector3<f64> = rests
+        .iter()
+        .map(|m| m.mean * m.count as f64)
+        .sum::<Vector3<f64>>()
+        / count;
     let n = rests.len() as f64;
-    let between = rests.iter().map(|m| (m.mean - mean).map(|d| d * d)).sum::<Vector3<f64>>();
+    let between = rests
+        .iter()
+        .map(|m| (m.mean - mean).map(|d| d * d))
+        .sum::<Vector3<f64>>();
     let std = if rests.len() > 1 {
         (between / (n - 1.0) / n).map(f64::sqrt)
     } else {
@@ -305,7 +338,10 @@ fn effect_values<'a>(
                 }
             })
             .collect();
-        EffectValues { name: effect.name().into(), parameters }
+        EffectValues {
+            name: effect.name().into(),
+            parameters,
+        }
     })
 }
 

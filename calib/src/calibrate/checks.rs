@@ -29,6 +29,9 @@ const STILL: f64 = 0.05;
 /// A gyroscope that misses gravity by this much after the fit is not understood, rad.
 const LOST: f64 = 0.1;
 
+/// More unobservable combinations than this are counted, not written out.
+const MOST_COMBINATIONS: usize = 2;
+
 /// A scale this far from one on all axes of readings in SI units is a unit or a time base.
 const COMMON_SCALE: f64 = 0.03;
 
@@ -56,7 +59,10 @@ pub(super) fn without_repeats<'a>(
 
 /// A mean of which nothing else is known.
 pub(super) fn bare_mean(raw: Vector3<f64>) -> StaticMean {
-    StaticMean { raw, rest: Kinematics::at_rest(Vector3::zeros()) }
+    StaticMean {
+        raw,
+        rest: Kinematics::at_rest(Vector3::zeros()),
+    }
 }
 
 /// Refuses recordings without rests or without turns.
@@ -96,14 +102,17 @@ pub(super) fn accelerometer_is_determined(
     warnings: &mut Vec<String>,
 ) -> Result<(), Error> {
     let directions = directions(fit, request);
-    let coverage = coverage(&directions);
+    let Coverage {
+        words: coverage,
+        complete,
+    } = coverage(&directions);
     let free = fit.fitted.free.len();
     let count = directions.len();
     if fit.fitted.rank < free {
         return Err(Error::NotEnough(format!(
             "{coverage}: too few for {free} parameters (rank {}); not observable: {}",
             fit.fitted.rank,
-            fit.fitted.unobservable.join("; ")
+            not_observable(&fit.fitted)
         )));
     }
     if count <= free {
@@ -127,11 +136,35 @@ pub(super) fn accelerometer_is_determined(
     if !refused.is_empty() {
         return Err(Error::NotEnough(format!(
             "{coverage}: {}",
-            refused.iter().map(|w| w.words.as_str()).collect::<Vec<_>>().join("; ")
+            refused
+                .iter()
+                .map(|w| w.words.as_str())
+                .collect::<Vec<_>>()
+                .join("; ")
         )));
     }
-    warnings.extend(weak.into_iter().map(|w| format!("{} ({coverage})", w.words)));
+    if !complete {
+        let worst = worst_known(&fit.fitted, fit.unit.scale);
+        warnings.push(format!("{coverage}{worst}"));
+    }
+    warnings.extend(
+        weak.into_iter()
+            .map(|w| format!("{} ({coverage})", w.words)),
+    );
     Ok(())
+}
+
+/// `; accel.s_z is known to 0.31 % only`: the scale factor or misalignment with the largest error.
+fn worst_known(fitted: &Fitted, scale: f64) -> String {
+    let worst = fitted
+        .free
+        .iter()
+        .filter(|name| name.starts_with("accel.") && !name.contains(".b_"))
+        .filter_map(|name| Some((name, fitted.standard_error(name)? / scale)))
+        .max_by(|a, b| a.1.total_cmp(&b.1));
+    worst.map_or(String::new(), |(name, error)| {
+        format!("; {name} is known to {:.2} % only", 100.0 * error)
+    })
 }
 
 /// Refuses a fit that the turns do not determine and warns of weak parameters.
@@ -147,7 +180,7 @@ pub(super) fn gyroscope_is_determined(
              the device about other axes too",
             fitted.rank,
             fitted.free.len(),
-            fitted.unobservable.join("; ")
+            not_observable(fitted)
         )));
     }
     if 2 * turns <= fitted.free.len() {
@@ -166,14 +199,21 @@ pub(super) fn gyroscope_is_determined(
         )));
     }
     let weak = weak_parameters(fitted, fit.unit.scale, 1.0);
-    let refused: Vec<&str> = weak.iter().filter(|w| w.refused).map(|w| w.words.as_str()).collect();
+    let refused: Vec<&str> = weak
+        .iter()
+        .filter(|w| w.refused)
+        .map(|w| w.words.as_str())
+        .collect();
     if !refused.is_empty() && fit.rms() < LOST {
         return Err(Error::NotEnough(format!(
             "{turns} turns: {}; turn the device about other axes too",
             refused.join("; ")
         )));
     }
-    warnings.extend(weak.into_iter().map(|w| format!("{} ({turns} turns)", w.words)));
+    warnings.extend(
+        weak.into_iter()
+            .map(|w| format!("{} ({turns} turns)", w.words)),
+    );
     Ok(())
 }
 
@@ -254,14 +294,40 @@ fn directions(fit: &AccelerometerFit, request: &AccelerometerRequest) -> Vec<Vec
     for (k, means) in request.recordings.iter().enumerate() {
         let p = fit.fitted.local(shared, k);
         all.extend(
-            means.iter().map(|m| request.model.correct(&m.raw, &m.rest, &p)).map(|f| f.normalize()),
+            means
+                .iter()
+                .map(|m| request.model.correct(&m.raw, &m.rest, &p))
+                .map(|f| f.normalize()),
         );
     }
     all
 }
 
+/// The combinations that the data cannot see; with more than a few, how many and of what.
+fn not_observable(fitted: &Fitted) -> String {
+    let combinations = &fitted.unobservable;
+    if combinations.len() <= MOST_COMBINATIONS {
+        return combinations.join("; ");
+    }
+    let involved: Vec<&str> = fitted
+        .free
+        .iter()
+        .filter(|name| {
+            combinations
+                .iter()
+                .any(|words| words.contains(name.as_str()))
+        })
+        .map(String::as_str)
+        .collect();
+    format!(
+        "{} combinations of {}",
+        combinations.len(),
+        involved.join(", ")
+    )
+}
+
 /// `26 placements, 24 of which differ by more than 20°, none with z down`.
-fn coverage(directions: &[Vector3<f64>]) -> String {
+fn coverage(directions: &[Vector3<f64>]) -> Coverage {
     let mut distinct: Vec<Vector3<f64>> = Vec::new();
     for u in directions {
         if distinct.iter().all(|d| d.dot(u) < SAME_ORIENTATION) {
@@ -286,7 +352,17 @@ fn coverage(directions: &[Vector3<f64>]) -> String {
     if !missing.is_empty() {
         words.push_str(&format!("; add placements with {}", missing.join(", ")));
     }
-    words
+    Coverage {
+        words,
+        complete: missing.is_empty(),
+    }
+}
+
+/// Which orientations were recorded.
+struct Coverage {
+    words: String,
+    /// Every face was up and down at least once.
+    complete: bool,
 }
 
 struct Weak {

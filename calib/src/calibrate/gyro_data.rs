@@ -41,7 +41,11 @@ pub(super) fn collect(
     model: &Model,
     warnings: &mut Vec<String>,
 ) -> GyroscopeData {
-    let Source { recording, segmentation, .. } = source;
+    let Source {
+        recording,
+        segmentation,
+        ..
+    } = source;
     let mut data = GyroscopeData {
         name: recording.name.clone(),
         turns: Vec::new(),
@@ -53,7 +57,10 @@ pub(super) fn collect(
             continue;
         };
         let known = known_of(recording, rest, force);
-        data.statics.push(StaticMean { raw: gyroscope.mean, rest: known });
+        data.statics.push(StaticMean {
+            raw: gyroscope.mean,
+            rest: known,
+        });
     }
     for turn in &segmentation.turns {
         if let Some(fault) = &turn.fault {
@@ -110,7 +117,11 @@ fn moving(source: &Source<'_>, t: f64) -> Kinematics<f64> {
     if let Some(celsius) = recording.temperature.as_ref().and_then(|c| c.at(t)) {
         known.temperature = celsius;
     }
-    if let Some(raw) = recording.accelerometer.as_ref().and_then(|stream| stream.at(t)) {
+    if let Some(raw) = recording
+        .accelerometer
+        .as_ref()
+        .and_then(|stream| stream.at(t))
+    {
         known.specific_force = source.force(&raw, &known);
     }
     known

@@ -11,15 +11,16 @@ use crate::error::Error;
 /// # Errors
 /// An unreadable table or a cell that is no number; the message names file, line and column.
 pub fn read_static_means(path: &Path) -> Result<Vec<Vector3<f64>>, Error> {
-    let fail = |line: u64, what: String| {
-        Error::Input(format!("{}:{line}: {what}", path.display()))
-    };
+    let fail = |line: u64, what: String| Error::Input(format!("{}:{line}: {what}", path.display()));
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(b'#'))
         .trim(csv::Trim::All)
         .from_path(path)
         .map_err(|e| Error::Input(format!("{}: {e}", path.display())))?;
-    let header = reader.headers().map_err(|e| fail(1, e.to_string()))?.clone();
+    let header = reader
+        .headers()
+        .map_err(|e| fail(1, e.to_string()))?
+        .clone();
     let mut columns = [0; 3];
     for (column, name) in columns.iter_mut().zip(["ax", "ay", "az"]) {
         *column = header.iter().position(|h| h == name).ok_or_else(|| {
@@ -29,14 +30,22 @@ pub fn read_static_means(path: &Path) -> Result<Vec<Vector3<f64>>, Error> {
     }
     let mut means = Vec::new();
     for row in reader.records() {
-        let row = row.map_err(|e| fail(e.position().map_or(0, csv::Position::line), e.to_string()))?;
+        let row =
+            row.map_err(|e| fail(e.position().map_or(0, csv::Position::line), e.to_string()))?;
         let line = row.position().map_or(0, csv::Position::line);
         let mut mean = Vector3::zeros();
         for (axis, &column) in columns.iter().enumerate() {
             let cell = row.get(column).unwrap_or("");
-            mean[axis] = cell.parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| {
-                fail(line, format!("column {}: number expected, \"{cell}\" found", column + 1))
-            })?;
+            mean[axis] = cell
+                .parse()
+                .ok()
+                .filter(|v: &f64| v.is_finite())
+                .ok_or_else(|| {
+                    fail(
+                        line,
+                        format!("column {}: number expected, \"{cell}\" found", column + 1),
+                    )
+                })?;
         }
         means.push(mean);
     }

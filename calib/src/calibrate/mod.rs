@@ -123,12 +123,21 @@ pub fn calibrate(
         .map(|recording| Ok((recording, cut(recording, request, usize::MAX)?.segmentation)))
         .collect::<Result<Vec<_>, Error>>()?;
     let turning: Vec<(&Recording, &Segmentation)> = if separate.is_empty() {
-        recordings.iter().copied().zip(choices.iter().map(|c| &c.segmentation)).collect()
+        recordings
+            .iter()
+            .copied()
+            .zip(choices.iter().map(|c| &c.segmentation))
+            .collect()
     } else {
         separate.iter().map(|(r, s)| (*r, s)).collect()
     };
-    let gyroscope =
-        gyroscope(&turning, separate.is_empty(), accelerometer.as_ref(), request, &mut warnings)?;
+    let gyroscope = gyroscope(
+        &turning,
+        separate.is_empty(),
+        accelerometer.as_ref(),
+        request,
+        &mut warnings,
+    )?;
     let calibration = assemble::calibration(assemble::Parts {
         recordings: &recordings,
         turning: &turning,
@@ -138,7 +147,12 @@ pub fn calibrate(
         request,
         warnings,
     })?;
-    Ok(Outcome { calibration, choices, accelerometer, gyroscope })
+    Ok(Outcome {
+        calibration,
+        choices,
+        accelerometer,
+        gyroscope,
+    })
 }
 
 /// The rests and turns of recording `k`.
@@ -148,16 +162,21 @@ fn cut(recording: &Recording, request: &Request, k: usize) -> Result<Choice, Err
         other => other,
     };
     if let Some(spans) = request.sections.get(k).filter(|spans| !spans.is_empty()) {
-        let segmentation =
-            Segmentation::from_spans(recording, spans, request.detector.multiplier);
-        return Ok(Choice { segmentation, trials: Vec::new() });
+        let segmentation = Segmentation::from_spans(recording, spans, request.detector.multiplier);
+        return Ok(Choice {
+            segmentation,
+            trials: Vec::new(),
+        });
     }
     if request.choose_multiplier {
         choose_multiplier(recording, &request.detector, request.gravity).map_err(named)
     } else {
         let segmentation =
             crate::intervals::segment(recording, &request.detector).map_err(named)?;
-        Ok(Choice { segmentation, trials: Vec::new() })
+        Ok(Choice {
+            segmentation,
+            trials: Vec::new(),
+        })
     }
 }
 
@@ -169,7 +188,8 @@ fn accelerometer(
     warnings: &mut Vec<String>,
 ) -> Result<Option<AccelerometerFit>, Error> {
     if request.static_means.is_empty() && recordings.iter().all(|r| r.accelerometer.is_none()) {
-        warnings.push("no accelerometer in the recording: only the gyroscope's bias is found".into());
+        warnings
+            .push("no accelerometer in the recording: only the gyroscope's bias is found".into());
         return Ok(None);
     }
     let mut names = Vec::new();
@@ -181,7 +201,13 @@ fn accelerometer(
         }
     } else {
         names.push("static means".into());
-        means.push(request.static_means.iter().map(|m| checks::bare_mean(*m)).collect());
+        means.push(
+            request
+                .static_means
+                .iter()
+                .map(|m| checks::bare_mean(*m))
+                .collect(),
+        );
     }
     checks::enough_rests(recordings, choices, &means)?;
     let mut model = accelerometer::model();
@@ -212,7 +238,8 @@ fn gyroscope(
     };
     if turning.iter().all(|(r, _)| r.gyroscope.is_none()) {
         if !turning.is_empty() {
-            warnings.push("no gyroscope in the recording: only the accelerometer is calibrated".into());
+            warnings
+                .push("no gyroscope in the recording: only the accelerometer is calibrated".into());
         }
         return Ok(None);
     }
@@ -230,10 +257,20 @@ fn gyroscope(
             continue;
         }
         let place = if same_recordings { k } else { usize::MAX };
-        let of = gyro_data::Source { recording, segmentation, place, accelerometer, request };
+        let of = gyro_data::Source {
+            recording,
+            segmentation,
+            place,
+            accelerometer,
+            request,
+        };
         data.push(gyro_data::collect(&of, &model, warnings));
     }
-    let request = GyroscopeRequest { recordings: data, model, integrator: request.integrator };
+    let request = GyroscopeRequest {
+        recordings: data,
+        model,
+        integrator: request.integrator,
+    };
     let fit = fit_gyroscope(&request)?;
     checks::gyroscope_is_determined(&fit, warnings)?;
     Ok(Some(fit))

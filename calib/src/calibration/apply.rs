@@ -14,13 +14,17 @@ pub fn apply(calibration: &Calibration, recording: &Recording) -> Recording {
     let force = corrected.accelerometer.as_ref();
     corrected.gyroscope = correct(calibration, recording, Sensor::Gyroscope, force);
     for (sensor, name, stream) in [
-        (Sensor::Accelerometer, "accelerometer", &recording.accelerometer),
+        (
+            Sensor::Accelerometer,
+            "accelerometer",
+            &recording.accelerometer,
+        ),
         (Sensor::Gyroscope, "gyroscope", &recording.gyroscope),
     ] {
         if stream.is_some() && calibration.triad(sensor).is_none() {
-            corrected
-                .warnings
-                .push(format!("the calibration has no {name}: its readings are left as they are"));
+            corrected.warnings.push(format!(
+                "the calibration has no {name}: its readings are left as they are"
+            ));
         }
     }
     corrected
@@ -45,9 +49,8 @@ fn correct(
         .iter()
         .zip(&stream.values)
         .map(|(&t, raw)| {
-            let mut rest = Kinematics::at_rest(
-                force.and_then(|f| f.at(t)).unwrap_or_else(Vector3::zeros),
-            );
+            let mut rest =
+                Kinematics::at_rest(force.and_then(|f| f.at(t)).unwrap_or_else(Vector3::zeros));
             rest.time = t - start;
             if let Some(celsius) = recording.temperature.as_ref().and_then(|c| c.at(t)) {
                 rest.temperature = celsius;
@@ -55,5 +58,8 @@ fn correct(
             model.correct(raw, &rest, &p)
         })
         .collect();
-    Some(Stream { t: stream.t.clone(), values })
+    Some(Stream {
+        t: stream.t.clone(),
+        values,
+    })
 }

@@ -11,8 +11,10 @@ use crate::error::Error;
 /// An unreadable file, one that is no calibration of this schema, and one whose numbers cannot be
 /// used (a matrix without inverse, an unknown effect); the message names the entry.
 pub fn load(path: &Path) -> Result<Calibration, Error> {
-    let text = std::fs::read_to_string(path)
-        .map_err(|source| Error::Io { path: path.to_owned(), source })?;
+    let text = std::fs::read_to_string(path).map_err(|source| Error::Io {
+        path: path.to_owned(),
+        source,
+    })?;
     parse(&text).map_err(|what| Error::Input(format!("{}:{what}", path.display())))
 }
 
@@ -28,10 +30,14 @@ fn parse(text: &str) -> Result<Calibration, String> {
                  another version?"
             ));
         }
-        None => return Err(format!(" no \"schema\" entry: not a calibration (\"{SCHEMA}\")")),
+        None => {
+            return Err(format!(
+                " no \"schema\" entry: not a calibration (\"{SCHEMA}\")"
+            ));
+        }
     }
-    let calibration: Calibration = serde_json::from_str(text)
-        .map_err(|e| format!("{}:{}: {e}", e.line(), e.column()))?;
+    let calibration: Calibration =
+        serde_json::from_str(text).map_err(|e| format!("{}:{}: {e}", e.line(), e.column()))?;
     check(&calibration)?;
     Ok(calibration)
 }
@@ -52,12 +58,17 @@ fn check(calibration: &Calibration) -> Result<(), String> {
         let base = triad.base();
         let size = base.t.norm();
         if base.t.determinant().abs() <= 1e-9 * size.powi(3) {
-            return Err(format!(" {name}.T: the matrix has no inverse; calibrate again"));
+            return Err(format!(
+                " {name}.T: the matrix has no inverse; calibrate again"
+            ));
         }
     }
     for values in &calibration.effects {
         let effect = effect_named(&values.name).ok_or_else(|| {
-            format!(" effects: \"{}\" is not in the catalogue (`stillpoint effects`)", values.name)
+            format!(
+                " effects: \"{}\" is not in the catalogue (`stillpoint effects`)",
+                values.name
+            )
         })?;
         let (expected, found) = (effect.params().len(), values.parameters.len());
         if expected != found {

@@ -36,12 +36,14 @@ pub fn in_symmetric_frame(mut calibration: Calibration) -> Calibration {
         (None, None) if to == from => 1.0,
         _ => 0.0,
     };
-    let jacobian: Vec<Vec<f64>> =
-        new.iter().map(|to| old.iter().map(|from| slope(to, from)).collect()).collect();
+    let jacobian: Vec<Vec<f64>> = new
+        .iter()
+        .map(|to| old.iter().map(|from| slope(to, from)).collect())
+        .collect();
     calibration.covariance = sandwich(&jacobian, &calibration.covariance);
     let std = |k: usize| Some(calibration.covariance[k][k].max(0.0).sqrt());
     if let Some(triad) = &mut calibration.accelerometer {
-        set(triad, &turned[..9], |k| std(k));
+        set(triad, &turned[..9], std);
     }
     if let Some(triad) = &mut calibration.gyroscope {
         set(triad, &turned[9..], |k| std(9 + k));
@@ -110,7 +112,10 @@ fn sandwich(jacobian: &[Vec<f64>], covariance: &[Vec<f64>]) -> Vec<Vec<f64>> {
     times
         .iter()
         .map(|left| {
-            jacobian.iter().map(|row| left.iter().zip(row).map(|(a, b)| a * b).sum()).collect()
+            jacobian
+                .iter()
+                .map(|row| left.iter().zip(row).map(|(a, b)| a * b).sum())
+                .collect()
         })
         .collect()
 }

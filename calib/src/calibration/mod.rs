@@ -168,7 +168,10 @@ impl Calibration {
 
 /// The whole catalogue.
 pub fn catalogue() -> impl Iterator<Item = &'static dyn AnyEffect> {
-    accelerometer::EFFECTS.iter().chain(gyroscope::EFFECTS).copied()
+    accelerometer::EFFECTS
+        .iter()
+        .chain(gyroscope::EFFECTS)
+        .copied()
 }
 
 /// The effect of that name.

@@ -80,7 +80,11 @@ impl Level {
             None => quantile(&statistic, QUIET_SHARE),
         };
         let floor = (SPREAD_FLOOR * range(&stream.values)).powi(4);
-        Ok(Self { t: stream.t.clone(), statistic, at_rest: reference.max(floor) })
+        Ok(Self {
+            t: stream.t.clone(),
+            statistic,
+            at_rest: reference.max(floor),
+        })
     }
 
     /// The spans in which the statistic reaches `multiplier` times its level at rest.
@@ -107,14 +111,26 @@ pub(super) fn levels(
     detector: &Detector,
 ) -> Result<[Option<Level>; 2], Error> {
     let measure = |stream: &Option<Stream>| {
-        stream.as_ref().map(|stream| Level::measure(stream, detector)).transpose()
+        stream
+            .as_ref()
+            .map(|stream| Level::measure(stream, detector))
+            .transpose()
     };
-    Ok([measure(&recording.accelerometer)?, measure(&recording.gyroscope)?])
+    Ok([
+        measure(&recording.accelerometer)?,
+        measure(&recording.gyroscope)?,
+    ])
 }
 
 /// The spans in which any of the sensors moves.
 pub(super) fn motion(levels: &[Option<Level>; 2], multiplier: f64) -> Vec<Span> {
-    union(levels.iter().flatten().flat_map(|level| level.motion(multiplier)).collect())
+    union(
+        levels
+            .iter()
+            .flatten()
+            .flat_map(|level| level.motion(multiplier))
+            .collect(),
+    )
 }
 
 /// `Σ over axes of var²` in a centred window of `window` seconds, at every sample.
@@ -165,6 +181,8 @@ fn quantile(values: &[f64], q: f64) -> f64 {
 fn range(values: &[Vector3<f64>]) -> f64 {
     let (low, high) = values
         .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v.min()), h.max(v.max())));
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
+            (l.min(v.min()), h.max(v.max()))
+        });
     high - low
 }

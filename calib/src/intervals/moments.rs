@@ -27,7 +27,11 @@ impl Moments {
             scatter += d * d.transpose();
         }
         let covariance = scatter / (count.max(2) - 1) as f64;
-        Some(Self { count, mean, covariance })
+        Some(Self {
+            count,
+            mean,
+            covariance,
+        })
     }
 
     /// Standard deviation of one sample, per axis.
@@ -44,6 +48,9 @@ mod tests {
     fn moments_of_two_samples_fit_in_the_head() {
         let m = Moments::of(&[Vector3::new(1.0, 0.0, 2.0), Vector3::new(3.0, 0.0, 2.0)]).unwrap();
         assert_eq!(m.mean, Vector3::new(2.0, 0.0, 2.0));
-        assert_eq!(m.covariance, Matrix3::from_diagonal(&Vector3::new(2.0, 0.0, 0.0)));
+        assert_eq!(
+            m.covariance,
+            Matrix3::from_diagonal(&Vector3::new(2.0, 0.0, 0.0))
+        );
     }
 }

@@ -17,10 +17,20 @@ impl Rails {
     /// Looks for a flat top or bottom of each axis.
     pub fn of(values: &[Vector3<f64>]) -> Self {
         let axis = |k: usize, sign: f64| {
-            let top = values.iter().map(|v| sign * v[k]).fold(f64::NEG_INFINITY, f64::max);
-            let bottom = values.iter().map(|v| sign * v[k]).fold(f64::INFINITY, f64::min);
+            let top = values
+                .iter()
+                .map(|v| sign * v[k])
+                .fold(f64::NEG_INFINITY, f64::max);
+            let bottom = values
+                .iter()
+                .map(|v| sign * v[k])
+                .fold(f64::INFINITY, f64::min);
             let run = longest_run(values.iter().map(|v| sign * v[k] == top));
-            if run >= RUN_AT_RAIL && top > bottom { sign * top } else { sign * f64::INFINITY }
+            if run >= RUN_AT_RAIL && top > bottom {
+                sign * top
+            } else {
+                sign * f64::INFINITY
+            }
         };
         Self {
             low: Vector3::from_fn(|k, _| axis(k, -1.0)),
@@ -50,8 +60,9 @@ mod tests {
     #[test]
     fn a_flat_top_is_a_rail_and_a_sharp_peak_is_not() {
         let wave = |k: usize, limit: f64| ((k as f64) * 0.1).sin().min(limit);
-        let values: Vec<_> =
-            (0..63).map(|k| Vector3::new(wave(k, 0.8), wave(k, 2.0), 0.0)).collect();
+        let values: Vec<_> = (0..63)
+            .map(|k| Vector3::new(wave(k, 0.8), wave(k, 2.0), 0.0))
+            .collect();
         let rails = Rails::of(&values);
         assert!(rails.reached(&Vector3::new(0.8, 0.0, 0.0)));
         assert!(!rails.reached(&Vector3::new(0.7, 0.999, 0.0)));

@@ -82,7 +82,10 @@ pub struct Segmentation {
 impl Segmentation {
     /// From given rests (in order, disjoint), such as sections picked by hand.
     pub fn from_spans(recording: &Recording, spans: &[Span], multiplier: f64) -> Self {
-        let statics = spans.iter().map(|&span| static_interval(recording, span)).collect();
+        let statics = spans
+            .iter()
+            .map(|&span| static_interval(recording, span))
+            .collect();
         let gyroscope = recording.gyroscope.as_ref();
         let step = gyroscope.and_then(Stream::median_step).unwrap_or(0.0);
         let rails = Rails::of(gyroscope.map_or(&[], |stream| &stream.values));
@@ -90,7 +93,10 @@ impl Segmentation {
             .windows(2)
             .enumerate()
             .map(|(from, pair)| {
-                let span = Span { from: pair[0].to, to: pair[1].from };
+                let span = Span {
+                    from: pair[0].to,
+                    to: pair[1].from,
+                };
                 let (samples, fault) = match gyroscope {
                     Some(stream) => {
                         let samples = stream.between(span.from, span.to);
@@ -98,10 +104,20 @@ impl Segmentation {
                     }
                     None => (0..0, Some(TurnFault::Empty)),
                 };
-                Turn { from, span, samples, fault }
+                Turn {
+                    from,
+                    span,
+                    samples,
+                    fault,
+                }
             })
             .collect();
-        Self { statics, turns, multiplier, level_at_rest: [None; 2] }
+        Self {
+            statics,
+            turns,
+            multiplier,
+            level_at_rest: [None; 2],
+        }
     }
 }
 
@@ -111,7 +127,12 @@ impl Segmentation {
 /// A sensor without samples or a recording shorter than the window.
 pub fn segment(recording: &Recording, detector: &Detector) -> Result<Segmentation, Error> {
     let levels = levels(recording, detector)?;
-    Ok(segment_at(recording, detector, &levels, detector.multiplier))
+    Ok(segment_at(
+        recording,
+        detector,
+        &levels,
+        detector.multiplier,
+    ))
 }
 
 /// [`segment`] for several multipliers from one measurement of the levels.
@@ -124,7 +145,10 @@ pub fn segment_each(
     multipliers: &[f64],
 ) -> Result<Vec<Segmentation>, Error> {
     let levels = levels(recording, detector)?;
-    Ok(multipliers.iter().map(|&m| segment_at(recording, detector, &levels, m)).collect())
+    Ok(multipliers
+        .iter()
+        .map(|&m| segment_at(recording, detector, &levels, m))
+        .collect())
 }
 
 fn segment_at(
@@ -134,22 +158,35 @@ fn segment_at(
     multiplier: f64,
 ) -> Segmentation {
     let moving = motion(levels, multiplier);
-    let spans = static_spans(common(recording), &moving, detector.min_dynamic, detector.min_static);
+    let spans = static_spans(
+        common(recording),
+        &moving,
+        detector.min_dynamic,
+        detector.min_static,
+    );
     Segmentation {
-        level_at_rest: levels.each_ref().map(|level| level.as_ref().map(|l| l.at_rest)),
+        level_at_rest: levels
+            .each_ref()
+            .map(|level| level.as_ref().map(|l| l.at_rest)),
         ..Segmentation::from_spans(recording, &spans, multiplier)
     }
 }
 
 /// The time in which all sensors of the recording have samples.
 fn common(recording: &Recording) -> Span {
-    [&recording.accelerometer, &recording.gyroscope].into_iter().flatten().fold(
-        Span { from: f64::NEG_INFINITY, to: f64::INFINITY },
-        |span, stream| Span {
-            from: stream.t.first().map_or(span.from, |&t| span.from.max(t)),
-            to: stream.t.last().map_or(span.to, |&t| span.to.min(t)),
-        },
-    )
+    [&recording.accelerometer, &recording.gyroscope]
+        .into_iter()
+        .flatten()
+        .fold(
+            Span {
+                from: f64::NEG_INFINITY,
+                to: f64::INFINITY,
+            },
+            |span, stream| Span {
+                from: stream.t.first().map_or(span.from, |&t| span.from.max(t)),
+                to: stream.t.last().map_or(span.to, |&t| span.to.min(t)),
+            },
+        )
 }
 
 fn static_interval(recording: &Recording, span: Span) -> StaticInterval {
@@ -179,10 +216,18 @@ fn fault(
     let mut stamps = vec![span.from];
     stamps.extend_from_slice(&stream.t[samples.clone()]);
     stamps.push(span.to);
-    let widest = stamps.windows(2).max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))?;
+    let widest = stamps
+        .windows(2)
+        .max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))?;
     if widest[1] - widest[0] > GAP_STEPS * step {
-        return Some(TurnFault::Gap(Span { from: widest[0], to: widest[1] }));
+        return Some(TurnFault::Gap(Span {
+            from: widest[0],
+            to: widest[1],
+        }));
     }
-    let saturated = stream.values[samples].iter().filter(|v| rails.reached(v)).count();
+    let saturated = stream.values[samples]
+        .iter()
+        .filter(|v| rails.reached(v))
+        .count();
     (saturated > 0).then_some(TurnFault::Saturated { samples: saturated })
 }

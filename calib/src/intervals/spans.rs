@@ -44,7 +44,10 @@ pub fn complement(whole: Span, spans: &[Span]) -> Vec<Span> {
     let mut from = whole.from;
     for span in spans {
         if span.from > from {
-            rest.push(Span { from, to: span.from.min(whole.to) });
+            rest.push(Span {
+                from,
+                to: span.from.min(whole.to),
+            });
         }
         from = from.max(span.to);
     }
@@ -58,8 +61,15 @@ pub fn complement(whole: Span, spans: &[Span]) -> Vec<Span> {
 /// a dynamic span shorter than `min_dynamic` joins the static ones around it, then a static span
 /// shorter than `min_static` joins the dynamic ones around it.
 pub fn static_spans(whole: Span, dynamic: &[Span], min_dynamic: f64, min_static: f64) -> Vec<Span> {
-    let long: Vec<Span> = dynamic.iter().copied().filter(|d| d.length() >= min_dynamic).collect();
-    complement(whole, &long).into_iter().filter(|s| s.length() >= min_static).collect()
+    let long: Vec<Span> = dynamic
+        .iter()
+        .copied()
+        .filter(|d| d.length() >= min_dynamic)
+        .collect();
+    complement(whole, &long)
+        .into_iter()
+        .filter(|s| s.length() >= min_static)
+        .collect()
 }
 
 #[cfg(test)]

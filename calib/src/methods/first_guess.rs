@@ -31,7 +31,10 @@ pub struct RawUnit {
 
 impl RawUnit {
     /// Readings in SI units.
-    pub const SI: Self = Self { scale: 1.0, zero: Vector3::new(0.0, 0.0, 0.0) };
+    pub const SI: Self = Self {
+        scale: 1.0,
+        zero: Vector3::new(0.0, 0.0, 0.0),
+    };
 
     /// Whether the readings were in SI units already.
     pub fn is_si(&self) -> bool {
@@ -72,14 +75,20 @@ pub fn accelerometer_unit(means: &[Vector3<f64>], gravity: f64) -> Option<RawUni
         return Some(RawUnit::SI);
     }
     let (zero, radius) = sphere(means)?;
-    Some(RawUnit { scale: gravity / radius, zero })
+    Some(RawUnit {
+        scale: gravity / radius,
+        zero,
+    })
 }
 
 /// Centre and radius of the sphere `|m|² = 2 c·m + (r² − |c|²)`, linear least squares.
 fn sphere(points: &[Vector3<f64>]) -> Option<(Vector3<f64>, f64)> {
     let n = points.len();
     let middle = points.iter().sum::<Vector3<f64>>() / n as f64;
-    let size = points.iter().map(|p| (p - middle).norm()).fold(0.0, f64::max);
+    let size = points
+        .iter()
+        .map(|p| (p - middle).norm())
+        .fold(0.0, f64::max);
     let near: Vec<Vector3<f64>> = points.iter().map(|p| (p - middle) / size).collect();
     let matrix = DMatrix::from_fn(n, 4, |i, k| if k < 3 { 2.0 * near[i][k] } else { 1.0 });
     let squares = DVector::from_fn(n, |i, _| near[i].norm_squared());
@@ -116,12 +125,19 @@ pub fn gyroscope_unit(turns: &[TurnData]) -> RawUnit {
         }
         scale *= SCALE_STEP;
     }
-    RawUnit { scale: best.1, zero: Vector3::zeros() }
+    RawUnit {
+        scale: best.1,
+        zero: Vector3::zeros(),
+    }
 }
 
 /// `∫ |reading| dt` over a turn.
 fn travel(turn: &TurnData) -> f64 {
-    turn.t.windows(2).zip(&turn.readings).map(|(t, w)| (t[1] - t[0]) * w.norm()).sum()
+    turn.t
+        .windows(2)
+        .zip(&turn.readings)
+        .map(|(t, w)| (t[1] - t[0]) * w.norm())
+        .sum()
 }
 
 #[cfg(test)]

@@ -42,7 +42,12 @@ impl Fitted {
             .covariance
             .iter()
             .zip(&factors)
-            .map(|(row, a)| row.iter().zip(&factors).map(|(v, b)| v * a * b * sigma * sigma).collect())
+            .map(|(row, a)| {
+                row.iter()
+                    .zip(&factors)
+                    .map(|(v, b)| v * a * b * sigma * sigma)
+                    .collect()
+            })
             .collect();
         Self {
             parameters,

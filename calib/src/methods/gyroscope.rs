@@ -78,7 +78,9 @@ pub fn fit_gyroscope(request: &GyroscopeRequest) -> Result<GyroscopeFit, Error> 
     let unbiased: Vec<Vec<TurnData>> = request.recordings.iter().map(without_bias).collect();
     let all: Vec<TurnData> = unbiased.concat();
     if all.is_empty() {
-        return Err(Error::NotEnough("no turn between two rests can be integrated".into()));
+        return Err(Error::NotEnough(
+            "no turn between two rests can be integrated".into(),
+        ));
     }
     let unit = gyroscope_unit(&all);
     let before = perfect_chords(&all, &unit);
@@ -123,15 +125,28 @@ fn with_effects(
     scale: RawUnit,
     chords_before: Vec<f64>,
 ) -> Result<GyroscopeFit, Error> {
-    let zero = request.recordings.last().map_or_else(Vector3::zeros, |r| mean_rate(&r.statics));
+    let zero = request
+        .recordings
+        .last()
+        .map_or_else(Vector3::zeros, |r| mean_rate(&r.statics));
     let unit = RawUnit { zero, ..scale };
     let near_si: Vec<(Vec<TurnData>, Vec<StaticMean>)> = request
         .recordings
         .iter()
         .map(|r| {
-            let turns = r.turns.iter().map(|turn| map_readings(turn, |w| unit.to_si(w))).collect();
-            let statics =
-                r.statics.iter().map(|m| StaticMean { raw: unit.to_si(&m.raw), ..*m }).collect();
+            let turns = r
+                .turns
+                .iter()
+                .map(|turn| map_readings(turn, |w| unit.to_si(w)))
+                .collect();
+            let statics = r
+                .statics
+                .iter()
+                .map(|m| StaticMean {
+                    raw: unit.to_si(&m.raw),
+                    ..*m
+                })
+                .collect();
             (turns, statics)
         })
         .collect();
@@ -149,10 +164,18 @@ fn with_effects(
                     integrator: request.integrator,
                     sigma: sigma_turn,
                 },
-                rests: StaticRate { model: &request.model, means: statics, sigma: sigma_rest },
+                rests: StaticRate {
+                    model: &request.model,
+                    means: statics,
+                    sigma: sigma_rest,
+                },
             })
             .collect();
-        let problem = OwnBias { parts, shared, own_bias: true };
+        let problem = OwnBias {
+            parts,
+            shared,
+            own_bias: true,
+        };
         let start = problem.parameters(&request.model.parameters(), &names);
         let mask = start.free_where(|_| true);
         let report = solve(&problem, &start, &mask, &Options::default())?;
@@ -161,7 +184,9 @@ fn with_effects(
         let spare = (numbers as f64 - report.uncertainty.rank as f64).max(1.0) / numbers as f64;
         let scatter = |rows: &[f64], independent: f64| {
             let sum: f64 = rows.iter().map(|r| r * r).sum();
-            (sum / (rows.len() as f64 * independent * spare).max(1.0)).sqrt().max(1e-9)
+            (sum / (rows.len() as f64 * independent * spare).max(1.0))
+                .sqrt()
+                .max(1e-9)
         };
         let turn_factor = scatter(&turns, NUMBERS_PER_TURN as f64 / 3.0);
         let rest_factor = scatter(&rests, 1.0);
@@ -221,7 +246,9 @@ fn direction_scatter(report: &Report, turns: usize) -> f64 {
 
 /// The length of each turn's three rows.
 fn chords(rows: &[f64]) -> Vec<f64> {
-    rows.chunks_exact(3).map(|r| (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]).sqrt()).collect()
+    rows.chunks_exact(3)
+        .map(|r| (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]).sqrt())
+        .collect()
 }
 
 /// The chords of a sensor with unit scales and no misalignment.
@@ -239,18 +266,30 @@ fn perfect_chords(turns: &[TurnData], unit: &RawUnit) -> Vec<f64> {
 }
 
 fn without_bias(data: &GyroscopeData) -> Vec<TurnData> {
-    data.turns.iter().zip(&data.turn_bias).map(|(turn, b)| map_readings(turn, |w| w - b)).collect()
+    data.turns
+        .iter()
+        .zip(&data.turn_bias)
+        .map(|(turn, b)| map_readings(turn, |w| w - b))
+        .collect()
 }
 
 fn scaled(turns: &[Vec<TurnData>], unit: &RawUnit) -> Vec<Vec<TurnData>> {
     turns
         .iter()
-        .map(|turns| turns.iter().map(|turn| map_readings(turn, |w| unit.to_si(w))).collect())
+        .map(|turns| {
+            turns
+                .iter()
+                .map(|turn| map_readings(turn, |w| unit.to_si(w)))
+                .collect()
+        })
         .collect()
 }
 
 fn map_readings(turn: &TurnData, map: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> TurnData {
-    TurnData { readings: turn.readings.iter().map(map).collect(), ..turn.clone() }
+    TurnData {
+        readings: turn.readings.iter().map(map).collect(),
+        ..turn.clone()
+    }
 }
 
 fn mean_rate(statics: &[StaticMean]) -> Vector3<f64> {

@@ -25,7 +25,10 @@ use crate::residuals::StaticMean;
 pub fn static_means(recording: &Recording, segmentation: &Segmentation) -> Vec<StaticMean> {
     let mean = |rest: &StaticInterval| {
         let raw = rest.accelerometer?.mean;
-        Some(StaticMean { raw, rest: known_of(recording, rest, Vector3::zeros()) })
+        Some(StaticMean {
+            raw,
+            rest: known_of(recording, rest, Vector3::zeros()),
+        })
     };
     segmentation.statics.iter().filter_map(mean).collect()
 }

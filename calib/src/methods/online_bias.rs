@@ -57,11 +57,19 @@ pub fn gyroscope_stretches(
         .filter_map(|span| {
             let samples = stream.between(span.from, span.to);
             let (residual, std) = mean_of(&stream.values[samples], span.length() as usize)?;
-            Some(Stretch { span, residual, std })
+            Some(Stretch {
+                span,
+                residual,
+                std,
+            })
         })
         .collect();
     if stretches.is_empty() {
-        let longest = segmentation.statics.iter().map(|r| r.span.length()).fold(0.0, f64::max);
+        let longest = segmentation
+            .statics
+            .iter()
+            .map(|r| r.span.length())
+            .fold(0.0, f64::max);
         return Err(Error::NotEnough(format!(
             "{}: the longest rest is {longest:.1} s; put the device down for more than {LONG_ENOUGH} s",
             recording.name
@@ -81,8 +89,10 @@ pub fn update_gyroscope(
 ) -> Result<Calibration, Error> {
     let time: f64 = stretches.iter().map(|s| s.span.length()).sum();
     let weighted = |f: fn(&Stretch) -> Vector3<f64>, power: i32| {
-        let sum: Vector3<f64> =
-            stretches.iter().map(|s| f(s) * (s.span.length() / time).powi(power)).sum();
+        let sum: Vector3<f64> = stretches
+            .iter()
+            .map(|s| f(s) * (s.span.length() / time).powi(power))
+            .sum();
         sum
     };
     let residual = weighted(|s| s.residual, 1);
@@ -93,7 +103,14 @@ pub fn update_gyroscope(
         .map(|s| (s.residual - residual).map(|d| d * d) / (count * (count - 1.0).max(1.0)))
         .sum();
     let std = Vector3::from_fn(|k, _| within[k].max(between[k]).sqrt());
-    shifted(calibration, Sensor::Gyroscope, recording, stretches.len(), residual, std)
+    shifted(
+        calibration,
+        Sensor::Gyroscope,
+        recording,
+        stretches.len(),
+        residual,
+        std,
+    )
 }
 
 /// Fits the accelerometer's bias alone to the modulus of gravity over the rests.
@@ -107,9 +124,10 @@ pub fn update_accelerometer(
     segmentation: &Segmentation,
 ) -> Result<Calibration, Error> {
     let means = static_means(recording, segmentation);
-    let (Some((model, p)), true) =
-        (calibration.model(Sensor::Accelerometer), means.len() >= FEWEST_RESTS)
-    else {
+    let (Some((model, p)), true) = (
+        calibration.model(Sensor::Accelerometer),
+        means.len() >= FEWEST_RESTS,
+    ) else {
         return Err(Error::NotEnough(format!(
             "{}: {} rests and {} in the calibration; the accelerometer's bias needs at least \
              {FEWEST_RESTS} rests in different orientations",
@@ -125,10 +143,17 @@ pub fn update_accelerometer(
     let mut start = model.parameters();
     start.values_mut().copy_from_slice(&p);
     let mask = start.free_where(|name| name.starts_with("accel.b_"));
-    let problem = GravityNorm { model: &model, means: &means, gravity: calibration.gravity };
+    let problem = GravityNorm {
+        model: &model,
+        means: &means,
+        gravity: calibration.gravity,
+    };
     let report = solve(&problem, &start, &mask, &Options::default())?;
     if !report.termination.converged() {
-        return Err(Error::NotConverged(format!("{}: accelerometer bias", recording.name)));
+        return Err(Error::NotConverged(format!(
+            "{}: accelerometer bias",
+            recording.name
+        )));
     }
     if report.uncertainty.rank < 3 || report.uncertainty.condition > WORST_CONDITION {
         return Err(Error::NotEnough(format!(
@@ -143,7 +168,14 @@ pub fn update_accelerometer(
     let t = t.unwrap_or_else(Matrix3::identity);
     let residual = t * Vector3::from_fn(|k, _| change(k));
     let std = t.abs() * std;
-    shifted(calibration, Sensor::Accelerometer, &recording.name, means.len(), residual, std)
+    shifted(
+        calibration,
+        Sensor::Accelerometer,
+        &recording.name,
+        means.len(),
+        residual,
+        std,
+    )
 }
 
 /// The calibration with `T⁻¹ residual` added to the bias of a sensor, and a line of history.

@@ -71,7 +71,13 @@ pub fn fit_accelerometer(request: &AccelerometerRequest) -> Result<Accelerometer
         .recordings
         .iter()
         .map(|means| {
-            means.iter().map(|m| StaticMean { raw: unit.to_si(&m.raw), ..*m }).collect()
+            means
+                .iter()
+                .map(|m| StaticMean {
+                    raw: unit.to_si(&m.raw),
+                    ..*m
+                })
+                .collect()
         })
         .collect();
     let common = step_one(request, &near_si, false)?;
@@ -100,9 +106,17 @@ fn problem<'a>(
 ) -> OwnBias<GravityNorm<'a>> {
     let parts = near_si
         .iter()
-        .map(|means| GravityNorm { model: &request.model, means, gravity: request.gravity })
+        .map(|means| GravityNorm {
+            model: &request.model,
+            means,
+            gravity: request.gravity,
+        })
         .collect();
-    OwnBias { parts, shared: request.model.parameters().len(), own_bias }
+    OwnBias {
+        parts,
+        shared: request.model.parameters().len(),
+        own_bias,
+    }
 }
 
 fn step_one(
@@ -128,7 +142,10 @@ fn step_two(
     start.values_mut()[..9].copy_from_slice(&perfect[..9]);
     let base: Vec<String> = start.names()[..9].to_vec();
     let mask = start.free_where(|name| base.iter().any(|free| free == name));
-    let options = Options { variant: Variant::GaussNewtonMinimumNorm, ..Options::default() };
+    let options = Options {
+        variant: Variant::GaussNewtonMinimumNorm,
+        ..Options::default()
+    };
     Ok(solve(&problem, &start, &mask, &options)?)
 }
 

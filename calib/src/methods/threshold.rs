@@ -57,7 +57,10 @@ pub fn choose_multiplier(
         Some(k) => tried.swap_remove(k),
         None => crate::intervals::segment(recording, detector)?,
     };
-    Ok(Choice { segmentation: chosen, trials })
+    Ok(Choice {
+        segmentation: chosen,
+        trials,
+    })
 }
 
 fn trial(recording: &Recording, segmentation: &Segmentation, gravity: f64) -> Trial {
@@ -72,10 +75,19 @@ fn trial(recording: &Recording, segmentation: &Segmentation, gravity: f64) -> Tr
 fn residual(means: &[StaticMean], gravity: f64) -> Option<f64> {
     let raw: Vec<_> = means.iter().map(|m| m.raw).collect();
     let unit = accelerometer_unit(&raw, gravity)?;
-    let near_si: Vec<StaticMean> =
-        means.iter().map(|m| StaticMean { raw: unit.to_si(&m.raw), ..*m }).collect();
+    let near_si: Vec<StaticMean> = means
+        .iter()
+        .map(|m| StaticMean {
+            raw: unit.to_si(&m.raw),
+            ..*m
+        })
+        .collect();
     let model = accelerometer::model();
-    let problem = GravityNorm { model: &model, means: &near_si, gravity };
+    let problem = GravityNorm {
+        model: &model,
+        means: &near_si,
+        gravity,
+    };
     let start = model.parameters();
     let mask = start.free_where(accelerometer::is_free_in_triangular_frame);
     let spare = means.len().checked_sub(mask.free_indices().len())?;
@@ -85,7 +97,10 @@ fn residual(means: &[StaticMean], gravity: f64) -> Option<f64> {
 
 /// The middle of the longest run of good trials with one number of intervals.
 fn plateau(trials: &[Trial]) -> Option<usize> {
-    let best = trials.iter().filter_map(|t| t.residual).min_by(f64::total_cmp)?;
+    let best = trials
+        .iter()
+        .filter_map(|t| t.residual)
+        .min_by(f64::total_cmp)?;
     let good = |t: &Trial| t.residual.is_some_and(|r| r <= AS_GOOD * best);
     let mut longest = 0..0;
     let mut from = 0;
@@ -119,7 +134,15 @@ mod tests {
 
     #[test]
     fn the_middle_of_the_longest_good_run_is_chosen() {
-        let rows = [(9, 0.0), (12, 5.0), (14, 1.0), (14, 1.02), (14, 1.05), (15, 1.0), (13, 9.0)];
+        let rows = [
+            (9, 0.0),
+            (12, 5.0),
+            (14, 1.0),
+            (14, 1.02),
+            (14, 1.05),
+            (15, 1.0),
+            (13, 9.0),
+        ];
         assert_eq!(plateau(&trials(&rows)), Some(3));
     }
 

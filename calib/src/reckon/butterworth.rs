@@ -17,14 +17,22 @@ impl FirstOrder {
     pub(super) fn low_pass(cutoff: f64, rate: f64) -> Self {
         let k = (std::f64::consts::PI * cutoff / rate).tan();
         let (b, a1) = (k / (1.0 + k), (k - 1.0) / (k + 1.0));
-        Self { b: [b, b], a1, settled: b * (1.0 - a1) / (1.0 + a1) }
+        Self {
+            b: [b, b],
+            a1,
+            settled: b * (1.0 - a1) / (1.0 + a1),
+        }
     }
 
     /// High-pass with its −3 dB point at `cutoff` for samples at `rate` (same unit).
     pub(super) fn high_pass(cutoff: f64, rate: f64) -> Self {
         let k = (std::f64::consts::PI * cutoff / rate).tan();
         let (b, a1) = (1.0 / (1.0 + k), (k - 1.0) / (k + 1.0));
-        Self { b: [b, -b], a1, settled: -b }
+        Self {
+            b: [b, -b],
+            a1,
+            settled: -b,
+        }
     }
 
     /// Forward and backward over the samples, without phase. The samples are mirrored through both
@@ -65,9 +73,10 @@ mod tests {
     // scipy 1.17.1: b, a = butter(1, 3/50[, 'highpass']); filtfilt(b, a, X, padlen=3)
     #[test]
     fn filtering_both_ways_agrees_with_scipy() {
-        for (filter, expected) in
-            [(FirstOrder::low_pass(3.0, 100.0), LOW), (FirstOrder::high_pass(3.0, 100.0), HIGH)]
-        {
+        for (filter, expected) in [
+            (FirstOrder::low_pass(3.0, 100.0), LOW),
+            (FirstOrder::high_pass(3.0, 100.0), HIGH),
+        ] {
             for (found, expected) in filter.both_ways(&X).iter().zip(expected) {
                 assert!((found - expected).abs() < 1e-14, "{found} {expected}");
             }

@@ -20,7 +20,11 @@ pub enum Ending {
 pub(super) fn shortest_rotation(from: &Vector3<f64>, to: &Vector3<f64>) -> Vector3<f64> {
     let axis = from.cross(to);
     let (sin, cos) = (axis.norm(), from.dot(to));
-    if sin > 0.0 { axis * (sin.atan2(cos) / sin) } else { Vector3::zeros() }
+    if sin > 0.0 {
+        axis * (sin.atan2(cos) / sin)
+    } else {
+        Vector3::zeros()
+    }
 }
 
 /// Turns every attitude about a fixed axis, in proportion to the share of the time elapsed, so that

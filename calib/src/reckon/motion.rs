@@ -39,7 +39,14 @@ impl Motion {
         let candidates = rests.iter().enumerate().map(|(k, &before)| {
             let after = rests.get(k + 1).copied();
             let to = after.map_or(end, |rest| rest.from);
-            Self { before, span: Span { from: before.to, to }, after }
+            Self {
+                before,
+                span: Span {
+                    from: before.to,
+                    to,
+                },
+                after,
+            }
         });
         candidates
             .filter(|motion| motion.span.length() >= DETECTOR.min_dynamic)
@@ -58,7 +65,10 @@ impl Motion {
     /// Less than half a second before the motion, or a motion that does not lie in the recording.
     pub fn given(recording: &Recording, span: Span) -> Result<Self, Error> {
         let (start, end) = (recording.start(), end(recording));
-        let before = Span { from: start, to: span.from };
+        let before = Span {
+            from: start,
+            to: span.from,
+        };
         if !(span.length() > 0.0 && before.length() >= SHORTEST_REST && span.from < end) {
             return Err(Error::Usage(format!(
                 "motion from {} to {} s: the recording runs from {start:.2} to {end:.2} s and must \
@@ -66,14 +76,23 @@ impl Motion {
                 span.from, span.to
             )));
         }
-        let after = Span { from: span.to, to: end };
+        let after = Span {
+            from: span.to,
+            to: end,
+        };
         let after = (after.length() >= SHORTEST_REST).then_some(after);
-        Ok(Self { before, span, after })
+        Ok(Self {
+            before,
+            span,
+            after,
+        })
     }
 }
 
 /// The last time stamp of the accelerometer, s.
 fn end(recording: &Recording) -> f64 {
     let stream = recording.accelerometer.as_ref();
-    stream.and_then(|s| s.t.last().copied()).unwrap_or(f64::NEG_INFINITY)
+    stream
+        .and_then(|s| s.t.last().copied())
+        .unwrap_or(f64::NEG_INFINITY)
 }

@@ -45,8 +45,11 @@ impl Procedure {
     /// The samples taken to be in motion: `| |a| high-passed | low-passed > level`, with `a` the
     /// corrected samples less gravity.
     pub fn moving(&self, corrected: &Stream) -> Vec<usize> {
-        let modulus: Vec<f64> =
-            corrected.values.iter().map(|a| self.without_gravity(a).norm()).collect();
+        let modulus: Vec<f64> = corrected
+            .values
+            .iter()
+            .map(|a| self.without_gravity(a).norm())
+            .collect();
         let high = FirstOrder::high_pass(self.high_pass, self.rate).both_ways(&modulus);
         let rectified: Vec<f64> = high.iter().map(|v| v.abs()).collect();
         let low = FirstOrder::low_pass(self.low_pass, self.rate).both_ways(&rectified);
@@ -96,5 +99,8 @@ pub fn authors_six_position() -> Base<f64> {
         0.0087, 0.0002, 0.0048, //
         -0.0011, 0.0013, 0.0014,
     );
-    Base { t: Matrix3::identity() - m, bias: Vector3::new(0.0183, 0.0289, -0.0768) }
+    Base {
+        t: Matrix3::identity() - m,
+        bias: Vector3::new(0.0183, 0.0289, -0.0768),
+    }
 }

@@ -66,11 +66,16 @@ pub fn reckon(
     ending: Ending,
 ) -> Result<Track, Error> {
     let missing = |what: &str| Error::NotEnough(format!("{}: {what}", corrected.name));
-    let force = corrected.accelerometer.as_ref().ok_or_else(|| missing("no accelerometer"))?;
+    let force = corrected
+        .accelerometer
+        .as_ref()
+        .ok_or_else(|| missing("no accelerometer"))?;
     let rest = mean(force, motion.before).ok_or_else(|| missing("no samples at rest"))?;
     let samples = force.between(motion.span.from, motion.span.to);
     if samples.len() < 2 {
-        return Err(missing("fewer than two accelerometer samples in the motion"));
+        return Err(missing(
+            "fewer than two accelerometer samples in the motion",
+        ));
     }
     let (t, f) = (&force.t[samples.clone()], &force.values[samples]);
     let up = nearest_axis(&rest);
@@ -78,7 +83,10 @@ pub fn reckon(
     let mut attitudes = match mode {
         Mode::Level => vec![first; t.len()],
         Mode::Full => {
-            let rate = corrected.gyroscope.as_ref().ok_or_else(|| missing("no gyroscope"))?;
+            let rate = corrected
+                .gyroscope
+                .as_ref()
+                .ok_or_else(|| missing("no gyroscope"))?;
             let bias = mean(rate, motion.before).ok_or_else(|| missing("no gyroscope at rest"))?;
             turned(first, t, |t| rate.at(t).unwrap_or(bias) - bias)
         }
@@ -100,7 +108,14 @@ pub fn reckon(
         stop_at_the_end(&mut velocity, &share);
     }
     let position = integral(t, &velocity);
-    Ok(Track { t: t.to_vec(), velocity, position, gravity: rest.norm(), end_velocity, end_tilt })
+    Ok(Track {
+        t: t.to_vec(),
+        velocity,
+        position,
+        gravity: rest.norm(),
+        end_velocity,
+        end_tilt,
+    })
 }
 
 fn mean(stream: &Stream, span: Span) -> Option<Vector3<f64>> {

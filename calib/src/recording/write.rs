@@ -29,7 +29,10 @@ pub fn to_csv(recording: &mut Recording) -> String {
         );
         *first = within(first, second);
         let values = first.t.iter().filter_map(|&t| second.at(t)).collect();
-        *second = Stream { t: first.t.clone(), values };
+        *second = Stream {
+            t: first.t.clone(),
+            values,
+        };
     }
     if recording.temperature.is_some() {
         names.push_str(",temp");
@@ -66,5 +69,8 @@ fn within(stream: &Stream, other: &Stream) -> Stream {
         return Stream::default();
     };
     let range = stream.t.partition_point(|&t| t < from)..stream.t.partition_point(|&t| t <= to);
-    Stream { t: stream.t[range.clone()].to_vec(), values: stream.values[range].to_vec() }
+    Stream {
+        t: stream.t[range.clone()].to_vec(),
+        values: stream.values[range].to_vec(),
+    }
 }

@@ -22,7 +22,9 @@ pub struct GravityNorm<'a> {
 impl<D: ModelScalar> Residual<D> for GravityNorm<'_> {
     fn residuals(&self, x: &[D], out: &mut Vec<D>) {
         for mean in self.means {
-            let force = self.model.correct(&mean.raw.map(lit::<D>), &mean.rest.lift(), x);
+            let force = self
+                .model
+                .correct(&mean.raw.map(lit::<D>), &mean.rest.lift(), x);
             out.push(force.dot(&force).sqrt() - self.gravity);
         }
     }

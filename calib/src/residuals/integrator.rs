@@ -43,5 +43,8 @@ pub fn attitude_of<D: Scalar>(
 }
 
 fn first_order<D: Scalar>(q: &Attitude<D>, rate: &Vector3<D>, dt: f64) -> Attitude<D> {
-    q.then(&Attitude { w: lit(1.0), v: rate * lit::<D>(0.5 * dt) })
+    q.then(&Attitude {
+        w: lit(1.0),
+        v: rate * lit::<D>(0.5 * dt),
+    })
 }

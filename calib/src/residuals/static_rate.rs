@@ -24,7 +24,9 @@ impl<D: ModelScalar> Residual<D> for StaticRate<'_> {
     fn residuals(&self, x: &[D], out: &mut Vec<D>) {
         let weight = self.sigma.recip();
         for mean in self.means {
-            let rate = self.model.correct(&mean.raw.map(lit::<D>), &mean.rest.lift(), x);
+            let rate = self
+                .model
+                .correct(&mean.raw.map(lit::<D>), &mean.rest.lift(), x);
             out.extend(rate.iter().map(|&w| w * weight));
         }
     }

@@ -7,7 +7,7 @@ use sensor::Sensor;
 
 /// A sensor's own clock.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(default, deny_unknown_fields, rename_all = "snake_case")]
 pub struct Clock {
     /// True samples per second; that of the recording where it is not given.
     pub rate: Option<f64>,
@@ -25,7 +25,7 @@ pub struct Clock {
 
 /// Where in a sample's window its time stamp lies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[serde(rename_all = "snake_case")]
 pub enum Stamp {
     /// In the middle.
     #[default]

@@ -10,7 +10,7 @@ use super::random::{Purpose, Random};
 
 /// How good a device is: the standard deviations its errors are drawn with, and its white noise.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[serde(rename_all = "snake_case")]
 pub enum Grade {
     /// No errors, no noise.
     Perfect,

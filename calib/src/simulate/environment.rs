@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 /// `T(t) = ambient + drift t + swing sin(2πt/period) + self_heating (1 − exp(−t/tau))`, and the
 /// thermometer that reads it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(default, deny_unknown_fields, rename_all = "snake_case")]
 pub struct Temperature {
     /// °C.
     pub ambient: f64,

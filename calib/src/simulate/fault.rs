@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 /// A fault of the recording.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(deny_unknown_fields, rename_all = "snake_case")]
 pub enum Fault {
     /// The device creeps through a small angle while it should rest.
     Slip {

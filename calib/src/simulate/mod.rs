@@ -10,7 +10,6 @@
 //! The simulation shares the sensor models with the estimator, and nothing else: motion is a formula
 //! here, where the estimator integrates.
 
-mod check;
 mod clock;
 mod device;
 mod drift;
@@ -27,6 +26,7 @@ mod spec;
 mod truth;
 mod vibration;
 mod world;
+mod write;
 
 pub use clock::{Clock, Stamp};
 pub use device::Grade;
@@ -40,3 +40,4 @@ pub use simulation::{Session, Simulation};
 pub use spec::{EARTH_RATE, Motion, SensorSpec, Spec};
 pub use truth::{StaticInterval, TRUTH_SCHEMA, Truth};
 pub use vibration::Vibration;
+pub use write::FILES;

@@ -8,7 +8,7 @@ use super::random::{Purpose, Random};
 
 /// Noise densities of one sensor, equal on its three axes; the unit `u` is m/s² or rad/s.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(default, deny_unknown_fields, rename_all = "snake_case")]
 pub struct Noise {
     /// White noise (velocity or angle random walk) `N`, u/√Hz: a mean over `τ` has the standard
     /// deviation `N/√τ`.

@@ -17,6 +17,9 @@ use super::world::{Delays, World};
 use crate::Error;
 use crate::recording::{Recording, Stream, Temperature};
 
+/// Most samples of a sensor that are kept in memory: 32 bytes each.
+pub const MOST_SAMPLES: f64 = 5e7;
+
 /// A simulated recording and the truth behind it.
 #[derive(Clone, Debug)]
 pub struct Session {
@@ -46,6 +49,13 @@ impl Simulation {
         spec.check()?;
         let path = spec.motion.path(&spec.surroundings());
         let motion = Motion::new(path, Vector3::from(spec.lever_arm));
+        spec.check_faults(
+            motion
+                .segments()
+                .iter()
+                .filter(|s| s.rest.is_some())
+                .count(),
+        )?;
         let (seed, end) = (spec.seed, motion.end());
         let device = |sensor| draw_device(spec, sensor, seed, end);
         let accelerometer = device(Sensor::Accelerometer)?;
@@ -95,7 +105,24 @@ impl Simulation {
     }
 
     /// Runs it to its end, in memory.
-    pub fn run(&self) -> Session {
+    ///
+    /// # Errors
+    /// [`Error::Usage`] where it has more than [`MOST_SAMPLES`]: [`Simulation::samples`] and
+    /// [`Simulation::write`] need no memory.
+    pub fn run(&self) -> Result<Session, Error> {
+        for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+            let rate = self
+                .spec
+                .sensor(sensor)
+                .clock
+                .rate
+                .unwrap_or(self.spec.rate);
+            let samples = self.duration() * rate;
+            if samples > MOST_SAMPLES {
+                let message = format!("{samples:.0} samples do not go into memory: write them");
+                return Err(Error::Usage(message));
+            }
+        }
         let mut drift = self.drift_means();
         let mut stream = |sensor: Sensor| {
             let mut stream = Stream::default();
@@ -115,10 +142,10 @@ impl Simulation {
             temperature: self.thermometer(),
             warnings: Vec::new(),
         };
-        Session {
+        Ok(Session {
             recording,
             truth: self.truth(&drift),
-        }
+        })
     }
 
     pub(crate) fn world(&self) -> &World {

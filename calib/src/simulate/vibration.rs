@@ -7,7 +7,7 @@ use super::random::Random;
 
 /// Vibration at rest: white within the sensor's bandwidth, another strength in every placement.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(default, deny_unknown_fields, rename_all = "snake_case")]
 pub struct Vibration {
     /// Largest root mean square per axis, m/s²; a placement has between 0.3 and 1 of it.
     pub rms: f64,

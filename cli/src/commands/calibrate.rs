@@ -3,8 +3,6 @@
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
-use clap::ValueEnum;
-use nalgebra::Vector3;
 use calib::Recording;
 use calib::calibrate::{
     Frame, GyroBias, Outcome, Request, STANDARD_GRAVITY, calibrate, read_static_means,
@@ -12,6 +10,8 @@ use calib::calibrate::{
 use calib::calibration::{Calibration, Triad, effect_named};
 use calib::intervals::{Span, read_sections};
 use calib::residuals::Integrator;
+use clap::ValueEnum;
+use nalgebra::Vector3;
 
 use super::inputs::{DetectorArgs, as_paths, read, read_pair, spinner};
 use crate::exit::{Failure, GATE, USAGE};
@@ -35,7 +35,12 @@ pub struct Args {
     #[arg(value_name = "RECORDING")]
     recordings: Vec<PathBuf>,
     /// Accelerometer text of a recording in two files (`t x y z`, no header, any unit)
-    #[arg(long, value_name = "FILE", requires = "gyro_file", conflicts_with = "recordings")]
+    #[arg(
+        long,
+        value_name = "FILE",
+        requires = "gyro_file",
+        conflicts_with = "recordings"
+    )]
     accel_file: Option<PathBuf>,
     /// Gyroscope text of that recording
     #[arg(long, value_name = "FILE", requires = "accel_file")]
@@ -126,7 +131,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     inputs.extend(args.gyro_recording.iter().chain(&args.sections).cloned());
     inputs.extend(args.static_means.iter().cloned());
     if inputs.is_empty() {
-        return Err(Failure::new(USAGE, "no recording given: name a file or a folder"));
+        return Err(Failure::new(
+            USAGE,
+            "no recording given: name a file or a folder",
+        ));
     }
     let mut request = request(args)?;
     let output = match &args.output {
@@ -134,8 +142,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         None => None,
     };
     let recordings = recordings(args)?;
-    let gyro_recordings =
-        args.gyro_recording.iter().map(|p| read(p, &args.read)).collect::<Result<Vec<_>, _>>()?;
+    let gyro_recordings = args
+        .gyro_recording
+        .iter()
+        .map(|p| read(p, &args.read))
+        .collect::<Result<Vec<_>, _>>()?;
     request.sections = sections(args, &recordings)?;
     let outcome = {
         let spinner = spinner("calibrating");
@@ -167,7 +178,10 @@ fn request(args: &Args) -> Result<Request, Failure> {
             effect_named(name).ok_or_else(|| {
                 Failure::new(
                     USAGE,
-                    format!("--effects {name}: not in the catalogue ({})", catalogue_names()),
+                    format!(
+                        "--effects {name}: not in the catalogue ({})",
+                        catalogue_names()
+                    ),
                 )
             })
         })
@@ -175,7 +189,10 @@ fn request(args: &Args) -> Result<Request, Failure> {
     let nominal_step = match args.nominal_rate {
         Some(rate) if rate > 0.0 && rate.is_finite() => Some(rate.recip()),
         Some(rate) => {
-            return Err(Failure::new(USAGE, format!("--nominal-rate {rate}: a positive rate expected")));
+            return Err(Failure::new(
+                USAGE,
+                format!("--nominal-rate {rate}: a positive rate expected"),
+            ));
         }
         None => None,
     };
@@ -216,17 +233,26 @@ fn catalogue_names() -> String {
 fn recordings(args: &Args) -> Result<Vec<Recording>, Failure> {
     match (&args.accel_file, &args.gyro_file) {
         (Some(accel), Some(gyro)) => Ok(vec![read_pair(accel, gyro, &args.read)?]),
-        _ => args.recordings.iter().map(|path| read(path, &args.read)).collect(),
+        _ => args
+            .recordings
+            .iter()
+            .map(|path| read(path, &args.read))
+            .collect(),
     }
 }
 
 fn sections(args: &Args, recordings: &[Recording]) -> Result<Vec<Vec<Span>>, Failure> {
     match args.sections.as_slice() {
         [] => Ok(Vec::new()),
-        [one] => recordings.iter().map(|r| Ok(read_sections(one, r)?)).collect(),
-        many if many.len() == recordings.len() => {
-            many.iter().zip(recordings).map(|(path, r)| Ok(read_sections(path, r)?)).collect()
-        }
+        [one] => recordings
+            .iter()
+            .map(|r| Ok(read_sections(one, r)?))
+            .collect(),
+        many if many.len() == recordings.len() => many
+            .iter()
+            .zip(recordings)
+            .map(|(path, r)| Ok(read_sections(path, r)?))
+            .collect(),
         many => Err(Failure::new(
             USAGE,
             format!(
@@ -265,9 +291,25 @@ fn text(outcome: &Outcome) -> String {
     let calibration = &outcome.calibration;
     let mut text = String::new();
     if let Some(triad) = &calibration.accelerometer {
-        let unit = outcome.accelerometer.as_ref().is_none_or(|fit| fit.unit.is_si());
-        let _ = writeln!(text, "Accelerometer   a = T (A - b), gravity {} m/s²", calibration.gravity);
-        let _ = writeln!(text, "{}", triad_table(calibration, triad, if unit { "m/s²" } else { "counts" }, "accel"));
+        let unit = outcome
+            .accelerometer
+            .as_ref()
+            .is_none_or(|fit| fit.unit.is_si());
+        let _ = writeln!(
+            text,
+            "Accelerometer   a = T (A - b), gravity {} m/s²",
+            calibration.gravity
+        );
+        let _ = writeln!(
+            text,
+            "{}",
+            triad_table(
+                calibration,
+                triad,
+                if unit { "m/s²" } else { "counts" },
+                "accel"
+            )
+        );
         let _ = writeln!(
             text,
             "{} static intervals, residual {:.2} mm/s² rms{}, condition {:.1}, rank {}",
@@ -284,13 +326,21 @@ fn text(outcome: &Outcome) -> String {
                 "step 2 as published: rank {} of {}, so its frame is free; reported in the {} frame",
                 second.rank,
                 second.names.len(),
-                if triad.t[1][0] == 0.0 { "triangular" } else { "symmetric" }
+                if triad.t[1][0] == 0.0 {
+                    "triangular"
+                } else {
+                    "symmetric"
+                }
             );
             if let Some(p) = fit.common_bias_p {
                 let _ = writeln!(
                     text,
                     "{} (a common bias would leave so much in {:.2} % of cases)",
-                    if fit.own_bias { "each recording has a bias of its own" } else { "one bias for all recordings" },
+                    if fit.own_bias {
+                        "each recording has a bias of its own"
+                    } else {
+                        "one bias for all recordings"
+                    },
                     100.0 * p
                 );
             }
@@ -298,9 +348,21 @@ fn text(outcome: &Outcome) -> String {
         let _ = writeln!(text);
     }
     if let Some(triad) = &calibration.gyroscope {
-        let si = outcome.gyroscope.as_ref().is_none_or(|fit| fit.unit.is_si());
+        let si = outcome
+            .gyroscope
+            .as_ref()
+            .is_none_or(|fit| fit.unit.is_si());
         let _ = writeln!(text, "Gyroscope   w = T (W - b)");
-        let _ = writeln!(text, "{}", triad_table(calibration, triad, if si { "rad/s" } else { "counts" }, "gyro"));
+        let _ = writeln!(
+            text,
+            "{}",
+            triad_table(
+                calibration,
+                triad,
+                if si { "rad/s" } else { "counts" },
+                "gyro"
+            )
+        );
         if let Some(fit) = &outcome.gyroscope {
             let _ = writeln!(
                 text,
@@ -318,7 +380,12 @@ fn text(outcome: &Outcome) -> String {
         let mut table = show::table(&[&effect.name, "value", "std error", "unit"]);
         for p in &effect.parameters {
             let digits = |v: f64| format!("{v:.3e}");
-            table.add_row([p.name.clone(), digits(p.value), p.std.map_or("fixed".into(), digits), p.unit.clone()]);
+            table.add_row([
+                p.name.clone(),
+                digits(p.value),
+                p.std.map_or("fixed".into(), digits),
+                p.unit.clone(),
+            ]);
         }
         let _ = writeln!(text, "\n{table}");
     }
@@ -332,35 +399,73 @@ fn over_noise(triad: &Triad) -> String {
     })
 }
 
-fn triad_table(calibration: &Calibration, triad: &Triad, unit: &str, prefix: &str) -> comfy_table::Table {
+fn triad_table(
+    calibration: &Calibration,
+    triad: &Triad,
+    unit: &str,
+    prefix: &str,
+) -> comfy_table::Table {
     let _ = calibration;
     let angle = if prefix == "accel" { "alpha" } else { "beta" };
     let names = [
-        ["s_x".to_owned(), format!("{angle}_yz"), format!("{angle}_zy")],
-        [format!("{angle}_xz"), "s_y".to_owned(), format!("{angle}_zx")],
-        [format!("{angle}_xy"), format!("{angle}_yx"), "s_z".to_owned()],
+        [
+            "s_x".to_owned(),
+            format!("{angle}_yz"),
+            format!("{angle}_zy"),
+        ],
+        [
+            format!("{angle}_xz"),
+            "s_y".to_owned(),
+            format!("{angle}_zx"),
+        ],
+        [
+            format!("{angle}_xy"),
+            format!("{angle}_yx"),
+            "s_z".to_owned(),
+        ],
     ];
     let mut table = show::table(&["parameter", "value", "std error", "unit"]);
-    let places = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 0), (1, 2), (2, 0), (2, 1)];
+    let places = [
+        (0, 0),
+        (1, 1),
+        (2, 2),
+        (0, 1),
+        (0, 2),
+        (1, 0),
+        (1, 2),
+        (2, 0),
+        (2, 1),
+    ];
     for (i, j) in places {
         let (value, std) = (triad.t[i][j], triad.t_std[i][j]);
-        table.add_row([names[i][j].clone(), show::value(value, std), show::error(std), String::new()]);
+        table.add_row([
+            names[i][j].clone(),
+            show::value(value, std),
+            show::error(std),
+            String::new(),
+        ]);
     }
-    let biases = |table: &mut comfy_table::Table, suffix: &str, bias: &[f64; 3], std: &[Option<f64>; 3]| {
-        for (k, axis) in ["x", "y", "z"].iter().enumerate() {
-            table.add_row([
-                format!("b_{axis}{suffix}"),
-                show::value(bias[k], std[k]),
-                show::error(std[k]),
-                unit.to_owned(),
-            ]);
-        }
-    };
+    let biases =
+        |table: &mut comfy_table::Table, suffix: &str, bias: &[f64; 3], std: &[Option<f64>; 3]| {
+            for (k, axis) in ["x", "y", "z"].iter().enumerate() {
+                table.add_row([
+                    format!("b_{axis}{suffix}"),
+                    show::value(bias[k], std[k]),
+                    show::error(std[k]),
+                    unit.to_owned(),
+                ]);
+            }
+        };
     if triad.recordings.is_empty() {
         biases(&mut table, "", &triad.bias, &triad.bias_std);
     }
     for own in &triad.recordings {
-        biases(&mut table, &format!(" in {}", show::printable(&own.recording)), &own.bias, &own.bias_std);
+        biases(
+            &mut table,
+            &format!(" in {}", show::printable(&own.recording)),
+            &own.bias,
+            &own.bias_std,
+        );
     }
     table
 }

@@ -45,7 +45,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         None => None,
     };
     let progress = spinner("simulating");
-    let mut session = Spec::hand_held(SEED).with_effect(HIDDEN_EFFECT, 1.0).run()?;
+    let mut session = Spec::hand_held(SEED)
+        .with_effect(HIDDEN_EFFECT, 1.0)
+        .run()?;
     progress.set_message("calibrating");
     let request = Request {
         gravity: session.truth.spec.gravity,
@@ -75,9 +77,11 @@ fn text(session: &Session, outcome: &Outcome) -> String {
     ];
     for fitted in fits.into_iter().flatten() {
         for name in &fitted.free {
-            let (Some(truth), Some(estimate), Some(std)) =
-                (session.truth.get(name), fitted.parameters.get(name), fitted.standard_error(name))
-            else {
+            let (Some(truth), Some(estimate), Some(std)) = (
+                session.truth.get(name),
+                fitted.parameters.get(name),
+                fitted.standard_error(name),
+            ) else {
                 continue;
             };
             let ratio = (estimate - truth) / std;
@@ -92,8 +96,15 @@ fn text(session: &Session, outcome: &Outcome) -> String {
             ]);
         }
     }
-    let samples = session.recording.accelerometer.as_ref().map_or(0, |s| s.len());
-    let rests = outcome.choices.first().map_or(0, |c| c.segmentation.statics.len());
+    let samples = session
+        .recording
+        .accelerometer
+        .as_ref()
+        .map_or(0, |s| s.len());
+    let rests = outcome
+        .choices
+        .first()
+        .map_or(0, |c| c.segmentation.statics.len());
     let mut text = String::new();
     let _ = writeln!(
         text,

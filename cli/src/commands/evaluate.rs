@@ -55,14 +55,25 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let choice = if choose {
         choose_multiplier(&recording, &detector, args.gravity)?
     } else {
-        Choice { segmentation: segment(&recording, &detector)?, trials: Vec::new() }
+        Choice {
+            segmentation: segment(&recording, &detector)?,
+            trials: Vec::new(),
+        }
     };
     let measure = |c| evaluate(&recording, &choice.segmentation, c, args.gravity);
     let mut rows: Vec<(String, Evaluation)> = vec![("raw".into(), measure(None))];
-    rows.extend(calibrations.iter().map(|(name, c)| (name.clone(), measure(Some(c)))));
+    rows.extend(
+        calibrations
+            .iter()
+            .map(|(name, c)| (name.clone(), measure(Some(c)))),
+    );
     if args.json {
-        let rows: Vec<_> = rows.iter().map(|(name, e)| json!({"name": name, "misfit": e})).collect();
-        let text = serde_json::to_string_pretty(&rows).map_err(|e| Failure::new(BUG, e.to_string()))?;
+        let rows: Vec<_> = rows
+            .iter()
+            .map(|(name, e)| json!({"name": name, "misfit": e}))
+            .collect();
+        let text =
+            serde_json::to_string_pretty(&rows).map_err(|e| Failure::new(BUG, e.to_string()))?;
         show::print(&text);
     } else {
         show::print(&table(&rows).to_string());
@@ -71,11 +82,15 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 }
 
 fn table(rows: &[(String, Evaluation)]) -> comfy_table::Table {
-    let mut table =
-        show::table(&["calibration", "rests", "|f| - g rms (mm/s²)", "turns", "direction rms (°)"]);
-    let number = |value: Option<f64>, digits: usize| {
-        value.map_or("-".into(), |v| format!("{v:.digits$}"))
-    };
+    let mut table = show::table(&[
+        "calibration",
+        "rests",
+        "|f| - g rms (mm/s²)",
+        "turns",
+        "direction rms (°)",
+    ]);
+    let number =
+        |value: Option<f64>, digits: usize| value.map_or("-".into(), |v| format!("{v:.digits$}"));
     for (name, e) in rows {
         table.add_row([
             show::printable(name),

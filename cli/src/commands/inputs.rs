@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use indicatif::ProgressBar;
 use calib::Recording;
 use calib::intervals::Detector;
+use indicatif::ProgressBar;
 
 use crate::exit::Failure;
 use crate::read_args::ReadArgs;
@@ -45,7 +45,10 @@ impl DetectorArgs {
         ];
         for (name, value) in positive {
             if value.is_some_and(|v| v.is_nan() || v <= 0.0 || v.is_infinite()) {
-                return Err(Failure::new(crate::exit::USAGE, format!("{name}: a positive number expected")));
+                return Err(Failure::new(
+                    crate::exit::USAGE,
+                    format!("{name}: a positive number expected"),
+                ));
             }
         }
         let default = Detector::default();
@@ -62,7 +65,10 @@ impl DetectorArgs {
 
 /// Reads a recording and shows its warnings.
 pub fn read(path: &Path, args: &ReadArgs) -> Result<Recording, Failure> {
-    let spinner = spinner(&format!("reading {}", show::printable(&path.to_string_lossy())));
+    let spinner = spinner(&format!(
+        "reading {}",
+        show::printable(&path.to_string_lossy())
+    ));
     let recording = Recording::read(path, &args.options()?)?;
     spinner.finish_and_clear();
     Ok(recording)

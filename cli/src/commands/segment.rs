@@ -3,11 +3,11 @@
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
-use serde_json::json;
 use calib::Recording;
 use calib::calibrate::STANDARD_GRAVITY;
 use calib::intervals::{Moments, segment};
 use calib::methods::{Choice, choose_multiplier};
+use serde_json::json;
 
 use super::inputs::{DetectorArgs, as_paths, read};
 use crate::exit::Failure;
@@ -46,9 +46,11 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<(), Failure> {
     let (detector, choose) = args.detector.detector()?;
     let output = match &args.output {
-        Some(path) => {
-            Some(Output::claim(path, args.force, &as_paths(std::slice::from_ref(&args.recording)))?)
-        }
+        Some(path) => Some(Output::claim(
+            path,
+            args.force,
+            &as_paths(std::slice::from_ref(&args.recording)),
+        )?),
         None => None,
     };
     let recording = read(&args.recording, &args.read)?;
@@ -58,7 +60,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let choice = if choose {
         choose_multiplier(&recording, &detector, args.gravity)?
     } else {
-        Choice { segmentation: segment(&recording, &detector)?, trials: Vec::new() }
+        Choice {
+            segmentation: segment(&recording, &detector)?,
+            trials: Vec::new(),
+        }
     };
     let document = document(&recording, &choice);
     let mut json = serde_json::to_string_pretty(&document)
@@ -67,7 +72,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     if let Some(output) = output {
         output.write(json.as_bytes())?;
     }
-    show::print(&if args.json { json } else { text(&recording, &choice) });
+    show::print(&if args.json {
+        json
+    } else {
+        text(&recording, &choice)
+    });
     Ok(())
 }
 
@@ -127,13 +136,26 @@ fn document(recording: &Recording, choice: &Choice) -> serde_json::Value {
 fn text(recording: &Recording, choice: &Choice) -> String {
     let segmentation = &choice.segmentation;
     let mut table = show::table(&[
-        "interval", "t0 s", "t1 s", "length s", "mean a (m/s²)", "std a", "mean w (rad/s)", "std w",
+        "interval",
+        "t0 s",
+        "t1 s",
+        "length s",
+        "mean a (m/s²)",
+        "std a",
+        "mean w (rad/s)",
+        "std w",
     ]);
     let triple = |v: &[f64], digits: usize| {
-        v.iter().map(|x| format!("{x:>w$.digits$}", w = digits + 4)).collect::<Vec<_>>().join(" ")
+        v.iter()
+            .map(|x| format!("{x:>w$.digits$}", w = digits + 4))
+            .collect::<Vec<_>>()
+            .join(" ")
     };
     let cells = |m: &Option<Moments>, digits: usize| match m {
-        Some(m) => [triple(m.mean.as_slice(), digits), format!("{:.5}", m.std().norm())],
+        Some(m) => [
+            triple(m.mean.as_slice(), digits),
+            format!("{:.5}", m.std().norm()),
+        ],
         None => ["no samples".into(), String::new()],
     };
     for (k, rest) in segmentation.statics.iter().enumerate() {
@@ -152,7 +174,9 @@ fn text(recording: &Recording, choice: &Choice) -> String {
                 format!("{:.2}", turn.span.from),
                 format!("{:.2}", turn.span.to),
                 format!("{:.2}", turn.span.length()),
-                turn.fault.as_ref().map_or(String::new(), |fault| format!("not used: {fault}")),
+                turn.fault
+                    .as_ref()
+                    .map_or(String::new(), |fault| format!("not used: {fault}")),
             ]);
         }
     }
@@ -166,7 +190,10 @@ fn text(recording: &Recording, choice: &Choice) -> String {
         segmentation.turns.len(),
         segmentation.multiplier
     );
-    for (sensor, level) in ["accelerometer", "gyroscope"].iter().zip(segmentation.level_at_rest) {
+    for (sensor, level) in ["accelerometer", "gyroscope"]
+        .iter()
+        .zip(segmentation.level_at_rest)
+    {
         if let Some(level) = level {
             let _ = writeln!(
                 text,
@@ -181,7 +208,9 @@ fn text(recording: &Recording, choice: &Choice) -> String {
             trials.add_row([
                 format!("{}", trial.multiplier),
                 trial.static_intervals.to_string(),
-                trial.residual.map_or("-".into(), |r| format!("{:.3}", 1e3 * r)),
+                trial
+                    .residual
+                    .map_or("-".into(), |r| format!("{:.3}", 1e3 * r)),
             ]);
         }
         let _ = writeln!(text, "{trials}");

@@ -48,7 +48,9 @@ impl Plot {
         let mut encoder = png::Encoder::new(&mut file, width, height);
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
-        let written = encoder.write_header().and_then(|mut w| w.write_image_data(&pixels));
+        let written = encoder
+            .write_header()
+            .and_then(|mut w| w.write_image_data(&pixels));
         written.map_err(bug)?;
         Ok(file)
     }
@@ -62,7 +64,11 @@ fn bug(error: impl std::fmt::Display) -> Failure {
 fn font() -> Result<(), String> {
     static REGISTERED: OnceLock<bool> = OnceLock::new();
     let load = || register_font(FONT, FontStyle::Normal, dejavu::sans::regular()).is_ok();
-    if *REGISTERED.get_or_init(load) { Ok(()) } else { Err("the embedded font is unreadable".into()) }
+    if *REGISTERED.get_or_init(load) {
+        Ok(())
+    } else {
+        Err("the embedded font is unreadable".into())
+    }
 }
 
 impl Ranged for Scale {
@@ -75,7 +81,11 @@ impl Ranged for Scale {
     }
 
     fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
-        if hint.weight().allow_light_points() { self.fine_ticks.clone() } else { self.ticks.clone() }
+        if hint.weight().allow_light_points() {
+            self.fine_ticks.clone()
+        } else {
+            self.ticks.clone()
+        }
     }
 
     fn range(&self) -> Range<f64> {
@@ -129,11 +139,17 @@ fn draw<B: DrawingBackend>(
         let stroke = colour.stroke_width(2 * scale as u32);
         let place = |(px, py): (f64, f64)| Some((plot.x.place(px)?, plot.y.place(py)?));
         let drawn = match &series.mark {
-            Mark::Line { points, dashed: false } => {
+            Mark::Line {
+                points,
+                dashed: false,
+            } => {
                 let line: Vec<_> = points.iter().filter_map(|&p| place(p)).collect();
                 chart.draw_series(LineSeries::new(line, stroke))
             }
-            Mark::Line { points, dashed: true } => {
+            Mark::Line {
+                points,
+                dashed: true,
+            } => {
                 let line: Vec<_> = points.iter().filter_map(|&p| place(p)).collect();
                 chart.draw_series(DashedLineSeries::new(line, 7 * scale, 4 * scale, stroke))
             }
@@ -141,7 +157,10 @@ fn draw<B: DrawingBackend>(
                 let floor = y.from;
                 let bars = points.iter().filter_map(|&(px, _, low, high)| {
                     let (bx, top) = place((px, high))?;
-                    Some(PathElement::new(vec![(bx, plot.y.place(low).unwrap_or(floor)), (bx, top)], stroke))
+                    Some(PathElement::new(
+                        vec![(bx, plot.y.place(low).unwrap_or(floor)), (bx, top)],
+                        stroke,
+                    ))
                 });
                 chart.draw_series(bars).map_err(words)?;
                 let dots = points

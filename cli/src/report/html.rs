@@ -49,7 +49,10 @@ pub struct ReportTable {
 impl ReportTable {
     /// Without rows yet.
     pub fn new<S: Into<String>>(header: impl IntoIterator<Item = S>) -> Self {
-        Self { header: header.into_iter().map(Into::into).collect(), rows: Vec::new() }
+        Self {
+            header: header.into_iter().map(Into::into).collect(),
+            rows: Vec::new(),
+        }
     }
 
     /// Appends a row.
@@ -79,7 +82,10 @@ impl Report {
     /// Opens a section; text, tables and plots go into the last one.
     #[must_use]
     pub fn section(mut self, heading: impl Into<String>) -> Self {
-        self.sections.push(Section { heading: heading.into(), blocks: Vec::new() });
+        self.sections.push(Section {
+            heading: heading.into(),
+            blocks: Vec::new(),
+        });
         self
     }
 
@@ -113,7 +119,8 @@ impl Report {
     /// # Errors
     /// What the template refuses (a bug of ours).
     pub fn html(&self) -> Result<String, Failure> {
-        self.render().map_err(|e| Failure::new(BUG, format!("the report could not be made: {e}")))
+        self.render()
+            .map_err(|e| Failure::new(BUG, format!("the report could not be made: {e}")))
     }
 
     fn block(mut self, block: Block) -> Self {
@@ -140,14 +147,20 @@ mod tests {
         let plot = Plot::new(NASTY, Axis::log(NASTY), Axis::linear(NASTY))
             .with(Series::line(NASTY, 0, vec![(1.0, 1.0), (10.0, 2.0)]))
             .with(Series::dashed("b", 1, vec![(1.0, 2.0), (10.0, 2.0)]));
-        let report = Report::new(NASTY).warnings(&[NASTY.into()]).section(NASTY).text(NASTY);
+        let report = Report::new(NASTY)
+            .warnings(&[NASTY.into()])
+            .section(NASTY)
+            .text(NASTY);
         report.table(table).plot(&plot).unwrap().html().unwrap()
     }
 
     #[test]
     fn nothing_a_user_supplies_becomes_markup() {
         let page = page();
-        assert!(!page.contains("<img") && !page.contains("</script"), "{page}");
+        assert!(
+            !page.contains("<img") && !page.contains("</script"),
+            "{page}"
+        );
         assert!(page.contains("&lt;img") || page.contains("&#60;img"));
     }
 
@@ -157,14 +170,20 @@ mod tests {
         assert!(page.contains("Content-Security-Policy\" content=\"default-src 'none'"));
         // The only addresses are the name spaces of SVG.
         let addresses = page.matches("http://").count() + page.matches("https://").count();
-        assert_eq!(addresses, page.matches("http://www.w3.org/2000/svg").count());
+        assert_eq!(
+            addresses,
+            page.matches("http://www.w3.org/2000/svg").count()
+        );
         assert!(!page.contains("<script") && !page.contains("<link"));
     }
 
     #[test]
     fn a_png_has_its_signature_and_size() {
-        let plot = Plot::new("t", Axis::log("x, s"), Axis::log("y, m"))
-            .with(Series::bars("a", 0, vec![(1.0, 1.0, 0.0, 2.0), (0.0, 1.0, 1.0, 1.0)]));
+        let plot = Plot::new("t", Axis::log("x, s"), Axis::log("y, m")).with(Series::bars(
+            "a",
+            0,
+            vec![(1.0, 1.0, 0.0, 2.0), (0.0, 1.0, 1.0, 1.0)],
+        ));
         let file = plot.png().unwrap();
         assert_eq!(&file[..8], b"\x89PNG\r\n\x1a\n");
         assert_eq!(file[16..24], [0, 0, 6, 184, 0, 0, 3, 232]);

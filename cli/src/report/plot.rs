@@ -27,7 +27,10 @@ pub struct Series {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Mark {
     /// A line through `(x, y)`.
-    Line { points: Vec<(f64, f64)>, dashed: bool },
+    Line {
+        points: Vec<(f64, f64)>,
+        dashed: bool,
+    },
     /// Dots at `(x, y)` with a bar from `low` to `high`: `(x, y, low, high)`.
     Bars(Vec<(f64, f64, f64, f64)>),
 }
@@ -35,21 +38,35 @@ pub(super) enum Mark {
 impl Series {
     /// A line; `colour` counts through the palette.
     pub fn line(name: impl Into<String>, colour: usize, points: Vec<(f64, f64)>) -> Self {
-        Self { name: name.into(), colour, mark: Mark::Line { points: thin(points), dashed: false } }
+        Self {
+            name: name.into(),
+            colour,
+            mark: Mark::Line {
+                points: thin(points),
+                dashed: false,
+            },
+        }
     }
 
     /// A broken line, for what is computed rather than measured.
     pub fn dashed(name: impl Into<String>, colour: usize, points: Vec<(f64, f64)>) -> Self {
-        Self { name: name.into(), colour, mark: Mark::Line { points: thin(points), dashed: true } }
+        Self {
+            name: name.into(),
+            colour,
+            mark: Mark::Line {
+                points: thin(points),
+                dashed: true,
+            },
+        }
     }
 
     /// Dots with intervals `(x, y, low, high)`.
-    pub fn bars(
-        name: impl Into<String>,
-        colour: usize,
-        points: Vec<(f64, f64, f64, f64)>,
-    ) -> Self {
-        Self { name: name.into(), colour, mark: Mark::Bars(points) }
+    pub fn bars(name: impl Into<String>, colour: usize, points: Vec<(f64, f64, f64, f64)>) -> Self {
+        Self {
+            name: name.into(),
+            colour,
+            mark: Mark::Bars(points),
+        }
     }
 
     /// All `(x, y)` that must be in the picture.
@@ -67,7 +84,12 @@ impl Series {
 impl Plot {
     /// An empty plot.
     pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
-        Self { title: title.into(), x, y, series: Vec::new() }
+        Self {
+            title: title.into(),
+            x,
+            y,
+            series: Vec::new(),
+        }
     }
 
     /// With one more series.
@@ -83,5 +105,10 @@ fn thin(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     let every = points.len().div_ceil(DENSEST).max(1);
     let last = points.len().saturating_sub(1);
     let kept = |k: usize| k % every == 0 || k == last;
-    points.into_iter().enumerate().filter(|(k, _)| kept(*k)).map(|(_, point)| point).collect()
+    points
+        .into_iter()
+        .enumerate()
+        .filter(|(k, _)| kept(*k))
+        .map(|(_, point)| point)
+        .collect()
 }

@@ -22,14 +22,20 @@ pub struct Attitude<D> {
 impl<D: Scalar> Attitude<D> {
     /// No rotation.
     pub fn identity() -> Self {
-        Self { w: lit(1.0), v: Vector3::from_element(lit(0.0)) }
+        Self {
+            w: lit(1.0),
+            v: Vector3::from_element(lit(0.0)),
+        }
     }
 
     /// `exp(½ φ) = [cos ½|φ|, sin ½|φ| φ/|φ|]` of the rotation vector `φ` (rad).
     pub fn exp(phi: &Vector3<D>) -> Self {
         let half = phi * lit::<D>(0.5);
         let (cos, sinc) = cos_sinc(half.dot(&half));
-        Self { w: cos, v: half * sinc }
+        Self {
+            w: cos,
+            v: half * sinc,
+        }
     }
 
     /// The product `self · next`: first `self`, then `next` about the rotated axes.
@@ -45,7 +51,10 @@ impl<D: Scalar> Attitude<D> {
     #[must_use]
     pub fn normalized(&self) -> Self {
         let scale = (self.w * self.w + self.v.dot(&self.v)).sqrt().recip();
-        Self { w: self.w * scale, v: self.v * scale }
+        Self {
+            w: self.w * scale,
+            v: self.v * scale,
+        }
     }
 
     /// `q* v q`: the reference vector `v` seen from the body. Without unit length the result
@@ -58,7 +67,21 @@ impl<D: Scalar> Attitude<D> {
 
     /// `q v q*`: the body vector `v` seen from the reference frame.
     pub fn into_reference(&self, v: &Vector3<D>) -> Vector3<D> {
-        Self { w: self.w, v: -self.v }.into_body(v)
+        Self {
+            w: self.w,
+            v: -self.v,
+        }
+        .into_body(v)
+    }
+}
+
+impl Attitude<f64> {
+    /// The same attitude over another scalar, as a constant.
+    pub fn lift<D: Scalar>(&self) -> Attitude<D> {
+        Attitude {
+            w: lit(self.w),
+            v: self.v.map(lit),
+        }
     }
 }
 

@@ -84,21 +84,30 @@ impl std::fmt::Debug for dyn AnyEffect {
 ///
 /// Models and residuals are generic over this; an effect author never meets it.
 pub trait ModelScalar: Scalar {
+    /// Order of the highest derivative it carries.
+    const ORDER: usize;
+
     /// [`Effect::error`] of a pointed-to effect.
     fn error(effect: &dyn AnyEffect, truth: &Kinematics<Self>, p: &[Self]) -> Vector3<Self>;
 }
 
 impl ModelScalar for f64 {
+    const ORDER: usize = 0;
+
     fn error(effect: &dyn AnyEffect, truth: &Kinematics<f64>, p: &[f64]) -> Vector3<f64> {
         effect.error_f64(truth, p)
     }
 }
 impl ModelScalar for Jet {
+    const ORDER: usize = 1;
+
     fn error(effect: &dyn AnyEffect, truth: &Kinematics<Jet>, p: &[Jet]) -> Vector3<Jet> {
         effect.error_jet(truth, p)
     }
 }
 impl ModelScalar for Jet2 {
+    const ORDER: usize = 2;
+
     fn error(effect: &dyn AnyEffect, truth: &Kinematics<Jet2>, p: &[Jet2]) -> Vector3<Jet2> {
         effect.error_jet2(truth, p)
     }

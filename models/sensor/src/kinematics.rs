@@ -76,6 +76,21 @@ impl<D: Scalar> Kinematics<D> {
         Self::new(specific_force, Vector3::from_element(lit(0.0)))
     }
 
+    /// The same instant over another scalar, as a constant.
+    pub fn cast<E: Scalar>(&self) -> Kinematics<E> {
+        Kinematics {
+            specific_force: self.specific_force.map(|v| lit(v.re())),
+            angular_rate: self.angular_rate.map(|v| lit(v.re())),
+            time: self.time,
+            temperature: self.temperature,
+            angular_acceleration: self.angular_acceleration,
+            specific_force_rate: self.specific_force_rate,
+            last_change: self.last_change,
+            vibration: self.vibration,
+            attitude: self.attitude,
+        }
+    }
+
     /// The signal that `sensor` measures.
     pub fn signal(&self, sensor: Sensor) -> Vector3<D> {
         match sensor {
@@ -87,8 +102,14 @@ impl<D: Scalar> Kinematics<D> {
     /// The same instant with another value of the signal that `sensor` measures.
     pub fn with_signal(&self, sensor: Sensor, signal: Vector3<D>) -> Self {
         match sensor {
-            Sensor::Accelerometer => Self { specific_force: signal, ..*self },
-            Sensor::Gyroscope => Self { angular_rate: signal, ..*self },
+            Sensor::Accelerometer => Self {
+                specific_force: signal,
+                ..*self
+            },
+            Sensor::Gyroscope => Self {
+                angular_rate: signal,
+                ..*self
+            },
         }
     }
 }

@@ -11,9 +11,24 @@ pub struct Param {
     pub nominal: f64,
 }
 
+impl Param {
+    /// A parameter with the value it has in a perfect sensor.
+    pub const fn new(name: &'static str, unit: &'static str, nominal: f64) -> Self {
+        Self {
+            name,
+            unit,
+            nominal,
+        }
+    }
+}
+
 /// Parameters that share a unit and are zero for a perfect sensor.
 pub const fn params<const N: usize>(unit: &'static str, names: [&'static str; N]) -> [Param; N] {
-    let mut all = [Param { name: "", unit, nominal: 0.0 }; N];
+    let mut all = [Param {
+        name: "",
+        unit,
+        nominal: 0.0,
+    }; N];
     let mut k = 0;
     while k < N {
         all[k].name = names[k];

@@ -13,7 +13,11 @@ impl Descent for Damped {
     fn step(&self, local: &Local<'_>, lambda: f64) -> Option<Step> {
         let velocity = local.factor.damped(&local.point.at.residuals, lambda)?;
         let predicted = local.predicted(&velocity);
-        let p = if self.geodesic { geodesic::bend(local, velocity, lambda)? } else { velocity };
+        let p = if self.geodesic {
+            geodesic::bend(local, velocity, lambda)?
+        } else {
+            velocity
+        };
         Some(Step { p, predicted })
     }
 }

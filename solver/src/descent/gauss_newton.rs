@@ -16,14 +16,22 @@ pub(crate) struct MinimumNorm;
 
 impl Descent for GaussNewton {
     fn step(&self, local: &Local<'_>, fraction: f64) -> Option<Step> {
-        fraction_of(local, &local.factor.undamped(&local.point.at.residuals)?, fraction)
+        fraction_of(
+            local,
+            &local.factor.undamped(&local.point.at.residuals)?,
+            fraction,
+        )
     }
 }
 
 impl Descent for MinimumNorm {
     fn step(&self, local: &Local<'_>, fraction: f64) -> Option<Step> {
         let Jacobian::Dense(jacobian) = &local.point.at.jacobian;
-        fraction_of(local, &minimum_norm(jacobian.as_ref(), &local.point.at.residuals)?, fraction)
+        fraction_of(
+            local,
+            &minimum_norm(jacobian.as_ref(), &local.point.at.residuals)?,
+            fraction,
+        )
     }
 }
 

@@ -22,19 +22,29 @@ pub(crate) struct CholeskyFactor<'a> {
 impl<'a> CholeskyFactor<'a> {
     /// Forms the scaled normal equations of `J` (`m × n`).
     pub fn new(jacobian: MatRef<'a, f64>, scale: &[f64]) -> Self {
-        let scaled = Mat::from_fn(jacobian.nrows(), jacobian.ncols(), |i, k| jacobian[(i, k)] / scale[k]);
+        let scaled = Mat::from_fn(jacobian.nrows(), jacobian.ncols(), |i, k| {
+            jacobian[(i, k)] / scale[k]
+        });
         let normal = scaled.transpose() * &scaled;
-        Self { jacobian, scale: scale.to_vec(), normal, qr: OnceCell::new() }
+        Self {
+            jacobian,
+            scale: scale.to_vec(),
+            normal,
+            qr: OnceCell::new(),
+        }
     }
 
     fn qr(&self) -> &QrFactor {
-        self.qr.get_or_init(|| QrFactor::new(self.jacobian, &self.scale))
+        self.qr
+            .get_or_init(|| QrFactor::new(self.jacobian, &self.scale))
     }
 
     /// The step by Cholesky; `None` where a pivot is too small to trust.
     fn safely(&self, b: &[f64], lambda: f64) -> Option<Vec<f64>> {
         let n = self.scale.len();
-        let damped = Mat::from_fn(n, n, |i, k| self.normal[(i, k)] + if i == k { lambda } else { 0.0 });
+        let damped = Mat::from_fn(n, n, |i, k| {
+            self.normal[(i, k)] + if i == k { lambda } else { 0.0 }
+        });
         let factor = damped.llt(Side::Lower).ok()?;
         let pivots = (0..n).map(|k| factor.L()[(k, k)].powi(2));
         let (least, most) = pivots.fold((f64::INFINITY, 0.0f64), |(a, b), v| (a.min(v), b.max(v)));
@@ -51,7 +61,8 @@ impl<'a> CholeskyFactor<'a> {
 
 impl Factor for CholeskyFactor<'_> {
     fn damped(&self, b: &[f64], lambda: f64) -> Option<Vec<f64>> {
-        self.safely(b, lambda).or_else(|| self.qr().damped(b, lambda))
+        self.safely(b, lambda)
+            .or_else(|| self.qr().damped(b, lambda))
     }
 
     fn undamped(&self, b: &[f64]) -> Option<Vec<f64>> {
@@ -64,7 +75,11 @@ impl Factor for CholeskyFactor<'_> {
         match self.safely(b, 0.0) {
             Some(p) => {
                 let square = -dot(&multiply(self.jacobian, &p), b);
-                if square > 1e-8 * dot(b, b) { square.sqrt() } else { self.qr().tangential(b) }
+                if square > 1e-8 * dot(b, b) {
+                    square.sqrt()
+                } else {
+                    self.qr().tangential(b)
+                }
             }
             None if norm(b) == 0.0 => 0.0,
             None => self.qr().tangential(b),
@@ -83,9 +98,18 @@ mod tests {
         let singular = Mat::from_fn(5, 2, |i, _| i as f64);
         for j in [&good, &singular] {
             let scale = [1.0, 2.0];
-            let (c, q) = (CholeskyFactor::new(j.as_ref(), &scale), QrFactor::new(j.as_ref(), &scale));
+            let (c, q) = (
+                CholeskyFactor::new(j.as_ref(), &scale),
+                QrFactor::new(j.as_ref(), &scale),
+            );
             for lambda in [0.0, 1e-3, 10.0] {
-                let step = |f: &dyn Factor| if lambda == 0.0 { f.undamped(&b) } else { f.damped(&b, lambda) };
+                let step = |f: &dyn Factor| {
+                    if lambda == 0.0 {
+                        f.undamped(&b)
+                    } else {
+                        f.damped(&b, lambda)
+                    }
+                };
                 for (a, b) in step(&c).unwrap().iter().zip(&step(&q).unwrap()) {
                     assert!((a - b).abs() < 1e-9);
                 }

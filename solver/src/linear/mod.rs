@@ -89,7 +89,9 @@ impl Jacobian {
     pub fn factor(&self, scale: &[f64], solver: LinearSolver) -> Box<dyn Factor + '_> {
         match (self, solver) {
             (Self::Dense(j), LinearSolver::Qr) => Box::new(QrFactor::new(j.as_ref(), scale)),
-            (Self::Dense(j), LinearSolver::Cholesky) => Box::new(CholeskyFactor::new(j.as_ref(), scale)),
+            (Self::Dense(j), LinearSolver::Cholesky) => {
+                Box::new(CholeskyFactor::new(j.as_ref(), scale))
+            }
         }
     }
 
@@ -139,5 +141,9 @@ pub(crate) fn transpose_multiply(a: MatRef<'_, f64>, b: &[f64]) -> Vec<f64> {
 
 /// Row and column of the first entry that is not finite, column by column.
 pub(crate) fn not_finite(a: MatRef<'_, f64>) -> Option<(usize, usize)> {
-    (0..a.ncols()).find_map(|k| (0..a.nrows()).find(|&i| !a[(i, k)].is_finite()).map(|i| (i, k)))
+    (0..a.ncols()).find_map(|k| {
+        (0..a.nrows())
+            .find(|&i| !a[(i, k)].is_finite())
+            .map(|i| (i, k))
+    })
 }

@@ -2,12 +2,12 @@
 
 use std::cell::OnceCell;
 
+use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::householder::{
     apply_block_householder_sequence_transpose_on_the_left_in_place_scratch as scratch,
     apply_block_householder_sequence_transpose_on_the_left_in_place_with_conj as apply_transpose,
 };
 use faer::linalg::solvers::{ColPivQr, SolveLstsqCore, Svd};
-use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::{Conj, Mat, MatRef, Par};
 
 use super::Factor;
@@ -26,10 +26,17 @@ pub(crate) struct QrFactor {
 impl QrFactor {
     /// Factors `J D⁻¹` (`m × n`).
     pub fn new(jacobian: MatRef<'_, f64>, scale: &[f64]) -> Self {
-        let scaled = Mat::from_fn(jacobian.nrows(), jacobian.ncols(), |i, k| jacobian[(i, k)] / scale[k]);
+        let scaled = Mat::from_fn(jacobian.nrows(), jacobian.ncols(), |i, k| {
+            jacobian[(i, k)] / scale[k]
+        });
         let qr = scaled.col_piv_qr();
         let rank = numerical_rank(qr.R(), scaled.nrows());
-        Self { qr, scale: scale.to_vec(), rank, svd: OnceCell::new() }
+        Self {
+            qr,
+            scale: scale.to_vec(),
+            rank,
+            svd: OnceCell::new(),
+        }
     }
 
     /// Rank of `J D⁻¹` to working precision.
@@ -42,7 +49,14 @@ impl QrFactor {
         let (basis, coefficients) = (self.qr.Q_basis(), self.qr.Q_coeff());
         let mut rhs = Mat::from_fn(b.len(), 1, |i, _| b[i]);
         let mut memory = MemBuffer::new(scratch::<f64>(basis.nrows(), coefficients.nrows(), 1));
-        apply_transpose(basis, coefficients, Conj::No, rhs.as_mut(), Par::Seq, MemStack::new(&mut memory));
+        apply_transpose(
+            basis,
+            coefficients,
+            Conj::No,
+            rhs.as_mut(),
+            Par::Seq,
+            MemStack::new(&mut memory),
+        );
         let size = self.qr.thin_R().nrows();
         (0..size).map(|i| rhs[(i, 0)]).collect()
     }
@@ -71,7 +85,10 @@ impl QrFactor {
 
     /// The truncated pseudoinverse of `R` where the rank is short.
     fn truncated(&self, q: &[f64]) -> Option<Vec<f64>> {
-        let svd = self.svd.get_or_init(|| self.qr.thin_R().thin_svd().ok()).as_ref()?;
+        let svd = self
+            .svd
+            .get_or_init(|| self.qr.thin_R().thin_svd().ok())
+            .as_ref()?;
         let (u, s, v) = (svd.U(), svd.S().column_vector(), svd.V());
         let coefficient = |j: usize| -(0..q.len()).map(|i| u[(i, j)] * q[i]).sum::<f64>() / s[j];
         let c: Vec<f64> = (0..self.rank).map(coefficient).collect();
@@ -87,18 +104,30 @@ impl Factor for QrFactor {
         let q = self.rotated(b);
         let root = lambda.sqrt();
         let stacked = Mat::from_fn(rows + n, n, |i, k| match i {
-            i if i < rows => if i <= k { r[(i, k)] } else { 0.0 },
+            i if i < rows => {
+                if i <= k {
+                    r[(i, k)]
+                } else {
+                    0.0
+                }
+            }
             i if i - rows == k => root,
             _ => 0.0,
         });
         let mut w = Mat::from_fn(rows + n, 1, |i, _| if i < rows { -q[i] } else { 0.0 });
-        stacked.qr().solve_lstsq_in_place_with_conj(Conj::No, w.as_mut());
+        stacked
+            .qr()
+            .solve_lstsq_in_place_with_conj(Conj::No, w.as_mut());
         self.restore(|k| w[(k, 0)])
     }
 
     fn undamped(&self, b: &[f64]) -> Option<Vec<f64>> {
         let q = self.rotated(b);
-        if self.rank == self.scale.len() { self.triangular(&q) } else { self.truncated(&q) }
+        if self.rank == self.scale.len() {
+            self.triangular(&q)
+        } else {
+            self.truncated(&q)
+        }
     }
 
     fn tangential(&self, b: &[f64]) -> f64 {
@@ -127,9 +156,18 @@ mod tests {
 
     #[test]
     fn damped_step_satisfies_the_normal_equations() {
-        let (j, scale, b, lambda) = (tall(), [2.0, 0.5, 3.0], [1.0, -2.0, 0.5, 4.0, 1.0, 0.0, -1.0], 0.3);
-        let p = QrFactor::new(j.as_ref(), &scale).damped(&b, lambda).unwrap();
-        let inside: Vec<f64> = (0..7).map(|i| (0..3).map(|k| j[(i, k)] * p[k]).sum::<f64>() + b[i]).collect();
+        let (j, scale, b, lambda) = (
+            tall(),
+            [2.0, 0.5, 3.0],
+            [1.0, -2.0, 0.5, 4.0, 1.0, 0.0, -1.0],
+            0.3,
+        );
+        let p = QrFactor::new(j.as_ref(), &scale)
+            .damped(&b, lambda)
+            .unwrap();
+        let inside: Vec<f64> = (0..7)
+            .map(|i| (0..3).map(|k| j[(i, k)] * p[k]).sum::<f64>() + b[i])
+            .collect();
         for k in 0..3 {
             let gradient: f64 = (0..7).map(|i| j[(i, k)] * inside[i]).sum();
             assert!((gradient + lambda * scale[k] * scale[k] * p[k]).abs() < 1e-12);
@@ -139,7 +177,9 @@ mod tests {
     #[test]
     fn short_rank_gives_the_shortest_scaled_step() {
         let two = Mat::from_fn(4, 2, |i, _| i as f64 + 1.0);
-        let p = QrFactor::new(two.as_ref(), &[1.0, 1.0]).undamped(&[-2.0, -4.0, -6.0, -8.0]).unwrap();
+        let p = QrFactor::new(two.as_ref(), &[1.0, 1.0])
+            .undamped(&[-2.0, -4.0, -6.0, -8.0])
+            .unwrap();
         assert!((p[0] - 1.0).abs() < 1e-14 && (p[1] - 1.0).abs() < 1e-14);
     }
 }

@@ -4,8 +4,8 @@ use super::{Search, Trial};
 
 /// Damping at the start.
 const FIRST: f64 = 1e-3;
-/// Damping below which a step is a Gauss–Newton step to working precision.
-const LEAST: f64 = 1e-20;
+/// Least damping: where a column was once huge, even `1e-40` times its square still counts.
+const LEAST: f64 = 1e-150;
 /// Damping above which a step is shorter than rounding.
 const MOST: f64 = 1e20;
 
@@ -43,7 +43,10 @@ impl Default for Marquardt {
 
 impl Default for Nielsen {
     fn default() -> Self {
-        Self { lambda: FIRST, rise: 2.0 }
+        Self {
+            lambda: FIRST,
+            rise: 2.0,
+        }
     }
 }
 
@@ -98,7 +101,7 @@ impl Search for DelayedGratification {
     }
 
     fn accepted(&mut self, _: Trial) {
-        self.lambda = (self.lambda / 5.0).max(LEAST);
+        self.lambda = (self.lambda / 3.0).max(LEAST);
     }
 
     fn rejected(&mut self, _: Trial) {

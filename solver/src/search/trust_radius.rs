@@ -19,7 +19,10 @@ impl TrustRadius {
     /// The first radius for a start of scaled length `‖D x‖`.
     pub fn new(scaled_size: f64) -> Self {
         let radius = FACTOR * if scaled_size > 0.0 { scaled_size } else { 1.0 };
-        Self { radius, smallest: radius * 1e-40 }
+        Self {
+            radius,
+            smallest: radius * 1e-40,
+        }
     }
 }
 
@@ -37,7 +40,12 @@ impl Search for TrustRadius {
     }
 
     fn rejected(&mut self, trial: Trial) {
-        self.radius = 0.25 * if trial.length > 0.0 { trial.length.min(self.radius) } else { self.radius };
+        self.radius = 0.25
+            * if trial.length > 0.0 {
+                trial.length.min(self.radius)
+            } else {
+                self.radius
+            };
     }
 
     fn exhausted(&self) -> bool {

@@ -33,8 +33,10 @@ impl GyroscopePart {
     pub fn solve(means: &Matrix3x6<f64>) -> Self {
         let pair = |axis: usize| (means[(axis, 2 * axis)], means[(axis, 2 * axis + 1)]);
         let repeat = Vector3::from_fn(|axis, _| {
-            let across: Vec<f64> =
-                (0..6).filter(|k| k / 2 != axis).map(|k| means[(axis, k)]).collect();
+            let across: Vec<f64> = (0..6)
+                .filter(|k| k / 2 != axis)
+                .map(|k| means[(axis, k)])
+                .collect();
             let mean = across.iter().sum::<f64>() / 4.0;
             (across.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / 3.0).sqrt()
         });
@@ -90,7 +92,10 @@ mod tests {
     fn a_perfect_gyroscope_at_the_pole_has_no_error_and_a_wandering_one_no_meaning() {
         let mut means = Matrix3x6::zeros();
         for (k, face) in Face::ALL.iter().enumerate() {
-            means.set_column(k, &(face.direction() * EARTH_RATE + Vector3::new(1e-3, 0.0, -2e-3)));
+            means.set_column(
+                k,
+                &(face.direction() * EARTH_RATE + Vector3::new(1e-3, 0.0, -2e-3)),
+            );
         }
         let part = GyroscopePart::solve(&means);
         assert!((part.bias - Vector3::new(1e-3, 0.0, -2e-3)).norm() < 1e-15);

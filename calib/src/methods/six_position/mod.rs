@@ -83,9 +83,8 @@ impl SixPosition {
     /// second order), across it with an error of `g/√2` times the tilt about one axis. Six such
     /// differences give the tilt; two axes of tilt make the angle `√2` larger.
     pub fn tilt(&self) -> f64 {
-        let middle = |axis: usize| {
-            (self.means.column(2 * axis) + self.means.column(2 * axis + 1)) * 0.5
-        };
+        let middle =
+            |axis: usize| (self.means.column(2 * axis) + self.means.column(2 * axis + 1)) * 0.5;
         let middles = [middle(0), middle(1), middle(2)];
         let mut squares = 0.0;
         for (axis, own) in middles.iter().enumerate() {
@@ -114,12 +113,18 @@ impl SixPosition {
 
     /// `f = (I + M)⁻¹ (raw − b)`; `None` where `I + M` has no inverse.
     pub fn base(&self) -> Option<Base<f64>> {
-        Some(Base { t: inverse(&(Matrix3::identity() + self.m))?, bias: self.bias })
+        Some(Base {
+            t: inverse(&(Matrix3::identity() + self.m))?,
+            bias: self.bias,
+        })
     }
 
     /// The correction to first order that the authors use, `f = (I − M) (raw − b)`.
     pub fn first_order_base(&self) -> Base<f64> {
-        Base { t: Matrix3::identity() - self.m, bias: self.bias }
+        Base {
+            t: Matrix3::identity() - self.m,
+            bias: self.bias,
+        }
     }
 
     /// As a calibration, with standard errors by the scatter of the residuals; `first_order` takes
@@ -131,14 +136,24 @@ impl SixPosition {
         let exact = self.base().ok_or_else(|| {
             Error::NotEnough("six positions: I + M has no inverse; are two axes the same?".into())
         })?;
-        let base = if first_order { self.first_order_base() } else { exact };
+        let base = if first_order {
+            self.first_order_base()
+        } else {
+            exact
+        };
         // Three axes share the scatter: 18 residuals, twelve parameters.
         let sigma = self.residual_rms * (18.0 / (3.0 * SPARE)).sqrt();
         let (t_std, bias_std) = (sigma / (2f64.sqrt() * self.gravity), sigma / 6f64.sqrt());
-        let variances: Vec<f64> =
-            [t_std * t_std; 9].into_iter().chain([bias_std * bias_std; 3]).collect();
+        let variances: Vec<f64> = [t_std * t_std; 9]
+            .into_iter()
+            .chain([bias_std * bias_std; 3])
+            .collect();
         let covariance = (0..12)
-            .map(|i| (0..12).map(|j| if i == j { variances[i] } else { 0.0 }).collect())
+            .map(|i| {
+                (0..12)
+                    .map(|j| if i == j { variances[i] } else { 0.0 })
+                    .collect()
+            })
             .collect();
         let triad = Triad {
             model: "a = T (A - b)".into(),
@@ -195,10 +210,16 @@ mod tests {
     fn a_level_sensor_gives_its_matrix_and_bias_back() {
         let m = Matrix3::new(0.01, 0.002, -0.003, 0.004, -0.02, 0.001, 0.0, 0.005, 0.003);
         let b = Vector3::new(0.1, -0.2, 0.3);
-        let found = SixPosition::solve(&six(|f| (m + Matrix3::identity()) * f.direction() * G + b), G);
+        let found = SixPosition::solve(
+            &six(|f| (m + Matrix3::identity()) * f.direction() * G + b),
+            G,
+        );
         assert!((found.m - m).norm() < 1e-14 && (found.bias - b).norm() < 1e-14);
         assert!(found.tilt() < 1e-13 && found.warnings.is_empty());
-        let force = found.base().unwrap().correct(&((m + Matrix3::identity()) * Vector3::new(1.0, 2.0, 9.0) + b));
+        let force = found
+            .base()
+            .unwrap()
+            .correct(&((m + Matrix3::identity()) * Vector3::new(1.0, 2.0, 9.0) + b));
         assert!((force - Vector3::new(1.0, 2.0, 9.0)).norm() < 1e-13);
     }
 
@@ -217,6 +238,10 @@ mod tests {
         let expected = 2.0 * (tilt.sin() * tilt.sin() / 4.0 / 6.0).sqrt();
         // The cosine of one degree adds 1.5e-4 of a difference along the axis.
         assert!((found.tilt() / expected - 1.0).abs() < 1e-3);
-        assert!(found.warnings[0].contains("tilted by about"), "{:?}", found.warnings);
+        assert!(
+            found.warnings[0].contains("tilted by about"),
+            "{:?}",
+            found.warnings
+        );
     }
 }

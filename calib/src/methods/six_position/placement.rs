@@ -29,8 +29,14 @@ pub enum Face {
 
 impl Face {
     /// In the order of the published formulas.
-    pub const ALL: [Self; 6] =
-        [Self::XDown, Self::XUp, Self::YDown, Self::YUp, Self::ZDown, Self::ZUp];
+    pub const ALL: [Self; 6] = [
+        Self::XDown,
+        Self::XUp,
+        Self::YDown,
+        Self::YUp,
+        Self::ZDown,
+        Self::ZUp,
+    ];
 
     /// The direction of specific force (3): an accelerometer reads `+g` on the axis that is up.
     pub fn direction(self) -> Vector3<f64> {
@@ -48,7 +54,9 @@ impl Face {
     /// The face that a mean reading shows; `None` between faces.
     pub fn of(mean: &Vector3<f64>) -> Option<Self> {
         let length = mean.norm();
-        Self::ALL.into_iter().find(|face| face.direction().dot(mean) > WITHIN * length)
+        Self::ALL
+            .into_iter()
+            .find(|face| face.direction().dot(mean) > WITHIN * length)
     }
 }
 
@@ -107,7 +115,9 @@ impl Six {
             )));
         }
         warnings.extend(
-            doubled.into_iter().map(|d| format!("{d}: the one nearest to gravity is used")),
+            doubled
+                .into_iter()
+                .map(|d| format!("{d}: the one nearest to gravity is used")),
         );
         let far = |p: &Placement| (p.accelerometer.norm() - gravity).abs();
         let mut chosen = by_face
@@ -118,7 +128,10 @@ impl Six {
         let placements = six
             .try_into()
             .map_err(|_| Error::NotEnough("six positions: a face is missing".into()))?;
-        Ok(Self { placements, warnings })
+        Ok(Self {
+            placements,
+            warnings,
+        })
     }
 
     /// The placements in the order of [`Face::ALL`].
@@ -165,10 +178,15 @@ pub fn placements(
             let label = |rest: &StaticInterval| format!("rest at {:.1} s", rest.span.from);
             all.extend(rests.iter().filter_map(|rest| placement(rest, label(rest))));
         } else {
-            let longest = rests.iter().max_by(|a, b| a.span.length().total_cmp(&b.span.length()));
+            let longest = rests
+                .iter()
+                .max_by(|a, b| a.span.length().total_cmp(&b.span.length()));
             let found = longest.and_then(|rest| placement(rest, recording.name.clone()));
             all.push(found.ok_or_else(|| {
-                Error::NotEnough(format!("{}: no rest of the accelerometer found", recording.name))
+                Error::NotEnough(format!(
+                    "{}: no rest of the accelerometer found",
+                    recording.name
+                ))
             })?);
         }
     }
@@ -188,7 +206,11 @@ mod tests {
     use super::*;
 
     fn on(face: Face, label: &str) -> Placement {
-        Placement { label: label.into(), accelerometer: face.direction() * 9.8, gyroscope: None }
+        Placement {
+            label: label.into(),
+            accelerometer: face.direction() * 9.8,
+            gyroscope: None,
+        }
     }
 
     #[test]
@@ -201,9 +223,19 @@ mod tests {
 
     #[test]
     fn a_missing_face_and_a_doubled_one_are_named() {
-        let faces = [Face::XDown, Face::XUp, Face::YDown, Face::YUp, Face::ZUp, Face::ZUp];
-        let all: Vec<_> =
-            ["a", "b", "c", "d", "e", "f"].iter().zip(faces).map(|(l, f)| on(f, l)).collect();
+        let faces = [
+            Face::XDown,
+            Face::XUp,
+            Face::YDown,
+            Face::YUp,
+            Face::ZUp,
+            Face::ZUp,
+        ];
+        let all: Vec<_> = ["a", "b", "c", "d", "e", "f"]
+            .iter()
+            .zip(faces)
+            .map(|(l, f)| on(f, l))
+            .collect();
         let message = Six::sort(all, 9.8).unwrap_err().to_string();
         assert!(message.contains("no rest with z down"), "{message}");
         assert!(message.contains("z up more than once (e; f)"), "{message}");

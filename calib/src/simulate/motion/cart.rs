@@ -12,7 +12,7 @@ use crate::simulate::random::{Purpose, Random};
 /// Still, a straight run on a level floor, still again. The device's x axis points up where the run is
 /// along z, else its z axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(default, deny_unknown_fields, rename_all = "snake_case")]
 pub struct Cart {
     /// Length of the run, m.
     pub distance: f64,

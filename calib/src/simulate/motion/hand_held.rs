@@ -13,7 +13,7 @@ use crate::simulate::random::{Purpose, Random};
 /// Faces, edges, corners and random orientations in mixed order; the last placement repeats the first.
 /// What is `None` is drawn at random from the range named.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(default, deny_unknown_fields, rename_all = "snake_case")]
 pub struct HandHeld {
     /// Number of placements; 26 to 40.
     pub placements: Option<usize>,

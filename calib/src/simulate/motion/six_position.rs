@@ -10,7 +10,7 @@ use crate::simulate::random::{Purpose, Random};
 
 /// The six faces, turned by hand from one to the next.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(default, deny_unknown_fields, rename_all = "snake_case")]
 pub struct SixPosition {
     /// Length of each rest, s.
     pub rest: f64,

@@ -11,7 +11,7 @@ use crate::simulate::random::{Purpose, Random};
 
 /// One long rest.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(default, deny_unknown_fields, rename_all = "snake_case")]
 pub struct Still {
     /// Length, s.
     pub duration: f64,

@@ -13,7 +13,7 @@ use crate::simulate::random::{Purpose, Random};
 
 /// Still, a straight walk, still again.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(default, deny_unknown_fields, rename_all = "snake_case")]
 pub struct Walking {
     /// Length of the walk, m.
     pub distance: f64,

@@ -47,9 +47,14 @@ impl Dataset {
     /// # Errors
     /// A file that is missing, or without starting values, sum of squares or data.
     pub fn read(path: &Path) -> Result<Self, ReadError> {
-        let text = std::fs::read_to_string(path)
-            .map_err(|source| ReadError::Io { path: path.to_owned(), source })?;
-        Self::parse(&text).map_err(|what| ReadError::Format { path: path.to_owned(), what })
+        let text = std::fs::read_to_string(path).map_err(|source| ReadError::Io {
+            path: path.to_owned(),
+            source,
+        })?;
+        Self::parse(&text).map_err(|what| ReadError::Format {
+            path: path.to_owned(),
+            what,
+        })
     }
 
     fn parse(text: &str) -> Result<Self, &'static str> {
@@ -68,7 +73,10 @@ impl Dataset {
             .find_map(|line| line.strip_prefix("Residual Sum of Squares:"))
             .and_then(|rest| rest.trim().parse().ok())
             .ok_or("residual sum of squares")?;
-        let data = text.lines().skip_while(|line| !is_data_heading(line)).skip(1);
+        let data = text
+            .lines()
+            .skip_while(|line| !is_data_heading(line))
+            .skip(1);
         let rows: Vec<Vec<f64>> = data.map(numbers).filter(|row| row.len() >= 2).collect();
         if rows.is_empty() {
             return Err("data");
@@ -87,7 +95,8 @@ impl Dataset {
 /// `../shared/data/nist` next to the workspace, or `nist` in the folder that `STILLPOINT_DATA` names.
 pub fn default_folder() -> PathBuf {
     let data = std::env::var_os("STILLPOINT_DATA").map(PathBuf::from);
-    data.unwrap_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/data")).join("nist")
+    data.unwrap_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/data"))
+        .join("nist")
 }
 
 /// `b1 = start1 start2 certified deviation`.
@@ -101,12 +110,16 @@ fn parameter_line(line: &str) -> Option<Vec<f64>> {
 
 /// The second `Data:` line, which names the columns.
 fn is_data_heading(line: &str) -> bool {
-    line.strip_prefix("Data:").is_some_and(|rest| rest.trim_start().starts_with('y'))
+    line.strip_prefix("Data:")
+        .is_some_and(|rest| rest.trim_start().starts_with('y'))
 }
 
 /// The numbers of a line; none if a word is not a number.
 fn numbers(line: &str) -> Vec<f64> {
-    line.split_whitespace().map(str::parse).collect::<Result<_, _>>().unwrap_or_default()
+    line.split_whitespace()
+        .map(str::parse)
+        .collect::<Result<_, _>>()
+        .unwrap_or_default()
 }
 
 #[cfg(test)]
@@ -125,6 +138,9 @@ mod tests {
 
     #[test]
     fn says_what_is_missing() {
-        assert_eq!(Dataset::parse("Dataset Name: Toy\n").unwrap_err(), "starting values");
+        assert_eq!(
+            Dataset::parse("Dataset Name: Toy\n").unwrap_err(),
+            "starting values"
+        );
     }
 }

@@ -28,7 +28,10 @@ impl Regression {
     /// # Errors
     /// A file that is missing or not in NIST's format.
     pub fn read(folder: &Path, name: &str, model: Model) -> Result<Self, ReadError> {
-        Ok(Self { data: Dataset::read(&folder.join(format!("{name}.dat")))?, model })
+        Ok(Self {
+            data: Dataset::read(&folder.join(format!("{name}.dat")))?,
+            model,
+        })
     }
 
     /// The 27 problems, from `*.dat` in `folder`.
@@ -36,7 +39,10 @@ impl Regression {
     /// # Errors
     /// The first file that is missing or not in NIST's format.
     pub fn all(folder: &Path) -> Result<Vec<Self>, ReadError> {
-        Model::ALL.iter().map(|&(name, model)| Self::read(folder, name, model)).collect()
+        Model::ALL
+            .iter()
+            .map(|&(name, model)| Self::read(folder, name, model))
+            .collect()
     }
 
     /// Parameters `b1 …` at start 1 or 2, or at the certified values (3).
@@ -58,7 +64,11 @@ impl Regression {
     pub fn digits(&self, b: &[f64]) -> f64 {
         let each = b.iter().zip(&self.data.certified).map(|(b, c)| {
             let relative = (b - c).abs() / c.abs();
-            if relative.is_nan() { 0.0 } else { (-relative.log10()).clamp(0.0, 11.0) }
+            if relative.is_nan() {
+                0.0
+            } else {
+                (-relative.log10()).clamp(0.0, 11.0)
+            }
         });
         each.fold(11.0, f64::min)
     }
@@ -67,7 +77,11 @@ impl Regression {
 impl<D: Scalar> Residual<D> for Regression {
     fn residuals(&self, b: &[D], out: &mut Vec<D>) {
         for row in &self.data.rows {
-            let response = if self.model == Model::Nelson { row[0].ln() } else { row[0] };
+            let response = if self.model == Model::Nelson {
+                row[0].ln()
+            } else {
+                row[0]
+            };
             out.push(self.model.predict(b, &row[1..]) - lit::<D>(response));
         }
     }

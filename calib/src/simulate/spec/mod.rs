@@ -1,21 +1,26 @@
 //! What to simulate.
 
+mod check;
+mod complaint;
+mod names;
+mod parse;
+
 use std::collections::BTreeMap;
 
 use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 
-use super::clock::{Clock, Stamp};
-use super::device::Grade;
-use super::effects::{Effects, SIZE};
-use super::environment::Temperature;
-use super::fault::Fault;
-use super::motion::{Cart, HandHeld, Path, SixPosition, Still, Surroundings, Walking};
-use super::noise::Noise;
-use super::readout::Readout;
-use super::simulation::{Session, Simulation};
-use super::vibration::Vibration;
 use crate::Error;
+use crate::simulate::clock::{Clock, Stamp};
+use crate::simulate::device::Grade;
+use crate::simulate::effects::{Effects, SIZE};
+use crate::simulate::environment::Temperature;
+use crate::simulate::fault::Fault;
+use crate::simulate::motion::{Cart, HandHeld, Path, SixPosition, Still, Surroundings, Walking};
+use crate::simulate::noise::Noise;
+use crate::simulate::readout::Readout;
+use crate::simulate::simulation::{Session, Simulation};
+use crate::simulate::vibration::Vibration;
 
 /// Rate of the earth's rotation, rad/s (WGS 84).
 pub const EARTH_RATE: f64 = 7.292_115e-5;
@@ -30,7 +35,7 @@ pub const EARTH_RATE: f64 = 7.292_115e-5;
 /// # Ok::<(), stillpoint_calib::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(default, deny_unknown_fields, rename_all = "snake_case")]
 pub struct Spec {
     /// Seed of everything random.
     pub seed: u64,
@@ -88,7 +93,7 @@ impl Default for Spec {
 
 /// The kinds of motion.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[serde(rename_all = "snake_case")]
 pub enum Motion {
     /// Many placements by hand.
     HandHeld(HandHeld),
@@ -122,7 +127,7 @@ impl Motion {
 
 /// What one sensor is like beyond its model. The unit `u` is m/s² or rad/s.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(default, deny_unknown_fields, rename_all = "snake_case")]
 pub struct SensorSpec {
     /// White noise density, u/√Hz; that of the grade where it is not given.
     pub white: Option<f64>,
@@ -210,9 +215,9 @@ impl Spec {
     /// Plans, draws and runs it.
     ///
     /// # Errors
-    /// [`Error::Usage`] where the spec contradicts itself.
+    /// [`Error::Usage`] where the spec contradicts itself, or is too long for the memory.
     pub fn run(&self) -> Result<Session, Error> {
-        Ok(Simulation::new(self)?.run())
+        Simulation::new(self)?.run()
     }
 
     /// What is said of one sensor.
