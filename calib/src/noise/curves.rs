@@ -44,7 +44,11 @@ impl SensorCurves {
     /// Of a stream in memory; `None` with fewer than two samples.
     pub fn of(stream: &Stream) -> Option<Self> {
         let mut accumulator = SensorAccumulator::default();
-        stream.t.iter().zip(&stream.values).for_each(|(&t, v)| accumulator.push(t, *v));
+        stream
+            .t
+            .iter()
+            .zip(&stream.values)
+            .for_each(|(&t, v)| accumulator.push(t, *v));
         accumulator.finish()
     }
 }
@@ -82,8 +86,10 @@ impl SensorAccumulator {
             self.settle();
         }
         let step = self.time / self.steps as f64;
-        (self.steps > 0)
-            .then(|| SensorCurves { axes: self.axes.map(|axis| axis.finish(step)), gaps: self.gaps })
+        (self.steps > 0).then(|| SensorCurves {
+            axes: self.axes.map(|axis| axis.finish(step)),
+            gaps: self.gaps,
+        })
     }
 
     /// Takes the sampling interval from the samples held back, and lets them through.
@@ -93,7 +99,8 @@ impl SensorAccumulator {
         let step = Stream { t, values }.median_step().unwrap_or(f64::INFINITY);
         let limit = GAP_STEPS * step;
         self.limit = Some(limit);
-        head.into_iter().for_each(|(t, value)| self.add(t, value, limit));
+        head.into_iter()
+            .for_each(|(t, value)| self.add(t, value, limit));
     }
 
     fn add(&mut self, t: f64, value: Vector3<f64>, limit: f64) {
@@ -106,7 +113,10 @@ impl SensorAccumulator {
                 self.steps += 1;
             }
         }
-        self.axes.iter_mut().zip(value.iter()).for_each(|(axis, y)| axis.push(*y));
+        self.axes
+            .iter_mut()
+            .zip(value.iter())
+            .for_each(|(axis, y)| axis.push(*y));
     }
 }
 
@@ -132,6 +142,9 @@ mod tests {
             values: vec![Vector3::x(); n],
         };
         assert_eq!(SensorCurves::of(&stream(1)), None);
-        assert_eq!(SensorCurves::of(&stream(5)).unwrap().axes[1].points.len(), 2);
+        assert_eq!(
+            SensorCurves::of(&stream(5)).unwrap().axes[1].points.len(),
+            2
+        );
     }
 }

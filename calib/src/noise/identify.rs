@@ -177,7 +177,11 @@ impl Octaves {
                     .collect()
             })
             .collect();
-        Some(Self { points, covariance, model_error: 0.0 })
+        Some(Self {
+            points,
+            covariance,
+            model_error: 0.0,
+        })
     }
 
     /// White noise through the first point: a start that every sensor is near at short times.
@@ -201,7 +205,10 @@ impl Octaves {
 
     /// Finds the smallest model error that explains the misfit.
     fn fit_model_error(&mut self) {
-        if self.misfit().is_none_or(|(chi2, freedom)| chi2 <= limit(freedom)) {
+        if self
+            .misfit()
+            .is_none_or(|(chi2, freedom)| chi2 <= limit(freedom))
+        {
             return;
         }
         let (mut low, mut high) = MODEL_ERRORS;

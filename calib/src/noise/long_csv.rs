@@ -42,7 +42,10 @@ pub fn curves_of_long_csv(path: &Path) -> Option<RecordingCurves> {
         accelerometer.push(t, Vector3::new(ax, ay, az));
         gyroscope.push(t, Vector3::new(gx, gy, gz));
     }
-    Some(RecordingCurves { accelerometer: accelerometer.finish(), gyroscope: gyroscope.finish() })
+    Some(RecordingCurves {
+        accelerometer: accelerometer.finish(),
+        gyroscope: gyroscope.finish(),
+    })
 }
 
 /// The first seven fields as finite numbers.
@@ -76,18 +79,31 @@ mod tests {
         for k in 0..1000 {
             let t = k as f64 * 0.5;
             let [a, g] = [0, 3].map(|n| Vector3::from_fn(|i, _| value(k, n + i)));
-            let row = [t, a.x, a.y, a.z, g.x, g.y, g.z, 25.0].map(|v| v.to_string()).join(",");
+            let row = [t, a.x, a.y, a.z, g.x, g.y, g.z, 25.0]
+                .map(|v| v.to_string())
+                .join(",");
             text.push_str(&row);
             text.push('\n');
-            for (stream, v) in [(&mut recording.accelerometer, a), (&mut recording.gyroscope, g)] {
+            for (stream, v) in [
+                (&mut recording.accelerometer, a),
+                (&mut recording.gyroscope, g),
+            ] {
                 let stream = stream.as_mut().unwrap();
                 stream.t.push(t);
                 stream.values.push(v);
             }
         }
         std::fs::write(&path, &text).unwrap();
-        assert_eq!(curves_of_long_csv(&path), Some(RecordingCurves::of(&recording)));
-        for odd in ["500,1,2,3,4,5\n", "500,1,2,3,4,5,x\n", "3,1,2,3,4,5,6\n", "500,1,2,3,4,5,inf\n"] {
+        assert_eq!(
+            curves_of_long_csv(&path),
+            Some(RecordingCurves::of(&recording))
+        );
+        for odd in [
+            "500,1,2,3,4,5\n",
+            "500,1,2,3,4,5,x\n",
+            "3,1,2,3,4,5,6\n",
+            "500,1,2,3,4,5,inf\n",
+        ] {
             std::fs::write(&path, format!("{text}{odd}")).unwrap();
             assert_eq!(curves_of_long_csv(&path), None, "{odd}");
         }

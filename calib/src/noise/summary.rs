@@ -94,7 +94,9 @@ impl NoiseSummary {
     /// Curves without any sensor.
     pub fn of(curves: &RecordingCurves) -> Result<Self, Error> {
         if curves.accelerometer.is_none() && curves.gyroscope.is_none() {
-            return Err(Error::NotEnough("no sensor with two samples in the recording".into()));
+            return Err(Error::NotEnough(
+                "no sensor with two samples in the recording".into(),
+            ));
         }
         let mut warnings = Vec::new();
         let mut settling = Vec::new();
@@ -102,7 +104,9 @@ impl NoiseSummary {
             let curves = curves.as_ref()?;
             let fits = curves.axes.each_ref().map(identify);
             for (axis, fit) in ["x", "y", "z"].iter().zip(&fits) {
-                warnings.extend(warning(fit.as_ref()).map(|w| format!("{} {axis}: {w}", sensor.prefix())));
+                warnings.extend(
+                    warning(fit.as_ref()).map(|w| format!("{} {axis}: {w}", sensor.prefix())),
+                );
             }
             if sensor == Sensor::Gyroscope {
                 settling = fits
@@ -150,9 +154,16 @@ fn warning(fit: Option<&NoiseTerms>) -> Option<String> {
     }
 }
 
-fn sensor_noise(curves: &SensorCurves, fits: &[Option<NoiseTerms>; 3], sensor: Sensor) -> SensorNoise {
+fn sensor_noise(
+    curves: &SensorCurves,
+    fits: &[Option<NoiseTerms>; 3],
+    sensor: Sensor,
+) -> SensorNoise {
     let axis = |k: usize| AxisNoise {
-        terms: fits[k].as_ref().map(|fit| terms(fit, sensor)).unwrap_or_default(),
+        terms: fits[k]
+            .as_ref()
+            .map(|fit| terms(fit, sensor))
+            .unwrap_or_default(),
         model_error: fits[k].as_ref().map(|fit| fit.model_error),
         curve: points(&curves.axes[k], fits[k].as_ref()),
     };

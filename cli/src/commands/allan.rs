@@ -57,13 +57,19 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     };
     let pictures = args.pictures.claim(&PLOTS, args.force, &inputs)?;
     let summary = summary(args)?;
-    summary.warnings.iter().for_each(|warning| show::warn(warning));
-    let json = serde_json::to_string_pretty(&summary).map_err(|e| Failure::new(BUG, e.to_string()))?;
+    summary
+        .warnings
+        .iter()
+        .for_each(|warning| show::warn(warning));
+    let json =
+        serde_json::to_string_pretty(&summary).map_err(|e| Failure::new(BUG, e.to_string()))?;
     if let Some(output) = output {
         output.write(format!("{json}\n").as_bytes())?;
     }
     if pictures.wanted() {
-        let plots: Vec<Plot> = sensors(&summary).map(|(_, s, noise)| plot(s, noise)).collect();
+        let plots: Vec<Plot> = sensors(&summary)
+            .map(|(_, s, noise)| plot(s, noise))
+            .collect();
         pictures.write(&plots, &report(&summary, &args.recording, &plots)?)?;
     }
     show::print(&if args.json { json } else { text(&summary) });
@@ -82,7 +88,10 @@ fn summary(args: &Args) -> Result<NoiseSummary, Failure> {
         Some(curves) => curves,
         None => {
             let recording = read(&args.recording, &args.read)?;
-            recording.warnings.iter().for_each(|warning| show::warn(warning));
+            recording
+                .warnings
+                .iter()
+                .for_each(|warning| show::warn(warning));
             RecordingCurves::of(&recording)
         }
     };
@@ -121,7 +130,12 @@ fn cell(term: &TermValue, factor: f64) -> String {
     let number = |v: f64| significant(v * factor);
     match (term.lower > 0.0, term.upper) {
         (true, Some(upper)) => {
-            format!("{} [{}, {}]", number(term.value), number(term.lower), number(upper))
+            format!(
+                "{} [{}, {}]",
+                number(term.value),
+                number(term.lower),
+                number(upper)
+            )
         }
         (true, None) => format!("> {}", number(term.lower)),
         (false, Some(upper)) => format!("< {}", number(upper)),
@@ -152,7 +166,13 @@ fn rows(sensor: Sensor, noise: &SensorNoise) -> Vec<[String; 5]> {
                 let value = noise.axes[k].terms.iter().find(|t| t.term == term);
                 value.map_or("?".into(), |value| cell(value, factor))
             };
-            [term.name(sensor).into(), unit.into(), axis(0), axis(1), axis(2)]
+            [
+                term.name(sensor).into(),
+                unit.into(),
+                axis(0),
+                axis(1),
+                axis(2),
+            ]
         })
         .collect()
 }
@@ -183,8 +203,16 @@ fn extent(noise: &SensorNoise) -> String {
         s if s < 7200.0 => format!("{:.1} min", s / 60.0),
         s => format!("{:.2} h", s / 3600.0),
     };
-    let gaps = if noise.gaps == 0 { String::new() } else { format!(", {} gaps", noise.gaps) };
-    format!("{} samples at {:.2} Hz, {length}{gaps}", noise.samples, 1.0 / noise.step)
+    let gaps = if noise.gaps == 0 {
+        String::new()
+    } else {
+        format!(", {} gaps", noise.gaps)
+    };
+    format!(
+        "{} samples at {:.2} Hz, {length}{gaps}",
+        noise.samples,
+        1.0 / noise.step
+    )
 }
 
 fn advice(summary: &NoiseSummary) -> String {
@@ -212,11 +240,17 @@ fn plot(sensor: Sensor, noise: &SensorNoise) -> Plot {
     for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
         let curve = &noise.axes[k].curve;
         let bar = |p: &CurvePoint| {
-            let (low, high) = (p.lower.unwrap_or(p.deviation), p.upper.unwrap_or(p.deviation));
+            let (low, high) = (
+                p.lower.unwrap_or(p.deviation),
+                p.upper.unwrap_or(p.deviation),
+            );
             (p.tau, p.deviation, low, high)
         };
         plot = plot.with(Series::bars(axis, k, curve.iter().map(bar).collect()));
-        let fitted: Vec<_> = curve.iter().filter_map(|p| Some((p.tau, p.fitted?))).collect();
+        let fitted: Vec<_> = curve
+            .iter()
+            .filter_map(|p| Some((p.tau, p.fitted?)))
+            .collect();
         if !fitted.is_empty() {
             plot = plot.with(Series::dashed("", k, fitted));
         }
@@ -252,9 +286,15 @@ mod tests {
     fn terms_are_shown_in_the_units_of_data_sheets() {
         // 1 °/h is 4.848e-6 rad/s; 1 mg is 9.80665e-3 m/s².
         let (unit, factor) = human(NoiseTerm::BiasInstability, Sensor::Gyroscope);
-        assert_eq!((unit, significant(4.848_137e-6 * factor)), ("°/h", "1.00".into()));
+        assert_eq!(
+            (unit, significant(4.848_137e-6 * factor)),
+            ("°/h", "1.00".into())
+        );
         let (unit, factor) = human(NoiseTerm::BiasInstability, Sensor::Accelerometer);
-        assert_eq!((unit, significant(9.806_65e-3 * factor)), ("mg", "1.00".into()));
+        assert_eq!(
+            (unit, significant(9.806_65e-3 * factor)),
+            ("mg", "1.00".into())
+        );
     }
 
     #[test]

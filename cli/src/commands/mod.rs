@@ -2,12 +2,15 @@
 
 mod allan;
 mod apply;
+mod bias;
 mod calibrate;
 mod demo;
 mod evaluate;
 mod inputs;
 mod pictures;
+mod reckon;
 mod segment;
+mod six_position;
 
 use clap::Subcommand;
 
@@ -21,6 +24,8 @@ pub enum Command {
     Segment(segment::Args),
     Apply(apply::Args),
     Allan(allan::Args),
+    Bias(bias::Args),
+    Reckon(Box<reckon::Args>),
     Evaluate(evaluate::Args),
 }
 
@@ -32,6 +37,8 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Segment(args) => segment::run(&args),
         Command::Apply(args) => apply::run(&args),
         Command::Allan(args) => allan::run(&args),
+        Command::Bias(args) => bias::run(&args),
+        Command::Reckon(args) => reckon::run(&args),
         Command::Evaluate(args) => evaluate::run(&args),
     }
 }

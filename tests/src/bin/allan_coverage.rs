@@ -39,8 +39,11 @@ fn main() {
                 .all(|(e, v)| e.interval.holds(v))
         };
         let missed = fits.iter().filter(|fit| fit.model_error > 0.0).count();
-        println!("  all five: {}   misfits: {missed}
-", fits.iter().filter(holds).count());
+        println!(
+            "  all five: {}   misfits: {missed}
+",
+            fits.iter().filter(holds).count()
+        );
     }
 }
 
