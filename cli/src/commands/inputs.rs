@@ -69,7 +69,7 @@ pub fn read(path: &Path, args: &ReadArgs) -> Result<Recording, Failure> {
         "reading {}",
         show::printable(&path.to_string_lossy())
     ));
-    let recording = Recording::read(path, &args.options()?)?;
+    let recording = Recording::read(path, &args.clone().into())?;
     spinner.finish_and_clear();
     Ok(recording)
 }
@@ -77,7 +77,7 @@ pub fn read(path: &Path, args: &ReadArgs) -> Result<Recording, Failure> {
 /// Reads the two files of a recording that keeps its sensors apart.
 pub fn read_pair(accel: &Path, gyro: &Path, args: &ReadArgs) -> Result<Recording, Failure> {
     let spinner = spinner("reading");
-    let recording = Recording::read_pair(accel, gyro, &args.options()?)?;
+    let recording = Recording::read_pair(accel, gyro, &args.clone().into())?;
     spinner.finish_and_clear();
     Ok(recording)
 }
