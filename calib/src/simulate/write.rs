@@ -172,8 +172,16 @@ mod tests {
         let session = simulation.run().unwrap();
         assert_eq!(read.accelerometer, session.recording.accelerometer);
         assert_eq!(read.gyroscope, session.recording.gyroscope);
-        let (read, made) = (read.temperature.unwrap(), session.recording.temperature.unwrap());
-        assert!(read.t.iter().zip(&read.celsius).all(|(t, c)| made.at(*t) == Some(*c)));
+        let (read, made) = (
+            read.temperature.unwrap(),
+            session.recording.temperature.unwrap(),
+        );
+        assert!(
+            read.t
+                .iter()
+                .zip(&read.celsius)
+                .all(|(t, c)| made.at(*t) == Some(*c))
+        );
     }
 
     #[test]
