@@ -278,6 +278,24 @@ fn a_late_accelerometer_clock_and_the_effect_time_offset_are_the_same() {
 }
 
 #[test]
+fn axes_that_are_a_sample_late_read_what_they_read_a_sample_before() {
+    let mut late = Spec::hand_held(4).noise_free();
+    let delay = [("x", 0.01), ("y", 0.0), ("z", 0.01)].map(|(k, v)| (k.to_string(), v));
+    late.effects.insert("gyro_delay".into(), delay.into());
+    let (late, own) = (
+        late.run().unwrap(),
+        Spec::hand_held(4).noise_free().run().unwrap(),
+    );
+    let (_, late) = samples(&late, Sensor::Gyroscope);
+    let (_, own) = samples(&own, Sensor::Gyroscope);
+    for (a, b) in late.windows(2).zip(own.windows(2)) {
+        // Windows that differ by rounding, under an angular acceleration of 50 rad/s².
+        assert!((a[1].x - b[0].x).abs() < 1e-11 && (a[1].z - b[0].z).abs() < 1e-11);
+        assert!((a[1].y - b[1].y).abs() < 1e-11);
+    }
+}
+
+#[test]
 fn sensors_with_clocks_of_their_own_sample_at_their_own_rates() {
     let mut spec = Spec::still(1, 100.0);
     spec.accelerometer.clock.rate = Some(99.75);
