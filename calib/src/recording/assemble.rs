@@ -22,6 +22,17 @@ pub(super) fn assemble(
         name,
         ..Recording::default()
     };
+    for Table {
+        name, accel, gyro, ..
+    } in &mut tables
+    {
+        for samples in [accel, gyro] {
+            if options.sort_time {
+                *samples = std::mem::take(samples).sort();
+            }
+            checks::order(name, samples, &mut recording.warnings)?;
+        }
+    }
     if options.rate.is_none() {
         time::to_seconds(&mut tables, options, &mut recording.warnings)?;
     } else if tables.iter().any(|table| table.has_time) {
@@ -58,7 +69,6 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
             &name,
             Sensor::Accelerometer,
             table.accel,
-            options,
             &mut recording.warnings,
         )?;
         let unit = decide::accel_unit(&name, &stream, stated, &mut recording.warnings)?;
@@ -70,7 +80,6 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
             &name,
             Sensor::Gyroscope,
             table.gyro,
-            options,
             &mut recording.warnings,
         )?;
         let unit = decide::gyro_unit(&name, &stream, stated, &mut recording.warnings);
@@ -89,20 +98,19 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
     Ok(())
 }
 
-/// The stream of one sensor, in the file's unit: in order, checked, held values removed.
+/// The stream of one sensor, in the file's unit: checked, held values removed.
 fn finish(
     name: &str,
     sensor: Sensor,
     samples: Samples,
-    options: &ReadOptions,
     warnings: &mut Vec<String>,
 ) -> Result<Stream, Error> {
-    let samples = if options.sort_time {
-        samples.sort()
-    } else {
-        samples
-    };
-    checks::order(name, &samples, warnings)?;
+    if !samples.t.windows(2).all(|pair| pair[0] < pair[1]) {
+        return Err(in_file(
+            name,
+            "time stamps too large to tell apart in seconds",
+        ));
+    }
     values::check(name, sensor, &samples, warnings)?;
     let stream = Stream {
         t: samples.t,
