@@ -1,5 +1,7 @@
 //! Tables to a recording: seconds, SI units, order, and what is worth a warning.
 
+use std::collections::HashSet;
+
 use sensor::Sensor;
 
 use super::options::ReadOptions;
@@ -39,6 +41,14 @@ pub(super) fn assemble(
         let words = "--rate was given: time stamps are ignored".to_owned();
         recording.warnings.push(words);
     }
+    let unused: Vec<String> = tables
+        .iter()
+        .flat_map(|table| table.unused.clone())
+        .collect();
+    let unused = match unused.len() {
+        0 => String::new(),
+        _ => format!(" (columns not used: `{}`)", unused.join("`, `")),
+    };
     for table in tables {
         add(&mut recording, table, options)?;
     }
@@ -54,9 +64,14 @@ pub(super) fn assemble(
         ),
     ] {
         if !present {
-            recording.warnings.push(missing.to_owned());
+            recording.warnings.push(format!("{missing}{unused}"));
         }
     }
+    // What is true of a row is true of both sensors in it, but said once.
+    let mut said = HashSet::new();
+    recording
+        .warnings
+        .retain(|warning| said.insert(warning.clone()));
     Ok(recording)
 }
 
