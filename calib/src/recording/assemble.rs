@@ -2,14 +2,14 @@
 
 use sensor::Sensor;
 
-use super::checks;
 use super::options::ReadOptions;
 use super::place::in_file;
 use super::samples::Samples;
 use super::table::Table;
 use super::time;
-use super::units::{AccelUnit, GyroUnit, TemperatureUnit};
+use super::units::TemperatureUnit;
 use super::{Recording, Stream, Temperature};
+use super::{checks, decide, held, values};
 use crate::Error;
 
 /// The recording called `name` that `tables`, on one clock, hold.
@@ -61,13 +61,8 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
             options,
             &mut recording.warnings,
         )?;
-        let unit = checks::accel_unit(&name, &stream, stated, &mut recording.warnings)?;
+        let unit = decide::accel_unit(&name, &stream, stated, &mut recording.warnings)?;
         recording.accelerometer = Some(scaled(stream, unit.scale()));
-        if unit == AccelUnit::Counts && stated.is_some() {
-            recording
-                .warnings
-                .push(format!("{name}: accelerometer kept in raw counts"));
-        }
     }
     if !table.gyro.t.is_empty() {
         let stated = options.gyro_unit.or(table.stated.gyro);
@@ -78,13 +73,8 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
             options,
             &mut recording.warnings,
         )?;
-        let unit = checks::gyro_unit(&name, &stream, stated, &mut recording.warnings);
+        let unit = decide::gyro_unit(&name, &stream, stated, &mut recording.warnings);
         recording.gyroscope = Some(scaled(stream, unit.scale()));
-        if unit == GyroUnit::Counts && stated.is_some() {
-            recording
-                .warnings
-                .push(format!("{name}: gyroscope kept in raw counts"));
-        }
     }
     if !table.temperature.is_empty() {
         let unit = table.stated.temperature.unwrap_or(TemperatureUnit::Celsius);
@@ -113,12 +103,13 @@ fn finish(
         samples
     };
     checks::order(name, &samples, warnings)?;
-    checks::values(name, sensor, &samples, warnings)?;
+    values::check(name, sensor, &samples, warnings)?;
     let stream = Stream {
         t: samples.t,
         values: samples.values,
     };
-    let stream = checks::without_held(name, sensor, stream, warnings);
+    let stream = held::without_held(name, sensor, stream, warnings);
+    checks::bursts(name, sensor, &stream, warnings);
     checks::gaps(name, sensor, &stream, warnings);
     Ok(stream)
 }

@@ -9,10 +9,12 @@
 mod assemble;
 mod checks;
 mod clock;
+mod decide;
 mod decode;
 mod dialect;
 pub mod formats;
 mod header;
+mod held;
 mod lines;
 mod number;
 mod options;
@@ -24,6 +26,7 @@ mod stream;
 mod table;
 mod time;
 mod units;
+mod values;
 mod write;
 
 use std::path::Path;

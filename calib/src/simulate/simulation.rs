@@ -182,6 +182,8 @@ impl Simulation {
             spec: self.spec.clone(),
             accelerometer: self.in_recorded_units(Sensor::Accelerometer),
             gyroscope: self.in_recorded_units(Sensor::Gyroscope),
+            accelerometer_noise: self.spec.noise(Sensor::Accelerometer),
+            gyroscope_noise: self.spec.noise(Sensor::Gyroscope),
             effects: effects.collect(),
             static_intervals: self
                 .rests()

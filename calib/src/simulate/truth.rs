@@ -4,6 +4,7 @@ use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 use solver::Parameters;
 
+use super::noise::Noise;
 use super::spec::Spec;
 
 /// Name of the format in `truth.json`.
@@ -21,6 +22,10 @@ pub struct Truth {
     pub accelerometer: Parameters,
     /// The same of the gyroscope.
     pub gyroscope: Parameters,
+    /// Noise densities of the accelerometer, SI units.
+    pub accelerometer_noise: Noise,
+    /// The same of the gyroscope.
+    pub gyroscope_noise: Noise,
     /// Names of the effects that are on.
     pub effects: Vec<String>,
     /// The placements, in order.

@@ -125,6 +125,7 @@ fn publish(file: NamedTempFile, path: &Path, force: bool) -> std::io::Result<()>
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::recording::{ReadOptions, Recording};
     use crate::simulate::Spec;
 
     fn short() -> Simulation {
@@ -156,6 +157,31 @@ mod tests {
         let text = std::fs::read_to_string(dir.path().join("acc.csv")).unwrap();
         assert!(text.starts_with("t,ax,ay,az,temp\n0,"));
         assert!(text.lines().all(|line| line.split(',').count() == 5));
+    }
+
+    #[test]
+    fn the_folder_reads_back_as_the_recording_it_was() {
+        let mut spec = Spec::still(2, 5.0).with_effect("gyro_temperature", 1.0);
+        spec.gyroscope.clock.rate = Some(80.0);
+        spec.accelerometer.counts = true;
+        spec.accelerometer.step = 5e-4;
+        let simulation = Simulation::new(&spec).unwrap();
+        let dir = tempfile::tempdir().unwrap();
+        simulation.write(dir.path(), false).unwrap();
+        let read = Recording::read(dir.path(), &ReadOptions::default()).unwrap();
+        let session = simulation.run().unwrap();
+        assert_eq!(read.accelerometer, session.recording.accelerometer);
+        assert_eq!(read.gyroscope, session.recording.gyroscope);
+        let (read, made) = (
+            read.temperature.unwrap(),
+            session.recording.temperature.unwrap(),
+        );
+        assert!(
+            read.t
+                .iter()
+                .zip(&read.celsius)
+                .all(|(t, c)| made.at(*t) == Some(*c))
+        );
     }
 
     #[test]

@@ -57,7 +57,7 @@ impl Motion {
         &self.segments
     }
 
-    /// The places where the motion is not analytic, ascending, s.
+    /// Where a mean has to be split, ascending, s: the motion is analytic between knots.
     pub fn knots(&self) -> &[f64] {
         &self.knots
     }

@@ -63,6 +63,19 @@ impl Profile {
         }
     }
 
+    /// Where a mean has to be split: at the ends, and twice per time constant within a knock, which
+    /// is faster than the rest.
+    pub fn knots(&self) -> Vec<f64> {
+        let (start, end) = self.span();
+        let within = match *self {
+            Self::Knock { decay, .. } => (1..60)
+                .map(|k| start + 0.5 * decay * f64::from(k))
+                .collect(),
+            _ => Vec::new(),
+        };
+        [vec![start, end], within].concat()
+    }
+
     /// Value and derivatives at `t`.
     pub fn at(&self, t: f64) -> Jets {
         let (start, end) = self.span();

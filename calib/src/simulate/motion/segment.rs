@@ -112,13 +112,13 @@ impl Segment {
         state
     }
 
-    /// Where the motion is not analytic: the ends of the segment and of its profiles.
+    /// Where a mean has to be split: the ends of the segment and the knots of its profiles.
     pub fn knots(&self) -> Vec<f64> {
-        let spans = self.twists.iter().map(|w| w.profile.span());
-        let spans = spans.chain(self.moves.iter().map(|m| m.profile.span()));
-        let mut knots = vec![self.start, self.end];
-        knots.extend(spans.flat_map(|(a, b)| [a, b]));
-        knots.retain(|&t| t >= self.start && t <= self.end);
+        let twists = self.twists.iter().map(|w| w.profile);
+        let profiles = twists.chain(self.moves.iter().map(|m| m.profile));
+        let mut knots: Vec<f64> = profiles.flat_map(|p| p.knots()).collect();
+        knots.retain(|&t| t > self.start && t < self.end);
+        knots.extend([self.start, self.end]);
         knots
     }
 }

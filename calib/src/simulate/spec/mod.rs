@@ -5,6 +5,8 @@ mod complaint;
 mod names;
 mod parse;
 
+pub use parse::EXAMPLE;
+
 use std::collections::BTreeMap;
 
 use sensor::Sensor;

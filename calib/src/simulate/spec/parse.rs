@@ -9,6 +9,9 @@ use super::Spec;
 use super::complaint::{Complaint, hint};
 use crate::Error;
 
+/// A spec that shows what can be said, with comments.
+pub const EXAMPLE: &str = include_str!("example.toml");
+
 impl Spec {
     /// The spec in `text`; `name` is what messages call the file.
     ///
@@ -161,6 +164,21 @@ mod tests {
                 "{text:?}"
             );
         }
+    }
+
+    #[test]
+    fn the_example_runs() {
+        let spec = Spec::from_toml(EXAMPLE, "example.toml").unwrap();
+        let session = spec.run().unwrap();
+        let effects = [
+            "accel_warmup",
+            "accel_temperature",
+            "gyro_g_sensitivity",
+            "earth_rate",
+        ];
+        assert_eq!(session.truth.effects, effects);
+        assert_eq!(session.truth.get("accel.s_x"), Some(1.01));
+        assert_eq!(session.truth.get("accel_warmup.tau"), Some(90.0));
     }
 
     #[test]
