@@ -144,7 +144,7 @@ impl AllanAccumulator {
     /// Hands the integral after `n` samples to the levels whose stride divides `n`.
     fn feed(&mut self, n: usize) {
         for level in &mut self.levels {
-            if n % level.stride != 0 {
+            if !n.is_multiple_of(level.stride) {
                 break;
             }
             level.push(self.phase);

@@ -1,5 +1,7 @@
 //! Allan curves straight from a plain CSV file, however long it is.
 
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 
 use csv::{ByteRecord, ReaderBuilder};
@@ -13,29 +15,37 @@ const COLUMNS: [&[u8]; 7] = [b"t", b"ax", b"ay", b"az", b"gx", b"gy", b"gz"];
 /// Bytes read at a time.
 const BUFFER: usize = 1 << 20;
 
+/// Bytes in which the header must be found, comments included.
+const HEAD: u64 = 1 << 16;
+
+/// The modulus of gravity in m/s², give or take a poor sensor's errors: other units are not ours to
+/// guess.
+const GRAVITY: std::ops::Range<f64> = 7.0..13.0;
+
 /// Reads a plain CSV recording (`t,ax,ay,az,gx,gy,gz…`) row by row into curves, without keeping the
 /// samples: a day at 200 Hz needs no more memory than a minute.
 ///
-/// `None` for anything else: other columns, a row with a missing or unreadable number, time that
-/// does not ascend. The reader of recordings then says what is wrong, or knows the format.
+/// `None` for anything else: no regular file, other columns, a row with a missing or unreadable
+/// number, time that does not ascend, a first reading that is no gravity in m/s². The reader of
+/// recordings then says what is wrong, or knows the format.
 pub fn curves_of_long_csv(path: &Path) -> Option<RecordingCurves> {
+    if !begins_with_header(path)? {
+        return None;
+    }
     let mut reader = ReaderBuilder::new()
         .buffer_capacity(BUFFER)
         .comment(Some(b'#'))
         .flexible(true)
         .from_path(path)
         .ok()?;
-    let header = reader.byte_headers().ok()?;
-    if header.len() < COLUMNS.len() || !COLUMNS.iter().zip(header).all(|(c, h)| *c == h) {
-        return None;
-    }
     let mut accelerometer = SensorAccumulator::default();
     let mut gyroscope = SensorAccumulator::default();
     let mut last = f64::NEG_INFINITY;
     let mut row = ByteRecord::new();
     while reader.read_byte_record(&mut row).ok()? {
         let [t, ax, ay, az, gx, gy, gz] = numbers(&row)?;
-        if t <= last {
+        let first = last == f64::NEG_INFINITY;
+        if t <= last || (first && !GRAVITY.contains(&(ax * ax + ay * ay + az * az).sqrt())) {
             return None;
         }
         last = t;
@@ -46,6 +56,21 @@ pub fn curves_of_long_csv(path: &Path) -> Option<RecordingCurves> {
         accelerometer: accelerometer.finish(),
         gyroscope: gyroscope.finish(),
     })
+}
+
+/// Whether a regular file begins with the plain header, after comments.
+fn begins_with_header(path: &Path) -> Option<bool> {
+    let file = File::open(path).ok()?;
+    if !file.metadata().ok()?.is_file() {
+        return None;
+    }
+    let mut head = Vec::new();
+    file.take(HEAD).read_to_end(&mut head).ok()?;
+    let header = head
+        .split(|b| *b == b'\n')
+        .find(|line| !line.starts_with(b"#"))?;
+    let mut names = header.trim_ascii().split(|b| *b == b',');
+    Some(COLUMNS.iter().all(|column| names.next() == Some(column)))
 }
 
 /// The first seven fields as finite numbers.
@@ -70,6 +95,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("rest.csv");
         let value = |k: usize, axis: usize| ((k * (axis + 3)) as f64).sin();
+        let gravity = Vector3::new(0.0, 0.0, 9.8);
         let mut text = String::from("# at rest\nt,ax,ay,az,gx,gy,gz,temp\n");
         let mut recording = Recording {
             accelerometer: Some(Stream::default()),
@@ -79,6 +105,7 @@ mod tests {
         for k in 0..1000 {
             let t = k as f64 * 0.5;
             let [a, g] = [0, 3].map(|n| Vector3::from_fn(|i, _| value(k, n + i)));
+            let a = a + gravity;
             let row = [t, a.x, a.y, a.z, g.x, g.y, g.z, 25.0]
                 .map(|v| v.to_string())
                 .join(",");
@@ -107,7 +134,13 @@ mod tests {
             std::fs::write(&path, format!("{text}{odd}")).unwrap();
             assert_eq!(curves_of_long_csv(&path), None, "{odd}");
         }
-        std::fs::write(&path, text.replace("gx,gy", "gy,gx")).unwrap();
-        assert_eq!(curves_of_long_csv(&path), None);
+        for odd in [
+            text.replace("gx,gy", "gy,gx"),
+            "t,ax,ay,az,gx,gy,gz\n0,0,0,1,0,0,0\n".into(),
+        ] {
+            std::fs::write(&path, odd).unwrap();
+            assert_eq!(curves_of_long_csv(&path), None);
+        }
+        assert_eq!(curves_of_long_csv(folder.path()), None);
     }
 }

@@ -108,6 +108,13 @@ impl NoiseSummary {
                     warning(fit.as_ref()).map(|w| format!("{} {axis}: {w}", sensor.prefix())),
                 );
             }
+            if curves.gaps > 0 {
+                warnings.push(format!(
+                    "{}: {} gaps in the recording; no difference reaches across",
+                    sensor.prefix(),
+                    curves.gaps
+                ));
+            }
             if sensor == Sensor::Gyroscope {
                 settling = fits
                     .iter()

@@ -80,7 +80,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 fn summary(args: &Args) -> Result<NoiseSummary, Failure> {
     let streamed = {
         let spinner = spinner("reading");
-        let streamed = curves_of_long_csv(&args.recording);
+        let plain = args.read.are_default();
+        let streamed = plain.then(|| curves_of_long_csv(&args.recording)).flatten();
         spinner.finish_and_clear();
         streamed
     };

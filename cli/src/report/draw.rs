@@ -13,7 +13,7 @@ use super::theme::Theme;
 use crate::exit::{BUG, Failure};
 
 /// Size of a picture, in dots of the SVG.
-const SIZE: (u32, u32) = (860, 500);
+const SIZE: (u32, u32) = (760, 460);
 
 /// Dots of a PNG per dot of the SVG.
 const PNG_SCALE: u32 = 2;
@@ -153,10 +153,10 @@ fn draw<B: DrawingBackend>(
     let y = plot.y.scale(points().map(|(_, y)| y));
     area.fill(&theme.background()).map_err(words)?;
     let mut chart = ChartBuilder::on(area)
-        .caption(&plot.title, text(18))
+        .caption(&plot.title, text(19))
         .margin(14 * scale)
-        .x_label_area_size(46 * scale)
-        .y_label_area_size(70 * scale)
+        .x_label_area_size(50 * scale)
+        .y_label_area_size(74 * scale)
         .build_cartesian_2d(x.clone(), y.clone())
         .map_err(words)?;
     chart
@@ -166,8 +166,8 @@ fn draw<B: DrawingBackend>(
         .axis_style(theme.ink().stroke_width(scale as u32))
         .x_desc(&plot.x.label)
         .y_desc(&plot.y.label)
-        .axis_desc_style(text(15))
-        .label_style(text(13))
+        .axis_desc_style(text(16))
+        .label_style(text(14))
         .draw()
         .map_err(words)?;
     for series in &plot.series {
@@ -230,7 +230,7 @@ fn draw<B: DrawingBackend>(
             .position(emptiest_corner(plot, &x, &y))
             .legend_area_size(30 * scale)
             .margin(8 * scale)
-            .label_font(text(13))
+            .label_font(text(14))
             .background_style(theme.background().mix(0.85))
             .border_style(theme.grid())
             .draw()

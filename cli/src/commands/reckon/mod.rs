@@ -121,7 +121,7 @@ struct PublishedArgs {
     low_pass: f64,
     /// Sampling rate assumed instead of the time stamps, Hz
     #[arg(long, value_name = "HZ", default_value_t = Procedure::default().rate)]
-    rate: f64,
+    assumed_rate: f64,
     /// Calibration whose readings pick the samples in motion for all
     #[arg(long, value_name = "NAME", default_value = solve::AUTHORS_PROPOSED)]
     picked_by: String,
@@ -198,7 +198,7 @@ fn run_of(
             gravity: published.gravity,
             high_pass: published.high_pass,
             low_pass: published.low_pass,
-            rate: published.rate,
+            rate: published.assumed_rate,
         };
         return solve::published(
             recording,
