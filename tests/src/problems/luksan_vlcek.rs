@@ -39,7 +39,8 @@ ChainedCraggLevy, |x, out| {
     for x in x.windows(4).step_by(2) {
         out.push((x[0].exp() - x[1]).powi(2));
         out.push((x[1] - x[2]).powi(3) * 10.0);
-        out.push((x[2] - x[3]).tan().powi(2));
+        let d = x[2] - x[3];
+        out.push((d.tan() + d).powi(2));
         out.push(x[0].powi(4));
         out.push(x[3] - lit::<D>(1.0));
     }
