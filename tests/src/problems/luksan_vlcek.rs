@@ -34,7 +34,7 @@ ChainedPowell, |x, out| {
         out.push((x[0] - x[3]).powi(2) * 10f64.sqrt());
     }
 });
-residuals!(/// Chained Cragg and Levy function.
+residuals!(/// Chained Cragg and Levy function as CUTEst codes it (CRAGGLVY).
 ChainedCraggLevy, |x, out| {
     for x in x.windows(4).step_by(2) {
         out.push((x[0].exp() - x[1]).powi(2));
@@ -74,11 +74,6 @@ pub fn all() -> Vec<Case> {
             &start(&[3.0, -1.0, 0.0, 1.0]),
             &[0.0],
         ),
-        Case::new(
-            "LV chained Cragg-Levy",
-            ChainedCraggLevy,
-            &cragg,
-            &[1.886_566],
-        ),
+        Case::new("CRAGGLVY", ChainedCraggLevy, &cragg, &[1.886_566]),
     ]
 }
