@@ -10,6 +10,7 @@ mod read_args;
 mod report;
 mod show;
 
+use std::panic::AssertUnwindSafe;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -36,7 +37,7 @@ struct Cli {
 fn main() -> ExitCode {
     let cli = Cli::parse();
     interrupt::install();
-    let result = std::panic::catch_unwind(|| commands::run(cli.command));
+    let result = std::panic::catch_unwind(AssertUnwindSafe(|| commands::run(cli.command)));
     let failure = match result {
         Ok(Ok(())) => return ExitCode::SUCCESS,
         Ok(Err(failure)) => failure,

@@ -58,6 +58,24 @@ pub struct ReadArgs {
     pub max_bytes: u64,
 }
 
+impl ReadArgs {
+    /// Whether nothing is asked for that a well-formed file would not do by itself.
+    pub fn are_default(&self) -> bool {
+        let given = [
+            self.format.is_some(),
+            self.columns.is_some(),
+            self.rate.is_some(),
+            self.time_unit.is_some(),
+            self.time_format.is_some(),
+            self.accel_unit.is_some(),
+            self.gyro_unit.is_some(),
+        ];
+        let limits = ReadOptions::default();
+        let limited = self.max_rows < limits.max_rows || self.max_bytes < limits.max_bytes;
+        !limited && !given.contains(&true)
+    }
+}
+
 /// What to do with rows that lack a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Na {

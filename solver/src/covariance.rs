@@ -1,22 +1,23 @@
 //! What the data say about the parameters: covariance, rank, condition, unobservable directions.
 
-use faer::Mat;
+use faer::{Mat, MatRef};
 use serde::{Deserialize, Serialize};
+
+use crate::observability::in_words;
+use crate::scaling::unit_if_zero;
 
 /// Singular values below this fraction of the largest one count as zero.
 const RANK_TOLERANCE: f64 = 1e-10;
-
-/// A component smaller than this is not named in an unobservable direction.
-const NAMED_COMPONENT: f64 = 0.05;
 
 /// Second-order information at a solution, for the free parameters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Uncertainty {
     /// Names of the free parameters, in the order of the covariance.
     pub names: Vec<String>,
-    /// `(JᵀJ)⁺` for residuals of unit variance (`n × n`), minimum norm where the rank is short.
+    /// `(JᵀJ)⁺` for residuals of unit variance (`n × n`), minimum norm where the rank is short and
+    /// zero across active constraints.
     pub covariance: Vec<Vec<f64>>,
-    /// Rank of the Jacobian with unit columns.
+    /// Rank of the Jacobian with unit columns, along active constraints.
     pub rank: usize,
     /// Largest over smallest singular value (of those that count) of the Jacobian with unit columns.
     pub condition: f64,
@@ -31,91 +32,96 @@ impl Uncertainty {
     pub fn standard_error(&self, k: usize, sigma: f64) -> f64 {
         sigma * self.covariance[k][k].max(0.0).sqrt()
     }
-}
 
-/// Measures a Jacobian (`m × n`).
-pub fn uncertainty(jacobian: &Mat<f64>, names: Vec<String>) -> Uncertainty {
-    let (rows, n) = (jacobian.nrows(), jacobian.ncols());
-    let norms: Vec<f64> = (0..n).map(|k| jacobian.col(k).norm_l2()).collect();
-    let unit = |k: usize| if norms[k] > 0.0 { norms[k] } else { 1.0 };
-    // Rows of zeros complete the null space where there are fewer residuals than parameters.
-    let scaled = Mat::from_fn(rows.max(n), n, |i, k| {
-        if i < rows {
-            jacobian[(i, k)] / unit(k)
-        } else {
-            0.0
-        }
-    });
-    let singular_values = jacobian.singular_values().unwrap_or_default();
-    let Ok(svd) = scaled.thin_svd() else {
-        return Uncertainty {
+    /// Correlation of free parameters `i` and `k`; not a number where one has no variance.
+    pub fn correlation(&self, i: usize, k: usize) -> f64 {
+        self.covariance[i][k] / (self.covariance[i][i] * self.covariance[k][k]).sqrt()
+    }
+
+    /// Nothing known: no rank, no finite covariance.
+    fn unknown(names: Vec<String>, singular_values: Vec<f64>) -> Self {
+        let n = names.len();
+        Self {
             covariance: vec![vec![f64::NAN; n]; n],
             rank: 0,
             condition: f64::INFINITY,
             unobservable: names.clone(),
             singular_values,
             names,
-        };
+        }
+    }
+}
+
+/// Measures a Jacobian (`m × n`).
+pub fn uncertainty(jacobian: &Mat<f64>, names: Vec<String>) -> Uncertainty {
+    uncertainty_along(jacobian.as_ref(), None, names)
+}
+
+/// Measures a Jacobian (`m × n`) along `directions` (`n × d`), all of them if `None`.
+///
+/// By the singular value decomposition `U S Vᵀ` of the pivoted triangle of the Jacobian with unit
+/// columns: the covariance is `B V S⁻² Vᵀ Bᵀ`; the normal equations are never formed.
+pub(crate) fn uncertainty_along(
+    jacobian: MatRef<'_, f64>,
+    directions: Option<Mat<f64>>,
+    names: Vec<String>,
+) -> Uncertainty {
+    let n = names.len();
+    let singular_values = triangle(jacobian).singular_values().unwrap_or_default();
+    let reduced = match &directions {
+        Some(directions) => jacobian * directions,
+        None => jacobian.to_owned(),
+    };
+    let d = reduced.ncols();
+    let norms: Vec<f64> = (0..d)
+        .map(|k| unit_if_zero(reduced.col(k).norm_l2()))
+        .collect();
+    let scaled = Mat::from_fn(reduced.nrows(), d, |i, k| reduced[(i, k)] / norms[k]);
+    let Ok(svd) = triangle(scaled.as_ref()).svd() else {
+        return Uncertainty::unknown(names, singular_values);
     };
     let s: Vec<f64> = svd.S().column_vector().iter().copied().collect();
     let largest = s.first().copied().unwrap_or(0.0);
     let rank = s.iter().filter(|&&v| v > RANK_TOLERANCE * largest).count();
     let v = svd.V();
-    let covariance = (0..n)
-        .map(|i| {
-            (0..n)
-                .map(|j| {
-                    let sum: f64 = (0..rank)
-                        .map(|k| v[(i, k)] * v[(j, k)] / (s[k] * s[k]))
-                        .sum();
-                    sum / (unit(i) * unit(j))
-                })
-                .collect()
-        })
-        .collect();
-    let unobservable = (rank..n.min(s.len()))
-        .map(|k| {
-            let direction: Vec<f64> = (0..n).map(|i| v[(i, k)] / unit(i)).collect();
-            in_words(&direction, &names)
-        })
-        .collect();
-    let condition = if rank == 0 {
-        f64::INFINITY
-    } else {
-        largest / s[rank - 1]
+    // B V in the parameters' units, a column per singular value.
+    let unscaled = Mat::from_fn(d, d, |i, k| v[(i, k)] / norms[i]);
+    let axes = match directions {
+        Some(directions) => directions * unscaled,
+        None => unscaled,
     };
+    let entry = |i: usize, j: usize| {
+        (0..rank)
+            .map(|k| axes[(i, k)] * axes[(j, k)] / (s[k] * s[k]))
+            .sum()
+    };
+    let unseen = |k: usize| in_words(&(0..n).map(|i| axes[(i, k)]).collect::<Vec<_>>(), &names);
     Uncertainty {
-        names,
-        covariance,
+        covariance: (0..n)
+            .map(|i| (0..n).map(|j| entry(i, j)).collect())
+            .collect(),
         rank,
-        condition,
+        condition: if rank == 0 {
+            f64::INFINITY
+        } else {
+            largest / s[rank - 1]
+        },
+        unobservable: (rank..d).map(unseen).collect(),
         singular_values,
-        unobservable,
+        names,
     }
 }
 
-/// A direction in parameter space as `a + 0.5 b − c`.
-fn in_words(direction: &[f64], names: &[String]) -> String {
-    let largest = direction
-        .iter()
-        .copied()
-        .fold(0.0, |a: f64, b| if b.abs() > a.abs() { b } else { a });
-    let mut words = String::new();
-    for (value, name) in direction.iter().zip(names) {
-        let c = value / largest;
-        if c.abs() < NAMED_COMPONENT {
-            continue;
-        }
-        let sign = if c < 0.0 { "-" } else { "+" };
-        if !words.is_empty() {
-            words.push_str(&format!(" {sign} "));
-        } else if c < 0.0 {
-            words.push('-');
-        }
-        if (c.abs() - 1.0).abs() > 0.005 {
-            words.push_str(&format!("{:.2} ", c.abs()));
-        }
-        words.push_str(name);
+/// A matrix of as many columns and few rows with the same singular values and right vectors.
+fn triangle(a: MatRef<'_, f64>) -> Mat<f64> {
+    if a.nrows() <= 2 * a.ncols() || a.ncols() == 0 {
+        return a.to_owned();
     }
-    words
+    let qr = a.qr();
+    let r = qr.thin_R();
+    Mat::from_fn(
+        r.nrows(),
+        r.ncols(),
+        |i, k| if i <= k { r[(i, k)] } else { 0.0 },
+    )
 }

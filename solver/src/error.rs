@@ -39,4 +39,56 @@ pub enum Error {
         /// Number of parameters.
         parameters: usize,
     },
+    /// A name that no parameter has.
+    #[error("no parameter is called {name}")]
+    UnknownParameter {
+        /// The name.
+        name: String,
+    },
+    /// Limits that no value fits between, or that are not numbers.
+    #[error("constraint {constraint}: nothing lies between {lower} and {upper}")]
+    EmptyRange {
+        /// The constraint in words.
+        constraint: String,
+        /// Its lower limit.
+        lower: f64,
+        /// Its upper limit.
+        upper: f64,
+    },
+    /// The start lies outside a constraint.
+    #[error(
+        "constraint {constraint} is {value} at the start, outside {lower} to {upper}: see Constraints::project"
+    )]
+    StartInfeasible {
+        /// The constraint in words.
+        constraint: String,
+        /// Its value at the start.
+        value: f64,
+        /// Its lower limit.
+        lower: f64,
+        /// Its upper limit.
+        upper: f64,
+    },
+    /// A variant that does not do what is asked.
+    #[error("{variant} does not support {what}")]
+    Unsupported {
+        /// The variant.
+        variant: String,
+        /// What it cannot do.
+        what: &'static str,
+    },
+    /// A scale of a loss that is not a positive number.
+    #[error("scale of the loss is {value}, must be positive")]
+    LossScale {
+        /// The scale.
+        value: f64,
+    },
+    /// A term of a block problem that speaks of a block that is not there.
+    #[error("a term speaks of block {block}, there are {blocks}")]
+    UnknownBlock {
+        /// Number of the block, from 0.
+        block: usize,
+        /// How many blocks there are.
+        blocks: usize,
+    },
 }

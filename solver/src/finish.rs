@@ -1,19 +1,26 @@
 //! The last steps: to the precision that double precision allows.
 
-use crate::linear::LinearSolver;
+use faer::Mat;
+
+use crate::feasible::{Face, Polytope};
+use crate::linear::{Factor, Jacobian, LinearSolver};
+use crate::newton;
 use crate::point::Point;
 use crate::scaling::unit_if_zero;
 use crate::system::System;
 use crate::vector::{add, norm, scaled_norm};
 
-/// Most last steps; they converge in two or three or not at all.
+/// Most last steps.
 const MOST: usize = 60;
 
-/// A step this short, relative to `‖D z‖`, changes nothing.
+/// A step this short, relative to each parameter, changes nothing.
 const NO_CHANGE: f64 = 2.0 * f64::EPSILON;
 
 /// Relative rise of the cost that rounding may explain.
 const ROUNDING: f64 = 1e-9;
+
+/// A step that shortens the tangential residual by less than this calls for second derivatives.
+const SLOW: f64 = 0.3;
 
 /// What the Gauss–Newton step says of a point.
 pub(crate) struct Verdict {
@@ -23,12 +30,16 @@ pub(crate) struct Verdict {
     pub tangential: f64,
     /// `‖D p‖ / ‖D z‖` of the undamped step.
     pub relative_step: f64,
+    /// The active constraints, where there are constraints.
+    pub face: Option<Face>,
     step: Option<Vec<f64>>,
+    scale: Vec<f64>,
 }
 
 impl Verdict {
-    /// Solves for the undamped step by pivoted QR of the Jacobian with unit columns.
-    pub fn of(point: &Point) -> Self {
+    /// Solves for the undamped step by pivoted QR of the Jacobian with unit columns, along the
+    /// active constraints.
+    pub fn of(point: &Point, polytope: Option<&Polytope>) -> Self {
         let scale: Vec<f64> = point
             .at
             .jacobian
@@ -36,10 +47,17 @@ impl Verdict {
             .into_iter()
             .map(unit_if_zero)
             .collect();
-        let factor = point.at.jacobian.factor(&scale, LinearSolver::Qr);
+        let face = polytope.map(|p| Face::at(p, &point.z, &point.gradient(), &scale));
         let residuals = &point.at.residuals;
-        let tangential = factor.tangential(residuals);
-        let step = factor.undamped(residuals);
+        let (tangential, step) = match (&face, &point.at.jacobian) {
+            (Some(face), Jacobian::Dense(j)) if !face.active().is_empty() => {
+                solved(&face.factor(j.as_ref()), residuals)
+            }
+            (_, jacobian) => solved(
+                jacobian.factor(&scale, LinearSolver::Qr).as_ref(),
+                residuals,
+            ),
+        };
         let length = step
             .as_ref()
             .map_or(f64::INFINITY, |p| scaled_norm(p, &scale));
@@ -52,33 +70,96 @@ impl Verdict {
             },
             tangential,
             relative_step: if length > 0.0 { length / size } else { 0.0 },
+            face,
             step,
+            scale,
+        }
+    }
+
+    /// Scaled directions that keep to the active constraints.
+    fn directions(&self) -> Mat<f64> {
+        match &self.face {
+            Some(face) => face.directions(),
+            None => Mat::from_fn(self.scale.len(), self.scale.len(), |i, k| {
+                if i == k { 1.0 / self.scale[i] } else { 0.0 }
+            }),
         }
     }
 }
 
-/// Undamped Gauss–Newton steps while they shorten the tangential residual.
+fn solved(factor: &dyn Factor, residuals: &[f64]) -> (f64, Option<Vec<f64>>) {
+    (factor.tangential(residuals), factor.undamped(residuals))
+}
+
+/// Undamped steps while they shorten the tangential residual: Gauss–Newton, and Newton where
+/// Gauss–Newton is slow and second derivatives are there.
 ///
 /// The cost changes by the square of the offset, so double precision stops resolving it at an
 /// offset near 1e-8; the gradient goes on to 1e-15.
-pub(crate) fn polish(system: &dyn System, point: &mut Point, evaluations: &mut usize) -> Verdict {
-    let mut verdict = Verdict::of(point);
+pub(crate) fn polish(
+    system: &dyn System,
+    point: &mut Point,
+    polytope: Option<&Polytope>,
+) -> Verdict {
+    let mut verdict = Verdict::of(point, polytope);
+    let mut hessian: Option<(Mat<f64>, Mat<f64>)> = None;
+    let mut asked = false;
     for _ in 0..MOST {
-        let Some(step) = &verdict.step else { break };
-        if verdict.relative_step <= NO_CHANGE {
-            break;
-        }
-        *evaluations += 1;
-        let Ok(next) = Point::new(system, add(&point.z, 1.0, step)) else {
+        let newton = hessian
+            .as_ref()
+            .and_then(|(b, s)| newton::step(point, b.as_ref(), s));
+        let Some(step) = newton.or_else(|| verdict.step.clone()) else {
             break;
         };
-        let after = Verdict::of(&next);
-        let higher = next.at.cost > point.at.cost * (1.0 + ROUNDING);
-        if higher || after.tangential >= verdict.tangential {
+        if step
+            .iter()
+            .zip(&point.z)
+            .all(|(p, z)| p.abs() <= NO_CHANGE * z.abs())
+        {
             break;
         }
-        *point = next;
+        let next = improved(system, point, &step, polytope, &verdict);
+        let slow = next
+            .as_ref()
+            .is_none_or(|(_, after)| after.tangential > SLOW * verdict.tangential);
+        if slow && !asked && worth_more(&verdict) {
+            asked = true;
+            let directions = verdict.directions();
+            hessian =
+                newton::curvature(system, point, directions.as_ref()).map(|s| (directions, s));
+            if hessian.is_some() && next.is_none() {
+                continue;
+            }
+        }
+        let Some((nearer, after)) = next else { break };
+        *point = nearer;
         verdict = after;
     }
     verdict
+}
+
+/// Whether the offset is far enough from rounding for second derivatives to pay.
+fn worth_more(verdict: &Verdict) -> bool {
+    verdict.offset > 1e-13 && verdict.relative_step > 1e-14
+}
+
+/// The point after a step, if its tangential residual is shorter and its cost no higher.
+fn improved(
+    system: &dyn System,
+    point: &Point,
+    step: &[f64],
+    polytope: Option<&Polytope>,
+    before: &Verdict,
+) -> Option<(Point, Verdict)> {
+    let mut z = add(&point.z, 1.0, step);
+    if let Some(polytope) = polytope {
+        polytope.settle(&mut z);
+        if !polytope.contains(&z) {
+            return None;
+        }
+    }
+    let next = Point::new(system, z).ok()?;
+    let after = Verdict::of(&next, polytope);
+    let higher = next.at.cost > point.at.cost * (1.0 + ROUNDING);
+    (!higher && after.tangential < before.tangential).then_some((next, after))
 }

@@ -1,8 +1,16 @@
 //! The loop, and nothing else: linearise, step, accept or reject.
 
-use crate::descent::{Descent, Local};
-use crate::linear::Factor;
-use crate::options::Options;
+use std::ops::ControlFlow;
+use std::sync::atomic::Ordering;
+use std::time::Instant;
+
+use faer::Mat;
+
+use crate::descent::{Descent, Local, Step};
+use crate::feasible::{Face, Polytope};
+use crate::linear::{Factor, Jacobian};
+use crate::newton;
+use crate::options::{Options, Variant};
 use crate::point::{NotFinite, Point};
 use crate::report::Iteration;
 use crate::scaling::Scaling;
@@ -13,6 +21,9 @@ use crate::vector::{add, norm, scaled_norm};
 /// Relative offset below which the cost no longer tells two points apart (it changes by the square
 /// of the offset) and the last steps are judged by the gradient instead.
 const NEAR: f64 = 1e-6;
+
+/// Steps taken after which a run counts as slow.
+const SLOW: usize = 20;
 
 /// Falls of the cost in a row, each below rounding, after which it counts as flat.
 const FLAT_STEPS: usize = 3;
@@ -28,81 +39,101 @@ pub(crate) enum Stop {
     Flat,
     /// The step limit.
     IterationLimit,
+    /// The time limit.
+    TimeLimit,
+    /// The user.
+    Cancelled,
     /// No step leads down.
     Stalled,
     /// Every step leads to where the problem is not finite.
     NotFinite(NotFinite),
 }
 
-/// A run under way.
+/// Called after every step tried.
+pub(crate) type Watch<'a> = &'a mut dyn FnMut(&Iteration, &[f64]) -> ControlFlow<()>;
+
+/// A run under way, all but the point it stands at.
 pub(crate) struct Run<'a> {
-    /// The problem.
-    pub system: &'a dyn System,
-    /// The best point so far.
-    pub point: Point,
-    /// The steps so far.
-    pub iterations: Vec<Iteration>,
-    /// Jacobians evaluated so far.
-    pub jacobian_evaluations: usize,
+    system: &'a dyn System,
+    polytope: Option<&'a Polytope>,
     options: &'a Options,
+    watch: Watch<'a>,
+    deadline: Option<Instant>,
+    iterations: &'a mut Vec<Iteration>,
     scaling: Scaling,
     descent: Box<dyn Descent>,
     search: Box<dyn Search>,
     flat: usize,
+    taken: usize,
     not_finite: Option<NotFinite>,
+    cancelled: bool,
 }
 
 impl<'a> Run<'a> {
-    /// A run from `start`, which has been linearised once.
-    pub fn new(system: &'a dyn System, start: Point, options: &'a Options) -> Self {
+    /// A run from `start`.
+    pub fn new(
+        system: &'a dyn System,
+        start: &Point,
+        polytope: Option<&'a Polytope>,
+        options: &'a Options,
+        deadline: Option<Instant>,
+        iterations: &'a mut Vec<Iteration>,
+        watch: Watch<'a>,
+    ) -> Self {
         let mut scaling = Scaling::new(start.z.len());
         scaling.update(&start.at.jacobian.column_norms());
-        let search = options
-            .variant
-            .search(scaled_norm(&start.z, scaling.diagonal()));
         Self {
             system,
-            point: start,
-            iterations: Vec::new(),
-            jacobian_evaluations: 1,
+            polytope,
             options,
+            watch,
+            deadline,
+            iterations,
+            descent: options.variant.descent(polytope),
+            search: options
+                .variant
+                .search(scaled_norm(&start.z, scaling.diagonal())),
             scaling,
-            descent: options.variant.descent(),
-            search,
             flat: 0,
+            taken: 0,
             not_finite: None,
+            cancelled: false,
         }
     }
 
-    /// Steps until a reason to stop.
-    pub fn minimise(&mut self) -> Stop {
+    /// Steps until a reason to stop; `point` becomes the best point.
+    pub fn minimise(&mut self, point: &mut Point) -> Stop {
         loop {
-            match self.next_point() {
-                Ok(next) => self.point = next,
+            match self.next_point(point) {
+                Ok(next) => *point = next,
                 Err(stop) => return stop,
             }
             if self.flat >= FLAT_STEPS {
                 return Stop::Flat;
             }
-            self.scaling.update(&self.point.at.jacobian.column_norms());
+            self.scaling.update(&point.at.jacobian.column_norms());
         }
     }
 
-    /// Tries ever smaller steps from the current point until one is taken.
-    fn next_point(&mut self) -> Result<Point, Stop> {
-        let residuals = &self.point.at.residuals;
+    /// Tries ever smaller steps until one is taken.
+    fn next_point(&mut self, point: &Point) -> Result<Point, Stop> {
         let scale = self.scaling.diagonal().to_vec();
-        let point = self.point.clone();
         let factor = point.at.jacobian.factor(&scale, self.options.linear_solver);
-        if factor.tangential(residuals) <= NEAR * norm(residuals) {
+        let local = Local {
+            system: self.system,
+            point,
+            factor: factor.as_ref(),
+            scale: &scale,
+        };
+        if self.tangential(&local) <= NEAR * norm(&point.at.residuals) {
             return Err(Stop::Near);
         }
         self.not_finite = None;
+        let hessian = self.missing_hessian(&local);
         loop {
-            if self.iterations.len() >= self.options.max_iterations {
-                return Err(Stop::IterationLimit);
-            }
-            if let Some(next) = self.attempt(factor.as_ref(), &scale)? {
+            self.limits()?;
+            if let Some(next) = self.attempt(&local, hessian.as_ref())? {
+                self.taken += 1;
                 return Ok(next);
             }
             if self.search.exhausted() {
@@ -111,36 +142,74 @@ impl<'a> Run<'a> {
         }
     }
 
+    /// In a slow run of a variant that uses second derivatives, the part of the Hessian that
+    /// Gauss–Newton leaves out, in scaled directions.
+    fn missing_hessian(&self, local: &Local<'_>) -> Option<Mat<f64>> {
+        let wanted = matches!(
+            self.options.variant,
+            Variant::LevenbergMarquardt { geodesic: true, .. }
+        );
+        if !wanted || self.polytope.is_some() || self.taken < SLOW {
+            return None;
+        }
+        let n = local.scale.len();
+        let directions = Mat::from_fn(n, n, |i, k| if i == k { 1.0 / local.scale[i] } else { 0.0 });
+        newton::curvature(self.system, local.point, directions.as_ref())
+    }
+
+    /// `‖P r‖`, along the active constraints where there are any.
+    fn tangential(&self, local: &Local<'_>) -> f64 {
+        let residuals = &local.point.at.residuals;
+        if let (Some(polytope), Jacobian::Dense(jacobian)) =
+            (self.polytope, &local.point.at.jacobian)
+        {
+            let face = Face::at(
+                polytope,
+                &local.point.z,
+                &local.point.gradient(),
+                local.scale,
+            );
+            if !face.active().is_empty() {
+                return face.factor(jacobian.as_ref()).tangential(residuals);
+            }
+        }
+        local.factor.tangential(residuals)
+    }
+
     /// One step: `Some` if it was taken, `None` if the next has to be smaller.
-    fn attempt(&mut self, factor: &dyn Factor, scale: &[f64]) -> Result<Option<Point>, Stop> {
+    fn attempt(
+        &mut self,
+        local: &Local<'_>,
+        hessian: Option<&Mat<f64>>,
+    ) -> Result<Option<Point>, Stop> {
         let size = self.search.size();
-        let local = Local {
-            system: self.system,
-            point: &self.point,
-            factor,
-            scale,
-        };
-        let Some(step) = self.descent.step(&local, size) else {
-            self.record(f64::INFINITY, size, f64::NAN, false);
+        let Some((step, cost)) = self.better_step(local, size, hessian) else {
             self.search.rejected(Trial {
                 ratio: f64::NAN,
                 length: 0.0,
             });
+            self.record(
+                Iteration {
+                    cost: f64::INFINITY,
+                    lambda: size,
+                    step: 0.0,
+                    accepted: false,
+                },
+                local.point,
+            );
             return Ok(None);
         };
-        let length = scaled_norm(&step.p, scale);
-        if length <= self.options.step_tolerance * scaled_norm(&self.point.z, scale) {
+        let length = scaled_norm(&step.p, local.scale);
+        if length <= self.options.step_tolerance * scaled_norm(&local.point.z, local.scale) {
             return Err(Stop::Step);
         }
-        let z = add(&self.point.z, 1.0, &step.p);
-        let cost = self.system.cost(&z);
-        let fall = self.point.at.cost - cost;
+        let z = self.landing(local.point, &step);
+        let fall = local.point.at.cost - cost;
+        let next = if fall > 0.0 { self.linearize(z) } else { None };
         let trial = Trial {
             ratio: fall / step.predicted,
             length,
         };
-        let next = if fall > 0.0 { self.linearize(z) } else { None };
-        self.record(cost, size, length, next.is_some());
         match next {
             Some(_) => {
                 self.search.accepted(trial);
@@ -149,11 +218,50 @@ impl<'a> Run<'a> {
             }
             None => self.search.rejected(trial),
         }
+        let best = next.as_ref().unwrap_or(local.point);
+        self.record(
+            Iteration {
+                cost,
+                lambda: size,
+                step: length,
+                accepted: next.is_some(),
+            },
+            best,
+        );
         Ok(next)
     }
 
+    /// The step of the descent or, in a slow run, Newton's if that leads lower; with its cost.
+    fn better_step(
+        &self,
+        local: &Local<'_>,
+        size: f64,
+        hessian: Option<&Mat<f64>>,
+    ) -> Option<(Step, f64)> {
+        let cost_of = |step: Step| {
+            let cost = self.system.cost(&self.landing(local.point, &step));
+            (step, cost)
+        };
+        let usual = self.descent.step(local, size).map(cost_of);
+        let newton = hessian
+            .and_then(|s| newton::damped_step(local, s, size))
+            .map(cost_of);
+        match (usual, newton) {
+            (Some(usual), Some(newton)) => Some(if newton.1 < usual.1 { newton } else { usual }),
+            (usual, newton) => usual.or(newton),
+        }
+    }
+
+    /// Where a step leads, exactly on the bounds that it reaches.
+    fn landing(&self, point: &Point, step: &Step) -> Vec<f64> {
+        let mut z = add(&point.z, 1.0, &step.p);
+        if let Some(polytope) = self.polytope {
+            polytope.settle(&mut z);
+        }
+        z
+    }
+
     fn linearize(&mut self, z: Vec<f64>) -> Option<Point> {
-        self.jacobian_evaluations += 1;
         match Point::new(self.system, z) {
             Ok(point) => Some(point),
             Err(place) => {
@@ -163,12 +271,30 @@ impl<'a> Run<'a> {
         }
     }
 
-    fn record(&mut self, cost: f64, lambda: f64, step: f64, accepted: bool) {
-        self.iterations.push(Iteration {
-            cost,
-            lambda,
-            step,
-            accepted,
-        });
+    /// Writes the trace and shows it to the user, whose wish to stop is met before the next step.
+    fn record(&mut self, iteration: Iteration, best: &Point) {
+        self.cancelled |= (self.watch)(&iteration, &best.z).is_break();
+        self.iterations.push(iteration);
+    }
+
+    fn limits(&self) -> Result<(), Stop> {
+        if self.iterations.len() >= self.options.max_iterations {
+            return Err(Stop::IterationLimit);
+        }
+        if self
+            .deadline
+            .is_some_and(|deadline| Instant::now() >= deadline)
+        {
+            return Err(Stop::TimeLimit);
+        }
+        let flagged = self
+            .options
+            .cancel
+            .as_ref()
+            .is_some_and(|flag| flag.load(Ordering::Relaxed));
+        if self.cancelled || flagged {
+            return Err(Stop::Cancelled);
+        }
+        Ok(())
     }
 }

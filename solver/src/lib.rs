@@ -8,12 +8,18 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod blocks;
+mod constraints;
 mod covariance;
 mod descent;
 mod error;
+mod feasible;
 mod finish;
 mod iterate;
 mod linear;
+mod loss;
+mod newton;
+mod observability;
 mod options;
 mod parameters;
 mod point;
@@ -26,12 +32,16 @@ mod solve;
 mod system;
 mod vector;
 
+pub use blocks::{BlockProblem, BlockReport, solve_blocks};
+pub use constraints::{ActiveConstraint, Constraint, Constraints};
 pub use covariance::{Uncertainty, uncertainty};
 pub use error::Error;
 pub use linear::LinearSolver;
+pub use loss::{Loss, LossScale};
 pub use options::{Damping, Options, Variant};
 pub use parameters::{Mask, Parameters};
 pub use report::{Iteration, Report, Termination};
 pub use residual::{Problem, Residual};
 pub use scalar::{Jet, Jet2, LANES, Scalar, lit};
-pub use solve::solve;
+pub use solve::{solve, solve_observed};
+pub use system::Evaluations;

@@ -1,9 +1,16 @@
 //! What a user may choose; the default needs no change.
 
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+use std::time::Duration;
+
 use serde::{Deserialize, Serialize};
 
-use crate::descent::{Damped, Descent, Dogleg, GaussNewton, MinimumNorm};
+use crate::constraints::Constraints;
+use crate::descent::{Constrained, Damped, Descent, Dogleg, GaussNewton, MinimumNorm};
+use crate::feasible::Polytope;
 use crate::linear::LinearSolver;
+use crate::loss::Loss;
 use crate::search::{DelayedGratification, LineSearch, Marquardt, Nielsen, Search, TrustRadius};
 
 /// How `λ` moves in Levenberg–Marquardt.
@@ -86,10 +93,16 @@ impl Variant {
         }
     }
 
-    /// The descent of the variant.
-    pub(crate) fn descent(self) -> Box<dyn Descent> {
+    /// The descent of the variant, within the constraints where the variant knows how.
+    pub(crate) fn descent(self, polytope: Option<&Polytope>) -> Box<dyn Descent> {
         match self {
-            Self::LevenbergMarquardt { geodesic, .. } => Box::new(Damped { geodesic }),
+            Self::LevenbergMarquardt { geodesic, .. } => match polytope {
+                Some(p) => Box::new(Constrained {
+                    polytope: p.clone(),
+                    damped: Damped { geodesic },
+                }),
+                None => Box::new(Damped { geodesic }),
+            },
             Self::Dogleg => Box::new(Dogleg),
             Self::GaussNewton => Box::new(GaussNewton),
             Self::GaussNewtonMinimumNorm => Box::new(MinimumNorm),
@@ -127,6 +140,14 @@ pub struct Options {
     pub gradient_tolerance: f64,
     /// Smallest step `‖D p‖` relative to `‖D x‖`.
     pub step_tolerance: f64,
+    /// Bounds and linear constraints; Levenberg–Marquardt only.
+    pub constraints: Constraints,
+    /// What a residual costs.
+    pub loss: Loss,
+    /// Longest time to spend; looked at before every step.
+    pub time_limit: Option<Duration>,
+    /// Set from another thread, it stops the run before its next step.
+    pub cancel: Option<Arc<AtomicBool>>,
 }
 
 impl Default for Options {
@@ -137,6 +158,10 @@ impl Default for Options {
             max_iterations: 5_000,
             gradient_tolerance: 1e-8,
             step_tolerance: 1e-15,
+            constraints: Constraints::new(),
+            loss: Loss::Quadratic,
+            time_limit: None,
+            cancel: None,
         }
     }
 }

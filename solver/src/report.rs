@@ -1,9 +1,13 @@
 //! How a fit ended.
 
+use std::fmt;
+
 use serde::{Deserialize, Serialize};
 
+use crate::constraints::ActiveConstraint;
 use crate::covariance::Uncertainty;
 use crate::parameters::Parameters;
+use crate::system::Evaluations;
 
 /// Why the solver stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -18,8 +22,58 @@ pub enum Termination {
     Cost,
     /// The step limit was reached.
     IterationLimit,
-    /// No step, however short, lowers the cost.
+    /// The time limit was reached.
+    TimeLimit,
+    /// The callback or the cancellation flag asked to stop.
+    Cancelled,
+    /// No step, however short, lowers the cost, and yet the residual is not orthogonal to the
+    /// Jacobian: a derivative that does not belong to its residual, a kink, or rounding.
     Stalled,
+    /// However short the step, the problem is not finite after it.
+    NotFinite {
+        /// Row of the residual.
+        row: usize,
+        /// Free parameter whose derivative it is, counted among the free ones; `None` if the
+        /// residual itself is not finite.
+        parameter: Option<usize>,
+    },
+}
+
+impl fmt::Display for Termination {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Gradient => write!(f, "converged: the residual is orthogonal to the Jacobian"),
+            Self::Step => write!(
+                f,
+                "converged: the Gauss-Newton step no longer changes the parameters"
+            ),
+            Self::Cost => write!(f, "converged: the cost no longer falls"),
+            Self::IterationLimit => write!(f, "stopped: step limit"),
+            Self::TimeLimit => write!(f, "stopped: time limit"),
+            Self::Cancelled => write!(f, "stopped: cancelled"),
+            Self::Stalled => write!(
+                f,
+                "stalled: no step lowers the cost though the gradient is not zero; \
+                 check the derivatives and look for kinks"
+            ),
+            Self::NotFinite {
+                row,
+                parameter: None,
+            } => {
+                write!(
+                    f,
+                    "stalled: residual {row} is not finite after every step tried"
+                )
+            }
+            Self::NotFinite {
+                row,
+                parameter: Some(k),
+            } => write!(
+                f,
+                "stalled: the derivative of residual {row} by free parameter {k} is not finite after every step tried"
+            ),
+        }
+    }
 }
 
 impl Termination {
@@ -29,12 +83,12 @@ impl Termination {
     }
 }
 
-/// One step of the trace.
+/// One step of the trace, taken or not.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Iteration {
-    /// `½ ‖r‖²` after the step.
+    /// Cost after the step; infinite where it was not evaluated.
     pub cost: f64,
-    /// Damping used.
+    /// Size of the step: the damping, the trust radius or the fraction of the full step.
     pub lambda: f64,
     /// Length of the scaled step.
     pub step: f64,
@@ -47,16 +101,31 @@ pub struct Iteration {
 pub struct Report {
     /// The best parameters found.
     pub parameters: Parameters,
-    /// `½ ‖r‖²` there.
+    /// What was minimised, there: `½ ‖r‖²`, or half the sum of the losses.
     pub cost: f64,
-    /// The residuals there.
+    /// The residuals there, as the problem gives them.
     pub residuals: Vec<f64>,
+    /// Weight of every residual under the loss: 1 where it counts in full, 0 where not at all.
+    pub weights: Vec<f64>,
+    /// The scale of the loss, in the unit of the residuals.
+    pub loss_scale: Option<f64>,
     /// Why the solver stopped.
     pub termination: Termination,
     /// The steps.
     pub iterations: Vec<Iteration>,
     /// Number of Jacobian evaluations.
     pub jacobian_evaluations: usize,
+    /// Number of all evaluations.
+    pub evaluations: Evaluations,
+    /// `‖P r‖ / ‖r‖`, where `P` projects on the columns of the Jacobian (along active constraints).
+    pub relative_offset: f64,
+    /// Length of the Gauss–Newton step that is left, relative to the parameters, both scaled by
+    /// the column norms.
+    pub relative_step: f64,
+    /// Constraints that hold with equality.
+    pub active: Vec<ActiveConstraint>,
+    /// Largest amount by which a constraint is not met.
+    pub infeasibility: f64,
     /// Covariance, rank and condition at the solution.
     pub uncertainty: Uncertainty,
 }
@@ -64,10 +133,10 @@ pub struct Report {
 impl Report {
     /// Root mean square of the residuals.
     pub fn rms(&self) -> f64 {
-        (2.0 * self.cost / self.residuals.len() as f64).sqrt()
+        (self.residuals.iter().map(|r| r * r).sum::<f64>() / self.residuals.len() as f64).sqrt()
     }
 
-    /// `‖r‖² / (m − rank)`, or `None` without a spare residual.
+    /// `2 cost / (m − rank)`, or `None` without a spare residual.
     pub fn reduced_chi2(&self) -> Option<f64> {
         let dof = self.residuals.len().checked_sub(self.uncertainty.rank)?;
         (dof > 0).then(|| 2.0 * self.cost / dof as f64)

@@ -2,7 +2,7 @@
 
 /// What is left of an old norm per step. Moré keeps all of it; a column that was huge far from the
 /// solution then holds its parameter back for ever (MGH10 from its first start passes 1e49).
-const MEMORY: f64 = 0.5;
+const MEMORY: f64 = 0.9;
 
 /// `D`, the largest norm each column of the Jacobian has had of late.
 ///

@@ -1,20 +1,34 @@
 //! A problem in its free parameters: what the loop works on.
 
+use std::cell::Cell;
+
+use serde::{Deserialize, Serialize};
+
 use crate::linear::{Jacobian, Linearization};
 use crate::parameters::{Mask, Parameters};
 use crate::residual::Problem;
 use crate::vector::half_square;
 
-/// Cost, linearisation and curvature at free parameters `z` (`n`).
+/// Residuals, linearisation and curvature at free parameters `z` (`n`).
 pub(crate) trait System {
-    /// What is minimised, at `z`; infinite where a residual is not finite.
-    fn cost(&self, z: &[f64]) -> f64;
+    /// `r(z)` (`m`).
+    fn residuals(&self, z: &[f64]) -> Vec<f64>;
+
+    /// What is minimised, from residuals; infinite where one is not finite.
+    fn cost_of(&self, residuals: &[f64]) -> f64 {
+        half_square(residuals)
+    }
 
     /// Residuals, cost and Jacobian at `z`; entries may be infinite or not a number.
     fn linearize(&self, z: &[f64]) -> Linearization;
 
     /// `d²/dt² r(z + t·v)` at `t = 0`, where the problem offers it.
     fn second_derivative(&self, z: &[f64], v: &[f64]) -> Option<Vec<f64>>;
+
+    /// What is minimised, at `z`.
+    fn cost(&self, z: &[f64]) -> f64 {
+        self.cost_of(&self.residuals(z))
+    }
 }
 
 /// A [`Problem`] with a dense Jacobian and some parameters held.
@@ -53,10 +67,10 @@ impl<'a> Dense<'a> {
 }
 
 impl System for Dense<'_> {
-    fn cost(&self, z: &[f64]) -> f64 {
+    fn residuals(&self, z: &[f64]) -> Vec<f64> {
         let mut residuals = Vec::new();
         self.problem.values(&self.embed(z), &mut residuals);
-        half_square(&residuals)
+        residuals
     }
 
     fn linearize(&self, z: &[f64]) -> Linearization {
@@ -79,5 +93,64 @@ impl System for Dense<'_> {
             .problem
             .second_derivative(&self.embed(z), &direction, &mut out);
         (offered && out.iter().all(|v| v.is_finite())).then_some(out)
+    }
+}
+
+/// How often the problem was evaluated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Evaluations {
+    /// Residuals alone.
+    pub residuals: usize,
+    /// Residuals with their Jacobian.
+    pub jacobians: usize,
+    /// Second derivatives along one direction.
+    pub second_derivatives: usize,
+}
+
+/// A system that counts.
+pub(crate) struct Counted<'a> {
+    inner: &'a dyn System,
+    count: Cell<Evaluations>,
+}
+
+impl<'a> Counted<'a> {
+    /// Nothing counted yet.
+    pub fn new(inner: &'a dyn System) -> Self {
+        Self {
+            inner,
+            count: Cell::default(),
+        }
+    }
+
+    /// The count so far.
+    pub fn evaluations(&self) -> Evaluations {
+        self.count.get()
+    }
+
+    fn add(&self, one: impl FnOnce(&mut Evaluations)) {
+        let mut count = self.count.get();
+        one(&mut count);
+        self.count.set(count);
+    }
+}
+
+impl System for Counted<'_> {
+    fn residuals(&self, z: &[f64]) -> Vec<f64> {
+        self.add(|count| count.residuals += 1);
+        self.inner.residuals(z)
+    }
+
+    fn cost_of(&self, residuals: &[f64]) -> f64 {
+        self.inner.cost_of(residuals)
+    }
+
+    fn linearize(&self, z: &[f64]) -> Linearization {
+        self.add(|count| count.jacobians += 1);
+        self.inner.linearize(z)
+    }
+
+    fn second_derivative(&self, z: &[f64], v: &[f64]) -> Option<Vec<f64>> {
+        self.add(|count| count.second_derivatives += 1);
+        self.inner.second_derivative(z, v)
     }
 }

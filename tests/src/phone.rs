@@ -3,8 +3,7 @@
 use std::path::PathBuf;
 
 use calib::Recording;
-use calib::recording::Stream;
-use nalgebra::Vector3;
+use calib::recording::ReadOptions;
 
 /// The folder of the phone recordings: `$STILLPOINT_DATA/phone`, by default beside the workspace
 /// (`../shared/data/phone`); prints that the test is skipped and gives `None` where it is missing.
@@ -26,31 +25,10 @@ pub fn folder() -> Option<PathBuf> {
 /// # Errors
 /// What the reader says.
 pub fn recording(name: &str) -> Result<Recording, calib::Error> {
-    let folder = folder().unwrap_or_default().join(name);
-    Ok(Recording {
-        name: name.into(),
-        accelerometer: Some(stream(folder.join("acc.csv"))),
-        gyroscope: Some(stream(folder.join("gyro.csv"))),
-        ..Recording::default()
-    })
-}
-
-fn stream(path: PathBuf) -> Stream {
-    let mut stream = Stream::default();
-    for line in std::fs::read_to_string(path)
-        .unwrap_or_default()
-        .lines()
-        .skip(1)
-    {
-        let n: Vec<f64> = line.split(',').filter_map(|v| v.parse().ok()).collect();
-        if let [t, x, y, z] = n[..] {
-            if stream.t.last().is_none_or(|&last| t > last) {
-                stream.t.push(t);
-                stream.values.push(Vector3::new(x, y, z));
-            }
-        }
-    }
-    stream
+    let path = folder().unwrap_or_default().join(name);
+    let mut recording = Recording::read(&path, &ReadOptions::default())?;
+    recording.name = name.into();
+    Ok(recording)
 }
 
 /// A number of `golden.json` or another JSON file of the folder, by its JSON pointer.

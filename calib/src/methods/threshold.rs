@@ -3,6 +3,7 @@
 
 use serde::Serialize;
 use solver::{Options, solve};
+use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::first_guess::accelerometer_unit;
 use super::static_means;
@@ -13,6 +14,10 @@ use crate::residuals::{GravityNorm, StaticMean};
 
 /// The multipliers tried.
 pub const MULTIPLIERS: [f64; 12] = [3.0, 1e1, 3e1, 1e2, 3e2, 1e3, 3e3, 1e4, 3e4, 1e5, 3e5, 1e6];
+
+/// Multipliers are compared by the upper end of what their residual may be, so that a small one from
+/// two spare placements does not beat one from twelve: one-sided confidence.
+const CONFIDENCE: f64 = 0.9;
 
 /// Fits within this factor of the best are as good.
 const AS_GOOD: f64 = 1.1;
@@ -29,6 +34,8 @@ pub struct Trial {
     pub static_intervals: usize,
     /// `√(Σ r² / (n − rank))` of the moduli of gravity, m/s²; `None` where they are too few.
     pub residual: Option<f64>,
+    /// Upper 90 % confidence limit of the residual, m/s².
+    pub upper: Option<f64>,
 }
 
 /// A segmentation and how its multiplier was chosen.
@@ -64,15 +71,32 @@ pub fn choose_multiplier(
 }
 
 fn trial(recording: &Recording, segmentation: &Segmentation, gravity: f64) -> Trial {
+    let scatter = residual(&static_means(recording, segmentation), gravity);
     Trial {
         multiplier: segmentation.multiplier,
         static_intervals: segmentation.statics.len(),
-        residual: residual(&static_means(recording, segmentation), gravity),
+        residual: scatter.map(|s| s.residual),
+        upper: scatter.and_then(|s| s.upper()),
+    }
+}
+
+/// A residual per degree of freedom.
+#[derive(Clone, Copy)]
+struct Scatter {
+    residual: f64,
+    spare: usize,
+}
+
+impl Scatter {
+    /// Upper confidence limit: `r √(ν / χ²_ν(1 − confidence))`.
+    fn upper(&self) -> Option<f64> {
+        let law = ChiSquared::new(self.spare as f64).ok()?;
+        Some(self.residual * (self.spare as f64 / law.inverse_cdf(1.0 - CONFIDENCE)).sqrt())
     }
 }
 
 /// The scatter of gravity's modulus around the nine-parameter fit.
-fn residual(means: &[StaticMean], gravity: f64) -> Option<f64> {
+fn residual(means: &[StaticMean], gravity: f64) -> Option<Scatter> {
     let raw: Vec<_> = means.iter().map(|m| m.raw).collect();
     let unit = accelerometer_unit(&raw, gravity)?;
     let near_si: Vec<StaticMean> = means
@@ -92,16 +116,17 @@ fn residual(means: &[StaticMean], gravity: f64) -> Option<f64> {
     let mask = start.free_where(accelerometer::is_free_in_triangular_frame);
     let spare = means.len().checked_sub(mask.free_indices().len())?;
     let report = (spare >= MIN_SPARE).then(|| solve(&problem, &start, &mask, &Options::default()));
-    report?.ok()?.reduced_chi2().map(f64::sqrt)
+    let residual = report?.ok()?.reduced_chi2()?.sqrt();
+    Some(Scatter { residual, spare })
 }
 
 /// The middle of the longest run of good trials with one number of intervals.
 fn plateau(trials: &[Trial]) -> Option<usize> {
     let best = trials
         .iter()
-        .filter_map(|t| t.residual)
+        .filter_map(|t| t.upper)
         .min_by(f64::total_cmp)?;
-    let good = |t: &Trial| t.residual.is_some_and(|r| r <= AS_GOOD * best);
+    let good = |t: &Trial| t.upper.is_some_and(|r| r <= AS_GOOD * best);
     let mut longest = 0..0;
     let mut from = 0;
     for k in 0..trials.len() {
@@ -128,6 +153,7 @@ mod tests {
                 multiplier: 1.0,
                 static_intervals,
                 residual: (r > 0.0).then_some(r),
+                upper: (r > 0.0).then_some(r),
             })
             .collect()
     }
@@ -144,6 +170,19 @@ mod tests {
             (13, 9.0),
         ];
         assert_eq!(plateau(&trials(&rows)), Some(3));
+    }
+
+    #[test]
+    fn a_small_residual_from_few_placements_does_not_beat_one_from_many() {
+        let few = Scatter {
+            residual: 1.8,
+            spare: 2,
+        };
+        let many = Scatter {
+            residual: 2.4,
+            spare: 12,
+        };
+        assert!(few.upper().unwrap() > many.upper().unwrap());
     }
 
     #[test]

@@ -1,7 +1,5 @@
 //! Overlapping Allan deviation, streamed in bounded memory.
 
-use crate::recording::Stream;
-
 /// Lags (in strides) that one level of the cascade holds; up to this averaging factor the estimate
 /// is the textbook one, overlapping at every sample.
 const LONGEST_LAG: usize = 4096;
@@ -48,32 +46,6 @@ impl AllanCurve {
         let mut accumulator = AllanAccumulator::new();
         samples.into_iter().for_each(|y| accumulator.push(y));
         accumulator.finish(step)
-    }
-
-    /// The curves of the three axes of a stream.
-    ///
-    /// No difference reaches across a gap (a step longer than one and a half median steps), and
-    /// gaps do not count in the sampling interval. `None` with fewer than two samples.
-    pub fn of_stream(stream: &Stream) -> Option<[Self; 3]> {
-        let limit = 1.5 * stream.median_step()?;
-        let mut axes = [(); 3].map(|()| AllanAccumulator::new());
-        let (mut time, mut steps) = (0.0, 0_usize);
-        for (k, value) in stream.values.iter().enumerate() {
-            if k > 0 {
-                let step = stream.t[k] - stream.t[k - 1];
-                if step > limit {
-                    axes.iter_mut().for_each(AllanAccumulator::gap);
-                } else {
-                    time += step;
-                    steps += 1;
-                }
-            }
-            for (axis, y) in axes.iter_mut().zip(value.iter()) {
-                axis.push(*y);
-            }
-        }
-        let step = time / steps as f64;
-        (steps > 0).then(|| axes.map(|axis| axis.finish(step)))
     }
 
     /// The point with averaging factor `m`.
@@ -172,7 +144,7 @@ impl AllanAccumulator {
     /// Hands the integral after `n` samples to the levels whose stride divides `n`.
     fn feed(&mut self, n: usize) {
         for level in &mut self.levels {
-            if n % level.stride != 0 {
+            if !n.is_multiple_of(level.stride) {
                 break;
             }
             level.push(self.phase);

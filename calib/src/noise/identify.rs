@@ -1,6 +1,7 @@
 //! Which noise terms a recording shows, and how well it knows them.
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::allan::{AllanCurve, AllanPoint};
 use super::covariance::{PairCovariance, variance};
@@ -9,6 +10,15 @@ use super::term::NoiseTerm;
 
 /// Rounds of weighting by the scatter that the last fit implies.
 const ROUNDS: usize = 8;
+
+/// Level at which the five terms are taken to miss the curve.
+const MISFIT_LEVEL: f64 = 0.01;
+
+/// Where the relative model error is looked for.
+const MODEL_ERRORS: (f64, f64) = (1e-4, 3.0);
+
+/// Bisections for it, on its logarithm.
+const BISECTIONS: usize = 20;
 
 /// Octaves below which five terms cannot be told apart.
 const FEWEST_POINTS: usize = 6;
@@ -46,8 +56,9 @@ impl Estimate {
 pub struct NoiseTerms {
     /// In the order of [`NoiseTerm::ALL`].
     pub estimates: [Estimate; 5],
-    /// Misfit over degrees of freedom of the octaves fitted: near 1 where the five terms suffice.
-    pub reduced_chi2: f64,
+    /// Relative misfit of `σ²` that the five terms leave beyond their scatter (a filter or a
+    /// resonance of the sensor, say); zero where they suffice. The intervals include it.
+    pub model_error: f64,
     /// Longest averaging time fitted, s.
     pub longest_tau: f64,
     samples: usize,
@@ -91,15 +102,17 @@ impl NoiseTerms {
 /// Generalised least squares of `σ²(τ)` with the full covariance of the overlapping estimates, which
 /// depends on the terms and is iterated; squared coefficients are held at or above zero. The
 /// intervals do not assume that any term is absent: they come from the fit of all five with either
-/// sign, so that two terms that this recording cannot tell apart both have wide ones.
+/// sign, so that two terms that this recording cannot tell apart both have wide ones. An upper end
+/// is never below what the recording could have seen (one standard error).
+///
+/// Where the five terms miss the curve by more than it scatters (at the 1 % level), every point gets
+/// the relative model error that makes the misfit as large as expected.
 ///
 /// `None` with fewer than six octaves (about 256 samples), or where the signal never changes.
 pub fn identify(curve: &AllanCurve) -> Option<NoiseTerms> {
-    let octaves = Octaves::of(curve)?;
-    let mut theta = octaves.first_guess();
-    for _ in 0..ROUNDS {
-        theta = octaves.weighted(&theta)?.nonnegative(None);
-    }
+    let mut octaves = Octaves::of(curve)?;
+    octaves.fit_model_error();
+    let theta = octaves.settle()?;
     let fit = octaves.weighted(&theta)?;
     let theta = fit.nonnegative(None);
     let estimates = NoiseTerm::ALL.map(|term| {
@@ -120,17 +133,24 @@ pub fn identify(curve: &AllanCurve) -> Option<NoiseTerms> {
     });
     Some(NoiseTerms {
         estimates,
-        reduced_chi2: fit.chi2(&theta) / octaves.freedom(&theta),
+        model_error: octaves.model_error,
         longest_tau: octaves.points.last()?.tau,
         samples: curve.samples,
         step: curve.step,
     })
 }
 
+/// The χ² above which a misfit is no accident.
+fn limit(freedom: f64) -> f64 {
+    ChiSquared::new(freedom).map_or(f64::INFINITY, |law| law.inverse_cdf(1.0 - MISFIT_LEVEL))
+}
+
 /// The points fitted, and how they scatter together.
 struct Octaves {
     points: Vec<AllanPoint>,
     covariance: Vec<Vec<PairCovariance>>,
+    /// Standard deviation of the model itself, relative to `σ²`.
+    model_error: f64,
 }
 
 impl Octaves {
@@ -157,7 +177,11 @@ impl Octaves {
                     .collect()
             })
             .collect();
-        Some(Self { points, covariance })
+        Some(Self {
+            points,
+            covariance,
+            model_error: 0.0,
+        })
     }
 
     /// White noise through the first point: a start that every sensor is near at short times.
@@ -168,6 +192,39 @@ impl Octaves {
             *theta = self.points.iter().map(share).fold(f64::INFINITY, f64::min) / 5.0;
         }
         theta
+    }
+
+    /// The squared coefficients, weighted by the scatter that they imply.
+    fn settle(&self) -> Option<[f64; 5]> {
+        let mut theta = self.first_guess();
+        for _ in 0..ROUNDS {
+            theta = self.weighted(&theta)?.nonnegative(None);
+        }
+        Some(theta)
+    }
+
+    /// Finds the smallest model error that explains the misfit.
+    fn fit_model_error(&mut self) {
+        if self
+            .misfit()
+            .is_none_or(|(chi2, freedom)| chi2 <= limit(freedom))
+        {
+            return;
+        }
+        let (mut low, mut high) = MODEL_ERRORS;
+        for _ in 0..BISECTIONS {
+            self.model_error = (low * high).sqrt();
+            match self.misfit() {
+                Some((chi2, freedom)) if chi2 < freedom => high = self.model_error,
+                _ => low = self.model_error,
+            }
+        }
+    }
+
+    /// χ² of the fit and its degrees of freedom.
+    fn misfit(&self) -> Option<(f64, f64)> {
+        let theta = self.settle()?;
+        Some((self.weighted(&theta)?.chi2(&theta), self.freedom(&theta)))
     }
 
     fn freedom(&self, theta: &[f64; 5]) -> f64 {
@@ -186,7 +243,11 @@ impl Octaves {
     /// The problem with the scatter that `theta` implies.
     fn weighted(&self, theta: &[f64; 5]) -> Option<Weighted<'_>> {
         let scale: Vec<f64> = self.points.iter().map(|p| variance(p.tau, theta)).collect();
-        let root = Cholesky::new(self.matrix(theta, &scale))?;
+        let mut matrix = self.matrix(theta, &scale);
+        for k in 0..scale.len() {
+            matrix[(k, k)] += self.model_error.powi(2);
+        }
+        let root = Cholesky::new(matrix)?;
         let lower = root.l();
         let n = self.points.len();
         let design = DMatrix::from_fn(n, 5, |i, k| {

@@ -64,7 +64,7 @@ fn quantile(probability: f64, skew: f64) -> f64 {
     let freedom = 8.0 / (skew * skew);
     let normal = Normal::standard().inverse_cdf(probability);
     // Above a thousand degrees of freedom the first correction to the normal is exact to 1e-3.
-    if !(freedom <= 1e3) {
+    if freedom > 1e3 || freedom.is_nan() {
         return normal + skew * (normal * normal - 1.0) / 6.0;
     }
     match ChiSquared::new(freedom) {

@@ -7,13 +7,19 @@
 
 mod allan;
 mod covariance;
+mod curves;
 mod identify;
 mod interval;
+mod long_csv;
 mod settling;
+mod summary;
 mod term;
 
 pub use allan::{AllanAccumulator, AllanCurve, AllanPoint};
+pub use curves::{RecordingCurves, SensorAccumulator, SensorCurves};
 pub use identify::{Estimate, NoiseTerms, identify};
 pub use interval::Interval;
+pub use long_csv::curves_of_long_csv;
 pub use settling::settling_time;
+pub use summary::{AxisNoise, CurvePoint, NOISE_SCHEMA, NoiseSummary, SensorNoise, TermValue};
 pub use term::NoiseTerm;

@@ -31,6 +31,8 @@ pub struct Track {
     pub velocity: Vec<Vector3<f64>>,
     /// Position since the start of the motion, m.
     pub position: Vec<Vector3<f64>>,
+    /// The axis that points up (unit).
+    pub up: Vector3<f64>,
     /// Modulus of the specific force in the rest before, m/s².
     pub gravity: f64,
     /// Velocity at the end before any correction, m/s.
@@ -43,6 +45,13 @@ impl Track {
     /// Where the motion ended, m.
     pub fn displacement(&self) -> Vector3<f64> {
         self.position.last().copied().unwrap_or_else(Vector3::zeros)
+    }
+
+    /// How far the motion went in the horizontal plane, and how far up, m.
+    pub fn distance(&self) -> (f64, f64) {
+        let end = self.displacement();
+        let height = end.dot(&self.up);
+        ((end - self.up * height).norm(), height)
     }
 }
 
@@ -112,6 +121,7 @@ pub fn reckon(
         t: t.to_vec(),
         velocity,
         position,
+        up,
         gravity: rest.norm(),
         end_velocity,
         end_tilt,

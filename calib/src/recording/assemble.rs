@@ -1,15 +1,17 @@
 //! Tables to a recording: seconds, SI units, order, and what is worth a warning.
 
+use std::collections::HashSet;
+
 use sensor::Sensor;
 
-use super::checks;
 use super::options::ReadOptions;
 use super::place::in_file;
 use super::samples::Samples;
 use super::table::Table;
 use super::time;
-use super::units::{AccelUnit, GyroUnit, TemperatureUnit};
+use super::units::TemperatureUnit;
 use super::{Recording, Stream, Temperature};
+use super::{checks, decide, held, values};
 use crate::Error;
 
 /// The recording called `name` that `tables`, on one clock, hold.
@@ -22,12 +24,31 @@ pub(super) fn assemble(
         name,
         ..Recording::default()
     };
+    for Table {
+        name, accel, gyro, ..
+    } in &mut tables
+    {
+        for samples in [accel, gyro] {
+            if options.sort_time {
+                *samples = std::mem::take(samples).sort();
+            }
+            checks::order(name, samples, &mut recording.warnings)?;
+        }
+    }
     if options.rate.is_none() {
         time::to_seconds(&mut tables, options, &mut recording.warnings)?;
     } else if tables.iter().any(|table| table.has_time) {
         let words = "--rate was given: time stamps are ignored".to_owned();
         recording.warnings.push(words);
     }
+    let unused: Vec<String> = tables
+        .iter()
+        .flat_map(|table| table.unused.clone())
+        .collect();
+    let unused = match unused.len() {
+        0 => String::new(),
+        _ => format!(" (columns not used: `{}`)", unused.join("`, `")),
+    };
     for table in tables {
         add(&mut recording, table, options)?;
     }
@@ -43,9 +64,14 @@ pub(super) fn assemble(
         ),
     ] {
         if !present {
-            recording.warnings.push(missing.to_owned());
+            recording.warnings.push(format!("{missing}{unused}"));
         }
     }
+    // What is true of a row is true of both sensors in it, but said once.
+    let mut said = HashSet::new();
+    recording
+        .warnings
+        .retain(|warning| said.insert(warning.clone()));
     Ok(recording)
 }
 
@@ -58,16 +84,10 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
             &name,
             Sensor::Accelerometer,
             table.accel,
-            options,
             &mut recording.warnings,
         )?;
-        let unit = checks::accel_unit(&name, &stream, stated, &mut recording.warnings)?;
+        let unit = decide::accel_unit(&name, &stream, stated, &mut recording.warnings)?;
         recording.accelerometer = Some(scaled(stream, unit.scale()));
-        if unit == AccelUnit::Counts && stated.is_some() {
-            recording
-                .warnings
-                .push(format!("{name}: accelerometer kept in raw counts"));
-        }
     }
     if !table.gyro.t.is_empty() {
         let stated = options.gyro_unit.or(table.stated.gyro);
@@ -75,16 +95,10 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
             &name,
             Sensor::Gyroscope,
             table.gyro,
-            options,
             &mut recording.warnings,
         )?;
-        let unit = checks::gyro_unit(&name, &stream, stated, &mut recording.warnings);
+        let unit = decide::gyro_unit(&name, &stream, stated, &mut recording.warnings);
         recording.gyroscope = Some(scaled(stream, unit.scale()));
-        if unit == GyroUnit::Counts && stated.is_some() {
-            recording
-                .warnings
-                .push(format!("{name}: gyroscope kept in raw counts"));
-        }
     }
     if !table.temperature.is_empty() {
         let unit = table.stated.temperature.unwrap_or(TemperatureUnit::Celsius);
@@ -99,26 +113,26 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
     Ok(())
 }
 
-/// The stream of one sensor, in the file's unit: in order, checked, held values removed.
+/// The stream of one sensor, in the file's unit: checked, held values removed.
 fn finish(
     name: &str,
     sensor: Sensor,
     samples: Samples,
-    options: &ReadOptions,
     warnings: &mut Vec<String>,
 ) -> Result<Stream, Error> {
-    let samples = if options.sort_time {
-        samples.sort()
-    } else {
-        samples
-    };
-    checks::order(name, &samples, warnings)?;
-    checks::values(name, sensor, &samples, warnings)?;
+    if !samples.t.windows(2).all(|pair| pair[0] < pair[1]) {
+        return Err(in_file(
+            name,
+            "time stamps too large to tell apart in seconds",
+        ));
+    }
+    values::check(name, sensor, &samples, warnings)?;
     let stream = Stream {
         t: samples.t,
         values: samples.values,
     };
-    let stream = checks::without_held(name, sensor, stream, warnings);
+    let stream = held::without_held(name, sensor, stream, warnings);
+    checks::bursts(name, sensor, &stream, warnings);
     checks::gaps(name, sensor, &stream, warnings);
     Ok(stream)
 }

@@ -1,11 +1,10 @@
-//! What samples tell about the recording: refused, or worth a warning.
+//! Stamps and temperatures that are refused, or worth a warning.
 
 use sensor::Sensor;
 
 use super::Stream;
 use super::place::in_file;
 use super::samples::Samples;
-use super::units::{AccelUnit, GyroUnit};
 use crate::Error;
 
 /// Repeated rows and equal stamps.
@@ -46,24 +45,21 @@ pub(super) fn order(
     Ok(())
 }
 
-/// Stuck axes and absurd sizes.
-pub(super) fn values(
-    _name: &str,
-    _sensor: Sensor,
-    _samples: &Samples,
-    _warnings: &mut Vec<String>,
-) -> Result<(), Error> {
-    Ok(())
-}
-
-/// The stream without values that a slower sensor merely held.
-pub(super) fn without_held(
-    _name: &str,
-    _sensor: Sensor,
-    stream: Stream,
-    _warnings: &mut Vec<String>,
-) -> Stream {
-    stream
+/// Stamps of arrival instead of sampling: most steps far shorter than the mean.
+pub(super) fn bursts(name: &str, sensor: Sensor, stream: &Stream, warnings: &mut Vec<String>) {
+    let (Some(median), [first, .., last]) = (stream.median_step(), &stream.t[..]) else {
+        return;
+    };
+    let gaps = stream.gaps();
+    let missing: f64 = gaps.iter().map(|gap| gap.t1 - gap.t0).sum();
+    let mean = (last - first - missing) / (stream.len() - 1 - gaps.len()).max(1) as f64;
+    if median < mean / 2.0 {
+        warnings.push(format!(
+            "{name}: stamps of the {} come in bursts (median step {median:.4} s, mean {mean:.4} s), as of arrival; --rate {:.1} reads the rows as evenly spaced",
+            called(sensor),
+            1.0 / mean
+        ));
+    }
 }
 
 /// Interruptions.
@@ -84,31 +80,12 @@ pub(super) fn gaps(name: &str, sensor: Sensor, stream: &Stream, warnings: &mut V
     }
 }
 
+/// The sensor in words.
 pub(super) fn called(sensor: Sensor) -> &'static str {
     match sensor {
         Sensor::Accelerometer => "accelerometer",
         Sensor::Gyroscope => "gyroscope",
     }
-}
-
-/// The accelerometer's unit: stated, or told by the size of gravity.
-pub(super) fn accel_unit(
-    _name: &str,
-    _stream: &Stream,
-    stated: Option<AccelUnit>,
-    _warnings: &mut Vec<String>,
-) -> Result<AccelUnit, Error> {
-    Ok(stated.unwrap_or(AccelUnit::MetresPerSecondSquared))
-}
-
-/// The gyroscope's unit: stated, or rad/s.
-pub(super) fn gyro_unit(
-    _name: &str,
-    _stream: &Stream,
-    stated: Option<GyroUnit>,
-    _warnings: &mut Vec<String>,
-) -> GyroUnit {
-    stated.unwrap_or(GyroUnit::RadiansPerSecond)
 }
 
 /// True if the readings can be temperatures in °C.

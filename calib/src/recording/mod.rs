@@ -9,21 +9,27 @@
 mod assemble;
 mod checks;
 mod clock;
+mod decide;
 mod decode;
 mod dialect;
 pub mod formats;
 mod header;
+mod held;
 mod lines;
+mod names;
 mod number;
 mod options;
 pub(crate) mod place;
+mod rows;
 mod samples;
 mod sniff;
 mod source;
 mod stream;
+mod suggest;
 mod table;
 mod time;
 mod units;
+mod values;
 mod write;
 
 use std::path::Path;

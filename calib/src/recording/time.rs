@@ -50,16 +50,17 @@ fn unit(
         return Ok(unit);
     }
     let step = usual_step(table);
-    if let Some(unit) = table.clock.origin.and_then(of_epoch) {
+    let Some(step) = step else {
+        return Ok(TimeUnit::Seconds);
+    };
+    let plausible = |unit: &TimeUnit| (1.0..=10_000.0).contains(&(unit.per_second() / step));
+    // A counter of microseconds looks like seconds of this century after half an hour: its rate tells.
+    if let Some(unit) = table.clock.origin.and_then(of_epoch).filter(plausible) {
         if unit != TimeUnit::Seconds {
             warnings.push(decided(table, unit, "stamps are of this century"));
         }
         return Ok(unit);
     }
-    let Some(step) = step else {
-        return Ok(TimeUnit::Seconds);
-    };
-    let plausible = |unit: &TimeUnit| (1.0..=10_000.0).contains(&(unit.per_second() / step));
     if plausible(&TimeUnit::Seconds) {
         if step == 1.0 {
             warnings.push(format!(
@@ -95,12 +96,12 @@ fn decided(table: &Table, unit: TimeUnit, why: &str) -> String {
     )
 }
 
-/// The unit in which `stamp` lies between 2001 and 2106.
+/// The unit in which `stamp` lies between 2001 and 2100.
 fn of_epoch(stamp: i64) -> Option<TimeUnit> {
-    let year_2001_to_2106 = 978_307_200.0..4_294_967_296.0;
+    let years = 978_307_200.0..4_102_444_800.0;
     TimeUnit::ALL
         .into_iter()
-        .find(|u| year_2001_to_2106.contains(&(stamp as f64 / u.per_second())))
+        .find(|u| years.contains(&(stamp as f64 / u.per_second())))
 }
 
 /// The median step of the sensor with more samples.

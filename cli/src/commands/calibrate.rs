@@ -14,6 +14,7 @@ use clap::ValueEnum;
 use nalgebra::Vector3;
 
 use super::inputs::{DetectorArgs, as_paths, read, read_pair, spinner};
+use super::six_position;
 use crate::exit::{Failure, GATE, USAGE};
 use crate::output::Output;
 use crate::read_args::ReadArgs;
@@ -51,6 +52,9 @@ pub struct Args {
     /// How to calibrate
     #[arg(long, value_enum, default_value_t = Method::Stepwise)]
     method: Method,
+    /// With `--method six-position`: correct by `I - M` as published, not by the inverse of `I + M`
+    #[arg(long)]
+    first_order: bool,
     /// Effects to fit on top of the base models, such as gyro_g_sensitivity
     #[arg(long, value_name = "A,B", value_delimiter = ',')]
     effects: Vec<String>,
@@ -96,6 +100,8 @@ pub struct Args {
 enum Method {
     /// Accelerometer first, then the gyroscope by propagated gravity (Liu et al. 2021)
     Stepwise,
+    /// Each axis once up and once down, from six recordings or one
+    SixPosition,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -142,6 +148,19 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         None => None,
     };
     let recordings = recordings(args)?;
+    if let Method::SixPosition = args.method {
+        let (detector, gravity) = (request.detector, request.gravity);
+        let (first_order, json) = (args.first_order, args.json);
+        let recordings = &recordings;
+        return six_position::run(six_position::Call {
+            recordings,
+            detector,
+            gravity,
+            first_order,
+            json,
+            output,
+        });
+    }
     let gyro_recordings = args
         .gyro_recording
         .iter()
@@ -200,7 +219,6 @@ fn request(args: &Args) -> Result<Request, Failure> {
         Some(path) => read_static_means(path)?,
         None => Vec::new(),
     };
-    let Method::Stepwise = args.method;
     Ok(Request {
         gravity: args.gravity,
         detector,

@@ -1,11 +1,18 @@
 //! One file per command.
 
+mod allan;
 mod apply;
+mod bias;
 mod calibrate;
 mod demo;
+mod effects;
 mod evaluate;
 mod inputs;
+mod pictures;
+mod reckon;
 mod segment;
+mod simulate;
+mod six_position;
 
 use clap::Subcommand;
 
@@ -18,7 +25,12 @@ pub enum Command {
     Calibrate(Box<calibrate::Args>),
     Segment(segment::Args),
     Apply(apply::Args),
+    Allan(allan::Args),
+    Bias(bias::Args),
+    Reckon(Box<reckon::Args>),
     Evaluate(evaluate::Args),
+    Simulate(simulate::Args),
+    Effects(effects::Args),
 }
 
 /// Runs a command.
@@ -28,6 +40,11 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Calibrate(args) => calibrate::run(&args),
         Command::Segment(args) => segment::run(&args),
         Command::Apply(args) => apply::run(&args),
+        Command::Allan(args) => allan::run(&args),
+        Command::Bias(args) => bias::run(&args),
+        Command::Reckon(args) => reckon::run(&args),
         Command::Evaluate(args) => evaluate::run(&args),
+        Command::Simulate(args) => simulate::run(&args),
+        Command::Effects(args) => effects::run(&args),
     }
 }

@@ -1,7 +1,7 @@
 //! An axis: its label with a unit, its scale, its ticks.
 
 /// Ticks wanted on a linear axis.
-const TICKS: f64 = 6.0;
+const TICKS: f64 = 9.0;
 
 /// Decades above which only some are labelled.
 const LABELLED_DECADES: i32 = 9;
@@ -164,8 +164,8 @@ mod tests {
 
     #[test]
     fn linear_ticks_are_round_and_inside() {
-        let scale = Axis::linear("m").scale([-1.3, 4.2].into_iter());
-        assert_eq!(scale.ticks, [-1.0, 0.0, 1.0, 2.0, 3.0, 4.0]);
+        let scale = Axis::linear("m").scale([-1.3, 5.2].into_iter());
+        assert_eq!(scale.ticks, [-1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0]);
         assert_eq!(scale.text(-1.0), "−1");
         assert_eq!(scale.text(-0.0), "0");
     }

@@ -13,10 +13,13 @@ use super::theme::Theme;
 use crate::exit::{BUG, Failure};
 
 /// Size of a picture, in dots of the SVG.
-const SIZE: (u32, u32) = (860, 500);
+const SIZE: (u32, u32) = (760, 460);
 
 /// Dots of a PNG per dot of the SVG.
 const PNG_SCALE: u32 = 2;
+
+/// The part of a side that a legend may take.
+const LEGEND_SHARE: f64 = 0.27;
 
 /// The name under which the font is known to plotters; a browser finds its own sans-serif by it.
 const FONT: &str = "sans-serif";
@@ -71,6 +74,39 @@ fn font() -> Result<(), String> {
     }
 }
 
+/// The corner with the fewest points, for the legend.
+fn emptiest_corner(plot: &Plot, x: &Scale, y: &Scale) -> SeriesLabelPosition {
+    let share = |scale: &Scale, place: f64| (place - scale.from) / (scale.to - scale.from);
+    let places: Vec<(f64, f64)> = plot
+        .series
+        .iter()
+        .flat_map(Series::extent)
+        .filter_map(|(px, py)| Some((share(x, plot.x.place(px)?), share(y, plot.y.place(py)?))))
+        .collect();
+    let in_corner = |right: bool, upper: bool| {
+        let near = |share: f64, far_end: bool| {
+            if far_end {
+                share > 1.0 - LEGEND_SHARE
+            } else {
+                share < LEGEND_SHARE
+            }
+        };
+        places
+            .iter()
+            .filter(|(px, py)| near(*px, right) && near(*py, upper))
+            .count()
+    };
+    [
+        (SeriesLabelPosition::UpperRight, in_corner(true, true)),
+        (SeriesLabelPosition::UpperLeft, in_corner(false, true)),
+        (SeriesLabelPosition::LowerRight, in_corner(true, false)),
+        (SeriesLabelPosition::LowerLeft, in_corner(false, false)),
+    ]
+    .into_iter()
+    .min_by_key(|(_, points)| *points)
+    .map_or(SeriesLabelPosition::UpperRight, |(corner, _)| corner)
+}
+
 impl Ranged for Scale {
     type FormatOption = NoDefaultFormatting;
     type ValueType = f64;
@@ -117,10 +153,10 @@ fn draw<B: DrawingBackend>(
     let y = plot.y.scale(points().map(|(_, y)| y));
     area.fill(&theme.background()).map_err(words)?;
     let mut chart = ChartBuilder::on(area)
-        .caption(&plot.title, text(18))
+        .caption(&plot.title, text(19))
         .margin(14 * scale)
-        .x_label_area_size(46 * scale)
-        .y_label_area_size(70 * scale)
+        .x_label_area_size(50 * scale)
+        .y_label_area_size(74 * scale)
         .build_cartesian_2d(x.clone(), y.clone())
         .map_err(words)?;
     chart
@@ -130,8 +166,8 @@ fn draw<B: DrawingBackend>(
         .axis_style(theme.ink().stroke_width(scale as u32))
         .x_desc(&plot.x.label)
         .y_desc(&plot.y.label)
-        .axis_desc_style(text(15))
-        .label_style(text(13))
+        .axis_desc_style(text(16))
+        .label_style(text(14))
         .draw()
         .map_err(words)?;
     for series in &plot.series {
@@ -170,19 +206,31 @@ fn draw<B: DrawingBackend>(
                 chart.draw_series(dots)
             }
         };
-        let length = 22 * scale;
-        drawn
-            .map_err(words)?
-            .label(&series.name)
-            .legend(move |(x, y)| PathElement::new(vec![(x, y), (x + length, y)], stroke));
+        let drawn = drawn.map_err(words)?;
+        if !series.name.is_empty() {
+            let (length, dot) = (22 * scale, matches!(series.mark, Mark::Bars(_)));
+            drawn.label(&series.name).legend(move |(x, y)| {
+                let line = PathElement::new(vec![(x, y), (x + length, y)], stroke);
+                let radius = if dot { 3 * scale } else { 0 };
+                EmptyElement::at((0, 0))
+                    + line
+                    + Circle::new((x + length / 2, y), radius, colour.filled())
+            });
+        }
     }
-    if plot.series.len() > 1 {
+    if plot
+        .series
+        .iter()
+        .filter(|series| !series.name.is_empty())
+        .count()
+        > 1
+    {
         chart
             .configure_series_labels()
-            .position(SeriesLabelPosition::UpperRight)
+            .position(emptiest_corner(plot, &x, &y))
             .legend_area_size(30 * scale)
             .margin(8 * scale)
-            .label_font(text(13))
+            .label_font(text(14))
             .background_style(theme.background().mix(0.85))
             .border_style(theme.grid())
             .draw()

@@ -186,6 +186,6 @@ mod tests {
         ));
         let file = plot.png().unwrap();
         assert_eq!(&file[..8], b"\x89PNG\r\n\x1a\n");
-        assert_eq!(file[16..24], [0, 0, 6, 184, 0, 0, 3, 232]);
+        assert_eq!(file[16..24], [0, 0, 5, 240, 0, 0, 3, 152]);
     }
 }

@@ -18,6 +18,7 @@ pub struct Plot {
 /// Points with a name and a way to be drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
+    /// In the legend; empty keeps a series out of it.
     pub(super) name: String,
     pub(super) colour: usize,
     pub(super) mark: Mark,

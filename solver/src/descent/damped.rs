@@ -12,12 +12,19 @@ pub(crate) struct Damped {
 impl Descent for Damped {
     fn step(&self, local: &Local<'_>, lambda: f64) -> Option<Step> {
         let velocity = local.factor.damped(&local.point.at.residuals, lambda)?;
-        let predicted = local.predicted(&velocity);
-        let p = if self.geodesic {
-            geodesic::bend(local, velocity, lambda)?
-        } else {
-            velocity
-        };
-        Some(Step { p, predicted })
+        self.bent(local, velocity, lambda)
+    }
+}
+
+impl Damped {
+    /// The step of a velocity.
+    pub fn bent(&self, local: &Local<'_>, velocity: Vec<f64>, lambda: f64) -> Option<Step> {
+        if self.geodesic {
+            return geodesic::bend(local, velocity, lambda);
+        }
+        Some(Step {
+            predicted: local.predicted(&velocity),
+            p: velocity,
+        })
     }
 }

@@ -1,6 +1,6 @@
 //! Geodesic acceleration.
 
-use super::Local;
+use super::{Local, Step};
 use crate::vector::{add, scaled_norm};
 
 /// Longest acceleration, `2 ‖D a‖ ≤ limit · ‖D v‖`; longer means that the step leaves the region
@@ -13,14 +13,18 @@ const LIMIT: f64 = 0.75;
 ///
 /// Source: Transtrum and Sethna, "Improvements to the Levenberg-Marquardt algorithm for nonlinear
 /// least-squares minimization", 2012.
-pub(crate) fn bend(local: &Local<'_>, velocity: Vec<f64>, lambda: f64) -> Option<Vec<f64>> {
+pub(crate) fn bend(local: &Local<'_>, velocity: Vec<f64>, lambda: f64) -> Option<Step> {
+    let predicted = local.predicted(&velocity);
     let Some(curvature) = local.system.second_derivative(&local.point.z, &velocity) else {
-        return Some(velocity);
+        return Some(Step {
+            p: velocity,
+            predicted,
+        });
     };
     let acceleration = local.factor.damped(&curvature, lambda)?;
     let ratio = 2.0 * scaled_norm(&acceleration, local.scale) / scaled_norm(&velocity, local.scale);
-    if ratio > LIMIT {
-        return None;
-    }
-    Some(add(&velocity, 0.5, &acceleration))
+    (ratio <= LIMIT).then(|| Step {
+        p: add(&velocity, 0.5, &acceleration),
+        predicted,
+    })
 }

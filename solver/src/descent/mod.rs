@@ -1,10 +1,12 @@
 //! Where to step from a point, given a size by the search: one file per way.
 
+mod constrained;
 mod damped;
 mod dogleg;
 mod gauss_newton;
 mod geodesic;
 
+pub(crate) use constrained::Constrained;
 pub(crate) use damped::Damped;
 pub(crate) use dogleg::Dogleg;
 pub(crate) use gauss_newton::{GaussNewton, MinimumNorm};
@@ -15,6 +17,7 @@ use crate::system::System;
 use crate::vector::dot;
 
 /// A point with what a descent may ask of it.
+#[derive(Clone, Copy)]
 pub(crate) struct Local<'a> {
     /// The problem.
     pub system: &'a dyn System,

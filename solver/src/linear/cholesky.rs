@@ -48,7 +48,7 @@ impl<'a> CholeskyFactor<'a> {
         let factor = damped.llt(Side::Lower).ok()?;
         let pivots = (0..n).map(|k| factor.L()[(k, k)].powi(2));
         let (least, most) = pivots.fold((f64::INFINITY, 0.0f64), |(a, b), v| (a.min(v), b.max(v)));
-        if !(least > SAFE_PIVOT * most) {
+        if least <= SAFE_PIVOT * most || least.is_nan() {
             return None;
         }
         let gradient = transpose_multiply(self.jacobian, b);

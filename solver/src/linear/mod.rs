@@ -11,6 +11,7 @@ pub(crate) use qr::QrFactor;
 use faer::{Mat, MatRef};
 use serde::{Deserialize, Serialize};
 
+use crate::blocks::BlockJacobian;
 use crate::vector::dot;
 
 /// How the damped linear problem is solved.
@@ -42,6 +43,8 @@ pub(crate) struct Linearization {
 pub(crate) enum Jacobian {
     /// All of it.
     Dense(Mat<f64>),
+    /// Only the columns that each term touches.
+    Blocks(BlockJacobian),
 }
 
 /// A factorisation that solves damped linear least squares for many dampings and right sides.
@@ -57,17 +60,11 @@ pub(crate) trait Factor {
 }
 
 impl Jacobian {
-    /// Number of columns.
-    pub fn columns(&self) -> usize {
-        match self {
-            Self::Dense(j) => j.ncols(),
-        }
-    }
-
     /// `‖J_k‖` of every column.
     pub fn column_norms(&self) -> Vec<f64> {
         match self {
             Self::Dense(j) => (0..j.ncols()).map(|k| j.col(k).norm_l2()).collect(),
+            Self::Blocks(j) => j.column_norms(),
         }
     }
 
@@ -75,6 +72,7 @@ impl Jacobian {
     pub fn multiply(&self, p: &[f64]) -> Vec<f64> {
         match self {
             Self::Dense(j) => multiply(j.as_ref(), p),
+            Self::Blocks(j) => j.multiply(p),
         }
     }
 
@@ -82,6 +80,7 @@ impl Jacobian {
     pub fn transpose_multiply(&self, b: &[f64]) -> Vec<f64> {
         match self {
             Self::Dense(j) => transpose_multiply(j.as_ref(), b),
+            Self::Blocks(j) => j.transpose_multiply(b),
         }
     }
 
@@ -92,6 +91,7 @@ impl Jacobian {
             (Self::Dense(j), LinearSolver::Cholesky) => {
                 Box::new(CholeskyFactor::new(j.as_ref(), scale))
             }
+            (Self::Blocks(j), _) => Box::new(j.eliminate(scale)),
         }
     }
 
@@ -105,6 +105,7 @@ impl Jacobian {
                     }
                 }
             }
+            Self::Blocks(j) => j.scale_rows(factors),
         }
     }
 
@@ -112,6 +113,7 @@ impl Jacobian {
     pub fn not_finite(&self) -> Option<(usize, usize)> {
         match self {
             Self::Dense(j) => not_finite(j.as_ref()),
+            Self::Blocks(j) => j.not_finite(),
         }
     }
 }

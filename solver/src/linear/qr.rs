@@ -39,11 +39,6 @@ impl QrFactor {
         }
     }
 
-    /// Rank of `J D⁻¹` to working precision.
-    pub fn rank(&self) -> usize {
-        self.rank
-    }
-
     /// `Qᵀ b`, its first `min(m, n)` entries.
     fn rotated(&self, b: &[f64]) -> Vec<f64> {
         let (basis, coefficients) = (self.qr.Q_basis(), self.qr.Q_coeff());
@@ -103,16 +98,15 @@ impl Factor for QrFactor {
         let rows = r.nrows();
         let q = self.rotated(b);
         let root = lambda.sqrt();
-        let stacked = Mat::from_fn(rows + n, n, |i, k| match i {
-            i if i < rows => {
-                if i <= k {
-                    r[(i, k)]
-                } else {
-                    0.0
-                }
+        let stacked = Mat::from_fn(rows + n, n, |i, k| {
+            let (of_r, of_damping) = (i < rows && i <= k, i == rows + k);
+            if of_r {
+                r[(i, k)]
+            } else if of_damping {
+                root
+            } else {
+                0.0
             }
-            i if i - rows == k => root,
-            _ => 0.0,
         });
         let mut w = Mat::from_fn(rows + n, 1, |i, _| if i < rows { -q[i] } else { 0.0 });
         stacked

@@ -100,8 +100,10 @@ impl Search for DelayedGratification {
         self.lambda
     }
 
-    fn accepted(&mut self, _: Trial) {
-        self.lambda = (self.lambda / 3.0).max(LEAST);
+    fn accepted(&mut self, trial: Trial) {
+        if trial.ratio > 0.1 {
+            self.lambda = (self.lambda / 3.0).max(LEAST);
+        }
     }
 
     fn rejected(&mut self, _: Trial) {

@@ -102,7 +102,7 @@ impl SixPosition {
         (tilt > TILT_LIMIT).then(|| {
             format!(
                 "the placements are tilted by about {:.2}° (rms): the biases carry about {:.0} mm/s² \
-                 and the misalignments {:.4} of it; use --method stepwise, which needs no levelling",
+                 and the misalignments about {:.4} of that; use --method stepwise, which needs no levelling",
                 tilt.to_degrees(),
                 // Six tilted means in a bias, of which two have the axis vertical; two in an element.
                 1e3 * self.gravity * tilt / 18f64.sqrt(),

@@ -1,0 +1,11 @@
+//! Many small blocks of parameters against a few shared ones.
+
+mod elimination;
+mod jacobian;
+mod problem;
+mod solve;
+mod system;
+
+pub(crate) use jacobian::BlockJacobian;
+pub use problem::BlockProblem;
+pub use solve::{BlockReport, solve_blocks};

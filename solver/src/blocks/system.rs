@@ -1,0 +1,137 @@
+//! A block problem in its free parameters.
+
+use super::jacobian::{BlockJacobian, TermJacobian};
+use super::problem::{BlockProblem, Term};
+use crate::linear::{Jacobian, Linearization};
+use crate::parameters::Mask;
+use crate::system::System;
+use crate::vector::half_square;
+
+/// Shared parameters under a mask, then all blocks.
+pub(crate) struct BlockSystem<'a> {
+    problem: &'a BlockProblem<'a>,
+    free: Vec<usize>,
+    offsets: Vec<usize>,
+    /// Terms in the order of their blocks.
+    order: Vec<usize>,
+}
+
+impl<'a> BlockSystem<'a> {
+    /// Lays out the columns.
+    pub fn new(problem: &'a BlockProblem<'a>, mask: &Mask) -> Self {
+        let free = mask.free_indices();
+        let mut offsets = vec![free.len()];
+        for block in &problem.blocks {
+            offsets.push(offsets[offsets.len() - 1] + block.len());
+        }
+        let mut order: Vec<usize> = (0..problem.terms.len()).collect();
+        order.sort_by_key(|&t| problem.terms[t].block);
+        Self {
+            problem,
+            free,
+            offsets,
+            order,
+        }
+    }
+
+    /// Start values of the free parameters.
+    pub fn start(&self) -> Vec<f64> {
+        let shared = self.free.iter().map(|&k| self.problem.shared.values()[k]);
+        shared
+            .chain(self.problem.blocks.iter().flatten().copied())
+            .collect()
+    }
+
+    /// All shared parameters and every block at `z`.
+    pub fn split(&self, z: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
+        let blocks = self
+            .offsets
+            .windows(2)
+            .map(|w| z[w[0]..w[1]].to_vec())
+            .collect();
+        (
+            self.shared(self.problem.shared.values().to_vec(), z),
+            blocks,
+        )
+    }
+
+    fn shared(&self, mut base: Vec<f64>, z: &[f64]) -> Vec<f64> {
+        for (&k, &value) in self.free.iter().zip(z) {
+            base[k] = value;
+        }
+        base
+    }
+
+    /// The parameters of one term, from shared ones that are laid out already.
+    fn own(&self, term: &Term<'_>, shared: &[f64], z: &[f64]) -> Vec<f64> {
+        let last = term.block + 1 + usize::from(term.coupled);
+        let mut x = shared.to_vec();
+        x.extend_from_slice(&z[self.offsets[term.block]..self.offsets[last]]);
+        x
+    }
+
+    fn terms(&self) -> impl Iterator<Item = &Term<'a>> {
+        self.order.iter().map(|&t| &self.problem.terms[t])
+    }
+}
+
+impl System for BlockSystem<'_> {
+    fn residuals(&self, z: &[f64]) -> Vec<f64> {
+        let shared = self.shared(self.problem.shared.values().to_vec(), z);
+        let (mut all, mut own) = (Vec::new(), Vec::new());
+        for term in self.terms() {
+            term.problem.values(&self.own(term, &shared, z), &mut own);
+            all.extend_from_slice(&own);
+        }
+        all
+    }
+
+    fn linearize(&self, z: &[f64]) -> Linearization {
+        let shared = self.shared(self.problem.shared.values().to_vec(), z);
+        let (mut residuals, mut own_residuals) = (Vec::new(), Vec::new());
+        let mut terms = Vec::with_capacity(self.order.len());
+        for term in self.terms() {
+            let x = self.own(term, &shared, z);
+            let free: Vec<usize> = self
+                .free
+                .iter()
+                .copied()
+                .chain(shared.len()..x.len())
+                .collect();
+            let matrix = term.problem.linearize(&x, &free, &mut own_residuals);
+            let (block, coupled) = (term.block, term.coupled);
+            terms.push(TermJacobian {
+                block,
+                coupled,
+                first_row: residuals.len(),
+                matrix,
+            });
+            residuals.extend_from_slice(&own_residuals);
+        }
+        let cost = half_square(&residuals);
+        let jacobian = BlockJacobian {
+            shared: self.free.len(),
+            offsets: self.offsets.clone(),
+            terms,
+        };
+        Linearization {
+            residuals,
+            cost,
+            jacobian: Jacobian::Blocks(jacobian),
+        }
+    }
+
+    fn second_derivative(&self, z: &[f64], v: &[f64]) -> Option<Vec<f64>> {
+        let shared = self.shared(self.problem.shared.values().to_vec(), z);
+        let direction = self.shared(vec![0.0; shared.len()], v);
+        let (mut all, mut out) = (Vec::new(), Vec::new());
+        for term in self.terms() {
+            let (x, v) = (self.own(term, &shared, z), self.own(term, &direction, v));
+            if !term.problem.second_derivative(&x, &v, &mut out) {
+                return None;
+            }
+            all.extend_from_slice(&out);
+        }
+        all.iter().all(|v| v.is_finite()).then_some(all)
+    }
+}

@@ -1,0 +1,224 @@
+//! Constraints in the free parameters.
+
+use crate::constraints::{Constraint, Constraints};
+use crate::error::Error;
+use crate::parameters::{Mask, Parameters};
+use crate::vector::dot;
+
+/// Relative rounding of `a · z` within which a constraint counts as met or as active.
+const ROUNDING: f64 = 1e-12;
+
+/// `lower ≤ A z ≤ upper` over the free parameters, the fixed ones moved to the limits.
+#[derive(Clone, Debug)]
+pub(crate) struct Polytope {
+    rows: Vec<Row>,
+}
+
+/// One constraint.
+#[derive(Clone, Debug)]
+pub(crate) struct Row {
+    /// Coefficients of the free parameters (`n`).
+    pub a: Vec<f64>,
+    /// Limits of `a · z`.
+    pub lower: f64,
+    /// Limits of `a · z`.
+    pub upper: f64,
+    /// The only free parameter, where there is only one.
+    single: Option<usize>,
+    /// What the fixed parameters contribute.
+    fixed: f64,
+    /// As the user wrote it.
+    source: Constraint,
+}
+
+/// The limit a constraint is held at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Side {
+    /// At its lower limit; the multiplier keeps its sign.
+    Lower,
+    /// At its upper limit.
+    Upper,
+    /// An equality.
+    Both,
+}
+
+/// A constraint held at a limit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Active {
+    /// Which constraint.
+    pub row: usize,
+    /// At which limit.
+    pub side: Side,
+}
+
+impl Row {
+    fn new(source: &Constraint, start: &Parameters, mask: &Mask) -> Result<Self, Error> {
+        let ordered = source.lower <= source.upper;
+        if !ordered || source.terms.iter().any(|(_, c)| !c.is_finite()) {
+            return Err(source.empty());
+        }
+        let free = mask.free_indices();
+        let (mut a, mut fixed) = (vec![0.0; free.len()], 0.0);
+        for (name, c) in &source.terms {
+            let k = start
+                .index(name)
+                .ok_or_else(|| Error::UnknownParameter { name: name.clone() })?;
+            match free.iter().position(|&f| f == k) {
+                Some(column) => a[column] += c,
+                None => fixed += c * start.values()[k],
+            }
+        }
+        let mut used = (0..a.len()).filter(|&k| a[k] != 0.0);
+        let single = used.next().filter(|_| used.next().is_none());
+        let (lower, upper) = (source.lower - fixed, source.upper - fixed);
+        Ok(Self {
+            a,
+            lower,
+            upper,
+            single,
+            fixed,
+            source: source.clone(),
+        })
+    }
+
+    /// The size of the terms of `a · z`, to measure rounding by.
+    fn size(&self, z: &[f64]) -> f64 {
+        self.a
+            .iter()
+            .zip(z)
+            .map(|(a, z)| (a * z).abs())
+            .sum::<f64>()
+            + self.fixed.abs()
+    }
+
+    /// The limits in terms of the only free parameter.
+    fn interval(&self, k: usize) -> (f64, f64) {
+        let (a, b) = (self.lower / self.a[k], self.upper / self.a[k]);
+        (a.min(b), a.max(b))
+    }
+
+    fn is_met(&self, z: &[f64]) -> bool {
+        let (value, tolerance) = (dot(&self.a, z), ROUNDING * self.size(z));
+        value >= self.lower - tolerance && value <= self.upper + tolerance
+    }
+
+    /// The limit that `z` touches.
+    fn touched(&self, z: &[f64]) -> Option<Side> {
+        let (value, tolerance) = (dot(&self.a, z), ROUNDING * self.size(z));
+        if self.lower == self.upper {
+            Some(Side::Both)
+        } else if value - self.lower <= tolerance {
+            Some(Side::Lower)
+        } else if self.upper - value <= tolerance {
+            Some(Side::Upper)
+        } else {
+            None
+        }
+    }
+}
+
+impl Polytope {
+    /// The constraints on the free parameters, `None` if there are none.
+    pub fn new(
+        constraints: &Constraints,
+        start: &Parameters,
+        mask: &Mask,
+    ) -> Result<Option<Self>, Error> {
+        let rows = constraints
+            .rows()
+            .iter()
+            .map(|row| Row::new(row, start, mask));
+        let rows: Vec<Row> = rows.collect::<Result<_, _>>()?;
+        Ok((!rows.is_empty()).then_some(Self { rows }))
+    }
+
+    /// All constraints.
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// The error that names the first constraint that `z` does not meet.
+    pub fn check(&self, z: &[f64]) -> Result<(), Error> {
+        match self.rows.iter().find(|row| !row.is_met(z)) {
+            None => Ok(()),
+            Some(row) => Err(Error::StartInfeasible {
+                constraint: row.source.in_words(),
+                value: dot(&row.a, z) + row.fixed,
+                lower: row.source.lower,
+                upper: row.source.upper,
+            }),
+        }
+    }
+
+    /// Whether `z` meets every constraint, to rounding.
+    pub fn contains(&self, z: &[f64]) -> bool {
+        self.rows.iter().all(|row| row.is_met(z))
+    }
+
+    /// The first constraint that `z` does not meet, and the limit it passes.
+    pub fn violated(&self, z: &[f64]) -> Option<Active> {
+        let row = self.rows.iter().position(|row| !row.is_met(z))?;
+        let below = dot(&self.rows[row].a, z) < self.rows[row].lower;
+        Some(Active {
+            row,
+            side: if below { Side::Lower } else { Side::Upper },
+        })
+    }
+
+    /// The constraints that `z` touches.
+    pub fn touching(&self, z: &[f64]) -> Vec<Active> {
+        let rows = self.rows.iter().enumerate();
+        rows.filter_map(|(row, r)| r.touched(z).map(|side| Active { row, side }))
+            .collect()
+    }
+
+    /// Largest amount by which a constraint is not met.
+    pub fn violation(&self, z: &[f64]) -> f64 {
+        let each = self.rows.iter().map(|row| {
+            let value = dot(&row.a, z);
+            (row.lower - value).max(value - row.upper)
+        });
+        each.fold(0.0, f64::max)
+    }
+
+    /// Puts parameters that are within rounding of a bound of their own exactly on it.
+    pub fn settle(&self, z: &mut [f64]) {
+        for row in &self.rows {
+            let Some(k) = row.single else { continue };
+            let (lower, upper) = row.interval(k);
+            let near =
+                |bound: f64| bound.is_finite() && (z[k] - bound).abs() <= ROUNDING * bound.abs();
+            let value = if near(lower) {
+                lower
+            } else if near(upper) {
+                upper
+            } else {
+                z[k]
+            };
+            z[k] = value.max(lower).min(upper);
+        }
+    }
+
+    /// The value `a · z` is held at.
+    pub fn limit(&self, active: Active) -> f64 {
+        let row = &self.rows[active.row];
+        if active.side == Side::Upper {
+            row.upper
+        } else {
+            row.lower
+        }
+    }
+
+    /// A constraint in words and its limit, as the user wrote them.
+    pub fn describe(&self, active: Active) -> (String, f64) {
+        let source = &self.rows[active.row].source;
+        (
+            source.in_words(),
+            if active.side == Side::Upper {
+                source.upper
+            } else {
+                source.lower
+            },
+        )
+    }
+}
