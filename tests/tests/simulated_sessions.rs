@@ -452,3 +452,37 @@ fn carts_and_walkers_cover_their_distance() {
         assert!(velocity.norm() < 1e-3);
     }
 }
+
+#[test]
+fn odd_requests_give_odd_recordings_and_no_panic() {
+    for (text, samples_wanted) in [
+        ("rate = 0.01\nmotion.still = { duration = 0.1 }", 1),
+        ("motion.still = { duration = 0.1, up = [0, 0, -1] }", 11),
+        (
+            "motion.still = { duration = 0.1 }\naccelerometer.clock.phase = 5.0",
+            0,
+        ),
+        (
+            "motion.still = { duration = 1.0 }\n[[faults]]\ngap = { start = 0.0, length = 9.0 }",
+            0,
+        ),
+        (
+            "[motion.hand_held]\nplacements = 2\ninitial_rest = 1.0\nrest = [0.1, 0.1]\nturn = [0.5, 0.5]\nshock = 500.0\ncoplanar = true",
+            161,
+        ),
+        (
+            "[motion.walking]\nbob = 0.0\ncadence = 0.0\nduration = 1.0\nrest = 1.0",
+            701,
+        ),
+        (
+            "motion.still = { duration = 1.0 }\ngyroscope = { counts = true, step = 1e-9 }",
+            101,
+        ),
+    ] {
+        let session = Spec::from_toml(text, "a.toml").unwrap().run().unwrap();
+        let (t, values) = samples(&session, Sensor::Accelerometer);
+        assert_eq!(t.len(), samples_wanted, "{text}");
+        assert!(values.iter().all(|v| v.iter().all(|c| c.is_finite())));
+        assert!(t.windows(2).all(|w| w[0] < w[1]));
+    }
+}
