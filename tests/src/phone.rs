@@ -26,9 +26,11 @@ pub fn folder() -> Option<PathBuf> {
 /// What the reader says.
 pub fn recording(name: &str) -> Result<Recording, calib::Error> {
     let path = folder().unwrap_or_default().join(name);
-    let mut recording = Recording::read(&path, &ReadOptions::default())?;
-    recording.name = name.into();
-    Ok(recording)
+    let recording = Recording::read(&path, &ReadOptions::default())?;
+    Ok(Recording {
+        name: name.into(),
+        ..recording
+    })
 }
 
 /// A number of `golden.json` or another JSON file of the folder, by its JSON pointer.
