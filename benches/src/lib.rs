@@ -1,1 +1,4 @@
+//! What the benches and tables share.
 
+pub mod nist_study;
+pub mod problem_study;

@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use crate::recording::place::shown_path;
+
 /// An input or a request that cannot be worked with. Messages name the place, what was found and
 /// what to do about it.
 #[derive(Debug, thiserror::Error)]
@@ -11,7 +13,7 @@ pub enum Error {
     #[error("{0}")]
     Usage(String),
     /// A file cannot be read.
-    #[error("{path}: {source}", path = path.display())]
+    #[error("{path}: {source}", path = shown_path(path))]
     Io {
         /// The file.
         path: PathBuf,

@@ -278,6 +278,24 @@ fn a_late_accelerometer_clock_and_the_effect_time_offset_are_the_same() {
 }
 
 #[test]
+fn axes_that_are_a_sample_late_read_what_they_read_a_sample_before() {
+    let mut late = Spec::hand_held(4).noise_free();
+    let delay = [("x", 0.01), ("y", 0.0), ("z", 0.01)].map(|(k, v)| (k.to_string(), v));
+    late.effects.insert("gyro_delay".into(), delay.into());
+    let (late, own) = (
+        late.run().unwrap(),
+        Spec::hand_held(4).noise_free().run().unwrap(),
+    );
+    let (_, late) = samples(&late, Sensor::Gyroscope);
+    let (_, own) = samples(&own, Sensor::Gyroscope);
+    for (a, b) in late.windows(2).zip(own.windows(2)) {
+        // Windows that differ by rounding, under an angular acceleration of 50 rad/s².
+        assert!((a[1].x - b[0].x).abs() < 1e-11 && (a[1].z - b[0].z).abs() < 1e-11);
+        assert!((a[1].y - b[1].y).abs() < 1e-11);
+    }
+}
+
+#[test]
 fn sensors_with_clocks_of_their_own_sample_at_their_own_rates() {
     let mut spec = Spec::still(1, 100.0);
     spec.accelerometer.clock.rate = Some(99.75);
@@ -432,5 +450,39 @@ fn carts_and_walkers_cover_their_distance() {
             "{motion}: {position}"
         );
         assert!(velocity.norm() < 1e-3);
+    }
+}
+
+#[test]
+fn odd_requests_give_odd_recordings_and_no_panic() {
+    for (text, samples_wanted) in [
+        ("rate = 0.01\nmotion.still = { duration = 0.1 }", 1),
+        ("motion.still = { duration = 0.1, up = [0, 0, -1] }", 11),
+        (
+            "motion.still = { duration = 0.1 }\naccelerometer.clock.phase = 5.0",
+            0,
+        ),
+        (
+            "motion.still = { duration = 1.0 }\n[[faults]]\ngap = { start = 0.0, length = 9.0 }",
+            0,
+        ),
+        (
+            "[motion.hand_held]\nplacements = 2\ninitial_rest = 1.0\nrest = [0.1, 0.1]\nturn = [0.5, 0.5]\nshock = 500.0\ncoplanar = true",
+            161,
+        ),
+        (
+            "[motion.walking]\nbob = 0.0\ncadence = 0.0\nduration = 1.0\nrest = 1.0",
+            701,
+        ),
+        (
+            "motion.still = { duration = 1.0 }\ngyroscope = { counts = true, step = 1e-9 }",
+            101,
+        ),
+    ] {
+        let session = Spec::from_toml(text, "a.toml").unwrap().run().unwrap();
+        let (t, values) = samples(&session, Sensor::Accelerometer);
+        assert_eq!(t.len(), samples_wanted, "{text}");
+        assert!(values.iter().all(|v| v.iter().all(|c| c.is_finite())));
+        assert!(t.windows(2).all(|w| w[0] < w[1]));
     }
 }

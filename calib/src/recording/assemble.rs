@@ -1,5 +1,7 @@
 //! Tables to a recording: seconds, SI units, order, and what is worth a warning.
 
+use std::collections::HashSet;
+
 use sensor::Sensor;
 
 use super::options::ReadOptions;
@@ -22,12 +24,31 @@ pub(super) fn assemble(
         name,
         ..Recording::default()
     };
+    for Table {
+        name, accel, gyro, ..
+    } in &mut tables
+    {
+        for samples in [accel, gyro] {
+            if options.sort_time {
+                *samples = std::mem::take(samples).sort();
+            }
+            checks::order(name, samples, &mut recording.warnings)?;
+        }
+    }
     if options.rate.is_none() {
         time::to_seconds(&mut tables, options, &mut recording.warnings)?;
     } else if tables.iter().any(|table| table.has_time) {
         let words = "--rate was given: time stamps are ignored".to_owned();
         recording.warnings.push(words);
     }
+    let unused: Vec<String> = tables
+        .iter()
+        .flat_map(|table| table.unused.clone())
+        .collect();
+    let unused = match unused.len() {
+        0 => String::new(),
+        _ => format!(" (columns not used: `{}`)", unused.join("`, `")),
+    };
     for table in tables {
         add(&mut recording, table, options)?;
     }
@@ -43,9 +64,14 @@ pub(super) fn assemble(
         ),
     ] {
         if !present {
-            recording.warnings.push(missing.to_owned());
+            recording.warnings.push(format!("{missing}{unused}"));
         }
     }
+    // What is true of a row is true of both sensors in it, but said once.
+    let mut said = HashSet::new();
+    recording
+        .warnings
+        .retain(|warning| said.insert(warning.clone()));
     Ok(recording)
 }
 
@@ -58,7 +84,6 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
             &name,
             Sensor::Accelerometer,
             table.accel,
-            options,
             &mut recording.warnings,
         )?;
         let unit = decide::accel_unit(&name, &stream, stated, &mut recording.warnings)?;
@@ -70,7 +95,6 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
             &name,
             Sensor::Gyroscope,
             table.gyro,
-            options,
             &mut recording.warnings,
         )?;
         let unit = decide::gyro_unit(&name, &stream, stated, &mut recording.warnings);
@@ -89,20 +113,19 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
     Ok(())
 }
 
-/// The stream of one sensor, in the file's unit: in order, checked, held values removed.
+/// The stream of one sensor, in the file's unit: checked, held values removed.
 fn finish(
     name: &str,
     sensor: Sensor,
     samples: Samples,
-    options: &ReadOptions,
     warnings: &mut Vec<String>,
 ) -> Result<Stream, Error> {
-    let samples = if options.sort_time {
-        samples.sort()
-    } else {
-        samples
-    };
-    checks::order(name, &samples, warnings)?;
+    if !samples.t.windows(2).all(|pair| pair[0] < pair[1]) {
+        return Err(in_file(
+            name,
+            "time stamps too large to tell apart in seconds",
+        ));
+    }
     values::check(name, sensor, &samples, warnings)?;
     let stream = Stream {
         t: samples.t,

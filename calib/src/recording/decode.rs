@@ -1,6 +1,6 @@
 //! Bytes to UTF-8 text: decompression, encodings, and the names of formats that are neither.
 
-use std::io::{Cursor, Read};
+use std::io::{self, BufRead, BufReader, Cursor, Read};
 
 use encoding_rs_io::DecodeReaderBytesBuilder;
 
@@ -89,7 +89,7 @@ pub(super) fn text(
     if head.is_empty() {
         return Err(empty(name));
     }
-    let reader = decompressed(name, &head, reader)?;
+    let reader = decompressed(&head, reader);
     let (head, reader) = look(name, reader)?;
     if head.is_empty() {
         return Err(empty(name));
@@ -135,16 +135,14 @@ fn look(name: &str, mut reader: Box<dyn Read>) -> Result<(Vec<u8>, Box<dyn Read>
     Ok((head, Box::new(again)))
 }
 
-fn decompressed(name: &str, head: &[u8], reader: Box<dyn Read>) -> Result<Box<dyn Read>, Error> {
+fn decompressed(head: &[u8], reader: Box<dyn Read>) -> Box<dyn Read> {
     if head.starts_with(b"\x1f\x8b") {
-        return Ok(Box::new(flate2::read::MultiGzDecoder::new(reader)));
+        return Box::new(flate2::read::MultiGzDecoder::new(reader));
     }
     if head.starts_with(b"\x28\xb5\x2f\xfd") {
-        let decoder = ruzstd::decoding::StreamingDecoder::new(reader)
-            .map_err(|error| in_file(name, format!("broken zstd archive: {error}")))?;
-        return Ok(Box::new(decoder));
+        return Box::new(Zstd::Between(BufReader::new(reader)));
     }
-    Ok(reader)
+    reader
 }
 
 /// UTF-16 without a byte order mark: text whose every second byte is zero.
@@ -164,5 +162,44 @@ fn utf16_by_zeros(head: &[u8]) -> Option<&'static encoding_rs::Encoding> {
         Some(encoding_rs::UTF_16BE)
     } else {
         None
+    }
+}
+
+type Bytes = BufReader<Box<dyn Read>>;
+
+/// A zstd file, which can hold several frames one after the other.
+enum Zstd {
+    Between(Bytes),
+    Within(Box<ruzstd::decoding::StreamingDecoder<Bytes, ruzstd::decoding::FrameDecoder>>),
+    Ended,
+}
+
+impl Read for Zstd {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        if buffer.is_empty() {
+            return Ok(0);
+        }
+        loop {
+            *self = match std::mem::replace(self, Self::Ended) {
+                Self::Ended => return Ok(0),
+                Self::Between(mut reader) => {
+                    if reader.fill_buf()?.is_empty() {
+                        return Ok(0);
+                    }
+                    let decoder = ruzstd::decoding::StreamingDecoder::new(reader);
+                    Self::Within(Box::new(decoder.map_err(|error| {
+                        io::Error::other(format!("damaged zstd archive: {error}"))
+                    })?))
+                }
+                Self::Within(mut decoder) => {
+                    let read = decoder.read(buffer)?;
+                    if read > 0 {
+                        *self = Self::Within(decoder);
+                        return Ok(read);
+                    }
+                    Self::Between(decoder.into_inner())
+                }
+            }
+        }
     }
 }

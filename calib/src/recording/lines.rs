@@ -70,7 +70,7 @@ impl<R: Read> Lines<R> {
             if let Some(at) = memchr2(b'\n', b'\r', rest) {
                 break Some(self.start + searched + at);
             }
-            searched = rest.len() + searched;
+            searched += rest.len();
             if self.exhausted {
                 break None;
             }

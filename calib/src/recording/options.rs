@@ -58,11 +58,11 @@ impl ReadOptions {
     /// Refuses contradictions before any file is opened.
     ///
     /// # Errors
-    /// [`Error::Usage`] for a rate that is not a positive finite number.
+    /// [`Error::Usage`] for a rate that no recording has.
     pub(super) fn check(&self) -> Result<(), Error> {
         match self.rate {
-            Some(rate) if !(rate.is_finite() && rate > 0.0) => Err(Error::Usage(format!(
-                "--rate {rate}: a sampling rate in Hz is a positive number, such as --rate 100"
+            Some(rate) if !(1e-3..=1e7).contains(&rate) => Err(Error::Usage(format!(
+                "--rate {rate}: a sampling rate is from 0.001 to 1e7 Hz, such as --rate 100"
             ))),
             _ => Ok(()),
         }

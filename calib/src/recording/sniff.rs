@@ -1,7 +1,5 @@
 //! The beginning of a text, looked at before it is read: separators, header, first row.
 
-use std::io::Read;
-
 use sensor::Sensor;
 
 use super::dialect::{Cell, Dialect, Separator};
@@ -10,6 +8,7 @@ use super::lines::Lines;
 use super::number::{self, Dialects, Fault};
 use super::options::{ReadOptions, Role};
 use super::place::{at_line, in_file};
+use super::suggest::suggestion;
 use crate::Error;
 
 /// Lines looked at.
@@ -141,8 +140,7 @@ impl Start {
             }
             if options.columns.0.is_empty() {
                 names.resize(width.max(names.len()), String::new());
-                let line =
-                    header::suggestion(&(1..=width).map(|i| i.to_string()).collect::<Vec<_>>());
+                let line = suggestion(&(1..=width).map(|i| i.to_string()).collect::<Vec<_>>());
                 return Err(refuse(format!(
                     "the header has {} names, the rows have {width} cells: are two names glued together? {line} (columns by number)",
                     cells.len(),
@@ -182,7 +180,7 @@ impl Start {
             let roles = unnamed_roles(width, only, &medians(rows, self.dialect)).ok_or_else(|| {
                 refuse(format!(
                     "{width} columns without a header, and gravity does not tell which are which; {}",
-                    header::suggestion(&names)
+                    suggestion(&names)
                 ))
             })?;
             // Four columns of a file that is known to hold one sensor need no comment.
@@ -204,7 +202,7 @@ impl Start {
 
 /// The first lines of the text that are not blank.
 fn sample(name: &str, head: &[u8], max_bytes: u64) -> Result<Vec<Kept>, Error> {
-    let mut lines = Lines::new(name, head.take(u64::MAX), max_bytes.max(head.len() as u64));
+    let mut lines = Lines::new(name, head, max_bytes.max(head.len() as u64));
     let mut kept = Vec::new();
     while kept.len() < SAMPLE
         && let Some(line) = lines.next()?

@@ -52,7 +52,7 @@ unit! {
     /// Unit of an accelerometer.
     AccelUnit {
         /// Metres per second squared.
-        MetresPerSecondSquared = "m/s^2" | "m/s2" | "m/s²" | "m/s/s" | "ms^-2" | "ms-2" | "m.s-2" | "m*s^-2" | "ms⁻²",
+        MetresPerSecondSquared = "m/s^2" | "m/s2" | "m/s²" | "m/s/s" | "ms^-2" | "ms-2" | "m.s-2" | "m*s^-2" | "ms⁻²" | "mps2" | "ms2",
         /// Standard gravity, 9.80665 m/s².
         G = "g" | "g0" | "gs",
         /// Thousandths of standard gravity.
@@ -96,6 +96,14 @@ fn normal(text: &str) -> String {
         .filter(|c| !c.is_whitespace())
         .flat_map(char::to_lowercase)
         .collect()
+}
+
+/// True if `text` spells a unit of any of the quantities.
+pub(super) fn is_unit(text: &str) -> bool {
+    text.parse::<TimeUnit>().is_ok()
+        || text.parse::<AccelUnit>().is_ok()
+        || text.parse::<GyroUnit>().is_ok()
+        || text.parse::<TemperatureUnit>().is_ok()
 }
 
 /// Units that a header states.

@@ -5,11 +5,13 @@ mod apply;
 mod bias;
 mod calibrate;
 mod demo;
+mod effects;
 mod evaluate;
 mod inputs;
 mod pictures;
 mod reckon;
 mod segment;
+mod simulate;
 mod six_position;
 
 use clap::Subcommand;
@@ -27,6 +29,8 @@ pub enum Command {
     Bias(bias::Args),
     Reckon(Box<reckon::Args>),
     Evaluate(evaluate::Args),
+    Simulate(simulate::Args),
+    Effects(effects::Args),
 }
 
 /// Runs a command.
@@ -40,5 +44,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Bias(args) => bias::run(&args),
         Command::Reckon(args) => reckon::run(&args),
         Command::Evaluate(args) => evaluate::run(&args),
+        Command::Simulate(args) => simulate::run(&args),
+        Command::Effects(args) => effects::run(&args),
     }
 }

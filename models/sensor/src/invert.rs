@@ -1,4 +1,4 @@
-//! The true signal behind a reading: Newton's method on values, then the derivatives on top.
+//! The true signal behind a reading.
 
 use nalgebra::{Matrix3, Vector3};
 use solver::scalar::{derivatives, variable};
@@ -9,9 +9,12 @@ use crate::effect::ModelScalar;
 use crate::kinematics::Kinematics;
 use crate::model::Model;
 
+/// Fixed-point steps before Newton's method takes over. Most effects are below a hundredth of the
+/// signal and done after five.
+const FIXED_POINT_STEPS: usize = 8;
 /// Newton steps at most. Two or three suffice for effects of a tenth of the signal; a reading that no
 /// signal explains would go on for ever.
-const STEPS: usize = 20;
+const NEWTON_STEPS: usize = 20;
 /// A step below this share of the signal is rounding.
 const SMALL: f64 = 1e-15;
 
@@ -25,10 +28,19 @@ pub(crate) fn signal_behind<D: ModelScalar>(
     rest: &Kinematics<D>,
     p: &[D],
 ) -> Vector3<D> {
-    let values: Vec<Jet> = p.iter().map(|v| lit(v.re())).collect();
-    let (signal, slope) = newton(model, &target.map(|v| v.re()), &rest.cast(), &values);
-    let slope = slope.map(lit::<D>);
-    let mut signal = signal.map(lit::<D>);
+    let values: Vec<f64> = p.iter().map(|v| v.re()).collect();
+    let problem = Problem {
+        model,
+        target: target.map(|v| v.re()),
+        rest: rest.cast(),
+        p: &values,
+    };
+    let value = problem.fixed_point().unwrap_or_else(|| problem.newton());
+    let mut signal = value.map(lit::<D>);
+    if D::ORDER == 0 {
+        return signal;
+    }
+    let slope = problem.linearize(&value).1.map(lit::<D>);
     for _ in 0..D::ORDER {
         let error = model.error(&rest.with_signal(model.sensor(), signal), p);
         signal -= slope * (signal + error - target);
@@ -36,28 +48,54 @@ pub(crate) fn signal_behind<D: ModelScalar>(
     signal
 }
 
-/// The signal and `H`, by values.
-fn newton(
-    model: &Model,
-    target: &Vector3<f64>,
-    rest: &Kinematics<Jet>,
-    p: &[Jet],
-) -> (Vector3<f64>, Matrix3<f64>) {
-    let mut signal = *target;
-    let mut slope = Matrix3::identity();
-    for _ in 0..STEPS {
-        let lanes = Vector3::from_fn(|i, _| variable(signal[i], i));
-        let reading = lanes + model.error(&rest.with_signal(model.sensor(), lanes), p);
-        let jacobian = Matrix3::from_fn(|i, j| derivatives(&reading[i])[j]);
-        let Some(inverse) = inverse(&jacobian) else {
-            break;
-        };
-        slope = inverse;
-        let step = slope * (reading.map(|v| v.re) - target);
-        signal -= step;
-        if step.norm() <= SMALL * signal.norm() || step.norm().is_nan() {
-            break;
+/// The equation by values.
+struct Problem<'a> {
+    model: &'a Model,
+    target: Vector3<f64>,
+    rest: Kinematics<f64>,
+    p: &'a [f64],
+}
+
+impl Problem<'_> {
+    /// `s ← target − effect(s)`; `None` where that does not settle.
+    fn fixed_point(&self) -> Option<Vector3<f64>> {
+        let sensor = self.model.sensor();
+        let mut signal = self.target;
+        for _ in 0..FIXED_POINT_STEPS {
+            let error = self
+                .model
+                .error(&self.rest.with_signal(sensor, signal), self.p);
+            let next = self.target - error;
+            let step = (next - signal).norm();
+            signal = next;
+            if step <= SMALL * signal.norm() {
+                return Some(signal);
+            }
         }
+        None
     }
-    (signal, slope)
+
+    fn newton(&self) -> Vector3<f64> {
+        let mut signal = self.target;
+        for _ in 0..NEWTON_STEPS {
+            let (excess, slope) = self.linearize(&signal);
+            let step = slope * excess;
+            signal -= step;
+            if step.norm() <= SMALL * signal.norm() || step.norm().is_nan() {
+                break;
+            }
+        }
+        signal
+    }
+
+    /// `s + effect(s) − target` and `H`; the identity stands in where `H` does not exist.
+    fn linearize(&self, signal: &Vector3<f64>) -> (Vector3<f64>, Matrix3<f64>) {
+        let p: Vec<Jet> = self.p.iter().map(|&v| lit(v)).collect();
+        let lanes = Vector3::from_fn(|i, _| variable(signal[i], i));
+        let truth = self.rest.cast().with_signal(self.model.sensor(), lanes);
+        let reading = lanes + self.model.error(&truth, &p);
+        let jacobian = Matrix3::from_fn(|i, j| derivatives(&reading[i])[j]);
+        let slope = inverse(&jacobian).unwrap_or_else(Matrix3::identity);
+        (reading.map(|v| v.re) - self.target, slope)
+    }
 }

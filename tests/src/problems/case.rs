@@ -78,32 +78,34 @@ impl Case {
         constraints
     }
 
-    /// How far `x` is from first-order optimality under the bounds: the largest `|∂cost/∂xₖ|`,
-    /// absolute or relative to `‖Jₖ‖ ‖r‖`, whichever is less, without parameters that are held at a
-    /// bound by their gradient. Linear constraints are not looked at.
+    /// How far `x` is from first-order optimality under the bounds: for each parameter the least of
+    /// `|∂cost/∂xₖ|`, the same relative to `‖Jₖ‖ ‖r‖`, and the distance to the bound that its
+    /// gradient pushes it to, relative to `1 + |bound|`; the largest of these. Linear constraints are
+    /// not looked at.
     pub fn optimality(&self, x: &[f64]) -> f64 {
         let free: Vec<usize> = (0..x.len()).collect();
         let mut r = Vec::new();
         let jacobian = self.problem.linearize(x, &free, &mut r);
         let size = r.iter().map(|v| v * v).sum::<f64>().sqrt();
-        let mut worst = 0.0f64;
-        for k in free {
+        let each = free.into_iter().map(|k| {
             let column = || (0..r.len()).map(|i| jacobian[(i, k)]);
             let gradient: f64 = column().zip(&r).map(|(j, r)| j * r).sum();
-            let norm = column().map(|j| j * j).sum::<f64>().sqrt();
-            let held = self
-                .lower
-                .get(k)
-                .is_some_and(|l| x[k] <= *l && gradient >= 0.0)
-                || self
-                    .upper
-                    .get(k)
-                    .is_some_and(|u| x[k] >= *u && gradient <= 0.0);
-            if !held && gradient != 0.0 {
-                worst = worst.max(gradient.abs().min(gradient.abs() / (norm * size)));
+            if gradient == 0.0 {
+                return 0.0;
             }
-        }
-        worst
+            let norm = column().map(|j| j * j).sum::<f64>().sqrt();
+            let bound = if gradient > 0.0 {
+                self.lower.get(k)
+            } else {
+                self.upper.get(k)
+            };
+            let room = bound.map_or(f64::INFINITY, |bound| {
+                (x[k] - bound).abs() / (1.0 + bound.abs())
+            });
+            let room = if room.is_nan() { f64::INFINITY } else { room };
+            gradient.abs().min(gradient.abs() / (norm * size)).min(room)
+        });
+        each.fold(0.0, f64::max)
     }
 
     /// Whether a sum of squares is one of the known minima, relative to it (absolutely below 1).

@@ -51,6 +51,8 @@ fn row_4_unknown_names_get_a_line_to_paste_that_works() {
     )
     .unwrap();
     assert_same_samples(&recording, 200);
+    let columns = "t=clock,ax=a1_x,ay=a1_y,az=a1_z,gx=r1_x,gy=r1_y,gz=r1_z";
+    refused(&text, "1", &[columns]);
     let columns = "t=clock,ax=a1x,ay=a1_y,az=a1_z".parse().unwrap();
     let options = ReadOptions {
         columns,
@@ -71,6 +73,17 @@ fn row_5_doubled_columns_are_refused_with_both_numbers() {
         "1",
         &["columns 2", "and 4"],
     );
+}
+
+#[test]
+fn columns_that_are_said_win_and_the_others_go_by_name() {
+    let text = file("t,ax,ay,ax2,gx,gy,gz", &rows(200));
+    let columns = "az=ax2".parse().unwrap();
+    let options = ReadOptions {
+        columns,
+        ..ReadOptions::default()
+    };
+    assert_same_samples(&read(&text, &options).unwrap(), 200);
 }
 
 #[test]

@@ -56,6 +56,14 @@ fn row_81_degrees_are_converted_when_stated_or_when_a_hand_cannot_turn_so_fast()
     );
     let recording = read(degrees, &ReadOptions::default()).unwrap();
     assert!((recording.gyroscope.unwrap().values[0].z - 2.0).abs() < 1e-14);
+    let suffixed = scaled(
+        "time_s,ax_g,ay_g,az_g,gx_dps,gy_dps,gz_dps",
+        1.0 / 9.80665,
+        100.0,
+    );
+    let recording = read(suffixed, &ReadOptions::default()).unwrap();
+    assert_eq!(recording.warnings, Vec::<String>::new());
+    assert!((recording.gyroscope.unwrap().values[0].z - 200f64.to_radians()).abs() < 1e-14);
     let recording = warned(scaled(HEADER, 1.0, 150.0), &["gyroscope taken as deg/s"]);
     assert!((recording.gyroscope.unwrap().values[0].z - 300f64.to_radians()).abs() < 1e-14);
 }
@@ -67,6 +75,13 @@ fn rows_82_and_83_columns_go_by_name() {
         .map(|row| row.split(',').rev().collect::<Vec<_>>().join(","))
         .collect();
     read_as_usual(file("gz,gy,gx,az,ay,ax,t", &lines), 200);
+    read_as_usual(
+        file(
+            "field.angular_velocity.z,field.angular_velocity.y,field.angular_velocity.x,field.linear_acceleration.z,field.linear_acceleration.y,field.linear_acceleration.x,%time",
+            &lines,
+        ),
+        200,
+    );
     read_as_usual(
         file(
             "w_RS_S_z [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_x [rad s^-1],a_RS_S_z [m s^-2],a_RS_S_y [m s^-2],a_RS_S_x [m s^-2],t",

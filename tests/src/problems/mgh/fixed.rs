@@ -1,6 +1,6 @@
 //! Problems 1 to 19, of fixed size.
 
-use solver::lit;
+use solver::{Residual, Scalar, lit};
 
 use crate::problems::Case;
 use crate::problems::case::residuals;
@@ -70,23 +70,35 @@ Meyer, |x, out| {
         out.push(x[0] * (x[1] / (x[2] + t)).exp() - lit::<D>(y));
     }
 });
-residuals!(/// 11, whose "y m i x2" is a misprint of "y - x2" (Hock and Schittkowski, problem 25).
-Gulf, |x, out| {
-    for i in 1..=99 {
-        let t = f64::from(i) / 100.0;
-        let y = 25.0 + (-50.0 * t.ln()).powf(2.0 / 3.0);
-        let size = (-x[1] + y).abs();
-        out.push((-(size.ln() * x[2]).exp() / x[0]).exp() - lit::<D>(t));
+/// 11 with `m` residuals; its "y m i x2" is a misprint of "y - x2" (Hock and Schittkowski, 25).
+#[derive(Clone, Copy, Debug)]
+pub struct Gulf(pub u32);
+
+impl<D: Scalar> Residual<D> for Gulf {
+    fn residuals(&self, x: &[D], out: &mut Vec<D>) {
+        for i in 1..=self.0 {
+            let t = f64::from(i) / 100.0;
+            let y = 25.0 + (-50.0 * t.ln()).powf(2.0 / 3.0);
+            let size = (-x[1] + y).abs();
+            out.push((-(size.ln() * x[2]).exp() / x[0]).exp() - lit::<D>(t));
+        }
     }
-});
-residuals!(/// 12.
-Box3, |x, out| {
-    for i in 1..=10 {
-        let t = 0.1 * f64::from(i);
-        let drift = x[2] * ((-t).exp() - (-10.0 * t).exp());
-        out.push((-x[0] * t).exp() - (-x[1] * t).exp() - drift);
+}
+
+/// 12 with `m` residuals.
+#[derive(Clone, Copy, Debug)]
+pub struct Box3(pub u32);
+
+impl<D: Scalar> Residual<D> for Box3 {
+    fn residuals(&self, x: &[D], out: &mut Vec<D>) {
+        for i in 1..=self.0 {
+            let t = 0.1 * f64::from(i);
+            let drift = x[2] * ((-t).exp() - (-10.0 * t).exp());
+            out.push((-x[0] * t).exp() - (-x[1] * t).exp() - drift);
+        }
     }
-});
+}
+
 residuals!(/// 13.
 PowellSingular, |x, out| {
     out.push(x[0] + x[1] * 10.0);
@@ -196,8 +208,8 @@ pub fn nineteen() -> Vec<Case> {
             &[0.02, 4000.0, 250.0],
             &[87.945_855_170_86],
         ),
-        Case::new("MGH11 Gulf", Gulf, &[5.0, 2.5, 0.15], &[0.0]),
-        Case::new("MGH12 Box", Box3, &[0.0, 10.0, 20.0], &[0.0]),
+        Case::new("MGH11 Gulf", Gulf(99), &[5.0, 2.5, 0.15], &[0.0]),
+        Case::new("MGH12 Box", Box3(10), &[0.0, 10.0, 20.0], &[0.0]),
         Case::new(
             "MGH13 Powell singular",
             PowellSingular,

@@ -247,7 +247,7 @@ pub fn scalable() -> Vec<Case> {
             "MGH26 trigonometric 10",
             Trigonometric,
             &[0.1; 10],
-            &[0.0, 2.795_06e-5],
+            &[0.0, 2.795_056_121_88e-5],
         ),
         Case::new(
             "MGH27 Brown almost linear 10",
