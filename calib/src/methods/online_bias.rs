@@ -155,10 +155,14 @@ pub fn update_accelerometer(
             recording.name
         )));
     }
-    if report.uncertainty.rank < 3 || report.uncertainty.condition > WORST_CONDITION {
+    // The three share a unit: columns as they are, for one of nearly nothing is a blind axis.
+    let sizes = &report.uncertainty.singular_values;
+    let condition = sizes.first().unwrap_or(&0.0) / sizes.last().unwrap_or(&0.0);
+    if condition.is_nan() || condition > WORST_CONDITION {
         return Err(Error::NotEnough(format!(
-            "{}: the rests do not tell the three axes apart (condition {:.0}): turn the device further",
-            recording.name, report.uncertainty.condition
+            "{}: the rests do not tell the three axes apart (condition {condition:.0}): turn the \
+             device further",
+            recording.name
         )));
     }
     let sigma = report.reduced_chi2().map_or(f64::NAN, f64::sqrt);
@@ -228,4 +232,101 @@ fn mean_of(values: &[Vector3<f64>], batches: usize) -> Option<(Vector3<f64>, Vec
     let n = squares.len() as f64;
     let std = squares.iter().sum::<Vector3<f64>>() / (n * (n - 1.0).max(1.0));
     Some((mean, std.map(f64::sqrt)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::intervals::{Detector, segment};
+    use crate::methods::six_position::{Face, Placement, Six, SixPosition};
+    use crate::recording::Stream;
+
+    const G: f64 = 9.8;
+    /// Biases of the day: what a calibration from yesterday does not know.
+    const FORCE: Vector3<f64> = Vector3::new(0.05, -0.02, 0.03);
+    const RATE: Vector3<f64> = Vector3::new(1e-3, 2e-3, -5e-4);
+
+    /// Yesterday's calibration: a perfect device.
+    fn yesterday() -> Calibration {
+        let placement = |face: &Face| Placement {
+            label: face.name().into(),
+            accelerometer: face.direction() * G,
+            gyroscope: Some(Vector3::zeros()),
+        };
+        let six = Six::sort(Face::ALL.iter().map(placement).collect(), G).unwrap();
+        SixPosition::solve(&six, G).calibration(false).unwrap()
+    }
+
+    /// Rests of `seconds` on each face with quick turns between, both sensors biased, with some noise.
+    fn today(faces: &[Face], seconds: f64) -> (Recording, Segmentation) {
+        let (mut force, mut rate) = (Stream::default(), Stream::default());
+        let mut t = 0.0;
+        for face in faces {
+            for (length, size) in [(seconds, 1e-3), (1.0, 1.0)] {
+                let end = t + length;
+                while t < end {
+                    let shake = Vector3::new((47.0 * t).sin(), (31.0 * t).sin(), (59.0 * t).sin());
+                    for stream in [&mut force, &mut rate] {
+                        stream.t.push(t);
+                    }
+                    force
+                        .values
+                        .push(face.direction() * G + FORCE + shake * size);
+                    rate.values.push(RATE + shake * (0.01 * size));
+                    t += 0.02;
+                }
+            }
+        }
+        let recording = Recording {
+            name: "today".into(),
+            accelerometer: Some(force),
+            gyroscope: Some(rate),
+            ..Recording::default()
+        };
+        let rests = segment(&recording, &Detector::default()).unwrap();
+        assert_eq!(rests.statics.len(), faces.len());
+        (recording, rests)
+    }
+
+    #[test]
+    fn biases_of_the_day_are_found_and_nothing_else_changes() {
+        let (recording, rests) = today(&Face::ALL, 25.0);
+        let old = yesterday();
+        let stretches = gyroscope_stretches(&old, &recording, &rests).unwrap();
+        assert_eq!(stretches.len(), 6);
+        let new = update_gyroscope(&old, "today", &stretches).unwrap();
+        let new = update_accelerometer(&new, &recording, &rests).unwrap();
+        let bias = |sensor| new.triad(sensor).unwrap().base().bias;
+        // The shaking does not average out exactly over a rest: 1e-3 of it over 25 s.
+        assert!((bias(Sensor::Gyroscope) - RATE).norm() < 1e-6);
+        assert!((bias(Sensor::Accelerometer) - FORCE).norm() < 1e-3 * FORCE.norm());
+        assert_eq!(new.history.len(), 2);
+        assert_eq!(new.history[1].sensor, "accel");
+        assert_eq!(new.accelerometer.unwrap().t, old.accelerometer.unwrap().t);
+    }
+
+    #[test]
+    fn rests_in_one_plane_do_not_give_an_accelerometer_bias() {
+        let plane = [Face::XUp, Face::YUp, Face::XDown, Face::YDown];
+        let (recording, rests) = today(&plane, 5.0);
+        let message = update_accelerometer(&yesterday(), &recording, &rests)
+            .unwrap_err()
+            .to_string();
+        assert!(
+            message.contains("do not tell the three axes apart"),
+            "{message}"
+        );
+    }
+
+    #[test]
+    fn short_rests_and_few_rests_are_refused() {
+        let (recording, rests) = today(&[Face::XUp, Face::YUp, Face::ZUp], 10.0);
+        let message = gyroscope_stretches(&yesterday(), &recording, &rests).unwrap_err();
+        assert!(message.to_string().contains("more than 20 s"), "{message}");
+        let message = update_accelerometer(&yesterday(), &recording, &rests).unwrap_err();
+        assert!(
+            message.to_string().contains("3 rests and an accelerometer"),
+            "{message}"
+        );
+    }
 }

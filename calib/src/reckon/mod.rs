@@ -13,5 +13,5 @@ pub mod published;
 mod track;
 
 pub use ending::Ending;
-pub use motion::Motion;
+pub use motion::{Motion, gap_in};
 pub use track::{Mode, Track, reckon};

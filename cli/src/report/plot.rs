@@ -104,7 +104,7 @@ impl Plot {
 fn thin(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     let every = points.len().div_ceil(DENSEST).max(1);
     let last = points.len().saturating_sub(1);
-    let kept = |k: usize| k % every == 0 || k == last;
+    let kept = |k: usize| k.is_multiple_of(every) || k == last;
     points
         .into_iter()
         .enumerate()

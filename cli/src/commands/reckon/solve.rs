@@ -4,7 +4,7 @@ use calib::Recording;
 use calib::calibration::{Calibration, apply};
 use calib::intervals::Span;
 use calib::reckon::published::{Procedure, authors_proposed, authors_six_position};
-use calib::reckon::{Ending, Mode, Motion, reckon};
+use calib::reckon::{Ending, Mode, Motion, gap_in, reckon};
 use nalgebra::Vector3;
 use sensor::Base;
 use serde::Serialize;
@@ -143,6 +143,22 @@ pub(super) fn equations(
             "{}: no rest after the motion, so nothing is known of its end",
             recording.name
         ));
+    }
+    for (sensor, stream) in [
+        ("accelerometer", &recording.accelerometer),
+        ("gyroscope", &recording.gyroscope),
+    ] {
+        if let Some(gap) = stream
+            .as_ref()
+            .and_then(|stream| gap_in(stream, motion.span))
+        {
+            warnings.push(format!(
+                "{}: the {sensor} has a gap of {:.2} s at t = {:.2} s, in the motion",
+                recording.name,
+                gap.length(),
+                gap.from
+            ));
+        }
     }
     let mut results = Vec::new();
     for named in calibrations {
