@@ -3,7 +3,7 @@
 use faer::{Mat, MatRef};
 use serde::{Deserialize, Serialize};
 
-use crate::observability::in_words;
+use crate::observability::{in_words, separate};
 use crate::scaling::unit_if_zero;
 
 /// Singular values below this fraction of the largest one count as zero.
@@ -20,6 +20,7 @@ pub struct Uncertainty {
     /// Rank of the Jacobian with unit columns, along active constraints.
     pub rank: usize,
     /// Largest over smallest singular value (of those that count) of the Jacobian with unit columns.
+    #[serde(with = "crate::infinite")]
     pub condition: f64,
     /// Singular values of the Jacobian as it stands, descending.
     pub singular_values: Vec<f64>,
@@ -95,7 +96,13 @@ pub(crate) fn uncertainty_along(
             .map(|k| axes[(i, k)] * axes[(j, k)] / (s[k] * s[k]))
             .sum()
     };
-    let unseen = |k: usize| in_words(&(0..n).map(|i| axes[(i, k)]).collect::<Vec<_>>(), &names);
+    let units: Vec<f64> = (0..n)
+        .map(|k| unit_if_zero(jacobian.col(k).norm_l2()))
+        .collect();
+    let unseen = (rank..d)
+        .map(|k| (0..n).map(|i| axes[(i, k)]).collect())
+        .collect();
+    let unseen = separate(unseen, &units);
     Uncertainty {
         covariance: (0..n)
             .map(|i| (0..n).map(|j| entry(i, j)).collect())
@@ -106,7 +113,10 @@ pub(crate) fn uncertainty_along(
         } else {
             largest / s[rank - 1]
         },
-        unobservable: (rank..d).map(unseen).collect(),
+        unobservable: unseen
+            .iter()
+            .map(|direction| in_words(direction, &units, &names))
+            .collect(),
         singular_values,
         names,
     }

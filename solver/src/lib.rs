@@ -9,12 +9,15 @@
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod blocks;
+mod check;
+mod closure;
 mod constraints;
 mod covariance;
 mod descent;
 mod error;
 mod feasible;
 mod finish;
+mod infinite;
 mod iterate;
 mod linear;
 mod loss;
@@ -23,6 +26,7 @@ mod observability;
 mod options;
 mod parameters;
 mod point;
+mod profile;
 mod report;
 mod residual;
 pub mod scalar;
@@ -33,6 +37,8 @@ mod system;
 mod vector;
 
 pub use blocks::{BlockProblem, BlockReport, solve_blocks};
+pub use check::{Mismatch, check_derivatives};
+pub use closure::{from_fn, from_fn_numeric};
 pub use constraints::{ActiveConstraint, Constraint, Constraints};
 pub use covariance::{Uncertainty, uncertainty};
 pub use error::Error;
@@ -40,9 +46,10 @@ pub use linear::LinearSolver;
 pub use loss::{Loss, LossScale};
 pub use options::{Damping, Options, Variant};
 pub use parameters::{Mask, Parameters};
+pub use profile::{ProfileInterval, profile_interval};
 pub use report::{Iteration, Report, Termination};
 pub use residual::{Problem, Residual};
-pub use scalar::{Jet, Jet2, LANES, Scalar, lit};
+pub use scalar::{DualNum, Jet, Jet2, LANES, Scalar, lit};
 pub use solve::{solve, solve_observed};
 pub use system::Evaluations;
 

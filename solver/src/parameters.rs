@@ -109,6 +109,15 @@ impl Mask {
         self.free[k]
     }
 
+    /// The same with parameter `k` held.
+    pub fn without(&self, k: usize) -> Self {
+        let mut free = self.free.clone();
+        if let Some(entry) = free.get_mut(k) {
+            *entry = false;
+        }
+        Self { free }
+    }
+
     /// The indices of the free parameters, ascending.
     pub fn free_indices(&self) -> Vec<usize> {
         (0..self.free.len()).filter(|&k| self.free[k]).collect()

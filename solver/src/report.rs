@@ -87,6 +87,7 @@ impl Termination {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Iteration {
     /// Cost after the step; infinite where it was not evaluated.
+    #[serde(with = "crate::infinite")]
     pub cost: f64,
     /// Size of the step: the damping, the trust radius or the fraction of the full step.
     pub lambda: f64,
@@ -121,6 +122,7 @@ pub struct Report {
     pub relative_offset: f64,
     /// Length of the Gauss–Newton step that is left, relative to the parameters, both scaled by
     /// the column norms.
+    #[serde(with = "crate::infinite")]
     pub relative_step: f64,
     /// Constraints that hold with equality.
     pub active: Vec<ActiveConstraint>,

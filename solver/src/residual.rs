@@ -41,26 +41,8 @@ where
 
     fn linearize(&self, x: &[f64], free: &[usize], residuals: &mut Vec<f64>) -> Mat<f64> {
         self.values(x, residuals);
-        let mut jacobian = Mat::zeros(residuals.len(), free.len());
-        let mut point: Vec<Jet> = x.iter().map(|&value| Jet::from_re(value)).collect();
-        let mut row_jets = Vec::with_capacity(residuals.len());
-        for (pass, columns) in free.chunks(LANES).enumerate() {
-            for (lane, &k) in columns.iter().enumerate() {
-                point[k] = variable(x[k], lane);
-            }
-            row_jets.clear();
-            Residual::<Jet>::residuals(self, &point, &mut row_jets);
-            for (row, value) in row_jets.iter().enumerate() {
-                let slopes = derivatives(value);
-                for lane in 0..columns.len() {
-                    jacobian[(row, pass * LANES + lane)] = slopes[lane];
-                }
-            }
-            for &k in columns {
-                point[k] = Jet::from_re(x[k]);
-            }
-        }
-        jacobian
+        let evaluate = |x: &[Jet], out: &mut Vec<Jet>| Residual::<Jet>::residuals(self, x, out);
+        dual_jacobian(&evaluate, x, free, residuals.len())
     }
 
     fn second_derivative(&self, x: &[f64], v: &[f64], out: &mut Vec<f64>) -> bool {
@@ -71,4 +53,33 @@ where
         out.extend(rows.iter().map(second_derivative));
         true
     }
+}
+
+/// The Jacobian (`m × free.len()`) by forward mode, [`LANES`] columns per pass.
+pub(crate) fn dual_jacobian(
+    evaluate: &impl Fn(&[Jet], &mut Vec<Jet>),
+    x: &[f64],
+    free: &[usize],
+    m: usize,
+) -> Mat<f64> {
+    let mut jacobian = Mat::zeros(m, free.len());
+    let mut point: Vec<Jet> = x.iter().map(|&value| Jet::from_re(value)).collect();
+    let mut rows = Vec::with_capacity(m);
+    for (pass, columns) in free.chunks(LANES).enumerate() {
+        for (lane, &k) in columns.iter().enumerate() {
+            point[k] = variable(x[k], lane);
+        }
+        rows.clear();
+        evaluate(&point, &mut rows);
+        for (row, value) in rows.iter().enumerate() {
+            let slopes = derivatives(value);
+            for lane in 0..columns.len() {
+                jacobian[(row, pass * LANES + lane)] = slopes[lane];
+            }
+        }
+        for &k in columns {
+            point[k] = Jet::from_re(x[k]);
+        }
+    }
+    jacobian
 }

@@ -1,6 +1,9 @@
 //! The scalars a residual is evaluated on: the only place that names num-dual.
 
-use num_dual::{Derivative, Dual2_64, DualNum, DualSVec64};
+use num_dual::{Derivative, Dual2_64, DualSVec64};
+
+/// The functions of a [`Scalar`]; to be imported where a closure over [`Jet`] calls `exp` or `sqrt`.
+pub use num_dual::DualNum;
 
 /// `f64`, [`Jet`] or [`Jet2`]: the number a residual or a sensor model is written over.
 ///

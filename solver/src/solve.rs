@@ -363,7 +363,7 @@ fn active(point: &Point, verdict: &Verdict, polytope: Option<&Polytope>) -> Vec<
             ActiveConstraint {
                 constraint,
                 value,
-                multiplier: -multiplier,
+                multiplier,
             }
         })
         .collect()

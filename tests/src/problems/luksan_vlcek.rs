@@ -56,7 +56,7 @@ pub fn all() -> Vec<Case> {
             .take(20)
             .collect::<Vec<f64>>()
     };
-    let mut wood = vec![-2.0, 0.0].repeat(10);
+    let mut wood = [-2.0, 0.0].repeat(10);
     wood[..4].copy_from_slice(&[-3.0, -1.0, -3.0, -1.0]);
     let mut cragg = vec![2.0; 10];
     cragg[0] = 1.0;

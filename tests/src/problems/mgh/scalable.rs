@@ -128,13 +128,11 @@ residuals!(/// 31.
 BroydenBanded, |x, out| {
     let n = x.len();
     for i in 0..n {
-        let mut sum = lit::<D>(0.0);
-        for j in i.saturating_sub(5)..(i + 2).min(n) {
-            if j != i {
-                sum += x[j] * (x[j] + 1.0);
-            }
-        }
-        out.push(x[i] * (x[i] * x[i] * 5.0 + 2.0) + 1.0 - sum);
+        let first = i.saturating_sub(5);
+            let band = &x[first..(i + 2).min(n)];
+            let others = band.iter().enumerate().filter(|(j, _)| first + j != i);
+            let sum = others.fold(lit::<D>(0.0), |sum, (_, &x)| sum + x * (x + 1.0));
+            out.push(x[i] * (x[i] * x[i] * 5.0 + 2.0) + 1.0 - sum);
     }
 });
 
