@@ -43,7 +43,12 @@ fn every_placement_is_found_and_the_truth_lies_within_the_errors() {
     let mut all = Vec::new();
     for seed in 0..12 {
         let session = Spec::hand_held(seed).run().unwrap();
-        let outcome = calibrate(&[session.recording.clone()], &[], &request(&session)).unwrap();
+        let outcome = calibrate(
+            std::slice::from_ref(&session.recording),
+            &[],
+            &request(&session),
+        )
+        .unwrap();
         let found = outcome.choices[0].segmentation.statics.len();
         assert_eq!(found, session.truth.static_intervals.len(), "seed {seed}");
         assert_eq!(
@@ -76,7 +81,7 @@ fn g_sensitivity_in_the_model_is_recovered_within_its_errors() {
         effects,
         ..request(&session)
     };
-    let outcome = calibrate(&[session.recording.clone()], &[], &request).unwrap();
+    let outcome = calibrate(std::slice::from_ref(&session.recording), &[], &request).unwrap();
     let pulls = pulls(&session, &outcome);
     assert_eq!(
         pulls
@@ -100,7 +105,7 @@ fn raw_counts_give_the_same_corrected_signal_as_si_units() {
     let corrected: Vec<Recording> = sessions
         .iter()
         .map(|s| {
-            let outcome = calibrate(&[s.recording.clone()], &[], &request(s)).unwrap();
+            let outcome = calibrate(std::slice::from_ref(&s.recording), &[], &request(s)).unwrap();
             apply(&outcome.calibration, &s.recording)
         })
         .collect();
@@ -161,7 +166,12 @@ fn recordings_share_a_bias_unless_the_data_ask_for_their_own() {
 #[test]
 fn the_same_recording_twice_counts_once() {
     let session = Spec::hand_held(4).run().unwrap();
-    let once = calibrate(&[session.recording.clone()], &[], &request(&session)).unwrap();
+    let once = calibrate(
+        std::slice::from_ref(&session.recording),
+        &[],
+        &request(&session),
+    )
+    .unwrap();
     let both = [session.recording.clone(), session.recording.clone()];
     let twice = calibrate(&both, &[], &request(&session)).unwrap();
     assert_eq!(
@@ -173,7 +183,11 @@ fn the_same_recording_twice_counts_once() {
 
 fn refusal(spec: &Spec) -> String {
     let session = spec.run().unwrap();
-    match calibrate(&[session.recording.clone()], &[], &request(&session)) {
+    match calibrate(
+        std::slice::from_ref(&session.recording),
+        &[],
+        &request(&session),
+    ) {
         Err(Error::NotEnough(what)) => what,
         Err(other) => panic!("{other}"),
         Ok(outcome) => panic!("accepted: {:?}", outcome.calibration.warnings),
@@ -215,7 +229,11 @@ fn placements_in_one_plane_are_refused_with_the_parameter_that_is_not_known() {
         };
         spec.motion = Motion::HandHeld(motion);
         let session = spec.run().unwrap();
-        match calibrate(&[session.recording.clone()], &[], &request(&session)) {
+        match calibrate(
+            std::slice::from_ref(&session.recording),
+            &[],
+            &request(&session),
+        ) {
             Err(Error::NotEnough(what)) => assert!(what.contains("accel."), "{what}"),
             Err(other) => panic!("{other}"),
             Ok(outcome) => {
