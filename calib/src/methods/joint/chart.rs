@@ -56,6 +56,6 @@ mod tests {
         assert_eq!(chart.reference, -Vector3::z());
         assert!((chart.slope(&[0.0, 0.0]) - chart.across).norm() < 1e-15);
         assert!((chart.across.transpose() * chart.across).is_identity(1e-15));
-        assert!((chart.direction(&[0.3, -0.4]).norm() - 1.0).abs() < 1e-15);
+        assert!((chart.direction::<f64>(&[0.3, -0.4]).norm() - 1.0).abs() < 1e-15);
     }
 }

@@ -1,6 +1,7 @@
 //! The fit: solve, measure the noise, look for disturbances, solve again.
 
 use faer::Mat;
+use nalgebra::Vector3;
 use sensor::{Model, Sensor};
 use solver::{Mask, Options, Parameters, Problem, Report, Variant, solve};
 
@@ -10,7 +11,7 @@ use super::data::{Cut, Data};
 use super::disturbance::{Disturbance, Suspect, pushed_chunk, suspects};
 use super::problem::Rows;
 use super::start::{Start, charts, start};
-use super::weights::{Component, NoiseLevel, Whitening};
+use super::weights::{Component, ComponentKind, NoiseLevel, Whitening};
 use crate::error::Error;
 use crate::intervals::{Segmentation, Span};
 use crate::methods::RawUnit;
@@ -36,6 +37,9 @@ pub struct JointRequest<'a> {
     pub gyroscope: Model,
     /// Local gravity, m/s².
     pub gravity: f64,
+    /// Random walk densities of the biases of accelerometer (m/s²/√s) and gyroscope (rad/s/√s), where
+    /// they are known; estimated where not.
+    pub walk: Option<[f64; 2]>,
 }
 
 /// Something that was found disturbed and has parameters of its own since.
@@ -60,6 +64,8 @@ pub struct JointFit {
     pub models: [Model; 2],
     /// The data.
     pub data: Data,
+    /// Coordinates of the directions.
+    pub charts: Vec<Chart>,
     /// All parameters with names: models, own biases, directions, disturbances.
     pub parameters: Parameters,
     /// Places of the free parameters, the columns of the Jacobian.
@@ -307,7 +313,11 @@ impl Run<'_> {
                 .accuse(&candidates, &given, &[], most)
                 .unwrap_or(given.clone());
         }
-        let mut levels = analysis.levels(&all(&found));
+        let measured = |analysis: &Analysis, known: &[&Suspect]| match self.request.walk {
+            Some(walk) => given_levels(walk),
+            None => analysis.levels(known),
+        };
+        let mut levels = measured(&analysis, &all(&found));
         for _ in 0..3 {
             let doubtful: Vec<usize> = found
                 .iter()
@@ -324,7 +334,7 @@ impl Run<'_> {
                 break;
             }
             found = next;
-            levels = analysis.levels(&all(&found));
+            levels = measured(&analysis, &all(&found));
         }
         found.sort_unstable();
         let found = found.iter().map(|&k| candidates[k].clone()).collect();
@@ -370,6 +380,7 @@ impl Run<'_> {
             chords: rows.chords(x),
             moduli: rows.moduli(x),
             data: self.data.clone(),
+            charts: self.charts.to_vec(),
             free: solution.free,
             report: solution.report,
         }
@@ -399,6 +410,27 @@ impl Run<'_> {
             span,
             detail: suspect.detail.clone(),
         }
+    }
+}
+
+fn given_levels([force, rate]: [f64; 2]) -> Vec<NoiseLevel> {
+    [
+        (ComponentKind::AccelerometerWalk, force),
+        (ComponentKind::GyroscopeWalk, rate),
+    ]
+    .map(|(kind, size)| NoiseLevel { kind, size })
+    .to_vec()
+}
+
+impl JointFit {
+    /// The direction of specific force in every rest, body frame.
+    pub fn directions(&self) -> Vec<Vector3<f64>> {
+        let x = &self.parameters.values()[self.shared..];
+        self.charts
+            .iter()
+            .enumerate()
+            .map(|(k, chart)| chart.direction(&x[2 * k..2 * k + 2]))
+            .collect()
     }
 }
 

@@ -35,6 +35,7 @@ mod trim;
 mod turn;
 mod weights;
 
+pub use chart::Chart;
 pub use data::{Data, LostTurn, Rest, Source};
 pub use disturbance::Disturbance;
 pub use fit::{Accused, JointFit, JointRequest, fit_joint};
