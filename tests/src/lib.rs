@@ -2,6 +2,7 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+pub mod coverage;
 pub mod noise_source;
 pub mod phone;
 pub mod problems;

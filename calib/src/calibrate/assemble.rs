@@ -9,7 +9,7 @@ use crate::calibration::{
 };
 use crate::error::Error;
 use crate::intervals::Segmentation;
-use crate::methods::{AccelerometerFit, Choice, Fitted, GyroscopeFit};
+use crate::methods::{AccelerometerFit, Choice, Fitted, GyroscopeFit, RawUnit};
 use crate::recording::Recording;
 
 /// What the stages left.
@@ -46,15 +46,15 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
                 request.gravity,
             ));
         }
-        warnings.extend(of_the_unit(fit));
+        warnings.extend(of_the_unit(&fit.unit));
         accelerometer_triad(fit, recordings, choices, request)
     });
     let gyroscope_triad = match (gyroscope, accelerometer) {
         (Some(fit), Some(force)) => {
             table.add(&fit.fitted);
             let si = force.unit.is_si();
-            failed_gates.extend(checks::gyroscope_gates(fit, si));
-            warnings.extend(of_the_gyro_unit(fit, si));
+            failed_gates.extend(checks::gyroscope_gates(&checks::RateEvidence::of(fit), si));
+            warnings.extend(of_the_gyro_unit(&fit.unit, si));
             Some(gyroscope_triad(fit, force, turning, request, &mut table))
         }
         _ => resting_gyroscope(turning, &mut table),
@@ -292,7 +292,7 @@ fn rest_bias(recording: &Recording, segmentation: &Segmentation) -> Option<Recor
     })
 }
 
-fn triad(sensor: Sensor, equation: &str, fitted: &Fitted) -> Triad {
+pub(super) fn triad(sensor: Sensor, equation: &str, fitted: &Fitted) -> Triad {
     let names = base_names(sensor);
     let base = Base::from_parameters(fitted.parameters.values());
     let mut t_std = [[None; 3]; 3];
@@ -320,7 +320,7 @@ fn rows(t: &Matrix3<f64>) -> [[f64; 3]; 3] {
     std::array::from_fn(|i| std::array::from_fn(|j| t[(i, j)]))
 }
 
-fn effect_values<'a>(
+pub(super) fn effect_values<'a>(
     model: &'a Model,
     fitted: &'a Fitted,
 ) -> impl Iterator<Item = EffectValues> + 'a {
@@ -351,25 +351,25 @@ fn per_degree_of_freedom(sum: f64, rows: usize, rank: usize) -> Option<f64> {
 }
 
 /// What the accelerometer's readings turned out to be, if not m/s².
-fn of_the_unit(fit: &AccelerometerFit) -> Option<String> {
-    let scale = fit.unit.scale;
-    (!fit.unit.is_si()).then(|| {
+pub(super) fn of_the_unit(unit: &RawUnit) -> Option<String> {
+    let scale = unit.scale;
+    (!unit.is_si()).then(|| {
         if (9.0..10.5).contains(&scale) {
             "the accelerometer's readings look like units of g: T carries them to m/s²".into()
         } else {
             format!(
                 "the accelerometer's readings are raw counts: one is about {scale:.4e} m/s², zero lies \
                  near {:.0}, {:.0}, {:.0}",
-                fit.unit.zero.x, fit.unit.zero.y, fit.unit.zero.z
+                unit.zero.x, unit.zero.y, unit.zero.z
             )
         }
     })
 }
 
 /// What the gyroscope's readings turned out to be, if not rad/s.
-fn of_the_gyro_unit(fit: &GyroscopeFit, accelerometer_is_si: bool) -> Option<String> {
-    let scale = fit.unit.scale;
-    if fit.unit.is_si() || (accelerometer_is_si && (0.3..3.0).contains(&scale)) {
+pub(super) fn of_the_gyro_unit(unit: &RawUnit, accelerometer_is_si: bool) -> Option<String> {
+    let scale = unit.scale;
+    if scale == 1.0 || (accelerometer_is_si && (0.3..3.0).contains(&scale)) {
         return None;
     }
     Some(if (scale.to_degrees() - 1.0).abs() < 0.15 {

@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 use sensor::{Base, Kinematics};
+use solver::Report;
 
 use crate::error::Error;
 use crate::intervals::Segmentation;
@@ -95,24 +96,73 @@ pub(super) fn enough_rests(
     }
 }
 
+/// The fit of an accelerometer, by whatever method.
+pub(super) struct ForceEvidence<'a> {
+    pub fitted: &'a Fitted,
+    /// Direction of specific force in every rest, body frame.
+    pub directions: Vec<Vector3<f64>>,
+    /// SI units per raw unit.
+    pub scale: f64,
+    /// Local gravity, m/s².
+    pub gravity: f64,
+    pub report: &'a Report,
+}
+
+/// The fit of a gyroscope, by whatever method.
+pub(super) struct RateEvidence<'a> {
+    pub fitted: &'a Fitted,
+    /// Number of turns.
+    pub turns: usize,
+    /// SI units per raw unit.
+    pub scale: f64,
+    /// By how much the turns miss gravity after the fit, rad.
+    pub rms: f64,
+    pub report: &'a Report,
+}
+
+impl<'a> ForceEvidence<'a> {
+    /// Of the stepwise fit.
+    pub(super) fn of(fit: &'a AccelerometerFit, request: &AccelerometerRequest) -> Self {
+        Self {
+            fitted: &fit.fitted,
+            directions: directions(fit, request),
+            scale: fit.unit.scale,
+            gravity: request.gravity,
+            report: &fit.first,
+        }
+    }
+}
+
+impl<'a> RateEvidence<'a> {
+    /// Of the stepwise fit.
+    pub(super) fn of(fit: &'a GyroscopeFit) -> Self {
+        Self {
+            fitted: &fit.fitted,
+            turns: fit.chords.len(),
+            scale: fit.unit.scale,
+            rms: fit.rms(),
+            report: &fit.report,
+        }
+    }
+}
+
 /// Refuses a fit whose parameters the data do not determine and warns of weak ones.
 pub(super) fn accelerometer_is_determined(
-    fit: &AccelerometerFit,
-    request: &AccelerometerRequest,
+    fit: &ForceEvidence<'_>,
     warnings: &mut Vec<String>,
 ) -> Result<(), Error> {
-    let directions = directions(fit, request);
+    let directions = &fit.directions;
     let Coverage {
         words: coverage,
         complete,
-    } = coverage(&directions);
+    } = coverage(directions);
     let free = fit.fitted.free.len();
     let count = directions.len();
     if fit.fitted.rank < free {
         return Err(Error::NotEnough(format!(
             "{coverage}: too few for {free} parameters (rank {}); not observable: {}",
             fit.fitted.rank,
-            not_observable(&fit.fitted)
+            not_observable(fit.fitted)
         )));
     }
     if count <= free {
@@ -122,16 +172,16 @@ pub(super) fn accelerometer_is_determined(
             free + 1
         )));
     }
-    if !fit.first.termination.converged() {
+    if !fit.report.termination.converged() {
         return Err(Error::NotConverged(format!(
             "the accelerometer's fit stopped after {} steps ({:?}); is the gravity of {} m/s² right, \
              and was the device still in the intervals that `segment` shows?",
-            fit.first.iterations.len(),
-            fit.first.termination,
-            request.gravity
+            fit.report.iterations.len(),
+            fit.report.termination,
+            fit.gravity
         )));
     }
-    let weak = weak_parameters(&fit.fitted, fit.unit.scale, request.gravity);
+    let weak = weak_parameters(fit.fitted, fit.scale, fit.gravity);
     let refused: Vec<&Weak> = weak.iter().filter(|w| w.refused).collect();
     if !refused.is_empty() {
         return Err(Error::NotEnough(format!(
@@ -144,7 +194,7 @@ pub(super) fn accelerometer_is_determined(
         )));
     }
     if !complete {
-        let worst = worst_known(&fit.fitted, fit.unit.scale);
+        let worst = worst_known(fit.fitted, fit.scale);
         warnings.push(format!("{coverage}{worst}"));
     }
     warnings.extend(
@@ -169,11 +219,10 @@ fn worst_known(fitted: &Fitted, scale: f64) -> String {
 
 /// Refuses a fit that the turns do not determine and warns of weak parameters.
 pub(super) fn gyroscope_is_determined(
-    fit: &GyroscopeFit,
+    fit: &RateEvidence<'_>,
     warnings: &mut Vec<String>,
 ) -> Result<(), Error> {
-    let fitted = &fit.fitted;
-    let turns = fit.chords.len();
+    let RateEvidence { fitted, turns, .. } = *fit;
     if fitted.rank < fitted.free.len() {
         return Err(Error::NotEnough(format!(
             "{turns} turns determine {} of the gyroscope's {} parameters; not observable: {}; turn \
@@ -198,13 +247,13 @@ pub(super) fn gyroscope_is_determined(
             fit.report.termination
         )));
     }
-    let weak = weak_parameters(fitted, fit.unit.scale, 1.0);
+    let weak = weak_parameters(fitted, fit.scale, 1.0);
     let refused: Vec<&str> = weak
         .iter()
         .filter(|w| w.refused)
         .map(|w| w.words.as_str())
         .collect();
-    if !refused.is_empty() && fit.rms() < LOST {
+    if !refused.is_empty() && fit.rms < LOST {
         return Err(Error::NotEnough(format!(
             "{turns} turns: {}; turn the device about other axes too",
             refused.join("; ")
@@ -218,15 +267,15 @@ pub(super) fn gyroscope_is_determined(
 }
 
 /// Reasons not to use a gyroscope's fit as it stands.
-pub(super) fn gyroscope_gates(fit: &GyroscopeFit, si: bool) -> Vec<String> {
+pub(super) fn gyroscope_gates(fit: &RateEvidence<'_>, si: bool) -> Vec<String> {
     let mut failed = Vec::new();
     let base = Base::from_parameters(fit.fitted.parameters.values());
-    let near_si: Matrix3<f64> = base.t / fit.unit.scale;
-    if fit.rms() > LOST {
+    let near_si: Matrix3<f64> = base.t / fit.scale;
+    if fit.rms > LOST {
         failed.push(format!(
             "the gyroscope misses gravity by {:.1}° rms after the fit: is a sensor mounted or logged \
              with other axes, or the time stamps not those of the samples?",
-            fit.rms().to_degrees()
+            fit.rms.to_degrees()
         ));
     }
     if near_si.determinant() < 0.0 {
@@ -236,7 +285,7 @@ pub(super) fn gyroscope_gates(fit: &GyroscopeFit, si: bool) -> Vec<String> {
         ));
     }
     let ratio = base.t.trace() / 3.0;
-    if si && fit.rms() <= LOST && (0.5..=2.1).contains(&ratio) && all_off(&base.t) {
+    if si && fit.rms <= LOST && (0.5..=2.1).contains(&ratio) && all_off(&base.t) {
         failed.push(format!(
             "the gyroscope's scale is {ratio:.3} on all axes: a wrong time base (nominal rate) or \
              unit rather than a sensor error"

@@ -3,6 +3,7 @@
 mod assemble;
 mod checks;
 mod gyro_data;
+mod joint;
 mod means_file;
 mod noise;
 
@@ -14,6 +15,7 @@ use sensor::AnyEffect;
 use crate::calibration::Calibration;
 use crate::error::Error;
 use crate::intervals::{Detector, Segmentation, Span};
+use crate::methods::joint::JointFit;
 use crate::methods::{
     AccelerometerFit, AccelerometerRequest, Choice, GyroscopeFit, GyroscopeRequest,
     choose_multiplier, fit_accelerometer, fit_gyroscope, static_means,
@@ -44,9 +46,21 @@ pub enum GyroBias {
     Initial,
 }
 
+/// How to calibrate.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// Accelerometer first, then the gyroscope by propagated gravity, as published.
+    #[default]
+    Stepwise,
+    /// Both sensors and their effects in one weighted problem.
+    Joint,
+}
+
 /// What to calibrate and how.
 #[derive(Clone, Debug)]
 pub struct Request {
+    /// How to calibrate.
+    pub method: Method,
     /// Local gravity, m/s².
     pub gravity: f64,
     /// The detector of motion.
@@ -72,6 +86,7 @@ pub struct Request {
 impl Default for Request {
     fn default() -> Self {
         Self {
+            method: Method::default(),
             gravity: STANDARD_GRAVITY,
             detector: Detector::default(),
             choose_multiplier: true,
@@ -97,6 +112,8 @@ pub struct Outcome {
     pub accelerometer: Option<AccelerometerFit>,
     /// The fit of the gyroscope.
     pub gyroscope: Option<GyroscopeFit>,
+    /// The joint fit, of that method.
+    pub joint: Option<JointFit>,
 }
 
 /// Calibrates one device from its recordings; the gyroscope from `gyro_recordings` where there are
@@ -117,6 +134,9 @@ pub fn calibrate(
         .enumerate()
         .map(|(k, recording)| cut(recording, request, k))
         .collect::<Result<Vec<_>, _>>()?;
+    if request.method == Method::Joint {
+        return joint::calibrate(&recordings, gyro_recordings, choices, request, warnings);
+    }
     let accelerometer = accelerometer(&recordings, &choices, request, &mut warnings)?;
     let separate = gyro_recordings
         .iter()
@@ -152,6 +172,7 @@ pub fn calibrate(
         choices,
         accelerometer,
         gyroscope,
+        joint: None,
     })
 }
 
@@ -221,7 +242,7 @@ fn accelerometer(
         gravity: request.gravity,
     };
     let fit = fit_accelerometer(&request)?;
-    checks::accelerometer_is_determined(&fit, &request, warnings)?;
+    checks::accelerometer_is_determined(&checks::ForceEvidence::of(&fit, &request), warnings)?;
     Ok(Some(fit))
 }
 
@@ -272,6 +293,6 @@ fn gyroscope(
         integrator: request.integrator,
     };
     let fit = fit_gyroscope(&request)?;
-    checks::gyroscope_is_determined(&fit, warnings)?;
+    checks::gyroscope_is_determined(&checks::RateEvidence::of(&fit), warnings)?;
     Ok(Some(fit))
 }

@@ -3,6 +3,7 @@
 mod first_guess;
 mod fitted;
 mod gyroscope;
+pub mod joint;
 pub mod online_bias;
 pub mod six_position;
 mod stepwise;

@@ -86,6 +86,13 @@ impl Simulation {
         self.world.motion.end()
     }
 
+    /// Begin and end of every placement, s.
+    pub fn placements(&self) -> Vec<(f64, f64)> {
+        self.rests()
+            .map(|(segment, _)| (segment.start, segment.end))
+            .collect()
+    }
+
     /// The samples of one sensor, made while they are asked for.
     pub fn samples(&self, sensor: Sensor) -> Samples<'_> {
         Samples::new(self, sensor)

@@ -101,6 +101,8 @@ pub struct Args {
 enum Method {
     /// Accelerometer first, then the gyroscope by propagated gravity (Liu et al. 2021)
     Stepwise,
+    /// Both sensors in one problem weighted by the recording's own noise
+    Joint,
     /// Each axis once up and once down, from six recordings or one
     SixPosition,
 }
@@ -221,6 +223,10 @@ fn request(args: &Args) -> Result<Request, Failure> {
         None => Vec::new(),
     };
     Ok(Request {
+        method: match args.method {
+            Method::Joint => calib::calibrate::Method::Joint,
+            Method::Stepwise | Method::SixPosition => calib::calibrate::Method::Stepwise,
+        },
         gravity: args.gravity,
         detector,
         choose_multiplier,
