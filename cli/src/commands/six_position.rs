@@ -49,7 +49,7 @@ pub fn run(call: Call<'_>) -> Result<(), Failure> {
         json
     } else {
         text(&solution, &labels)
-    });
+    })?;
     Ok(())
 }
 
