@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use crate::recording::place::shown_path;
+
 /// An input or a request that cannot be worked with. Messages name the place, what was found and
 /// what to do about it.
 #[derive(Debug, thiserror::Error)]
@@ -11,8 +13,16 @@ pub enum Error {
     #[error("{0}")]
     Usage(String),
     /// A file cannot be read.
-    #[error("{path}: {source}", path = path.display())]
+    #[error("{path}: {source}", path = shown_path(path))]
     Io {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+    /// A file cannot be written.
+    #[error("{path}: cannot be written: {source}", path = path.display())]
+    Output {
         /// The file.
         path: PathBuf,
         /// The system's reason.

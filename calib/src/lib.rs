@@ -1,7 +1,27 @@
 //! From hand-held recordings to calibrations.
+//!
+//! ```text
+//! Recording ──► intervals ──► residuals + model + mask ──► methods ──► Calibration
+//!     ▲         rests, turns                                fits        cal.json, apply
+//! simulate
+//! ```
 
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+pub mod calibrate;
+pub mod calibration;
+pub mod covariates;
 mod error;
+mod evaluate;
+pub mod intervals;
+pub mod methods;
+pub mod noise;
+pub mod reckon;
 pub mod recording;
+pub mod residuals;
+pub mod simulate;
 
+pub use calibration::Calibration;
 pub use error::Error;
+pub use evaluate::{Evaluation, evaluate};
 pub use recording::Recording;

@@ -69,3 +69,8 @@ pub use residual::{Problem, Residual};
 pub use scalar::{DualNum, Jet, Jet2, LANES, Scalar, lit};
 pub use solve::{solve, solve_observed};
 pub use system::Evaluations;
+
+/// The Rust block of the project's README compiles and holds.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+pub struct Readme;

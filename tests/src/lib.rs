@@ -1,5 +1,8 @@
-//! Published test problems, shared by the tests and the benches.
+//! What the stories share: published test problems, simulated noise, recordings of a phone.
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+pub mod coverage;
+pub mod noise_source;
+pub mod phone;
 pub mod problems;

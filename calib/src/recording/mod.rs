@@ -1,8 +1,50 @@
 //! What a device recorded, in SI units, each sensor on its own clock.
+//!
+//! ```text
+//! source → decode → lines → sniff → table ─┐
+//!  (path)  (UTF-8)         (header) (rows) ├→ assemble → Recording
+//!                                   table ─┘  (seconds, SI units, checks)
+//! ```
 
+mod assemble;
+mod checks;
+mod clock;
+mod decide;
+mod decode;
+mod dialect;
+pub mod formats;
+mod header;
+mod held;
+mod lines;
+mod names;
+mod number;
+mod options;
+pub(crate) mod place;
+mod rows;
+mod samples;
+mod sniff;
+mod source;
 mod stream;
+mod suggest;
+mod table;
+mod time;
+mod units;
+mod values;
+mod write;
 
-pub use stream::{Stream, Temperature};
+use std::path::Path;
+
+pub use options::{ColumnMap, ReadOptions, Role};
+use sensor::Sensor;
+pub use source::Input;
+pub use stream::{Gap, Stream, Temperature};
+pub use units::{AccelUnit, GyroUnit, TemperatureUnit, TimeUnit};
+pub use write::{stream_to_csv, to_csv};
+
+use crate::Error;
+use formats::Source;
+use place::{in_file, shown_path};
+use table::Table;
 
 /// One recording of one device.
 #[derive(Clone, Debug, Default)]
@@ -17,4 +59,76 @@ pub struct Recording {
     pub temperature: Option<Temperature>,
     /// What the reader noticed and went on with.
     pub warnings: Vec<String>,
+}
+
+impl Recording {
+    /// The earliest time stamp, s.
+    pub fn start(&self) -> f64 {
+        [&self.accelerometer, &self.gyroscope]
+            .into_iter()
+            .flatten()
+            .filter_map(|stream| stream.t.first().copied())
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    /// Reads the file or folder at `path`; `-` is standard input. The format is recognised from the
+    /// content unless `options` name it.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for content that is no recording, beginning with `file:line:column` as far as
+    /// they are known; [`Error::Io`] for a path that cannot be read; [`Error::Usage`] where an option
+    /// is missing (a rate for rows without stamps) or impossible.
+    pub fn read(path: &Path, options: &ReadOptions) -> Result<Self, Error> {
+        options.check()?;
+        let source = if path.as_os_str() != "-" && path.is_dir() {
+            Source::Folder(path)
+        } else {
+            Source::Text(Input::open(path, options)?)
+        };
+        let format = options.format.or_else(|| formats::recognise(&source));
+        let format = format.ok_or_else(|| in_file(&shown_path(path), "of no known format"))?;
+        format.read(source, options)
+    }
+
+    /// Reads one file per sensor, both on one clock: `t x y z` without a header in any unit, or any
+    /// text that [`Recording::read`] reads.
+    ///
+    /// # Errors
+    /// As [`Recording::read`].
+    pub fn read_pair(accel: &Path, gyro: &Path, options: &ReadOptions) -> Result<Self, Error> {
+        options.check()?;
+        let name = format!("{} + {}", shown_path(accel), shown_path(gyro));
+        pair(
+            name,
+            &[(accel, Sensor::Accelerometer), (gyro, Sensor::Gyroscope)],
+            options,
+        )
+    }
+}
+
+/// A recording of one file per sensor.
+fn pair(
+    name: String,
+    files: &[(&Path, Sensor)],
+    options: &ReadOptions,
+) -> Result<Recording, Error> {
+    let mut tables: Vec<Table> = Vec::new();
+    for &(path, sensor) in files {
+        let origin = tables.first().and_then(|table| table.clock.origin);
+        let input = Input::open(path, options)?;
+        let mut table = Table::read(input, Some(sensor), origin, options)?;
+        table.keep_only(sensor)?;
+        tables.push(table);
+    }
+    assemble::assemble(name, tables, options)
+}
+
+/// The sensor that a file is named after, so that columns called x, y, z mean something.
+fn hint(name: &str) -> Option<Sensor> {
+    let stem = name.rsplit(['/', '\\']).next()?.to_lowercase();
+    match (stem.starts_with("acc"), stem.starts_with("gyr")) {
+        (true, false) => Some(Sensor::Accelerometer),
+        (false, true) => Some(Sensor::Gyroscope),
+        _ => None,
+    }
 }

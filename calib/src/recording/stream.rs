@@ -28,9 +28,40 @@ impl Stream {
 
     /// Median time between samples, s; `None` with fewer than two.
     pub fn median_step(&self) -> Option<f64> {
-        let mut steps: Vec<f64> = self.t.windows(2).map(|w| w[1] - w[0]).collect();
-        let middle = steps.len() / 2;
-        (!steps.is_empty()).then(|| *steps.select_nth_unstable_by(middle, f64::total_cmp).1)
+        median_step(&self.t)
+    }
+
+    /// Where the samples are interrupted: every step longer than five times the 95th percentile of
+    /// all steps. (Not of the median: stamps that come in bursts have tiny medians and no gaps.)
+    pub fn gaps(&self) -> Vec<Gap> {
+        let mut steps = steps(&self.t);
+        if steps.is_empty() {
+            return Vec::new();
+        }
+        let rank = (steps.len() - 1) * 19 / 20;
+        let usual = *steps.select_nth_unstable_by(rank, f64::total_cmp).1;
+        let pairs = self.t.windows(2).enumerate();
+        pairs
+            .filter(|(_, pair)| pair[1] - pair[0] > 5.0 * usual)
+            .map(|(after, pair)| Gap {
+                after,
+                t0: pair[0],
+                t1: pair[1],
+            })
+            .collect()
+    }
+
+    /// The reading at time `t`, linear between samples and constant outside; `None` without samples.
+    pub fn at(&self, t: f64) -> Option<Vector3<f64>> {
+        let after = self.t.partition_point(|&s| s < t);
+        if after == 0 {
+            return self.values.first().copied();
+        }
+        let Some((&t1, v1)) = self.t.get(after).zip(self.values.get(after)) else {
+            return self.values.last().copied();
+        };
+        let (t0, v0) = (self.t[after - 1], self.values[after - 1]);
+        Some(v0 + (v1 - v0) * ((t - t0) / (t1 - t0)))
     }
 
     /// The samples with `from <= t < to`.
@@ -39,6 +70,28 @@ impl Stream {
         let end = self.t.partition_point(|&t| t < to);
         start..end.max(start)
     }
+}
+
+/// An interruption of a stream.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gap {
+    /// Index of the last sample before it.
+    pub after: usize,
+    /// Stamp of the last sample before it, s.
+    pub t0: f64,
+    /// Stamp of the first sample after it, s.
+    pub t1: f64,
+}
+
+fn steps(t: &[f64]) -> Vec<f64> {
+    t.windows(2).map(|w| w[1] - w[0]).collect()
+}
+
+/// The median difference of neighbours; `None` with fewer than two.
+pub(super) fn median_step(t: &[f64]) -> Option<f64> {
+    let mut steps = steps(t);
+    let middle = steps.len() / 2;
+    (!steps.is_empty()).then(|| *steps.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
 /// Temperature readings with their own time stamps.

@@ -1,6 +1,6 @@
 //! The accelerometer: `f = T (A − b)` plus effects, in the triangular frame.
 
-mod effects;
+pub mod effects;
 mod frame;
 
 pub use effects::EFFECTS;

@@ -2,9 +2,44 @@
 
 use sensor::AnyEffect;
 
+mod earth_rate;
+mod gyro_asymmetry;
+mod gyro_cubic;
+mod gyro_delay;
+mod gyro_drift;
+mod gyro_g2_sensitivity;
 mod gyro_g_sensitivity;
+mod gyro_quadratic;
+mod gyro_scale_temperature;
+mod gyro_step;
+mod gyro_temperature;
+mod gyro_warmup;
 
+pub use earth_rate::EarthRate;
+pub use gyro_asymmetry::GyroAsymmetry;
+pub use gyro_cubic::GyroCubic;
+pub use gyro_delay::GyroDelay;
+pub use gyro_drift::GyroDrift;
 pub use gyro_g_sensitivity::GyroGSensitivity;
+pub use gyro_g2_sensitivity::GyroG2Sensitivity;
+pub use gyro_quadratic::GyroQuadratic;
+pub use gyro_scale_temperature::GyroScaleTemperature;
+pub use gyro_step::GyroStep;
+pub use gyro_temperature::GyroTemperature;
+pub use gyro_warmup::GyroWarmup;
 
 /// The registry: feeds the command line, the documentation, the registry tests and discovery.
-pub static EFFECTS: &[&dyn AnyEffect] = &[&GyroGSensitivity];
+pub static EFFECTS: &[&dyn AnyEffect] = &[
+    &GyroGSensitivity,
+    &GyroG2Sensitivity,
+    &GyroDrift,
+    &GyroWarmup,
+    &GyroTemperature,
+    &GyroScaleTemperature,
+    &GyroStep,
+    &GyroQuadratic,
+    &GyroCubic,
+    &GyroAsymmetry,
+    &GyroDelay,
+    &EarthRate,
+];

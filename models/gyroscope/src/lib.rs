@@ -3,7 +3,7 @@
 //! Its nine elements of `T` are relative to the accelerometer's frame and all observable, if the
 //! recording turns enough.
 
-mod effects;
+pub mod effects;
 
 pub use effects::{EFFECTS, GyroGSensitivity};
 use sensor::{Model, Sensor};

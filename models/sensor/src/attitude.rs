@@ -75,6 +75,16 @@ impl<D: Scalar> Attitude<D> {
     }
 }
 
+impl Attitude<f64> {
+    /// The same attitude over another scalar, as a constant.
+    pub fn lift<D: Scalar>(&self) -> Attitude<D> {
+        Attitude {
+            w: lit(self.w),
+            v: self.v.map(lit),
+        }
+    }
+}
+
 /// `cos θ` and `sin θ / θ` as functions of `θ²`.
 fn cos_sinc<D: Scalar>(square: D) -> (D, D) {
     if square.re() < SERIES {

@@ -18,6 +18,9 @@ pub trait Effect: Send + Sync + 'static {
     const EQUATION: &'static str;
     /// Names, units and nominal values.
     const PARAMS: &'static [Param];
+    /// Size of a coefficient in a consumer-grade device, in its unit: what a simulation draws from. It
+    /// is meant for the parameters that are 0 in a perfect sensor.
+    const TYPICAL: f64;
 
     /// The error at `truth`, in the unit of the sensor's signal, for parameters `p` in the order
     /// of `PARAMS`.
@@ -34,6 +37,8 @@ pub trait AnyEffect: Send + Sync {
     fn equation(&self) -> &'static str;
     /// Names, units and nominal values.
     fn params(&self) -> &'static [Param];
+    /// Size of a coefficient in a consumer-grade device.
+    fn typical(&self) -> f64;
     /// [`Effect::error`] for values.
     fn error_f64(&self, truth: &Kinematics<f64>, p: &[f64]) -> Vector3<f64>;
     /// [`Effect::error`] with first derivatives.
@@ -54,6 +59,9 @@ impl<E: Effect> AnyEffect for E {
     }
     fn params(&self) -> &'static [Param] {
         E::PARAMS
+    }
+    fn typical(&self) -> f64 {
+        E::TYPICAL
     }
     fn error_f64(&self, truth: &Kinematics<f64>, p: &[f64]) -> Vector3<f64> {
         self.error(truth, p)
@@ -76,21 +84,30 @@ impl std::fmt::Debug for dyn AnyEffect {
 ///
 /// Models and residuals are generic over this; an effect author never meets it.
 pub trait ModelScalar: Scalar {
+    /// Order of the highest derivative it carries.
+    const ORDER: usize;
+
     /// [`Effect::error`] of a pointed-to effect.
     fn error(effect: &dyn AnyEffect, truth: &Kinematics<Self>, p: &[Self]) -> Vector3<Self>;
 }
 
 impl ModelScalar for f64 {
+    const ORDER: usize = 0;
+
     fn error(effect: &dyn AnyEffect, truth: &Kinematics<f64>, p: &[f64]) -> Vector3<f64> {
         effect.error_f64(truth, p)
     }
 }
 impl ModelScalar for Jet {
+    const ORDER: usize = 1;
+
     fn error(effect: &dyn AnyEffect, truth: &Kinematics<Jet>, p: &[Jet]) -> Vector3<Jet> {
         effect.error_jet(truth, p)
     }
 }
 impl ModelScalar for Jet2 {
+    const ORDER: usize = 2;
+
     fn error(effect: &dyn AnyEffect, truth: &Kinematics<Jet2>, p: &[Jet2]) -> Vector3<Jet2> {
         effect.error_jet2(truth, p)
     }

@@ -3,6 +3,8 @@
 use nalgebra::Vector3;
 use solver::{Scalar, lit};
 
+use crate::attitude::Attitude;
+
 /// Which sensor a model or an effect belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Sensor {
@@ -25,7 +27,9 @@ impl Sensor {
 /// The truth at one instant, in the body frame.
 ///
 /// What an effect needs beyond the two signals (time, temperature, history) is a field here, filled
-/// in by whoever knows the whole recording; an effect itself has no memory.
+/// in by whoever knows the whole recording; an effect itself has no memory. These covariates are plain
+/// numbers, not `D`: they are measured, and what they owe to the parameters being estimated changes
+/// an effect only in second order (a small coefficient times a small error).
 #[derive(Clone, Copy, Debug)]
 pub struct Kinematics<D> {
     /// Specific force `f`, m/s² (at rest: `+g` on the axis that points up).
@@ -36,6 +40,16 @@ pub struct Kinematics<D> {
     pub time: f64,
     /// Temperature, °C.
     pub temperature: f64,
+    /// Derivative of the angular rate, rad/s².
+    pub angular_acceleration: Vector3<f64>,
+    /// Derivative of the specific force, m/s³.
+    pub specific_force_rate: Vector3<f64>,
+    /// Sign of the last change of specific force, per axis: −1, 1, or 0 before the first.
+    pub last_change: Vector3<f64>,
+    /// Mean square of the vibration, per axis, (m/s²)².
+    pub vibration: Vector3<f64>,
+    /// Body to the level reference frame (z up).
+    pub attitude: Attitude<f64>,
 }
 
 /// The temperature assumed where none was recorded, °C.
@@ -49,12 +63,32 @@ impl<D: Scalar> Kinematics<D> {
             angular_rate,
             time: 0.0,
             temperature: REFERENCE_TEMPERATURE,
+            angular_acceleration: Vector3::zeros(),
+            specific_force_rate: Vector3::zeros(),
+            last_change: Vector3::zeros(),
+            vibration: Vector3::zeros(),
+            attitude: Attitude::identity(),
         }
     }
 
     /// No rotation.
     pub fn at_rest(specific_force: Vector3<D>) -> Self {
         Self::new(specific_force, Vector3::from_element(lit(0.0)))
+    }
+
+    /// The same instant over another scalar, as a constant.
+    pub fn cast<E: Scalar>(&self) -> Kinematics<E> {
+        Kinematics {
+            specific_force: self.specific_force.map(|v| lit(v.re())),
+            angular_rate: self.angular_rate.map(|v| lit(v.re())),
+            time: self.time,
+            temperature: self.temperature,
+            angular_acceleration: self.angular_acceleration,
+            specific_force_rate: self.specific_force_rate,
+            last_change: self.last_change,
+            vibration: self.vibration,
+            attitude: self.attitude,
+        }
     }
 
     /// The signal that `sensor` measures.
@@ -76,6 +110,23 @@ impl<D: Scalar> Kinematics<D> {
                 angular_rate: signal,
                 ..*self
             },
+        }
+    }
+}
+
+impl Kinematics<f64> {
+    /// The same instant as constants of another scalar.
+    pub fn lift<D: Scalar>(&self) -> Kinematics<D> {
+        Kinematics {
+            specific_force: self.specific_force.map(lit),
+            angular_rate: self.angular_rate.map(lit),
+            time: self.time,
+            temperature: self.temperature,
+            angular_acceleration: self.angular_acceleration,
+            specific_force_rate: self.specific_force_rate,
+            last_change: self.last_change,
+            vibration: self.vibration,
+            attitude: self.attitude,
         }
     }
 }

@@ -8,6 +8,7 @@
 pub mod attitude;
 mod base;
 mod effect;
+mod invert;
 mod kinematics;
 mod model;
 mod param;

@@ -5,11 +5,8 @@ use solver::Parameters;
 
 use crate::base::{BASE_PARAMETERS, Base, base_names};
 use crate::effect::{AnyEffect, ModelScalar};
+use crate::invert::signal_behind;
 use crate::kinematics::{Kinematics, Sensor};
-
-/// Fixed-point steps in [`Model::correct`]. An effect changes by less than 3 % of a change in the
-/// signal, so that twelve steps leave less than 1e-18 of it.
-const CORRECT_STEPS: usize = 12;
 
 /// A base model plus effects.
 ///
@@ -101,10 +98,6 @@ impl Model {
         if self.effects.is_empty() {
             return base;
         }
-        let mut signal = base;
-        for _ in 0..CORRECT_STEPS {
-            signal = base - self.error(&rest.with_signal(self.sensor, signal), p);
-        }
-        signal
+        signal_behind(self, &base, rest, p)
     }
 }

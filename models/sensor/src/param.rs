@@ -11,6 +11,17 @@ pub struct Param {
     pub nominal: f64,
 }
 
+impl Param {
+    /// A parameter with the value it has in a perfect sensor.
+    pub const fn new(name: &'static str, unit: &'static str, nominal: f64) -> Self {
+        Self {
+            name,
+            unit,
+            nominal,
+        }
+    }
+}
+
 /// Parameters that share a unit and are zero for a perfect sensor.
 pub const fn params<const N: usize>(unit: &'static str, names: [&'static str; N]) -> [Param; N] {
     let mut all = [Param {

@@ -23,6 +23,8 @@ impl Effect for GyroGSensitivity {
         ["xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"],
     );
 
+    const TYPICAL: f64 = 1e-4;
+
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         mat3(p) * truth.specific_force
     }

@@ -1,0 +1,276 @@
+//! `--method joint`: recordings to a calibration by one weighted problem.
+
+use sensor::{BASE_PARAMETERS, Sensor};
+
+use super::assemble::{effect_values, of_the_gyro_unit, of_the_unit, triad};
+use super::{Frame, Outcome, Request, checks, cut};
+use crate::calibration::{Calibration, RecordingBias, SCHEMA, Triad, in_symmetric_frame};
+use crate::error::Error;
+use crate::methods::joint::{Channel, Disturbance, JointFit, JointRequest, fit_joint};
+use crate::methods::{Choice, Fitted};
+use crate::recording::Recording;
+
+/// A rest whose absence moves a parameter by so many of its standard errors is named.
+const INFLUENTIAL: f64 = 4.0;
+
+/// Calibrates by the joint method.
+pub(super) fn calibrate(
+    recordings: &[&Recording],
+    gyro_recordings: &[Recording],
+    choices: Vec<Choice>,
+    request: &Request,
+    mut warnings: Vec<String>,
+) -> Result<Outcome, Error> {
+    if !request.static_means.is_empty() || recordings.iter().any(|r| r.accelerometer.is_none()) {
+        return Err(Error::Usage(
+            "the joint method needs recordings with an accelerometer: use --method stepwise".into(),
+        ));
+    }
+    let means: Vec<_> = recordings
+        .iter()
+        .zip(&choices)
+        .map(|(recording, choice)| crate::methods::static_means(recording, &choice.segmentation))
+        .collect();
+    checks::enough_rests(recordings, &choices, &means)?;
+    let mut recordings = recordings.to_vec();
+    let mut choices = choices;
+    for recording in gyro_recordings {
+        choices.push(cut(recording, request, usize::MAX)?);
+        recordings.push(recording);
+    }
+    let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
+    for effect in &request.effects {
+        accelerometer = accelerometer.with(*effect);
+        gyroscope = gyroscope.with(*effect);
+    }
+    let fit = fit_joint(&JointRequest {
+        recordings: recordings
+            .iter()
+            .copied()
+            .zip(choices.iter().map(|c| &c.segmentation))
+            .collect(),
+        accelerometer,
+        gyroscope,
+        gravity: request.gravity,
+        walk: None,
+    })?;
+    let calibration = written_down(&fit, &recordings, &choices, request, &mut warnings)?;
+    Ok(Outcome {
+        calibration: Calibration {
+            warnings,
+            ..calibration
+        },
+        choices,
+        accelerometer: None,
+        gyroscope: None,
+        joint: Some(fit),
+    })
+}
+
+/// The fit as a [`Calibration`], checked; `warnings` stay outside.
+fn written_down(
+    fit: &JointFit,
+    recordings: &[&Recording],
+    choices: &[Choice],
+    request: &Request,
+    warnings: &mut Vec<String>,
+) -> Result<Calibration, Error> {
+    let force = fit.fitted(Sensor::Accelerometer);
+    let rate = fit.has_gyroscope().then(|| fit.fitted(Sensor::Gyroscope));
+    check_force(fit, &force, warnings)?;
+    let mut failed_gates = Vec::new();
+    for (recording, choice) in recordings.iter().zip(choices) {
+        let segmentation = &choice.segmentation;
+        let scale = fit.force_unit.scale;
+        failed_gates.extend(checks::restless(
+            recording,
+            segmentation,
+            scale,
+            request.gravity,
+        ));
+    }
+    if let Some(rate) = &rate {
+        failed_gates.extend(check_rate(fit, rate, warnings)?);
+    }
+    warnings.extend(of_the_unit(&fit.force_unit));
+    if rate.is_some() {
+        warnings.extend(of_the_gyro_unit(&fit.rate_unit, fit.force_unit.is_si()));
+    }
+    disturbances(fit, warnings);
+    influences(fit, warnings);
+    let all = fit.all_fitted();
+    let effects = effect_values(&fit.models[0], &all)
+        .chain(effect_values(&fit.models[1], &all))
+        .collect();
+    let calibration = Calibration {
+        schema: SCHEMA.into(),
+        created_by: concat!("stillpoint ", env!("CARGO_PKG_VERSION")).into(),
+        gravity: request.gravity,
+        method: "joint".into(),
+        accelerometer: Some(force_triad(fit, &force, recordings)),
+        gyroscope: rate.as_ref().map(|rate| rate_triad(fit, rate, recordings)),
+        effects,
+        parameters: all.free,
+        covariance: all.covariance,
+        warnings: Vec::new(),
+        history: Vec::new(),
+        failed_gates,
+    };
+    Ok(match request.frame {
+        Frame::Triangular => calibration,
+        Frame::Symmetric => in_symmetric_frame(calibration),
+    })
+}
+
+fn check_force(fit: &JointFit, fitted: &Fitted, warnings: &mut Vec<String>) -> Result<(), Error> {
+    let evidence = checks::ForceEvidence {
+        fitted,
+        directions: fit.directions(),
+        scale: fit.force_unit.scale,
+        gravity: fit.gravity,
+        report: &fit.report,
+    };
+    checks::accelerometer_is_determined(&evidence, warnings)
+}
+
+/// Refuses or warns; the gates that the gyroscope fails.
+fn check_rate(
+    fit: &JointFit,
+    fitted: &Fitted,
+    warnings: &mut Vec<String>,
+) -> Result<Vec<String>, Error> {
+    let evidence = checks::RateEvidence {
+        fitted,
+        turns: fit.chords.len(),
+        scale: fit.rate_unit.scale,
+        rms: root_mean_square(&fit.chords),
+        report: &fit.report,
+    };
+    if !fit.chords.is_empty() {
+        checks::gyroscope_is_determined(&evidence, warnings)?;
+    }
+    Ok(checks::gyroscope_gates(&evidence, fit.force_unit.is_si()))
+}
+
+/// Names what was disturbed, with interval and times.
+fn disturbances(fit: &JointFit, warnings: &mut Vec<String>) {
+    let name = |recording: usize| &fit.data.sources[recording].name;
+    for lost in &fit.data.lost {
+        warnings.push(format!(
+            "{}: turn {} (t = {:.2} to {:.2} s) is not used: {}",
+            name(lost.recording),
+            lost.turn + 1,
+            lost.span.from,
+            lost.span.to,
+            lost.fault
+        ));
+    }
+    for (place, gap) in &fit.data.gaps {
+        let rest = &fit.data.rests[*place];
+        warnings.push(format!(
+            "{}: static interval {} (t = {:.2} to {:.2} s) has a gap of {:.2} s at t = {:.2} s",
+            name(rest.recording),
+            rest.interval + 1,
+            rest.span.from,
+            rest.span.to,
+            gap.length(),
+            gap.from
+        ));
+    }
+    for accused in &fit.accused {
+        let (what, done) = match accused.kind {
+            Disturbance::MountSlip => (
+                "static interval",
+                "the device crept while it should have rested (mount_slip); its creep is fitted",
+            ),
+            Disturbance::DisturbedInterval => (
+                "static interval",
+                "something touched or pushed the device (disturbed_interval); its force is not used",
+            ),
+            Disturbance::BadTurn => (
+                "turn",
+                "gravity is missed by far more than the noise; the turn is not used",
+            ),
+        };
+        let detail = if accused.detail.is_empty() { "" } else { ": " };
+        warnings.push(format!(
+            "{}: {what} {} (t = {:.2} to {:.2} s): {done}{detail}{}",
+            name(accused.recording),
+            accused.interval + 1,
+            accused.span.from,
+            accused.span.to,
+            accused.detail
+        ));
+    }
+}
+
+/// Names the rests without which a parameter would be another.
+fn influences(fit: &JointFit, warnings: &mut Vec<String>) {
+    for influence in fit.influences() {
+        if influence.change > INFLUENTIAL {
+            let rest = &fit.data.rests[influence.rest];
+            warnings.push(format!(
+                "{}: without static interval {} (t = {:.2} to {:.2} s) {} would move by {:.1} of its \
+                 standard errors",
+                fit.data.sources[rest.recording].name,
+                rest.interval + 1,
+                rest.span.from,
+                rest.span.to,
+                influence.parameter,
+                influence.change
+            ));
+        }
+    }
+}
+
+fn force_triad(fit: &JointFit, fitted: &Fitted, recordings: &[&Recording]) -> Triad {
+    let mut triad = triad(Sensor::Accelerometer, "a = T (A - b)", fitted);
+    triad.residual_rms = root_mean_square(&fit.moduli);
+    triad.reduced_chi2 = fit.reduced_chi2(Channel::Force);
+    triad.static_intervals = Some(fit.data.rests.len());
+    let shared = fit.models[0].parameters().len();
+    triad.recordings = own_biases(Sensor::Accelerometer, fitted, shared, recordings);
+    triad
+}
+
+fn rate_triad(fit: &JointFit, fitted: &Fitted, recordings: &[&Recording]) -> Triad {
+    let mut triad = triad(Sensor::Gyroscope, "w = T (W - b)", fitted);
+    triad.residual_rms = root_mean_square(&fit.chords).to_degrees();
+    triad.reduced_chi2 = fit.reduced_chi2(Channel::Direction);
+    triad.dynamic_intervals = Some(fit.chords.len());
+    let shared = fit.models[1].parameters().len();
+    triad.recordings = own_biases(Sensor::Gyroscope, fitted, shared, recordings);
+    triad
+}
+
+/// The bias of every recording, where there are several.
+fn own_biases(
+    sensor: Sensor,
+    fitted: &Fitted,
+    shared: usize,
+    recordings: &[&Recording],
+) -> Vec<RecordingBias> {
+    if recordings.len() < 2 {
+        return Vec::new();
+    }
+    let of = |(k, recording): (usize, &&Recording)| {
+        let bias = &fitted.local(shared, k)[9..BASE_PARAMETERS];
+        let std = ["x", "y", "z"].map(|axis| {
+            let common = format!("{}.b_{axis}", sensor.prefix());
+            let own = format!("{common}[{}]", recording.name);
+            fitted
+                .standard_error(&own)
+                .or(fitted.standard_error(&common))
+        });
+        RecordingBias {
+            recording: recording.name.clone(),
+            bias: [bias[0], bias[1], bias[2]],
+            bias_std: std,
+        }
+    };
+    recordings.iter().enumerate().map(of).collect()
+}
+
+fn root_mean_square(values: &[f64]) -> f64 {
+    (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()
+}

@@ -1,0 +1,298 @@
+//! Recordings to a calibration: segment, accelerometer, gyroscope, checks, result.
+
+mod assemble;
+mod checks;
+mod gyro_data;
+mod joint;
+mod means_file;
+mod noise;
+
+pub use means_file::read_static_means;
+
+use nalgebra::Vector3;
+use sensor::AnyEffect;
+
+use crate::calibration::Calibration;
+use crate::error::Error;
+use crate::intervals::{Detector, Segmentation, Span};
+use crate::methods::joint::JointFit;
+use crate::methods::{
+    AccelerometerFit, AccelerometerRequest, Choice, GyroscopeFit, GyroscopeRequest,
+    choose_multiplier, fit_accelerometer, fit_gyroscope, static_means,
+};
+use crate::recording::Recording;
+use crate::residuals::Integrator;
+
+/// Standard gravity, m/s².
+pub const STANDARD_GRAVITY: f64 = 9.80665;
+
+/// The frame that the accelerometer's matrix is reported in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Frame {
+    /// Upper triangular: the sensor's x axis on the body's, its y axis in the body's x-y plane.
+    #[default]
+    Triangular,
+    /// Symmetric: no rotation between sensor and body.
+    Symmetric,
+}
+
+/// Where the bias of a turn is taken from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum GyroBias {
+    /// The mean of the two rests beside the turn, which follows a drifting bias.
+    #[default]
+    Adjacent,
+    /// The first rest of the recording, as published (Liu et al. 2021).
+    Initial,
+}
+
+/// How to calibrate.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// Accelerometer first, then the gyroscope by propagated gravity, as published.
+    #[default]
+    Stepwise,
+    /// Both sensors and their effects in one weighted problem.
+    Joint,
+}
+
+/// What to calibrate and how.
+#[derive(Clone, Debug)]
+pub struct Request {
+    /// How to calibrate.
+    pub method: Method,
+    /// Local gravity, m/s².
+    pub gravity: f64,
+    /// The detector of motion.
+    pub detector: Detector,
+    /// Whether the detector's multiplier is chosen by the fit.
+    pub choose_multiplier: bool,
+    /// Static intervals given by hand, one list per recording; empty to detect them.
+    pub sections: Vec<Vec<Span>>,
+    /// Frame of the result.
+    pub frame: Frame,
+    /// How the rate is integrated.
+    pub integrator: Integrator,
+    /// Where the bias of a turn is taken from.
+    pub gyro_bias: GyroBias,
+    /// Step between gyroscope samples to assume instead of the stamps, s.
+    pub nominal_step: Option<f64>,
+    /// Effects on top of the base models.
+    pub effects: Vec<&'static dyn AnyEffect>,
+    /// Means to use for the accelerometer instead of those of the recordings.
+    pub static_means: Vec<Vector3<f64>>,
+}
+
+impl Default for Request {
+    fn default() -> Self {
+        Self {
+            method: Method::default(),
+            gravity: STANDARD_GRAVITY,
+            detector: Detector::default(),
+            choose_multiplier: true,
+            sections: Vec::new(),
+            frame: Frame::default(),
+            integrator: Integrator::default(),
+            gyro_bias: GyroBias::default(),
+            nominal_step: None,
+            effects: Vec::new(),
+            static_means: Vec::new(),
+        }
+    }
+}
+
+/// A calibration and what it was made from.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// The result.
+    pub calibration: Calibration,
+    /// How each recording was cut.
+    pub choices: Vec<Choice>,
+    /// The fit of the accelerometer.
+    pub accelerometer: Option<AccelerometerFit>,
+    /// The fit of the gyroscope.
+    pub gyroscope: Option<GyroscopeFit>,
+    /// The joint fit, of that method.
+    pub joint: Option<JointFit>,
+}
+
+/// Calibrates one device from its recordings; the gyroscope from `gyro_recordings` where there are
+/// any, else from the same.
+///
+/// # Errors
+/// Recordings that cannot be cut, too few orientations, a parameter that the data do not determine,
+/// a fit that does not converge.
+pub fn calibrate(
+    recordings: &[Recording],
+    gyro_recordings: &[Recording],
+    request: &Request,
+) -> Result<Outcome, Error> {
+    let mut warnings = Vec::new();
+    let recordings = checks::without_repeats(recordings, &mut warnings);
+    let choices = recordings
+        .iter()
+        .enumerate()
+        .map(|(k, recording)| cut(recording, request, k))
+        .collect::<Result<Vec<_>, _>>()?;
+    if request.method == Method::Joint {
+        return joint::calibrate(&recordings, gyro_recordings, choices, request, warnings);
+    }
+    let accelerometer = accelerometer(&recordings, &choices, request, &mut warnings)?;
+    let separate = gyro_recordings
+        .iter()
+        .map(|recording| Ok((recording, cut(recording, request, usize::MAX)?.segmentation)))
+        .collect::<Result<Vec<_>, Error>>()?;
+    let turning: Vec<(&Recording, &Segmentation)> = if separate.is_empty() {
+        recordings
+            .iter()
+            .copied()
+            .zip(choices.iter().map(|c| &c.segmentation))
+            .collect()
+    } else {
+        separate.iter().map(|(r, s)| (*r, s)).collect()
+    };
+    let gyroscope = gyroscope(
+        &turning,
+        separate.is_empty(),
+        accelerometer.as_ref(),
+        request,
+        &mut warnings,
+    )?;
+    let calibration = assemble::calibration(assemble::Parts {
+        recordings: &recordings,
+        turning: &turning,
+        choices: &choices,
+        accelerometer: accelerometer.as_ref(),
+        gyroscope: gyroscope.as_ref(),
+        request,
+        warnings,
+    })?;
+    Ok(Outcome {
+        calibration,
+        choices,
+        accelerometer,
+        gyroscope,
+        joint: None,
+    })
+}
+
+/// The rests and turns of recording `k`.
+fn cut(recording: &Recording, request: &Request, k: usize) -> Result<Choice, Error> {
+    let named = |error| match error {
+        Error::NotEnough(what) => Error::NotEnough(format!("{}: {what}", recording.name)),
+        other => other,
+    };
+    if let Some(spans) = request.sections.get(k).filter(|spans| !spans.is_empty()) {
+        let segmentation = Segmentation::from_spans(recording, spans, request.detector.multiplier);
+        return Ok(Choice {
+            segmentation,
+            trials: Vec::new(),
+        });
+    }
+    if request.choose_multiplier {
+        choose_multiplier(recording, &request.detector, request.gravity).map_err(named)
+    } else {
+        let segmentation =
+            crate::intervals::segment(recording, &request.detector).map_err(named)?;
+        Ok(Choice {
+            segmentation,
+            trials: Vec::new(),
+        })
+    }
+}
+
+/// The accelerometer's fit; `None` where no recording has one.
+fn accelerometer(
+    recordings: &[&Recording],
+    choices: &[Choice],
+    request: &Request,
+    warnings: &mut Vec<String>,
+) -> Result<Option<AccelerometerFit>, Error> {
+    if request.static_means.is_empty() && recordings.iter().all(|r| r.accelerometer.is_none()) {
+        warnings
+            .push("no accelerometer in the recording: only the gyroscope's bias is found".into());
+        return Ok(None);
+    }
+    let mut names = Vec::new();
+    let mut means = Vec::new();
+    if request.static_means.is_empty() {
+        for (recording, choice) in recordings.iter().zip(choices) {
+            names.push(recording.name.clone());
+            means.push(static_means(recording, &choice.segmentation));
+        }
+    } else {
+        names.push("static means".into());
+        means.push(
+            request
+                .static_means
+                .iter()
+                .map(|m| checks::bare_mean(*m))
+                .collect(),
+        );
+    }
+    checks::enough_rests(recordings, choices, &means)?;
+    let mut model = accelerometer::model();
+    for effect in &request.effects {
+        model = model.with(*effect);
+    }
+    let request = AccelerometerRequest {
+        recordings: means,
+        names,
+        model,
+        gravity: request.gravity,
+    };
+    let fit = fit_accelerometer(&request)?;
+    checks::accelerometer_is_determined(&checks::ForceEvidence::of(&fit, &request), warnings)?;
+    Ok(Some(fit))
+}
+
+/// The gyroscope's fit; `None` where no recording has one or there is no gravity to carry.
+fn gyroscope(
+    turning: &[(&Recording, &Segmentation)],
+    same_recordings: bool,
+    accelerometer: Option<&AccelerometerFit>,
+    request: &Request,
+    warnings: &mut Vec<String>,
+) -> Result<Option<GyroscopeFit>, Error> {
+    let Some(accelerometer) = accelerometer else {
+        return Ok(None);
+    };
+    if turning.iter().all(|(r, _)| r.gyroscope.is_none()) {
+        if !turning.is_empty() {
+            warnings
+                .push("no gyroscope in the recording: only the accelerometer is calibrated".into());
+        }
+        return Ok(None);
+    }
+    let mut model = gyroscope::model();
+    for effect in &request.effects {
+        model = model.with(*effect);
+    }
+    let mut data = Vec::new();
+    for (k, (recording, segmentation)) in turning.iter().enumerate() {
+        if recording.gyroscope.is_none() || recording.accelerometer.is_none() {
+            warnings.push(format!(
+                "{}: a sensor is missing: the recording says nothing of the gyroscope",
+                recording.name
+            ));
+            continue;
+        }
+        let place = if same_recordings { k } else { usize::MAX };
+        let of = gyro_data::Source {
+            recording,
+            segmentation,
+            place,
+            accelerometer,
+            request,
+        };
+        data.push(gyro_data::collect(&of, &model, warnings));
+    }
+    let request = GyroscopeRequest {
+        recordings: data,
+        model,
+        integrator: request.integrator,
+    };
+    let fit = fit_gyroscope(&request)?;
+    checks::gyroscope_is_determined(&checks::RateEvidence::of(&fit), warnings)?;
+    Ok(Some(fit))
+}

@@ -1,0 +1,82 @@
+//! Reading `cal.json` back, and refusing one that cannot be used.
+
+use std::path::Path;
+
+use super::{Calibration, SCHEMA, effect_named};
+use crate::error::Error;
+
+/// Reads a calibration file.
+///
+/// # Errors
+/// An unreadable file, one that is no calibration of this schema, and one whose numbers cannot be
+/// used (a matrix without inverse, an unknown effect); the message names the entry.
+pub fn load(path: &Path) -> Result<Calibration, Error> {
+    let text = std::fs::read_to_string(path).map_err(|source| Error::Io {
+        path: path.to_owned(),
+        source,
+    })?;
+    parse(&text).map_err(|what| Error::Input(format!("{}:{what}", path.display())))
+}
+
+/// The calibration in `text`; the error begins with its place.
+fn parse(text: &str) -> Result<Calibration, String> {
+    let any: serde_json::Value = serde_json::from_str(text)
+        .map_err(|e| format!("{}:{}: no JSON: {e}", e.line(), e.column()))?;
+    match any.get("schema").and_then(|s| s.as_str()) {
+        Some(SCHEMA) => {}
+        Some(other) => {
+            return Err(format!(
+                " schema \"{other}\" found, \"{SCHEMA}\" expected: was it written by `calibrate` of \
+                 another version?"
+            ));
+        }
+        None => {
+            return Err(format!(
+                " no \"schema\" entry: not a calibration (\"{SCHEMA}\")"
+            ));
+        }
+    }
+    let calibration: Calibration =
+        serde_json::from_str(text).map_err(|e| format!("{}:{}: {e}", e.line(), e.column()))?;
+    check(&calibration)?;
+    Ok(calibration)
+}
+
+fn check(calibration: &Calibration) -> Result<(), String> {
+    let triads = [
+        ("accelerometer", &calibration.accelerometer, "a = "),
+        ("gyroscope", &calibration.gyroscope, "w = "),
+    ];
+    for (name, triad, equation) in triads {
+        let Some(triad) = triad else { continue };
+        if !triad.model.starts_with(equation) {
+            return Err(format!(
+                " {name}.model: \"{}\" found, \"{equation}…\" expected: are the two sensors swapped?",
+                triad.model
+            ));
+        }
+        let base = triad.base();
+        let size = base.t.norm();
+        if base.t.determinant().abs() <= 1e-9 * size.powi(3) {
+            return Err(format!(
+                " {name}.T: the matrix has no inverse; calibrate again"
+            ));
+        }
+    }
+    for values in &calibration.effects {
+        let effect = effect_named(&values.name).ok_or_else(|| {
+            format!(
+                " effects: \"{}\" is not in the catalogue (`stillpoint effects`)",
+                values.name
+            )
+        })?;
+        let (expected, found) = (effect.params().len(), values.parameters.len());
+        if expected != found {
+            return Err(format!(
+                " effects.{}: {found} parameters found, {expected} expected",
+                values.name
+            ));
+        }
+    }
+    Ok(())
+}

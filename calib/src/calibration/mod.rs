@@ -1,0 +1,180 @@
+//! The result: `cal.json`, and what it says of a raw reading.
+
+mod apply;
+mod check;
+mod frame;
+
+pub use apply::apply;
+pub use check::load;
+pub use frame::in_symmetric_frame;
+
+use nalgebra::{Matrix3, Vector3};
+use sensor::{AnyEffect, Base, Model, Sensor};
+use serde::{Deserialize, Serialize};
+
+/// The schema this version writes.
+pub const SCHEMA: &str = "stillpoint.calibration/1";
+
+/// A calibration of one device, as written to `cal.json`. SI units unless the readings are raw
+/// counts: then `T` is SI units per count and `bias` is in counts.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Calibration {
+    /// [`SCHEMA`].
+    pub schema: String,
+    /// Program and version.
+    pub created_by: String,
+    /// Local gravity used, m/s².
+    pub gravity: f64,
+    /// `stepwise`, `six-position` or `joint`.
+    pub method: String,
+    /// The accelerometer.
+    pub accelerometer: Option<Triad>,
+    /// The gyroscope.
+    pub gyroscope: Option<Triad>,
+    /// Effects on top of the base models.
+    pub effects: Vec<EffectValues>,
+    /// Names in the order of the covariance.
+    pub parameters: Vec<String>,
+    /// Covariance of `parameters`.
+    pub covariance: Vec<Vec<f64>>,
+    /// What the user should know.
+    pub warnings: Vec<String>,
+    /// Reasons not to use the calibration as it stands.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub failed_gates: Vec<String>,
+    /// Biases estimated again since, oldest first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub history: Vec<BiasUpdate>,
+}
+
+/// A bias estimated again with everything else kept.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BiasUpdate {
+    /// `accel` or `gyro`.
+    pub sensor: String,
+    /// The recording it was estimated on.
+    pub recording: String,
+    /// Rests used.
+    pub rests: usize,
+    /// The bias before.
+    pub bias_before: [f64; 3],
+    /// The bias since.
+    pub bias: [f64; 3],
+}
+
+/// The base model of one sensor and how well it is known.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Triad {
+    /// The equation.
+    pub model: String,
+    /// Scale factors and misalignments (3 × 3, rows).
+    #[serde(rename = "T")]
+    pub t: [[f64; 3]; 3],
+    /// Bias; of the last recording where each has its own.
+    pub bias: [f64; 3],
+    /// Standard errors of `T`; null where the element was held fixed.
+    #[serde(rename = "T_std")]
+    pub t_std: [[Option<f64>; 3]; 3],
+    /// Standard errors of the bias.
+    pub bias_std: [Option<f64>; 3],
+    /// Root mean square of the residuals: m/s² of gravity's modulus, or degrees of its direction.
+    pub residual_rms: f64,
+    /// Residual over what the noise within the intervals allows, squared, per degree of freedom.
+    pub reduced_chi2: Option<f64>,
+    /// Static intervals used.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub static_intervals: Option<usize>,
+    /// Turns used.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dynamic_intervals: Option<usize>,
+    /// Rank of the Jacobian.
+    pub rank: usize,
+    /// Its condition number, with unit columns.
+    pub condition: f64,
+    /// Combinations of parameters that the data cannot see.
+    pub unobservable: Vec<String>,
+    /// Biases by recording, where there are several.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub recordings: Vec<RecordingBias>,
+}
+
+/// The bias of one recording of several.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RecordingBias {
+    /// The recording, as the user named it.
+    pub recording: String,
+    /// Its bias.
+    pub bias: [f64; 3],
+    /// Standard errors.
+    pub bias_std: [Option<f64>; 3],
+}
+
+/// An effect and its parameters.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct EffectValues {
+    /// Name in the catalogue.
+    pub name: String,
+    /// Its parameters, in order.
+    pub parameters: Vec<EffectParameter>,
+}
+
+/// One parameter of an effect.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct EffectParameter {
+    /// Name within the effect.
+    pub name: String,
+    /// Value.
+    pub value: f64,
+    /// Standard error.
+    pub std: Option<f64>,
+    /// Unit.
+    pub unit: String,
+}
+
+impl Triad {
+    /// The base model.
+    pub fn base(&self) -> Base<f64> {
+        Base {
+            t: Matrix3::from_fn(|i, j| self.t[i][j]),
+            bias: Vector3::from(self.bias),
+        }
+    }
+}
+
+impl Calibration {
+    /// The triad of a sensor.
+    pub fn triad(&self, sensor: Sensor) -> Option<&Triad> {
+        match sensor {
+            Sensor::Accelerometer => self.accelerometer.as_ref(),
+            Sensor::Gyroscope => self.gyroscope.as_ref(),
+        }
+    }
+
+    /// The model of a sensor and its parameters, base first; `None` where the sensor was not
+    /// calibrated.
+    pub fn model(&self, sensor: Sensor) -> Option<(Model, Vec<f64>)> {
+        let mut model = Model::base(sensor);
+        let mut p = self.triad(sensor)?.base().parameters().to_vec();
+        for values in &self.effects {
+            let Some(effect) = effect_named(&values.name).filter(|e| e.sensor() == sensor) else {
+                continue;
+            };
+            model = model.with(effect);
+            p.extend(values.parameters.iter().map(|v| v.value));
+        }
+        Some((model, p))
+    }
+}
+
+/// The whole catalogue.
+pub fn catalogue() -> impl Iterator<Item = &'static dyn AnyEffect> {
+    accelerometer::EFFECTS
+        .iter()
+        .chain(gyroscope::EFFECTS)
+        .copied()
+}
+
+/// The effect of that name.
+pub fn effect_named(name: &str) -> Option<&'static dyn AnyEffect> {
+    catalogue().find(|effect| effect.name() == name)
+}

@@ -1,0 +1,188 @@
+//! The detector of motion: the spread of a sensor in a window against its spread at rest.
+
+use nalgebra::Vector3;
+
+use super::spans::{Span, union};
+use crate::error::Error;
+use crate::recording::{Recording, Stream};
+
+/// The share of windows that are taken to be at rest in any recording that can be calibrated.
+const QUIET_SHARE: f64 = 0.1;
+
+/// Spread that counts as none, as a fraction of the range of the samples: keeps a noise-free
+/// recording from having a threshold of zero.
+const SPREAD_FLOOR: f64 = 1e-6;
+
+/// A window is in motion where the sum over axes of its squared variance exceeds that at rest by
+/// the multiplier: `Σ var² >= multiplier · TS` (Liu et al. 2021, section 3.1), for either sensor.
+///
+/// Turning about the vertical is invisible to an accelerometer, so that the gyroscope has its say.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Detector {
+    /// Length of the window around each sample, s.
+    pub window: f64,
+    /// Factor on the threshold.
+    pub multiplier: f64,
+    /// Shorter spans of motion are ignored, s.
+    pub min_dynamic: f64,
+    /// Shorter rests are ignored, s.
+    pub min_static: f64,
+    /// Length of the initial rest that gives the threshold as published, s; `None` takes the
+    /// quietest tenth of the recording, which needs no rest at the start.
+    pub initial_static: Option<f64>,
+}
+
+impl Default for Detector {
+    fn default() -> Self {
+        Self {
+            window: 1.0,
+            multiplier: 100.0,
+            min_dynamic: 0.5,
+            min_static: 3.0,
+            initial_static: None,
+        }
+    }
+}
+
+/// The detector's statistic of one sensor and its level at rest: computed once, asked for several
+/// multipliers.
+#[derive(Clone, Debug)]
+pub struct Level {
+    t: Vec<f64>,
+    statistic: Vec<f64>,
+    /// The threshold `TS` for a multiplier of 1, (unit²)².
+    pub at_rest: f64,
+}
+
+impl Level {
+    /// Measures a stream.
+    ///
+    /// # Errors
+    /// A stream without samples or shorter than the window.
+    pub fn measure(stream: &Stream, detector: &Detector) -> Result<Self, Error> {
+        let (Some(&first), Some(&last)) = (stream.t.first(), stream.t.last()) else {
+            return Err(Error::NotEnough("a sensor has no samples".into()));
+        };
+        if last - first < detector.window {
+            return Err(Error::NotEnough(format!(
+                "{:.2} s of samples: the detector looks at windows of {} s; record longer",
+                last - first,
+                detector.window
+            )));
+        }
+        let statistic = statistic(stream, detector.window);
+        let reference = match detector.initial_static {
+            Some(length) => {
+                let initial = &stream.values[stream.between(first, first + length)];
+                let spread = super::Moments::of(initial).map(|m| m.covariance.diagonal());
+                spread.map_or(0.0, |v| v.norm_squared())
+            }
+            None => quantile(&statistic, QUIET_SHARE),
+        };
+        let floor = (SPREAD_FLOOR * range(&stream.values)).powi(4);
+        Ok(Self {
+            t: stream.t.clone(),
+            statistic,
+            at_rest: reference.max(floor),
+        })
+    }
+
+    /// The spans in which the statistic reaches `multiplier` times its level at rest.
+    pub fn motion(&self, multiplier: f64) -> Vec<Span> {
+        let threshold = multiplier * self.at_rest;
+        let mut spans: Vec<Span> = Vec::new();
+        let mut moving = false;
+        for (&t, &v) in self.t.iter().zip(&self.statistic) {
+            if v >= threshold {
+                match spans.last_mut() {
+                    Some(span) if moving => span.to = t,
+                    _ => spans.push(Span { from: t, to: t }),
+                }
+            }
+            moving = v >= threshold;
+        }
+        spans
+    }
+}
+
+/// The levels of accelerometer and gyroscope.
+pub(super) fn levels(
+    recording: &Recording,
+    detector: &Detector,
+) -> Result<[Option<Level>; 2], Error> {
+    let measure = |stream: &Option<Stream>| {
+        stream
+            .as_ref()
+            .map(|stream| Level::measure(stream, detector))
+            .transpose()
+    };
+    Ok([
+        measure(&recording.accelerometer)?,
+        measure(&recording.gyroscope)?,
+    ])
+}
+
+/// The spans in which any of the sensors moves.
+pub(super) fn motion(levels: &[Option<Level>; 2], multiplier: f64) -> Vec<Span> {
+    union(
+        levels
+            .iter()
+            .flatten()
+            .flat_map(|level| level.motion(multiplier))
+            .collect(),
+    )
+}
+
+/// `Σ over axes of var²` in a centred window of `window` seconds, at every sample.
+///
+/// From running sums of the centred samples: one pass, whatever the length of the window.
+fn statistic(stream: &Stream, window: f64) -> Vec<f64> {
+    let n = stream.len();
+    let centre = stream.values.iter().sum::<Vector3<f64>>() / n as f64;
+    let mut sums = Vec::with_capacity(n + 1);
+    let mut squares = Vec::with_capacity(n + 1);
+    let (mut sum, mut square) = (Vector3::zeros(), Vector3::zeros());
+    sums.push(sum);
+    squares.push(square);
+    for value in &stream.values {
+        let d = value - centre;
+        sum += d;
+        square += d.component_mul(&d);
+        sums.push(sum);
+        squares.push(square);
+    }
+    let (mut start, mut end) = (0, 0);
+    stream
+        .t
+        .iter()
+        .map(|&t| {
+            while stream.t[start] < t - 0.5 * window {
+                start += 1;
+            }
+            while end < n && stream.t[end] <= t + 0.5 * window {
+                end += 1;
+            }
+            let count = (end - start) as f64;
+            let mean: Vector3<f64> = (sums[end] - sums[start]) / count;
+            let variance = (squares[end] - squares[start]) / count - mean.component_mul(&mean);
+            variance.map(|v| v.max(0.0)).norm_squared()
+        })
+        .collect()
+}
+
+/// The value below which the share `q` of `values` lies.
+fn quantile(values: &[f64], q: f64) -> f64 {
+    let mut sorted = values.to_vec();
+    let k = (q * (sorted.len() - 1) as f64) as usize;
+    *sorted.select_nth_unstable_by(k, f64::total_cmp).1
+}
+
+/// Largest minus smallest value over all axes.
+fn range(values: &[Vector3<f64>]) -> f64 {
+    let (low, high) = values
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
+            (l.min(v.min()), h.max(v.max()))
+        });
+    high - low
+}

@@ -1,0 +1,165 @@
+//! The unit of the readings, from the readings: `signal ≈ scale · (raw − zero)`.
+//!
+//! Raw counts of tens of thousands around an unknown zero are as good a recording as one in SI
+//! units; the fits work on readings brought near SI first and are carried back after.
+
+use nalgebra::{DMatrix, DVector, Vector3};
+use sensor::{BASE_PARAMETERS, Model};
+
+use crate::residuals::{Integrator, TurnData};
+
+/// Static readings whose median modulus lies within this fraction of gravity are m/s².
+const SI_MODULUS: f64 = 0.5;
+
+/// Turns that the gyroscope foretells this well, rms of the chord, are in rad/s.
+const SI_TURNS: f64 = 0.5;
+
+/// Smallest and largest angle of the longest turn that a first guess of the scale reaches for, rad.
+const TURN_ANGLES: (f64, f64) = (0.3, 60.0);
+
+/// Ratio of neighbouring scales tried.
+const SCALE_STEP: f64 = 1.01;
+
+/// The affine map that brings readings near SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RawUnit {
+    /// SI units per raw unit.
+    pub scale: f64,
+    /// Reading of a zero signal, raw units.
+    pub zero: Vector3<f64>,
+}
+
+impl RawUnit {
+    /// Readings in SI units.
+    pub const SI: Self = Self {
+        scale: 1.0,
+        zero: Vector3::new(0.0, 0.0, 0.0),
+    };
+
+    /// Whether the readings were in SI units already.
+    pub fn is_si(&self) -> bool {
+        *self == Self::SI
+    }
+
+    /// The reading near SI units.
+    pub fn to_si(&self, raw: &Vector3<f64>) -> Vector3<f64> {
+        (raw - self.zero) * self.scale
+    }
+
+    /// Factor from a parameter of a model near SI units to one of a model in raw units, by its
+    /// place among the base parameters.
+    pub fn factor(&self, place: usize) -> f64 {
+        match place {
+            0..9 => self.scale,
+            9..BASE_PARAMETERS => self.scale.recip(),
+            _ => 1.0,
+        }
+    }
+
+    /// What a parameter gains on the way to raw units, by its place among the base parameters.
+    pub fn offset(&self, place: usize) -> f64 {
+        match place {
+            9..BASE_PARAMETERS => self.zero[place - 9],
+            _ => 0.0,
+        }
+    }
+}
+
+/// The unit of an accelerometer from its static means, by the sphere they lie on; `None` where they
+/// lie on no sphere.
+pub fn accelerometer_unit(means: &[Vector3<f64>], gravity: f64) -> Option<RawUnit> {
+    let mut moduli: Vec<f64> = means.iter().map(|m| m.norm() / gravity).collect();
+    moduli.sort_by(f64::total_cmp);
+    let middle = moduli.get(moduli.len() / 2)?;
+    if (middle - 1.0).abs() < SI_MODULUS {
+        return Some(RawUnit::SI);
+    }
+    let (zero, radius) = sphere(means)?;
+    Some(RawUnit {
+        scale: gravity / radius,
+        zero,
+    })
+}
+
+/// Centre and radius of the sphere `|m|² = 2 c·m + (r² − |c|²)`, linear least squares.
+fn sphere(points: &[Vector3<f64>]) -> Option<(Vector3<f64>, f64)> {
+    let n = points.len();
+    let middle = points.iter().sum::<Vector3<f64>>() / n as f64;
+    let size = points
+        .iter()
+        .map(|p| (p - middle).norm())
+        .fold(0.0, f64::max);
+    let near: Vec<Vector3<f64>> = points.iter().map(|p| (p - middle) / size).collect();
+    let matrix = DMatrix::from_fn(n, 4, |i, k| if k < 3 { 2.0 * near[i][k] } else { 1.0 });
+    let squares = DVector::from_fn(n, |i, _| near[i].norm_squared());
+    let solution = matrix.svd(true, true).solve(&squares, 1e-9).ok()?;
+    let centre = Vector3::new(solution[0], solution[1], solution[2]);
+    let radius = (solution[3] + centre.norm_squared()).sqrt();
+    (radius.is_finite() && radius > 0.0 && size > 0.0)
+        .then(|| (middle + centre * size, radius * size))
+}
+
+/// The unit of a gyroscope whose `turns` have their bias taken off already: the common scale at
+/// which they carry gravity best.
+pub fn gyroscope_unit(turns: &[TurnData]) -> RawUnit {
+    let model = Model::base(sensor::Sensor::Gyroscope);
+    let misfit = |scale: f64| {
+        let mut p = sensor::Base::identity().parameters();
+        p[..3].fill(scale);
+        let chords = turns.iter().map(|turn| {
+            let u = turn.propagated(&model, Integrator::Exponential, &p[..]);
+            (u - turn.after).norm_squared()
+        });
+        (chords.sum::<f64>() / turns.len() as f64).sqrt()
+    };
+    let longest = turns.iter().map(travel).fold(0.0, f64::max);
+    if longest <= 0.0 || misfit(1.0) < SI_TURNS {
+        return RawUnit::SI;
+    }
+    let mut best = (f64::INFINITY, 1.0);
+    let mut scale = TURN_ANGLES.0 / longest;
+    while scale * longest < TURN_ANGLES.1 {
+        let value = misfit(scale);
+        if value < best.0 {
+            best = (value, scale);
+        }
+        scale *= SCALE_STEP;
+    }
+    RawUnit {
+        scale: best.1,
+        zero: Vector3::zeros(),
+    }
+}
+
+/// `∫ |reading| dt` over a turn.
+fn travel(turn: &TurnData) -> f64 {
+    turn.t
+        .windows(2)
+        .zip(&turn.readings)
+        .map(|(t, w)| (t[1] - t[0]) * w.norm())
+        .sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_around_a_zero_of_32768_show_their_unit() {
+        let faces = [Vector3::x(), Vector3::y(), Vector3::z()];
+        let means: Vec<_> = faces
+            .iter()
+            .flat_map(|f| [*f, -f])
+            .map(|f| Vector3::new(32768.0, 33000.0, 31000.0) + f * 4096.0)
+            .collect();
+        let unit = accelerometer_unit(&means, 9.8).unwrap();
+        assert!((unit.scale - 9.8 / 4096.0).abs() < 1e-12);
+        assert!((unit.zero - Vector3::new(32768.0, 33000.0, 31000.0)).norm() < 1e-8);
+    }
+
+    #[test]
+    fn metres_per_second_squared_stay_what_they_are() {
+        let means = [Vector3::new(0.2, 0.0, 9.6), Vector3::new(-9.9, 0.1, 0.0)];
+        assert_eq!(accelerometer_unit(&means, 9.8), Some(RawUnit::SI));
+    }
+}

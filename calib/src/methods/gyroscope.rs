@@ -1,0 +1,301 @@
+//! The gyroscope by propagated gravity (Liu et al. 2021, section 2.2).
+
+use nalgebra::Vector3;
+use sensor::{BASE_PARAMETERS, Model, ModelScalar};
+use solver::{Options, Report, Residual, solve};
+
+use super::first_guess::{RawUnit, gyroscope_unit};
+use super::fitted::Fitted;
+use crate::error::Error;
+use crate::residuals::{Integrator, OwnBias, PropagatedGravity, StaticMean, StaticRate, TurnData};
+
+/// Rounds in which the two kinds of rows are weighted by what the fit before left of them.
+const WEIGHT_ROUNDS: usize = 6;
+
+/// Independent numbers in the three rows of a turn: a direction has two.
+const NUMBERS_PER_TURN: usize = 2;
+
+/// One recording's share of a gyroscope fit, raw units.
+#[derive(Clone, Debug)]
+pub struct GyroscopeData {
+    /// Name of the recording.
+    pub name: String,
+    /// Its sound turns.
+    pub turns: Vec<TurnData>,
+    /// The bias in each turn as the rests beside it show it.
+    pub turn_bias: Vec<Vector3<f64>>,
+    /// Static means of the gyroscope with the corrected specific force.
+    pub statics: Vec<StaticMean>,
+}
+
+/// What to fit.
+#[derive(Clone, Debug)]
+pub struct GyroscopeRequest {
+    /// The recordings.
+    pub recordings: Vec<GyroscopeData>,
+    /// Base model and effects.
+    pub model: Model,
+    /// How the rate is integrated.
+    pub integrator: Integrator,
+}
+
+/// The fit of a gyroscope.
+#[derive(Clone, Debug)]
+pub struct GyroscopeFit {
+    /// Base model and effects.
+    pub model: Model,
+    /// The parameters in raw units. Without effects the bias is not among the free ones and stands
+    /// at zero: it was taken off turn by turn.
+    pub fitted: Fitted,
+    /// The fit on readings near SI units.
+    pub report: Report,
+    /// The unit of the readings.
+    pub unit: RawUnit,
+    /// Misfit of each turn: length of the chord between the two directions, rad.
+    pub chords: Vec<f64>,
+    /// The same before the fit: unit scales, no misalignment.
+    pub chords_before: Vec<f64>,
+}
+
+impl GyroscopeFit {
+    /// Root mean square of the chords, rad.
+    pub fn rms(&self) -> f64 {
+        root_mean_square(&self.chords)
+    }
+
+    /// Root mean square of the chords before the fit, rad.
+    pub fn rms_before(&self) -> f64 {
+        root_mean_square(&self.chords_before)
+    }
+}
+
+/// Fits the nine elements of `T` to the turns, the bias taken from the rests; with effects in the
+/// model their parameters and the biases too, to the turns and to the static rates.
+///
+/// # Errors
+/// No sound turn, and what the solver refuses.
+pub fn fit_gyroscope(request: &GyroscopeRequest) -> Result<GyroscopeFit, Error> {
+    let unbiased: Vec<Vec<TurnData>> = request.recordings.iter().map(without_bias).collect();
+    let all: Vec<TurnData> = unbiased.concat();
+    if all.is_empty() {
+        return Err(Error::NotEnough(
+            "no turn between two rests can be integrated".into(),
+        ));
+    }
+    let unit = gyroscope_unit(&all);
+    let before = perfect_chords(&all, &unit);
+    if request.model.effects().is_empty() {
+        published(request, &scaled(&unbiased, &unit), unit, before)
+    } else {
+        with_effects(request, unit, before)
+    }
+}
+
+/// The nine elements of `T` alone.
+fn published(
+    request: &GyroscopeRequest,
+    turns: &[Vec<TurnData>],
+    unit: RawUnit,
+    chords_before: Vec<f64>,
+) -> Result<GyroscopeFit, Error> {
+    let turns = turns.concat();
+    let problem = PropagatedGravity {
+        model: &request.model,
+        turns: &turns,
+        integrator: request.integrator,
+        sigma: 1.0,
+    };
+    let start = request.model.parameters();
+    let mask = start.free_where(|name| !name.contains(".b_"));
+    let report = solve(&problem, &start, &mask, &Options::default())?;
+    let sigma = direction_scatter(&report, turns.len());
+    Ok(GyroscopeFit {
+        model: request.model.clone(),
+        fitted: Fitted::in_raw_units(&report, &unit, start.len(), sigma),
+        chords: chords(&report.residuals),
+        chords_before,
+        report,
+        unit,
+    })
+}
+
+/// Everything free, turns and rests weighted by their own scatter.
+fn with_effects(
+    request: &GyroscopeRequest,
+    scale: RawUnit,
+    chords_before: Vec<f64>,
+) -> Result<GyroscopeFit, Error> {
+    let zero = request
+        .recordings
+        .last()
+        .map_or_else(Vector3::zeros, |r| mean_rate(&r.statics));
+    let unit = RawUnit { zero, ..scale };
+    let near_si: Vec<(Vec<TurnData>, Vec<StaticMean>)> = request
+        .recordings
+        .iter()
+        .map(|r| {
+            let turns = r
+                .turns
+                .iter()
+                .map(|turn| map_readings(turn, |w| unit.to_si(w)))
+                .collect();
+            let statics = r
+                .statics
+                .iter()
+                .map(|m| StaticMean {
+                    raw: unit.to_si(&m.raw),
+                    ..*m
+                })
+                .collect();
+            (turns, statics)
+        })
+        .collect();
+    let shared = request.model.parameters().len();
+    let names: Vec<String> = request.recordings.iter().map(|r| r.name.clone()).collect();
+    let (mut sigma_turn, mut sigma_rest) = (5e-3, 1e-4);
+    let mut result = None;
+    for _ in 0..WEIGHT_ROUNDS {
+        let parts = near_si
+            .iter()
+            .map(|(turns, statics)| TurnsAndRests {
+                turns: PropagatedGravity {
+                    model: &request.model,
+                    turns,
+                    integrator: request.integrator,
+                    sigma: sigma_turn,
+                },
+                rests: StaticRate {
+                    model: &request.model,
+                    means: statics,
+                    sigma: sigma_rest,
+                },
+            })
+            .collect();
+        let problem = OwnBias {
+            parts,
+            shared,
+            own_bias: true,
+        };
+        let start = problem.parameters(&request.model.parameters(), &names);
+        let mask = start.free_where(|_| true);
+        let report = solve(&problem, &start, &mask, &Options::default())?;
+        let (turns, rests) = split_rows(&near_si, &report.residuals);
+        let numbers = turns.len() * NUMBERS_PER_TURN / 3 + rests.len();
+        let spare = (numbers as f64 - report.uncertainty.rank as f64).max(1.0) / numbers as f64;
+        let scatter = |rows: &[f64], independent: f64| {
+            let sum: f64 = rows.iter().map(|r| r * r).sum();
+            (sum / (rows.len() as f64 * independent * spare).max(1.0))
+                .sqrt()
+                .max(1e-9)
+        };
+        let turn_factor = scatter(&turns, NUMBERS_PER_TURN as f64 / 3.0);
+        let rest_factor = scatter(&rests, 1.0);
+        let chords = chords(&turns).into_iter().map(|c| c * sigma_turn).collect();
+        sigma_turn *= turn_factor;
+        sigma_rest *= rest_factor;
+        result = Some((report, chords));
+    }
+    let (report, chords) =
+        result.ok_or_else(|| Error::NotConverged("no weighting round was run".into()))?;
+    Ok(GyroscopeFit {
+        model: request.model.clone(),
+        fitted: Fitted::in_raw_units(&report, &unit, shared, 1.0),
+        report,
+        unit,
+        chords,
+        chords_before,
+    })
+}
+
+/// Turns and rests of one recording as one residual.
+#[derive(Clone, Copy, Debug)]
+struct TurnsAndRests<'a> {
+    turns: PropagatedGravity<'a>,
+    rests: StaticRate<'a>,
+}
+
+impl<D: ModelScalar> Residual<D> for TurnsAndRests<'_> {
+    fn residuals(&self, x: &[D], out: &mut Vec<D>) {
+        self.turns.residuals(x, out);
+        self.rests.residuals(x, out);
+    }
+}
+
+/// The rows of the turns and those of the rests, of all recordings.
+fn split_rows(data: &[(Vec<TurnData>, Vec<StaticMean>)], rows: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let (mut turns, mut rests) = (Vec::new(), Vec::new());
+    let mut rest = rows;
+    for (t, s) in data {
+        let (of_turns, after) = rest.split_at(3 * t.len());
+        let (of_rests, after) = after.split_at(3 * s.len());
+        turns.extend_from_slice(of_turns);
+        rests.extend_from_slice(of_rests);
+        rest = after;
+    }
+    (turns, rests)
+}
+
+/// Standard deviation of an independent number of the turns' residual.
+fn direction_scatter(report: &Report, turns: usize) -> f64 {
+    let numbers = NUMBERS_PER_TURN * turns;
+    match numbers.checked_sub(report.uncertainty.rank) {
+        Some(spare) if spare > 0 => (2.0 * report.cost / spare as f64).sqrt(),
+        _ => f64::NAN,
+    }
+}
+
+/// The length of each turn's three rows.
+fn chords(rows: &[f64]) -> Vec<f64> {
+    rows.chunks_exact(3)
+        .map(|r| (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]).sqrt())
+        .collect()
+}
+
+/// The chords of a sensor with unit scales and no misalignment.
+fn perfect_chords(turns: &[TurnData], unit: &RawUnit) -> Vec<f64> {
+    let model = Model::base(sensor::Sensor::Gyroscope);
+    let mut p = sensor::Base::identity().parameters();
+    p[..3].fill(unit.scale);
+    turns
+        .iter()
+        .map(|turn| {
+            let u = turn.propagated(&model, Integrator::Exponential, &p[..BASE_PARAMETERS]);
+            (u - turn.after).norm()
+        })
+        .collect()
+}
+
+fn without_bias(data: &GyroscopeData) -> Vec<TurnData> {
+    data.turns
+        .iter()
+        .zip(&data.turn_bias)
+        .map(|(turn, b)| map_readings(turn, |w| w - b))
+        .collect()
+}
+
+fn scaled(turns: &[Vec<TurnData>], unit: &RawUnit) -> Vec<Vec<TurnData>> {
+    turns
+        .iter()
+        .map(|turns| {
+            turns
+                .iter()
+                .map(|turn| map_readings(turn, |w| unit.to_si(w)))
+                .collect()
+        })
+        .collect()
+}
+
+fn map_readings(turn: &TurnData, map: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> TurnData {
+    TurnData {
+        readings: turn.readings.iter().map(map).collect(),
+        ..turn.clone()
+    }
+}
+
+fn mean_rate(statics: &[StaticMean]) -> Vector3<f64> {
+    statics.iter().map(|m| m.raw).sum::<Vector3<f64>>() / statics.len().max(1) as f64
+}
+
+fn root_mean_square(values: &[f64]) -> f64 {
+    (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()
+}

@@ -1,0 +1,405 @@
+//! Recordings as the joint problem sees them: means of chunks of rests, and turns between them.
+
+use std::ops::Range;
+
+use nalgebra::Vector3;
+use sensor::{Kinematics, Model};
+
+use super::noise::SensorNoise;
+use super::shake::{Shake, gaps, shakes};
+use super::trim::quiet_part;
+use super::turn::MARGIN;
+use crate::covariates::last_changes;
+use crate::intervals::{Segmentation, Span, TurnFault};
+use crate::methods::{RawUnit, known_of};
+use crate::recording::{Recording, Stream};
+
+/// Rests are cut into chunks of about this length, s: they anchor random walk, drift and warm-up.
+const CHUNK: f64 = 8.0;
+
+/// Rests shorter than this many chunks stay whole.
+const WHOLE: f64 = 1.5;
+
+/// Chunks of a recording that suffice: of longer recordings they are longer.
+const MOST_CHUNKS: f64 = 60.0;
+
+/// The mean of the samples of a sensor over a chunk, near SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mean {
+    /// From the begin of the first sample's window to the end of the last, s.
+    pub span: Span,
+    /// Number of samples.
+    pub count: usize,
+    /// Their mean (3).
+    pub value: Vector3<f64>,
+    /// Their slope, per second (3).
+    pub slope: Vector3<f64>,
+    /// `Σ (t − t̄)²`, s²: the slope has the variance `σ²` over this.
+    pub spread: f64,
+}
+
+/// A part of a rest, short against the drift of a bias.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chunk {
+    /// Place of its rest among all.
+    pub rest: usize,
+    /// The accelerometer.
+    pub accelerometer: Option<Mean>,
+    /// The gyroscope.
+    pub gyroscope: Option<Mean>,
+}
+
+/// A static interval: one direction of specific force.
+#[derive(Clone, Debug)]
+pub struct Rest {
+    /// Place of its recording.
+    pub recording: usize,
+    /// Place in the recording's segmentation.
+    pub interval: usize,
+    /// What is left of the interval after trimming.
+    pub span: Span,
+    /// Time, temperature and history.
+    pub known: Kinematics<f64>,
+    /// Its chunks among all.
+    pub chunks: Range<usize>,
+}
+
+/// A turn between two rests.
+#[derive(Clone, Debug)]
+pub struct TurnSamples {
+    /// Place of its recording.
+    pub recording: usize,
+    /// Place in the recording's segmentation.
+    pub turn: usize,
+    /// The rest before it; the one after it is the next.
+    pub from: usize,
+    /// When.
+    pub span: Span,
+    /// Middle of each sample's window, s; [`MARGIN`] samples of the rests at either end.
+    pub t: Vec<f64>,
+    /// Length of each sample's window, s.
+    pub lengths: Vec<f64>,
+    /// Mean readings over the windows, near SI units.
+    pub readings: Vec<Vector3<f64>>,
+    /// What effects ask for at the samples; empty without effects.
+    pub known: Vec<Kinematics<f64>>,
+}
+
+/// A turn that is not used.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LostTurn {
+    /// Place of its recording.
+    pub recording: usize,
+    /// Place in the recording's segmentation.
+    pub turn: usize,
+    /// When.
+    pub span: Span,
+    /// Why.
+    pub fault: TurnFault,
+}
+
+/// Noise and clock of one recording.
+#[derive(Clone, Debug)]
+pub struct Source {
+    /// Name, as the user gave it.
+    pub name: String,
+    /// Noise of the accelerometer, near SI units.
+    pub accelerometer: Option<SensorNoise>,
+    /// Noise of the gyroscope, near SI units.
+    pub gyroscope: Option<SensorNoise>,
+    /// The time that the bias of this recording is given for, s: the edge of a chunk near the middle.
+    pub reference: f64,
+}
+
+/// All recordings.
+#[derive(Clone, Debug, Default)]
+pub struct Data {
+    /// The recordings.
+    pub sources: Vec<Source>,
+    /// Their rests, in order.
+    pub rests: Vec<Rest>,
+    /// The chunks of the rests, in order.
+    pub chunks: Vec<Chunk>,
+    /// The sound turns.
+    pub turns: Vec<TurnSamples>,
+    /// The others.
+    pub lost: Vec<LostTurn>,
+    /// The chunks that shake, by their place.
+    pub shaken: Vec<(usize, Shake)>,
+    /// The rests with gaps in them.
+    pub gaps: Vec<(usize, Span)>,
+}
+
+/// One recording on its way into [`Data`].
+#[derive(Clone, Copy, Debug)]
+pub struct Cut<'a> {
+    /// The recording.
+    pub recording: &'a Recording,
+    /// Its rests and turns.
+    pub segmentation: &'a Segmentation,
+    /// The unit of the accelerometer.
+    pub force_unit: &'a RawUnit,
+    /// The unit of the gyroscope.
+    pub rate_unit: &'a RawUnit,
+}
+
+impl Data {
+    /// Adds a recording: its rests trimmed and cut into chunks, its turns from sample to sample
+    /// between them, its noise.
+    ///
+    /// Every sample is in one chunk or in one turn, so that their white noise is independent.
+    pub fn add(&mut self, cut: &Cut<'_>) {
+        let place = self.sources.len();
+        let force = near_si(cut.recording.accelerometer.as_ref(), cut.force_unit);
+        let rate = near_si(cut.recording.gyroscope.as_ref(), cut.rate_unit);
+        let spans: Vec<Span> = cut
+            .segmentation
+            .statics
+            .iter()
+            .map(|rest| quiet_part(force.iter().chain(&rate), rest.span))
+            .collect();
+        let total: f64 = spans.iter().map(Span::length).sum();
+        let length = CHUNK.max(total / MOST_CHUNKS);
+        let history = self.history(cut);
+        let first = self.rests.len();
+        for (interval, span) in spans.iter().enumerate() {
+            let from = self.chunks.len();
+            for part in parts(*span, length) {
+                self.chunks.push(Chunk {
+                    rest: self.rests.len(),
+                    accelerometer: force.as_ref().and_then(|s| mean_over(s, part)),
+                    gyroscope: rate.as_ref().and_then(|s| mean_over(s, part)),
+                });
+            }
+            let statics = &cut.segmentation.statics[interval];
+            let mut known = known_of(cut.recording, statics, Vector3::zeros());
+            known.last_change = history.get(interval).copied().unwrap_or_default();
+            self.rests.push(Rest {
+                recording: place,
+                interval,
+                span: *span,
+                known,
+                chunks: from..self.chunks.len(),
+            });
+        }
+        self.look_for_shakes(force.iter().chain(&rate), first);
+        if let Some(rate) = &rate {
+            self.add_turns(cut, rate, &spans, first);
+        }
+        let of = |stream: &Option<Stream>| {
+            let stream = stream.as_ref()?;
+            let chunks = spans.iter().flat_map(|span| parts(*span, length));
+            let ranges: Vec<_> = chunks.map(|c| stream.between(c.from, c.to)).collect();
+            SensorNoise::measure(stream, &ranges)
+        };
+        self.sources.push(Source {
+            name: cut.recording.name.clone(),
+            accelerometer: of(&force),
+            gyroscope: of(&rate),
+            reference: middle_edge(&spans),
+        });
+    }
+
+    /// Chunks that shake and rests with gaps, in either sensor, among the rests from `first` on.
+    fn look_for_shakes<'a>(&mut self, streams: impl Iterator<Item = &'a Stream>, first: usize) {
+        let from = self
+            .rests
+            .get(first)
+            .map_or(self.chunks.len(), |r| r.chunks.start);
+        let stretches: Vec<Span> = self.rests[first..]
+            .iter()
+            .flat_map(|rest| {
+                let count = rest.chunks.len() as f64;
+                let edge = move |k: usize| rest.span.from + rest.span.length() * k as f64 / count;
+                (0..rest.chunks.len()).map(move |k| Span {
+                    from: edge(k),
+                    to: edge(k + 1),
+                })
+            })
+            .collect();
+        for stream in streams {
+            for shake in shakes(stream, &stretches) {
+                let chunk = from + shake.stretch;
+                if self.shaken.iter().all(|(known, _)| *known != chunk) {
+                    self.shaken.push((chunk, shake));
+                }
+            }
+            for place in first..self.rests.len() {
+                for gap in gaps(stream, self.rests[place].span) {
+                    if self.gaps.iter().all(|(known, _)| *known != place) {
+                        self.gaps.push((place, gap));
+                    }
+                }
+            }
+        }
+        self.shaken.sort_by_key(|(chunk, _)| *chunk);
+    }
+
+    /// The sign of the last change of specific force in every rest.
+    fn history(&self, cut: &Cut<'_>) -> Vec<Vector3<f64>> {
+        let forces: Vec<Vector3<f64>> = cut
+            .segmentation
+            .statics
+            .iter()
+            .map(|rest| {
+                rest.accelerometer
+                    .map_or_else(Vector3::zeros, |m| cut.force_unit.to_si(&m.mean))
+            })
+            .collect();
+        last_changes(&forces)
+    }
+
+    fn add_turns(&mut self, cut: &Cut<'_>, rate: &Stream, spans: &[Span], first: usize) {
+        let recording = self.sources.len();
+        for turn in &cut.segmentation.turns {
+            let span = Span {
+                from: spans[turn.from].to,
+                to: spans[turn.from + 1].from,
+            };
+            let inner = rate.between(span.from, span.to);
+            let fits = inner.start >= MARGIN && inner.end + MARGIN < rate.len();
+            let fault = turn
+                .fault
+                .clone()
+                .or((!fits || inner.len() < 2).then_some(TurnFault::Empty));
+            if let Some(fault) = fault {
+                self.lost.push(LostTurn {
+                    recording,
+                    turn: turn.from,
+                    span,
+                    fault,
+                });
+                continue;
+            }
+            let range = inner.start - MARGIN..inner.end + MARGIN;
+            self.turns.push(TurnSamples {
+                recording,
+                turn: turn.from,
+                from: first + turn.from,
+                span,
+                t: rate.t[range.clone()].to_vec(),
+                lengths: range.clone().map(|k| window(&rate.t, k)).collect(),
+                readings: rate.values[range].to_vec(),
+                known: Vec::new(),
+            });
+        }
+    }
+
+    /// Fills in what effects of the gyroscope ask for at the samples of the turns: the specific force
+    /// by `force` (raw reading near SI units and what else is known to m/s²), time and temperature.
+    pub fn know_turns(&mut self, recording: usize, cut: &Cut<'_>, force: &Model, p: &[f64]) {
+        for turn in self.turns.iter_mut().filter(|t| t.recording == recording) {
+            let start = cut.recording.start();
+            let accelerometer = cut.recording.accelerometer.as_ref();
+            turn.known = turn
+                .t
+                .iter()
+                .map(|&t| {
+                    let mut known = Kinematics::at_rest(Vector3::zeros());
+                    known.time = t - start;
+                    if let Some(celsius) = cut.recording.temperature.as_ref().and_then(|c| c.at(t))
+                    {
+                        known.temperature = celsius;
+                    }
+                    if let Some(raw) = accelerometer.and_then(|s| s.at(t)) {
+                        known.specific_force =
+                            force.correct(&cut.force_unit.to_si(&raw), &known, p);
+                    }
+                    known
+                })
+                .collect();
+            let accelerations: Vec<Vector3<f64>> = (0..turn.t.len())
+                .map(|k| slope_at(&turn.t, &turn.readings, k))
+                .collect();
+            for (known, acceleration) in turn.known.iter_mut().zip(accelerations) {
+                known.angular_acceleration = acceleration;
+            }
+        }
+    }
+}
+
+fn near_si(stream: Option<&Stream>, unit: &RawUnit) -> Option<Stream> {
+    let stream = stream?;
+    Some(Stream {
+        t: stream.t.clone(),
+        values: stream.values.iter().map(|v| unit.to_si(v)).collect(),
+    })
+}
+
+/// The span in equal parts of about `length`; none of an empty one.
+fn parts(span: Span, length: f64) -> Vec<Span> {
+    if span.length() <= 0.0 {
+        return Vec::new();
+    }
+    let count = if span.length() < WHOLE * length {
+        1
+    } else {
+        (span.length() / length).round() as usize
+    };
+    let edge = |k: usize| span.from + span.length() * k as f64 / count as f64;
+    (0..count)
+        .map(|k| Span {
+            from: edge(k),
+            to: if k + 1 == count { span.to } else { edge(k + 1) },
+        })
+        .collect()
+}
+
+fn mean_over(stream: &Stream, part: Span) -> Option<Mean> {
+    let range = stream.between(part.from, part.to);
+    let count = range.len();
+    if count < 2 {
+        return None;
+    }
+    let (t, values) = (&stream.t[range.clone()], &stream.values[range.clone()]);
+    let mean_time = t.iter().sum::<f64>() / count as f64;
+    let value = values.iter().sum::<Vector3<f64>>() / count as f64;
+    let (mut spread, mut moment) = (0.0, Vector3::zeros());
+    for (t, v) in t.iter().zip(values) {
+        spread += (t - mean_time).powi(2);
+        moment += (v - value) * (t - mean_time);
+    }
+    Some(Mean {
+        span: Span {
+            from: t[0] - 0.5 * window(&stream.t, range.start),
+            to: t[count - 1] + 0.5 * window(&stream.t, range.end - 1),
+        },
+        count,
+        value,
+        slope: moment / spread,
+        spread,
+    })
+}
+
+/// Length of the window of sample `k`: half the way to either neighbour.
+fn window(t: &[f64], k: usize) -> f64 {
+    let after = t.get(k + 1).map(|next| next - t[k]);
+    let before = k.checked_sub(1).map(|j| t[k] - t[j]);
+    match (before, after) {
+        (Some(a), Some(b)) => 0.5 * (a + b),
+        (Some(a), None) | (None, Some(a)) => a,
+        (None, None) => 0.0,
+    }
+}
+
+fn slope_at(t: &[f64], values: &[Vector3<f64>], k: usize) -> Vector3<f64> {
+    let (a, b) = (k.saturating_sub(1), (k + 1).min(t.len() - 1));
+    if b > a {
+        (values[b] - values[a]) / (t[b] - t[a])
+    } else {
+        Vector3::zeros()
+    }
+}
+
+/// The end of a rest that lies nearest the middle of all.
+fn middle_edge(spans: &[Span]) -> f64 {
+    let (Some(first), Some(last)) = (spans.first(), spans.last()) else {
+        return 0.0;
+    };
+    let middle = 0.5 * (first.from + last.to);
+    spans
+        .iter()
+        .map(|s| s.to)
+        .min_by(|a, b| (a - middle).abs().total_cmp(&(b - middle).abs()))
+        .unwrap_or(middle)
+}

@@ -1,0 +1,282 @@
+//! Rests and turns that something disturbed: tests that need no refit.
+
+use faer::{Mat, MatRef};
+use nalgebra::Vector3;
+use sensor::Sensor;
+use serde::Serialize;
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
+use super::data::{Chunk, Mean};
+use super::problem::Rows;
+use super::shake::Shake;
+use super::weights::Whitening;
+
+/// What happened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Disturbance {
+    /// The device crept while it should have rested: neighbouring turns miss in opposite ways.
+    MountSlip,
+    /// The specific force of a stretch of rest is not gravity's.
+    DisturbedInterval,
+    /// A turn misses the direction after it: lost or clipped samples.
+    BadTurn,
+}
+
+/// A suspect: what the rows of the fit would have of it.
+#[derive(Clone, Debug)]
+pub struct Suspect {
+    /// What would have happened.
+    pub kind: Disturbance,
+    /// The rest, the chunk or the turn, by its place in the data.
+    pub place: usize,
+    /// `∂r/∂d` (`m`), one column per parameter.
+    pub columns: Vec<Vec<f64>>,
+    /// What is known of it in words.
+    pub detail: String,
+    /// What the slopes of the accelerometer within chunks say of it, whitened: `∂s/∂d` and `s`.
+    pub slopes: Vec<(Vec<f64>, f64)>,
+}
+
+/// A suspect that the data accuse.
+#[derive(Clone, Debug)]
+pub struct Verdict {
+    /// The suspect's place among the suspects.
+    pub suspect: usize,
+    /// `χ²` of its parameters.
+    pub statistic: f64,
+    /// Probability of so much by chance, in this one test.
+    pub p_value: f64,
+}
+
+/// Everything that may have been disturbed at the parameters `x`.
+pub fn suspects(rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
+    let mut all: Vec<Suspect> = (0..rows.data.rests.len())
+        .map(|k| slip(rows, x, k))
+        .collect();
+    all.extend(
+        rows.means(Sensor::Accelerometer)
+            .enumerate()
+            .map(|(k, (place, _))| pushed(rows, place, 3 * k)),
+    );
+    let first = rows.first_turn_row();
+    all.extend((0..rows.data.turns.len()).map(|k| Suspect {
+        kind: Disturbance::BadTurn,
+        place: k,
+        columns: unit_columns(rows.len(), first + 2 * k, 2),
+        slopes: Vec::new(),
+        detail: String::new(),
+    }));
+    all
+}
+
+fn unit_columns(m: usize, row: usize, count: usize) -> Vec<Vec<f64>> {
+    (0..count)
+        .map(|k| {
+            let mut column = vec![0.0; m];
+            column[row + k] = 1.0;
+            column
+        })
+        .collect()
+}
+
+fn pushed(rows: &Rows<'_>, chunk: usize, row: usize) -> Suspect {
+    Suspect {
+        kind: Disturbance::DisturbedInterval,
+        place: chunk,
+        columns: unit_columns(rows.len(), row, 3),
+        slopes: Vec::new(),
+        detail: String::new(),
+    }
+}
+
+/// A chunk that was seen to shake: any force, and a creep of its rest.
+pub fn pushed_chunk(rows: &Rows<'_>, x: &[f64], chunk: usize, shake: &Shake) -> Option<Suspect> {
+    let place = rows
+        .means(Sensor::Accelerometer)
+        .position(|(place, _)| place == chunk)?;
+    let mut suspect = pushed(rows, chunk, 3 * place);
+    suspect
+        .columns
+        .extend(slip(rows, x, rows.data.chunks[chunk].rest).columns);
+    suspect.detail = format!(
+        "shakes at t = {:.2} s, {:.1} times as much as usual",
+        shake.time, shake.ratio
+    );
+    Some(suspect)
+}
+
+/// A creep at the constant rate `ω` (rad/s, body frame) through rest `k`: `u̇ = u × ω`. Its gyroscope reads `ω`,
+/// its chunks see gravity move, the turns beside it start and end half the angle away from its
+/// mean direction.
+fn slip(rows: &Rows<'_>, x: &[f64], k: usize) -> Suspect {
+    let m = rows.len();
+    let rest = &rows.data.rests[k];
+    let u = rows.direction(x, k);
+    let (middle, half) = (
+        0.5 * (rest.span.from + rest.span.to),
+        0.5 * rest.span.length(),
+    );
+    let mut columns = vec![vec![0.0; m]; 3];
+    let mut slopes = Vec::new();
+    let mut row = 0;
+    for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+        for (place, chunk) in rows.means(sensor) {
+            if rest.chunks.contains(&place) {
+                creep_rows(rows, sensor, chunk, (u, middle), row, &mut columns);
+            }
+            row += 3;
+        }
+    }
+    for (place, turn) in rows.data.turns.iter().enumerate() {
+        let row = rows.first_turn_row() + 2 * place;
+        for (axis, column) in columns.iter_mut().enumerate() {
+            let moved = u.cross(&axis_vector(axis));
+            let shift = if turn.from + 1 == k {
+                // The device is at u − half·u̇ when the turn ends.
+                rows.charts[k].across.transpose() * (moved * -half)
+            } else if turn.from == k {
+                // It is at u + half·u̇ when the turn begins; the model carries u.
+                let q = rows.rotation(x, turn);
+                rows.charts[k + 1].across.transpose() * q.into_body(&(moved * -half))
+            } else {
+                continue;
+            };
+            column[row] = shift[0];
+            column[row + 1] = shift[1];
+        }
+    }
+    for (_, chunk) in rows
+        .means(Sensor::Accelerometer)
+        .filter(|(c, _)| rest.chunks.contains(c))
+    {
+        if let (Some(mean), Some(noise)) = (
+            chunk.accelerometer,
+            rows.data.sources[rest.recording].accelerometer,
+        ) {
+            slopes.extend(creep_slopes(
+                &mean,
+                &noise.variance_in_sum(),
+                &u,
+                rows.gravity,
+            ));
+        }
+    }
+    Suspect {
+        kind: Disturbance::MountSlip,
+        place: k,
+        columns,
+        slopes,
+        detail: String::new(),
+    }
+}
+
+fn axis_vector(axis: usize) -> Vector3<f64> {
+    let mut unit = Vector3::zeros();
+    unit[axis] = 1.0;
+    unit
+}
+
+/// Rows are model less measurement: what the measurement gains, they lose.
+fn creep_rows(
+    rows: &Rows<'_>,
+    sensor: Sensor,
+    chunk: &Chunk,
+    (u, middle): (Vector3<f64>, f64),
+    row: usize,
+    columns: &mut [Vec<f64>],
+) {
+    for (axis, column) in columns.iter_mut().enumerate() {
+        let unit = axis_vector(axis);
+        let change = match (sensor, chunk.accelerometer, chunk.gyroscope) {
+            (Sensor::Accelerometer, Some(mean), _) => {
+                let since = 0.5 * (mean.span.from + mean.span.to) - middle;
+                u.cross(&unit) * (rows.gravity * since)
+            }
+            (Sensor::Gyroscope, _, Some(_)) => unit,
+            _ => continue,
+        };
+        for i in 0..3 {
+            column[row + i] = -change[i];
+        }
+    }
+}
+
+/// The slope of specific force within a chunk, `g u × ω`, over its standard deviation.
+fn creep_slopes(
+    mean: &Mean,
+    variance: &Vector3<f64>,
+    u: &Vector3<f64>,
+    gravity: f64,
+) -> Vec<(Vec<f64>, f64)> {
+    (0..3)
+        .map(|i| {
+            let sigma = (variance[i] / mean.spread).sqrt();
+            let by = (0..3)
+                .map(|axis| gravity * u.cross(&axis_vector(axis))[i] / sigma)
+                .collect();
+            (by, mean.slope[i] / sigma)
+        })
+        .collect()
+}
+
+/// Score test of every suspect: with `E` its whitened columns and `P` the projection orthogonal to the
+/// Jacobian, `bᵀ A⁻¹ b ~ χ²` of `b = Eᵀ P r`, `A = Eᵀ P E`, plus what the slopes add. No refit is needed.
+///
+/// `basis` is orthonormal on the columns of the whitened Jacobian, `residuals` (`m × 1`) are whitened.
+pub fn judge(
+    suspects: &[Suspect],
+    whitening: &Whitening,
+    basis: &Mat<f64>,
+    residuals: &Mat<f64>,
+) -> Vec<Verdict> {
+    let r = residuals - basis * (basis.transpose() * residuals);
+    let all: Vec<&Vec<f64>> = suspects.iter().flat_map(|s| &s.columns).collect();
+    let mut e = Mat::from_fn(r.nrows(), all.len(), |i, k| all[k][i]);
+    whitening.apply(e.as_mut());
+    let e = &e - basis * (basis.transpose() * &e);
+    let mut first = 0;
+    suspects
+        .iter()
+        .enumerate()
+        .filter_map(|(suspect, s)| {
+            let own = e.subcols(first, s.columns.len());
+            first += s.columns.len();
+            test(own, &r, &s.slopes).map(|(statistic, p_value)| Verdict {
+                suspect,
+                statistic,
+                p_value,
+            })
+        })
+        .collect()
+}
+
+/// Eigenvalues of `A` below this share of what the columns had before projection are nothing.
+const UNSEEN: f64 = 1e-8;
+
+fn test(e: MatRef<'_, f64>, r: &Mat<f64>, slopes: &[(Vec<f64>, f64)]) -> Option<(f64, f64)> {
+    let q = e.ncols();
+    let gram = e.transpose() * e;
+    let moved = e.transpose() * r;
+    let mut a = nalgebra::DMatrix::from_fn(q, q, |i, k| gram[(i, k)]);
+    let mut b = nalgebra::DVector::from_fn(q, |i, _| moved[(i, 0)]);
+    for (by, s) in slopes {
+        for i in 0..q {
+            b[i] += by[i] * s;
+            for k in 0..q {
+                a[(i, k)] += by[i] * by[k];
+            }
+        }
+    }
+    let eigen = a.symmetric_eigen();
+    let largest = eigen.eigenvalues.max();
+    let (mut statistic, mut dof) = (0.0, 0);
+    for (k, value) in eigen.eigenvalues.iter().enumerate() {
+        if *value > UNSEEN * largest && *value > 0.0 {
+            statistic += eigen.eigenvectors.column(k).dot(&b).powi(2) / value;
+            dof += 1;
+        }
+    }
+    let law = ChiSquared::new(f64::from(dof)).ok()?;
+    Some((statistic, law.sf(statistic)))
+}

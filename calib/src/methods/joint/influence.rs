@@ -1,0 +1,98 @@
+//! What every static interval does to the result.
+
+use faer::Mat;
+use serde::Serialize;
+
+use super::fit::JointFit;
+use super::marginal::{columns, orthonormal, without};
+
+/// The influence of one rest.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Influence {
+    /// Place of the rest in the data.
+    pub rest: usize,
+    /// How many parameters' worth of information its rows are: the sum of their leverages.
+    pub leverage: f64,
+    /// The shared parameter that moves most without it.
+    pub parameter: String,
+    /// By how much, in its standard errors; infinite where nothing else determines it.
+    pub change: f64,
+}
+
+impl JointFit {
+    /// Leverage and leave-one-out change of every rest: its means deleted, its turns kept.
+    ///
+    /// Deleting rows is giving them a free parameter each: with `E` their unit columns whitened and `P` the
+    /// projection orthogonal to the Jacobian, the parameters move by `−(JᵀJ)⁻¹ Jᵀ E (Eᵀ P E)⁻¹ Eᵀ r`.
+    /// Exact for the linearised problem under any covariance of the rows.
+    pub fn influences(&self) -> Vec<Influence> {
+        let basis = orthonormal(&self.jacobian);
+        let shared: Vec<usize> = (0..self.free.len())
+            .filter(|&k| self.free[k] < self.shared)
+            .collect();
+        let others: Vec<usize> = (0..self.free.len())
+            .filter(|k| !shared.contains(k))
+            .collect();
+        let reduced = without(
+            &columns(&self.jacobian, &others),
+            &columns(&self.jacobian, &shared),
+        );
+        let covariance = self.shared_uncertainty().covariance;
+        (0..self.data.rests.len())
+            .map(|rest| self.influence(rest, &basis, &reduced, &shared, &covariance))
+            .collect()
+    }
+
+    fn influence(
+        &self,
+        rest: usize,
+        basis: &Mat<f64>,
+        reduced: &Mat<f64>,
+        shared: &[usize],
+        covariance: &[Vec<f64>],
+    ) -> Influence {
+        let rows: Vec<usize> = (0..self.first_rows[1])
+            .filter(|&i| self.rest_of_row[i] == rest)
+            .collect();
+        let leverage = rows
+            .iter()
+            .map(|&i| basis.row(i).iter().map(|v| v * v).sum::<f64>())
+            .sum();
+        // The rows of a whitened problem stand for their rests: a walk mixes only little into them.
+        let e = Mat::from_fn(self.residuals.len(), rows.len(), |i, k| {
+            f64::from(u8::from(rows[k] == i))
+        });
+        let left = &e - basis * (basis.transpose() * &e);
+        let gram = left.transpose() * &left;
+        let gram = nalgebra::DMatrix::from_fn(rows.len(), rows.len(), |i, k| gram[(i, k)]);
+        let r = nalgebra::DVector::from_fn(rows.len(), |i, _| self.residuals[rows[i]]);
+        let own = gram.cholesky().map(|c| c.solve(&r));
+        let moved: Vec<f64> = (0..shared.len())
+            .map(|a| match &own {
+                None => f64::INFINITY,
+                Some(d) => {
+                    let change: f64 = (0..shared.len())
+                        .map(|b| {
+                            let gradient: f64 = rows
+                                .iter()
+                                .zip(d.iter())
+                                .map(|(&i, v)| reduced[(i, b)] * v)
+                                .sum();
+                            covariance[a][b] * gradient
+                        })
+                        .sum();
+                    change.abs() / covariance[a][a].sqrt()
+                }
+            })
+            .collect();
+        let worst = (0..shared.len()).max_by(|&a, &b| moved[a].total_cmp(&moved[b]));
+        Influence {
+            rest,
+            leverage,
+            parameter: worst.map_or_else(String::new, |k| {
+                self.parameters.names()[self.free[shared[k]]].clone()
+            }),
+            change: worst.map_or(0.0, |k| moved[k]),
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! What the data say of some parameters when all others are free.
+
+use faer::Mat;
+use solver::{Uncertainty, uncertainty};
+
+/// Diagonal of a pivoted triangle below this share of its first entry is rank lost.
+const RANK_TOLERANCE: f64 = 1e-10;
+
+/// Covariance, rank, condition and unobservable combinations of the columns `keep` of a whitened
+/// Jacobian (`m × n`), all others projected out.
+pub fn marginal(jacobian: &Mat<f64>, keep: &[usize], names: Vec<String>) -> Uncertainty {
+    let others: Vec<usize> = (0..jacobian.ncols())
+        .filter(|k| !keep.contains(k))
+        .collect();
+    let kept = columns(jacobian, keep);
+    let rest = columns(jacobian, &others);
+    uncertainty(&without(&rest, &kept), names)
+}
+
+/// Some columns of a matrix.
+pub fn columns(a: &Mat<f64>, which: &[usize]) -> Mat<f64> {
+    Mat::from_fn(a.nrows(), which.len(), |i, k| a[(i, which[k])])
+}
+
+/// The part of the columns of `a` that is orthogonal to those of `rest`.
+pub fn without(rest: &Mat<f64>, a: &Mat<f64>) -> Mat<f64> {
+    let basis = orthonormal(rest);
+    a - &basis * (basis.transpose() * a)
+}
+
+/// An orthonormal basis of the column space, columns scaled to unit length first.
+pub fn orthonormal(a: &Mat<f64>) -> Mat<f64> {
+    let norms: Vec<f64> = a.col_iter().map(|c| c.norm_l2()).collect();
+    let scaled = Mat::from_fn(a.nrows(), a.ncols(), |i, k| {
+        if norms[k] > 0.0 {
+            a[(i, k)] / norms[k]
+        } else {
+            0.0
+        }
+    });
+    if a.ncols() == 0 {
+        return Mat::zeros(a.nrows(), 0);
+    }
+    let qr = scaled.col_piv_qr();
+    let triangle = qr.thin_R();
+    let size = triangle.nrows().min(triangle.ncols());
+    let first = if size > 0 {
+        triangle[(0, 0)].abs()
+    } else {
+        0.0
+    };
+    let rank = (0..size)
+        .take_while(|&k| triangle[(k, k)].abs() > RANK_TOLERANCE * first)
+        .count();
+    qr.compute_thin_Q().as_ref().subcols(0, rank).to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_marginal_covariance_is_the_block_of_the_inverse() {
+        let j = Mat::from_fn(9, 4, |i, k| ((i * 7 + k * 4 + i * k) % 13) as f64 - 6.0);
+        let all = uncertainty(&j, (0..4).map(|k| k.to_string()).collect());
+        let some = marginal(&j, &[1, 3], vec!["1".into(), "3".into()]);
+        for (a, i) in [1, 3].into_iter().enumerate() {
+            for (b, k) in [1, 3].into_iter().enumerate() {
+                let error = some.covariance[a][b] - all.covariance[i][k];
+                assert!(error.abs() < 1e-12 * all.covariance[1][1]);
+            }
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! Accelerometer, gyroscope and effects in one weighted problem.
+//!
+//! ```text
+//! rests, turns ──► Data ──► Rows r(x), J ──► Analysis: noise levels, disturbances ──► JointFit
+//!                   chunks     chart, turn     restricted likelihood, score tests        covariance
+//! ```
+//!
+//! Parameters: both models, a bias per recording, and as nuisance the direction (2) of every static
+//! interval. Rows: mean readings of chunks of rests against what the model foretells there, and the
+//! direction before each turn carried through it against the one after. Weights come from the
+//! recordings' own noise: white noise within the rests, carried through the turns, and random
+//! walk of the biases between all rows, its density by restricted likelihood. Because the directions
+//! are parameters, two turns that share a rest share no noise: their rows are independent given it, and
+//! their correlation through it is in the covariance of the result.
+
+mod analysis;
+mod chart;
+mod coning;
+mod data;
+mod disturbance;
+mod exposure;
+mod fit;
+mod influence;
+mod layout;
+mod likelihood;
+mod marginal;
+mod noise;
+mod prediction;
+mod problem;
+mod result;
+mod shake;
+mod slopes;
+mod start;
+mod trim;
+mod turn;
+mod weights;
+
+pub use chart::Chart;
+pub use data::{Data, LostTurn, Rest, Source};
+pub use disturbance::Disturbance;
+pub use fit::{Accused, JointFit, JointRequest, fit_joint};
+pub use influence::Influence;
+pub use likelihood::{Restricted, left_null_space};
+pub use noise::SensorNoise;
+pub use prediction::Prediction;
+pub use result::Channel;
+pub use weights::{Component, ComponentKind, NoiseLevel};

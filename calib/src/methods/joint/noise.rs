@@ -1,0 +1,214 @@
+//! The noise of one sensor, as the recording itself shows it.
+
+use std::ops::Range;
+
+use nalgebra::Vector3;
+
+use crate::recording::Stream;
+
+/// Length of the batches whose means show noise that does not average out, s.
+const BATCH: f64 = 0.5;
+
+/// Long-run over white standard deviation above which the noise is coloured.
+const COLOURED: f64 = 1.2;
+
+/// Stretches with more than this many times the median variance are not quiet.
+const QUIET: f64 = 1.5;
+
+/// Noise below this share of the reading's size is rounding: keeps noise-free recordings weighted.
+const FLOOR: f64 = 1e-10;
+
+/// A least significant bit beyond this many standard deviations no longer averages out.
+const DITHERED: f64 = 2.0;
+
+/// Standard deviations per axis, in the unit of the samples.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SensorNoise {
+    /// Of one sample (3).
+    pub white: Vector3<f64>,
+    /// Standard deviation of long means over what white noise would give; 1 where the noise is not
+    /// coloured (3).
+    pub long_run: Vector3<f64>,
+    /// Smallest step between two readings; 0 where they are continuous (3).
+    pub step: Vector3<f64>,
+    /// Median time between samples, s.
+    pub interval: f64,
+}
+
+impl SensorNoise {
+    /// Measures the noise in stretches of rest: the pooled variance of the quiet ones, and how the
+    /// means of batches of half a second spread.
+    ///
+    /// `None` without a stretch of two samples.
+    pub fn measure(stream: &Stream, rests: &[Range<usize>]) -> Option<Self> {
+        let interval = stream.median_step()?;
+        let batch = ((BATCH / interval).round() as usize).max(1);
+        let axes = [0, 1, 2].map(|axis| {
+            let parts = rests
+                .iter()
+                .map(|r| stream.values[r.clone()].iter().map(|v| v[axis]).collect())
+                .filter(|part: &Vec<f64>| part.len() > 1)
+                .collect::<Vec<_>>();
+            Axis::measure(&parts, batch)
+        });
+        let [x, y, z] = axes;
+        let (x, y, z) = (x?, y?, z?);
+        Some(Self {
+            white: Vector3::new(x.white, y.white, z.white),
+            long_run: Vector3::new(x.long_run, y.long_run, z.long_run),
+            step: Vector3::new(x.step, y.step, z.step),
+            interval,
+        })
+    }
+
+    /// Variance of the mean of `count` samples (3). Where the steps of the reading are wide against
+    /// the noise, their `LSB²/12` stays however many samples there are.
+    pub fn variance_of_mean(&self, count: usize) -> Vector3<f64> {
+        Vector3::from_fn(|i, _| {
+            let sampled = (self.white[i] * self.long_run[i]).powi(2) / count as f64;
+            sampled + self.undithered(i)
+        })
+    }
+
+    /// Variance of a sample as its part in a long sum counts (3).
+    pub fn variance_in_sum(&self) -> Vector3<f64> {
+        Vector3::from_fn(|i, _| (self.white[i] * self.long_run[i]).powi(2))
+    }
+
+    fn undithered(&self, axis: usize) -> f64 {
+        let step = self.step[axis];
+        if step > DITHERED * self.white[axis] {
+            step * step / 12.0
+        } else {
+            0.0
+        }
+    }
+}
+
+struct Axis {
+    white: f64,
+    long_run: f64,
+    step: f64,
+}
+
+impl Axis {
+    fn measure(parts: &[Vec<f64>], batch: usize) -> Option<Self> {
+        let scatters: Vec<(f64, f64)> = parts.iter().map(|p| scatter(p)).collect();
+        let variances: Vec<f64> = scatters.iter().map(|(s, dof)| s / dof).collect();
+        let quiet = QUIET * median(&variances)?;
+        let pooled = pool(scatters.iter().zip(&variances), quiet);
+        let size = parts.iter().flatten().fold(0.0f64, |m, v| m.max(v.abs()));
+        let white = pooled.sqrt().max(FLOOR * size.max(f64::MIN_POSITIVE));
+        Some(Self {
+            white,
+            long_run: long_run(parts, batch, white),
+            step: smallest_step(parts),
+        })
+    }
+}
+
+/// Standard deviation of batch means over that of white noise; 1 below [`COLOURED`].
+fn long_run(parts: &[Vec<f64>], batch: usize, white: f64) -> f64 {
+    let spreads: Vec<f64> = parts
+        .iter()
+        .filter_map(|part| {
+            let means: Vec<f64> = part
+                .chunks_exact(batch)
+                .map(|b| b.iter().sum::<f64>() / batch as f64)
+                .collect();
+            let (sum, dof) = scatter(&means);
+            // The median of χ²_ν is ν (1 − 2/(9ν))³ to a percent.
+            (means.len() > 2).then(|| sum / dof / (1.0 - 2.0 / (9.0 * dof)).powi(3))
+        })
+        .collect();
+    let Some(spread) = median(&spreads) else {
+        return 1.0;
+    };
+    let ratio = (spread * batch as f64).sqrt() / white;
+    if ratio > COLOURED { ratio } else { 1.0 }
+}
+
+/// Sum of squares about the mean, and its degrees of freedom.
+fn scatter(values: &[f64]) -> (f64, f64) {
+    let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
+    let sum = values.iter().map(|v| (v - mean).powi(2)).sum();
+    (sum, values.len().saturating_sub(1).max(1) as f64)
+}
+
+fn pool<'a>(parts: impl Iterator<Item = (&'a (f64, f64), &'a f64)>, most: f64) -> f64 {
+    let (sum, dof) = parts
+        .filter(|(_, variance)| **variance <= most)
+        .fold((0.0, 0.0), |(s, d), ((sum, dof), _)| (s + sum, d + dof));
+    if dof > 0.0 { sum / dof } else { 0.0 }
+}
+
+/// The value in the middle; `None` of none.
+pub(super) fn median(values: &[f64]) -> Option<f64> {
+    let mut sorted = values.to_vec();
+    let middle = sorted.len() / 2;
+    (!sorted.is_empty()).then(|| *sorted.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
+/// The smallest difference between two readings that differ, where readings repeat as those of a
+/// converter do; 0 where hardly any do.
+fn smallest_step(parts: &[Vec<f64>]) -> f64 {
+    let mut all: Vec<f64> = parts.iter().flatten().copied().collect();
+    all.sort_by(f64::total_cmp);
+    let count = all.len();
+    all.dedup();
+    if 2 * all.len() > count {
+        return 0.0;
+    }
+    all.windows(2)
+        .map(|w| w[1] - w[0])
+        .fold(f64::INFINITY, f64::min)
+        .min(f64::MAX)
+        * f64::from(u8::from(all.len() > 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simulate::Spec;
+
+    fn measured(spec: &Spec) -> SensorNoise {
+        let stream = spec.run().unwrap().recording.accelerometer.unwrap();
+        let rests: Vec<_> = (0..stream.len() / 800)
+            .map(|k| 800 * k..800 * (k + 1))
+            .collect();
+        SensorNoise::measure(&stream, &rests).unwrap()
+    }
+
+    #[test]
+    fn white_noise_is_measured_and_not_called_coloured() {
+        let noise = measured(&Spec::still(1, 240.0));
+        for axis in 0..3 {
+            // 2e-3 m/s²/√Hz at 100 Hz; 24000 samples leave 0.5 %, four of them.
+            assert!((noise.white[axis] / 0.02 - 1.0).abs() < 0.02);
+            assert_eq!(noise.long_run[axis], 1.0);
+            assert_eq!(noise.step[axis], 0.0);
+        }
+    }
+
+    #[test]
+    fn flicker_noise_is_coloured() {
+        let mut spec = Spec::still(1, 240.0);
+        spec.accelerometer.instability = 1e-2;
+        assert!(measured(&spec).long_run.min() > 1.2);
+    }
+
+    #[test]
+    fn steps_wider_than_the_noise_do_not_average_out() {
+        let mut spec = Spec::still(1, 240.0);
+        spec.accelerometer.step = 0.1;
+        let noise = measured(&spec);
+        assert!((noise.step - Vector3::repeat(0.1)).norm() < 1e-12);
+        assert!(noise.variance_of_mean(1_000_000).min() > 0.09f64.powi(2) / 12.0);
+    }
+
+    #[test]
+    fn a_noise_free_recording_keeps_a_positive_weight() {
+        let noise = measured(&Spec::still(1, 60.0).noise_free());
+        assert!(noise.white.min() > 0.0 && noise.white.max() < 1e-8);
+    }
+}

@@ -1,0 +1,434 @@
+//! The rows of the joint problem and their Jacobian.
+
+use faer::Mat;
+use nalgebra::{Matrix2x3, Matrix3, Vector3};
+use sensor::attitude::Attitude;
+use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, PLACES, Sensor, inverse};
+
+use super::chart::Chart;
+use super::coning::Coning;
+use super::data::{Chunk, Data, Rest, TurnSamples};
+use super::exposure::{Exposure, white};
+use super::layout::Layout;
+use super::slopes::EffectSlopes;
+use super::turn::{Carried, MARGIN, carry};
+
+/// The models and the data, before any weight.
+#[derive(Clone, Debug)]
+pub struct Rows<'a> {
+    /// Rests and turns.
+    pub data: &'a Data,
+    /// The accelerometer.
+    pub accelerometer: &'a Model,
+    /// The gyroscope.
+    pub gyroscope: &'a Model,
+    /// Local gravity, m/s².
+    pub gravity: f64,
+    /// Which parameter stands where.
+    pub layout: Layout,
+    /// Coordinates of the direction of every rest.
+    pub charts: &'a [Chart],
+    /// `∂r/∂d` of the disturbances, one column each (`m`): rows that are known to be off.
+    pub disturbances: &'a [Vec<f64>],
+    coning: Coning,
+}
+
+/// Residuals and Jacobian at a point.
+#[derive(Clone, Debug)]
+pub struct Linear {
+    /// `r` (`m`).
+    pub residuals: Vec<f64>,
+    /// `∂r/∂x` (`m × n`), all columns.
+    pub jacobian: Mat<f64>,
+}
+
+/// What the noise of the recordings makes of the rows.
+#[derive(Clone, Debug)]
+pub struct RowNoise {
+    /// Per row: its white variance.
+    pub variance: Vec<f64>,
+    /// Per row: its white covariance with the row before; only the two rows of a turn share noise.
+    pub with_before: Vec<f64>,
+    /// How the rows of accelerometer and gyroscope feel a walk of the bias.
+    pub exposures: [Vec<Exposure>; 2],
+}
+
+impl<'a> Rows<'a> {
+    /// Of these data and models.
+    pub fn new(
+        data: &'a Data,
+        (accelerometer, gyroscope): (&'a Model, &'a Model),
+        gravity: f64,
+        charts: &'a [Chart],
+        disturbances: &'a [Vec<f64>],
+    ) -> Self {
+        let rate = data.chunks.iter().any(|c| c.gyroscope.is_some());
+        let gyroscope_parameters = if rate {
+            gyroscope.parameters().len()
+        } else {
+            0
+        };
+        Self {
+            data,
+            accelerometer,
+            gyroscope,
+            gravity,
+            layout: Layout {
+                accelerometer: accelerometer.parameters().len(),
+                gyroscope: gyroscope_parameters,
+                recordings: data.sources.len(),
+                rests: data.rests.len(),
+                disturbances: disturbances.len(),
+            },
+            charts,
+            disturbances,
+            coning: Coning::new(),
+        }
+    }
+
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        3 * self.means(Sensor::Accelerometer).count()
+            + 3 * self.means(Sensor::Gyroscope).count()
+            + 2 * self.data.turns.len()
+    }
+
+    /// First row of the turns.
+    pub fn first_turn_row(&self) -> usize {
+        self.len() - 2 * self.data.turns.len()
+    }
+
+    /// First row of the gyroscope's means.
+    pub fn first_rate_row(&self) -> usize {
+        3 * self.means(Sensor::Accelerometer).count()
+    }
+
+    /// The chunks with samples of a sensor, in the order of their rows, three rows each.
+    pub fn means(&self, sensor: Sensor) -> impl Iterator<Item = (usize, &'a Chunk)> {
+        self.data
+            .chunks
+            .iter()
+            .enumerate()
+            .filter(move |(_, chunk)| match sensor {
+                Sensor::Accelerometer => chunk.accelerometer.is_some(),
+                Sensor::Gyroscope => chunk.gyroscope.is_some(),
+            })
+    }
+
+    /// The model's parameters in one recording.
+    pub fn local(&self, x: &[f64], sensor: Sensor, recording: usize) -> Vec<f64> {
+        self.layout
+            .columns(sensor, recording)
+            .iter()
+            .map(|&c| x[c])
+            .collect()
+    }
+
+    /// The direction of a rest.
+    pub fn direction(&self, x: &[f64], rest: usize) -> Vector3<f64> {
+        let at = self.layout.direction(rest);
+        self.charts[rest].direction(&x[at..at + 2])
+    }
+
+    /// Residuals and Jacobian.
+    pub fn linearize(&self, x: &[f64]) -> Linear {
+        let m = self.len();
+        let mut out = Linear {
+            residuals: vec![0.0; m],
+            jacobian: Mat::zeros(m, self.layout.len()),
+        };
+        let mut row = 0;
+        for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+            for (_, chunk) in self.means(sensor) {
+                self.mean_rows(x, sensor, chunk, row, &mut out);
+                row += 3;
+            }
+        }
+        for turn in &self.data.turns {
+            self.turn_rows(x, turn, row, &mut out);
+            row += 2;
+        }
+        for (k, column) in self.disturbances.iter().enumerate() {
+            let place = self.layout.disturbance(k);
+            for (i, value) in column.iter().enumerate() {
+                out.residuals[i] += value * x[place];
+                out.jacobian[(i, place)] = *value;
+            }
+        }
+        out
+    }
+
+    /// `r = distort(g u) − mean` of one chunk: the reading that the model foretells at rest, less the one
+    /// that was measured.
+    fn mean_rows(&self, x: &[f64], sensor: Sensor, chunk: &Chunk, row: usize, out: &mut Linear) {
+        let rest = &self.data.rests[chunk.rest];
+        let (model, mean) = match sensor {
+            Sensor::Accelerometer => (self.accelerometer, chunk.accelerometer),
+            Sensor::Gyroscope => (self.gyroscope, chunk.gyroscope),
+        };
+        let Some(mean) = mean else { return };
+        let columns = self.layout.columns(sensor, rest.recording);
+        let p: Vec<f64> = columns.iter().map(|&c| x[c]).collect();
+        let base = Base::from_parameters(&p);
+        let inverse = inverse(&base.t).unwrap_or_else(|| Matrix3::repeat(f64::NAN));
+        let at = self.layout.direction(chunk.rest);
+        let u = self.direction(x, chunk.rest);
+        let by_direction = self.charts[chunk.rest].slope(&x[at..at + 2]) * self.gravity;
+        let truth = self.at_rest(rest, u, mean.span.from, mean.span.to);
+        let effects = EffectSlopes::at(model, &truth, &p, Sensor::Accelerometer);
+        let signal = truth.signal(sensor) + effects.value;
+        let reading = inverse * signal;
+        let by_force = match sensor {
+            Sensor::Accelerometer => inverse * (Matrix3::identity() + effects.by_signal),
+            Sensor::Gyroscope => inverse * effects.by_signal,
+        } * by_direction;
+        let residual = reading + base.bias - mean.value;
+        for i in 0..3 {
+            out.residuals[row + i] = residual[i];
+            for (k, (a, b)) in PLACES.iter().enumerate() {
+                out.jacobian[(row + i, columns[k])] = -inverse[(i, *a)] * reading[*b];
+            }
+            out.jacobian[(row + i, columns[9 + i])] = 1.0;
+            for j in 0..2 {
+                out.jacobian[(row + i, at + j)] = by_force[(i, j)];
+            }
+        }
+        for (slope, column) in effects
+            .by_parameters
+            .iter()
+            .zip(&columns[BASE_PARAMETERS..])
+        {
+            let carried = inverse * slope;
+            for i in 0..3 {
+                out.jacobian[(row + i, *column)] = carried[i];
+            }
+        }
+    }
+
+    /// The truth in a chunk of a rest: time that of the chunk's middle.
+    fn at_rest(&self, rest: &Rest, u: Vector3<f64>, from: f64, to: f64) -> Kinematics<f64> {
+        let mut truth = rest
+            .known
+            .with_signal(Sensor::Accelerometer, u * self.gravity);
+        truth.time += 0.5 * (from + to) - 0.5 * (rest.span.from + rest.span.to);
+        truth
+    }
+
+    /// `r = Eᵀ (Rᵀ u_k − u_{k+1})`: the direction before a turn carried through it by the corrected rate,
+    /// less the one after, along the two unit vectors `E` across the latter.
+    ///
+    /// Both directions are parameters, so that consecutive turns share no noise: given the
+    /// directions, the rows of a turn see the samples of that turn only.
+    fn turn_rows(&self, x: &[f64], turn: &TurnSamples, row: usize, out: &mut Linear) {
+        let columns = self.layout.columns(Sensor::Gyroscope, turn.recording);
+        let p: Vec<f64> = columns.iter().map(|&c| x[c]).collect();
+        let (carried, slopes) = self.carried(turn, &p);
+        let across = self.charts[turn.from + 1].across.transpose();
+        let before = self.direction(x, turn.from);
+        let foretold = carried.attitude.into_body(&before);
+        let residual = across * (foretold - self.direction(x, turn.from + 1));
+        // ∂(Rᵀ u) = (Rᵀ u) × δ
+        let by_rotation = across * foretold.cross_matrix();
+        let mut set = |column: usize, value: nalgebra::Vector2<f64>| {
+            for i in 0..2 {
+                out.jacobian[(row + i, column)] = value[i];
+            }
+        };
+        for (rotation, column) in self
+            .by_parameters(turn, &carried, &slopes, &p)
+            .iter()
+            .zip(&columns)
+        {
+            set(*column, by_rotation * rotation);
+        }
+        let [from, to] = [turn.from, turn.from + 1].map(|rest| self.layout.direction(rest));
+        let slope_before = self.charts[turn.from].slope(&x[from..from + 2]);
+        let slope_after = self.charts[turn.from + 1].slope(&x[to..to + 2]);
+        for j in 0..2 {
+            let moved = carried
+                .attitude
+                .into_body(&slope_before.column(j).into_owned());
+            set(from + j, across * moved);
+            set(to + j, -(across * slope_after.column(j)));
+        }
+        out.residuals[row] = residual[0];
+        out.residuals[row + 1] = residual[1];
+    }
+
+    /// The rotation over a turn, and the derivative of the corrected rate by the base's `T (W − b)` per
+    /// sample with the effects' slopes; the latter are empty without effects.
+    fn carried(
+        &self,
+        turn: &TurnSamples,
+        p: &[f64],
+    ) -> (Carried, Vec<(Matrix3<f64>, EffectSlopes)>) {
+        let base = Base::from_parameters(p);
+        if self.gyroscope.effects().is_empty() {
+            let rates: Vec<_> = turn.readings.iter().map(|w| base.correct(w)).collect();
+            return (carry(&self.coning, &rates, &turn.lengths), Vec::new());
+        }
+        let mut rates = Vec::with_capacity(turn.readings.len());
+        let mut slopes = Vec::with_capacity(turn.readings.len());
+        for (reading, known) in turn.readings.iter().zip(&turn.known) {
+            let rate = self.gyroscope.correct(reading, known, p);
+            let truth = known.with_signal(Sensor::Gyroscope, rate);
+            let effects = EffectSlopes::at(self.gyroscope, &truth, p, Sensor::Gyroscope);
+            let through = inverse(&(Matrix3::identity() + effects.by_signal));
+            slopes.push((through.unwrap_or_else(Matrix3::identity), effects));
+            rates.push(rate);
+        }
+        (carry(&self.coning, &rates, &turn.lengths), slopes)
+    }
+
+    /// `∂δ/∂p` (3) of the rotation at the end of a turn by every parameter of the gyroscope's model.
+    fn by_parameters(
+        &self,
+        turn: &TurnSamples,
+        carried: &Carried,
+        slopes: &[(Matrix3<f64>, EffectSlopes)],
+        p: &[f64],
+    ) -> Vec<Vector3<f64>> {
+        let base = Base::from_parameters(p);
+        let mut by_element = [Vector3::zeros(); 9];
+        let mut by_signal = Matrix3::zeros();
+        let mut by_effects = vec![Vector3::zeros(); p.len() - BASE_PARAMETERS];
+        for (k, gain) in carried.gains.iter().enumerate() {
+            let through = slopes.get(k).map_or(*gain, |(through, _)| gain * through);
+            let unbiased = turn.readings[k] - base.bias;
+            for (sum, (a, b)) in by_element.iter_mut().zip(PLACES) {
+                *sum += through.column(a) * unbiased[b];
+            }
+            by_signal += through;
+            if let Some((_, effects)) = slopes.get(k) {
+                for (sum, slope) in by_effects.iter_mut().zip(&effects.by_parameters) {
+                    *sum -= through * slope;
+                }
+            }
+        }
+        let by_bias = -(by_signal * base.t);
+        by_element
+            .into_iter()
+            .chain((0..3).map(|axis| by_bias.column(axis).into_owned()))
+            .chain(by_effects)
+            .collect()
+    }
+
+    /// The noise of all rows at `x`.
+    pub fn noise(&self, x: &[f64]) -> RowNoise {
+        let m = self.len();
+        let mut noise = RowNoise {
+            variance: vec![0.0; m],
+            with_before: vec![0.0; m],
+            exposures: [Vec::new(), Vec::new()],
+        };
+        let mut row = 0;
+        for (place, sensor) in [Sensor::Accelerometer, Sensor::Gyroscope]
+            .into_iter()
+            .enumerate()
+        {
+            for (_, chunk) in self.means(sensor) {
+                let recording = self.data.rests[chunk.rest].recording;
+                let source = &self.data.sources[recording];
+                let (mean, own) = match sensor {
+                    Sensor::Accelerometer => (chunk.accelerometer, source.accelerometer),
+                    Sensor::Gyroscope => (chunk.gyroscope, source.gyroscope),
+                };
+                let (Some(mean), Some(own)) = (mean, own) else {
+                    continue;
+                };
+                let variance = own.variance_of_mean(mean.count);
+                noise.variance[row..row + 3].copy_from_slice(variance.as_slice());
+                noise.exposures[place].push(Exposure::of_mean(
+                    row..row + 3,
+                    recording,
+                    (mean.span.from, mean.span.to),
+                    source.reference,
+                    -1.0,
+                ));
+                row += 3;
+            }
+        }
+        for turn in &self.data.turns {
+            self.turn_noise(x, turn, row, &mut noise);
+            row += 2;
+        }
+        noise
+    }
+
+    fn turn_noise(&self, x: &[f64], turn: &TurnSamples, row: usize, noise: &mut RowNoise) {
+        let source = &self.data.sources[turn.recording];
+        let Some(own) = source.gyroscope else { return };
+        let p = self.local(x, Sensor::Gyroscope, turn.recording);
+        let base = Base::from_parameters(&p);
+        let (carried, _) = self.carried(turn, &p);
+        let foretold = carried.attitude.into_body(&self.direction(x, turn.from));
+        let across = self.charts[turn.from + 1].across.transpose() * foretold.cross_matrix();
+        let inner = MARGIN..turn.t.len() - MARGIN;
+        let gains: Vec<Matrix2x3<f64>> = carried.gains[inner.clone()]
+            .iter()
+            .map(|gain| across * gain * base.t)
+            .collect();
+        let covariance = white(&gains, &own.variance_in_sum());
+        noise.variance[row] = covariance[(0, 0)];
+        noise.variance[row + 1] = covariance[(1, 1)];
+        noise.with_before[row + 1] = covariance[(1, 0)];
+        noise.exposures[1].push(Exposure::of_samples(
+            row..row + 2,
+            turn.recording,
+            &turn.t[inner],
+            &gains,
+            source.reference,
+        ));
+    }
+
+    /// The rotation over a turn at `x`: `v_before = q v_after q*`.
+    pub fn rotation(&self, x: &[f64], turn: &TurnSamples) -> Attitude<f64> {
+        let p = self.local(x, Sensor::Gyroscope, turn.recording);
+        self.carried(turn, &p).0.attitude
+    }
+
+    /// The rest that each row speaks of; a turn's is the one before it.
+    pub fn rest_of_row(&self) -> Vec<usize> {
+        let mut rests = Vec::with_capacity(self.len());
+        for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+            rests.extend(self.means(sensor).flat_map(|(_, chunk)| [chunk.rest; 3]));
+        }
+        rests.extend(self.data.turns.iter().flat_map(|turn| [turn.from; 2]));
+        rests
+    }
+
+    /// The angle by which every turn misses the direction that the accelerometer shows after it, from
+    /// the one it shows before, rad.
+    pub fn chords(&self, x: &[f64]) -> Vec<f64> {
+        self.data
+            .turns
+            .iter()
+            .filter_map(|turn| {
+                let before = self.force(x, turn.from)?.normalize();
+                let after = self.force(x, turn.from + 1)?.normalize();
+                Some((self.rotation(x, turn).into_body(&before) - after).norm())
+            })
+            .collect()
+    }
+
+    /// `|f| − g` of every rest, m/s².
+    pub fn moduli(&self, x: &[f64]) -> Vec<f64> {
+        (0..self.data.rests.len())
+            .filter_map(|k| Some(self.force(x, k)?.norm() - self.gravity))
+            .collect()
+    }
+
+    /// The corrected mean specific force of a rest, m/s².
+    fn force(&self, x: &[f64], k: usize) -> Option<Vector3<f64>> {
+        let rest = &self.data.rests[k];
+        let p = self.local(x, Sensor::Accelerometer, rest.recording);
+        let means = self.data.chunks[rest.chunks.clone()].iter();
+        let (sum, count) = means
+            .filter_map(|c| c.accelerometer)
+            .fold((Vector3::zeros(), 0.0), |(sum, n), m| {
+                (sum + m.value * m.count as f64, n + m.count as f64)
+            });
+        let force = self.accelerometer.correct(&(sum / count), &rest.known, &p);
+        (count > 0.0).then_some(force)
+    }
+}

@@ -1,0 +1,167 @@
+//! The fit in the unit of the readings, and its figures.
+
+use nalgebra::DMatrix;
+use sensor::{BASE_PARAMETERS, Sensor};
+use solver::Uncertainty;
+
+use super::fit::JointFit;
+use super::marginal::{marginal, orthonormal};
+use super::prediction::Prediction;
+use crate::methods::{Fitted, RawUnit};
+
+/// The kinds of rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Channel {
+    /// Means of the accelerometer.
+    Force,
+    /// Means of the gyroscope.
+    Rate,
+    /// Directions carried through turns.
+    Direction,
+}
+
+impl JointFit {
+    /// Covariance, rank, condition and unobservable combinations of all models' parameters and biases,
+    /// the directions and disturbances projected out; near SI units.
+    pub fn shared_uncertainty(&self) -> Uncertainty {
+        self.marginal_where(|_| true)
+    }
+
+    /// The same for some of them, everything else free.
+    fn marginal_where(&self, wanted: impl Fn(&str) -> bool) -> Uncertainty {
+        let names = self.parameters.names();
+        let keep: Vec<usize> = (0..self.free.len())
+            .filter(|&k| self.free[k] < self.shared && wanted(&names[self.free[k]]))
+            .collect();
+        let kept = keep.iter().map(|&k| names[self.free[k]].clone()).collect();
+        marginal(&self.jacobian, &keep, kept)
+    }
+
+    /// `χ²` per degree of freedom of one kind of rows: what is left of them over the share that the
+    /// parameters have not taken.
+    pub fn reduced_chi2(&self, channel: Channel) -> Option<f64> {
+        let [rate, turns] = self.first_rows;
+        let range = match channel {
+            Channel::Force => 0..rate,
+            Channel::Rate => rate..turns,
+            Channel::Direction => turns..self.residuals.len(),
+        };
+        let basis = orthonormal(&self.jacobian);
+        let (mut sum, mut spare) = (0.0, 0.0);
+        for i in range {
+            sum += self.residuals[i].powi(2);
+            spare += 1.0 - basis.row(i).iter().map(|v| v * v).sum::<f64>();
+        }
+        (spare > 0.5).then(|| sum / spare)
+    }
+
+    /// The unit and the number of parameters of a sensor, and where they begin.
+    fn of_sensor(&self, sensor: Sensor) -> (RawUnit, usize, usize) {
+        let accelerometer = self.models[0].parameters().len();
+        match sensor {
+            Sensor::Accelerometer => (self.force_unit, 0, accelerometer),
+            Sensor::Gyroscope => {
+                let count = self.models[1].parameters().len();
+                (self.rate_unit, accelerometer, count)
+            }
+        }
+    }
+
+    /// Whether the gyroscope was part of it.
+    pub fn has_gyroscope(&self) -> bool {
+        self.first_rows[0] < self.first_rows[1]
+    }
+
+    /// One sensor in raw units: its model's parameters, then the biases of earlier recordings.
+    pub fn fitted(&self, sensor: Sensor) -> Fitted {
+        let prefix = format!("{}.", sensor.prefix());
+        let (_, first, count) = self.of_sensor(sensor);
+        let effects: Vec<String> = self.parameters.names()[first..first + count].to_vec();
+        self.in_raw_units(|name| name.starts_with(&prefix) || effects.iter().any(|e| e == name))
+    }
+
+    /// Both sensors in raw units, with the covariance between them.
+    pub fn all_fitted(&self) -> Fitted {
+        self.in_raw_units(|_| true)
+    }
+
+    fn in_raw_units(&self, wanted: impl Fn(&str) -> bool) -> Fitted {
+        let uncertainty = self.marginal_where(&wanted);
+        let mut parameters = solver::Parameters::new();
+        let mut factors = Vec::new();
+        for k in 0..self.shared {
+            let name = &self.parameters.names()[k];
+            if !wanted(name) {
+                continue;
+            }
+            let (unit, place) = self.unit_of(k);
+            let value = self.parameters.values()[k] * unit.factor(place) + unit.offset(place);
+            parameters.push(name.clone(), self.parameters.units()[k].clone(), value);
+            if self.free.contains(&k) {
+                factors.push(unit.factor(place));
+            }
+        }
+        let covariance = uncertainty
+            .covariance
+            .iter()
+            .zip(&factors)
+            .map(|(row, a)| row.iter().zip(&factors).map(|(v, b)| v * a * b).collect())
+            .collect();
+        Fitted {
+            parameters,
+            free: uncertainty.names,
+            covariance,
+            rank: uncertainty.rank,
+            condition: uncertainty.condition,
+            unobservable: uncertainty.unobservable,
+        }
+    }
+
+    /// Unit of a shared parameter and its place among those of its model.
+    fn unit_of(&self, k: usize) -> (RawUnit, usize) {
+        let (force, rate) = (
+            self.of_sensor(Sensor::Accelerometer),
+            self.of_sensor(Sensor::Gyroscope),
+        );
+        let gyroscope = if self.has_gyroscope() { rate.2 } else { 0 };
+        if k < force.2 {
+            (self.force_unit, k)
+        } else if k < force.2 + gyroscope {
+            (self.rate_unit, k - force.2)
+        } else {
+            let own = k - force.2 - gyroscope;
+            let per_recording = if gyroscope > 0 { 6 } else { 3 };
+            let unit = if own % per_recording < 3 {
+                self.force_unit
+            } else {
+                self.rate_unit
+            };
+            (unit, 9 + own % 3)
+        }
+    }
+
+    /// What the errors of a sensor's parameters make of its corrected readings, near SI units.
+    pub fn prediction(&self, sensor: Sensor) -> Prediction {
+        let (_, first, count) = self.of_sensor(sensor);
+        let uncertainty = self.shared_uncertainty();
+        let model = &self.models[usize::from(sensor == Sensor::Gyroscope)];
+        let places: Vec<Option<usize>> = (first..first + count)
+            .map(|k| self.free.iter().position(|&f| f == k))
+            .collect();
+        Prediction {
+            model: model.clone(),
+            parameters: self.parameters.values()[first..first + count].to_vec(),
+            covariance: DMatrix::from_fn(
+                count.max(BASE_PARAMETERS),
+                count.max(BASE_PARAMETERS),
+                |i, j| match (
+                    places.get(i).copied().flatten(),
+                    places.get(j).copied().flatten(),
+                ) {
+                    (Some(a), Some(b)) => uncertainty.covariance[a][b],
+                    _ => 0.0,
+                },
+            ),
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! Where the joint fit starts: units, a first accelerometer, directions.
+
+use nalgebra::Vector3;
+use sensor::{BASE_PARAMETERS, Model};
+
+use super::JointRequest;
+use super::chart::Chart;
+use super::data::Data;
+use crate::error::Error;
+use crate::intervals::Segmentation;
+use crate::methods::{
+    AccelerometerRequest, RawUnit, accelerometer_unit, fit_accelerometer, gyroscope_unit,
+    static_means,
+};
+use crate::recording::Recording;
+use crate::residuals::TurnData;
+
+/// Units and first values.
+#[derive(Clone, Debug)]
+pub struct Start {
+    /// Unit of the accelerometer.
+    pub force_unit: RawUnit,
+    /// Unit of the gyroscope.
+    pub rate_unit: RawUnit,
+    /// Parameters of the accelerometer's model near SI, for each recording.
+    pub accelerometer: Vec<Vec<f64>>,
+}
+
+/// The stepwise accelerometer and the gyroscope's unit, from the static means alone.
+///
+/// # Errors
+/// Means that lie on no sphere, and what the solver refuses.
+pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
+    let means: Vec<_> = request
+        .recordings
+        .iter()
+        .map(|(recording, segmentation)| static_means(recording, segmentation))
+        .collect();
+    let raw: Vec<Vector3<f64>> = means.iter().flatten().map(|m| m.raw).collect();
+    let force_unit = accelerometer_unit(&raw, request.gravity).ok_or_else(|| {
+        Error::NotEnough(format!(
+            "{} static means lie on no sphere: the unit of the accelerometer cannot be told; record \
+             at least ten different orientations",
+            raw.len()
+        ))
+    })?;
+    let names = request
+        .recordings
+        .iter()
+        .map(|(r, _)| r.name.clone())
+        .collect();
+    let fit = fit_accelerometer(&AccelerometerRequest {
+        recordings: means,
+        names,
+        model: request.accelerometer.clone(),
+        gravity: request.gravity,
+    })?;
+    let shared = request.accelerometer.parameters().len();
+    let near_si = fit.first.parameters.values();
+    let determined = fit.fitted.rank == fit.fitted.free.len() && fit.first.termination.converged();
+    let accelerometer: Vec<Vec<f64>> = (0..request.recordings.len())
+        .map(|k| {
+            if !determined {
+                return request.accelerometer.parameters().values().to_vec();
+            }
+            let mut local = near_si[..shared].to_vec();
+            if let Some(own) = near_si.get(shared + 3 * k..shared + 3 * k + 3) {
+                local[9..BASE_PARAMETERS].copy_from_slice(own);
+            }
+            local
+        })
+        .collect();
+    let base = Model::base(sensor::Sensor::Accelerometer);
+    let turns: Vec<TurnData> = request
+        .recordings
+        .iter()
+        .zip(&accelerometer)
+        .flat_map(|((recording, segmentation), p)| {
+            let p = &p[..BASE_PARAMETERS];
+            unbiased_turns(recording, segmentation, |raw| {
+                base.correct(
+                    &force_unit.to_si(raw),
+                    &sensor::Kinematics::at_rest(Vector3::zeros()),
+                    p,
+                )
+            })
+        })
+        .collect();
+    let scale = if turns.is_empty() {
+        RawUnit::SI
+    } else {
+        gyroscope_unit(&turns)
+    };
+    Ok(Start {
+        force_unit,
+        rate_unit: RawUnit {
+            zero: mean_rate(request),
+            ..scale
+        },
+        accelerometer,
+    })
+}
+
+/// The mean raw rate over all rests.
+fn mean_rate(request: &JointRequest<'_>) -> Vector3<f64> {
+    let moments = request
+        .recordings
+        .iter()
+        .flat_map(|(_, s)| s.statics.iter().filter_map(|rest| rest.gyroscope));
+    let (sum, count) = moments.fold((Vector3::zeros(), 0.0), |(sum, n), m| {
+        (sum + m.mean * m.count as f64, n + m.count as f64)
+    });
+    if count > 0.0 {
+        sum / count
+    } else {
+        Vector3::zeros()
+    }
+}
+
+/// The sound turns less the bias of the rests beside them.
+fn unbiased_turns(
+    recording: &Recording,
+    segmentation: &Segmentation,
+    force: impl Fn(&Vector3<f64>) -> Vector3<f64>,
+) -> Vec<TurnData> {
+    let Some(stream) = &recording.gyroscope else {
+        return Vec::new();
+    };
+    segmentation
+        .turns
+        .iter()
+        .filter(|turn| turn.fault.is_none())
+        .filter_map(|turn| {
+            let before = segmentation.statics.get(turn.from)?;
+            let after = segmentation.statics.get(turn.from + 1)?;
+            let bias = 0.5 * (before.gyroscope?.mean + after.gyroscope?.mean);
+            Some(TurnData {
+                t: stream.t[turn.samples.clone()].to_vec(),
+                readings: stream.values[turn.samples.clone()]
+                    .iter()
+                    .map(|w| w - bias)
+                    .collect(),
+                rest: Vec::new(),
+                before: force(&before.accelerometer?.mean).normalize(),
+                after: force(&after.accelerometer?.mean).normalize(),
+            })
+        })
+        .collect()
+}
+
+/// Coordinates around the direction that the first accelerometer shows in every rest.
+///
+/// # Errors
+/// A rest without a direction.
+pub fn charts(data: &Data, model: &Model, start: &Start) -> Result<Vec<Chart>, Error> {
+    data.rests
+        .iter()
+        .map(|rest| {
+            let means = data.chunks[rest.chunks.clone()].iter();
+            let (sum, count) = means
+                .filter_map(|c| c.accelerometer)
+                .fold((Vector3::zeros(), 0.0), |(sum, n), m| {
+                    (sum + m.value * m.count as f64, n + m.count as f64)
+                });
+            let p = &start.accelerometer[rest.recording];
+            let force = model.correct(&(sum / count), &rest.known, p);
+            Chart::around(&force).filter(|c| c.reference.iter().all(|v| v.is_finite())).ok_or_else(|| {
+                Error::NotEnough(format!(
+                    "{}: static interval {} (t = {:.2} to {:.2} s) has no accelerometer samples or \
+                     shows no gravity",
+                    data.sources[rest.recording].name,
+                    rest.interval + 1,
+                    rest.span.from,
+                    rest.span.to
+                ))
+            })
+        })
+        .collect()
+}

@@ -1,0 +1,132 @@
+//! From the noise of the rows to residuals of unit variance.
+
+use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
+use faer::{Mat, MatMut, Par, Side};
+
+use super::problem::RowNoise;
+
+/// Error of the integration over a turn that is always granted, rad: what the coning terms leave out.
+const INTEGRATION: f64 = 1e-8;
+
+/// Whitening by the white noise alone: independent rows, and the two rows of each turn.
+#[derive(Clone, Debug)]
+pub struct White {
+    /// Diagonal of the Cholesky factor (`m`).
+    diagonal: Vec<f64>,
+    /// Its entries beside the diagonal (`m`).
+    beside: Vec<f64>,
+}
+
+impl White {
+    /// Of these rows, the turns' from `first_turn` on.
+    pub fn new(noise: &RowNoise, first_turn: usize) -> Self {
+        let m = noise.variance.len();
+        let (mut diagonal, mut beside) = (vec![0.0; m], vec![0.0; m]);
+        for i in 0..m {
+            let extra = if i >= first_turn {
+                INTEGRATION.powi(2)
+            } else {
+                0.0
+            };
+            if noise.with_before[i] != 0.0 {
+                beside[i] = noise.with_before[i] / diagonal[i - 1];
+            }
+            diagonal[i] = (noise.variance[i] + extra - beside[i] * beside[i])
+                .max(f64::MIN_POSITIVE)
+                .sqrt();
+        }
+        Self { diagonal, beside }
+    }
+
+    /// `L⁻¹ A` in place.
+    pub fn apply(&self, mut a: MatMut<'_, f64>) {
+        for k in 0..a.ncols() {
+            let mut before = 0.0;
+            for i in 0..a.nrows() {
+                before = (a[(i, k)] - self.beside[i] * before) / self.diagonal[i];
+                a[(i, k)] = before;
+            }
+        }
+    }
+
+    /// `L⁻¹ C L⁻ᵀ`.
+    pub fn both_sides(&self, c: &Mat<f64>) -> Mat<f64> {
+        let mut half = c.clone();
+        self.apply(half.as_mut());
+        let mut whole = half.transpose().to_owned();
+        self.apply(whole.as_mut());
+        whole
+    }
+}
+
+/// What else the noise has than white: a covariance among the rows, for a variance of one.
+#[derive(Clone, Debug)]
+pub struct Component {
+    /// What it is.
+    pub kind: ComponentKind,
+    /// `L⁻¹ C L⁻ᵀ` (`m × m`).
+    pub covariance: Mat<f64>,
+}
+
+/// Kinds of noise that are estimated from the fit's own residuals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ComponentKind {
+    /// Random walk of the accelerometer's bias; the root of its variance is a density in m/s²/√s.
+    AccelerometerWalk,
+    /// Random walk of the gyroscope's bias, rad/s/√s.
+    GyroscopeWalk,
+    /// Scatter of the accelerometer from rest to rest that no walk explains, m/s².
+    ForceScatter,
+    /// Scatter of the gyroscope from rest to rest, rad/s.
+    RateScatter,
+    /// Scatter of the turns, rad.
+    TurnScatter,
+}
+
+/// A component and how much of it there is, near SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NoiseLevel {
+    /// What.
+    pub kind: ComponentKind,
+    /// Its size: the root of the factor on the component's covariance.
+    pub size: f64,
+}
+
+/// The whole whitening: by white noise, then by what else there is.
+#[derive(Clone, Debug)]
+pub struct Whitening {
+    /// By white noise.
+    pub white: White,
+    /// Cholesky factor of `I + Σ size² C`; `None` where that is the identity.
+    factor: Option<Mat<f64>>,
+}
+
+impl Whitening {
+    /// For these levels of the components.
+    pub fn new(white: White, components: &[Component], levels: &[NoiseLevel]) -> Self {
+        let mut sum: Option<Mat<f64>> = None;
+        for level in levels.iter().filter(|l| l.size > 0.0) {
+            let Some(component) = components.iter().find(|c| c.kind == level.kind) else {
+                continue;
+            };
+            let m = component.covariance.nrows();
+            let total = sum.get_or_insert_with(|| Mat::identity(m, m));
+            *total += faer::Scale(level.size * level.size) * &component.covariance;
+        }
+        let factor = sum.and_then(|v| v.llt(Side::Lower).ok().map(|f| f.L().to_owned()));
+        Self { white, factor }
+    }
+
+    /// Whitens in place.
+    pub fn apply(&self, mut a: MatMut<'_, f64>) {
+        self.white.apply(a.as_mut());
+        self.finish(a);
+    }
+
+    /// The second step alone, of what the white noise has whitened.
+    pub fn finish(&self, a: MatMut<'_, f64>) {
+        if let Some(factor) = &self.factor {
+            solve_lower_triangular_in_place(factor.as_ref(), a, Par::Seq);
+        }
+    }
+}

@@ -1,0 +1,162 @@
+//! Tables to a recording: seconds, SI units, order, and what is worth a warning.
+
+use std::collections::HashSet;
+
+use sensor::Sensor;
+
+use super::options::ReadOptions;
+use super::place::in_file;
+use super::samples::Samples;
+use super::table::Table;
+use super::time;
+use super::units::TemperatureUnit;
+use super::{Recording, Stream, Temperature};
+use super::{checks, decide, held, values};
+use crate::Error;
+
+/// The recording called `name` that `tables`, on one clock, hold.
+pub(super) fn assemble(
+    name: String,
+    mut tables: Vec<Table>,
+    options: &ReadOptions,
+) -> Result<Recording, Error> {
+    let mut recording = Recording {
+        name,
+        ..Recording::default()
+    };
+    for Table {
+        name, accel, gyro, ..
+    } in &mut tables
+    {
+        for samples in [accel, gyro] {
+            if options.sort_time {
+                *samples = std::mem::take(samples).sort();
+            }
+            checks::order(name, samples, &mut recording.warnings)?;
+        }
+    }
+    if options.rate.is_none() {
+        time::to_seconds(&mut tables, options, &mut recording.warnings)?;
+    } else if tables.iter().any(|table| table.has_time) {
+        let words = "--rate was given: time stamps are ignored".to_owned();
+        recording.warnings.push(words);
+    }
+    let unused: Vec<String> = tables
+        .iter()
+        .flat_map(|table| table.unused.clone())
+        .collect();
+    let unused = match unused.len() {
+        0 => String::new(),
+        _ => format!(" (columns not used: `{}`)", unused.join("`, `")),
+    };
+    for table in tables {
+        add(&mut recording, table, options)?;
+    }
+    overlap(&recording)?;
+    for (present, missing) in [
+        (
+            recording.accelerometer.is_some(),
+            "no accelerometer: gyroscope only",
+        ),
+        (
+            recording.gyroscope.is_some(),
+            "no gyroscope: accelerometer only",
+        ),
+    ] {
+        if !present {
+            recording.warnings.push(format!("{missing}{unused}"));
+        }
+    }
+    // What is true of a row is true of both sensors in it, but said once.
+    let mut said = HashSet::new();
+    recording
+        .warnings
+        .retain(|warning| said.insert(warning.clone()));
+    Ok(recording)
+}
+
+fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Result<(), Error> {
+    recording.warnings.append(&mut table.warnings);
+    let name = table.name;
+    if !table.accel.t.is_empty() {
+        let stated = options.accel_unit.or(table.stated.accel);
+        let stream = finish(
+            &name,
+            Sensor::Accelerometer,
+            table.accel,
+            &mut recording.warnings,
+        )?;
+        let unit = decide::accel_unit(&name, &stream, stated, &mut recording.warnings)?;
+        recording.accelerometer = Some(scaled(stream, unit.scale()));
+    }
+    if !table.gyro.t.is_empty() {
+        let stated = options.gyro_unit.or(table.stated.gyro);
+        let stream = finish(
+            &name,
+            Sensor::Gyroscope,
+            table.gyro,
+            &mut recording.warnings,
+        )?;
+        let unit = decide::gyro_unit(&name, &stream, stated, &mut recording.warnings);
+        recording.gyroscope = Some(scaled(stream, unit.scale()));
+    }
+    if !table.temperature.is_empty() {
+        let unit = table.stated.temperature.unwrap_or(TemperatureUnit::Celsius);
+        let celsius: Vec<f64> = table.temperature.iter().map(|&r| unit.celsius(r)).collect();
+        if checks::temperature(&name, &celsius, &mut recording.warnings) {
+            recording.temperature = Some(Temperature {
+                t: table.temperature_t,
+                celsius,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// The stream of one sensor, in the file's unit: checked, held values removed.
+fn finish(
+    name: &str,
+    sensor: Sensor,
+    samples: Samples,
+    warnings: &mut Vec<String>,
+) -> Result<Stream, Error> {
+    if !samples.t.windows(2).all(|pair| pair[0] < pair[1]) {
+        return Err(in_file(
+            name,
+            "time stamps too large to tell apart in seconds",
+        ));
+    }
+    values::check(name, sensor, &samples, warnings)?;
+    let stream = Stream {
+        t: samples.t,
+        values: samples.values,
+    };
+    let stream = held::without_held(name, sensor, stream, warnings);
+    checks::bursts(name, sensor, &stream, warnings);
+    checks::gaps(name, sensor, &stream, warnings);
+    Ok(stream)
+}
+
+fn scaled(mut stream: Stream, scale: f64) -> Stream {
+    if scale != 1.0 {
+        stream.values.iter_mut().for_each(|value| *value *= scale);
+    }
+    stream
+}
+
+/// Refuses sensors that were never on at the same time.
+fn overlap(recording: &Recording) -> Result<(), Error> {
+    let (Some(accel), Some(gyro)) = (&recording.accelerometer, &recording.gyroscope) else {
+        return Ok(());
+    };
+    let range = |stream: &Stream| Some((*stream.t.first()?, *stream.t.last()?));
+    match (range(accel), range(gyro)) {
+        (Some((a0, a1)), Some((g0, g1))) if a1 < g0 || g1 < a0 => Err(in_file(
+            &recording.name,
+            format!(
+                "the accelerometer was on from {a0} to {a1} s, the gyroscope from {g0} to {g1} s: they never overlap; are both stamps of one clock, in one unit?"
+            ),
+        )),
+        _ => Ok(()),
+    }
+}

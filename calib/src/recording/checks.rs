@@ -1,0 +1,100 @@
+//! Stamps and temperatures that are refused, or worth a warning.
+
+use sensor::Sensor;
+
+use super::Stream;
+use super::place::in_file;
+use super::samples::Samples;
+use crate::Error;
+
+/// Repeated rows and equal stamps.
+pub(super) fn order(
+    name: &str,
+    samples: &Samples,
+    warnings: &mut Vec<String>,
+) -> Result<(), Error> {
+    let repeats = samples.repeats;
+    if repeats.count > 0 {
+        warnings.push(format!(
+            "{name}:{}: {} rows between lines {} and {} repeat earlier rows, stamp and values; left out",
+            repeats.first, repeats.count, repeats.first, repeats.last
+        ));
+    }
+    if samples.t.len() < 2 && samples.merged + repeats.count > 0 {
+        return Err(in_file(
+            name,
+            "every time stamp is the same; --rate HZ reads the rows as evenly spaced",
+        ));
+    }
+    if samples.merged > samples.t.len() {
+        return Err(in_file(
+            name,
+            format!(
+                "{} of {} rows share their stamp with another: stamps are too coarse; --rate HZ reads the rows as evenly spaced",
+                samples.merged,
+                samples.merged + samples.t.len()
+            ),
+        ));
+    }
+    if samples.merged > 0 {
+        warnings.push(format!(
+            "{name}: {} rows with the stamp of another, merged to their mean",
+            samples.merged
+        ));
+    }
+    Ok(())
+}
+
+/// Stamps of arrival instead of sampling: most steps far shorter than the mean.
+pub(super) fn bursts(name: &str, sensor: Sensor, stream: &Stream, warnings: &mut Vec<String>) {
+    let (Some(median), [first, .., last]) = (stream.median_step(), &stream.t[..]) else {
+        return;
+    };
+    let gaps = stream.gaps();
+    let missing: f64 = gaps.iter().map(|gap| gap.t1 - gap.t0).sum();
+    let mean = (last - first - missing) / (stream.len() - 1 - gaps.len()).max(1) as f64;
+    if median < mean / 2.0 {
+        warnings.push(format!(
+            "{name}: stamps of the {} come in bursts (median step {median:.4} s, mean {mean:.4} s), as of arrival; --rate {:.1} reads the rows as evenly spaced",
+            called(sensor),
+            1.0 / mean
+        ));
+    }
+}
+
+/// Interruptions.
+pub(super) fn gaps(name: &str, sensor: Sensor, stream: &Stream, warnings: &mut Vec<String>) {
+    let gaps = stream.gaps();
+    let longest = gaps
+        .iter()
+        .max_by(|a, b| (a.t1 - a.t0).total_cmp(&(b.t1 - b.t0)));
+    if let Some(longest) = longest {
+        warnings.push(format!(
+            "{name}: {} gap{} in the {}, the longest {:.3} s from {:.3} s on",
+            gaps.len(),
+            if gaps.len() == 1 { "" } else { "s" },
+            called(sensor),
+            longest.t1 - longest.t0,
+            longest.t0
+        ));
+    }
+}
+
+/// The sensor in words.
+pub(super) fn called(sensor: Sensor) -> &'static str {
+    match sensor {
+        Sensor::Accelerometer => "accelerometer",
+        Sensor::Gyroscope => "gyroscope",
+    }
+}
+
+/// True if the readings can be temperatures in °C.
+pub(super) fn temperature(name: &str, celsius: &[f64], warnings: &mut Vec<String>) -> bool {
+    let possible = celsius.iter().all(|c| (-60.0..=150.0).contains(c));
+    if !possible {
+        warnings.push(format!(
+            "{name}: temperatures beyond -60 to 150 °C, left out; a unit in the column's name, as in `temp [K]`, helps"
+        ));
+    }
+    possible
+}

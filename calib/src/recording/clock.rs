@@ -1,0 +1,195 @@
+//! Time stamps as they are written: numbers, large epochs, dates, counters that wrap.
+
+use super::number::{self, Dialects, Fault};
+
+/// Stamps from here on are epochs: the first is subtracted as an integer, because a double holds
+/// nanoseconds since 1970 only to 256 ns.
+const EPOCH: i64 = 1_000_000_000;
+
+/// Where counters start again: 16 and 32 bits, also written as seconds of ms and µs.
+const MODULI: [f64; 5] = [
+    65_536.0,
+    4_294_967_296.0,
+    65.536,
+    4_294.967_296,
+    4_294_967.296,
+];
+
+/// Reads the stamps of one file, in the file's unit.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Clock {
+    /// What was subtracted from every stamp; files of one recording share it.
+    pub origin: Option<i64>,
+    /// Stamps are dates, counted in nanoseconds.
+    pub dates: bool,
+    /// Lines at which the counter started again.
+    pub wraps: Vec<u64>,
+    pattern: Option<String>,
+    offset: f64,
+    first: Option<f64>,
+    last: f64,
+    count: u64,
+}
+
+impl Clock {
+    /// A clock that counts from `origin`, or finds its own; `pattern` is for dates that are not ISO
+    /// 8601.
+    pub fn new(origin: Option<i64>, pattern: Option<&str>) -> Self {
+        Self {
+            origin,
+            pattern: pattern.map(str::to_owned),
+            ..Self::default()
+        }
+    }
+
+    /// The stamp in `cell`, from the origin on, with wraps undone.
+    pub fn read(&mut self, cell: &[u8], decimal_comma: bool, line: u64) -> Result<f64, Fault> {
+        let stamp = if self.dates || self.pattern.is_some() {
+            self.date(cell)?
+        } else {
+            match self.number(cell, decimal_comma) {
+                Err(Fault::Text) if self.count == 0 => self.date(cell)?,
+                other => other?,
+            }
+        };
+        Ok(self.unwrapped(stamp, line))
+    }
+
+    fn number(&mut self, cell: &[u8], decimal_comma: bool) -> Result<f64, Fault> {
+        let parse = |cell| number::parse(cell, decimal_comma, &mut Dialects::default());
+        if self.origin == Some(0) {
+            return parse(cell);
+        }
+        let digits = cell.strip_prefix(b"-").unwrap_or(cell);
+        let split = digits
+            .iter()
+            .position(|b| !b.is_ascii_digit())
+            .unwrap_or(digits.len());
+        let whole = &cell[..cell.len() - digits.len() + split];
+        let rest = &cell[whole.len()..];
+        let whole = std::str::from_utf8(whole)
+            .ok()
+            .and_then(|text| text.parse::<i64>().ok());
+        let fraction = match rest {
+            [] => Some(0.0),
+            [b'.' | b',', ..] => parse(rest).ok(),
+            _ => None,
+        };
+        let (Some(whole), Some(fraction)) = (whole, fraction) else {
+            let stamp = parse(cell)?;
+            let origin = *self.origin.get_or_insert(large(stamp as i64));
+            return Ok(stamp - origin as f64);
+        };
+        let origin = *self.origin.get_or_insert(large(whole));
+        if origin == 0 {
+            return parse(cell);
+        }
+        Ok(whole.saturating_sub(origin) as f64 + fraction)
+    }
+
+    fn date(&mut self, cell: &[u8]) -> Result<f64, Fault> {
+        let text = std::str::from_utf8(cell).map_err(|_| Fault::Text)?;
+        let stamp = match &self.pattern {
+            Some(pattern) => jiff::fmt::strtime::parse(pattern, text)
+                .ok()
+                .and_then(|parsed| {
+                    parsed
+                        .to_timestamp()
+                        .or_else(|_| utc(parsed.to_datetime()?))
+                        .ok()
+                }),
+            None => iso(text),
+        };
+        let nanoseconds = stamp.ok_or(Fault::Date)?.as_nanosecond();
+        let nanoseconds = i64::try_from(nanoseconds).map_err(|_| Fault::Date)?;
+        self.dates = true;
+        let origin = *self.origin.get_or_insert(nanoseconds);
+        Ok(nanoseconds.saturating_sub(origin) as f64)
+    }
+
+    /// A counter that jumps back by its modulus went on by one step: by its usual step, give or take
+    /// ten lost samples.
+    fn unwrapped(&mut self, stamp: f64, line: u64) -> f64 {
+        let mut stamp = stamp + self.offset;
+        let first = *self.first.get_or_insert(stamp);
+        if self.count >= 3 && stamp < self.last {
+            let step = (self.last - first) / (self.count - 1) as f64;
+            let jump = |modulus: &&f64| {
+                let forward = stamp + **modulus - self.last;
+                forward > 0.0 && forward <= 10.0 * step && step < **modulus / 100.0
+            };
+            if let Some(modulus) = MODULI.iter().find(jump) {
+                self.offset += modulus;
+                stamp += modulus;
+                self.wraps.push(line);
+            }
+        }
+        self.last = stamp;
+        self.count += 1;
+        stamp
+    }
+}
+
+fn large(stamp: i64) -> i64 {
+    if stamp.unsigned_abs() >= EPOCH.unsigned_abs() {
+        stamp
+    } else {
+        0
+    }
+}
+
+fn utc(date: jiff::civil::DateTime) -> Result<jiff::Timestamp, jiff::Error> {
+    jiff::tz::TimeZone::UTC.to_timestamp(date)
+}
+
+fn iso(text: &str) -> Option<jiff::Timestamp> {
+    let zoned = text.parse::<jiff::Timestamp>();
+    zoned
+        .or_else(|_| utc(text.parse::<jiff::civil::DateTime>()?))
+        .ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stamps(cells: &[&str]) -> Vec<f64> {
+        let mut clock = Clock::default();
+        cells
+            .iter()
+            .zip(1..)
+            .map(|(c, l)| clock.read(c.as_bytes(), false, l).unwrap())
+            .collect()
+    }
+
+    #[test]
+    fn nanosecond_epochs_keep_every_nanosecond() {
+        let read = stamps(&["1700000000000000001", "1700000000005000003"]);
+        assert_eq!(read, [0.0, 5_000_002.0]);
+    }
+
+    #[test]
+    fn epochs_in_seconds_keep_their_fraction() {
+        assert_eq!(
+            stamps(&["1700000000.25", "1700000001.123456789"]),
+            [0.25, 1.123456789]
+        );
+    }
+
+    #[test]
+    fn small_stamps_are_the_nearest_double() {
+        assert_eq!(stamps(&["25.975", "-0.5", "1e-3"]), [25.975, -0.5, 1e-3]);
+    }
+
+    #[test]
+    fn iso_dates_count_nanoseconds() {
+        let read = stamps(&["2026-11-21T03:04:05.123Z", "2026-11-21T03:04:05.133Z"]);
+        assert_eq!(read, [0.0, 1e7]);
+    }
+
+    #[test]
+    fn a_sixteen_bit_counter_goes_on_after_it_wraps() {
+        let read = stamps(&["65500", "65510", "65520", "65530", "4", "14"]);
+        assert_eq!(read, [65500.0, 65510.0, 65520.0, 65530.0, 65540.0, 65550.0]);
+    }
+}

@@ -1,0 +1,90 @@
+//! Units that nobody stated, told from the samples.
+
+use super::place::in_file;
+use super::units::{AccelUnit, GyroUnit};
+use super::{Stream, values};
+use crate::Error;
+
+/// Rates beyond this are no hand-held motion in rad/s (29 turns per second): the unit is another.
+const FASTEST: f64 = 180.0;
+
+/// The accelerometer's unit: stated, or told by the size of gravity, the median length of a sample.
+///
+/// # Errors
+/// [`Error::Input`] where a recording in known units lacks gravity.
+pub(super) fn accel_unit(
+    name: &str,
+    stream: &Stream,
+    stated: Option<AccelUnit>,
+    warnings: &mut Vec<String>,
+) -> Result<AccelUnit, Error> {
+    let norm = median_norm(stream);
+    let unit = stated.unwrap_or(match norm {
+        0.8..1.25 => AccelUnit::G,
+        0.0..100.0 => AccelUnit::MetresPerSecondSquared,
+        _ => AccelUnit::Counts,
+    });
+    if stated.is_none() {
+        match unit {
+            AccelUnit::G => warnings.push(format!(
+                "{name}: accelerometer taken as g (its median length is {norm:.3}); --accel-unit overrides"
+            )),
+            AccelUnit::Counts => warnings.push(format!(
+                "{name}: accelerometer taken as raw counts (its median length is {norm:.1}) and kept as they are; --accel-unit mg or cm/s^2 overrides"
+            )),
+            _ => {}
+        }
+    }
+    if unit != AccelUnit::Counts && norm * unit.scale() < 2.0 && stream.len() >= values::ENOUGH {
+        return Err(in_file(
+            name,
+            format!(
+                "the accelerometer's median length is {norm:.3} {}: gravity has been removed, and calibration needs it; record the accelerometer with gravity (\"total\", \"uncalibrated\" or \"with g\"){}",
+                unit.name(),
+                if stated.is_none() {
+                    ", or state its unit with --accel-unit"
+                } else {
+                    ""
+                }
+            ),
+        ));
+    }
+    Ok(unit)
+}
+
+/// The gyroscope's unit: stated, or rad/s unless a hand could not turn that fast.
+pub(super) fn gyro_unit(
+    name: &str,
+    stream: &Stream,
+    stated: Option<GyroUnit>,
+    warnings: &mut Vec<String>,
+) -> GyroUnit {
+    if let Some(unit) = stated {
+        return unit;
+    }
+    let fastest = stream
+        .values
+        .iter()
+        .map(nalgebra::Vector3::amax)
+        .fold(0.0, f64::max);
+    let integers = values::are_integers(stream.values.iter());
+    let (unit, words) = match fastest {
+        0.0..FASTEST => return GyroUnit::RadiansPerSecond,
+        _ if integers => (GyroUnit::Counts, "raw counts, kept as they are"),
+        FASTEST..5000.0 => (GyroUnit::DegreesPerSecond, "deg/s"),
+        _ => (GyroUnit::Counts, "raw counts, kept as they are"),
+    };
+    warnings.push(format!(
+        "{name}: gyroscope taken as {words} (it reaches {fastest:.0}); --gyro-unit overrides"
+    ));
+    unit
+}
+
+fn median_norm(stream: &Stream) -> f64 {
+    let mut norms: Vec<f64> = stream.values.iter().map(nalgebra::Vector3::norm).collect();
+    let middle = norms.len() / 2;
+    if norms.is_empty() {
+        return 0.0;
+    }
+    *norms.select_nth_unstable_by(middle, f64::total_cmp).1
+}

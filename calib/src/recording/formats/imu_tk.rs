@@ -1,0 +1,36 @@
+//! Text without a header: rows of numbers, as imu_tk writes them.
+
+use super::{Format, Source, text};
+use crate::Error;
+use crate::recording::assemble::assemble;
+use crate::recording::sniff::starts_with_numbers;
+use crate::recording::table::Table;
+use crate::recording::{ReadOptions, Recording, hint};
+
+/// `t x y z` of one sensor, or seven columns that gravity tells apart.
+#[derive(Debug)]
+pub(super) struct ImuTk;
+
+impl Format for ImuTk {
+    fn name(&self) -> &'static str {
+        "imu_tk"
+    }
+
+    fn about(&self) -> &'static str {
+        "rows of numbers without a header: t x y z of one sensor, in any unit"
+    }
+
+    fn recognises(&self, source: &Source<'_>) -> bool {
+        matches!(source, Source::Text(_)) && starts_with_numbers(source.head())
+    }
+
+    fn read(&self, source: Source<'_>, options: &ReadOptions) -> Result<Recording, Error> {
+        let input = text(source, self)?;
+        let (name, only) = (input.name.clone(), hint(&input.name));
+        assemble(
+            name,
+            vec![Table::read(input, only, None, options)?],
+            options,
+        )
+    }
+}

@@ -1,0 +1,187 @@
+//! Column names to quantities.
+
+use sensor::Sensor;
+
+use super::names::{role_of, take_apart};
+use super::options::{ColumnMap, Role};
+use super::place::shown;
+use super::suggest::{nearest, suggestion};
+use super::units::Stated;
+
+/// Which column of a table is what.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Layout {
+    /// Cells per row.
+    pub width: usize,
+    /// Names, as far as the file has them.
+    pub names: Vec<String>,
+    /// Time stamps.
+    pub time: Option<usize>,
+    /// Specific force, x y z.
+    pub accel: Option<[usize; 3]>,
+    /// Angular rate, x y z.
+    pub gyro: Option<[usize; 3]>,
+    /// Temperature.
+    pub temperature: Option<usize>,
+    /// Units in the names.
+    pub stated: Stated,
+}
+
+impl Layout {
+    /// The layout of a table whose header holds `names`.
+    ///
+    /// # Errors
+    /// What is wrong with the names, in words, with the option that would help.
+    pub fn of_names(
+        names: Vec<String>,
+        map: &ColumnMap,
+        only: Option<Sensor>,
+    ) -> Result<Self, String> {
+        let mut roles = roles_by_map(&names, map)?;
+        roles_by_name(&names, only, &mut roles)?;
+        let mut layout = Self {
+            width: names.len(),
+            names,
+            ..Self::default()
+        };
+        layout.assign(&roles)?;
+        layout.state_units();
+        Ok(layout)
+    }
+
+    /// Takes over columns by role and checks that triads are whole.
+    pub fn assign(&mut self, roles: &[(Role, usize)]) -> Result<(), String> {
+        let column = |role: Role| {
+            roles
+                .iter()
+                .find(|(r, _)| *r == role)
+                .map(|&(_, column)| column)
+        };
+        let triad = |axes: [Role; 3]| -> Result<Option<[usize; 3]>, String> {
+            match axes.map(column) {
+                [Some(x), Some(y), Some(z)] => Ok(Some([x, y, z])),
+                [None, None, None] => Ok(None),
+                some => {
+                    let missing: Vec<_> = (0..3).filter(|&i| some[i].is_none()).collect();
+                    let missing: Vec<_> = missing.into_iter().map(|i| axes[i].name()).collect();
+                    Err(format!(
+                        "no column for {}; {}",
+                        missing.join(" and "),
+                        suggestion(&self.names)
+                    ))
+                }
+            }
+        };
+        self.time = column(Role::Time);
+        self.accel = triad([0, 1, 2].map(Role::Accel))?;
+        self.gyro = triad([0, 1, 2].map(Role::Gyro))?;
+        self.temperature = column(Role::Temperature);
+        if self.accel.is_none() && self.gyro.is_none() {
+            let found: Vec<_> = self.names.iter().map(|name| shown(name)).collect();
+            return Err(format!(
+                "no accelerometer and no gyroscope columns among `{}`; expected t,ax,ay,az,gx,gy,gz[,temp]; {}",
+                found.join("`, `"),
+                suggestion(&self.names)
+            ));
+        }
+        Ok(())
+    }
+
+    fn state_units(&mut self) {
+        let unit = |column: Option<usize>| {
+            let name = self.names.get(column?)?;
+            take_apart(name).1
+        };
+        let first = |triad: Option<[usize; 3]>| triad.map(|[x, ..]| x);
+        let stated = Stated {
+            time: unit(self.time).and_then(|u| u.parse().ok()),
+            accel: unit(first(self.accel)).and_then(|u| u.parse().ok()),
+            gyro: unit(first(self.gyro)).and_then(|u| u.parse().ok()),
+            temperature: unit(self.temperature).and_then(|u| u.parse().ok()),
+        };
+        self.stated = stated;
+    }
+
+    /// Names of the columns that have no role.
+    pub fn unused(&self) -> Vec<String> {
+        let triads = self.accel.iter().chain(&self.gyro).flatten().copied();
+        let used: Vec<usize> = triads.chain(self.time).chain(self.temperature).collect();
+        let unused = (0..self.names.len()).filter(|i| !used.contains(i));
+        unused
+            .map(|i| shown(&self.names[i]))
+            .filter(|name| !name.is_empty())
+            .collect()
+    }
+
+    /// What a column is called in messages.
+    pub fn column(&self, index: usize) -> String {
+        match self.names.get(index) {
+            Some(name) if !name.is_empty() => format!("column {} (`{}`)", index + 1, shown(name)),
+            _ => format!("column {}", index + 1),
+        }
+    }
+}
+
+/// Adds the columns whose names have a role that is not taken yet. Of several times the first is used.
+fn roles_by_name(
+    names: &[String],
+    only: Option<Sensor>,
+    roles: &mut Vec<(Role, usize)>,
+) -> Result<(), String> {
+    let given = roles.len();
+    for (index, name) in names.iter().enumerate() {
+        let Some(role) = role_of(name, only) else {
+            continue;
+        };
+        match roles.iter().position(|(r, _)| *r == role) {
+            None => roles.push((role, index)),
+            Some(at) if at < given => {}
+            Some(_) if role == Role::Time => {}
+            Some(at) => {
+                let other = roles[at].1;
+                return Err(format!(
+                    "columns {} (`{}`) and {} (`{}`) are both {}; say which, by number, as in --columns {}={}",
+                    other + 1,
+                    shown(&names[other]),
+                    index + 1,
+                    shown(name),
+                    role.name(),
+                    role.name(),
+                    other + 1
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Columns by name first, then by number from 1.
+pub(super) fn roles_by_map(
+    names: &[String],
+    map: &ColumnMap,
+) -> Result<Vec<(Role, usize)>, String> {
+    let find = |wanted: &str| {
+        let by_name = names.iter().position(|name| name.trim() == wanted);
+        let number = wanted.parse::<usize>().ok();
+        by_name.or_else(|| {
+            number
+                .filter(|n| (1..=names.len()).contains(n))
+                .map(|n| n - 1)
+        })
+    };
+    let mut roles = Vec::new();
+    for (role, wanted) in &map.0 {
+        let column = find(wanted).ok_or_else(|| {
+            let nearest = nearest(wanted, names).map(|n| format!("; nearest: `{}`", shown(n)));
+            format!(
+                "--columns {}={}: no such column among {}{}",
+                role.name(),
+                shown(wanted),
+                names.len(),
+                nearest.unwrap_or_default()
+            )
+        })?;
+        roles.push((*role, column));
+    }
+    Ok(roles)
+}

@@ -1,0 +1,170 @@
+//! The vocabulary of column names.
+
+use sensor::Sensor;
+
+use super::options::Role;
+use super::units::{self, AccelUnit, GyroUnit};
+
+/// Names that mean the time, without unit and punctuation.
+const TIME: &[&str] = &[
+    "t",
+    "time",
+    "timestamp",
+    "stamp",
+    "timestamps",
+    "ts",
+    "secondselapsed",
+    "elapsed",
+    "elapsedtime",
+    "timeelapsed",
+    "seconds",
+    "sec",
+    "datetime",
+    "timems",
+    "timeus",
+    "timens",
+    "times",
+    "tms",
+    "tus",
+    "tns",
+    "ts",
+    "timestampms",
+    "timestampus",
+    "timestampns",
+    "timestamps",
+    "millis",
+    "micros",
+    "nanos",
+    "sampletimefine",
+    "timeusec",
+    "timeinseconds",
+    "timemsec",
+    "timensec",
+    "loggingtime",
+];
+/// Names of accelerometer columns without their axis.
+const ACCEL: &[&str] = &[
+    "a",
+    "acc",
+    "accel",
+    "accelerometer",
+    "acceleration",
+    "linearacceleration",
+    "arss",
+    "accelero",
+    "specificforce",
+    "f",
+    "imuacc",
+    "imuaccel",
+    "rawacc",
+    "rawaccel",
+    "accraw",
+    "accelraw",
+    "accelerationg",
+    "totalacceleration",
+    "accelerometeruncalibrated",
+    "abs",
+];
+/// Names of gyroscope columns without their axis.
+const GYRO: &[&str] = &[
+    "g",
+    "w",
+    "gyr",
+    "gyro",
+    "gyroscope",
+    "omega",
+    "angularvelocity",
+    "angularrate",
+    "wrss",
+    "rate",
+    "rotationrate",
+    "angularspeed",
+    "imugyr",
+    "imugyro",
+    "rawgyr",
+    "rawgyro",
+    "gyrraw",
+    "gyroraw",
+    "ω",
+    "gyroscopeuncalibrated",
+];
+/// Names of temperature columns.
+const TEMPERATURE: &[&str] = &[
+    "temp",
+    "temperature",
+    "tempc",
+    "temperaturec",
+    "tempdegc",
+    "imutemp",
+    "imutemperature",
+    "tc",
+    "celsius",
+    "tempk",
+    "tempf",
+];
+
+/// A column name taken apart: what it calls, and the unit in brackets or behind an underscore.
+pub(super) fn take_apart(name: &str) -> (String, Option<&str>) {
+    let (word, unit) = match name.find(['(', '[', '{']) {
+        Some(at) => {
+            let unit = name[at + 1..].trim_end().trim_end_matches([')', ']', '}']);
+            (&name[..at], Some(unit))
+        }
+        None => match name.trim().rsplit_once('_') {
+            Some((word, unit)) if units::is_unit(unit) => (word, Some(unit)),
+            _ => (name, None),
+        },
+    };
+    (compact(word), unit)
+}
+
+fn compact(word: &str) -> String {
+    word.chars()
+        .filter(|c| c.is_alphanumeric())
+        .flat_map(char::to_lowercase)
+        .collect()
+}
+
+/// The role of a name, or of what follows a point or slash in it: `field.angular_velocity.x`.
+pub(super) fn role_of(name: &str, only: Option<Sensor>) -> Option<Role> {
+    let bracket = name.find(['(', '[', '{']).unwrap_or(name.len());
+    let ends = name[..bracket]
+        .match_indices(['.', '/'])
+        .map(|(at, _)| &name[at + 1..]);
+    let qualified = std::iter::once(name).chain(ends.filter(|end| compact(end).len() > 1));
+    qualified
+        .into_iter()
+        .find_map(|name| role_of_word(name, only))
+}
+
+/// The role that a name has by itself; `only` is what the file is known to hold, so that `x` means
+/// something.
+fn role_of_word(name: &str, only: Option<Sensor>) -> Option<Role> {
+    let (word, unit) = take_apart(name);
+    if TIME.contains(&word.as_str()) {
+        return Some(Role::Time);
+    }
+    if TEMPERATURE.contains(&word.as_str()) {
+        return Some(Role::Temperature);
+    }
+    let axis = match word.chars().next_back()? {
+        'x' => 0,
+        'y' => 1,
+        'z' => 2,
+        _ => return None,
+    };
+    let stem = &word[..word.len() - 1];
+    let unit = unit.unwrap_or_default();
+    if ACCEL.contains(&stem) || (stem.is_empty() && unit.parse::<AccelUnit>().is_ok()) {
+        Some(Role::Accel(axis))
+    } else if GYRO.contains(&stem) || (stem.is_empty() && unit.parse::<GyroUnit>().is_ok()) {
+        Some(Role::Gyro(axis))
+    } else if stem.is_empty() {
+        only.map(|sensor| match sensor {
+            Sensor::Accelerometer => Role::Accel(axis),
+            Sensor::Gyroscope => Role::Gyro(axis),
+        })
+    } else {
+        None
+    }
+}

@@ -1,0 +1,141 @@
+//! What a caller may say about a recording before it is read.
+
+use std::str::FromStr;
+
+use super::formats::Format;
+use super::units::{AccelUnit, GyroUnit, TimeUnit};
+use crate::Error;
+
+/// How to read a recording. The default reads every well-formed file and guesses nothing silently.
+#[derive(Clone, Debug)]
+pub struct ReadOptions {
+    /// The format; recognised from the content when `None`.
+    pub format: Option<&'static dyn Format>,
+    /// Which column is which quantity, over what the header says.
+    pub columns: ColumnMap,
+    /// Broken rows that are left out with a warning before the file is refused.
+    pub skip_bad_rows: usize,
+    /// Leave out rows with missing or non-finite numbers instead of refusing them.
+    pub na_drop: bool,
+    /// Sort by time where time goes backwards instead of refusing.
+    pub sort_time: bool,
+    /// Sampling rate, Hz: time is sample number / rate and stamps are ignored.
+    pub rate: Option<f64>,
+    /// Unit of the stamps; from the header, the contract or the rate when `None`.
+    pub time_unit: Option<TimeUnit>,
+    /// `strptime` pattern of the stamps, such as `%d.%m.%Y %H:%M:%S%.f`; ISO 8601 needs none.
+    pub time_format: Option<String>,
+    /// Unit of the accelerometer; from the header or the size of gravity when `None`.
+    pub accel_unit: Option<AccelUnit>,
+    /// Unit of the gyroscope; from the header when `None`, else rad/s.
+    pub gyro_unit: Option<GyroUnit>,
+    /// Rows after which reading is refused.
+    pub max_rows: u64,
+    /// Bytes of (decompressed) text after which reading is refused.
+    pub max_bytes: u64,
+}
+
+impl Default for ReadOptions {
+    fn default() -> Self {
+        Self {
+            format: None,
+            columns: ColumnMap::default(),
+            skip_bad_rows: 0,
+            na_drop: false,
+            sort_time: false,
+            rate: None,
+            time_unit: None,
+            time_format: None,
+            accel_unit: None,
+            gyro_unit: None,
+            max_rows: 200_000_000,
+            max_bytes: 16 << 30,
+        }
+    }
+}
+
+impl ReadOptions {
+    /// Refuses contradictions before any file is opened.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] for a rate that no recording has.
+    pub(super) fn check(&self) -> Result<(), Error> {
+        match self.rate {
+            Some(rate) if !(1e-3..=1e7).contains(&rate) => Err(Error::Usage(format!(
+                "--rate {rate}: a sampling rate is from 0.001 to 1e7 Hz, such as --rate 100"
+            ))),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// A quantity that a column can hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// Time stamp.
+    Time,
+    /// Specific force along axis 0, 1 or 2.
+    Accel(usize),
+    /// Angular rate about axis 0, 1 or 2.
+    Gyro(usize),
+    /// Temperature.
+    Temperature,
+}
+
+impl Role {
+    /// Every role, in the order of the plain CSV header.
+    pub const ALL: [Self; 8] = [
+        Self::Time,
+        Self::Accel(0),
+        Self::Accel(1),
+        Self::Accel(2),
+        Self::Gyro(0),
+        Self::Gyro(1),
+        Self::Gyro(2),
+        Self::Temperature,
+    ];
+
+    /// The name in the plain CSV header.
+    pub fn name(self) -> &'static str {
+        const AXES: [[&str; 3]; 2] = [["ax", "ay", "az"], ["gx", "gy", "gz"]];
+        match self {
+            Self::Time => "t",
+            Self::Accel(axis) => AXES[0][axis.min(2)],
+            Self::Gyro(axis) => AXES[1][axis.min(2)],
+            Self::Temperature => "temp",
+        }
+    }
+
+    /// The role of a plain CSV name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|role| role.name() == name)
+    }
+}
+
+/// Columns by role, as the user wrote them: `t=timestamp,ax=acc_x` or by number from 1, `t=1,ax=2`.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ColumnMap(pub Vec<(Role, String)>);
+
+impl FromStr for ColumnMap {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let mut map = Vec::new();
+        for entry in text.split(',') {
+            let (role, column) = entry.split_once('=').ok_or_else(|| {
+                format!("`{entry}` is not of the form ROLE=COLUMN, such as ax=acc_x")
+            })?;
+            let role = Role::from_name(role.trim()).ok_or_else(|| {
+                format!(
+                    "`{}` is none of t, ax, ay, az, gx, gy, gz, temp",
+                    role.trim()
+                )
+            })?;
+            if map.iter().any(|(other, _)| *other == role) {
+                return Err(format!("`{}` is given twice", role.name()));
+            }
+            map.push((role, column.trim().to_owned()));
+        }
+        Ok(Self(map))
+    }
+}

@@ -1,0 +1,308 @@
+//! Rows of a text into the columns of a table.
+
+use nalgebra::Vector3;
+
+use super::dialect::Cell;
+use super::lines::{Line, Lines};
+use super::number::{self, Dialects, Fault};
+use super::options::ReadOptions;
+use super::place::{at_column, at_line, in_file, shown};
+use super::samples::{Pushed, Samples};
+use super::sniff::{Start, is_comment};
+use super::table::Table;
+use crate::Error;
+
+/// Why a row is not used.
+enum Trouble {
+    /// The file cannot be read further.
+    Refused(Error),
+    /// The row is broken; it may be the last one, cut short.
+    Broken(Error),
+    /// A number is missing; `--na drop` applies.
+    Missing(Error),
+}
+
+/// The loop over rows.
+pub(super) struct Rows<'a> {
+    table: &'a mut Table,
+    start: &'a Start,
+    options: &'a ReadOptions,
+    cells: Vec<Cell>,
+    spellings: Dialects,
+    rows: u64,
+    skipped: usize,
+    dropped: usize,
+    /// The trouble of the row before, which is forgiven if no row follows.
+    pending: Option<Error>,
+}
+
+impl<'a> Rows<'a> {
+    /// Rows into `table`, as `start` says.
+    pub fn new(table: &'a mut Table, start: &'a Start, options: &'a ReadOptions) -> Self {
+        Self {
+            table,
+            start,
+            options,
+            cells: Vec::new(),
+            spellings: Dialects::default(),
+            rows: 0,
+            skipped: 0,
+            dropped: 0,
+            pending: None,
+        }
+    }
+
+    /// Reads `lines` to their end.
+    pub fn read(mut self, mut lines: Lines<impl std::io::Read>) -> Result<(), Error> {
+        while let Some(line) = lines.next()? {
+            if line.number <= self.start.after || line.bytes.trim_ascii_start().is_empty() {
+                continue;
+            }
+            if is_comment(line.bytes) {
+                continue;
+            }
+            self.settle_pending()?;
+            match self.row(line) {
+                Ok(()) => self.rows += 1,
+                Err(Trouble::Missing(_)) if self.options.na_drop => self.dropped += 1,
+                Err(Trouble::Missing(error) | Trouble::Broken(error)) => self.pending = Some(error),
+                Err(Trouble::Refused(error)) => return Err(error),
+            }
+            if self.rows > self.options.max_rows {
+                let limit = self.options.max_rows;
+                let words = format!("more than {limit} rows; --max-rows raises the limit");
+                return Err(at_line(&self.table.name, line.number, words));
+            }
+        }
+        self.finish()
+    }
+
+    /// A broken row with others after it is one of those allowed, or the end.
+    fn settle_pending(&mut self) -> Result<(), Error> {
+        match self.pending.take() {
+            None => Ok(()),
+            Some(_) if self.skipped < self.options.skip_bad_rows => {
+                self.skipped += 1;
+                Ok(())
+            }
+            Some(error) => Err(error),
+        }
+    }
+
+    fn row(&mut self, line: Line<'_>) -> Result<(), Trouble> {
+        let layout = &self.start.layout;
+        if self.start.header.as_deref() == Some(line.bytes) {
+            return Err(Trouble::Refused(self.at(
+                line,
+                0,
+                format!(
+                    "the header of line {} again: two tables in one file; split it here",
+                    self.start.after
+                ),
+            )));
+        }
+        self.start
+            .dialect
+            .split(line.bytes, &mut self.cells)
+            .map_err(|at| {
+                Trouble::Broken(self.at(
+                    line,
+                    at,
+                    "a quote is opened here and never closed".to_owned(),
+                ))
+            })?;
+        if self.cells.len() == layout.width + 1 && self.cells.last().is_some_and(|c| c.is_empty()) {
+            self.cells.pop();
+        }
+        if self.cells.len() != layout.width {
+            return Err(Trouble::Broken(self.ragged(line)));
+        }
+        let accel = self.triad(line, layout.accel)?;
+        let gyro = self.triad(line, layout.gyro)?;
+        if accel.is_none() && gyro.is_none() {
+            let words = "every cell of the sensors is empty; --na drop leaves such rows out";
+            return Err(Trouble::Missing(self.at(line, 0, words.to_owned())));
+        }
+        let temperature = match layout
+            .temperature
+            .map(|column| (column, &line.bytes[self.cells[column].clone()]))
+        {
+            Some((column, cell)) if !cell.is_empty() => Some(self.number(line, column)?),
+            _ => None,
+        };
+        let t = self.stamp(line)?;
+        self.keep(t, accel, gyro, temperature, line)
+    }
+
+    fn keep(
+        &mut self,
+        t: f64,
+        accel: Option<Vector3<f64>>,
+        gyro: Option<Vector3<f64>>,
+        temperature: Option<f64>,
+        line: Line<'_>,
+    ) -> Result<(), Trouble> {
+        if let Some(value) = accel {
+            let pushed = push(
+                &mut self.table.accel,
+                t,
+                value,
+                line.number,
+                self.options.sort_time,
+            );
+            self.in_order(pushed, t, line)?;
+        }
+        if let Some(value) = gyro {
+            let pushed = push(
+                &mut self.table.gyro,
+                t,
+                value,
+                line.number,
+                self.options.sort_time,
+            );
+            self.in_order(pushed, t, line)?;
+        }
+        if let Some(temperature) = temperature
+            && self.table.temperature_t.last().is_none_or(|&last| t > last)
+        {
+            self.table.temperature_t.push(t);
+            self.table.temperature.push(temperature);
+        }
+        Ok(())
+    }
+
+    /// Refuses a stamp before the last, and rows for which there is no memory.
+    fn in_order(&self, pushed: Option<Pushed>, t: f64, line: Line<'_>) -> Result<(), Trouble> {
+        match pushed {
+            Some(Pushed::Backwards(last)) => {
+                let origin = match self.table.clock.origin {
+                    None | Some(0) => String::new(),
+                    Some(origin) => format!(" (counted from {origin})"),
+                };
+                let words = format!(
+                    "time goes back from {last} to {t}{origin}; --sort-time sorts the rows, or split the file here"
+                );
+                Err(Trouble::Refused(self.at(line, 0, words)))
+            }
+            Some(_) => Ok(()),
+            None => {
+                let words = "not enough memory for more rows".to_owned();
+                Err(Trouble::Refused(self.at(line, 0, words)))
+            }
+        }
+    }
+
+    fn stamp(&mut self, line: Line<'_>) -> Result<f64, Trouble> {
+        if let Some(rate) = self.options.rate {
+            return Ok(self.rows as f64 / rate);
+        }
+        let Some(column) = self.start.layout.time else {
+            return Ok(self.rows as f64);
+        };
+        let cell = &line.bytes[self.cells[column].clone()];
+        let decimal_comma = self.start.dialect.decimal_comma;
+        let stamp = self.table.clock.read(cell, decimal_comma, line.number);
+        stamp.map_err(|fault| self.fault(line, column, fault))
+    }
+
+    /// The sample in three columns, `None` where all three are empty.
+    fn triad(
+        &mut self,
+        line: Line<'_>,
+        columns: Option<[usize; 3]>,
+    ) -> Result<Option<Vector3<f64>>, Trouble> {
+        let Some(columns @ [x, y, z]) = columns else {
+            return Ok(None);
+        };
+        if columns.iter().all(|&column| self.cells[column].is_empty()) {
+            return Ok(None);
+        }
+        Ok(Some(Vector3::new(
+            self.number(line, x)?,
+            self.number(line, y)?,
+            self.number(line, z)?,
+        )))
+    }
+
+    fn number(&mut self, line: Line<'_>, column: usize) -> Result<f64, Trouble> {
+        let cell = &line.bytes[self.cells[column].clone()];
+        match number::parse(cell, self.start.dialect.decimal_comma, &mut self.spellings) {
+            Ok(value) if value.abs() < 1e15 => Ok(value),
+            Ok(_) => Err(self.fault(line, column, Fault::Absurd)),
+            Err(fault) => Err(self.fault(line, column, fault)),
+        }
+    }
+
+    fn fault(&self, line: Line<'_>, column: usize, fault: Fault) -> Trouble {
+        let cell = self.cells[column].clone();
+        let content = shown(&String::from_utf8_lossy(&line.bytes[cell.clone()]));
+        let column = self.start.layout.column(column);
+        let error = self.at(
+            line,
+            cell.start,
+            format!("`{content}` in {column}: {}", fault.advice()),
+        );
+        match fault {
+            Fault::Missing | Fault::NotFinite => Trouble::Missing(error),
+            Fault::Text => Trouble::Broken(error),
+            _ => Trouble::Refused(error),
+        }
+    }
+
+    fn ragged(&self, line: Line<'_>) -> Error {
+        let (found, expected) = (self.cells.len(), self.start.layout.width);
+        let words = format!(
+            "{found} cells, {expected} expected; --skip-bad-rows N leaves up to N such rows out"
+        );
+        self.at(line, 0, words)
+    }
+
+    fn at(&self, line: Line<'_>, byte: usize, words: String) -> Error {
+        at_column(&self.table.name, line.number, byte + 1, words)
+    }
+
+    fn finish(self) -> Result<(), Error> {
+        let name = &self.table.name;
+        let warnings = &mut self.table.warnings;
+        if self.rows == 0 {
+            return Err(self
+                .pending
+                .unwrap_or_else(|| in_file(name, "no data rows")));
+        }
+        if let Some(error) = self.pending {
+            warnings.push(format!("last row left out, cut short? {error}"));
+        }
+        if self.skipped > 0 {
+            warnings.push(format!("{name}: {} broken rows left out", self.skipped));
+        }
+        if self.dropped > 0 {
+            warnings.push(format!(
+                "{name}: {} rows with missing numbers left out",
+                self.dropped
+            ));
+        }
+        if self.spellings.fortran {
+            warnings.push(format!("{name}: exponents written with D, read as E"));
+        }
+        if self.spellings.unicode_minus {
+            warnings.push(format!("{name}: minus signs are U+2212, read as -"));
+        }
+        Ok(())
+    }
+}
+
+/// Adds a sample; `None` without memory for it.
+fn push(
+    samples: &mut Samples,
+    t: f64,
+    value: Vector3<f64>,
+    line: u64,
+    unsorted: bool,
+) -> Option<Pushed> {
+    samples.make_room().ok()?;
+    if unsorted {
+        samples.append(t, value, line);
+        return Some(Pushed::Kept);
+    }
+    Some(samples.push(t, value, line))
+}

@@ -1,0 +1,132 @@
+//! The samples of one sensor while they are read: in order, each stamp once.
+
+use nalgebra::Vector3;
+
+/// What became of a sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Pushed {
+    /// Kept.
+    Kept,
+    /// Stamp and values had been there before, so the row says nothing new.
+    Repeat,
+    /// Merged into the sample with the same stamp.
+    SameStamp,
+    /// Earlier than the last stamp, which is given.
+    Backwards(f64),
+}
+
+/// Columns of one sensor in the file's units.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Samples {
+    /// Stamps.
+    pub t: Vec<f64>,
+    /// Values.
+    pub values: Vec<Vector3<f64>>,
+    /// `(index, line)` wherever the line is not one after the line of the sample before.
+    lines: Vec<(usize, u64)>,
+    /// Samples merged into the last one, itself included.
+    merged_into_last: usize,
+    /// Rows left out as repeats: count, first line, last line.
+    pub repeats: Repeats,
+    /// Rows merged with another of the same stamp.
+    pub merged: usize,
+}
+
+/// Rows that repeat earlier ones.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Repeats {
+    /// How many.
+    pub count: usize,
+    /// Line of the first.
+    pub first: u64,
+    /// Line of the last.
+    pub last: u64,
+}
+
+impl Samples {
+    /// Adds a sample; stamps that do not increase are looked into.
+    pub fn push(&mut self, t: f64, value: Vector3<f64>, line: u64) -> Pushed {
+        match self.t.last() {
+            Some(&last) if t <= last => self.settle(t, value, line, last),
+            _ => {
+                self.append(t, value, line);
+                Pushed::Kept
+            }
+        }
+    }
+
+    /// Adds a sample whatever its stamp; [`Samples::sort`] has to follow.
+    pub fn append(&mut self, t: f64, value: Vector3<f64>, line: u64) {
+        let expected = self
+            .lines
+            .last()
+            .map(|&(i, l)| l + (self.t.len() - i) as u64);
+        if expected != Some(line) {
+            self.lines.push((self.t.len(), line));
+        }
+        self.t.push(t);
+        self.values.push(value);
+        self.merged_into_last = 1;
+    }
+
+    /// Room for one more sample.
+    ///
+    /// # Errors
+    /// When memory is short.
+    pub fn make_room(&mut self) -> Result<(), ()> {
+        self.t.try_reserve(1).map_err(|_| ())?;
+        self.values.try_reserve(1).map_err(|_| ())
+    }
+
+    fn settle(&mut self, t: f64, value: Vector3<f64>, line: u64, last: f64) -> Pushed {
+        let at = self.t.partition_point(|&s| s < t);
+        if self.t.get(at) == Some(&t) && self.values.get(at) == Some(&value) {
+            self.repeat(line);
+            return Pushed::Repeat;
+        }
+        if t < last {
+            return Pushed::Backwards(last);
+        }
+        self.merge(value);
+        Pushed::SameStamp
+    }
+
+    fn repeat(&mut self, line: u64) {
+        if self.repeats.count == 0 {
+            self.repeats.first = line;
+        }
+        self.repeats.count += 1;
+        self.repeats.last = line;
+    }
+
+    /// The last sample becomes the mean of all with its stamp.
+    fn merge(&mut self, value: Vector3<f64>) {
+        self.merged += 1;
+        self.merged_into_last += 1;
+        if let Some(mean) = self.values.last_mut() {
+            *mean += (value - *mean) / self.merged_into_last as f64;
+        }
+    }
+
+    /// Sorts by stamp, then treats equal stamps as [`Samples::push`] does.
+    pub fn sort(self) -> Self {
+        let mut order: Vec<usize> = (0..self.t.len()).collect();
+        order.sort_by(|&a, &b| self.t[a].total_cmp(&self.t[b]));
+        let mut sorted = Self {
+            repeats: self.repeats,
+            ..Self::default()
+        };
+        for i in order {
+            sorted.push(self.t[i], self.values[i], self.line(i));
+        }
+        sorted
+    }
+
+    /// The line that sample `index` stands on.
+    pub fn line(&self, index: usize) -> u64 {
+        let after = self.lines.partition_point(|&(i, _)| i <= index);
+        self.lines
+            .get(after.wrapping_sub(1))
+            .map_or(0, |&(i, line)| line + (index - i) as u64)
+    }
+}

@@ -1,0 +1,186 @@
+//! Opening what the user named.
+
+use std::fs::{File, Metadata};
+use std::io::{self, Cursor, IsTerminal, Read};
+use std::path::{Path, PathBuf};
+
+use super::decode;
+use super::options::ReadOptions;
+use super::place::{in_file, shown, shown_path};
+use crate::Error;
+
+/// Bytes of a text that are looked at before it is read.
+const HEAD: u64 = 64 << 10;
+
+/// A text that is about to be read.
+pub struct Input {
+    /// The name in messages.
+    pub(super) name: String,
+    /// Its beginning.
+    pub(super) head: Vec<u8>,
+    /// What follows the beginning.
+    pub(super) rest: Box<dyn Read>,
+    /// What was noticed on the way.
+    pub(super) warnings: Vec<String>,
+    /// The file as it was when it was opened.
+    pub(super) unchanged: Option<Unchanged>,
+}
+
+impl std::fmt::Debug for Input {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Input")
+            .field("name", &self.name)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Input {
+    /// Opens `path`, `-` being standard input, decompressed and as UTF-8.
+    pub(super) fn open(path: &Path, options: &ReadOptions) -> Result<Self, Error> {
+        if path.as_os_str() == "-" {
+            return Self::standard_input();
+        }
+        let name = shown_path(path);
+        let file = File::open(path).map_err(|error| explained(path, error))?;
+        let metadata = file.metadata().map_err(|error| explained(path, error))?;
+        if metadata.is_dir() {
+            return Err(in_file(&name, "a folder, where a file was expected"));
+        }
+        if metadata.is_file() && metadata.len() > options.max_bytes {
+            return Err(in_file(
+                &name,
+                format!(
+                    "{:.1} GB, about {:.0} million rows that need {:.1} GB of memory; the limit is {:.1} GB; --max-bytes {} raises it",
+                    metadata.len() as f64 / 1e9,
+                    metadata.len() as f64 / 70e6,
+                    metadata.len() as f64 / 70e9 * 64.0,
+                    options.max_bytes as f64 / 1e9,
+                    metadata.len()
+                ),
+            ));
+        }
+        let unchanged = metadata.is_file().then(|| Unchanged::new(path, &metadata));
+        let mut input = Self::from_reader(name, Box::new(file))?;
+        input.unchanged = unchanged;
+        input.warn_of_extension(path);
+        Ok(input)
+    }
+
+    fn standard_input() -> Result<Self, Error> {
+        if io::stdin().is_terminal() {
+            let words = "`-` is standard input, and that is a terminal: pipe a recording into it";
+            return Err(Error::Usage(words.to_owned()));
+        }
+        Self::from_reader("<stdin>".to_owned(), Box::new(io::stdin().lock()))
+    }
+
+    /// Any stream of bytes, decompressed and as UTF-8.
+    pub(super) fn from_reader(name: String, reader: Box<dyn Read>) -> Result<Self, Error> {
+        let (mut reader, warnings) = decode::text(&name, reader)?;
+        let head = take_head(&name, &mut reader)?;
+        decode::refuse_other_formats(&name, &head)?;
+        Ok(Self {
+            name,
+            head,
+            rest: reader,
+            warnings,
+            unchanged: None,
+        })
+    }
+
+    /// The whole text.
+    pub(super) fn into_reader(self) -> Box<dyn Read> {
+        Box::new(Cursor::new(self.head).chain(self.rest))
+    }
+
+    /// Content decides; an extension that says otherwise is worth a word.
+    fn warn_of_extension(&mut self, path: &Path) {
+        const BINARY: [&str; 9] = [
+            "mat", "bag", "mcap", "db3", "xlsx", "xls", "ulg", "bin", "parquet",
+        ];
+        let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+        if let Some(extension) = extension.filter(|e| BINARY.contains(&e.as_str())) {
+            self.warnings.push(format!(
+                "{}: text in spite of its name, .{extension}",
+                self.name
+            ));
+        }
+    }
+}
+
+/// Up to `HEAD` bytes from the front of `reader`.
+pub(super) fn take_head(name: &str, reader: &mut dyn Read) -> Result<Vec<u8>, Error> {
+    let mut head = Vec::new();
+    let read = reader.take(HEAD).read_to_end(&mut head);
+    read.map_err(|error| in_file(name, format!("reading stopped: {error}")))?;
+    Ok(head)
+}
+
+/// A file's size and time of change, to be compared when it has been read.
+#[derive(Debug)]
+pub(super) struct Unchanged {
+    path: PathBuf,
+    size: u64,
+    modified: Option<std::time::SystemTime>,
+}
+
+impl Unchanged {
+    fn new(path: &Path, metadata: &Metadata) -> Self {
+        Self {
+            path: path.to_owned(),
+            size: metadata.len(),
+            modified: metadata.modified().ok(),
+        }
+    }
+
+    /// Refuses a file that changed while it was read.
+    pub(super) fn check(&self) -> Result<(), Error> {
+        let now = std::fs::metadata(&self.path).map_err(|error| explained(&self.path, error))?;
+        if now.len() == self.size && now.modified().ok() == self.modified {
+            return Ok(());
+        }
+        Err(in_file(
+            &shown_path(&self.path),
+            "changed while it was read; wait until it is complete, or copy it first",
+        ))
+    }
+}
+
+/// The system's error, and what is there instead of a file that is not.
+pub(super) fn explained(path: &Path, error: io::Error) -> Error {
+    let source = if error.kind() == io::ErrorKind::NotFound {
+        let mut words = error.to_string();
+        if path.is_relative()
+            && let Ok(here) = std::env::current_dir()
+        {
+            words += &format!(", in {}", shown_path(&here));
+        }
+        if path.is_symlink() {
+            words += "; it is a link to nothing";
+        } else if let Some(neighbour) = nearest(path) {
+            words += &format!("; nearest: {}", shown(&neighbour));
+        }
+        io::Error::new(error.kind(), words)
+    } else {
+        error
+    };
+    Error::Io {
+        path: path.to_owned(),
+        source,
+    }
+}
+
+/// The file beside `path` with the most similar name.
+fn nearest(path: &Path) -> Option<String> {
+    let wanted = path.file_name()?.to_string_lossy().into_owned();
+    let folder = path
+        .parent()
+        .filter(|p| !p.as_os_str().is_empty())
+        .unwrap_or(Path::new("."));
+    let names = std::fs::read_dir(folder).ok()?.take(10_000).flatten();
+    let names = names.map(|entry| entry.file_name().to_string_lossy().into_owned());
+    let likeness = |name: &String| strsim::jaro_winkler(&wanted, name);
+    names
+        .max_by(|a, b| likeness(a).total_cmp(&likeness(b)))
+        .filter(|name| likeness(name) > 0.8)
+}

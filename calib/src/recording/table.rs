@@ -1,0 +1,104 @@
+//! What one text holds, in its own units.
+
+use sensor::Sensor;
+
+use super::clock::Clock;
+use super::lines::Lines;
+use super::options::ReadOptions;
+use super::place::in_file;
+use super::rows::Rows;
+use super::samples::Samples;
+use super::sniff::Start;
+use super::source::Input;
+use super::units::Stated;
+use crate::Error;
+
+/// What one text held, in its own units.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Table {
+    /// The file, for messages.
+    pub name: String,
+    /// Accelerometer.
+    pub accel: Samples,
+    /// Gyroscope.
+    pub gyro: Samples,
+    /// Stamps of temperature readings.
+    pub temperature_t: Vec<f64>,
+    /// Temperature readings.
+    pub temperature: Vec<f64>,
+    /// Units in the header.
+    pub stated: Stated,
+    /// The name of the time column is `t`: seconds, by contract.
+    pub plain_time: bool,
+    /// Names of columns that no sensor is read from.
+    pub unused: Vec<String>,
+    /// It has a time column.
+    pub has_time: bool,
+    /// Its clock.
+    pub clock: Clock,
+    /// What was noticed.
+    pub warnings: Vec<String>,
+}
+
+impl Table {
+    /// Reads all of `input`; `only` is the one sensor in it, if that is known, and `origin` the
+    /// first stamp of the recording's other file.
+    pub fn read(
+        mut input: Input,
+        only: Option<Sensor>,
+        origin: Option<i64>,
+        options: &ReadOptions,
+    ) -> Result<Self, Error> {
+        let start = Start::look(&input.name, &input.head, only, options)?;
+        if start.layout.time.is_none() && options.rate.is_none() {
+            return Err(Error::Usage(format!(
+                "{}: no time column; say the sampling rate in Hz, as in --rate 100, or name the column with --columns t=…",
+                input.name
+            )));
+        }
+        let mut table = Self {
+            name: input.name.clone(),
+            stated: start.layout.stated,
+            unused: start.layout.unused(),
+            has_time: start.layout.time.is_some(),
+            plain_time: start
+                .layout
+                .time
+                .and_then(|i| start.layout.names.get(i))
+                .is_some_and(|n| n == "t"),
+            clock: Clock::new(origin, options.time_format.as_deref()),
+            warnings: std::mem::take(&mut input.warnings),
+            ..Self::default()
+        };
+        table.warnings.extend(
+            start
+                .warnings
+                .iter()
+                .map(|w| format!("{}: {w}", input.name)),
+        );
+        let unchanged = input.unchanged.take();
+        let name = input.name.clone();
+        let lines = Lines::new(&name, input.into_reader(), options.max_bytes);
+        Rows::new(&mut table, &start, options).read(lines)?;
+        unchanged.map_or(Ok(()), |file| file.check())?;
+        Ok(table)
+    }
+}
+
+impl Table {
+    /// Leaves out what a file of one sensor holds of the other.
+    pub fn keep_only(&mut self, sensor: Sensor) -> Result<(), Error> {
+        let (kept, other, role) = match sensor {
+            Sensor::Accelerometer => (&self.accel, &mut self.gyro, "ax, ay, az"),
+            Sensor::Gyroscope => (&self.gyro, &mut self.accel, "gx, gy, gz"),
+        };
+        if kept.t.is_empty() {
+            return Err(in_file(
+                &self.name,
+                format!("no columns {role}; are the two files swapped?"),
+            ));
+        }
+        *other = Samples::default();
+        Ok(())
+    }
+}

@@ -1,0 +1,115 @@
+//! From stamps in the file's unit to seconds.
+
+use super::options::ReadOptions;
+use super::place::in_file;
+use super::table::Table;
+use super::units::TimeUnit;
+use crate::Error;
+
+/// Turns the stamps of every table, on one clock and in one unit, into seconds.
+pub(super) fn to_seconds(
+    tables: &mut [Table],
+    options: &ReadOptions,
+    warnings: &mut Vec<String>,
+) -> Result<(), Error> {
+    let Some(first) = tables.first() else {
+        return Ok(());
+    };
+    let unit = unit(first, options, warnings)?;
+    for table in tables {
+        if let Some(line) = table.clock.wraps.first() {
+            let count = table.clock.wraps.len();
+            warnings.push(format!(
+                "{}:{line}: the time counter starts again, {count} times in all; counted on",
+                table.name
+            ));
+        }
+        let columns = [
+            &mut table.accel.t,
+            &mut table.gyro.t,
+            &mut table.temperature_t,
+        ];
+        let per_second = unit.per_second();
+        if per_second != 1.0 {
+            columns.into_iter().flatten().for_each(|t| *t /= per_second);
+        }
+    }
+    Ok(())
+}
+
+/// The unit that was given, or stated, or follows from an epoch or from the rate.
+fn unit(
+    table: &Table,
+    options: &ReadOptions,
+    warnings: &mut Vec<String>,
+) -> Result<TimeUnit, Error> {
+    if table.clock.dates {
+        return Ok(TimeUnit::Nanoseconds);
+    }
+    if let Some(unit) = options.time_unit.or(table.stated.time) {
+        return Ok(unit);
+    }
+    let step = usual_step(table);
+    let Some(step) = step else {
+        return Ok(TimeUnit::Seconds);
+    };
+    let plausible = |unit: &TimeUnit| (1.0..=10_000.0).contains(&(unit.per_second() / step));
+    // A counter of microseconds looks like seconds of this century after half an hour: its rate tells.
+    if let Some(unit) = table.clock.origin.and_then(of_epoch).filter(plausible) {
+        if unit != TimeUnit::Seconds {
+            warnings.push(decided(table, unit, "stamps are of this century"));
+        }
+        return Ok(unit);
+    }
+    if plausible(&TimeUnit::Seconds) {
+        if step == 1.0 {
+            warnings.push(format!(
+                "{}: stamps go up by 1, read as seconds; if they count samples say --rate, if they are milliseconds --time-unit ms",
+                table.name
+            ));
+        }
+        return Ok(TimeUnit::Seconds);
+    }
+    let fitting: Vec<TimeUnit> = TimeUnit::ALL.into_iter().filter(plausible).collect();
+    match fitting[..] {
+        [unit] => {
+            warnings.push(decided(
+                table,
+                unit,
+                &format!("a rate of {:.0} Hz", unit.per_second() / step),
+            ));
+            Ok(unit)
+        }
+        [] if table.plain_time => Ok(TimeUnit::Seconds),
+        _ => Err(in_file(
+            &table.name,
+            format!("the usual step between stamps is {step}: say the unit, as in --time-unit ms"),
+        )),
+    }
+}
+
+fn decided(table: &Table, unit: TimeUnit, why: &str) -> String {
+    format!(
+        "{}: time taken as {} ({why}); --time-unit overrides",
+        table.name,
+        unit.name()
+    )
+}
+
+/// The unit in which `stamp` lies between 2001 and 2100.
+fn of_epoch(stamp: i64) -> Option<TimeUnit> {
+    let years = 978_307_200.0..4_102_444_800.0;
+    TimeUnit::ALL
+        .into_iter()
+        .find(|u| years.contains(&(stamp as f64 / u.per_second())))
+}
+
+/// The median step of the sensor with more samples.
+fn usual_step(table: &Table) -> Option<f64> {
+    let longer = if table.accel.t.len() >= table.gyro.t.len() {
+        &table.accel
+    } else {
+        &table.gyro
+    };
+    super::stream::median_step(&longer.t)
+}

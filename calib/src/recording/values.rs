@@ -1,0 +1,130 @@
+//! Values that no working sensor gives, and values at its rails.
+
+use nalgebra::Vector3;
+use sensor::Sensor;
+
+use super::checks::called;
+use super::place::{at_line, in_file};
+use super::samples::Samples;
+use crate::Error;
+
+/// Samples from which on statistics mean something.
+pub(super) const ENOUGH: usize = 100;
+/// No unit makes a sensor's largest reading smaller.
+const TINIEST: f64 = 1e-9;
+/// A step that a 16-bit register can only take by overflowing: from one rail to the other.
+const OVERFLOW: f64 = 60_000.0;
+
+/// Checks all samples of a sensor, in the file's unit.
+///
+/// # Errors
+/// [`Error::Input`] for an axis that never changes, is absurdly small, or overflows 16 bits.
+pub(super) fn check(
+    name: &str,
+    sensor: Sensor,
+    samples: &Samples,
+    warnings: &mut Vec<String>,
+) -> Result<(), Error> {
+    let sixteen_bits = are_integers(samples.values.iter());
+    for axis in 0..3 {
+        let column = || samples.values.iter().map(move |value| value[axis]);
+        let called = format!("{} {}", called(sensor), ["x", "y", "z"][axis]);
+        let (low, high) = column().fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
+        if samples.t.len() >= ENOUGH && low == high {
+            return Err(stuck(name, &called, samples, low));
+        }
+        let peak = high.max(-low);
+        if peak > 0.0 && peak < TINIEST {
+            return Err(in_file(
+                name,
+                format!("{called} never exceeds {peak:e}: wrong unit?"),
+            ));
+        }
+        if sixteen_bits {
+            refuse_overflow(name, &called, samples, axis)?;
+        }
+        let rails = [low, high].map(|rail| at_rail(column(), rail));
+        if let Some(rows) = rails.into_iter().max().filter(|&rows| rows > 0)
+            && is_full_scale(sensor, peak, sixteen_bits)
+        {
+            warnings.push(format!(
+                "{name}: {called} is saturated at {peak} in {rows} rows; the rates or forces there are larger"
+            ));
+        }
+    }
+    Ok(())
+}
+
+fn stuck(name: &str, called: &str, samples: &Samples, value: f64) -> Error {
+    let why = if value == 0.0 {
+        "disconnected?"
+    } else {
+        "stuck?"
+    };
+    let last = samples.line(samples.t.len() - 1);
+    at_line(
+        name,
+        samples.line(0),
+        format!(
+            "{called} is {value} in every row up to line {last}: {why} Record again, or leave the sensor out"
+        ),
+    )
+}
+
+fn refuse_overflow(name: &str, called: &str, samples: &Samples, axis: usize) -> Result<(), Error> {
+    let jump = |w: &[Vector3<f64>]| (w[1][axis] - w[0][axis]).abs() > OVERFLOW;
+    let Some(at) = samples.values.windows(2).position(jump) else {
+        return Ok(());
+    };
+    let (from, to) = (samples.values[at][axis], samples.values[at + 1][axis]);
+    Err(at_line(
+        name,
+        samples.line(at + 1),
+        format!(
+            "{called} jumps from {from} to {to}: a 16-bit overflow; record with a larger range"
+        ),
+    ))
+}
+
+/// Rows at `rail` that stand in runs of three or more.
+fn at_rail(column: impl Iterator<Item = f64>, rail: f64) -> usize {
+    let mut total = 0;
+    let mut run = 0;
+    for value in column.chain([f64::NAN]) {
+        if value == rail {
+            run += 1;
+        } else {
+            total += if run >= 3 { run } else { 0 };
+            run = 0;
+        }
+    }
+    total
+}
+
+/// True if `peak` is where sensors of the usual ranges end, within 5 %.
+fn is_full_scale(sensor: Sensor, peak: f64, integers: bool) -> bool {
+    const G: f64 = super::units::STANDARD_GRAVITY;
+    let near = |scale: f64| (peak / scale - 1.0).abs() < 0.05;
+    if integers && peak > 500.0 {
+        return [11, 15, 19, 23]
+            .into_iter()
+            .any(|bits| (peak - 2f64.powi(bits)).abs() <= 1.0);
+    }
+    match sensor {
+        Sensor::Accelerometer => [2.0, 4.0, 8.0, 16.0, 32.0]
+            .iter()
+            .any(|&r| near(r * G) || near(r)),
+        Sensor::Gyroscope => [125.0f64, 250.0, 500.0, 1000.0, 2000.0, 4000.0]
+            .iter()
+            .any(|r| near(*r) || near(r.to_radians())),
+    }
+}
+
+/// True if every value is a whole number that 16 bits with a sign can hold.
+pub(super) fn are_integers<'a>(mut values: impl Iterator<Item = &'a Vector3<f64>>) -> bool {
+    values.all(|value| {
+        value
+            .iter()
+            .all(|v| v.fract() == 0.0 && v.abs() <= 32_768.0)
+    })
+}

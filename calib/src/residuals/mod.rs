@@ -1,0 +1,25 @@
+//! What the fits minimise, each residual written once over any scalar.
+
+mod gravity_norm;
+mod integrator;
+mod own_bias;
+mod propagated_gravity;
+mod static_rate;
+
+pub use gravity_norm::GravityNorm;
+pub use integrator::{Integrator, attitude_of};
+pub use own_bias::OwnBias;
+pub use propagated_gravity::{PropagatedGravity, TurnData};
+pub use static_rate::StaticRate;
+
+use nalgebra::Vector3;
+use sensor::Kinematics;
+
+/// A mean reading (raw unit) and what else is known of its static interval.
+#[derive(Clone, Copy, Debug)]
+pub struct StaticMean {
+    /// Mean reading, raw unit (3).
+    pub raw: Vector3<f64>,
+    /// The other sensor's truth, time and temperature.
+    pub rest: Kinematics<f64>,
+}

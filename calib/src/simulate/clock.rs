@@ -1,0 +1,147 @@
+//! The clock of one sensor: when it samples, and what it says.
+
+use serde::{Deserialize, Serialize};
+
+use super::random::{Purpose, Random};
+use sensor::Sensor;
+
+/// A sensor's own clock.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "snake_case")]
+pub struct Clock {
+    /// True samples per second; that of the recording where it is not given.
+    pub rate: Option<f64>,
+    /// True time of the first sample, s.
+    pub phase: f64,
+    /// Stamps are late by this, s.
+    pub offset: f64,
+    /// Stamps run fast by this share.
+    pub rate_error: f64,
+    /// Noise of the stamps (standard deviation), s; cut at 0.4 of a step.
+    pub jitter: f64,
+    /// Stamps are rounded to multiples of this, s; 0 for none.
+    pub resolution: f64,
+}
+
+/// Where in a sample's window its time stamp lies.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Stamp {
+    /// In the middle.
+    #[default]
+    Centre,
+    /// At the end.
+    End,
+}
+
+/// One sample's window and stamp.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Tick {
+    /// True begin of the window, s.
+    pub from: f64,
+    /// True end of the window, s.
+    pub to: f64,
+    /// What the true time is where the stamp means to be, s.
+    pub time: f64,
+    /// What the clock says, s.
+    pub stamp: f64,
+}
+
+/// The samples of one clock, one after the other.
+#[derive(Clone, Debug)]
+pub(crate) struct Ticks {
+    clock: Clock,
+    rate: f64,
+    place: Stamp,
+    count: u64,
+    random: Random,
+}
+
+impl Ticks {
+    pub fn new(clock: &Clock, rate: f64, place: Stamp, seed: u64, sensor: Sensor) -> Self {
+        Self {
+            rate: clock.rate.unwrap_or(rate),
+            clock: clock.clone(),
+            place,
+            count: 0,
+            random: Random::new(seed, Purpose::Clock(sensor)),
+        }
+    }
+
+    /// The next sample; there is always one more.
+    pub fn tick(&mut self) -> Tick {
+        let step = self.rate.recip();
+        let time = self.clock.phase + self.count as f64 / self.rate;
+        self.count += 1;
+        let to = match self.place {
+            Stamp::Centre => time + 0.5 * step,
+            Stamp::End => time,
+        };
+        Tick {
+            from: to - step,
+            to,
+            time,
+            stamp: self.stamp(time, step),
+        }
+    }
+
+    fn stamp(&mut self, time: f64, step: f64) -> f64 {
+        let clock = &self.clock;
+        let mut stamp = time * (1.0 + clock.rate_error) + clock.offset;
+        if clock.jitter > 0.0 {
+            let limit = 0.4 * step;
+            stamp += (clock.jitter * self.random.normal()).clamp(-limit, limit);
+        }
+        if clock.resolution > 0.0 {
+            stamp = (stamp / clock.resolution).round() * clock.resolution;
+        }
+        stamp
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ticks(clock: Clock, place: Stamp) -> Vec<Tick> {
+        let mut ticks = Ticks::new(&clock, 100.0, place, 5, Sensor::Gyroscope);
+        (0..1000).map(|_| ticks.tick()).collect()
+    }
+
+    #[test]
+    fn windows_tile_time_and_the_stamp_lies_where_it_should() {
+        for (place, before) in [(Stamp::Centre, 0.005), (Stamp::End, 0.01)] {
+            let all = ticks(Clock::default(), place);
+            for pair in all.windows(2) {
+                assert!((pair[0].to - pair[1].from).abs() < 1e-14);
+                assert!((pair[0].stamp - pair[0].from - before).abs() < 1e-14);
+            }
+        }
+    }
+
+    #[test]
+    fn stamps_increase_under_jitter_of_any_size() {
+        let clock = Clock {
+            jitter: 1.0,
+            resolution: 1e-4,
+            ..Clock::default()
+        };
+        assert!(
+            ticks(clock, Stamp::Centre)
+                .windows(2)
+                .all(|w| w[0].stamp < w[1].stamp)
+        );
+    }
+
+    #[test]
+    fn a_late_and_fast_clock_says_so_in_every_stamp() {
+        let clock = Clock {
+            offset: 0.02,
+            rate_error: 1e-3,
+            ..Clock::default()
+        };
+        let last = ticks(clock, Stamp::Centre)[999];
+        assert!((last.stamp - (9.99 * 1.001 + 0.02)).abs() < 1e-12);
+        assert!((last.time - 9.99).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,102 @@
+//! The device under test: its sensor models and their true parameters.
+
+use nalgebra::{Matrix3, Vector3};
+use sensor::{Base, Kinematics, Model, Sensor, inverse};
+use serde::{Deserialize, Serialize};
+use solver::Parameters;
+
+use super::noise::Noise;
+use super::random::{Purpose, Random};
+
+/// How good a device is: the standard deviations its errors are drawn with, and its white noise.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Grade {
+    /// No errors, no noise.
+    Perfect,
+    /// Bias 0.3 m/s² and 0.02 rad/s, scale 1.5 %, misalignment 1 %, noise 2e-3 m/s²/√Hz and
+    /// 1e-4 rad/s/√Hz.
+    #[default]
+    Consumer,
+    /// A tenth of consumer grade.
+    Tactical,
+}
+
+impl Grade {
+    /// Errors and noise as a multiple of consumer grade.
+    pub fn factor(self) -> f64 {
+        match self {
+            Self::Perfect => 0.0,
+            Self::Consumer => 1.0,
+            Self::Tactical => 0.1,
+        }
+    }
+
+    /// White noise density, u/√Hz.
+    pub fn white(self, sensor: Sensor) -> f64 {
+        self.factor()
+            * match sensor {
+                Sensor::Accelerometer => 2e-3,
+                Sensor::Gyroscope => 1e-4,
+            }
+    }
+
+    /// The noise of this grade: white only.
+    pub fn noise(self, sensor: Sensor) -> Noise {
+        Noise {
+            white: self.white(sensor),
+            ..Noise::default()
+        }
+    }
+
+    /// A base model with random errors; that of an accelerometer is upper triangular.
+    pub(crate) fn draw(self, sensor: Sensor, seed: u64) -> Base<f64> {
+        let mut random = Random::new(seed, Purpose::Errors(sensor));
+        let bias = match sensor {
+            Sensor::Accelerometer => 0.3,
+            Sensor::Gyroscope => 0.02,
+        };
+        let errors = Matrix3::from_fn(|i, j| random.normal() * if i == j { 0.015 } else { 0.01 });
+        let errors = match sensor {
+            Sensor::Accelerometer => errors.upper_triangle(),
+            Sensor::Gyroscope => errors,
+        };
+        Base {
+            t: Matrix3::identity() + errors * self.factor(),
+            bias: random.normal3() * (bias * self.factor()),
+        }
+    }
+}
+
+/// One sensor of the device.
+#[derive(Clone, Debug)]
+pub(crate) struct Device {
+    /// What it does to the truth.
+    pub model: Model,
+    /// The true parameters of `model`, in SI units.
+    pub parameters: Parameters,
+}
+
+impl Device {
+    /// The raw reading; `parameters` must have a regular `T` (see [`Device::is_regular`]).
+    pub fn read(&self, truth: &Kinematics<f64>) -> Vector3<f64> {
+        let raw = self.model.distort(truth, self.parameters.values());
+        raw.unwrap_or_else(|| Vector3::repeat(f64::NAN))
+    }
+
+    /// False where `T` has no inverse.
+    pub fn is_regular(&self) -> bool {
+        inverse(&Base::from_parameters(self.parameters.values()).t).is_some()
+    }
+
+    /// The values of the parameters of effect `name`, if the model has it.
+    pub fn effect(&self, name: &str) -> Option<Vec<f64>> {
+        let prefix = format!("{name}.");
+        let values = self.parameters.names().iter().zip(self.parameters.values());
+        let own: Vec<f64> = values
+            .filter(|(n, _)| n.starts_with(&prefix))
+            .map(|(_, v)| *v)
+            .collect();
+        (!own.is_empty()).then_some(own)
+    }
+}

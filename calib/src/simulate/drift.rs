@@ -1,0 +1,48 @@
+//! What the drifting bias was during each placement.
+
+use nalgebra::Vector3;
+use sensor::Sensor;
+
+use super::samples::Sample;
+
+/// Means of the drift over the placements, collected while the samples go by.
+#[derive(Clone, Debug)]
+pub(crate) struct DriftMeans {
+    rests: Vec<(f64, f64)>,
+    sums: [Vec<(Vector3<f64>, f64)>; 2],
+    at: [usize; 2],
+}
+
+impl DriftMeans {
+    /// For placements from and to these times, ascending, s.
+    pub fn new(rests: Vec<(f64, f64)>) -> Self {
+        let empty = vec![(Vector3::zeros(), 0.0); rests.len()];
+        Self {
+            rests,
+            sums: [empty.clone(), empty],
+            at: [0, 0],
+        }
+    }
+
+    /// Adds the next sample of `sensor`.
+    pub fn add(&mut self, sensor: Sensor, sample: &Sample) {
+        let which = usize::from(sensor == Sensor::Gyroscope);
+        while let Some(&(start, end)) = self.rests.get(self.at[which]) {
+            if sample.true_time < end {
+                if sample.true_time >= start {
+                    let (sum, count) = &mut self.sums[which][self.at[which]];
+                    *sum += sample.drift;
+                    *count += 1.0;
+                }
+                return;
+            }
+            self.at[which] += 1;
+        }
+    }
+
+    /// Mean over placement `k`; zero where it has no samples.
+    pub fn mean(&self, sensor: Sensor, k: usize) -> Vector3<f64> {
+        let (sum, count) = self.sums[usize::from(sensor == Sensor::Gyroscope)][k];
+        sum / f64::max(count, 1.0)
+    }
+}

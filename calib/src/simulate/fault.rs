@@ -1,0 +1,37 @@
+//! What can go wrong with a recording, as opposed to a sensor.
+
+use serde::{Deserialize, Serialize};
+
+/// A fault of the recording.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "snake_case")]
+pub enum Fault {
+    /// The device creeps through a small angle while it should rest.
+    Slip {
+        /// Placement, counted from 0.
+        interval: usize,
+        /// Angle from the begin to the end of the placement, rad.
+        angle: f64,
+    },
+    /// Someone touches the device: a 5 Hz shake of at most a second.
+    Touch {
+        /// Placement, counted from 0.
+        interval: usize,
+        /// Peak acceleration, m/s².
+        size: f64,
+    },
+    /// A constant extra specific force through the whole placement.
+    Disturbed {
+        /// Placement, counted from 0.
+        interval: usize,
+        /// Its size, m/s².
+        size: f64,
+    },
+    /// Samples are lost from both sensors.
+    Gap {
+        /// True time of the first lost sample, s.
+        start: f64,
+        /// s.
+        length: f64,
+    },
+}

@@ -1,0 +1,113 @@
+//! Random numbers from one seed, a stream per purpose.
+//!
+//! Every purpose has its own stream of the generator, so that switching one of them off (a shock, a
+//! noise term) leaves all others bit for bit as they were.
+
+use std::ops::Range;
+
+use nalgebra::Vector3;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rand_distr::StandardNormal;
+use sensor::Sensor;
+
+/// What a random stream is for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Purpose {
+    /// Placements, turns, tremor.
+    Motion,
+    /// Table contact.
+    Shock,
+    /// How much the table vibrates in which placement.
+    Table,
+    /// The vibration itself.
+    Vibration,
+    /// Thermometer noise.
+    Thermometer,
+    /// Scale factors, misalignments, biases.
+    Errors(Sensor),
+    /// White noise.
+    White(Sensor),
+    /// Bias random walk.
+    Walk(Sensor),
+    /// Bias instability.
+    Instability(Sensor),
+    /// Jitter of the time stamps.
+    Clock(Sensor),
+    /// Coefficients of the effect with this place in the sensor's catalogue.
+    Effect(Sensor, usize),
+    /// The fault with this place in the list.
+    Fault(usize),
+}
+
+impl Purpose {
+    fn stream(self) -> u64 {
+        let of = |kind: u64, sensor: Sensor| 2 * kind + u64::from(sensor == Sensor::Gyroscope);
+        match self {
+            Self::Motion => 0,
+            Self::Shock => 1,
+            Self::Table => 2,
+            Self::Vibration => 3,
+            Self::Thermometer => 4,
+            Self::Errors(sensor) => of(10, sensor),
+            Self::White(sensor) => of(11, sensor),
+            Self::Walk(sensor) => of(12, sensor),
+            Self::Instability(sensor) => of(13, sensor),
+            Self::Clock(sensor) => of(14, sensor),
+            Self::Effect(sensor, place) => of(1000 + place as u64, sensor),
+            Self::Fault(place) => (1 << 33) + place as u64,
+        }
+    }
+}
+
+/// A generator for one purpose of one simulation.
+#[derive(Clone, Debug)]
+pub(crate) struct Random(ChaCha8Rng);
+
+impl Random {
+    /// The stream of `seed` for `purpose`.
+    pub fn new(seed: u64, purpose: Purpose) -> Self {
+        let mut generator = ChaCha8Rng::seed_from_u64(seed);
+        generator.set_stream(purpose.stream());
+        Self(generator)
+    }
+
+    /// A standard normal number.
+    pub fn normal(&mut self) -> f64 {
+        self.0.sample(StandardNormal)
+    }
+
+    /// Three standard normal numbers.
+    pub fn normal3(&mut self) -> Vector3<f64> {
+        Vector3::from_fn(|_, _| self.normal())
+    }
+
+    /// Uniform in `range`.
+    pub fn uniform(&mut self, range: Range<f64>) -> f64 {
+        range.start + (range.end - range.start) * self.0.random::<f64>()
+    }
+
+    /// A whole number from `0` to `n − 1`; `0` for an empty range.
+    pub fn below(&mut self, n: usize) -> usize {
+        if n == 0 { 0 } else { self.0.random_range(0..n) }
+    }
+
+    /// A direction, uniform on the sphere.
+    pub fn direction(&mut self) -> Vector3<f64> {
+        self.normal3()
+            .try_normalize(1e-9)
+            .unwrap_or_else(Vector3::z)
+    }
+
+    /// −1 or 1.
+    pub fn sign(&mut self) -> f64 {
+        if self.0.random::<bool>() { 1.0 } else { -1.0 }
+    }
+
+    /// Puts `items` into random order.
+    pub fn shuffle<T>(&mut self, items: &mut [T]) {
+        for last in (1..items.len()).rev() {
+            items.swap(last, self.below(last + 1));
+        }
+    }
+}

@@ -1,0 +1,263 @@
+//! What to simulate.
+
+mod check;
+mod complaint;
+mod names;
+mod parse;
+
+pub use parse::EXAMPLE;
+
+use std::collections::BTreeMap;
+
+use sensor::Sensor;
+use serde::{Deserialize, Serialize};
+
+use crate::Error;
+use crate::simulate::clock::{Clock, Stamp};
+use crate::simulate::device::Grade;
+use crate::simulate::effects::{Effects, SIZE};
+use crate::simulate::environment::Temperature;
+use crate::simulate::fault::Fault;
+use crate::simulate::motion::{Cart, HandHeld, Path, SixPosition, Still, Surroundings, Walking};
+use crate::simulate::noise::Noise;
+use crate::simulate::readout::Readout;
+use crate::simulate::simulation::{Session, Simulation};
+use crate::simulate::vibration::Vibration;
+
+/// Rate of the earth's rotation, rad/s (WGS 84).
+pub const EARTH_RATE: f64 = 7.292_115e-5;
+
+/// A simulation in full. The default is a hand-held session of a consumer-grade device.
+///
+/// ```
+/// use stillpoint_calib::simulate::Spec;
+///
+/// let session = Spec::hand_held(7).with_effect("gyro_g_sensitivity", 1.0).run()?;
+/// assert!(session.truth.get("gyro_g_sensitivity.xx").is_some());
+/// # Ok::<(), stillpoint_calib::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "snake_case")]
+pub struct Spec {
+    /// Seed of everything random.
+    pub seed: u64,
+    /// Samples per second.
+    pub rate: f64,
+    /// Where in a sample's window its time stamp lies.
+    pub stamp: Stamp,
+    /// Modulus of gravity, m/s².
+    pub gravity: f64,
+    /// Latitude, degrees north: switches the earth's rotation on.
+    pub latitude: Option<f64>,
+    /// From the hand's centre of rotation to the sensor, body frame, m.
+    pub lever_arm: [f64; 3],
+    /// How the device moves.
+    pub motion: Motion,
+    /// What errors and white noise are drawn from where they are not given.
+    pub grade: Grade,
+    /// True parameters by name (`accel.s_x`, `gyro.b_z`), instead of random ones.
+    pub parameters: BTreeMap<String, f64>,
+    /// Effects by name, with their parameters or their `size`.
+    pub effects: Effects,
+    /// Noise, clock and readout of the accelerometer.
+    pub accelerometer: SensorSpec,
+    /// Noise, clock and readout of the gyroscope.
+    pub gyroscope: SensorSpec,
+    /// Temperature and thermometer; constant and unrecorded without.
+    pub temperature: Option<Temperature>,
+    /// Vibration of the table at rest.
+    pub vibration: Option<Vibration>,
+    /// What goes wrong.
+    pub faults: Vec<Fault>,
+}
+
+impl Default for Spec {
+    fn default() -> Self {
+        Self {
+            seed: 0,
+            rate: 100.0,
+            stamp: Stamp::Centre,
+            gravity: 9.80665,
+            latitude: None,
+            lever_arm: [0.02, -0.01, 0.015],
+            motion: Motion::default(),
+            grade: Grade::Consumer,
+            parameters: BTreeMap::new(),
+            effects: Effects::new(),
+            accelerometer: SensorSpec::default(),
+            gyroscope: SensorSpec::default(),
+            temperature: None,
+            vibration: None,
+            faults: Vec::new(),
+        }
+    }
+}
+
+/// The kinds of motion.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Motion {
+    /// Many placements by hand.
+    HandHeld(HandHeld),
+    /// Every axis up and down.
+    SixPosition(SixPosition),
+    /// At rest.
+    Still(Still),
+    /// A straight run on wheels.
+    Cart(Cart),
+    /// A straight walk.
+    Walking(Walking),
+}
+
+impl Default for Motion {
+    fn default() -> Self {
+        Self::HandHeld(HandHeld::default())
+    }
+}
+
+impl Motion {
+    pub(crate) fn path(&self, around: &Surroundings) -> Path {
+        match self {
+            Self::HandHeld(motion) => motion.path(around),
+            Self::SixPosition(motion) => motion.path(around),
+            Self::Still(motion) => motion.path(around),
+            Self::Cart(motion) => motion.path(around),
+            Self::Walking(motion) => motion.path(around),
+        }
+    }
+}
+
+/// What one sensor is like beyond its model. The unit `u` is m/s² or rad/s.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "snake_case")]
+pub struct SensorSpec {
+    /// White noise density, u/√Hz; that of the grade where it is not given.
+    pub white: Option<f64>,
+    /// Bias random walk density, u/√s.
+    pub random_walk: f64,
+    /// Bias instability, u.
+    pub instability: f64,
+    /// Least significant bit, u; 0 for none.
+    pub step: f64,
+    /// Write 16-bit counts around 32768 instead of units.
+    pub counts: bool,
+    /// Largest reading in either direction, u.
+    pub range: Option<f64>,
+    /// The sensor's clock.
+    pub clock: Clock,
+}
+
+impl SensorSpec {
+    pub(crate) fn readout(&self) -> Readout {
+        Readout {
+            range: self.range,
+            step: self.step,
+            counts: self.counts,
+        }
+    }
+
+    /// SI units per unit of what is written down.
+    pub(crate) fn unit_per_count(&self) -> f64 {
+        if self.counts { self.step } else { 1.0 }
+    }
+}
+
+impl Spec {
+    /// A hand-held session of a consumer-grade device.
+    pub fn hand_held(seed: u64) -> Self {
+        Self {
+            seed,
+            ..Self::default()
+        }
+    }
+
+    /// `seconds` at rest.
+    pub fn still(seed: u64, seconds: f64) -> Self {
+        let motion = Motion::Still(Still {
+            duration: seconds,
+            ..Still::default()
+        });
+        Self {
+            seed,
+            motion,
+            ..Self::default()
+        }
+    }
+
+    /// With this effect at `size` typical sizes, and with what it takes to show: temperature, a table
+    /// that vibrates, a latitude.
+    #[must_use]
+    pub fn with_effect(mut self, name: &str, size: f64) -> Self {
+        if name.contains("temperature") {
+            self.temperature.get_or_insert_default();
+        }
+        if name.contains("vibration") {
+            self.vibration.get_or_insert_default();
+        }
+        if name == "earth_rate" {
+            self.latitude.get_or_insert(45.0);
+            return self;
+        }
+        self.effects
+            .insert(name.to_owned(), BTreeMap::from([(SIZE.to_owned(), size)]));
+        self
+    }
+
+    /// Without white noise, random walk and instability.
+    #[must_use]
+    pub fn noise_free(mut self) -> Self {
+        for sensor in [&mut self.accelerometer, &mut self.gyroscope] {
+            sensor.white = Some(0.0);
+            sensor.random_walk = 0.0;
+            sensor.instability = 0.0;
+        }
+        self
+    }
+
+    /// Plans, draws and runs it.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] where the spec contradicts itself, or is too long for the memory.
+    pub fn run(&self) -> Result<Session, Error> {
+        Simulation::new(self)?.run()
+    }
+
+    /// What is said of one sensor.
+    pub fn sensor(&self, sensor: Sensor) -> &SensorSpec {
+        match sensor {
+            Sensor::Accelerometer => &self.accelerometer,
+            Sensor::Gyroscope => &self.gyroscope,
+        }
+    }
+
+    /// Noise densities of one sensor.
+    pub fn noise(&self, sensor: Sensor) -> Noise {
+        let own = self.sensor(sensor);
+        Noise {
+            white: own.white.unwrap_or(self.grade.white(sensor)),
+            random_walk: own.random_walk,
+            instability: own.instability,
+        }
+    }
+
+    /// The effects with the earth's rotation in it, if there is a latitude.
+    pub(crate) fn all_effects(&self) -> Effects {
+        let mut effects = self.effects.clone();
+        if let Some(latitude) = self.latitude {
+            let (sin, cos) = latitude.to_radians().sin_cos();
+            let rate = [("x", 0.0), ("y", EARTH_RATE * cos), ("z", EARTH_RATE * sin)];
+            let rate = rate.map(|(axis, value)| (axis.to_owned(), value));
+            effects.insert("earth_rate".to_owned(), BTreeMap::from(rate));
+        }
+        effects
+    }
+
+    pub(crate) fn surroundings(&self) -> Surroundings<'_> {
+        Surroundings {
+            seed: self.seed,
+            gravity: self.gravity,
+            vibration: self.vibration.as_ref(),
+            faults: &self.faults,
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! Names in a spec: effects and parameters.
+
+use sensor::{AnyEffect, Sensor, base_names};
+
+use super::Spec;
+use super::complaint::{Complaint, hint, number};
+use crate::simulate::effects::{SIZE, catalogue};
+
+const SENSORS: [Sensor; 2] = [Sensor::Accelerometer, Sensor::Gyroscope];
+
+/// Largest number that makes sense anywhere in a spec.
+const HUGE: f64 = 1e9;
+
+impl Spec {
+    /// Effects and parameters exist, have numbers, and can show.
+    pub(super) fn check_names(&self) -> Result<(), Complaint> {
+        let all: Vec<&dyn AnyEffect> = SENSORS
+            .iter()
+            .flat_map(|s| catalogue(*s))
+            .copied()
+            .collect();
+        for (name, wanted) in &self.effects {
+            let key = format!("effects.{name}");
+            let Some(effect) = all.iter().find(|e| e.name() == name) else {
+                let hint = hint(name, all.iter().map(|e| e.name()));
+                return Err(Complaint::new(
+                    key,
+                    format!("there is no such effect{hint}"),
+                ));
+            };
+            for (parameter, value) in wanted {
+                let key = format!("{key}.{parameter}");
+                let own = || effect.params().iter().map(|p| p.name).chain([SIZE]);
+                if !own().any(|n| n == parameter) {
+                    let known = own().collect::<Vec<_>>().join(", ");
+                    let hint = hint(parameter, own());
+                    let what = format!("`{name}` has no such parameter (it has {known}){hint}");
+                    return Err(Complaint::new(key, what));
+                }
+                let smallest = if parameter == "tau" { 1e-3 } else { -HUGE };
+                number(&key, *value, smallest..=HUGE)?;
+            }
+            self.check_effect_shows(name)?;
+        }
+        self.check_parameters(&all)
+    }
+
+    /// An effect that cannot show would be a truth that nobody can find.
+    fn check_effect_shows(&self, name: &str) -> Result<(), Complaint> {
+        let key = format!("effects.{name}");
+        if name.contains("temperature") && self.temperature.is_none() {
+            let what = "is silent at constant temperature: add a [temperature] section";
+            return Err(Complaint::new(key, what));
+        }
+        if name.contains("vibration") && self.vibration.is_none() {
+            return Err(Complaint::new(
+                key,
+                "is silent without a [vibration] section",
+            ));
+        }
+        if name == "earth_rate" && self.latitude.is_some() {
+            return Err(Complaint::new(
+                key,
+                "is given twice: `latitude` switches it on too",
+            ));
+        }
+        Ok(())
+    }
+
+    fn check_parameters(&self, all: &[&dyn AnyEffect]) -> Result<(), Complaint> {
+        let mut known: Vec<String> = SENSORS.iter().flat_map(|s| base_names(*s)).collect();
+        for effect in all.iter().filter(|e| self.effects.contains_key(e.name())) {
+            known.extend(
+                effect
+                    .params()
+                    .iter()
+                    .map(|p| format!("{}.{}", effect.name(), p.name)),
+            );
+        }
+        for (name, value) in &self.parameters {
+            let key = format!("parameters.{name}");
+            if !known.contains(name) {
+                let hint = hint(name, known.iter().map(String::as_str));
+                return Err(Complaint::new(
+                    key,
+                    format!("there is no such parameter{hint}"),
+                ));
+            }
+            number(&key, *value, -HUGE..=HUGE)?;
+        }
+        Ok(())
+    }
+}

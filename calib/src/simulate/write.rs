@@ -1,0 +1,201 @@
+//! A simulated recording as files.
+
+use std::io::{BufWriter, Write};
+use std::path::Path;
+
+use sensor::Sensor;
+use tempfile::NamedTempFile;
+
+use super::simulation::Simulation;
+use super::truth::Truth;
+use crate::Error;
+use crate::recording::Temperature;
+
+/// The files of a simulated recording.
+pub const FILES: [&str; 3] = ["acc.csv", "gyro.csv", "truth.json"];
+
+impl Simulation {
+    /// Runs it into `dir`, in constant memory: `acc.csv` (`t,ax,ay,az`, and `temp` where there is a
+    /// thermometer), `gyro.csv` (`t,gx,gy,gz`), `truth.json`.
+    ///
+    /// Every file is written whole or not at all, the truth last.
+    ///
+    /// # Errors
+    /// [`Error::Output`] where a file cannot be written, or exists and `force` is not set.
+    pub fn write(&self, dir: &Path, force: bool) -> Result<Truth, Error> {
+        let refuse = |name: &str, source| Error::Output {
+            path: dir.join(name),
+            source,
+        };
+        std::fs::create_dir_all(dir).map_err(|e| refuse("", e))?;
+        if let Some(name) = FILES.iter().find(|name| !force && dir.join(name).exists()) {
+            return Err(refuse(name, std::io::ErrorKind::AlreadyExists.into()));
+        }
+        let mut drift = self.drift_means();
+        let mut write = |name: &str, sensor: Sensor, columns: &str| {
+            let temperature = match sensor {
+                Sensor::Accelerometer => self.thermometer(),
+                Sensor::Gyroscope => None,
+            };
+            into_new_file(dir, |out| {
+                header(out, columns, temperature.as_ref())?;
+                for sample in self.samples(sensor) {
+                    drift.add(sensor, &sample);
+                    row(out, sample.t, sample.value.as_slice(), temperature.as_ref())?;
+                }
+                Ok(())
+            })
+            .map_err(|e| refuse(name, e))
+        };
+        let acc = write(FILES[0], Sensor::Accelerometer, "t,ax,ay,az")?;
+        let gyro = write(FILES[1], Sensor::Gyroscope, "t,gx,gy,gz")?;
+        let truth = self.truth(&drift);
+        let json = into_new_file(dir, |out| {
+            serde_json::to_writer_pretty(&mut *out, &truth)?;
+            out.write_all(b"\n")
+        })
+        .map_err(|e| refuse(FILES[2], e))?;
+        for (file, name) in [acc, gyro, json].into_iter().zip(FILES) {
+            publish(file, &dir.join(name), force).map_err(|e| refuse(name, e))?;
+        }
+        Ok(truth)
+    }
+}
+
+fn header(
+    out: &mut impl Write,
+    columns: &str,
+    temperature: Option<&Temperature>,
+) -> std::io::Result<()> {
+    writeln!(
+        out,
+        "{columns}{}",
+        if temperature.is_some() { ",temp" } else { "" }
+    )
+}
+
+/// Numbers in the fewest digits that give back the same bits.
+fn row(
+    out: &mut impl Write,
+    t: f64,
+    values: &[f64],
+    temperature: Option<&Temperature>,
+) -> std::io::Result<()> {
+    write!(out, "{t}")?;
+    for value in values {
+        write!(out, ",{value}")?;
+    }
+    if let Some(celsius) = temperature.and_then(|c| c.at(t)) {
+        write!(out, ",{celsius}")?;
+    }
+    writeln!(out)
+}
+
+/// A file beside its target, filled and synced, that disappears unless it is published.
+fn into_new_file(
+    dir: &Path,
+    fill: impl FnOnce(&mut BufWriter<&mut std::fs::File>) -> std::io::Result<()>,
+) -> std::io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".stillpoint-");
+    // Temporary files are private; the result should have the permissions of any other file.
+    #[cfg(unix)]
+    let builder = {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(std::fs::Permissions::from_mode(0o666))
+    };
+    let mut file = builder.tempfile_in(dir)?;
+    let mut out = BufWriter::new(file.as_file_mut());
+    fill(&mut out)?;
+    out.flush()?;
+    drop(out);
+    file.as_file().sync_all()?;
+    Ok(file)
+}
+
+fn publish(file: NamedTempFile, path: &Path, force: bool) -> std::io::Result<()> {
+    let done = if force {
+        file.persist(path)
+    } else {
+        file.persist_noclobber(path)
+    };
+    done.map(|_| ()).map_err(|e| e.error)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recording::{ReadOptions, Recording};
+    use crate::simulate::Spec;
+
+    fn short() -> Simulation {
+        let spec = Spec::still(1, 2.0).with_effect("accel_temperature", 1.0);
+        Simulation::new(&spec).unwrap()
+    }
+
+    #[test]
+    fn files_hold_the_samples_and_the_truth_to_the_last_bit() {
+        let dir = tempfile::tempdir().unwrap();
+        let simulation = short();
+        let truth = simulation.write(dir.path(), false).unwrap();
+        let session = simulation.run().unwrap();
+        assert_eq!(truth, session.truth);
+        let read: Truth =
+            serde_json::from_slice(&std::fs::read(dir.path().join("truth.json")).unwrap()).unwrap();
+        assert_eq!(read, truth);
+        let text = std::fs::read_to_string(dir.path().join("gyro.csv")).unwrap();
+        let stream = session.recording.gyroscope.unwrap();
+        assert_eq!(text.lines().count(), 1 + stream.len());
+        for (line, (t, v)) in text
+            .lines()
+            .skip(1)
+            .zip(stream.t.iter().zip(&stream.values))
+        {
+            let numbers: Vec<f64> = line.split(',').map(|n| n.parse().unwrap()).collect();
+            assert_eq!(numbers, [*t, v.x, v.y, v.z]);
+        }
+        let text = std::fs::read_to_string(dir.path().join("acc.csv")).unwrap();
+        assert!(text.starts_with("t,ax,ay,az,temp\n0,"));
+        assert!(text.lines().all(|line| line.split(',').count() == 5));
+    }
+
+    #[test]
+    fn the_folder_reads_back_as_the_recording_it_was() {
+        let mut spec = Spec::still(2, 5.0).with_effect("gyro_temperature", 1.0);
+        spec.gyroscope.clock.rate = Some(80.0);
+        spec.accelerometer.counts = true;
+        spec.accelerometer.step = 5e-4;
+        let simulation = Simulation::new(&spec).unwrap();
+        let dir = tempfile::tempdir().unwrap();
+        simulation.write(dir.path(), false).unwrap();
+        let read = Recording::read(dir.path(), &ReadOptions::default()).unwrap();
+        let session = simulation.run().unwrap();
+        assert_eq!(read.accelerometer, session.recording.accelerometer);
+        assert_eq!(read.gyroscope, session.recording.gyroscope);
+        let (read, made) = (
+            read.temperature.unwrap(),
+            session.recording.temperature.unwrap(),
+        );
+        assert!(
+            read.t
+                .iter()
+                .zip(&read.celsius)
+                .all(|(t, c)| made.at(*t) == Some(*c))
+        );
+    }
+
+    #[test]
+    fn what_exists_is_left_alone_without_force() {
+        let dir = tempfile::tempdir().unwrap();
+        std::fs::write(dir.path().join("truth.json"), "old").unwrap();
+        let error = short().write(dir.path(), false).unwrap_err();
+        assert!(matches!(error, Error::Output { .. }));
+        assert_eq!(
+            std::fs::read(dir.path().join("truth.json")).unwrap(),
+            b"old"
+        );
+        assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 1);
+        short().write(dir.path(), true).unwrap();
+        assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 3);
+    }
+}

@@ -1,0 +1,306 @@
+//! `allan`: Allan deviation, noise terms, and how long to rest before a calibration.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use calib::noise::{
+    CurvePoint, NoiseSummary, NoiseTerm, RecordingCurves, SensorNoise, TermValue,
+    curves_of_long_csv,
+};
+use sensor::Sensor;
+
+use super::inputs::{read, spinner};
+use super::pictures::PictureArgs;
+use crate::exit::{BUG, Failure};
+use crate::output::Output;
+use crate::read_args::ReadArgs;
+use crate::report::{Axis, Plot, Report, ReportTable, Series};
+use crate::show;
+
+/// Names of the plots.
+const PLOTS: [&str; 2] = ["allan-gyroscope", "allan-accelerometer"];
+
+/// Overlapping Allan deviation of a recording at rest, the five noise terms with their intervals,
+/// and the initial static time they advise.
+///
+/// The device must lie still all the time. A plain CSV is read as a stream: a day at 200 Hz takes no
+/// more memory than a minute.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  stillpoint allan overnight.csv -o noise.json --report noise.html")]
+pub struct Args {
+    /// File or folder; `-` reads standard input
+    #[arg(value_name = "RECORDING")]
+    recording: PathBuf,
+    /// Write the noise terms and the curves here (JSON, SI units)
+    #[arg(short, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Replace existing files
+    #[arg(long)]
+    force: bool,
+    /// Print JSON instead of tables
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    pictures: PictureArgs,
+    #[command(flatten)]
+    read: ReadArgs,
+}
+
+/// Runs the command.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    let inputs: [&Path; 1] = [&args.recording];
+    let output = match &args.output {
+        Some(path) => Some(Output::claim(path, args.force, &inputs)?),
+        None => None,
+    };
+    let pictures = args.pictures.claim(&PLOTS, args.force, &inputs)?;
+    let summary = summary(args)?;
+    summary
+        .warnings
+        .iter()
+        .for_each(|warning| show::warn(warning));
+    let json =
+        serde_json::to_string_pretty(&summary).map_err(|e| Failure::new(BUG, e.to_string()))?;
+    if let Some(output) = output {
+        output.write(format!("{json}\n").as_bytes())?;
+    }
+    if pictures.wanted() {
+        let plots: Vec<Plot> = sensors(&summary)
+            .map(|(_, s, noise)| plot(s, noise))
+            .collect();
+        pictures.write(&plots, &report(&summary, &args.recording, &plots)?)?;
+    }
+    show::print(&if args.json { json } else { text(&summary) });
+    Ok(())
+}
+
+/// From a stream where the file allows it, else from the recording in memory.
+fn summary(args: &Args) -> Result<NoiseSummary, Failure> {
+    let streamed = {
+        let spinner = spinner("reading");
+        let plain = args.read.are_default();
+        let streamed = plain.then(|| curves_of_long_csv(&args.recording)).flatten();
+        spinner.finish_and_clear();
+        streamed
+    };
+    let curves = match streamed {
+        Some(curves) => curves,
+        None => {
+            let recording = read(&args.recording, &args.read)?;
+            recording
+                .warnings
+                .iter()
+                .for_each(|warning| show::warn(warning));
+            RecordingCurves::of(&recording)
+        }
+    };
+    Ok(NoiseSummary::of(&curves)?)
+}
+
+/// The sensors there are, gyroscope first, in the order of [`PLOTS`].
+fn sensors(summary: &NoiseSummary) -> impl Iterator<Item = (&'static str, Sensor, &SensorNoise)> {
+    let gyroscope = summary.gyroscope.as_ref();
+    let accelerometer = summary.accelerometer.as_ref();
+    let gyroscope = gyroscope.map(|noise| ("Gyroscope", Sensor::Gyroscope, noise));
+    let accelerometer = accelerometer.map(|noise| ("Accelerometer", Sensor::Accelerometer, noise));
+    gyroscope.into_iter().chain(accelerometer)
+}
+
+/// The unit people use for a term, and how many of it make the SI unit.
+fn human(term: NoiseTerm, sensor: Sensor) -> (&'static str, f64) {
+    let degree = 1f64.to_degrees();
+    let mg = 1.0 / (1e-3 * calib::calibrate::STANDARD_GRAVITY);
+    match (term, sensor) {
+        (NoiseTerm::Quantisation, Sensor::Gyroscope) => ("″", 3600.0 * degree),
+        (NoiseTerm::WhiteNoise, Sensor::Gyroscope) => ("°/√h", 60.0 * degree),
+        (NoiseTerm::BiasInstability, Sensor::Gyroscope) => ("°/h", 3600.0 * degree),
+        (NoiseTerm::RandomWalk, Sensor::Gyroscope) => ("°/h/√h", 60.0 * 3600.0 * degree),
+        (NoiseTerm::Ramp, Sensor::Gyroscope) => ("°/h²", 3600.0 * 3600.0 * degree),
+        (NoiseTerm::Quantisation, Sensor::Accelerometer) => ("mm/s", 1e3),
+        (NoiseTerm::WhiteNoise, Sensor::Accelerometer) => ("m/s/√h", 60.0),
+        (NoiseTerm::BiasInstability, Sensor::Accelerometer) => ("mg", mg),
+        (NoiseTerm::RandomWalk, Sensor::Accelerometer) => ("mg/√h", 60.0 * mg),
+        (NoiseTerm::Ramp, Sensor::Accelerometer) => ("mg/h", 3600.0 * mg),
+    }
+}
+
+/// `value [lower, upper]`, or what bounds it.
+fn cell(term: &TermValue, factor: f64) -> String {
+    let number = |v: f64| significant(v * factor);
+    match (term.lower > 0.0, term.upper) {
+        (true, Some(upper)) => {
+            format!(
+                "{} [{}, {}]",
+                number(term.value),
+                number(term.lower),
+                number(upper)
+            )
+        }
+        (true, None) => format!("> {}", number(term.lower)),
+        (false, Some(upper)) => format!("< {}", number(upper)),
+        (false, None) => "not bounded".into(),
+    }
+}
+
+/// Three significant figures.
+fn significant(v: f64) -> String {
+    if v == 0.0 {
+        return "0".into();
+    }
+    let decade = v.abs().log10().floor();
+    if !(-4.0..5.0).contains(&decade) {
+        return format!("{v:.2e}");
+    }
+    let decimals = (2.0 - decade).max(0.0) as usize;
+    format!("{v:.decimals$}")
+}
+
+/// Header and rows of the table of one sensor.
+fn rows(sensor: Sensor, noise: &SensorNoise) -> Vec<[String; 5]> {
+    NoiseTerm::ALL
+        .into_iter()
+        .map(|term| {
+            let (unit, factor) = human(term, sensor);
+            let axis = |k: usize| {
+                let value = noise.axes[k].terms.iter().find(|t| t.term == term);
+                value.map_or("?".into(), |value| cell(value, factor))
+            };
+            [
+                term.name(sensor).into(),
+                unit.into(),
+                axis(0),
+                axis(1),
+                axis(2),
+            ]
+        })
+        .collect()
+}
+
+const HEADER: [&str; 5] = ["term", "unit", "x", "y", "z"];
+
+const INTERVALS: &str = "value [interval]; the five intervals of an axis hold together with 95 % \
+                         confidence; < bounds a term that this recording does not need";
+
+fn text(summary: &NoiseSummary) -> String {
+    let mut text = String::new();
+    for (name, sensor, noise) in sensors(summary) {
+        let mut table = show::table(&HEADER);
+        for row in rows(sensor, noise) {
+            table.add_row(row);
+        }
+        let _ = writeln!(text, "{name}: {}\n{table}\n", extent(noise));
+    }
+    let _ = writeln!(text, "{INTERVALS}");
+    let _ = writeln!(text, "{}", advice(summary));
+    text
+}
+
+fn extent(noise: &SensorNoise) -> String {
+    let seconds = noise.samples as f64 * noise.step;
+    let length = match seconds {
+        s if s < 120.0 => format!("{s:.1} s"),
+        s if s < 7200.0 => format!("{:.1} min", s / 60.0),
+        s => format!("{:.2} h", s / 3600.0),
+    };
+    let gaps = if noise.gaps == 0 {
+        String::new()
+    } else {
+        format!(", {} gaps", noise.gaps)
+    };
+    format!(
+        "{} samples at {:.2} Hz, {length}{gaps}",
+        noise.samples,
+        1.0 / noise.step
+    )
+}
+
+fn advice(summary: &NoiseSummary) -> String {
+    match (summary.initial_static_time, &summary.gyroscope) {
+        (Some(time), _) => format!(
+            "initial static time: {} s (from there on the gyroscope's deviation is within 10 % of its \
+             smallest)",
+            time.ceil()
+        ),
+        (None, Some(_)) => "initial static time: longer than this recording can tell".into(),
+        (None, None) => "initial static time: no gyroscope in the recording".into(),
+    }
+}
+
+fn plot(sensor: Sensor, noise: &SensorNoise) -> Plot {
+    let (name, unit) = match sensor {
+        Sensor::Gyroscope => ("gyroscope", "rad/s"),
+        Sensor::Accelerometer => ("accelerometer", "m/s²"),
+    };
+    let mut plot = Plot::new(
+        format!("Allan deviation of the {name}"),
+        Axis::log("averaging time τ, s"),
+        Axis::log(format!("Allan deviation σ(τ), {unit}")),
+    );
+    for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
+        let curve = &noise.axes[k].curve;
+        let bar = |p: &CurvePoint| {
+            let (low, high) = (
+                p.lower.unwrap_or(p.deviation),
+                p.upper.unwrap_or(p.deviation),
+            );
+            (p.tau, p.deviation, low, high)
+        };
+        plot = plot.with(Series::bars(axis, k, curve.iter().map(bar).collect()));
+        let fitted: Vec<_> = curve
+            .iter()
+            .filter_map(|p| Some((p.tau, p.fitted?)))
+            .collect();
+        if !fitted.is_empty() {
+            plot = plot.with(Series::dashed("", k, fitted));
+        }
+    }
+    plot
+}
+
+fn report(summary: &NoiseSummary, recording: &Path, plots: &[Plot]) -> Result<Report, Failure> {
+    let title = format!("Noise of {}", show::printable(&recording.to_string_lossy()));
+    let mut report = Report::new(title).warnings(&summary.warnings);
+    for ((name, sensor, noise), plot) in sensors(summary).zip(plots) {
+        let mut table = ReportTable::new(HEADER);
+        for row in rows(sensor, noise) {
+            table.row(row);
+        }
+        report = report
+            .section(name)
+            .text(extent(noise))
+            .plot(plot)?
+            .text("Points: overlapping Allan deviation with 95 % intervals. Broken lines: the sum of the \
+                   five noise terms.")
+            .table(table)
+            .text(INTERVALS);
+    }
+    Ok(report.section("Advice").text(advice(summary)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn terms_are_shown_in_the_units_of_data_sheets() {
+        // 1 °/h is 4.848e-6 rad/s; 1 mg is 9.80665e-3 m/s².
+        let (unit, factor) = human(NoiseTerm::BiasInstability, Sensor::Gyroscope);
+        assert_eq!(
+            (unit, significant(4.848_137e-6 * factor)),
+            ("°/h", "1.00".into())
+        );
+        let (unit, factor) = human(NoiseTerm::BiasInstability, Sensor::Accelerometer);
+        assert_eq!(
+            (unit, significant(9.806_65e-3 * factor)),
+            ("mg", "1.00".into())
+        );
+    }
+
+    #[test]
+    fn numbers_have_three_figures() {
+        let shown = [0.0, 0.012_345, 123_456.0, 1_234.5, 99.96].map(significant);
+        assert_eq!(shown, ["0", "0.0123", "1.23e5", "1234", "100.0"]);
+    }
+}

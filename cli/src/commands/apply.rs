@@ -1,0 +1,97 @@
+//! `apply`: a recording corrected by a calibration.
+
+use std::path::{Path, PathBuf};
+
+use calib::Recording;
+use calib::calibration::{apply, load};
+use calib::recording::{stream_to_csv, to_csv};
+
+use super::inputs::read;
+use crate::exit::{Failure, OUTPUT};
+use crate::output::Output;
+use crate::read_args::ReadArgs;
+use crate::show;
+
+/// Corrects a recording: base model plus effects, each sensor on its own clock.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  stillpoint apply cal.json run.csv -o corrected.csv")]
+pub struct Args {
+    /// Calibration written by `calibrate`
+    #[arg(value_name = "CAL")]
+    calibration: PathBuf,
+    /// File or folder; `-` reads standard input
+    #[arg(value_name = "RECORDING")]
+    recording: PathBuf,
+    /// Write the corrected recording here (CSV, m/s² and rad/s) instead of to standard output;
+    /// a name without extension becomes a folder that keeps each sensor's own clock
+    #[arg(short, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Replace an existing file
+    #[arg(long)]
+    force: bool,
+    #[command(flatten)]
+    read: ReadArgs,
+}
+
+/// Runs the command.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    let inputs: [&Path; 2] = [&args.calibration, &args.recording];
+    let target = match &args.output {
+        Some(path) => Target::claim(path, args.force, &inputs)?,
+        None => Target::Stdout,
+    };
+    let calibration = load(&args.calibration)?;
+    let recording = read(&args.recording, &args.read)?;
+    let mut corrected: Recording = apply(&calibration, &recording);
+    let written = target.write(&mut corrected);
+    for warning in &corrected.warnings {
+        show::warn(warning);
+    }
+    written
+}
+
+/// Where the corrected recording goes.
+enum Target {
+    Stdout,
+    File(Output),
+    /// `acc.csv` and `gyro.csv` of a folder, each sensor on its own clock.
+    Folder(Output, Output),
+}
+
+impl Target {
+    /// A name without an extension is a folder.
+    fn claim(path: &Path, force: bool, inputs: &[&Path]) -> Result<Self, Failure> {
+        if path.extension().is_some() {
+            return Ok(Self::File(Output::claim(path, force, inputs)?));
+        }
+        std::fs::create_dir_all(path)
+            .map_err(|e| Failure::new(OUTPUT, format!("{}: {e}", path.display())))?;
+        Ok(Self::Folder(
+            Output::claim(&path.join("acc.csv"), force, inputs)?,
+            Output::claim(&path.join("gyro.csv"), force, inputs)?,
+        ))
+    }
+
+    fn write(self, corrected: &mut Recording) -> Result<(), Failure> {
+        match self {
+            Self::Stdout => {
+                show::print(&to_csv(corrected));
+                Ok(())
+            }
+            Self::File(output) => output.write(to_csv(corrected).as_bytes()),
+            Self::Folder(acc, gyro) => {
+                for (output, stream, names) in [
+                    (acc, &corrected.accelerometer, "t,ax,ay,az"),
+                    (gyro, &corrected.gyroscope, "t,gx,gy,gz"),
+                ] {
+                    if let Some(stream) = stream {
+                        output.write(stream_to_csv(stream, names).as_bytes())?;
+                    }
+                }
+                Ok(())
+            }
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! `bias`: biases estimated again, everything else kept.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use calib::calibration::{Calibration, load};
+use calib::intervals::segment;
+use calib::methods::online_bias::{
+    LONG_ENOUGH, Stretch, gyroscope_stretches, update_accelerometer, update_gyroscope,
+};
+
+use super::inputs::{DetectorArgs, read};
+use crate::exit::{BUG, Failure};
+use crate::output::Output;
+use crate::read_args::ReadArgs;
+use crate::show;
+
+/// Estimates the gyroscope's bias again from rests of more than 20 s, and on request the
+/// accelerometer's from rests in different orientations; scale factors and misalignments are kept.
+///
+/// The new calibration remembers the old biases under `history`.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  stillpoint bias cal.json today.csv -o cal-today.json")]
+pub struct Args {
+    /// Calibration written by `calibrate`
+    #[arg(value_name = "CAL")]
+    calibration: PathBuf,
+    /// File or folder; `-` reads standard input
+    #[arg(value_name = "RECORDING")]
+    recording: PathBuf,
+    /// Estimate the accelerometer's bias too (at least four different orientations)
+    #[arg(long)]
+    accelerometer: bool,
+    /// Leave the gyroscope's bias as it is
+    #[arg(long, requires = "accelerometer")]
+    no_gyroscope: bool,
+    /// Write the new calibration here
+    #[arg(short, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Replace an existing file
+    #[arg(long)]
+    force: bool,
+    /// Print the new calibration as JSON instead of tables
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    detector: DetectorArgs,
+    #[command(flatten)]
+    read: ReadArgs,
+}
+
+/// Runs the command.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    let inputs: [&Path; 2] = [&args.calibration, &args.recording];
+    let output = match &args.output {
+        Some(path) => Some(Output::claim(path, args.force, &inputs)?),
+        None => None,
+    };
+    let old = load(&args.calibration)?;
+    let recording = read(&args.recording, &args.read)?;
+    recording
+        .warnings
+        .iter()
+        .for_each(|warning| show::warn(warning));
+    let (detector, _) = args.detector.detector()?;
+    let segmentation = segment(&recording, &detector)?;
+    let mut new = old;
+    let mut stretches = Vec::new();
+    if !args.no_gyroscope {
+        stretches = gyroscope_stretches(&new, &recording, &segmentation)?;
+        new = update_gyroscope(&new, &recording.name, &stretches)?;
+    }
+    if args.accelerometer {
+        new = update_accelerometer(&new, &recording, &segmentation)?;
+    }
+    let json = serde_json::to_string_pretty(&new).map_err(|e| Failure::new(BUG, e.to_string()))?;
+    if let Some(output) = output {
+        output.write(format!("{json}\n").as_bytes())?;
+    }
+    show::print(&if args.json {
+        json
+    } else {
+        text(&new, &stretches)
+    });
+    Ok(())
+}
+
+fn text(new: &Calibration, stretches: &[Stretch]) -> String {
+    let mut text = String::new();
+    if !stretches.is_empty() {
+        let mut table = show::table(&["from, s", "to, s", "x, rad/s", "y, rad/s", "z, rad/s"]);
+        for stretch in stretches {
+            let cell = |k: usize| {
+                let std = stretch.std[k];
+                format!(
+                    "{} ± {}",
+                    show::value(stretch.residual[k], Some(std)),
+                    show::error(Some(std))
+                )
+            };
+            table.add_row([
+                format!("{:.1}", stretch.span.from),
+                format!("{:.1}", stretch.span.to),
+                cell(0),
+                cell(1),
+                cell(2),
+            ]);
+        }
+        let _ = writeln!(
+            text,
+            "Mean corrected rate in rests of more than {LONG_ENOUGH} s\n{table}\n"
+        );
+    }
+    let mut table = show::table(&["bias", "before", "now", "change", "std error", "rests"]);
+    for update in &new.history {
+        let triad = if update.sensor == "gyro" {
+            &new.gyroscope
+        } else {
+            &new.accelerometer
+        };
+        for (k, axis) in ["x", "y", "z"].iter().enumerate() {
+            let std = triad.as_ref().and_then(|t| t.bias_std[k]);
+            let (before, now) = (update.bias_before[k], update.bias[k]);
+            table.add_row([
+                format!("{}.b_{axis}", update.sensor),
+                show::value(before, std),
+                show::value(now, std),
+                show::value(now - before, std),
+                show::error(std),
+                update.rests.to_string(),
+            ]);
+        }
+    }
+    let _ = writeln!(text, "{table}");
+    text
+}

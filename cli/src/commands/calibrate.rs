@@ -1,0 +1,312 @@
+//! `calibrate`: recordings to a calibration.
+
+mod tables;
+
+use std::path::PathBuf;
+
+use calib::Recording;
+use calib::calibrate::{
+    Frame, GyroBias, Outcome, Request, STANDARD_GRAVITY, calibrate, read_static_means,
+};
+use calib::calibration::effect_named;
+use calib::intervals::{Span, read_sections};
+use calib::residuals::Integrator;
+use clap::ValueEnum;
+use nalgebra::Vector3;
+
+use super::inputs::{DetectorArgs, as_paths, read, read_pair, spinner};
+use super::six_position;
+use crate::exit::{Failure, GATE, USAGE};
+use crate::output::Output;
+use crate::read_args::ReadArgs;
+use crate::show;
+
+/// Gravity on the earth's surface lies between these, m/s².
+const GRAVITY: std::ops::RangeInclusive<f64> = 9.76..=9.84;
+
+/// Calibrates both sensors from one or more recordings of one device.
+///
+/// Several recordings share scale factors and misalignments and have biases of their own where the
+/// data ask for it.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  stillpoint calibrate morning/ evening/ --gravity 9.8055 -o cal.json")]
+pub struct Args {
+    /// Files or folders; `-` reads standard input
+    #[arg(value_name = "RECORDING")]
+    recordings: Vec<PathBuf>,
+    /// Accelerometer text of a recording in two files (`t x y z`, no header, any unit)
+    #[arg(
+        long,
+        value_name = "FILE",
+        requires = "gyro_file",
+        conflicts_with = "recordings"
+    )]
+    accel_file: Option<PathBuf>,
+    /// Gyroscope text of that recording
+    #[arg(long, value_name = "FILE", requires = "accel_file")]
+    gyro_file: Option<PathBuf>,
+    /// Local gravity, m/s²; a wrong one goes into the accelerometer's scale factors in full
+    #[arg(long, value_name = "M/S²", default_value_t = STANDARD_GRAVITY)]
+    gravity: f64,
+    /// How to calibrate
+    #[arg(long, value_enum, default_value_t = Method::Stepwise)]
+    method: Method,
+    /// With `--method six-position`: correct by `I - M` as published, not by the inverse of `I + M`
+    #[arg(long)]
+    first_order: bool,
+    /// Effects to fit on top of the base models, such as gyro_g_sensitivity
+    #[arg(long, value_name = "A,B", value_delimiter = ',')]
+    effects: Vec<String>,
+    /// Recording to take the gyroscope's turns from instead
+    #[arg(long, value_name = "RECORDING")]
+    gyro_recording: Vec<PathBuf>,
+    /// Frame of the accelerometer's matrix
+    #[arg(long, value_enum, default_value_t = FrameArg::Triangular)]
+    frame: FrameArg,
+    /// How the rate is integrated over a turn
+    #[arg(long, value_enum, default_value_t = IntegratorArg::Exponential)]
+    integrator: IntegratorArg,
+    /// Where the bias of a turn is taken from
+    #[arg(long, value_enum, default_value_t = GyroBiasArg::Adjacent)]
+    gyro_bias: GyroBiasArg,
+    /// Assume this sampling rate in turns instead of the time stamps, Hz (to reproduce published
+    /// figures)
+    #[arg(long, value_name = "HZ")]
+    nominal_rate: Option<f64>,
+    /// Table of static intervals picked by hand, for each recording in turn (columns `t0,t1` or
+    /// `start,stop`)
+    #[arg(long, value_name = "FILE")]
+    sections: Vec<PathBuf>,
+    /// Table of static means (columns `ax,ay,az`) for the accelerometer, instead of the recordings'
+    #[arg(long, value_name = "FILE")]
+    static_means: Option<PathBuf>,
+    /// Write the calibration here
+    #[arg(short, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Replace an existing file
+    #[arg(long)]
+    force: bool,
+    /// Print the calibration as JSON instead of tables
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    detector: DetectorArgs,
+    #[command(flatten)]
+    read: ReadArgs,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Method {
+    /// Accelerometer first, then the gyroscope by propagated gravity (Liu et al. 2021)
+    Stepwise,
+    /// Both sensors in one problem weighted by the recording's own noise
+    Joint,
+    /// Each axis once up and once down, from six recordings or one
+    SixPosition,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum FrameArg {
+    /// Upper triangular
+    Triangular,
+    /// Symmetric
+    Symmetric,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum IntegratorArg {
+    /// Exponential map of the mean of neighbouring samples
+    Exponential,
+    /// First order, unit length after each step
+    FirstOrderNormalized,
+    /// First order, as published
+    FirstOrder,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum GyroBiasArg {
+    /// Mean of the rests beside the turn
+    Adjacent,
+    /// First rest of the recording, as published
+    Initial,
+}
+
+/// Runs the command.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    let mut inputs = args.recordings.clone();
+    inputs.extend(args.accel_file.iter().chain(&args.gyro_file).cloned());
+    inputs.extend(args.gyro_recording.iter().chain(&args.sections).cloned());
+    inputs.extend(args.static_means.iter().cloned());
+    if inputs.is_empty() {
+        return Err(Failure::new(
+            USAGE,
+            "no recording given: name a file or a folder",
+        ));
+    }
+    let mut request = request(args)?;
+    let output = match &args.output {
+        Some(path) => Some(Output::claim(path, args.force, &as_paths(&inputs))?),
+        None => None,
+    };
+    let recordings = recordings(args)?;
+    if let Method::SixPosition = args.method {
+        let (detector, gravity) = (request.detector, request.gravity);
+        let (first_order, json) = (args.first_order, args.json);
+        let recordings = &recordings;
+        return six_position::run(six_position::Call {
+            recordings,
+            detector,
+            gravity,
+            first_order,
+            json,
+            output,
+        });
+    }
+    let gyro_recordings = args
+        .gyro_recording
+        .iter()
+        .map(|p| read(p, &args.read))
+        .collect::<Result<Vec<_>, _>>()?;
+    request.sections = sections(args, &recordings)?;
+    let outcome = {
+        let spinner = spinner("calibrating");
+        let outcome = calibrate(&recordings, &gyro_recordings, &request)?;
+        spinner.finish_and_clear();
+        outcome
+    };
+    report(args, output, &outcome)
+}
+
+fn request(args: &Args) -> Result<Request, Failure> {
+    if !GRAVITY.contains(&args.gravity) {
+        return Err(Failure::new(
+            USAGE,
+            format!(
+                "--gravity {}: on the earth it lies between {} and {} m/s²; an error of 0.01 changes \
+                 every scale factor by 0.1 %",
+                args.gravity,
+                GRAVITY.start(),
+                GRAVITY.end()
+            ),
+        ));
+    }
+    let (detector, choose_multiplier) = args.detector.detector()?;
+    let effects = args
+        .effects
+        .iter()
+        .map(|name| {
+            effect_named(name).ok_or_else(|| {
+                Failure::new(
+                    USAGE,
+                    format!(
+                        "--effects {name}: not in the catalogue ({})",
+                        catalogue_names()
+                    ),
+                )
+            })
+        })
+        .collect::<Result<Vec<_>, _>>()?;
+    let nominal_step = match args.nominal_rate {
+        Some(rate) if rate > 0.0 && rate.is_finite() => Some(rate.recip()),
+        Some(rate) => {
+            return Err(Failure::new(
+                USAGE,
+                format!("--nominal-rate {rate}: a positive rate expected"),
+            ));
+        }
+        None => None,
+    };
+    let static_means: Vec<Vector3<f64>> = match &args.static_means {
+        Some(path) => read_static_means(path)?,
+        None => Vec::new(),
+    };
+    Ok(Request {
+        method: match args.method {
+            Method::Joint => calib::calibrate::Method::Joint,
+            Method::Stepwise | Method::SixPosition => calib::calibrate::Method::Stepwise,
+        },
+        gravity: args.gravity,
+        detector,
+        choose_multiplier,
+        sections: Vec::new(),
+        frame: match args.frame {
+            FrameArg::Triangular => Frame::Triangular,
+            FrameArg::Symmetric => Frame::Symmetric,
+        },
+        integrator: match args.integrator {
+            IntegratorArg::Exponential => Integrator::Exponential,
+            IntegratorArg::FirstOrderNormalized => Integrator::FirstOrderNormalized,
+            IntegratorArg::FirstOrder => Integrator::FirstOrder,
+        },
+        gyro_bias: match args.gyro_bias {
+            GyroBiasArg::Adjacent => GyroBias::Adjacent,
+            GyroBiasArg::Initial => GyroBias::Initial,
+        },
+        nominal_step,
+        effects,
+        static_means,
+    })
+}
+
+fn catalogue_names() -> String {
+    let names: Vec<&str> = calib::calibration::catalogue().map(|e| e.name()).collect();
+    names.join(", ")
+}
+
+fn recordings(args: &Args) -> Result<Vec<Recording>, Failure> {
+    match (&args.accel_file, &args.gyro_file) {
+        (Some(accel), Some(gyro)) => Ok(vec![read_pair(accel, gyro, &args.read)?]),
+        _ => args
+            .recordings
+            .iter()
+            .map(|path| read(path, &args.read))
+            .collect(),
+    }
+}
+
+fn sections(args: &Args, recordings: &[Recording]) -> Result<Vec<Vec<Span>>, Failure> {
+    match args.sections.as_slice() {
+        [] => Ok(Vec::new()),
+        [one] => recordings
+            .iter()
+            .map(|r| Ok(read_sections(one, r)?))
+            .collect(),
+        many if many.len() == recordings.len() => many
+            .iter()
+            .zip(recordings)
+            .map(|(path, r)| Ok(read_sections(path, r)?))
+            .collect(),
+        many => Err(Failure::new(
+            USAGE,
+            format!(
+                "{} tables of --sections for {} recordings: give one for all or one for each",
+                many.len(),
+                recordings.len()
+            ),
+        )),
+    }
+}
+
+fn report(args: &Args, output: Option<Output>, outcome: &Outcome) -> Result<(), Failure> {
+    let calibration = &outcome.calibration;
+    let mut json = serde_json::to_string_pretty(calibration)
+        .map_err(|e| Failure::new(crate::exit::BUG, e.to_string()))?;
+    json.push('\n');
+    for warning in &calibration.warnings {
+        show::warn(warning);
+    }
+    if let Some(output) = output {
+        output.write(json.as_bytes())?;
+    }
+    if args.json {
+        show::print(&json);
+    } else {
+        show::print(&tables::text(outcome));
+    }
+    match calibration.failed_gates.as_slice() {
+        [] => Ok(()),
+        gates => Err(Failure::new(GATE, gates.join("\nstillpoint: "))),
+    }
+}

@@ -1,0 +1,85 @@
+//! `effects`: the catalogue.
+
+use calib::calibration::catalogue;
+use sensor::Sensor;
+use serde_json::json;
+
+use crate::exit::{BUG, Failure};
+use crate::show;
+
+/// Lists every effect with its equation, parameters and units.
+///
+/// `A`, `W` are the raw readings, `f` the true specific force, `w` the true rate, `t` time and `T`
+/// temperature; one coefficient per axis unless the parameters say otherwise.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  stillpoint effects
+  stillpoint calibrate phone.csv --effects gyro_g_sensitivity")]
+pub struct Args {
+    /// Print JSON instead of a table
+    #[arg(long)]
+    json: bool,
+}
+
+/// Runs the command.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    if args.json {
+        let effects: Vec<_> = catalogue()
+            .map(|effect| {
+                let parameters: Vec<_> = effect
+                    .params()
+                    .iter()
+                    .map(|p| json!({"name": p.name, "unit": p.unit, "nominal": p.nominal}))
+                    .collect();
+                json!({
+                    "name": effect.name(),
+                    "sensor": sensor_name(effect.sensor()),
+                    "equation": effect.equation(),
+                    "parameters": parameters,
+                })
+            })
+            .collect();
+        let text =
+            serde_json::to_string_pretty(&effects).map_err(|e| Failure::new(BUG, e.to_string()))?;
+        show::print(&text);
+        return Ok(());
+    }
+    let mut table = show::table(&["effect", "sensor", "equation", "parameters"]);
+    for column in table.column_iter_mut() {
+        column.set_cell_alignment(comfy_table::CellAlignment::Left);
+    }
+    for effect in catalogue() {
+        table.add_row([
+            effect.name().to_owned(),
+            sensor_name(effect.sensor()).to_owned(),
+            effect.equation().to_owned(),
+            parameters(effect.params()),
+        ]);
+    }
+    show::print(&table.to_string());
+    Ok(())
+}
+
+fn sensor_name(sensor: Sensor) -> &'static str {
+    match sensor {
+        Sensor::Accelerometer => "accelerometer",
+        Sensor::Gyroscope => "gyroscope",
+    }
+}
+
+/// `x y z (m/s^2), tau (s)`: neighbours of one unit together.
+fn parameters(params: &[sensor::Param]) -> String {
+    params
+        .chunk_by(|a, b| a.unit == b.unit)
+        .map(|group| {
+            let names: Vec<&str> = group.iter().map(|p| p.name).collect();
+            let unit = group.first().map_or("", |p| p.unit);
+            match unit {
+                "" => names.join(" "),
+                unit => format!("{} ({unit})", names.join(" ")),
+            }
+        })
+        .collect::<Vec<_>>()
+        .join(", ")
+}

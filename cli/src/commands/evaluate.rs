@@ -1,0 +1,104 @@
+//! `evaluate`: calibrations side by side on a recording that they have not seen.
+
+use std::path::PathBuf;
+
+use calib::calibrate::STANDARD_GRAVITY;
+use calib::calibration::load;
+use calib::methods::{Choice, choose_multiplier};
+use calib::{Evaluation, evaluate, intervals::segment};
+use serde_json::json;
+
+use super::inputs::{DetectorArgs, read};
+use crate::exit::{BUG, Failure, USAGE};
+use crate::read_args::ReadArgs;
+use crate::show;
+
+/// Compares calibrations on a recording, the raw readings always among them: the modulus of gravity
+/// at rest and its direction after each turn.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  stillpoint evaluate evening/ --calibration morning=cal.json")]
+pub struct Args {
+    /// File or folder; `-` reads standard input
+    #[arg(value_name = "RECORDING")]
+    recording: PathBuf,
+    /// A calibration and what to call it
+    #[arg(long, value_name = "NAME=FILE")]
+    calibration: Vec<String>,
+    /// Local gravity, m/s²
+    #[arg(long, value_name = "M/S²", default_value_t = STANDARD_GRAVITY)]
+    gravity: f64,
+    /// Print JSON instead of a table
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    detector: DetectorArgs,
+    #[command(flatten)]
+    read: ReadArgs,
+}
+
+/// Runs the command.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    let mut calibrations = Vec::new();
+    for named in &args.calibration {
+        let (name, path) = named.split_once('=').ok_or_else(|| {
+            Failure::new(USAGE, format!("--calibration {named}: NAME=FILE expected"))
+        })?;
+        calibrations.push((name.to_owned(), load(path.as_ref())?));
+    }
+    let (detector, choose) = args.detector.detector()?;
+    let recording = read(&args.recording, &args.read)?;
+    for warning in &recording.warnings {
+        show::warn(warning);
+    }
+    let choice = if choose {
+        choose_multiplier(&recording, &detector, args.gravity)?
+    } else {
+        Choice {
+            segmentation: segment(&recording, &detector)?,
+            trials: Vec::new(),
+        }
+    };
+    let measure = |c| evaluate(&recording, &choice.segmentation, c, args.gravity);
+    let mut rows: Vec<(String, Evaluation)> = vec![("raw".into(), measure(None))];
+    rows.extend(
+        calibrations
+            .iter()
+            .map(|(name, c)| (name.clone(), measure(Some(c)))),
+    );
+    if args.json {
+        let rows: Vec<_> = rows
+            .iter()
+            .map(|(name, e)| json!({"name": name, "misfit": e}))
+            .collect();
+        let text =
+            serde_json::to_string_pretty(&rows).map_err(|e| Failure::new(BUG, e.to_string()))?;
+        show::print(&text);
+    } else {
+        show::print(&table(&rows).to_string());
+    }
+    Ok(())
+}
+
+fn table(rows: &[(String, Evaluation)]) -> comfy_table::Table {
+    let mut table = show::table(&[
+        "calibration",
+        "rests",
+        "|f| - g rms (mm/s²)",
+        "turns",
+        "direction rms (°)",
+    ]);
+    let number =
+        |value: Option<f64>, digits: usize| value.map_or("-".into(), |v| format!("{v:.digits$}"));
+    for (name, e) in rows {
+        table.add_row([
+            show::printable(name),
+            e.static_intervals.to_string(),
+            number(e.modulus_rms.map(|v| 1e3 * v), 2),
+            e.turns.to_string(),
+            number(e.direction_rms, 4),
+        ]);
+    }
+    table
+}

@@ -1,0 +1,95 @@
+//! Arguments that commands share, and reading with a spinner.
+
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use calib::Recording;
+use calib::intervals::Detector;
+use indicatif::ProgressBar;
+
+use crate::exit::Failure;
+use crate::read_args::ReadArgs;
+use crate::show;
+
+/// How the detector of motion is set.
+#[derive(Clone, Debug, clap::Args)]
+#[command(next_help_heading = "Static intervals")]
+pub struct DetectorArgs {
+    /// Threshold as a multiple of the level at rest [default: chosen by the accelerometer's fit]
+    #[arg(long, value_name = "FACTOR")]
+    multiplier: Option<f64>,
+    /// Shortest rest, s
+    #[arg(long, value_name = "SECONDS", default_value_t = 3.0)]
+    min_static: f64,
+    /// Shortest motion, s
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.5)]
+    min_dynamic: f64,
+    /// Window in which the spread is measured, s
+    #[arg(long, value_name = "SECONDS", default_value_t = 1.0)]
+    window: f64,
+    /// Length of the rest at the start that gives the level at rest, s [default: the quietest tenth
+    /// of the recording]
+    #[arg(long, value_name = "SECONDS")]
+    initial_static: Option<f64>,
+}
+
+impl DetectorArgs {
+    /// The detector, and whether its multiplier is left to the fit.
+    pub fn detector(&self) -> Result<(Detector, bool), Failure> {
+        let positive = [
+            ("--multiplier", self.multiplier),
+            ("--min-static", Some(self.min_static)),
+            ("--min-dynamic", Some(self.min_dynamic)),
+            ("--window", Some(self.window)),
+            ("--initial-static", self.initial_static),
+        ];
+        for (name, value) in positive {
+            if value.is_some_and(|v| v.is_nan() || v <= 0.0 || v.is_infinite()) {
+                return Err(Failure::new(
+                    crate::exit::USAGE,
+                    format!("{name}: a positive number expected"),
+                ));
+            }
+        }
+        let default = Detector::default();
+        let detector = Detector {
+            window: self.window,
+            multiplier: self.multiplier.unwrap_or(default.multiplier),
+            min_dynamic: self.min_dynamic,
+            min_static: self.min_static,
+            initial_static: self.initial_static,
+        };
+        Ok((detector, self.multiplier.is_none()))
+    }
+}
+
+/// Reads a recording and shows its warnings.
+pub fn read(path: &Path, args: &ReadArgs) -> Result<Recording, Failure> {
+    let spinner = spinner(&format!(
+        "reading {}",
+        show::printable(&path.to_string_lossy())
+    ));
+    let recording = Recording::read(path, &args.clone().into())?;
+    spinner.finish_and_clear();
+    Ok(recording)
+}
+
+/// Reads the two files of a recording that keeps its sensors apart.
+pub fn read_pair(accel: &Path, gyro: &Path, args: &ReadArgs) -> Result<Recording, Failure> {
+    let spinner = spinner("reading");
+    let recording = Recording::read_pair(accel, gyro, &args.clone().into())?;
+    spinner.finish_and_clear();
+    Ok(recording)
+}
+
+/// A sign of life on a terminal; nothing elsewhere.
+pub fn spinner(what: &str) -> ProgressBar {
+    let bar = ProgressBar::new_spinner().with_message(what.to_owned());
+    bar.enable_steady_tick(Duration::from_millis(100));
+    bar
+}
+
+/// Paths as references, for the check that an output is no input.
+pub fn as_paths(paths: &[PathBuf]) -> Vec<&Path> {
+    paths.iter().map(PathBuf::as_path).collect()
+}

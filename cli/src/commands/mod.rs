@@ -1,0 +1,50 @@
+//! One file per command.
+
+mod allan;
+mod apply;
+mod bias;
+mod calibrate;
+mod demo;
+mod effects;
+mod evaluate;
+mod inputs;
+mod pictures;
+mod reckon;
+mod segment;
+mod simulate;
+mod six_position;
+
+use clap::Subcommand;
+
+use crate::exit::Failure;
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    Demo(demo::Args),
+    Calibrate(Box<calibrate::Args>),
+    Segment(segment::Args),
+    Apply(apply::Args),
+    Allan(allan::Args),
+    Bias(bias::Args),
+    Reckon(Box<reckon::Args>),
+    Evaluate(evaluate::Args),
+    Simulate(simulate::Args),
+    Effects(effects::Args),
+}
+
+/// Runs a command.
+pub fn run(command: Command) -> Result<(), Failure> {
+    match command {
+        Command::Demo(args) => demo::run(&args),
+        Command::Calibrate(args) => calibrate::run(&args),
+        Command::Segment(args) => segment::run(&args),
+        Command::Apply(args) => apply::run(&args),
+        Command::Allan(args) => allan::run(&args),
+        Command::Bias(args) => bias::run(&args),
+        Command::Reckon(args) => reckon::run(&args),
+        Command::Evaluate(args) => evaluate::run(&args),
+        Command::Simulate(args) => simulate::run(&args),
+        Command::Effects(args) => effects::run(&args),
+    }
+}

@@ -1,0 +1,271 @@
+//! `reckon`: the equations of motion solved with each calibration.
+
+mod show_runs;
+mod solve;
+
+use std::path::PathBuf;
+
+use calib::calibration::load;
+use calib::intervals::Span;
+use calib::reckon::published::Procedure;
+use calib::reckon::{Ending, Mode};
+use clap::ValueEnum;
+use nalgebra::Vector3;
+
+use super::inputs::{as_paths, read};
+use super::pictures::PictureArgs;
+use crate::exit::{BUG, Failure, USAGE};
+use crate::output::Output;
+use crate::read_args::ReadArgs;
+use crate::show;
+use solve::{Known, Named, Run};
+
+/// Solves the equations of motion for the motion in each recording, with each calibration and with
+/// the raw readings, and compares where it ends with where it ended.
+///
+/// The device must be at rest before the motion: that rest gives the first attitude and the
+/// gyroscope's bias. A rest after it takes off the velocity and the tilt that have grown on the way.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Examples:
+  stillpoint reckon run/ --calibration mine=cal.json --displacement 4.095,0,0 --report run.html
+  stillpoint reckon a/ b/ --procedure published --level 0.60,0.40 --vertical z,z \\
+      --displacement 4.095,0,0 --displacement=-4.095,0,0    the authors' table")]
+pub struct Args {
+    /// Files or folders, one motion each
+    #[arg(value_name = "RECORDING", required = true)]
+    recordings: Vec<PathBuf>,
+    /// A calibration and what to call it; the raw readings are always there as `raw`
+    #[arg(long, value_name = "NAME=FILE")]
+    calibration: Vec<String>,
+    /// Where the attitude comes from
+    #[arg(long, value_enum, default_value_t = ModeArg::Full)]
+    mode: ModeArg,
+    /// What the end of the motion is known to be
+    #[arg(long, value_enum, default_value_t = EndingArg::Attitude)]
+    ending: EndingArg,
+    /// When the motion was, s, for each recording in turn [default: found]
+    #[arg(long, value_name = "T0,T1", value_parser = numbers::<2>)]
+    motion: Vec<[f64; 2]>,
+    /// True displacement, m, for each recording in turn: along the device's axes at the start,
+    /// turned level
+    #[arg(long, value_name = "X,Y,Z", value_parser = numbers::<3>, allow_hyphen_values = true)]
+    displacement: Vec<[f64; 3]>,
+    /// True horizontal distance, m, where the direction is not known
+    #[arg(long, value_name = "M", conflicts_with = "displacement")]
+    distance: Option<f64>,
+    /// How to solve
+    #[arg(long, value_enum, default_value_t = ProcedureArg::Equations)]
+    procedure: ProcedureArg,
+    #[command(flatten)]
+    published: PublishedArgs,
+    /// Write the results here (JSON)
+    #[arg(short, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Replace existing files
+    #[arg(long)]
+    force: bool,
+    /// Print JSON instead of tables
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    pictures: PictureArgs,
+    #[command(flatten)]
+    read: ReadArgs,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum ModeArg {
+    /// From the gyroscope
+    Full,
+    /// That of the rest before the motion, all the way
+    Level,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum EndingArg {
+    /// Nothing is known
+    Free,
+    /// At rest: the velocity that is left is taken off in proportion to time
+    Velocity,
+    /// At rest: the tilt that gravity shows there is taken off too
+    Attitude,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
+enum ProcedureArg {
+    /// The equations of motion
+    Equations,
+    /// What the authors did: no attitude, gravity off one axis, samples over a level summed twice
+    Published,
+}
+
+/// Constants of the published procedure.
+#[derive(Clone, Debug, clap::Args)]
+#[command(next_help_heading = "The published procedure")]
+struct PublishedArgs {
+    /// Level above which the filtered modulus counts as motion, m/s², for each recording in turn
+    #[arg(long, value_name = "M/S²", value_delimiter = ',')]
+    level: Vec<f64>,
+    /// Axis that gravity is taken off, for each recording in turn [default: z]
+    #[arg(long, value_name = "AXIS", value_delimiter = ',')]
+    vertical: Vec<AxisArg>,
+    /// Gravity taken off, m/s²
+    #[arg(long, value_name = "M/S²", default_value_t = Procedure::default().gravity)]
+    gravity: f64,
+    /// Cutoff of the high-pass filter, Hz
+    #[arg(long, value_name = "HZ", default_value_t = Procedure::default().high_pass)]
+    high_pass: f64,
+    /// Cutoff of the low-pass filter, Hz
+    #[arg(long, value_name = "HZ", default_value_t = Procedure::default().low_pass)]
+    low_pass: f64,
+    /// Sampling rate assumed instead of the time stamps, Hz
+    #[arg(long, value_name = "HZ", default_value_t = Procedure::default().rate)]
+    assumed_rate: f64,
+    /// Calibration whose readings pick the samples in motion for all
+    #[arg(long, value_name = "NAME", default_value = solve::AUTHORS_PROPOSED)]
+    picked_by: String,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum AxisArg {
+    X,
+    Y,
+    Z,
+}
+
+/// Runs the command.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    let inputs = as_paths(&args.recordings);
+    let output = match &args.output {
+        Some(path) => Some(Output::claim(path, args.force, &inputs)?),
+        None => None,
+    };
+    let names = show_runs::plot_names(&args.recordings);
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let pictures = args.pictures.claim(&names, args.force, &inputs)?;
+    let calibrations = calibrations(args)?;
+    let mut runs = Vec::new();
+    for (k, path) in args.recordings.iter().enumerate() {
+        let recording = read(path, &args.read)?;
+        recording
+            .warnings
+            .iter()
+            .for_each(|warning| show::warn(warning));
+        runs.push(run_of(args, k, &recording, &calibrations)?);
+    }
+    runs.iter()
+        .flat_map(|run| &run.warnings)
+        .for_each(|warning| show::warn(warning));
+    let json = serde_json::to_string_pretty(&runs).map_err(|e| Failure::new(BUG, e.to_string()))?;
+    if let Some(output) = output {
+        output.write(format!("{json}\n").as_bytes())?;
+    }
+    if pictures.wanted() {
+        let plots = show_runs::plots(&runs);
+        pictures.write(&plots, &show_runs::report(&runs, &plots)?)?;
+    }
+    show::print(&if args.json {
+        json
+    } else {
+        show_runs::text(&runs)
+    });
+    Ok(())
+}
+
+/// Run `k` by the procedure asked for.
+fn run_of(
+    args: &Args,
+    k: usize,
+    recording: &calib::Recording,
+    calibrations: &[Named],
+) -> Result<Run, Failure> {
+    let known = match (
+        each(&args.displacement, k, args, "--displacement")?,
+        args.distance,
+    ) {
+        (Some(displacement), _) => Known::Displacement(Vector3::from(displacement)),
+        (None, Some(distance)) => Known::Distance(distance),
+        (None, None) => Known::Nothing,
+    };
+    if args.procedure == ProcedureArg::Published {
+        let published = &args.published;
+        let level = each(&published.level, k, args, "--level")?;
+        let procedure = Procedure {
+            level: level.unwrap_or(Procedure::default().level),
+            vertical: each(&published.vertical, k, args, "--vertical")?.unwrap_or(AxisArg::Z)
+                as usize,
+            gravity: published.gravity,
+            high_pass: published.high_pass,
+            low_pass: published.low_pass,
+            rate: published.assumed_rate,
+        };
+        return solve::published(
+            recording,
+            calibrations,
+            &procedure,
+            &published.picked_by,
+            known,
+        );
+    }
+    let span = each(&args.motion, k, args, "--motion")?;
+    let span = span.map(|[from, to]| Span { from, to });
+    let mode = match args.mode {
+        ModeArg::Full => Mode::Full,
+        ModeArg::Level => Mode::Level,
+    };
+    let ending = match args.ending {
+        EndingArg::Free => Ending::Free,
+        EndingArg::Velocity => Ending::Velocity,
+        EndingArg::Attitude => Ending::Attitude,
+    };
+    solve::equations(recording, calibrations, span, mode, ending, known)
+}
+
+/// The value for recording `k` of an option given once for each recording or not at all.
+fn each<T: Copy>(values: &[T], k: usize, args: &Args, name: &str) -> Result<Option<T>, Failure> {
+    if values.is_empty() || values.len() == args.recordings.len() {
+        return Ok(values.get(k).copied());
+    }
+    Err(Failure::new(
+        USAGE,
+        format!(
+            "{name} given {} times for {} recordings: give it once for each",
+            values.len(),
+            args.recordings.len()
+        ),
+    ))
+}
+
+/// The raw readings, the authors' numbers where their procedure is asked for, and what was named.
+fn calibrations(args: &Args) -> Result<Vec<Named>, Failure> {
+    let mut all = vec![Named::raw()];
+    if args.procedure == ProcedureArg::Published {
+        all.extend(Named::authors());
+    }
+    for named in &args.calibration {
+        let (name, path) = named.split_once('=').ok_or_else(|| {
+            Failure::new(USAGE, format!("--calibration {named}: NAME=FILE expected"))
+        })?;
+        if all.iter().any(|other| other.name == name) {
+            return Err(Failure::new(
+                USAGE,
+                format!(
+                    "--calibration {named}: there is a \"{name}\" already; choose another name"
+                ),
+            ));
+        }
+        all.push(Named::file(name, load(path.as_ref())?));
+    }
+    Ok(all)
+}
+
+/// `a,b,…` as numbers.
+fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
+    numbers
+        .ok()
+        .filter(|numbers| numbers.iter().all(|v: &f64| v.is_finite()))
+        .and_then(|numbers| numbers.try_into().ok())
+        .ok_or_else(|| format!("{N} numbers separated by commas expected"))
+}

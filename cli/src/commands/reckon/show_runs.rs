@@ -1,0 +1,197 @@
+//! Tables, plots and the report of `reckon`.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+use super::solve::{Outcome, Run};
+use crate::exit::Failure;
+use crate::report::{Axis, Plot, Report, ReportTable, Series};
+use crate::show;
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Names of the plots: three for each recording.
+pub(super) fn plot_names(recordings: &[PathBuf]) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for path in recordings {
+        let stem = path
+            .file_stem()
+            .map_or_else(|| "recording".into(), |s| s.to_string_lossy());
+        let plain = |c: char| {
+            if c.is_ascii_alphanumeric() || c == '-' {
+                c
+            } else {
+                '_'
+            }
+        };
+        let stem: String = stem.chars().map(plain).collect();
+        let taken = |name: &String| names.iter().any(|n| n.starts_with(&format!("{name}-")));
+        let numbered = (2..).map(|k| format!("{stem}-{k}"));
+        let name = std::iter::once(stem.clone())
+            .chain(numbered)
+            .find(|name| !taken(name));
+        let name = name.unwrap_or(stem);
+        names.extend(AXES.map(|axis| format!("{name}-{axis}")));
+    }
+    names
+}
+
+/// Position along each axis against time, all calibrations in one plot.
+pub(super) fn plots(runs: &[Run]) -> Vec<Plot> {
+    let plot = |run: &Run, axis: usize| {
+        let mut plot = Plot::new(
+            format!(
+                "{}: position along {}",
+                show::printable(&run.recording),
+                AXES[axis]
+            ),
+            Axis::linear("time since the start of the motion, s"),
+            Axis::linear(format!("position along {}, m", AXES[axis])),
+        );
+        for (k, outcome) in run.results.iter().enumerate() {
+            let line = outcome.path.iter().map(|(t, p)| (*t, p[axis])).collect();
+            plot = plot.with(Series::line(show::printable(&outcome.calibration), k, line));
+        }
+        let first = run.results.first();
+        if let Some((outcome, error)) = first.and_then(|o| Some((o, o.error?))) {
+            let truth = outcome.displacement[axis] - error[axis];
+            let last = outcome.path.last().map_or(0.0, |(t, _)| *t);
+            plot = plot.with(Series::dashed(
+                "true end",
+                6,
+                vec![(0.0, truth), (last, truth)],
+            ));
+        }
+        plot
+    };
+    runs.iter()
+        .flat_map(|run| (0..3).map(move |axis| plot(run, axis)))
+        .collect()
+}
+
+/// The columns of a table: the name of one and what it shows of an outcome.
+type Column = (&'static str, fn(&Outcome) -> Option<String>);
+
+const COLUMNS: [Column; 12] = [
+    ("x, m", |o| metres(o.displacement[0])),
+    ("y, m", |o| metres(o.displacement[1])),
+    ("z, m", |o| metres(o.displacement[2])),
+    ("error x", |o| metres(o.error?[0])),
+    ("error y", |o| metres(o.error?[1])),
+    ("error z", |o| metres(o.error?[2])),
+    ("mean |error|", |o| metres(o.mean_error()?)),
+    ("horizontal, m", |o| metres(o.horizontal?)),
+    ("error", |o| metres(o.distance_error?)),
+    ("vertical, m", |o| metres(o.vertical?)),
+    ("tilt taken off, °", |o| metres(o.end_tilt?)),
+    ("samples", |o| Some(o.samples?.to_string())),
+];
+
+fn metres(value: f64) -> Option<String> {
+    Some(format!("{value:.3}"))
+}
+
+/// Header and rows of one run, without the columns that nothing is known of.
+fn table(run: &Run) -> (Vec<&'static str>, Vec<Vec<String>>) {
+    let used: Vec<&Column> = COLUMNS
+        .iter()
+        .filter(|(_, cell)| run.results.iter().any(|outcome| cell(outcome).is_some()))
+        .collect();
+    let mut header = vec!["calibration"];
+    header.extend(used.iter().map(|(name, _)| *name));
+    let rows = run.results.iter().map(|outcome| {
+        let mut row = vec![show::printable(&outcome.calibration)];
+        row.extend(
+            used.iter()
+                .map(|(_, cell)| cell(outcome).unwrap_or_default()),
+        );
+        row
+    });
+    (header, rows.collect())
+}
+
+/// Mean absolute error over all recordings and axes by calibration; empty without truth or with one
+/// recording.
+fn means(runs: &[Run]) -> Vec<(String, f64)> {
+    let Some(first) = runs.first().filter(|_| runs.len() > 1) else {
+        return Vec::new();
+    };
+    let mean = |k: usize| {
+        let errors: Option<Vec<f64>> = runs
+            .iter()
+            .map(|run| run.results.get(k)?.mean_error())
+            .collect();
+        errors.map(|errors| errors.iter().sum::<f64>() / errors.len() as f64)
+    };
+    let named = first.results.iter().enumerate();
+    named
+        .filter_map(|(k, o)| Some((show::printable(&o.calibration), mean(k)?)))
+        .collect()
+}
+
+fn heading(run: &Run) -> String {
+    let motion = run
+        .motion
+        .map(|m| format!(", motion from {:.2} to {:.2} s", m.from, m.to));
+    format!(
+        "{}{}",
+        show::printable(&run.recording),
+        motion.unwrap_or_default()
+    )
+}
+
+pub(super) fn text(runs: &[Run]) -> String {
+    let mut text = String::new();
+    for run in runs {
+        let (header, rows) = table(run);
+        let mut table = show::table(&header);
+        rows.into_iter().for_each(|row| {
+            table.add_row(row);
+        });
+        let _ = writeln!(text, "{}\n{table}\n", heading(run));
+    }
+    let means = means(runs);
+    if !means.is_empty() {
+        let mut table = show::table(&["all recordings", "mean |error|, m"]);
+        means.into_iter().for_each(|(name, mean)| {
+            table.add_row([name, format!("{mean:.3}")]);
+        });
+        let _ = writeln!(text, "{table}");
+    }
+    text
+}
+
+pub(super) fn report(runs: &[Run], plots: &[Plot]) -> Result<Report, Failure> {
+    let warnings: Vec<String> = runs.iter().flat_map(|run| run.warnings.clone()).collect();
+    let mut report = Report::new("Dead reckoning").warnings(&warnings);
+    let means = means(runs);
+    if !means.is_empty() {
+        let mut table = ReportTable::new(["all recordings", "mean |error|, m"]);
+        means
+            .into_iter()
+            .for_each(|(name, mean)| table.row([name, format!("{mean:.3}")]));
+        report = report.section("All recordings").table(table);
+    }
+    for (run, plots) in runs.iter().zip(plots.chunks(3)) {
+        let (header, rows) = table(run);
+        let mut table = ReportTable::new(header);
+        rows.into_iter().for_each(|row| table.row(row));
+        report = report.section(heading(run)).table(table);
+        for plot in plots {
+            report = report.plot(plot)?;
+        }
+    }
+    Ok(report)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn plots_of_recordings_with_one_name_get_names_of_their_own() {
+        let names = plot_names(&["a/run 1".into(), "b/run 1".into()]);
+        assert_eq!(names[0], "run_1-x");
+        assert_eq!(names[3], "run_1-2-x");
+    }
+}

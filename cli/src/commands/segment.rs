@@ -1,0 +1,219 @@
+//! `segment`: the static and dynamic intervals of a recording.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+use calib::Recording;
+use calib::calibrate::STANDARD_GRAVITY;
+use calib::intervals::{Moments, segment};
+use calib::methods::{Choice, choose_multiplier};
+use serde_json::json;
+
+use super::inputs::{DetectorArgs, as_paths, read};
+use crate::exit::Failure;
+use crate::output::Output;
+use crate::read_args::ReadArgs;
+use crate::show;
+
+/// Shows when the device was still and when it turned.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  stillpoint segment phone.csv --min-static 5")]
+pub struct Args {
+    /// File or folder; `-` reads standard input
+    #[arg(value_name = "RECORDING")]
+    recording: PathBuf,
+    /// Local gravity, m/s²
+    #[arg(long, value_name = "M/S²", default_value_t = STANDARD_GRAVITY)]
+    gravity: f64,
+    /// Write the intervals here (JSON)
+    #[arg(short, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Replace an existing file
+    #[arg(long)]
+    force: bool,
+    /// Print JSON instead of tables
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    detector: DetectorArgs,
+    #[command(flatten)]
+    read: ReadArgs,
+}
+
+/// Runs the command.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    let (detector, choose) = args.detector.detector()?;
+    let output = match &args.output {
+        Some(path) => Some(Output::claim(
+            path,
+            args.force,
+            &as_paths(std::slice::from_ref(&args.recording)),
+        )?),
+        None => None,
+    };
+    let recording = read(&args.recording, &args.read)?;
+    for warning in &recording.warnings {
+        show::warn(warning);
+    }
+    let choice = if choose {
+        choose_multiplier(&recording, &detector, args.gravity)?
+    } else {
+        Choice {
+            segmentation: segment(&recording, &detector)?,
+            trials: Vec::new(),
+        }
+    };
+    let document = document(&recording, &choice);
+    let mut json = serde_json::to_string_pretty(&document)
+        .map_err(|e| Failure::new(crate::exit::BUG, e.to_string()))?;
+    json.push('\n');
+    if let Some(output) = output {
+        output.write(json.as_bytes())?;
+    }
+    show::print(&if args.json {
+        json
+    } else {
+        text(&recording, &choice)
+    });
+    Ok(())
+}
+
+fn document(recording: &Recording, choice: &Choice) -> serde_json::Value {
+    let moments = |m: &Option<Moments>| {
+        m.as_ref().map(|m| {
+            json!({
+                "samples": m.count,
+                "mean": m.mean.as_slice(),
+                "std": m.std().as_slice(),
+            })
+        })
+    };
+    let segmentation = &choice.segmentation;
+    let statics: Vec<_> = segmentation
+        .statics
+        .iter()
+        .map(|rest| {
+            json!({
+                "t0": rest.span.from,
+                "t1": rest.span.to,
+                "accelerometer": moments(&rest.accelerometer),
+                "gyroscope": moments(&rest.gyroscope),
+                "temperature": rest.temperature,
+            })
+        })
+        .collect();
+    let turns: Vec<_> = segmentation
+        .turns
+        .iter()
+        .map(|turn| {
+            json!({
+                "t0": turn.span.from,
+                "t1": turn.span.to,
+                "from": turn.from + 1,
+                "to": turn.from + 2,
+                "samples": turn.samples.len(),
+                "fault": turn.fault.as_ref().map(ToString::to_string),
+            })
+        })
+        .collect();
+    json!({
+        "schema": "stillpoint.segments/1",
+        "recording": recording.name,
+        "multiplier": segmentation.multiplier,
+        "level_at_rest": {
+            "accelerometer": segmentation.level_at_rest[0],
+            "gyroscope": segmentation.level_at_rest[1],
+        },
+        "static": statics,
+        "dynamic": turns,
+        "multipliers_tried": choice.trials,
+        "warnings": recording.warnings,
+    })
+}
+
+fn text(recording: &Recording, choice: &Choice) -> String {
+    let segmentation = &choice.segmentation;
+    let mut table = show::table(&[
+        "interval",
+        "t0 s",
+        "t1 s",
+        "length s",
+        "mean a (m/s²)",
+        "std a",
+        "mean w (rad/s)",
+        "std w",
+    ]);
+    let triple = |v: &[f64], digits: usize| {
+        v.iter()
+            .map(|x| format!("{x:>w$.digits$}", w = digits + 4))
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
+    let cells = |m: &Option<Moments>, digits: usize| match m {
+        Some(m) => [
+            triple(m.mean.as_slice(), digits),
+            format!("{:.5}", m.std().norm()),
+        ],
+        None => ["no samples".into(), String::new()],
+    };
+    for (k, rest) in segmentation.statics.iter().enumerate() {
+        let mut row = vec![
+            format!("static {}", k + 1),
+            format!("{:.2}", rest.span.from),
+            format!("{:.2}", rest.span.to),
+            format!("{:.2}", rest.span.length()),
+        ];
+        row.extend(cells(&rest.accelerometer, 4));
+        row.extend(cells(&rest.gyroscope, 5));
+        table.add_row(row);
+        if let Some(turn) = segmentation.turns.get(k) {
+            table.add_row(vec![
+                format!("turn {}", k + 1),
+                format!("{:.2}", turn.span.from),
+                format!("{:.2}", turn.span.to),
+                format!("{:.2}", turn.span.length()),
+                turn.fault
+                    .as_ref()
+                    .map_or(String::new(), |fault| format!("not used: {fault}")),
+            ]);
+        }
+    }
+    let mut text = format!("{table}\n");
+    let _ = writeln!(
+        text,
+        "{}: {} static intervals, {} turns; motion where Σ var² of a window reaches {} times its level \
+         at rest",
+        show::printable(&recording.name),
+        segmentation.statics.len(),
+        segmentation.turns.len(),
+        segmentation.multiplier
+    );
+    for (sensor, level) in ["accelerometer", "gyroscope"]
+        .iter()
+        .zip(segmentation.level_at_rest)
+    {
+        if let Some(level) = level {
+            let _ = writeln!(
+                text,
+                "{sensor}: level at rest {level:.3e}, threshold {:.3e}",
+                level * segmentation.multiplier
+            );
+        }
+    }
+    if !choice.trials.is_empty() {
+        let mut trials = show::table(&["multiplier", "static intervals", "residual mm/s² per dof"]);
+        for trial in &choice.trials {
+            trials.add_row([
+                format!("{}", trial.multiplier),
+                trial.static_intervals.to_string(),
+                trial
+                    .residual
+                    .map_or("-".into(), |r| format!("{:.3}", 1e3 * r)),
+            ]);
+        }
+        let _ = writeln!(text, "{trials}");
+    }
+    text
+}

@@ -1,0 +1,33 @@
+//! Ctrl-C: the half-written file goes, the old one stays, exit 130.
+
+use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
+
+use crate::exit::INTERRUPTED;
+
+static PARTIAL_FILES: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// Catches the interrupt signal. Where that cannot be done the system's own handling stays.
+pub fn install() {
+    let _ = ctrlc::set_handler(|| {
+        for path in partial_files().drain(..) {
+            let _ = std::fs::remove_file(path);
+        }
+        eprintln!("stillpoint: interrupted");
+        std::process::exit(i32::from(INTERRUPTED));
+    });
+}
+
+/// Remembers a file to remove on an interrupt.
+pub fn remember(path: PathBuf) {
+    partial_files().push(path);
+}
+
+/// Forgets it: it is removed or in its place.
+pub fn forget(path: &std::path::Path) {
+    partial_files().retain(|p| p != path);
+}
+
+fn partial_files() -> std::sync::MutexGuard<'static, Vec<PathBuf>> {
+    PARTIAL_FILES.lock().unwrap_or_else(PoisonError::into_inner)
+}

@@ -1,0 +1,105 @@
+//! Options of every command that reads a recording.
+
+use calib::recording::formats::{self, Format};
+use calib::recording::{AccelUnit, ColumnMap, GyroUnit, ReadOptions, TimeUnit};
+use clap::{Args, ValueEnum};
+
+/// How recordings are read; a well-formed file needs none of these.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Reading recordings")]
+pub struct ReadArgs {
+    /// The format (csv, imu_tk, folder); recognised from the content when not given.
+    #[arg(long, value_name = "NAME", value_parser = formats::by_name)]
+    pub format: Option<&'static dyn Format>,
+
+    /// Which column is what, by name or by number from 1: `t=timestamp,ax=acc_x,ay=acc_y,az=acc_z`;
+    /// roles are t, ax, ay, az, gx, gy, gz, temp.
+    #[arg(long, value_name = "ROLE=COLUMN,...")]
+    pub columns: Option<ColumnMap>,
+
+    /// Leave out up to N broken rows with a warning.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub skip_bad_rows: usize,
+
+    /// What to do with rows that lack a number (empty, NaN, Inf, NULL).
+    #[arg(long, value_enum, default_value_t = Na::Refuse)]
+    pub na: Na,
+
+    /// Sort rows by time where time goes backwards.
+    #[arg(long)]
+    pub sort_time: bool,
+
+    /// Sampling rate, Hz: rows are evenly spaced and time stamps are ignored. Example: --rate 100
+    #[arg(long, value_name = "HZ")]
+    pub rate: Option<f64>,
+
+    /// Unit of the time stamps: s, ms, us or ns.
+    #[arg(long, value_name = "UNIT")]
+    pub time_unit: Option<TimeUnit>,
+
+    /// Pattern of time stamps that are dates, as in `%d.%m.%Y %H:%M:%S%.f`; ISO 8601 needs none.
+    #[arg(long, value_name = "PATTERN")]
+    pub time_format: Option<String>,
+
+    /// Unit of the accelerometer: m/s^2, g, mg, cm/s^2 or counts.
+    #[arg(long, value_name = "UNIT")]
+    pub accel_unit: Option<AccelUnit>,
+
+    /// Unit of the gyroscope: rad/s, deg/s, mdeg/s or counts.
+    #[arg(long, value_name = "UNIT")]
+    pub gyro_unit: Option<GyroUnit>,
+
+    /// Rows of one file after which it is refused.
+    #[arg(long, value_name = "N", default_value_t = ReadOptions::default().max_rows)]
+    pub max_rows: u64,
+
+    /// Bytes of one file's text after which it is refused.
+    #[arg(long, value_name = "N", default_value_t = ReadOptions::default().max_bytes)]
+    pub max_bytes: u64,
+}
+
+impl ReadArgs {
+    /// Whether nothing is asked for that a well-formed file would not do by itself.
+    pub fn are_default(&self) -> bool {
+        let given = [
+            self.format.is_some(),
+            self.columns.is_some(),
+            self.rate.is_some(),
+            self.time_unit.is_some(),
+            self.time_format.is_some(),
+            self.accel_unit.is_some(),
+            self.gyro_unit.is_some(),
+        ];
+        let limits = ReadOptions::default();
+        let limited = self.max_rows < limits.max_rows || self.max_bytes < limits.max_bytes;
+        !limited && !given.contains(&true)
+    }
+}
+
+/// What to do with rows that lack a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Na {
+    /// Refuse the recording, naming the first.
+    Refuse,
+    /// Leave them out and count them.
+    Drop,
+}
+
+impl From<ReadArgs> for ReadOptions {
+    fn from(args: ReadArgs) -> Self {
+        Self {
+            format: args.format,
+            columns: args.columns.unwrap_or_default(),
+            skip_bad_rows: args.skip_bad_rows,
+            na_drop: args.na == Na::Drop,
+            sort_time: args.sort_time,
+            rate: args.rate,
+            time_unit: args.time_unit,
+            time_format: args.time_format,
+            accel_unit: args.accel_unit,
+            gyro_unit: args.gyro_unit,
+            max_rows: args.max_rows,
+            max_bytes: args.max_bytes,
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! What is plotted; how it is drawn is `draw`'s affair.
+
+use super::axis::Axis;
+
+/// More points than this in a line are thinned: the page is a thousand dots wide.
+const DENSEST: usize = 1500;
+
+/// A plot of series over one pair of axes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plot {
+    /// Above the plot.
+    pub title: String,
+    pub(super) x: Axis,
+    pub(super) y: Axis,
+    pub(super) series: Vec<Series>,
+}
+
+/// Points with a name and a way to be drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    /// In the legend; empty keeps a series out of it.
+    pub(super) name: String,
+    pub(super) colour: usize,
+    pub(super) mark: Mark,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Mark {
+    /// A line through `(x, y)`.
+    Line {
+        points: Vec<(f64, f64)>,
+        dashed: bool,
+    },
+    /// Dots at `(x, y)` with a bar from `low` to `high`: `(x, y, low, high)`.
+    Bars(Vec<(f64, f64, f64, f64)>),
+}
+
+impl Series {
+    /// A line; `colour` counts through the palette.
+    pub fn line(name: impl Into<String>, colour: usize, points: Vec<(f64, f64)>) -> Self {
+        Self {
+            name: name.into(),
+            colour,
+            mark: Mark::Line {
+                points: thin(points),
+                dashed: false,
+            },
+        }
+    }
+
+    /// A broken line, for what is computed rather than measured.
+    pub fn dashed(name: impl Into<String>, colour: usize, points: Vec<(f64, f64)>) -> Self {
+        Self {
+            name: name.into(),
+            colour,
+            mark: Mark::Line {
+                points: thin(points),
+                dashed: true,
+            },
+        }
+    }
+
+    /// Dots with intervals `(x, y, low, high)`.
+    pub fn bars(name: impl Into<String>, colour: usize, points: Vec<(f64, f64, f64, f64)>) -> Self {
+        Self {
+            name: name.into(),
+            colour,
+            mark: Mark::Bars(points),
+        }
+    }
+
+    /// All `(x, y)` that must be in the picture.
+    pub(super) fn extent(&self) -> Vec<(f64, f64)> {
+        match &self.mark {
+            Mark::Line { points, .. } => points.clone(),
+            Mark::Bars(points) => points
+                .iter()
+                .flat_map(|&(x, y, low, high)| [(x, y), (x, low), (x, high)])
+                .collect(),
+        }
+    }
+}
+
+impl Plot {
+    /// An empty plot.
+    pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
+        Self {
+            title: title.into(),
+            x,
+            y,
+            series: Vec::new(),
+        }
+    }
+
+    /// With one more series.
+    #[must_use]
+    pub fn with(mut self, series: Series) -> Self {
+        self.series.push(series);
+        self
+    }
+}
+
+/// Every `k`-th point, and the last.
+fn thin(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    let every = points.len().div_ceil(DENSEST).max(1);
+    let last = points.len().saturating_sub(1);
+    let kept = |k: usize| k.is_multiple_of(every) || k == last;
+    points
+        .into_iter()
+        .enumerate()
+        .filter(|(k, _)| kept(*k))
+        .map(|(_, point)| point)
+        .collect()
+}

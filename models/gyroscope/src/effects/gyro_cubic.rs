@@ -1,0 +1,42 @@
+//! Third-order nonlinearity of a gyroscope.
+
+use nalgebra::Vector3;
+use sensor::{Effect, Kinematics, Param, Sensor, params};
+use solver::Scalar;
+
+/// A reading that grows with the cube of the angular rate: `eᵢ = kᵢ ωᵢ³`.
+///
+/// | symbol | meaning | unit | shape |
+/// |---|---|---|---|
+/// | `e` | gyroscope error | rad/s | 3 |
+/// | `k` | third-order coefficient | 1/(rad/s)² | 3 |
+/// | `ω` | angular rate | rad/s | 3 |
+#[derive(Clone, Copy, Debug)]
+pub struct GyroCubic;
+
+impl Effect for GyroCubic {
+    const NAME: &'static str = "gyro_cubic";
+    const SENSOR: Sensor = Sensor::Gyroscope;
+    const EQUATION: &'static str = "W_i += k_i w_i³";
+    const PARAMS: &'static [Param] = &params("1/(rad/s)^2", ["x", "y", "z"]);
+    const TYPICAL: f64 = 2e-4;
+
+    fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
+        let w = &truth.angular_rate;
+        Vector3::from_fn(|i, _| p[i] * w[i] * w[i] * w[i])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_changes_sign_with_the_rotation() {
+        let e = GyroCubic.error(
+            &Kinematics::new(Vector3::zeros(), Vector3::new(2.0, -1.0, 4.0)),
+            &[1e-3, 1e-3, 1e-3],
+        );
+        assert!((e - Vector3::new(8e-3, -1e-3, 64e-3)).norm() < 1e-15);
+    }
+}

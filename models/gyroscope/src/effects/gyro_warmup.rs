@@ -1,0 +1,49 @@
+//! Warm-up of a gyroscope.
+
+use nalgebra::Vector3;
+use sensor::{Effect, Kinematics, Param, Sensor};
+use solver::Scalar;
+
+/// A bias that settles after the device is switched on: `eᵢ = cᵢ exp(−t/τ)`.
+///
+/// | symbol | meaning | unit | shape |
+/// |---|---|---|---|
+/// | `e` | gyroscope error | rad/s | 3 |
+/// | `c` | bias at the start | rad/s | 3 |
+/// | `τ` | time constant, not 0 | s | 1 |
+/// | `t` | time since the start of the recording | s | 1 |
+#[derive(Clone, Copy, Debug)]
+pub struct GyroWarmup;
+
+impl Effect for GyroWarmup {
+    const NAME: &'static str = "gyro_warmup";
+    const SENSOR: Sensor = Sensor::Gyroscope;
+    const EQUATION: &'static str = "W_i += c_i exp(-t/tau)";
+    const PARAMS: &'static [Param] = &[
+        Param::new("x", "rad/s", 0.0),
+        Param::new("y", "rad/s", 0.0),
+        Param::new("z", "rad/s", 0.0),
+        Param::new("tau", "s", 120.0),
+    ];
+    const TYPICAL: f64 = 5e-4;
+
+    fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
+        let decay = (p[3].recip() * (-truth.time)).exp();
+        Vector3::from_fn(|i, _| p[i] * decay)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn after_one_time_constant_37_percent_are_left() {
+        let truth = Kinematics {
+            time: 60.0,
+            ..Kinematics::at_rest(Vector3::zeros())
+        };
+        let e = GyroWarmup.error(&truth, &[1.0, 0.0, 0.0, 60.0]);
+        assert!((e - Vector3::new((-1.0_f64).exp(), 0.0, 0.0)).norm() < 1e-15);
+    }
+}
