@@ -98,18 +98,15 @@ impl Solution {
         polytope: Option<&Polytope>,
         options: &Options,
     ) -> Report {
+        let held = self
+            .verdict
+            .face
+            .as_ref()
+            .filter(|face| !face.active().is_empty());
+        let directions = held.map(|face| face.directions());
         let uncertainty = match &self.point.at.jacobian {
-            Jacobian::Dense(j) => {
-                let held = self
-                    .verdict
-                    .face
-                    .as_ref()
-                    .filter(|face| !face.active().is_empty());
-                uncertainty_along(j.as_ref(), held.map(|face| face.directions()), names)
-            }
-            Jacobian::Blocks(_) => {
-                uncertainty_along(faer::Mat::zeros(0, 0).as_ref(), None, Vec::new())
-            }
+            Jacobian::Dense(j) => uncertainty_along(j.as_ref(), directions, names),
+            Jacobian::Blocks(_) => Uncertainty::unknown(names, Vec::new()),
         };
         self.into_report(parameters, uncertainty, polytope, options)
     }
