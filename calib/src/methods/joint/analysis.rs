@@ -11,7 +11,7 @@ use super::weights::{Component, ComponentKind, NoiseLevel, White, Whitening};
 use sensor::Sensor;
 
 /// Chance of any false accusation of a clean recording.
-const CHANCE: f64 = 0.004;
+const CHANCE: f64 = 0.001;
 
 /// A fit whose quieter three quarters are off by this much, as χ² per degree of freedom, does not
 /// know its noise: the model misses, or the noise is of another kind.

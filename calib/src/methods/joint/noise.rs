@@ -15,13 +15,13 @@ const COLOURED: f64 = 1.2;
 /// Stretches with more than this many times the median variance are not quiet.
 const QUIET: f64 = 1.5;
 
-/// Noise below this share of the reading's size is rounding: keeps noise-free recordings weighted.
-const FLOOR: f64 = 1e-10;
+/// Noise below this (m/s² or rad/s) is rounding: keeps noise-free recordings weighted, and sensibly.
+pub(super) const FLOOR: f64 = 1e-9;
 
 /// A least significant bit beyond this many standard deviations no longer averages out.
 const DITHERED: f64 = 2.0;
 
-/// Standard deviations per axis, in the unit of the samples.
+/// Standard deviations per axis, near SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SensorNoise {
     /// Of one sample (3).
@@ -97,8 +97,7 @@ impl Axis {
         let variances: Vec<f64> = scatters.iter().map(|(s, dof)| s / dof).collect();
         let quiet = QUIET * median(&variances)?;
         let pooled = pool(scatters.iter().zip(&variances), quiet);
-        let size = parts.iter().flatten().fold(0.0f64, |m, v| m.max(v.abs()));
-        let white = pooled.sqrt().max(FLOOR * size.max(f64::MIN_POSITIVE));
+        let white = pooled.sqrt().max(FLOOR);
         Some(Self {
             white,
             long_run: long_run(parts, batch, white),
