@@ -18,6 +18,9 @@ const QUIET: f64 = 1.5;
 /// Noise below this (m/s² or rad/s) is rounding: keeps noise-free recordings weighted, and sensibly.
 pub(super) const FLOOR: f64 = 1e-9;
 
+/// How far, in steps, a reading may lie off the grid of its converter.
+const OFF_GRID: f64 = 0.05;
+
 /// A least significant bit beyond this many standard deviations no longer averages out.
 const DITHERED: f64 = 2.0;
 
@@ -148,21 +151,26 @@ pub(super) fn median(values: &[f64]) -> Option<f64> {
     (!sorted.is_empty()).then(|| *sorted.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
-/// The smallest difference between two readings that differ, where readings repeat as those of a
-/// converter do; 0 where hardly any do.
+/// The step of a converter: the smallest difference between two readings that differ, where readings
+/// repeat and all lie on the grid it makes; 0 elsewhere.
 fn smallest_step(parts: &[Vec<f64>]) -> f64 {
     let mut all: Vec<f64> = parts.iter().flatten().copied().collect();
     all.sort_by(f64::total_cmp);
     let count = all.len();
     all.dedup();
-    if 2 * all.len() > count {
-        return 0.0;
+    let gaps = all.windows(2).map(|w| w[1] - w[0]);
+    let step = gaps.fold(f64::INFINITY, f64::min);
+    let Some(first) = all.first() else { return 0.0 };
+    let on_grid = |v: &f64| {
+        let steps = (v - first) / step;
+        (steps - steps.round()).abs() < OFF_GRID
+    };
+    let repeats = 2 * all.len() <= count;
+    if all.len() > 1 && repeats && all.iter().all(on_grid) {
+        step
+    } else {
+        0.0
     }
-    all.windows(2)
-        .map(|w| w[1] - w[0])
-        .fold(f64::INFINITY, f64::min)
-        .min(f64::MAX)
-        * f64::from(u8::from(all.len() > 1))
 }
 
 #[cfg(test)]
