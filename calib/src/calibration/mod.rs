@@ -3,10 +3,12 @@
 mod apply;
 mod check;
 mod frame;
+mod units;
 
 pub use apply::apply;
 pub use check::load;
 pub use frame::in_symmetric_frame;
+pub use units::check_units;
 
 use nalgebra::{Matrix3, Vector3};
 use sensor::{AnyEffect, Base, Model, Sensor};

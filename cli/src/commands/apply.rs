@@ -6,7 +6,7 @@ use calib::Recording;
 use calib::calibration::{apply, load};
 use calib::recording::{stream_to_csv, to_csv};
 
-use super::inputs::read;
+use super::inputs::{DeviceArgs, read};
 use crate::exit::{Failure, OUTPUT};
 use crate::output::Output;
 use crate::read_args::ReadArgs;
@@ -32,6 +32,8 @@ pub struct Args {
     #[arg(long)]
     force: bool,
     #[command(flatten)]
+    device: DeviceArgs,
+    #[command(flatten)]
     read: ReadArgs,
 }
 
@@ -44,6 +46,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     };
     let calibration = load(&args.calibration)?;
     let recording = read(&args.recording, &args.read)?;
+    args.device.check(&calibration, &[&recording])?;
     let mut corrected: Recording = apply(&calibration, &recording);
     let written = target.write(&mut corrected);
     for warning in &corrected.warnings {

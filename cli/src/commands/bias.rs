@@ -9,7 +9,7 @@ use calib::methods::online_bias::{
     LONG_ENOUGH, Stretch, gyroscope_stretches, update_accelerometer, update_gyroscope,
 };
 
-use super::inputs::{DetectorArgs, read};
+use super::inputs::{DetectorArgs, DeviceArgs, read};
 use crate::exit::{BUG, Failure};
 use crate::output::Output;
 use crate::read_args::ReadArgs;
@@ -48,6 +48,8 @@ pub struct Args {
     #[command(flatten)]
     detector: DetectorArgs,
     #[command(flatten)]
+    device: DeviceArgs,
+    #[command(flatten)]
     read: ReadArgs,
 }
 
@@ -64,6 +66,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .warnings
         .iter()
         .for_each(|warning| show::warn(warning));
+    args.device.check(&old, &[&recording])?;
     let (detector, _) = args.detector.detector()?;
     let segmentation = segment(&recording, &detector)?;
     let mut new = old;

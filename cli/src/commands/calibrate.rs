@@ -175,7 +175,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     request.sections = sections(args, &recordings)?;
     let outcome = {
         let spinner = spinner("calibrating");
-        let outcome = calibrate(&recordings, &gyro_recordings, &request)?;
+        // A calibration carries the readers' warnings; where there is none they may explain why.
+        let outcome = calibrate(&recordings, &gyro_recordings, &request).inspect_err(|_| {
+            let warnings = recordings.iter().flat_map(|r| &r.warnings);
+            warnings.for_each(|warning| show::warn(warning));
+        })?;
         spinner.finish_and_clear();
         outcome
     };

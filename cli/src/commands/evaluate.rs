@@ -8,7 +8,7 @@ use calib::methods::{Choice, choose_multiplier};
 use calib::{Evaluation, evaluate, intervals::segment};
 use serde_json::json;
 
-use super::inputs::{DetectorArgs, read};
+use super::inputs::{DetectorArgs, DeviceArgs, read};
 use crate::exit::{BUG, Failure, USAGE};
 use crate::read_args::ReadArgs;
 use crate::show;
@@ -35,6 +35,8 @@ pub struct Args {
     #[command(flatten)]
     detector: DetectorArgs,
     #[command(flatten)]
+    device: DeviceArgs,
+    #[command(flatten)]
     read: ReadArgs,
 }
 
@@ -51,6 +53,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let recording = read(&args.recording, &args.read)?;
     for warning in &recording.warnings {
         show::warn(warning);
+    }
+    for (_, calibration) in &calibrations {
+        args.device.check(calibration, &[&recording])?;
     }
     let choice = if choose {
         choose_multiplier(&recording, &detector, args.gravity)?

@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use calib::Recording;
+use calib::calibration::check_units;
 use calib::intervals::Detector;
+use calib::{Calibration, Recording};
 use indicatif::ProgressBar;
 
 use crate::exit::Failure;
@@ -80,6 +81,31 @@ pub fn read_pair(accel: &Path, gyro: &Path, args: &ReadArgs) -> Result<Recording
     let recording = Recording::read_pair(accel, gyro, &args.clone().into())?;
     spinner.finish_and_clear();
     Ok(recording)
+}
+
+/// Whether a calibration may be used on a recording of another unit or device.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub struct DeviceArgs {
+    /// Use the calibration even where the readings seem to be of another unit or device
+    #[arg(long)]
+    force_device: bool,
+}
+
+impl DeviceArgs {
+    /// Refuses readings that the calibration is not for; warns of one that failed its gate.
+    pub fn check(
+        self,
+        calibration: &Calibration,
+        recordings: &[&Recording],
+    ) -> Result<(), Failure> {
+        for gate in &calibration.failed_gates {
+            show::warn(&format!("the calibration failed a gate: {gate}"));
+        }
+        for recording in recordings.iter().filter(|_| !self.force_device) {
+            check_units(calibration, recording)?;
+        }
+        Ok(())
+    }
 }
 
 /// A sign of life on a terminal; nothing elsewhere.
