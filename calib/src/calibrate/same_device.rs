@@ -62,6 +62,9 @@ fn difference(a: &AccelerometerFit, b: &AccelerometerFit) -> Option<String> {
             let errors = [a, b].map(|fit| fit.fitted.standard_error(name));
             let error = errors[0]?.hypot(errors[1]?);
             let t = (x - y).abs() / error;
+            if !t.is_finite() {
+                return None;
+            }
             let scale = a.unit.scale.max(b.unit.scale);
             let other = (x - y).abs() > SAME * scale && 2.0 * law.sf(t) < LEVEL;
             other.then(|| {

@@ -3,6 +3,9 @@
 use solver::{Problem, Report};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
+/// A row that the fit follows more closely than this says nothing of the others.
+const LEAST_FREE_SHARE: f64 = 1e-6;
+
 /// A residual that the others do not explain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outlier {
@@ -44,9 +47,12 @@ pub fn outliers(problem: &dyn Problem, report: &Report, level: f64) -> Vec<Outli
             let e = report.residuals[row];
             let free_share = 1.0 - leverage(row);
             let rest = (2.0 * report.cost - e * e / free_share) / spare as f64;
-            let t = e / (rest * free_share).sqrt();
-            let p_value = (2.0 * law.sf(t.abs()) * rows as f64).min(1.0);
-            (free_share > 1e-6 && rest > 0.0 && p_value < level).then_some(Outlier {
+            let t = (e / (rest * free_share).sqrt()).abs();
+            if free_share < LEAST_FREE_SHARE || !t.is_finite() {
+                return None;
+            }
+            let p_value = (2.0 * law.sf(t) * rows as f64).min(1.0);
+            (p_value < level).then_some(Outlier {
                 row,
                 deleted_residual: e / free_share,
                 p_value,

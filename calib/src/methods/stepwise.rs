@@ -156,6 +156,9 @@ fn choose_bias(common: Report, own: Report) -> (Report, Option<f64>) {
         return (common, None);
     }
     let f = ((common.cost - own.cost).max(0.0) / extra) / (own.cost / dof);
+    if !f.is_finite() {
+        return (common, None);
+    }
     let p = FisherSnedecor::new(extra, dof).ok().map(|law| law.sf(f));
     match p {
         Some(p) if p < OWN_BIAS_LEVEL => (own, Some(p)),

@@ -15,17 +15,15 @@ use crate::recording::Recording;
 use crate::residuals::{GravityNorm, StaticMean};
 
 /// The multipliers tried.
-pub const MULTIPLIERS: [f64; 16] = [
-    3.0, 1e1, 3e1, 1e2, 3e2, 1e3, 3e3, 1e4, 3e4, 1e5, 3e5, 1e6, 3e6, 1e7, 3e7, 1e8,
-];
+pub const MULTIPLIERS: [f64; 12] = [3.0, 1e1, 3e1, 1e2, 3e2, 1e3, 3e3, 1e4, 3e4, 1e5, 3e5, 1e6];
 
 /// Multipliers are compared by how well a corrected reading is known after the fit, with the upper end
 /// of what the residual may be: a small residual from two spare placements does not beat one from
 /// twelve, nor a fit of half the placements one of them all. One-sided confidence.
 const CONFIDENCE: f64 = 0.9;
 
-/// Fits within this factor of the best are as good.
-const AS_GOOD: f64 = 1.1;
+/// Fits within this factor of the best are as good: what many multipliers agree on counts for more.
+const AS_GOOD: f64 = 1.3;
 
 /// Spare residuals below which a fit says nothing about a multiplier.
 const MIN_SPARE: usize = 2;
