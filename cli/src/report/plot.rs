@@ -33,6 +33,8 @@ pub(super) enum Mark {
     },
     /// Dots at `(x, y)` with a bar from `low` to `high`: `(x, y, low, high)`.
     Bars(Vec<(f64, f64, f64, f64)>),
+    /// Level strokes from `x0` to `x1` at `y`: `(x0, x1, y)`.
+    Strokes(Vec<(f64, f64, f64)>),
 }
 
 impl Series {
@@ -69,6 +71,21 @@ impl Series {
         }
     }
 
+    /// Dots at `(x, y)`.
+    pub fn dots(name: impl Into<String>, colour: usize, points: Vec<(f64, f64)>) -> Self {
+        let bare = points.into_iter().map(|(x, y)| (x, y, y, y)).collect();
+        Self::bars(name, colour, bare)
+    }
+
+    /// Level strokes `(x0, x1, y)`, for stretches of time.
+    pub fn strokes(name: impl Into<String>, colour: usize, strokes: Vec<(f64, f64, f64)>) -> Self {
+        Self {
+            name: name.into(),
+            colour,
+            mark: Mark::Strokes(strokes),
+        }
+    }
+
     /// All `(x, y)` that must be in the picture.
     pub(super) fn extent(&self) -> Vec<(f64, f64)> {
         match &self.mark {
@@ -76,6 +93,10 @@ impl Series {
             Mark::Bars(points) => points
                 .iter()
                 .flat_map(|&(x, y, low, high)| [(x, y), (x, low), (x, high)])
+                .collect(),
+            Mark::Strokes(strokes) => strokes
+                .iter()
+                .flat_map(|&(from, to, y)| [(from, y), (to, y)])
                 .collect(),
         }
     }
