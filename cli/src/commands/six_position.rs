@@ -83,7 +83,7 @@ fn plot(solution: &SixPosition) -> Plot {
     let plot = Plot::new(
         "What is left of gravity's modulus on each face",
         Axis::linear("face: x down, x up, y down, y up, z down, z up"),
-        Axis::linear("|f| − g, mm/s²"),
+        Axis::linear("modulus less gravity, mm/s²"),
     )
     .with(Series::dots("raw", 6, left(&|mean| *mean)));
     match solution.base() {

@@ -36,10 +36,10 @@ enum Legend {
 impl Legend {
     fn of(mark: &Mark) -> Self {
         match mark {
-            Mark::Line { dashed: false, .. } => Self::Line,
+            Mark::Line { dashed: false, .. } | Mark::Strokes { thick: false, .. } => Self::Line,
             Mark::Line { dashed: true, .. } => Self::Dashed,
             Mark::Bars(_) => Self::Dot,
-            Mark::Strokes(_) => Self::Thick,
+            Mark::Strokes { thick: true, .. } => Self::Thick,
         }
     }
 }
@@ -221,12 +221,10 @@ fn draw<B: DrawingBackend>(
                     .map(|at| Circle::new(at, 3 * scale, colour.filled()));
                 chart.draw_series(dots)
             }
-            Mark::Strokes(strokes) => {
-                let strokes = strokes.iter().filter_map(|&(from, to, y)| {
-                    Some(PathElement::new(
-                        vec![place((from, y))?, place((to, y))?],
-                        thick,
-                    ))
+            Mark::Strokes { strokes, thick: t } => {
+                let style = if *t { thick } else { stroke };
+                let strokes = strokes.iter().filter_map(|&[from, to]| {
+                    Some(PathElement::new(vec![place(from)?, place(to)?], style))
                 });
                 chart.draw_series(strokes)
             }
@@ -244,11 +242,15 @@ fn draw<B: DrawingBackend>(
                     Legend::Dashed => (dash(0, 9 * scale), dash(13 * scale, length)),
                     Legend::Line | Legend::Thick => (dash(0, length), dash(0, 0)),
                 };
-                let radius = if kind == Legend::Dot { 3 * scale } else { 0 };
+                // A circle of no size is a dot still: it hides in the stroke.
+                let (middle, radius) = match kind {
+                    Legend::Dot => (length / 2, 3 * scale),
+                    _ => (scale, 0),
+                };
                 EmptyElement::at((0, 0))
                     + first
                     + second
-                    + Circle::new((x + length / 2, y), radius, colour.filled())
+                    + Circle::new((x + middle, y), radius, colour.filled())
             });
         }
     }

@@ -33,8 +33,11 @@ pub(super) enum Mark {
     },
     /// Dots at `(x, y)` with a bar from `low` to `high`: `(x, y, low, high)`.
     Bars(Vec<(f64, f64, f64, f64)>),
-    /// Level strokes from `x0` to `x1` at `y`: `(x0, x1, y)`.
-    Strokes(Vec<(f64, f64, f64)>),
+    /// Straight strokes from one point to another.
+    Strokes {
+        strokes: Vec<[(f64, f64); 2]>,
+        thick: bool,
+    },
 }
 
 impl Series {
@@ -77,12 +80,23 @@ impl Series {
         Self::bars(name, colour, bare)
     }
 
-    /// Level strokes `(x0, x1, y)`, for stretches of time.
-    pub fn strokes(name: impl Into<String>, colour: usize, strokes: Vec<(f64, f64, f64)>) -> Self {
+    /// Level strokes `(x0, x1, y)`, thick, for stretches of time.
+    pub fn stretches(name: impl Into<String>, colour: usize, all: Vec<(f64, f64, f64)>) -> Self {
+        let strokes = all.into_iter().map(|(from, to, y)| [(from, y), (to, y)]);
+        Self::strokes(name.into(), colour, strokes.collect(), true)
+    }
+
+    /// Upright strokes `(x, low, high)`, for the range of many samples.
+    pub fn ranges(name: impl Into<String>, colour: usize, all: Vec<(f64, f64, f64)>) -> Self {
+        let strokes = all.into_iter().map(|(x, low, high)| [(x, low), (x, high)]);
+        Self::strokes(name.into(), colour, strokes.collect(), false)
+    }
+
+    fn strokes(name: String, colour: usize, strokes: Vec<[(f64, f64); 2]>, thick: bool) -> Self {
         Self {
-            name: name.into(),
+            name,
             colour,
-            mark: Mark::Strokes(strokes),
+            mark: Mark::Strokes { strokes, thick },
         }
     }
 
@@ -94,10 +108,7 @@ impl Series {
                 .iter()
                 .flat_map(|&(x, y, low, high)| [(x, y), (x, low), (x, high)])
                 .collect(),
-            Mark::Strokes(strokes) => strokes
-                .iter()
-                .flat_map(|&(from, to, y)| [(from, y), (to, y)])
-                .collect(),
+            Mark::Strokes { strokes, .. } => strokes.concat(),
         }
     }
 }

@@ -1,9 +1,10 @@
 //! The report of a calibration: what was found, what it leaves, and where the device was still.
 
 use calib::calibration::{RecordingBias, Triad};
-use calib::intervals::Segmentation;
+use calib::intervals::{Segmentation, StaticInterval};
 use calib::recording::Stream;
 use calib::{Calibration, Misfit, Misfits, Recording, misfits};
+use nalgebra::Vector3;
 
 use super::tables::{self, PARAMETERS};
 use crate::exit::Failure;
@@ -12,6 +13,9 @@ use crate::show;
 
 /// Colour of what is not calibrated, and of the samples behind the rests.
 const GREY: usize = 6;
+
+/// Stretches in which the range of the samples is drawn.
+const STRETCHES: usize = 300;
 
 /// A recording, how it was cut, and what the calibration leaves of it.
 #[derive(Debug)]
@@ -82,10 +86,10 @@ pub fn plots(parts: &[Part<'_>]) -> Vec<Plot> {
     let modulus = Plot::new(
         "What is left of gravity's modulus in each rest",
         Axis::linear("rest, numbered through all recordings"),
-        Axis::linear("|f| − g, mm/s²"),
+        Axis::linear("modulus less gravity, mm/s²"),
     );
     let direction = Plot::new(
-        "How far gravity is foretold wrongly through each turn",
+        "Error of gravity's direction, foretold through each turn",
         Axis::linear("turn, by the number of the rest before it"),
         Axis::linear("angle, °"),
     );
@@ -131,17 +135,25 @@ fn residuals(
 
 /// The modulus of the readings over time, rests marked.
 fn cut(part: &Part<'_>) -> Plot {
-    let (label, stream, mean): (_, _, fn(&calib::intervals::StaticInterval) -> Option<f64>) =
-        match &part.recording.accelerometer {
-            Some(stream) => ("|a|, raw", stream.clone(), |rest| {
-                Some(rest.accelerometer?.mean.norm())
-            }),
-            None => (
-                "|w|, raw",
-                part.recording.gyroscope.clone().unwrap_or_default(),
-                |rest| Some(rest.gyroscope?.mean.norm()),
-            ),
-        };
+    type Mean = fn(&StaticInterval) -> Option<f64>;
+    let si = part.raw.is_some();
+    let unit = |of_si: &str| {
+        if si {
+            of_si.to_owned()
+        } else {
+            "counts".into()
+        }
+    };
+    let (unit, stream, mean): (_, _, Mean) = match &part.recording.accelerometer {
+        Some(stream) => (unit("m/s²"), stream.clone(), |rest| {
+            Some(rest.accelerometer?.mean.norm())
+        }),
+        None => (
+            unit("rad/s"),
+            part.recording.gyroscope.clone().unwrap_or_default(),
+            |rest| Some(rest.gyroscope?.mean.norm()),
+        ),
+    };
     let strokes = part
         .segmentation
         .statics
@@ -151,31 +163,31 @@ fn cut(part: &Part<'_>) -> Plot {
     Plot::new(
         format!("Rests of {}", show::printable(&part.recording.name)),
         Axis::linear("time, s"),
-        Axis::linear(label),
+        Axis::linear(format!("modulus of the readings, {unit}")),
     )
-    .with(Series::line("readings", GREY, envelope(&stream)))
-    .with(Series::strokes("rests", 0, strokes))
+    .with(Series::ranges("readings", GREY, ranges(&stream)))
+    .with(Series::stretches("rests", 0, strokes))
 }
 
 /// Smallest and largest modulus in each of a few hundred stretches: a line through every k-th sample
 /// would miss short motions.
-fn envelope(stream: &Stream) -> Vec<(f64, f64)> {
-    const STRETCHES: usize = 400;
-    let samples: Vec<(f64, f64)> = stream
-        .t
-        .iter()
-        .zip(&stream.values)
-        .map(|(&t, value)| (t, value.norm()))
-        .collect();
-    let length = samples.len().div_ceil(STRETCHES).max(1);
-    let ends = |stretch: &[(f64, f64)]| {
-        let by = |a: &&(f64, f64), b: &&(f64, f64)| a.1.total_cmp(&b.1);
-        let (low, high) = (stretch.iter().min_by(by), stretch.iter().max_by(by));
-        let mut ends: Vec<(f64, f64)> = low.into_iter().chain(high).copied().collect();
-        ends.sort_by(|a, b| a.0.total_cmp(&b.0));
-        ends
+fn ranges(stream: &Stream) -> Vec<(f64, f64, f64)> {
+    let length = stream.len().div_ceil(STRETCHES).max(1);
+    let range = |(t, values): (&[f64], &[Vector3<f64>])| {
+        let (low, high) = values
+            .iter()
+            .map(Vector3::norm)
+            .fold((f64::INFINITY, 0.0), |(l, h): (f64, f64), v| {
+                (l.min(v), h.max(v))
+            });
+        (0.5 * (t[0] + t[t.len() - 1]), low, high)
     };
-    samples.chunks(length).flat_map(ends).collect()
+    stream
+        .t
+        .chunks(length)
+        .zip(stream.values.chunks(length))
+        .map(range)
+        .collect()
 }
 
 /// The page.
@@ -208,7 +220,7 @@ pub fn page(
         if let Some(plot) = plots.first() {
             report = report.plot(plot)?;
         }
-        report = report.text(left(parts, |m| &m.rests, 1e3, "mm/s²"));
+        report = report.text(left(parts, |m| &m.rests, 1e3, ["rests", " mm/s²"], triad));
     }
     if let Some(triad) = &calibration.gyroscope {
         report = sensor(report, "Gyroscope, w = T (W − b)", triad, units[1], "gyro");
@@ -216,7 +228,7 @@ pub fn page(
             report = report.plot(plot)?;
         }
         report = report
-            .text(left(parts, |m| &m.turns, 1.0, "°"))
+            .text(left(parts, |m| &m.turns, 1.0, ["turns", "°"], triad))
             .text("The rate left in the two rests beside a turn is taken off as bias.");
     }
     report = effects(report, calibration);
@@ -233,10 +245,8 @@ fn sensor(report: Report, heading: &str, triad: &Triad, unit: &str, prefix: &str
         table.row(row);
     }
     let mut report = report.section(heading).table(table).text(format!(
-        "Condition {:.1}, rank {}{}.",
-        triad.condition,
-        triad.rank,
-        tables::over_noise(triad)
+        "Condition {:.1}, rank {}.",
+        triad.condition, triad.rank
     ));
     for what in &triad.unobservable {
         report = report.text(format!("Not observable: {what}"));
@@ -244,7 +254,7 @@ fn sensor(report: Report, heading: &str, triad: &Triad, unit: &str, prefix: &str
     report
 }
 
-/// `3.1 mm/s² rms are left in 24 places (raw 21.1 mm/s²)`.
+/// `3.1 mm/s² rms are left in 24 rests (raw 21.1 mm/s²)`, and how much that is.
 fn left(parts: &[Part<'_>], of: fn(&Misfits) -> &Vec<Misfit>, factor: f64, unit: &str) -> String {
     let rms = |misfits: Vec<&Misfits>| {
         let all: Vec<f64> = misfits
@@ -263,9 +273,10 @@ fn left(parts: &[Part<'_>], of: fn(&Misfits) -> &Vec<Misfit>, factor: f64, unit:
     let before = if raw.is_empty() {
         String::new()
     } else {
-        format!(" (raw {:.2} {unit})", rms(raw).1)
+        format!(" (raw {:.2}{unit})", rms(raw).1)
     };
-    format!("{after:.2} {unit} rms are left in {count} places{before}.")
+    let noise = tables::over_noise(triad);
+    format!("{after:.2}{unit} rms are left in {count} {places}{before}{noise}.")
 }
 
 fn effects(mut report: Report, calibration: &Calibration) -> Report {
