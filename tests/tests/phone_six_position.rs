@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use calib::intervals::{Detector, Moments};
-use calib::methods::six_position::{Face, Placement, Six, SixPosition, placements};
+use calib::methods::six_position::{EarthRate, Face, Placement, Six, SixPosition, placements};
 use calib::recording::Stream;
 use nalgebra::{Matrix3, Matrix3x6, Vector3};
 use stillpoint_tests::phone;

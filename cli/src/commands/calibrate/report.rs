@@ -255,7 +255,13 @@ fn sensor(report: Report, heading: &str, triad: &Triad, unit: &str, prefix: &str
 }
 
 /// `3.1 mm/s² rms are left in 24 rests (raw 21.1 mm/s²)`, and how much that is.
-fn left(parts: &[Part<'_>], of: fn(&Misfits) -> &Vec<Misfit>, factor: f64, unit: &str) -> String {
+fn left(
+    parts: &[Part<'_>],
+    of: fn(&Misfits) -> &Vec<Misfit>,
+    factor: f64,
+    [places, unit]: [&str; 2],
+    triad: &Triad,
+) -> String {
     let rms = |misfits: Vec<&Misfits>| {
         let all: Vec<f64> = misfits
             .iter()
