@@ -199,11 +199,22 @@ fn a_calibrations_report_tells_recordings_rests_and_turns_apart() {
 }
 
 #[test]
+fn segment_draws_the_rests_it_found() {
+    let dir = tempfile::tempdir().unwrap();
+    recording(&dir.path().join("two.csv"), &[UP; 2], 10.0);
+    let output = stillpoint(dir.path(), &["segment", "two.csv", "--report", "cut.html"]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let page = std::fs::read_to_string(dir.path().join("cut.html")).unwrap();
+    assert_eq!(page.matches("<svg").count(), 2);
+    assert!(page.contains("rest 2") && page.contains("turn 1") && !page.contains("rest 3"));
+}
+
+#[test]
 fn a_report_and_a_result_of_one_name_are_a_wrong_call_and_leave_nothing() {
     let dir = tempfile::tempdir().unwrap();
     recording(&dir.path().join("rest.csv"), &[UP], 20.0);
     for (o, report) in [("same", "same"), ("same", "./same")] {
-        for command in ["calibrate", "allan"] {
+        for command in ["calibrate", "allan", "segment"] {
             let args = [command, "rest.csv", "-o", o, "--report", report];
             let output = stillpoint(dir.path(), &args);
             assert_eq!(

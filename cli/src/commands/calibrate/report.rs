@@ -1,21 +1,17 @@
 //! The report of a calibration: what was found, what it leaves, and where the device was still.
 
 use calib::calibration::{RecordingBias, Triad};
-use calib::intervals::{Segmentation, StaticInterval};
-use calib::recording::Stream;
+use calib::intervals::Segmentation;
 use calib::{Calibration, Misfit, Misfits, Recording, misfits};
-use nalgebra::Vector3;
 
+use super::super::rests_plot::rests_plot;
 use super::tables::{self, PARAMETERS};
 use crate::exit::Failure;
 use crate::report::{Axis, Plot, Report, ReportTable, Series};
 use crate::show;
 
-/// Colour of what is not calibrated, and of the samples behind the rests.
+/// Colour of what is not calibrated.
 const GREY: usize = 6;
-
-/// Stretches in which the range of the samples is drawn.
-const STRETCHES: usize = 300;
 
 /// A recording, how it was cut, and what the calibration leaves of it.
 #[derive(Debug)]
@@ -26,6 +22,16 @@ pub struct Part<'a> {
     first: usize,
     left: Misfits,
     raw: Option<Misfits>,
+}
+
+impl Part<'_> {
+    fn cut(&self) -> Plot {
+        let units = match self.raw {
+            Some(_) => ["m/s²", "rad/s"],
+            None => ["counts"; 2],
+        };
+        rests_plot(self.recording, self.segmentation, units)
+    }
 }
 
 /// Measures every recording under its own biases.
@@ -98,7 +104,7 @@ pub fn plots(parts: &[Part<'_>]) -> Vec<Plot> {
         residuals(direction, parts, |misfits| &misfits.turns, 1.0),
     ]
     .into_iter()
-    .chain(parts.iter().map(cut))
+    .chain(parts.iter().map(Part::cut))
     .collect()
 }
 
@@ -133,63 +139,6 @@ fn residuals(
     plot
 }
 
-/// The modulus of the readings over time, rests marked.
-fn cut(part: &Part<'_>) -> Plot {
-    type Mean = fn(&StaticInterval) -> Option<f64>;
-    let si = part.raw.is_some();
-    let unit = |of_si: &str| {
-        if si {
-            of_si.to_owned()
-        } else {
-            "counts".into()
-        }
-    };
-    let (unit, stream, mean): (_, _, Mean) = match &part.recording.accelerometer {
-        Some(stream) => (unit("m/s²"), stream.clone(), |rest| {
-            Some(rest.accelerometer?.mean.norm())
-        }),
-        None => (
-            unit("rad/s"),
-            part.recording.gyroscope.clone().unwrap_or_default(),
-            |rest| Some(rest.gyroscope?.mean.norm()),
-        ),
-    };
-    let strokes = part
-        .segmentation
-        .statics
-        .iter()
-        .filter_map(|rest| Some((rest.span.from, rest.span.to, mean(rest)?)))
-        .collect();
-    Plot::new(
-        format!("Rests of {}", show::printable(&part.recording.name)),
-        Axis::linear("time, s"),
-        Axis::linear(format!("modulus of the readings, {unit}")),
-    )
-    .with(Series::ranges("readings", GREY, ranges(&stream)))
-    .with(Series::stretches("rests", 0, strokes))
-}
-
-/// Smallest and largest modulus in each of a few hundred stretches: a line through every k-th sample
-/// would miss short motions.
-fn ranges(stream: &Stream) -> Vec<(f64, f64, f64)> {
-    let length = stream.len().div_ceil(STRETCHES).max(1);
-    let range = |(t, values): (&[f64], &[Vector3<f64>])| {
-        let (low, high) = values
-            .iter()
-            .map(Vector3::norm)
-            .fold((f64::INFINITY, 0.0), |(l, h): (f64, f64), v| {
-                (l.min(v), h.max(v))
-            });
-        (0.5 * (t[0] + t[t.len() - 1]), low, high)
-    };
-    stream
-        .t
-        .chunks(length)
-        .zip(stream.values.chunks(length))
-        .map(range)
-        .collect()
-}
-
 /// The page.
 pub fn page(
     calibration: &Calibration,
@@ -217,26 +166,35 @@ pub fn page(
             units[0],
             "accel",
         );
-        if let Some(plot) = plots.first() {
-            report = report.plot(plot)?;
+        if let Some(plot) = plots.first().filter(|_| any(parts, |m| &m.rests)) {
+            report =
+                report
+                    .plot(plot)?
+                    .text(left(parts, |m| &m.rests, 1e3, ["rests", " mm/s²"], triad));
         }
-        report = report.text(left(parts, |m| &m.rests, 1e3, ["rests", " mm/s²"], triad));
     }
     if let Some(triad) = &calibration.gyroscope {
         report = sensor(report, "Gyroscope, w = T (W − b)", triad, units[1], "gyro");
-        if let Some(plot) = plots.get(1) {
-            report = report.plot(plot)?;
+        if let Some(plot) = plots.get(1).filter(|_| any(parts, |m| &m.turns)) {
+            report = report
+                .plot(plot)?
+                .text(left(parts, |m| &m.turns, 1.0, ["turns", "°"], triad))
+                .text("The rate left in the two rests beside a turn is taken off as bias.");
         }
-        report = report
-            .text(left(parts, |m| &m.turns, 1.0, ["turns", "°"], triad))
-            .text("The rate left in the two rests beside a turn is taken off as bias.");
     }
     report = effects(report, calibration);
-    report = report.section("Rests and turns");
+    if !parts.is_empty() {
+        report = report.section("Rests and turns");
+    }
     for (part, plot) in parts.iter().zip(plots.iter().skip(2)) {
         report = report.plot(plot)?.table(intervals(part));
     }
     Ok(report)
+}
+
+/// Whether there is anything of the kind.
+fn any(parts: &[Part<'_>], of: fn(&Misfits) -> &Vec<Misfit>) -> bool {
+    parts.iter().any(|part| !of(&part.left).is_empty())
 }
 
 fn sensor(report: Report, heading: &str, triad: &Triad, unit: &str, prefix: &str) -> Report {
