@@ -208,7 +208,7 @@ fn draw(pictures: Pictures, recordings: &[Recording], outcome: &Outcome) -> Resu
         let same = |other: &&Recording| {
             other.accelerometer == recording.accelerometer && other.gyroscope == recording.gyroscope
         };
-        if !counted.iter().any(|other| same(other)) {
+        if !counted.iter().any(same) {
             counted.push(recording);
         }
     }
