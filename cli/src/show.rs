@@ -5,6 +5,8 @@ use std::io::Write;
 use comfy_table::presets::NOTHING;
 use comfy_table::{CellAlignment, LineStyle, Table};
 
+use crate::exit::{Failure, OUTPUT};
+
 /// A table whose columns after the first are aligned right.
 pub fn table(header: &[&str]) -> Table {
     let mut table = Table::new();
@@ -17,8 +19,18 @@ pub fn table(header: &[&str]) -> Table {
 }
 
 /// Prints a result. A reader that has closed the pipe (`| head`) is no error.
-pub fn print(text: &str) {
-    let _ = writeln!(std::io::stdout().lock(), "{}", text.trim_end());
+///
+/// # Errors
+/// Status 6 where standard output cannot be written, such as a file on a full disk.
+pub fn print(text: &str) -> Result<(), Failure> {
+    let mut out = std::io::stdout().lock();
+    match writeln!(out, "{}", text.trim_end()).and_then(|()| out.flush()) {
+        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::new(
+            OUTPUT,
+            format!("standard output cannot be written: {e}"),
+        )),
+        _ => Ok(()),
+    }
 }
 
 /// A note or a warning.

@@ -40,7 +40,7 @@ impl Uncertainty {
     }
 
     /// Nothing known: no rank, no finite covariance.
-    fn unknown(names: Vec<String>, singular_values: Vec<f64>) -> Self {
+    pub(crate) fn unknown(names: Vec<String>, singular_values: Vec<f64>) -> Self {
         let n = names.len();
         Self {
             covariance: vec![vec![f64::NAN; n]; n],

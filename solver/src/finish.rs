@@ -16,6 +16,9 @@ const MOST: usize = 60;
 /// A step this short, relative to each parameter, changes nothing.
 const NO_CHANGE: f64 = 2.0 * f64::EPSILON;
 
+/// Relative offset per `√m` below which it is rounding.
+const RESOLVED: f64 = 4.0 * f64::EPSILON;
+
 /// Relative rise of the cost that rounding may explain.
 const ROUNDING: f64 = 1e-9;
 
@@ -111,11 +114,7 @@ pub(crate) fn polish(
         let Some(step) = newton.or_else(|| verdict.step.clone()) else {
             break;
         };
-        if step
-            .iter()
-            .zip(&point.z)
-            .all(|(p, z)| p.abs() <= NO_CHANGE * z.abs())
-        {
+        if is_settled(point, &verdict, &step) {
             break;
         }
         let next = improved(system, point, &step, polytope, &verdict);
@@ -136,6 +135,13 @@ pub(crate) fn polish(
         verdict = after;
     }
     verdict
+}
+
+/// Whether the offset is rounding, or the step changes nothing.
+fn is_settled(point: &Point, verdict: &Verdict, step: &[f64]) -> bool {
+    let rounding = RESOLVED * (point.at.residuals.len() as f64).sqrt();
+    let still = |(p, z): (&f64, &f64)| p.abs() <= NO_CHANGE * z.abs();
+    verdict.offset <= rounding || step.iter().zip(&point.z).all(still)
 }
 
 /// Whether the offset is far enough from rounding for second derivatives to pay.

@@ -5,6 +5,22 @@
 //! (written once)  (derived)                                                 parameters, Uncertainty,
 //!                                                                           Termination, trace
 //! ```
+//!
+//! | to … | see |
+//! |---|---|
+//! | write a problem once over any scalar | [`Residual`] |
+//! | write one in a line | [`from_fn`], [`from_fn_numeric`] |
+//! | check its derivatives | [`check_derivatives`] |
+//! | hold parameters, bound, order or tie them | [`Mask`], [`Constraints`] |
+//! | resist outliers | [`Loss`] |
+//! | choose a variant, limit steps or time, cancel | [`Options`] |
+//! | watch the steps | [`solve_observed`] |
+//! | know what the data say | [`Uncertainty`], [`profile_interval`] |
+//! | fit many small blocks with shared parameters | [`BlockProblem`] |
+//!
+//! How a run goes: `iterate` steps from point to point by a *descent* (where to) and a *search* (how
+//! far) until the residual is nearly orthogonal to the Jacobian; `finish` takes the last steps,
+//! judged by the gradient, since the cost changes by less than double precision resolves.
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
@@ -21,6 +37,7 @@ mod infinite;
 mod iterate;
 mod linear;
 mod loss;
+mod minimise;
 mod newton;
 mod observability;
 mod options;

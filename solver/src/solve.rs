@@ -1,32 +1,20 @@
 //! From a problem and a start to a report.
 
 use std::ops::ControlFlow;
-use std::time::Instant;
 
 use crate::constraints::ActiveConstraint;
-use crate::covariance::uncertainty_along;
+use crate::covariance::{Uncertainty, uncertainty_along};
 use crate::error::Error;
 use crate::feasible::Polytope;
-use crate::finish::{Verdict, polish};
-use crate::iterate::{Run, Stop, Watch};
+use crate::finish::Verdict;
 use crate::linear::Jacobian;
-use crate::loss::{Loss, LossScale, Robust, robust_sigma};
-use crate::options::{Options, Variant};
+use crate::minimise::{Solution, minimise};
+use crate::options::Options;
 use crate::parameters::{Mask, Parameters};
-use crate::point::{NotFinite, Point};
-use crate::report::{Iteration, Report, Termination};
+use crate::point::Point;
+use crate::report::{Iteration, Report};
 use crate::residual::Problem;
-use crate::system::{Counted, Dense, Evaluations, System};
-
-/// Relative Gauss–Newton step below which a point is as good as a minimum where rounding keeps the
-/// offset from falling (residuals near zero).
-const SMALL_STEP: f64 = 1e-8;
-
-/// Most fits with re-estimated scale of the loss.
-const SCALE_ROUNDS: usize = 30;
-
-/// Relative change of the scale at which it counts as found.
-const SCALE_FOUND: f64 = 1e-9;
+use crate::system::Dense;
 
 /// Minimises `½ ‖r(x)‖²` (or half the sum of the losses) over the free parameters.
 ///
@@ -101,198 +89,6 @@ pub fn solve_observed(
     Ok(solution.report(parameters, names, polytope.as_ref(), options))
 }
 
-/// Where a run ended and what is known there.
-pub(crate) struct Solution {
-    pub point: Point,
-    residuals: Vec<f64>,
-    termination: Termination,
-    verdict: Verdict,
-    iterations: Vec<Iteration>,
-    evaluations: Evaluations,
-    loss_scale: Option<f64>,
-}
-
-/// Minimises a system from `start`, with the scale of the loss if it is to be estimated.
-pub(crate) fn minimise(
-    system: &dyn System,
-    start: Vec<f64>,
-    polytope: Option<&Polytope>,
-    options: &Options,
-    name: &dyn Fn(usize) -> String,
-    watch: Watch<'_>,
-) -> Result<Solution, Error> {
-    supported(options, polytope)?;
-    if let Some(polytope) = polytope {
-        polytope.check(&start)?;
-    }
-    let system = Counted::new(system);
-    let mut point = first_point(&system, start, name)?;
-    let mut iterations = Vec::new();
-    let deadline = options
-        .time_limit
-        .and_then(|limit| Instant::now().checked_add(limit));
-    let mut descend = |system: &dyn System, point: &mut Point| {
-        let mut run = Run::new(
-            system,
-            point,
-            polytope,
-            options,
-            deadline,
-            &mut iterations,
-            watch,
-        );
-        let stop = run.minimise(point);
-        let verdict = match stop {
-            Stop::Near | Stop::Step | Stop::Flat | Stop::Stalled => polish(system, point, polytope),
-            _ => Verdict::of(point, polytope),
-        };
-        (stop, verdict)
-    };
-    let (stop, verdict, loss_scale) = match options.loss.scale() {
-        None => {
-            let (stop, verdict) = descend(&system, &mut point);
-            (stop, verdict, None)
-        }
-        Some(scale) => {
-            let (stop, verdict, scale) =
-                with_scale(&system, options.loss, scale, &mut point, &mut descend)?;
-            (stop, verdict, Some(scale))
-        }
-    };
-    let evaluations = system.evaluations();
-    let residuals = if loss_scale.is_some() {
-        system.residuals(&point.z)
-    } else {
-        point.at.residuals.clone()
-    };
-    let termination = termination(stop, &verdict, options);
-    Ok(Solution {
-        point,
-        residuals,
-        termination,
-        verdict,
-        iterations,
-        evaluations,
-        loss_scale,
-    })
-}
-
-/// One way down from a point, under a loss.
-type Descend<'a> = &'a mut dyn FnMut(&dyn System, &mut Point) -> (Stop, Verdict);
-
-/// Fits under a loss, alternating with the estimate of its scale where that is not given.
-fn with_scale(
-    system: &dyn System,
-    loss: Loss,
-    scale: LossScale,
-    point: &mut Point,
-    descend: Descend<'_>,
-) -> Result<(Stop, Verdict, f64), Error> {
-    let sigma = |z: &[f64]| match scale {
-        LossScale::Given(value) => value,
-        LossScale::Estimated(factor) => {
-            let sigma = factor * robust_sigma(&system.residuals(z));
-            // A perfect fit has no scale; any will do.
-            if sigma == 0.0 {
-                f64::MIN_POSITIVE.sqrt()
-            } else {
-                sigma
-            }
-        }
-    };
-    let mut current = sigma(&point.z);
-    if !(current > 0.0 && current.is_finite()) {
-        return Err(Error::LossScale { value: current });
-    }
-    for round in 1.. {
-        let robust = Robust {
-            inner: system,
-            loss,
-            scale: current,
-        };
-        // Residuals are finite here; the rewriting keeps them so.
-        if let Ok(rewritten) = Point::new(&robust, point.z.clone()) {
-            *point = rewritten;
-        }
-        let (stop, verdict) = descend(&robust, point);
-        let next = sigma(&point.z);
-        let found = (next - current).abs() <= SCALE_FOUND * current;
-        let interrupted = matches!(
-            stop,
-            Stop::IterationLimit | Stop::TimeLimit | Stop::Cancelled
-        );
-        if found || interrupted || round == SCALE_ROUNDS {
-            return Ok((stop, verdict, current));
-        }
-        current = next;
-    }
-    Err(Error::LossScale { value: current })
-}
-
-/// What the variant can do.
-fn supported(options: &Options, polytope: Option<&Polytope>) -> Result<(), Error> {
-    let levenberg = matches!(options.variant, Variant::LevenbergMarquardt { .. });
-    if polytope.is_some() && !levenberg {
-        return Err(Error::Unsupported {
-            variant: options.variant.name(),
-            what: "constraints",
-        });
-    }
-    Ok(())
-}
-
-/// The start, checked.
-fn first_point(
-    system: &dyn System,
-    z: Vec<f64>,
-    name: &dyn Fn(usize) -> String,
-) -> Result<Point, Error> {
-    let free = z.len();
-    if free == 0 {
-        return Err(Error::Empty {
-            residuals: system.residuals(&z).len(),
-            free,
-        });
-    }
-    let point = Point::new(system, z).map_err(|place| match place {
-        NotFinite::Residual { row, value } => Error::NotFinite { row, value },
-        NotFinite::Derivative { row, column } => Error::DerivativeNotFinite {
-            row,
-            parameter: name(column),
-        },
-    })?;
-    if point.at.residuals.is_empty() {
-        return Err(Error::Empty { residuals: 0, free });
-    }
-    Ok(point)
-}
-
-/// The reason in the user's terms: what the point is, before how the loop was left.
-fn termination(stop: Stop, verdict: &Verdict, options: &Options) -> Termination {
-    if stop == Stop::Cancelled {
-        return Termination::Cancelled;
-    }
-    if verdict.offset <= options.gradient_tolerance {
-        return Termination::Gradient;
-    }
-    if verdict.relative_step <= SMALL_STEP {
-        return Termination::Step;
-    }
-    match stop {
-        Stop::IterationLimit => Termination::IterationLimit,
-        Stop::TimeLimit => Termination::TimeLimit,
-        Stop::NotFinite(NotFinite::Residual { row, .. }) => Termination::NotFinite {
-            row,
-            parameter: None,
-        },
-        Stop::NotFinite(NotFinite::Derivative { row, column }) => Termination::NotFinite {
-            row,
-            parameter: Some(column),
-        },
-        _ => Termination::Stalled,
-    }
-}
-
 impl Solution {
     /// The report of a dense problem.
     fn report(
@@ -302,18 +98,15 @@ impl Solution {
         polytope: Option<&Polytope>,
         options: &Options,
     ) -> Report {
+        let held = self
+            .verdict
+            .face
+            .as_ref()
+            .filter(|face| !face.active().is_empty());
+        let directions = held.map(|face| face.directions());
         let uncertainty = match &self.point.at.jacobian {
-            Jacobian::Dense(j) => {
-                let held = self
-                    .verdict
-                    .face
-                    .as_ref()
-                    .filter(|face| !face.active().is_empty());
-                uncertainty_along(j.as_ref(), held.map(|face| face.directions()), names)
-            }
-            Jacobian::Blocks(_) => {
-                uncertainty_along(faer::Mat::zeros(0, 0).as_ref(), None, Vec::new())
-            }
+            Jacobian::Dense(j) => uncertainty_along(j.as_ref(), directions, names),
+            Jacobian::Blocks(_) => Uncertainty::unknown(names, Vec::new()),
         };
         self.into_report(parameters, uncertainty, polytope, options)
     }
@@ -322,7 +115,7 @@ impl Solution {
     pub fn into_report(
         self,
         parameters: Parameters,
-        uncertainty: crate::Uncertainty,
+        uncertainty: Uncertainty,
         polytope: Option<&Polytope>,
         options: &Options,
     ) -> Report {

@@ -62,6 +62,7 @@ fn placements() -> Vec<StaticMean> {
     .map(|raw| StaticMean {
         raw: Vector3::from(raw),
         rest: Kinematics::at_rest(Vector3::new(1.0, 2.0, 9.0)),
+        white: 0.0,
     })
     .to_vec()
 }

@@ -1,8 +1,9 @@
 //! The fits written down as a [`Calibration`].
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Matrix3;
 use sensor::{BASE_PARAMETERS, Base, Model, PLACES, Sensor, base_names};
 
+use super::rest_bias::rest_bias;
 use super::{Frame, Request, checks, noise};
 use crate::calibration::{
     Calibration, EffectParameter, EffectValues, RecordingBias, SCHEMA, Triad,
@@ -11,6 +12,9 @@ use crate::error::Error;
 use crate::intervals::Segmentation;
 use crate::methods::{AccelerometerFit, Choice, Fitted, GyroscopeFit, RawUnit};
 use crate::recording::Recording;
+
+/// No mean is known better than this, m/s²: simulated rests may have no noise at all.
+const LEAST_NOISE: f64 = 1e-7;
 
 /// What the stages left.
 pub(super) struct Parts<'a> {
@@ -46,6 +50,10 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
                 request.gravity,
             ));
         }
+        failed_gates.extend(checks::disagreeing_rests(fit, recordings, choices));
+        for (recording, choice) in recordings.iter().zip(choices) {
+            warnings.extend(checks::long_turns(recording, &choice.segmentation));
+        }
         warnings.extend(of_the_unit(&fit.unit));
         accelerometer_triad(fit, recordings, choices, request)
     });
@@ -55,10 +63,19 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
             let si = force.unit.is_si();
             failed_gates.extend(checks::gyroscope_gates(&checks::RateEvidence::of(fit), si));
             warnings.extend(of_the_gyro_unit(&fit.unit, si));
+            warnings.extend(checks::turned_axes(&checks::RateEvidence::of(fit)));
             Some(gyroscope_triad(fit, force, turning, request, &mut table))
         }
         _ => resting_gyroscope(turning, &mut table),
     };
+    let residuals = [
+        ("gravity's modulus at rest", &accelerometer_triad),
+        ("gravity's direction after turns", &gyroscope_triad),
+    ];
+    for (what, triad) in residuals {
+        let chi2 = triad.as_ref().and_then(|t| t.reduced_chi2);
+        warnings.extend(checks::beyond_noise(what, chi2));
+    }
     let mut effects = Vec::new();
     for fit in [
         accelerometer.map(|fit| (&fit.model, &fit.fitted)),
@@ -173,7 +190,8 @@ fn whitened_chi2(fit: &AccelerometerFit, choices: &[Choice]) -> Option<f64> {
         .zip(&fit.first.residuals)
         .map(|(rest, r)| {
             let u = base.correct(&rest.mean).normalize();
-            (r / noise::of_modulus(rest, &base, &u)).powi(2)
+            let sigma = noise::of_modulus(rest, &base, &u).max(LEAST_NOISE);
+            (r / sigma).powi(2)
         })
         .sum();
     per_degree_of_freedom(sum, moments.len(), fit.fitted.rank)
@@ -258,38 +276,6 @@ fn rest_biases(triad: &mut Triad, turning: &[(&Recording, &Segmentation)], table
     if biases.len() > 1 {
         triad.recordings = biases;
     }
-}
-
-fn rest_bias(recording: &Recording, segmentation: &Segmentation) -> Option<RecordingBias> {
-    let rests: Vec<_> = segmentation
-        .statics
-        .iter()
-        .filter_map(|s| s.gyroscope)
-        .collect();
-    let count: f64 = rests.iter().map(|m| m.count as f64).sum();
-    if rests.is_empty() {
-        return None;
-    }
-    let mean: Vector3<f64> = rests
-        .iter()
-        .map(|m| m.mean * m.count as f64)
-        .sum::<Vector3<f64>>()
-        / count;
-    let n = rests.len() as f64;
-    let between = rests
-        .iter()
-        .map(|m| (m.mean - mean).map(|d| d * d))
-        .sum::<Vector3<f64>>();
-    let std = if rests.len() > 1 {
-        (between / (n - 1.0) / n).map(f64::sqrt)
-    } else {
-        rests[0].std() / count.sqrt()
-    };
-    Some(RecordingBias {
-        recording: recording.name.clone(),
-        bias: mean.into(),
-        bias_std: [Some(std.x), Some(std.y), Some(std.z)],
-    })
 }
 
 pub(super) fn triad(sensor: Sensor, equation: &str, fitted: &Fitted) -> Triad {

@@ -30,6 +30,15 @@ const STILL: f64 = 0.05;
 /// A gyroscope that misses gravity by this much after the fit is not understood, rad.
 const LOST: f64 = 0.1;
 
+/// A turn longer than this may hide a rest, s.
+const LONG_TURN: f64 = 15.0;
+
+/// An element of the gyroscope's matrix this far from that of aligned axes is no misalignment.
+const TURNED: f64 = 0.26;
+
+/// A residual this many times the noise is worth a warning.
+const BEYOND_NOISE: f64 = 3.0;
+
 /// More unobservable combinations than this are counted, not written out.
 const MOST_COMBINATIONS: usize = 2;
 
@@ -63,6 +72,7 @@ pub(super) fn bare_mean(raw: Vector3<f64>) -> StaticMean {
     StaticMean {
         raw,
         rest: Kinematics::at_rest(Vector3::zeros()),
+        white: 0.0,
     }
 }
 
@@ -217,6 +227,80 @@ fn worst_known(fitted: &Fitted, scale: f64) -> String {
     })
 }
 
+/// Rests that disagree with all the others, by name.
+pub(super) fn disagreeing_rests(
+    fit: &AccelerometerFit,
+    recordings: &[&Recording],
+    choices: &[Choice],
+) -> Vec<String> {
+    let rests: Vec<_> = recordings
+        .iter()
+        .zip(choices)
+        .flat_map(|(recording, choice)| {
+            let rests = choice.segmentation.statics.iter().enumerate();
+            rests.map(move |(k, rest)| (recording, k, rest))
+        })
+        .filter(|(_, _, rest)| rest.accelerometer.is_some())
+        .collect();
+    if rests.len() != fit.first.residuals.len() {
+        return Vec::new();
+    }
+    fit.outliers
+        .iter()
+        .map(|outlier| {
+            let (recording, k, rest) = rests[outlier.row];
+            format!(
+                "{}: static interval {} (t = {:.2} to {:.2} s) disagrees with the others by {:.1} \
+                 mm/s² (by chance in {:.0e} of recordings): was the device touched, or did it slip?",
+                recording.name,
+                k + 1,
+                rest.span.from,
+                rest.span.to,
+                1e3 * outlier.deleted_residual,
+                outlier.p_value
+            )
+        })
+        .collect()
+}
+
+/// Turns that last much longer than the others: a rest in them may have been missed.
+pub(super) fn long_turns(recording: &Recording, segmentation: &Segmentation) -> Vec<String> {
+    let mut lengths: Vec<f64> = segmentation.turns.iter().map(|t| t.span.length()).collect();
+    lengths.sort_by(f64::total_cmp);
+    let Some(&usual) = lengths.get(lengths.len() / 4) else {
+        return Vec::new();
+    };
+    segmentation
+        .turns
+        .iter()
+        .filter(|turn| turn.fault.is_none())
+        .filter(|turn| turn.span.length() > LONG_TURN.max(3.0 * usual))
+        .map(|turn| {
+            format!(
+                "{}: turn {} lasts {:.1} s (t = {:.2} to {:.2} s): no rest was found in it; if the \
+                 device was still, it vibrated or not for long enough (--min-static, --multiplier)",
+                recording.name,
+                turn.from + 1,
+                turn.span.length(),
+                turn.span.from,
+                turn.span.to
+            )
+        })
+        .collect()
+}
+
+/// A residual that the noise within the rests does not explain.
+pub(super) fn beyond_noise(what: &str, reduced_chi2: Option<f64>) -> Option<String> {
+    let ratio = reduced_chi2?.sqrt();
+    (ratio > BEYOND_NOISE).then(|| {
+        format!(
+            "{what} is {ratio:.1} times what the noise within the rests allows: something beyond the \
+             base model is in the recording (see `stillpoint effects`); the standard errors are scaled \
+             to it"
+        )
+    })
+}
+
 /// Refuses a fit that the turns do not determine and warns of weak parameters.
 pub(super) fn gyroscope_is_determined(
     fit: &RateEvidence<'_>,
@@ -280,8 +364,8 @@ pub(super) fn gyroscope_gates(fit: &RateEvidence<'_>, si: bool) -> Vec<String> {
     }
     if near_si.determinant() < 0.0 {
         failed.push(format!(
-            "the gyroscope's axes are left-handed against the accelerometer's: {} is flipped",
-            flipped_axis(&near_si)
+            "the gyroscope's axes are left-handed against the accelerometer's: {}",
+            mounting(&near_si)
         ));
     }
     let ratio = base.t.trace() / 3.0;
@@ -299,13 +383,53 @@ fn all_off(t: &Matrix3<f64>) -> bool {
     off.iter().all(|v| *v > COMMON_SCALE) || off.iter().all(|v| *v < -COMMON_SCALE)
 }
 
-fn flipped_axis(t: &Matrix3<f64>) -> &'static str {
-    match (0..3).find(|&k| t[(k, k)] < -0.5) {
-        Some(0) => "x",
-        Some(1) => "y",
-        Some(2) => "z",
-        _ => "one axis",
+/// A gyroscope mounted or logged with other axes than the accelerometer.
+pub(super) fn turned_axes(fit: &RateEvidence<'_>) -> Option<String> {
+    let base = Base::from_parameters(fit.fitted.parameters.values());
+    let near_si: Matrix3<f64> = base.t / fit.scale;
+    let largest = (0..9)
+        .map(|k| near_si[(k / 3, k % 3)] - if k % 4 == 0 { 1.0 } else { 0.0 })
+        .fold(0.0, |a: f64, b| a.max(b.abs()));
+    (fit.rms <= LOST && near_si.determinant() > 0.0 && largest > TURNED).then(|| {
+        format!(
+            "the gyroscope's axes are turned against the accelerometer's: {}; T carries them over",
+            mounting(&near_si)
+        )
+    })
+}
+
+/// `its y is flipped`, or which axis of the sensor lies on which of the body.
+fn mounting(t: &Matrix3<f64>) -> String {
+    let axes = ["x", "y", "z"];
+    let nearest = |row: usize| {
+        let column = (0..3).fold(0, |best, k| {
+            if t[(row, k)].abs() > t[(row, best)].abs() {
+                k
+            } else {
+                best
+            }
+        });
+        (column, t[(row, column)] < 0.0)
+    };
+    let rows: Vec<(usize, bool)> = (0..3).map(nearest).collect();
+    let in_order = rows
+        .iter()
+        .enumerate()
+        .all(|(row, (column, _))| row == *column);
+    if in_order {
+        let flipped: Vec<&str> = (0..3).filter(|&k| rows[k].1).map(|k| axes[k]).collect();
+        if !flipped.is_empty() {
+            return format!("{} is flipped", flipped.join(" and "));
+        }
     }
+    rows.iter()
+        .enumerate()
+        .map(|(row, (column, negative))| {
+            let sign = if *negative { "-" } else { "" };
+            format!("{} is its {sign}{}", axes[row], axes[*column])
+        })
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 /// Rests whose spread says that the device was not still.

@@ -13,8 +13,8 @@ use crate::residuals::{StaticMean, TurnData};
 pub(super) struct Source<'a> {
     pub recording: &'a Recording,
     pub segmentation: &'a Segmentation,
-    /// Place of the recording in the accelerometer's fit; beyond the last if it was not in it.
-    pub place: usize,
+    /// Place of the recording in the accelerometer's fit; `None` if it was not in it.
+    pub place: Option<usize>,
     pub accelerometer: &'a AccelerometerFit,
     pub request: &'a Request,
 }
@@ -24,7 +24,11 @@ impl Source<'_> {
     fn force(&self, raw: &Vector3<f64>, rest: &Kinematics<f64>) -> Vector3<f64> {
         let model = &self.accelerometer.model;
         let shared = model.parameters().len();
-        let p = self.accelerometer.fitted.local(shared, self.place);
+        let fitted = &self.accelerometer.fitted;
+        let p = match self.place {
+            Some(k) => fitted.local(shared, k),
+            None => fitted.parameters.values()[..shared].to_vec(),
+        };
         model.correct(raw, rest, &p)
     }
 
@@ -60,6 +64,7 @@ pub(super) fn collect(
         data.statics.push(StaticMean {
             raw: gyroscope.mean,
             rest: known,
+            white: gyroscope.white_of_mean(),
         });
     }
     for turn in &segmentation.turns {

@@ -35,7 +35,7 @@ pub(super) fn calibrate(
     let mut recordings = recordings.to_vec();
     let mut choices = choices;
     for recording in gyro_recordings {
-        choices.push(cut(recording, request, usize::MAX)?);
+        choices.push(cut(recording, request, None)?);
         recordings.push(recording);
     }
     let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());

@@ -6,6 +6,8 @@ mod gyro_data;
 mod joint;
 mod means_file;
 mod noise;
+mod rest_bias;
+mod same_device;
 
 pub use means_file::read_static_means;
 
@@ -79,6 +81,8 @@ pub struct Request {
     pub nominal_step: Option<f64>,
     /// Effects on top of the base models.
     pub effects: Vec<&'static dyn AnyEffect>,
+    /// Take the recordings to be of one device even where they disagree.
+    pub force_device: bool,
     /// Means to use for the accelerometer instead of those of the recordings.
     pub static_means: Vec<Vector3<f64>>,
 }
@@ -96,6 +100,7 @@ impl Default for Request {
             gyro_bias: GyroBias::default(),
             nominal_step: None,
             effects: Vec::new(),
+            force_device: false,
             static_means: Vec::new(),
         }
     }
@@ -132,7 +137,7 @@ pub fn calibrate(
     let choices = recordings
         .iter()
         .enumerate()
-        .map(|(k, recording)| cut(recording, request, k))
+        .map(|(k, recording)| cut(recording, request, Some(k)))
         .collect::<Result<Vec<_>, _>>()?;
     if request.method == Method::Joint {
         return joint::calibrate(&recordings, gyro_recordings, choices, request, warnings);
@@ -140,7 +145,7 @@ pub fn calibrate(
     let accelerometer = accelerometer(&recordings, &choices, request, &mut warnings)?;
     let separate = gyro_recordings
         .iter()
-        .map(|recording| Ok((recording, cut(recording, request, usize::MAX)?.segmentation)))
+        .map(|recording| Ok((recording, cut(recording, request, None)?.segmentation)))
         .collect::<Result<Vec<_>, Error>>()?;
     let turning: Vec<(&Recording, &Segmentation)> = if separate.is_empty() {
         recordings
@@ -176,13 +181,16 @@ pub fn calibrate(
     })
 }
 
-/// The rests and turns of recording `k`.
-fn cut(recording: &Recording, request: &Request, k: usize) -> Result<Choice, Error> {
+/// The rests and turns of a recording; `k` is its place among those that sections were given for.
+fn cut(recording: &Recording, request: &Request, k: Option<usize>) -> Result<Choice, Error> {
     let named = |error| match error {
         Error::NotEnough(what) => Error::NotEnough(format!("{}: {what}", recording.name)),
         other => other,
     };
-    if let Some(spans) = request.sections.get(k).filter(|spans| !spans.is_empty()) {
+    if let Some(spans) = k
+        .and_then(|k| request.sections.get(k))
+        .filter(|spans| !spans.is_empty())
+    {
         let segmentation = Segmentation::from_spans(recording, spans, request.detector.multiplier);
         return Ok(Choice {
             segmentation,
@@ -235,12 +243,16 @@ fn accelerometer(
     for effect in &request.effects {
         model = model.with(*effect);
     }
+    let force_device = request.force_device;
     let request = AccelerometerRequest {
         recordings: means,
         names,
         model,
         gravity: request.gravity,
     };
+    if !force_device {
+        same_device::same_device(&request)?;
+    }
     let fit = fit_accelerometer(&request)?;
     checks::accelerometer_is_determined(&checks::ForceEvidence::of(&fit, &request), warnings)?;
     Ok(Some(fit))
@@ -277,7 +289,7 @@ fn gyroscope(
             ));
             continue;
         }
-        let place = if same_recordings { k } else { usize::MAX };
+        let place = same_recordings.then_some(k);
         let of = gyro_data::Source {
             recording,
             segmentation,

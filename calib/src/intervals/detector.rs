@@ -9,6 +9,9 @@ use crate::recording::{Recording, Stream};
 /// The share of windows that are taken to be at rest in any recording that can be calibrated.
 const QUIET_SHARE: f64 = 0.1;
 
+/// Fewest samples in a window whose spread means something.
+const MIN_SAMPLES: f64 = 5.0;
+
 /// Spread that counts as none, as a fraction of the range of the samples: keeps a noise-free
 /// recording from having a threshold of zero.
 const SPREAD_FLOOR: f64 = 1e-6;
@@ -70,6 +73,15 @@ impl Level {
                 detector.window
             )));
         }
+        let step = stream.median_step().unwrap_or(0.0);
+        if step * MIN_SAMPLES > detector.window {
+            return Err(Error::NotEnough(format!(
+                "a sample every {step:.3} s: the detector's window of {} s holds fewer than \
+                 {MIN_SAMPLES}; record faster or use --window {:.0}",
+                detector.window,
+                (step * MIN_SAMPLES).ceil()
+            )));
+        }
         let statistic = statistic(stream, detector.window);
         let reference = match detector.initial_static {
             Some(length) => {
@@ -79,7 +91,9 @@ impl Level {
             }
             None => quantile(&statistic, QUIET_SHARE),
         };
-        let floor = (SPREAD_FLOOR * range(&stream.values)).powi(4);
+        let floor = (SPREAD_FLOOR * range(&stream.values))
+            .powi(4)
+            .max(quantisation(stream));
         Ok(Self {
             t: stream.t.clone(),
             statistic,
@@ -103,6 +117,16 @@ impl Level {
         }
         spans
     }
+}
+
+/// `Σ (LSB²/12)²` over the axes: where the noise is smaller than the least significant bit, some rests
+/// do not flicker at all and others between two readings.
+fn quantisation(stream: &Stream) -> f64 {
+    (0..3)
+        .map(|axis| stream.least_step(axis))
+        .filter(|step| step.is_finite())
+        .map(|step| (step * step / 12.0).powi(2))
+        .sum()
 }
 
 /// The levels of accelerometer and gyroscope.

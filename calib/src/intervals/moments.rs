@@ -34,6 +34,11 @@ impl Moments {
         })
     }
 
+    /// Standard deviation of an axis of the mean by the white noise within, averaged over the axes.
+    pub fn white_of_mean(&self) -> f64 {
+        (self.covariance.trace() / 3.0 / self.count as f64).sqrt()
+    }
+
     /// Standard deviation of one sample, per axis.
     pub fn std(&self) -> Vector3<f64> {
         self.covariance.diagonal().map(f64::sqrt)

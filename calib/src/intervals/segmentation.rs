@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::detector::{Detector, Level, levels, motion};
 use super::moments::Moments;
 use super::saturation::Rails;
-use super::spans::{Span, static_spans};
+use super::spans::{Span, static_spans, union};
 use crate::error::Error;
 use crate::recording::{Recording, Stream};
 
@@ -157,7 +157,9 @@ fn segment_at(
     levels: &[Option<Level>; 2],
     multiplier: f64,
 ) -> Segmentation {
-    let moving = motion(levels, multiplier);
+    let mut moving = motion(levels, multiplier);
+    moving.extend(gaps(recording));
+    let moving = union(moving);
     let spans = static_spans(
         common(recording),
         &moving,
@@ -170,6 +172,18 @@ fn segment_at(
             .map(|level| level.as_ref().map(|l| l.at_rest)),
         ..Segmentation::from_spans(recording, &spans, multiplier)
     }
+}
+
+/// The interruptions of either sensor: what the device did in them is not known.
+fn gaps(recording: &Recording) -> impl Iterator<Item = Span> + '_ {
+    [&recording.accelerometer, &recording.gyroscope]
+        .into_iter()
+        .flatten()
+        .flat_map(Stream::gaps)
+        .map(|gap| Span {
+            from: gap.t0,
+            to: gap.t1,
+        })
 }
 
 /// The time in which all sensors of the recording have samples.
@@ -210,9 +224,6 @@ fn fault(
     step: f64,
     rails: &Rails,
 ) -> Option<TurnFault> {
-    if samples.len() < 2 {
-        return Some(TurnFault::Empty);
-    }
     let mut stamps = vec![span.from];
     stamps.extend_from_slice(&stream.t[samples.clone()]);
     stamps.push(span.to);
@@ -225,9 +236,13 @@ fn fault(
             to: widest[1],
         }));
     }
+    let samples_in = samples.len();
     let saturated = stream.values[samples]
         .iter()
         .filter(|v| rails.reached(v))
         .count();
+    if samples_in < 2 {
+        return Some(TurnFault::Empty);
+    }
     (saturated > 0).then_some(TurnFault::Saturated { samples: saturated })
 }

@@ -4,21 +4,12 @@
 //! units; the fits work on readings brought near SI first and are carried back after.
 
 use nalgebra::{DMatrix, DVector, Vector3};
-use sensor::{BASE_PARAMETERS, Model};
+use sensor::BASE_PARAMETERS;
 
-use crate::residuals::{Integrator, TurnData};
+use crate::residuals::StaticMean;
 
 /// Static readings whose median modulus lies within this fraction of gravity are m/s².
 const SI_MODULUS: f64 = 0.5;
-
-/// Turns that the gyroscope foretells this well, rms of the chord, are in rad/s.
-const SI_TURNS: f64 = 0.5;
-
-/// Smallest and largest angle of the longest turn that a first guess of the scale reaches for, rad.
-const TURN_ANGLES: (f64, f64) = (0.3, 60.0);
-
-/// Ratio of neighbouring scales tried.
-const SCALE_STEP: f64 = 1.01;
 
 /// The affine map that brings readings near SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,12 +29,24 @@ impl RawUnit {
 
     /// Whether the readings were in SI units already.
     pub fn is_si(&self) -> bool {
-        *self == Self::SI
+        self.scale == 1.0
     }
 
     /// The reading near SI units.
     pub fn to_si(&self, raw: &Vector3<f64>) -> Vector3<f64> {
         (raw - self.zero) * self.scale
+    }
+
+    /// Static means near SI units.
+    pub fn means_to_si(&self, means: &[StaticMean]) -> Vec<StaticMean> {
+        means
+            .iter()
+            .map(|mean| StaticMean {
+                raw: self.to_si(&mean.raw),
+                white: mean.white * self.scale,
+                ..*mean
+            })
+            .collect()
     }
 
     /// Factor from a parameter of a model near SI units to one of a model in raw units, by its
@@ -97,47 +100,6 @@ fn sphere(points: &[Vector3<f64>]) -> Option<(Vector3<f64>, f64)> {
     let radius = (solution[3] + centre.norm_squared()).sqrt();
     (radius.is_finite() && radius > 0.0 && size > 0.0)
         .then(|| (middle + centre * size, radius * size))
-}
-
-/// The unit of a gyroscope whose `turns` have their bias taken off already: the common scale at
-/// which they carry gravity best.
-pub fn gyroscope_unit(turns: &[TurnData]) -> RawUnit {
-    let model = Model::base(sensor::Sensor::Gyroscope);
-    let misfit = |scale: f64| {
-        let mut p = sensor::Base::identity().parameters();
-        p[..3].fill(scale);
-        let chords = turns.iter().map(|turn| {
-            let u = turn.propagated(&model, Integrator::Exponential, &p[..]);
-            (u - turn.after).norm_squared()
-        });
-        (chords.sum::<f64>() / turns.len() as f64).sqrt()
-    };
-    let longest = turns.iter().map(travel).fold(0.0, f64::max);
-    if longest <= 0.0 || misfit(1.0) < SI_TURNS {
-        return RawUnit::SI;
-    }
-    let mut best = (f64::INFINITY, 1.0);
-    let mut scale = TURN_ANGLES.0 / longest;
-    while scale * longest < TURN_ANGLES.1 {
-        let value = misfit(scale);
-        if value < best.0 {
-            best = (value, scale);
-        }
-        scale *= SCALE_STEP;
-    }
-    RawUnit {
-        scale: best.1,
-        zero: Vector3::zeros(),
-    }
-}
-
-/// `∫ |reading| dt` over a turn.
-fn travel(turn: &TurnData) -> f64 {
-    turn.t
-        .windows(2)
-        .zip(&turn.readings)
-        .map(|(t, w)| (t[1] - t[0]) * w.norm())
-        .sum()
 }
 
 #[cfg(test)]

@@ -1,11 +1,12 @@
 //! The gyroscope by propagated gravity (Liu et al. 2021, section 2.2).
 
 use nalgebra::Vector3;
-use sensor::{BASE_PARAMETERS, Model, ModelScalar};
-use solver::{Options, Report, Residual, solve};
+use sensor::{BASE_PARAMETERS, Base, Model, ModelScalar};
+use solver::{Options, Parameters, Report, Residual, solve};
 
-use super::first_guess::{RawUnit, gyroscope_unit};
+use super::first_guess::RawUnit;
 use super::fitted::Fitted;
+use super::gyro_guess::{GyroGuess, gyroscope_guess};
 use crate::error::Error;
 use crate::residuals::{Integrator, OwnBias, PropagatedGravity, StaticMean, StaticRate, TurnData};
 
@@ -82,20 +83,30 @@ pub fn fit_gyroscope(request: &GyroscopeRequest) -> Result<GyroscopeFit, Error> 
             "no turn between two rests can be integrated".into(),
         ));
     }
-    let unit = gyroscope_unit(&all);
-    let before = perfect_chords(&all, &unit);
+    let guess = gyroscope_guess(&all);
+    let before = perfect_chords(&all, &guess.unit);
     if request.model.effects().is_empty() {
-        published(request, &scaled(&unbiased, &unit), unit, before)
+        published(request, &scaled(&unbiased, &guess.unit), &guess, before)
     } else {
-        with_effects(request, unit, before)
+        with_effects(request, &guess, before)
     }
+}
+
+/// The parameters with the sensor's axes where the guess has them.
+fn mounted(mut parameters: Parameters, guess: &GyroGuess) -> Parameters {
+    let base = Base {
+        t: guess.axes,
+        bias: Vector3::zeros(),
+    };
+    parameters.values_mut()[..9].copy_from_slice(&base.parameters()[..9]);
+    parameters
 }
 
 /// The nine elements of `T` alone.
 fn published(
     request: &GyroscopeRequest,
     turns: &[Vec<TurnData>],
-    unit: RawUnit,
+    guess: &GyroGuess,
     chords_before: Vec<f64>,
 ) -> Result<GyroscopeFit, Error> {
     let turns = turns.concat();
@@ -105,7 +116,8 @@ fn published(
         integrator: request.integrator,
         sigma: 1.0,
     };
-    let start = request.model.parameters();
+    let unit = guess.unit;
+    let start = mounted(request.model.parameters(), guess);
     let mask = start.free_where(|name| !name.contains(".b_"));
     let report = solve(&problem, &start, &mask, &Options::default())?;
     let sigma = direction_scatter(&report, turns.len());
@@ -122,14 +134,14 @@ fn published(
 /// Everything free, turns and rests weighted by their own scatter.
 fn with_effects(
     request: &GyroscopeRequest,
-    scale: RawUnit,
+    guess: &GyroGuess,
     chords_before: Vec<f64>,
 ) -> Result<GyroscopeFit, Error> {
     let zero = request
         .recordings
         .last()
         .map_or_else(Vector3::zeros, |r| mean_rate(&r.statics));
-    let unit = RawUnit { zero, ..scale };
+    let unit = RawUnit { zero, ..guess.unit };
     let near_si: Vec<(Vec<TurnData>, Vec<StaticMean>)> = request
         .recordings
         .iter()
@@ -139,14 +151,7 @@ fn with_effects(
                 .iter()
                 .map(|turn| map_readings(turn, |w| unit.to_si(w)))
                 .collect();
-            let statics = r
-                .statics
-                .iter()
-                .map(|m| StaticMean {
-                    raw: unit.to_si(&m.raw),
-                    ..*m
-                })
-                .collect();
+            let statics = unit.means_to_si(&r.statics);
             (turns, statics)
         })
         .collect();
@@ -176,7 +181,8 @@ fn with_effects(
             shared,
             own_bias: true,
         };
-        let start = problem.parameters(&request.model.parameters(), &names);
+        let model = mounted(request.model.parameters(), guess);
+        let start = problem.parameters(&model, &names);
         let mask = start.free_where(|_| true);
         let report = solve(&problem, &start, &mask, &Options::default())?;
         let (turns, rests) = split_rows(&near_si, &report.residuals);

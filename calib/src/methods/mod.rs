@@ -2,16 +2,20 @@
 
 mod first_guess;
 mod fitted;
+mod gyro_guess;
 mod gyroscope;
 pub mod joint;
 pub mod online_bias;
+mod outliers;
 pub mod six_position;
 mod stepwise;
 mod threshold;
 
-pub use first_guess::{RawUnit, accelerometer_unit, gyroscope_unit};
+pub use first_guess::{RawUnit, accelerometer_unit};
 pub use fitted::Fitted;
+pub use gyro_guess::{GyroGuess, gyroscope_guess};
 pub use gyroscope::{GyroscopeData, GyroscopeFit, GyroscopeRequest, fit_gyroscope};
+pub use outliers::{Outlier, outliers};
 pub use stepwise::{AccelerometerFit, AccelerometerRequest, fit_accelerometer};
 pub use threshold::{Choice, MULTIPLIERS, Trial, choose_multiplier};
 
@@ -25,10 +29,11 @@ use crate::residuals::StaticMean;
 /// The accelerometer's means over the rests of a recording.
 pub fn static_means(recording: &Recording, segmentation: &Segmentation) -> Vec<StaticMean> {
     let mean = |rest: &StaticInterval| {
-        let raw = rest.accelerometer?.mean;
+        let moments = rest.accelerometer?;
         Some(StaticMean {
-            raw,
+            raw: moments.mean,
             rest: known_of(recording, rest, Vector3::zeros()),
+            white: moments.white_of_mean(),
         })
     };
     segmentation.statics.iter().filter_map(mean).collect()

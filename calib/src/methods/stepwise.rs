@@ -7,11 +7,15 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 use super::first_guess::{RawUnit, accelerometer_unit};
 use super::fitted::Fitted;
+use super::outliers::{Outlier, outliers};
 use crate::error::Error;
 use crate::residuals::{GravityNorm, OwnBias, StaticMean};
 
 /// Recordings get biases of their own where a common one is refuted at this level.
 const OWN_BIAS_LEVEL: f64 = 0.01;
+
+/// A rest is called an outlier where chance makes one in so many sessions.
+const OUTLIER_LEVEL: f64 = 1e-4;
 
 /// What to fit.
 #[derive(Clone, Debug)]
@@ -41,6 +45,8 @@ pub struct AccelerometerFit {
     pub unit: RawUnit,
     /// Whether each recording has a bias of its own.
     pub own_bias: bool,
+    /// Rests that disagree with all the others.
+    pub outliers: Vec<Outlier>,
     /// The probability of so much difference between the recordings under one common bias.
     pub common_bias_p: Option<f64>,
 }
@@ -70,15 +76,7 @@ pub fn fit_accelerometer(request: &AccelerometerRequest) -> Result<Accelerometer
     let near_si: Vec<Vec<StaticMean>> = request
         .recordings
         .iter()
-        .map(|means| {
-            means
-                .iter()
-                .map(|m| StaticMean {
-                    raw: unit.to_si(&m.raw),
-                    ..*m
-                })
-                .collect()
-        })
+        .map(|means| unit.means_to_si(means))
         .collect();
     let common = step_one(request, &near_si, false)?;
     let (first, common_bias_p) = match request.recordings.len() {
@@ -90,7 +88,8 @@ pub fn fit_accelerometer(request: &AccelerometerRequest) -> Result<Accelerometer
     let second = step_two(request, &near_si, &first, own_bias)?;
     Ok(AccelerometerFit {
         model: request.model.clone(),
-        fitted: Fitted::in_raw_units(&first, &unit, shared, scatter(&first)),
+        fitted: Fitted::in_raw_units(&first, &unit, shared, scatter(&first, &near_si)),
+        outliers: outliers(&problem(request, &near_si, own_bias), &first, OUTLIER_LEVEL),
         first,
         second,
         unit,
@@ -164,7 +163,12 @@ fn choose_bias(common: Report, own: Report) -> (Report, Option<f64>) {
     }
 }
 
-/// Standard deviation of a residual by the scatter around the fit.
-fn scatter(report: &Report) -> f64 {
-    report.reduced_chi2().map_or(f64::NAN, f64::sqrt)
+/// Standard deviation of a residual by the scatter around the fit, but not less than the white noise
+/// within the rests: with few spare rests the scatter may be small by chance.
+fn scatter(report: &Report, means: &[Vec<StaticMean>]) -> f64 {
+    let all: Vec<f64> = means.iter().flatten().map(|m| m.white * m.white).collect();
+    let white = (all.iter().sum::<f64>() / all.len().max(1) as f64).sqrt();
+    report
+        .reduced_chi2()
+        .map_or(f64::NAN, |chi2| chi2.sqrt().max(white))
 }

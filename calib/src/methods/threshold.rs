@@ -1,8 +1,10 @@
 //! The detector's multiplier, chosen by what the accelerometer fit leaves (Liu et al. 2021,
 //! section 3.2), per degree of freedom.
 
+use nalgebra::Vector3;
+use sensor::{Kinematics, Model};
 use serde::Serialize;
-use solver::{Options, solve};
+use solver::{Options, Problem, Report, solve};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::first_guess::accelerometer_unit;
@@ -13,10 +15,13 @@ use crate::recording::Recording;
 use crate::residuals::{GravityNorm, StaticMean};
 
 /// The multipliers tried.
-pub const MULTIPLIERS: [f64; 12] = [3.0, 1e1, 3e1, 1e2, 3e2, 1e3, 3e3, 1e4, 3e4, 1e5, 3e5, 1e6];
+pub const MULTIPLIERS: [f64; 16] = [
+    3.0, 1e1, 3e1, 1e2, 3e2, 1e3, 3e3, 1e4, 3e4, 1e5, 3e5, 1e6, 3e6, 1e7, 3e7, 1e8,
+];
 
-/// Multipliers are compared by the upper end of what their residual may be, so that a small one from
-/// two spare placements does not beat one from twelve: one-sided confidence.
+/// Multipliers are compared by how well a corrected reading is known after the fit, with the upper end
+/// of what the residual may be: a small residual from two spare placements does not beat one from
+/// twelve, nor a fit of half the placements one of them all. One-sided confidence.
 const CONFIDENCE: f64 = 0.9;
 
 /// Fits within this factor of the best are as good.
@@ -34,8 +39,9 @@ pub struct Trial {
     pub static_intervals: usize,
     /// `√(Σ r² / (n − rank))` of the moduli of gravity, m/s²; `None` where they are too few.
     pub residual: Option<f64>,
-    /// Upper 90 % confidence limit of the residual, m/s².
-    pub upper: Option<f64>,
+    /// Standard error of a corrected modulus of gravity, averaged over all orientations, at the upper
+    /// 90 % confidence limit of the residual, m/s².
+    pub expected_error: Option<f64>,
 }
 
 /// A segmentation and how its multiplier was chosen.
@@ -76,7 +82,7 @@ fn trial(recording: &Recording, segmentation: &Segmentation, gravity: f64) -> Tr
         multiplier: segmentation.multiplier,
         static_intervals: segmentation.statics.len(),
         residual: scatter.map(|s| s.residual),
-        upper: scatter.and_then(|s| s.upper()),
+        expected_error: scatter.and_then(|s| s.expected_error()),
     }
 }
 
@@ -85,13 +91,17 @@ fn trial(recording: &Recording, segmentation: &Segmentation, gravity: f64) -> Tr
 struct Scatter {
     residual: f64,
     spare: usize,
+    /// Standard error of a corrected modulus for a residual of one, root mean square over
+    /// orientations.
+    leverage: f64,
 }
 
 impl Scatter {
-    /// Upper confidence limit: `r √(ν / χ²_ν(1 − confidence))`.
-    fn upper(&self) -> Option<f64> {
+    /// The leverage times the residual's upper confidence limit `r √(ν / χ²_ν(1 − confidence))`.
+    fn expected_error(&self) -> Option<f64> {
         let law = ChiSquared::new(self.spare as f64).ok()?;
-        Some(self.residual * (self.spare as f64 / law.inverse_cdf(1.0 - CONFIDENCE)).sqrt())
+        let upper = (self.spare as f64 / law.inverse_cdf(1.0 - CONFIDENCE)).sqrt();
+        Some(self.leverage * self.residual * upper)
     }
 }
 
@@ -99,13 +109,7 @@ impl Scatter {
 fn residual(means: &[StaticMean], gravity: f64) -> Option<Scatter> {
     let raw: Vec<_> = means.iter().map(|m| m.raw).collect();
     let unit = accelerometer_unit(&raw, gravity)?;
-    let near_si: Vec<StaticMean> = means
-        .iter()
-        .map(|m| StaticMean {
-            raw: unit.to_si(&m.raw),
-            ..*m
-        })
-        .collect();
+    let near_si: Vec<StaticMean> = unit.means_to_si(means);
     let model = accelerometer::model();
     let problem = GravityNorm {
         model: &model,
@@ -116,17 +120,66 @@ fn residual(means: &[StaticMean], gravity: f64) -> Option<Scatter> {
     let mask = start.free_where(accelerometer::is_free_in_triangular_frame);
     let spare = means.len().checked_sub(mask.free_indices().len())?;
     let report = (spare >= MIN_SPARE).then(|| solve(&problem, &start, &mask, &Options::default()));
-    let residual = report?.ok()?.reduced_chi2()?.sqrt();
-    Some(Scatter { residual, spare })
+    let report = report?.ok()?;
+    Some(Scatter {
+        residual: report.reduced_chi2()?.sqrt(),
+        spare,
+        leverage: leverage(&report, &model, gravity),
+    })
+}
+
+/// `√ mean(j C jᵀ)` over faces, edges and corners, `j` the derivative of the modulus there.
+fn leverage(report: &Report, model: &Model, gravity: f64) -> f64 {
+    let everywhere: Vec<StaticMean> = orientations()
+        .map(|u| StaticMean {
+            raw: u * gravity,
+            rest: Kinematics::at_rest(Vector3::zeros()),
+            white: 0.0,
+        })
+        .collect();
+    let problem = GravityNorm {
+        model,
+        means: &everywhere,
+        gravity,
+    };
+    let x = report.parameters.values();
+    let names = &report.uncertainty.names;
+    let free: Vec<usize> = names
+        .iter()
+        .filter_map(|n| report.parameters.index(n))
+        .collect();
+    let jacobian = problem.linearize(x, &free, &mut Vec::new());
+    let covariance = &report.uncertainty.covariance;
+    let variance = |row: usize| -> f64 {
+        let of = |i: usize| -> f64 {
+            (0..free.len())
+                .map(|j| covariance[i][j] * jacobian[(row, j)])
+                .sum()
+        };
+        (0..free.len()).map(|i| jacobian[(row, i)] * of(i)).sum()
+    };
+    let sum: f64 = (0..everywhere.len()).map(variance).sum();
+    (sum / everywhere.len() as f64).sqrt()
+}
+
+/// The 26 directions of faces, edges and corners.
+fn orientations() -> impl Iterator<Item = Vector3<f64>> {
+    let steps = [-1.0, 0.0, 1.0];
+    steps
+        .into_iter()
+        .flat_map(move |x| steps.into_iter().map(move |y| (x, y)))
+        .flat_map(move |(x, y)| steps.into_iter().map(move |z| Vector3::new(x, y, z)))
+        .filter(|u| u.norm() > 0.5)
+        .map(|u| u.normalize())
 }
 
 /// The middle of the longest run of good trials with one number of intervals.
 fn plateau(trials: &[Trial]) -> Option<usize> {
     let best = trials
         .iter()
-        .filter_map(|t| t.upper)
+        .filter_map(|t| t.expected_error)
         .min_by(f64::total_cmp)?;
-    let good = |t: &Trial| t.upper.is_some_and(|r| r <= AS_GOOD * best);
+    let good = |t: &Trial| t.expected_error.is_some_and(|r| r <= AS_GOOD * best);
     let mut longest = 0..0;
     let mut from = 0;
     for k in 0..trials.len() {
@@ -153,7 +206,7 @@ mod tests {
                 multiplier: 1.0,
                 static_intervals,
                 residual: (r > 0.0).then_some(r),
-                upper: (r > 0.0).then_some(r),
+                expected_error: (r > 0.0).then_some(r),
             })
             .collect()
     }
@@ -177,12 +230,14 @@ mod tests {
         let few = Scatter {
             residual: 1.8,
             spare: 2,
+            leverage: 1.0,
         };
         let many = Scatter {
             residual: 2.4,
             spare: 12,
+            leverage: 1.0,
         };
-        assert!(few.upper().unwrap() > many.upper().unwrap());
+        assert!(few.expected_error().unwrap() > many.expected_error().unwrap());
     }
 
     #[test]

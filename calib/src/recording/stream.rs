@@ -64,6 +64,16 @@ impl Stream {
         Some(v0 + (v1 - v0) * ((t - t0) / (t1 - t0)))
     }
 
+    /// The smallest step between neighbouring readings of an axis: the least significant bit of a
+    /// quantised sensor. Infinite where the axis never changes.
+    pub fn least_step(&self, axis: usize) -> f64 {
+        self.values
+            .windows(2)
+            .map(|w| (w[1][axis] - w[0][axis]).abs())
+            .filter(|step| *step > 0.0)
+            .fold(f64::INFINITY, f64::min)
+    }
+
     /// The samples with `from <= t < to`.
     pub fn between(&self, from: f64, to: f64) -> Range<usize> {
         let start = self.t.partition_point(|&t| t < from);

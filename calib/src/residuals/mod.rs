@@ -22,4 +22,7 @@ pub struct StaticMean {
     pub raw: Vector3<f64>,
     /// The other sensor's truth, time and temperature.
     pub rest: Kinematics<f64>,
+    /// Standard deviation of an axis of the mean by the white noise within the interval, raw unit;
+    /// zero where it is not known.
+    pub white: f64,
 }

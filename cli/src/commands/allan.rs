@@ -78,7 +78,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             .collect();
         pictures.write(&plots, &report(&summary, &args.recording, &plots)?)?;
     }
-    show::print(&if args.json { json } else { text(&summary) });
+    show::print(&if args.json { json } else { text(&summary) })?;
     Ok(())
 }
 

@@ -77,7 +77,7 @@ impl Target {
     fn write(self, corrected: &mut Recording) -> Result<(), Failure> {
         match self {
             Self::Stdout => {
-                show::print(&to_csv(corrected));
+                show::print(&to_csv(corrected))?;
                 Ok(())
             }
             Self::File(output) => output.write(to_csv(corrected).as_bytes()),

@@ -83,7 +83,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         json
     } else {
         text(&new, &stretches)
-    });
+    })?;
     Ok(())
 }
 

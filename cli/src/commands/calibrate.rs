@@ -84,6 +84,9 @@ pub struct Args {
     /// Table of static means (columns `ax,ay,az`) for the accelerometer, instead of the recordings'
     #[arg(long, value_name = "FILE")]
     static_means: Option<PathBuf>,
+    /// Take the recordings to be of one device even where they disagree
+    #[arg(long)]
+    force_device: bool,
     /// Write the calibration here
     #[arg(short, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -287,6 +290,7 @@ fn request(args: &Args) -> Result<Request, Failure> {
         },
         nominal_step,
         effects,
+        force_device: args.force_device,
         static_means,
     })
 }
@@ -342,9 +346,9 @@ fn finish(args: &Args, output: Option<Output>, outcome: &Outcome) -> Result<(), 
         output.write(json.as_bytes())?;
     }
     if args.json {
-        show::print(&json);
+        show::print(&json)?;
     } else {
-        show::print(&tables::text(outcome));
+        show::print(&tables::text(outcome))?;
     }
     gate(calibration)
 }

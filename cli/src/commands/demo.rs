@@ -63,7 +63,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             .map_err(|e| Failure::new(BUG, e.to_string()))?;
         cal.write(format!("{json}\n").as_bytes())?;
     }
-    show::print(&text(&session, &outcome));
+    show::print(&text(&session, &outcome))?;
     Ok(())
 }
 

@@ -42,7 +42,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             .collect();
         let text =
             serde_json::to_string_pretty(&effects).map_err(|e| Failure::new(BUG, e.to_string()))?;
-        show::print(&text);
+        show::print(&text)?;
         return Ok(());
     }
     let mut table = show::table(&["effect", "sensor", "equation", "parameters"]);
@@ -57,7 +57,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             parameters(effect.params()),
         ]);
     }
-    show::print(&table.to_string());
+    show::print(&table.to_string())?;
     Ok(())
 }
 

@@ -74,9 +74,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             .collect();
         let text =
             serde_json::to_string_pretty(&rows).map_err(|e| Failure::new(BUG, e.to_string()))?;
-        show::print(&text);
+        show::print(&text)?;
     } else {
-        show::print(&table(&rows).to_string());
+        show::print(&table(&rows).to_string())?;
     }
     Ok(())
 }

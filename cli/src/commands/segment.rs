@@ -91,7 +91,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         json
     } else {
         text(&recording, &choice)
-    });
+    })?;
     Ok(())
 }
 

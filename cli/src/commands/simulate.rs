@@ -55,6 +55,6 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         } else {
             truth.effects.join(", ")
         }
-    ));
+    ))?;
     Ok(())
 }

@@ -65,7 +65,7 @@ pub fn run(call: Call<'_>) -> Result<(), Failure> {
         json
     } else {
         text(&solution, &labels)
-    });
+    })?;
     gate(&calibration)
 }
 

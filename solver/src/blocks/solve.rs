@@ -9,11 +9,11 @@ use super::system::BlockSystem;
 use crate::covariance::{Uncertainty, uncertainty};
 use crate::error::Error;
 use crate::linear::Jacobian;
+use crate::minimise::minimise;
 use crate::options::Options;
 use crate::parameters::Mask;
 use crate::report::Report;
 use crate::scaling::unit_if_zero;
-use crate::solve::minimise;
 
 /// The result of [`solve_blocks`].
 #[derive(Clone, Debug, PartialEq)]

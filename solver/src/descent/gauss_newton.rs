@@ -37,8 +37,7 @@ impl Descent for MinimumNorm {
     }
 }
 
-/// The part of a full step; `predicted` is the fall to first order, `−fraction · rᵀJp`, half of
-/// which the search asks for at least a small part of.
+/// The given fraction of a full step.
 fn fraction_of(local: &Local<'_>, full: &[f64], fraction: f64) -> Option<Step> {
     let p: Vec<f64> = full.iter().map(|v| v * fraction).collect();
     let predicted = local.predicted(&p);

@@ -1,6 +1,6 @@
 //! Damped least squares by column-pivoted QR.
 
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::householder::{
@@ -21,6 +21,8 @@ pub(crate) struct QrFactor {
     scale: Vec<f64>,
     rank: usize,
     svd: OnceCell<Option<Svd<f64>>>,
+    /// The last right side and its rotation: the residual comes again for every damping.
+    last: RefCell<(Vec<f64>, Vec<f64>)>,
 }
 
 impl QrFactor {
@@ -36,11 +38,20 @@ impl QrFactor {
             scale: scale.to_vec(),
             rank,
             svd: OnceCell::new(),
+            last: RefCell::default(),
         }
     }
 
     /// `Qᵀ b`, its first `min(m, n)` entries.
     fn rotated(&self, b: &[f64]) -> Vec<f64> {
+        let mut last = self.last.borrow_mut();
+        if last.0 != b {
+            *last = (b.to_vec(), self.rotate(b));
+        }
+        last.1.clone()
+    }
+
+    fn rotate(&self, b: &[f64]) -> Vec<f64> {
         let (basis, coefficients) = (self.qr.Q_basis(), self.qr.Q_coeff());
         let mut rhs = Mat::from_fn(b.len(), 1, |i, _| b[i]);
         let mut memory = MemBuffer::new(scratch::<f64>(basis.nrows(), coefficients.nrows(), 1));

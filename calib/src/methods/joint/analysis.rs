@@ -11,11 +11,14 @@ use super::weights::{Component, ComponentKind, NoiseLevel, White, Whitening};
 use sensor::Sensor;
 
 /// Chance of any false accusation of a clean recording.
-const CHANCE: f64 = 0.004;
+const CHANCE: f64 = 0.001;
 
 /// A fit whose quieter three quarters are off by this much, as χ² per degree of freedom, does not
 /// know its noise: the model misses, or the noise is of another kind.
 const MISFIT: f64 = 2.0;
+
+/// How far usual walks go, in standard deviations of a chunk's mean.
+const USUAL: f64 = 3.0;
 
 /// The share of rests (or turns) that such a judgement rests on.
 const QUIETER: f64 = 0.75;
@@ -103,18 +106,25 @@ impl Analysis {
         self.components.len() > before
     }
 
-    /// The levels of the components that maximise the restricted likelihood, with the disturbances'
-    /// columns among the free ones.
+    /// The levels of the components by restricted likelihood, with the disturbances' columns among the
+    /// free ones: walks as their expectation, scatter at its likeliest.
     pub fn levels(&self, disturbances: &[&Suspect]) -> Vec<NoiseLevel> {
         let jacobian = self.with(disturbances);
         let covariances: Vec<&Mat<f64>> = self.components.iter().map(|c| &c.covariance).collect();
         let restricted = Restricted::new(&self.residuals, &jacobian, &covariances);
+        let walks: Vec<bool> = self.components.iter().map(|c| c.kind.is_walk()).collect();
+        let likeliest = restricted.variances(&walks);
         self.components
             .iter()
-            .zip(restricted.variances())
-            .map(|(component, variance)| NoiseLevel {
+            .enumerate()
+            .map(|(c, component)| NoiseLevel {
                 kind: component.kind,
-                size: variance.sqrt(),
+                size: if walks[c] {
+                    let usual = usual_walk(&component.covariance);
+                    restricted.expected(c, &likeliest, usual).sqrt()
+                } else {
+                    likeliest[c].sqrt()
+                },
             })
             .collect()
     }
@@ -205,6 +215,19 @@ impl Analysis {
                 added[(i, k - n)]
             }
         })
+    }
+}
+
+/// The density up to which walks are common: at the far end of the recording the bias has moved by three
+/// standard deviations of a chunk's mean.
+fn usual_walk(covariance: &Mat<f64>) -> f64 {
+    let farthest = (0..covariance.nrows())
+        .map(|k| covariance[(k, k)])
+        .fold(0.0, f64::max);
+    if farthest > 0.0 {
+        USUAL / farthest.sqrt()
+    } else {
+        1.0
     }
 }
 

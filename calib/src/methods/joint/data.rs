@@ -5,6 +5,7 @@ use std::ops::Range;
 use nalgebra::Vector3;
 use sensor::{Kinematics, Model};
 
+use super::broken::{Pair, touched};
 use super::noise::SensorNoise;
 use super::shake::{Shake, gaps, shakes};
 use super::trim::quiet_part;
@@ -126,6 +127,8 @@ pub struct Data {
     pub lost: Vec<LostTurn>,
     /// The chunks that shake, by their place.
     pub shaken: Vec<(usize, Shake)>,
+    /// What was touched within turns, with the place of the turn's recording and the turn.
+    pub broken: Vec<(usize, usize, Span)>,
     /// The rests with gaps in them.
     pub gaps: Vec<(usize, Span)>,
 }
@@ -182,22 +185,47 @@ impl Data {
                 chunks: from..self.chunks.len(),
             });
         }
-        self.look_for_shakes(force.iter().chain(&rate), first);
-        if let Some(rate) = &rate {
-            self.add_turns(cut, rate, &spans, first);
-        }
         let of = |stream: &Option<Stream>| {
             let stream = stream.as_ref()?;
             let chunks = spans.iter().flat_map(|span| parts(*span, length));
             let ranges: Vec<_> = chunks.map(|c| stream.between(c.from, c.to)).collect();
             SensorNoise::measure(stream, &ranges)
         };
+        let (of_force, of_rate) = (of(&force), of(&rate));
+        if let (Some(f), Some(nf), Some(r), Some(nr)) = (&force, &of_force, &rate, &of_rate) {
+            let pair = Pair {
+                force: (f, nf),
+                rate: (r, nr),
+            };
+            self.look_for_touches(&pair, &spans, first);
+        }
+        self.look_for_shakes(force.iter().chain(&rate), first);
+        if let Some(rate) = &rate {
+            self.add_turns(cut, rate, &spans, first);
+        }
         self.sources.push(Source {
             name: cut.recording.name.clone(),
-            accelerometer: of(&force),
-            gyroscope: of(&rate),
+            accelerometer: of_force,
+            gyroscope: of_rate,
             reference: middle_edge(&spans),
         });
+    }
+
+    /// Touches that broke a rest in two or off its end.
+    fn look_for_touches(&mut self, pair: &Pair<'_>, spans: &[Span], first: usize) {
+        for (k, ends) in spans.windows(2).enumerate() {
+            let chunks = self.rests[first + k].chunks.clone();
+            let Some(before) = self.chunks[chunks].last().and_then(|c| c.gyroscope) else {
+                continue;
+            };
+            let turn = Span {
+                from: ends[0].to,
+                to: ends[1].from,
+            };
+            if let Some(span) = touched(pair, turn, &before.value) {
+                self.broken.push((self.sources.len(), k, span));
+            }
+        }
     }
 
     /// Chunks that shake and rests with gaps, in either sensor, among the rests from `first` on.

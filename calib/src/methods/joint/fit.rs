@@ -372,7 +372,11 @@ impl Run<'_> {
             white_jacobian: solution.analysis.jacobian,
             components: solution.analysis.components,
             levels,
-            accused: accused.iter().map(|s| self.in_words(s)).collect(),
+            accused: accused
+                .iter()
+                .map(|s| self.in_words(s))
+                .chain(self.broken())
+                .collect(),
             force_unit: self.start.force_unit,
             rate_unit: self.start.rate_unit,
             gravity: self.request.gravity,
@@ -384,6 +388,22 @@ impl Run<'_> {
             free: solution.free,
             report: solution.report,
         }
+    }
+
+    /// The touches that broke rests: nothing of them is in the means, and the turn carries on.
+    fn broken(&self) -> impl Iterator<Item = Accused> + '_ {
+        self.data
+            .broken
+            .iter()
+            .map(|&(recording, interval, span)| Accused {
+                kind: Disturbance::DisturbedInterval,
+                recording,
+                interval,
+                span,
+                detail:
+                    "it broke a rest: what remains of it beyond the touch counts as part of a turn"
+                        .into(),
+            })
     }
 
     fn in_words(&self, suspect: &Suspect) -> Accused {

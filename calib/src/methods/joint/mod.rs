@@ -14,6 +14,7 @@
 //! their correlation through it is in the covariance of the result.
 
 mod analysis;
+mod broken;
 mod chart;
 mod coning;
 mod data;

@@ -15,13 +15,16 @@ const COLOURED: f64 = 1.2;
 /// Stretches with more than this many times the median variance are not quiet.
 const QUIET: f64 = 1.5;
 
-/// Noise below this share of the reading's size is rounding: keeps noise-free recordings weighted.
-const FLOOR: f64 = 1e-10;
+/// Noise below this (m/s² or rad/s) is rounding: keeps noise-free recordings weighted, and sensibly.
+pub(super) const FLOOR: f64 = 1e-9;
+
+/// How far, in steps, a reading may lie off the grid of its converter.
+const OFF_GRID: f64 = 0.05;
 
 /// A least significant bit beyond this many standard deviations no longer averages out.
 const DITHERED: f64 = 2.0;
 
-/// Standard deviations per axis, in the unit of the samples.
+/// Standard deviations per axis, near SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SensorNoise {
     /// Of one sample (3).
@@ -97,8 +100,7 @@ impl Axis {
         let variances: Vec<f64> = scatters.iter().map(|(s, dof)| s / dof).collect();
         let quiet = QUIET * median(&variances)?;
         let pooled = pool(scatters.iter().zip(&variances), quiet);
-        let size = parts.iter().flatten().fold(0.0f64, |m, v| m.max(v.abs()));
-        let white = pooled.sqrt().max(FLOOR * size.max(f64::MIN_POSITIVE));
+        let white = pooled.sqrt().max(FLOOR);
         Some(Self {
             white,
             long_run: long_run(parts, batch, white),
@@ -149,21 +151,26 @@ pub(super) fn median(values: &[f64]) -> Option<f64> {
     (!sorted.is_empty()).then(|| *sorted.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
-/// The smallest difference between two readings that differ, where readings repeat as those of a
-/// converter do; 0 where hardly any do.
+/// The step of a converter: the smallest difference between two readings that differ, where readings
+/// repeat and all lie on the grid it makes; 0 elsewhere.
 fn smallest_step(parts: &[Vec<f64>]) -> f64 {
     let mut all: Vec<f64> = parts.iter().flatten().copied().collect();
     all.sort_by(f64::total_cmp);
     let count = all.len();
     all.dedup();
-    if 2 * all.len() > count {
-        return 0.0;
+    let gaps = all.windows(2).map(|w| w[1] - w[0]);
+    let step = gaps.fold(f64::INFINITY, f64::min);
+    let Some(first) = all.first() else { return 0.0 };
+    let on_grid = |v: &f64| {
+        let steps = (v - first) / step;
+        (steps - steps.round()).abs() < OFF_GRID
+    };
+    let repeats = 2 * all.len() <= count;
+    if all.len() > 1 && repeats && all.iter().all(on_grid) {
+        step
+    } else {
+        0.0
     }
-    all.windows(2)
-        .map(|w| w[1] - w[0])
-        .fold(f64::INFINITY, f64::min)
-        .min(f64::MAX)
-        * f64::from(u8::from(all.len() > 1))
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use super::noise::median;
+use super::noise::{FLOOR, median};
 use crate::intervals::Span;
 use crate::recording::Stream;
 
@@ -40,9 +40,9 @@ pub fn shakes(stream: &Stream, stretches: &[Span]) -> Vec<Shake> {
         .collect();
     let usual = Vector3::from_fn(|axis, _| {
         let all: Vec<f64> = windows.iter().map(|w| w.squares[axis] / w.count).collect();
-        median(&all).unwrap_or(0.0)
+        median(&all).unwrap_or(0.0).max(FLOOR * FLOOR)
     });
-    if windows.is_empty() || usual.min() <= 0.0 {
+    if windows.is_empty() {
         return Vec::new();
     }
     // The median of χ²_n / n lies below 1 by this much.

@@ -9,7 +9,7 @@ use super::data::Data;
 use crate::error::Error;
 use crate::intervals::Segmentation;
 use crate::methods::{
-    AccelerometerRequest, RawUnit, accelerometer_unit, fit_accelerometer, gyroscope_unit,
+    AccelerometerRequest, RawUnit, accelerometer_unit, fit_accelerometer, gyroscope_guess,
     static_means,
 };
 use crate::recording::Recording;
@@ -89,7 +89,7 @@ pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
     let scale = if turns.is_empty() {
         RawUnit::SI
     } else {
-        gyroscope_unit(&turns)
+        gyroscope_guess(&turns).unit
     };
     Ok(Start {
         force_unit,

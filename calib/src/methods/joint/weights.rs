@@ -83,6 +83,13 @@ pub enum ComponentKind {
     TurnScatter,
 }
 
+impl ComponentKind {
+    /// Whether it is a random walk of a bias.
+    pub fn is_walk(self) -> bool {
+        matches!(self, Self::AccelerometerWalk | Self::GyroscopeWalk)
+    }
+}
+
 /// A component and how much of it there is, near SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoiseLevel {

@@ -169,7 +169,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         json
     } else {
         show_runs::text(&runs)
-    });
+    })?;
     Ok(())
 }
 

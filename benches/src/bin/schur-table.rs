@@ -1,0 +1,76 @@
+//! Prints how the time of a block problem grows with the number of blocks, independent ones and a
+//! chain in which consecutive blocks are coupled.
+//!
+//! ```text
+//! cargo run --release -p stillpoint-benches --bin schur-table
+//! ```
+
+use std::time::Instant;
+
+use solver::{BlockProblem, Error, Mask, Options, Parameters, Residual, Scalar, lit, solve_blocks};
+
+/// Two exponentials' amplitudes of a block, the rates shared; coupled: amplitudes of neighbours alike.
+struct Decay {
+    amplitude: f64,
+}
+
+impl<D: Scalar> Residual<D> for Decay {
+    fn residuals(&self, x: &[D], out: &mut Vec<D>) {
+        for i in 0..6 {
+            let t = 0.5 * f64::from(i);
+            let model = x[2] * (-x[0] * t).exp() + x[3] * (-x[1] * t).exp();
+            let truth = self.amplitude * (-0.4 * t).exp() + 1.5 * (-1.7 * t).exp();
+            out.push(model - lit::<D>(truth + 1e-3 * (40.0 * t + self.amplitude).sin()));
+        }
+    }
+}
+
+/// `10⁻³ (own − next)`.
+struct Alike;
+
+impl<D: Scalar> Residual<D> for Alike {
+    fn residuals(&self, x: &[D], out: &mut Vec<D>) {
+        out.extend((0..2).map(|k| (x[2 + k] - x[4 + k]) * 1e-3));
+    }
+}
+
+fn main() -> Result<(), Error> {
+    println!("    blocks   chain   parameters   Jacobians   seconds   µs per block and Jacobian");
+    for coupled in [false, true] {
+        for blocks in [10, 100, 1_000, 10_000, 100_000] {
+            let problem = build(blocks, coupled);
+            let clock = Instant::now();
+            let report = solve_blocks(&problem, &Mask::all(2), &Options::default())?;
+            let seconds = clock.elapsed().as_secs_f64();
+            let jacobians = report.shared.jacobian_evaluations;
+            let each = 1e6 * seconds / (blocks * jacobians) as f64;
+            println!(
+                "{blocks:10}   {:5}   {:10}   {jacobians:9}   {seconds:7.3}   {each:8.3}   {}",
+                if coupled { "yes" } else { "no" },
+                2 + 2 * blocks,
+                report.shared.termination,
+            );
+        }
+    }
+    Ok(())
+}
+
+fn build(blocks: usize, coupled: bool) -> BlockProblem<'static> {
+    let mut shared = Parameters::new();
+    shared.push("slow", "1/s", 0.3);
+    shared.push("fast", "1/s", 2.0);
+    let mut problem = BlockProblem::new(shared);
+    for i in 0..blocks {
+        let block = problem.add_block(&[1.0, 1.0]);
+        problem.add_term(
+            block,
+            Decay {
+                amplitude: 2.0 + (0.1 * i as f64).sin(),
+            },
+        );
+        if coupled && i + 1 < blocks {
+            problem.add_coupled_term(block, Alike);
+        }
+    }
+    problem
+}

@@ -1,0 +1,193 @@
+//! The unit and the axes of a gyroscope, from the turns: the signed permutation of axes and the common
+//! scale at which they carry gravity best.
+
+use nalgebra::{Matrix3, Vector3};
+use sensor::{Base, Model, Sensor};
+
+use super::first_guess::RawUnit;
+use crate::residuals::{Integrator, TurnData};
+
+/// Turns foretold this well, rms of the chord, need no other unit or axes.
+const FORETOLD: f64 = 0.5;
+
+/// Smallest and largest angle of the longest turn that a first guess of the scale reaches for, rad.
+const TURN_ANGLES: (f64, f64) = (0.3, 60.0);
+
+/// Ratio of neighbouring scales tried, with the axes as they are named and with any.
+const SCALE_STEP: f64 = 1.01;
+const COARSE_STEP: f64 = 1.03;
+
+/// Turns looked at when all axes and scales are tried together.
+const FEW_TURNS: usize = 8;
+
+/// Where a gyroscope's fit starts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GyroGuess {
+    /// Common scale; the bias is taken off already.
+    pub unit: RawUnit,
+    /// Body axes (rows) by sensor axes (columns): the identity, or how the sensor is mounted.
+    pub axes: Matrix3<f64>,
+}
+
+/// The guess for turns whose bias has been taken off.
+pub fn gyroscope_guess(turns: &[TurnData]) -> GyroGuess {
+    let named = Matrix3::identity();
+    let guess = |scale: f64, axes: Matrix3<f64>| GyroGuess {
+        unit: RawUnit {
+            scale,
+            zero: Vector3::zeros(),
+        },
+        axes,
+    };
+    let longest = turns.iter().map(travel).fold(0.0, f64::max);
+    if longest <= 0.0 || misfit(turns, 1.0, &named) < FORETOLD {
+        return guess(1.0, named);
+    }
+    let all_axes = signed_permutations();
+    let mounted = least(
+        all_axes
+            .iter()
+            .map(|axes| (misfit(turns, 1.0, axes), *axes)),
+    );
+    if let Some((_, axes)) = mounted.filter(|(value, _)| *value < FORETOLD) {
+        return guess(1.0, axes);
+    }
+    let fine = scales(longest, SCALE_STEP);
+    let scaled = least(fine.iter().map(|&s| (misfit(turns, s, &named), s)));
+    if let Some((_, scale)) = scaled.filter(|(value, _)| *value < FORETOLD) {
+        return guess(scale, named);
+    }
+    let few = &turns[..turns.len().min(FEW_TURNS)];
+    let coarse = scales(longest, COARSE_STEP);
+    let both = all_axes.iter().flat_map(|axes| {
+        let tried = coarse.iter();
+        tried.map(move |&s| (misfit(few, s, axes), (s, *axes)))
+    });
+    let both = least(both).map(|(_, (scale, axes))| (misfit(turns, scale, &axes), scale, axes));
+    match (both, scaled) {
+        (Some((value, scale, axes)), Some((plain, _))) if value < 0.5 * plain => guess(scale, axes),
+        (_, Some((_, scale))) => guess(scale, named),
+        _ => guess(1.0, named),
+    }
+}
+
+/// The entry with the smallest misfit.
+fn least<T>(tried: impl Iterator<Item = (f64, T)>) -> Option<(f64, T)> {
+    tried.min_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// Root mean square chord by which the turns miss gravity.
+fn misfit(turns: &[TurnData], scale: f64, axes: &Matrix3<f64>) -> f64 {
+    let model = Model::base(Sensor::Gyroscope);
+    let base = Base {
+        t: axes * scale,
+        bias: Vector3::zeros(),
+    };
+    let p = base.parameters();
+    let square: f64 = turns
+        .iter()
+        .map(|turn| turn.propagated(&model, Integrator::Exponential, &p[..]) - turn.after)
+        .map(|miss| miss.norm_squared())
+        .sum();
+    (square / turns.len() as f64).sqrt()
+}
+
+/// The scales at which the longest turn covers [`TURN_ANGLES`].
+fn scales(longest: f64, ratio: f64) -> Vec<f64> {
+    let first = TURN_ANGLES.0 / longest;
+    std::iter::successors(Some(first), |s| Some(s * ratio))
+        .take_while(|s| s * longest < TURN_ANGLES.1)
+        .collect()
+}
+
+/// The 48 ways to name three axes and their senses.
+fn signed_permutations() -> Vec<Matrix3<f64>> {
+    let orders = [
+        [0, 1, 2],
+        [0, 2, 1],
+        [1, 0, 2],
+        [1, 2, 0],
+        [2, 0, 1],
+        [2, 1, 0],
+    ];
+    let mut all = Vec::with_capacity(48);
+    for order in orders {
+        for signs in 0..8u8 {
+            let mut axes = Matrix3::zeros();
+            for (row, column) in order.into_iter().enumerate() {
+                axes[(row, column)] = if signs >> row & 1 == 0 { 1.0 } else { -1.0 };
+            }
+            all.push(axes);
+        }
+    }
+    all
+}
+
+/// `∫ |reading| dt` over a turn.
+fn travel(turn: &TurnData) -> f64 {
+    turn.t
+        .windows(2)
+        .zip(&turn.readings)
+        .map(|(t, w)| (t[1] - t[0]) * w.norm())
+        .sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Turns about changing axes with the readings that sensor axes `mount · ω / scale` give.
+    fn turns(mount: &Matrix3<f64>, scale: f64) -> Vec<TurnData> {
+        let t: Vec<f64> = (0..200).map(|k| 0.01 * f64::from(k)).collect();
+        (0..9)
+            .map(|k| {
+                let phase = f64::from(k);
+                let axis =
+                    Vector3::new(phase.sin(), (2.0 * phase).cos(), (3.0 * phase).sin() + 0.3);
+                let truth: Vec<_> = t
+                    .iter()
+                    .map(|&t| axis * (1.0 + (3.0 * t + phase).sin()))
+                    .collect();
+                let before =
+                    Vector3::new((0.7 * phase).cos(), (0.7 * phase).sin(), 0.4).normalize();
+                let mut turn = TurnData {
+                    t: t.clone(),
+                    readings: truth,
+                    rest: Vec::new(),
+                    before,
+                    after: before,
+                };
+                let p = Base::identity().parameters();
+                turn.after = turn.propagated(
+                    &Model::base(Sensor::Gyroscope),
+                    Integrator::Exponential,
+                    &p[..],
+                );
+                let mounted = turn.readings.iter().map(|w| mount * w / scale);
+                turn.readings = mounted.collect();
+                turn
+            })
+            .collect()
+    }
+
+    #[test]
+    fn swapped_and_flipped_axes_are_found_in_si_units_and_in_counts() {
+        let mount = Matrix3::new(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.0);
+        for scale in [1.0, 1.2e-3] {
+            let guess = gyroscope_guess(&turns(&mount, scale));
+            assert_eq!(guess.axes, mount.transpose());
+            assert!(
+                (guess.unit.scale / scale - 1.0).abs() < 0.02,
+                "{}",
+                guess.unit.scale
+            );
+        }
+    }
+
+    #[test]
+    fn degrees_per_second_show_their_scale() {
+        let guess = gyroscope_guess(&turns(&Matrix3::identity(), 1f64.to_radians()));
+        assert_eq!(guess.axes, Matrix3::identity());
+        assert!((guess.unit.scale.to_degrees() - 1.0).abs() < 0.02);
+    }
+}

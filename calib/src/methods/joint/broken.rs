@@ -1,0 +1,150 @@
+//! Rests that a touch broke: what the detector of motion took for part of a turn.
+
+use nalgebra::Vector3;
+
+use super::noise::SensorNoise;
+use crate::intervals::Span;
+use crate::recording::Stream;
+
+/// Length of a window, s.
+const WINDOW: f64 = 0.2;
+
+/// A window with more than this many times the usual variance is not quiet.
+const QUIET: f64 = 2.5;
+
+/// Standard deviations that a window's mean rate may be off.
+const OFF: f64 = 5.0;
+
+/// Windows that shake while the gyroscope rests, or that are quiet between two that are not, before
+/// something is said to have been touched: a hand that begins or ends a turn makes one at most.
+const LEAST: usize = 3;
+
+/// Both sensors of a recording with their noise.
+#[derive(Clone, Copy, Debug)]
+pub struct Pair<'a> {
+    /// Accelerometer.
+    pub force: (&'a Stream, &'a SensorNoise),
+    /// Gyroscope.
+    pub rate: (&'a Stream, &'a SensorNoise),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum State {
+    Quiet,
+    /// The accelerometer shakes, the gyroscope rests.
+    Shakes,
+    Turns,
+}
+
+/// The part of a turn in which the device rested and was touched, if there is one; `bias` is the rate in
+/// the rest before.
+pub fn touched(pair: &Pair<'_>, turn: Span, bias: &Vector3<f64>) -> Option<Span> {
+    let count = (turn.length() / WINDOW).floor() as usize;
+    let window = |k: usize| Span {
+        from: turn.from + k as f64 * WINDOW,
+        to: turn.from + (k + 1) as f64 * WINDOW,
+    };
+    let states: Vec<State> = (0..count).map(|k| state(pair, window(k), bias)).collect();
+    let shaking = longest(&states, |s| s == State::Shakes);
+    let first = states.iter().position(|s| *s != State::Quiet)?;
+    let last = states.iter().rposition(|s| *s != State::Quiet)?;
+    let inner = longest(&states[first..=last], |s| s == State::Quiet);
+    let found = if shaking.len() >= LEAST {
+        shaking
+    } else if inner.len() >= LEAST {
+        inner.start + first..inner.end + first
+    } else {
+        return None;
+    };
+    Some(Span {
+        from: window(found.start).from,
+        to: window(found.end - 1).to,
+    })
+}
+
+fn state(pair: &Pair<'_>, window: Span, bias: &Vector3<f64>) -> State {
+    let Some((rate, rate_square, count)) = moments(pair.rate.0, window) else {
+        return State::Turns;
+    };
+    let noise = pair.rate.1.white;
+    let limit = OFF / count.sqrt();
+    let turns = (0..3).any(|i| {
+        (rate[i] - bias[i]).abs() > limit * noise[i] || rate_square[i] > QUIET * noise[i].powi(2)
+    });
+    if turns {
+        return State::Turns;
+    }
+    match moments(pair.force.0, window) {
+        Some((_, square, _))
+            if (0..3).all(|i| square[i] <= QUIET * pair.force.1.white[i].powi(2)) =>
+        {
+            State::Quiet
+        }
+        _ => State::Shakes,
+    }
+}
+
+/// Mean, variance and number of the samples in a window.
+fn moments(stream: &Stream, window: Span) -> Option<(Vector3<f64>, Vector3<f64>, f64)> {
+    let values = &stream.values[stream.between(window.from, window.to)];
+    let count = values.len() as f64;
+    let mean = values.iter().sum::<Vector3<f64>>() / count;
+    let squares: Vector3<f64> = values.iter().map(|v| (v - mean).map(|d| d * d)).sum();
+    (values.len() > 2).then(|| (mean, squares / (count - 1.0), count))
+}
+
+/// The longest run of states that pass.
+fn longest(states: &[State], passes: impl Fn(State) -> bool) -> std::ops::Range<usize> {
+    let mut best = 0..0;
+    let mut from = 0;
+    for k in 0..states.len() {
+        if !passes(states[k]) {
+            from = k + 1;
+        } else if k + 1 - from > best.len() {
+            best = from..k + 1;
+        }
+    }
+    best
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simulate::{Simulation, Spec};
+
+    #[test]
+    fn a_touch_at_the_end_of_a_rest_is_seen_in_the_turn_and_a_turn_alone_is_not() {
+        let simulation = Simulation::new(&Spec::hand_held(3)).unwrap();
+        let mut recording = simulation.run().unwrap().recording;
+        let rests = simulation.placements();
+        let noise = |stream: &Stream| {
+            let range = stream.between(rests[0].0 + 1.0, rests[0].1 - 1.0);
+            SensorNoise::measure(stream, &[range]).unwrap()
+        };
+        let rate = recording.gyroscope.clone().unwrap();
+        let mut force = recording.accelerometer.take().unwrap();
+        let bias = rate.values[rate.between(rests[0].0, rests[0].1)]
+            .iter()
+            .sum::<Vector3<f64>>()
+            / rate.between(rests[0].0, rests[0].1).len() as f64;
+        let (of_force, of_rate) = (noise(&force), noise(&rate));
+        let look = |force: &Stream, k: usize| {
+            let pair = Pair {
+                force: (force, &of_force),
+                rate: (&rate, &of_rate),
+            };
+            let turn = Span {
+                from: rests[k].1 - 2.0,
+                to: rests[k + 1].0 + 0.5,
+            };
+            touched(&pair, turn, &bias)
+        };
+        assert!((0..rests.len() - 1).all(|k| look(&force, k).is_none()));
+        for k in force.between(rests[4].1 - 1.5, rests[4].1 - 0.5) {
+            let t = force.t[k];
+            force.values[k].z += 0.3 * (31.4 * t).sin();
+        }
+        let found = look(&force, 4).unwrap();
+        assert!(found.from > rests[4].1 - 1.8 && found.to < rests[4].1 - 0.1);
+    }
+}
