@@ -147,7 +147,7 @@ fn six_positions_far_from_level_fail_with_status_1_and_the_report_says_so_first(
 const SESSION: &str = "seed = 7\nrate = 100.0\ngrade = \"consumer\"\n[motion.hand_held]\n\
 placements = 14\ninitial_rest = 10.0\nrest = [4.0, 5.0]\nturn = [2.0, 3.0]\n";
 
-/// One simulated session, as recorded and as a second recording with another seed.
+/// Two simulated sessions; another seed is also another device.
 fn sessions(folder: &Path) {
     for (name, seed) in [("one", "seed = 7"), ("two", "seed = 8")] {
         let spec = format!("{name}.toml");
@@ -165,6 +165,7 @@ fn a_calibrations_report_tells_recordings_rests_and_turns_apart() {
         "calibrate",
         "one",
         "two",
+        "--force-device",
         "--report",
         "cal.html",
         "--plots",
