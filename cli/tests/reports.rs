@@ -180,13 +180,14 @@ fn a_calibrations_report_tells_recordings_rests_and_turns_apart() {
     let page = std::fs::read_to_string(dir.path().join("cal.html")).unwrap();
     // Modulus, direction and the rests of two recordings, each for light and dark pages.
     assert_eq!(page.matches("<svg").count(), 2 * 4);
+    // Fourteen placements each, numbered through both recordings.
     for words in [
         "alpha_yz",
         "beta_xy",
         "std error",
         "Rests of one",
         "Rests of two",
-        "29</td>",
+        "28</td>",
     ] {
         assert!(page.contains(words), "{words}");
     }
