@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use serde::Serialize;
 
 use crate::calibration::{Calibration, apply};
-use crate::intervals::{Segmentation, Turn};
+use crate::intervals::{Segmentation, Span, StaticInterval, Turn};
 use crate::recording::{Recording, Stream};
 use crate::residuals::{Integrator, attitude_of};
 
@@ -23,6 +23,26 @@ pub struct Evaluation {
     pub direction_rms: Option<f64>,
 }
 
+/// What a calibration leaves in one rest or one turn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Misfit {
+    /// Its place in [`Segmentation::statics`], or that of the rest before the turn.
+    pub index: usize,
+    /// When.
+    pub span: Span,
+    /// `|f| − g`, m/s², or the angle by which the foretold direction of gravity misses, degrees.
+    pub value: f64,
+}
+
+/// The misfit of every rest and of every sound turn.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Misfits {
+    /// Of gravity's modulus, m/s².
+    pub rests: Vec<Misfit>,
+    /// Of its direction, degrees.
+    pub turns: Vec<Misfit>,
+}
+
 /// Measures a calibration, or the raw readings with `None`, on the rests and turns of a recording.
 ///
 /// Only `apply` is asked for what the calibration makes of a reading.
@@ -32,25 +52,49 @@ pub fn evaluate(
     calibration: Option<&Calibration>,
     gravity: f64,
 ) -> Evaluation {
+    let misfits = misfits(recording, segmentation, calibration, gravity);
+    let rms = |all: &[Misfit]| root_mean_square(&all.iter().map(|m| m.value).collect::<Vec<_>>());
+    Evaluation {
+        static_intervals: misfits.rests.len(),
+        modulus_rms: rms(&misfits.rests),
+        turns: misfits.turns.len(),
+        direction_rms: rms(&misfits.turns),
+    }
+}
+
+/// [`evaluate`], rest by rest and turn by turn.
+pub fn misfits(
+    recording: &Recording,
+    segmentation: &Segmentation,
+    calibration: Option<&Calibration>,
+    gravity: f64,
+) -> Misfits {
     let corrected = calibration.map_or_else(|| recording.clone(), |c| apply(c, recording));
     let spans: Vec<_> = segmentation.statics.iter().map(|rest| rest.span).collect();
     let rests = Segmentation::from_spans(&corrected, &spans, segmentation.multiplier);
-    let moduli: Vec<f64> = rests
-        .statics
-        .iter()
-        .filter_map(|rest| Some(rest.accelerometer?.mean.norm() - gravity))
-        .collect();
-    let angles: Vec<f64> = segmentation
-        .turns
-        .iter()
-        .filter(|turn| turn.fault.is_none())
-        .filter_map(|turn| angle(corrected.gyroscope.as_ref()?, &rests, turn))
-        .collect();
-    Evaluation {
-        static_intervals: moduli.len(),
-        modulus_rms: root_mean_square(&moduli),
-        turns: angles.len(),
-        direction_rms: root_mean_square(&angles),
+    let modulus = |(index, rest): (usize, &StaticInterval)| {
+        Some(Misfit {
+            index,
+            span: rest.span,
+            value: rest.accelerometer?.mean.norm() - gravity,
+        })
+    };
+    let direction = |turn: &Turn| {
+        Some(Misfit {
+            index: turn.from,
+            span: turn.span,
+            value: angle(corrected.gyroscope.as_ref()?, &rests, turn)?,
+        })
+    };
+    let sound = segmentation.turns.iter().filter(|t| t.fault.is_none());
+    Misfits {
+        rests: rests
+            .statics
+            .iter()
+            .enumerate()
+            .filter_map(modulus)
+            .collect(),
+        turns: sound.filter_map(direction).collect(),
     }
 }
 

@@ -23,5 +23,5 @@ pub mod simulate;
 
 pub use calibration::Calibration;
 pub use error::Error;
-pub use evaluate::{Evaluation, evaluate};
+pub use evaluate::{Evaluation, Misfit, Misfits, evaluate, misfits};
 pub use recording::Recording;

@@ -24,7 +24,7 @@ impl Output {
     /// Claims `path`; `inputs` are files that it must not be.
     ///
     /// # Errors
-    /// Status 2 where the path is an input; status 6 where it exists (without `force`), is no
+    /// Status 2 where the path is an input or another output of this run; status 6 where it exists (without `force`), is no
     /// regular file, lies in a folder that cannot be written, or is claimed by another run.
     pub fn claim(path: &Path, force: bool, inputs: &[&Path]) -> Result<Self, Failure> {
         let target = resolve(path);
@@ -61,6 +61,13 @@ impl Output {
             Err(TryLockError::WouldBlock) => {
                 let mut holder = String::new();
                 let _ = file.read_to_string(&mut holder);
+                if holder.trim() == std::process::id().to_string() {
+                    let why = format!(
+                        "{}: given for two outputs; choose another name",
+                        path.display()
+                    );
+                    return Err(Failure::new(USAGE, why));
+                }
                 return Err(refused(
                     path,
                     &format!(

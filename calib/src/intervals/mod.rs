@@ -17,3 +17,4 @@ pub use saturation::Rails;
 pub use sections::read_sections;
 pub use segmentation::{Segmentation, StaticInterval, Turn, TurnFault, segment, segment_each};
 pub use spans::Span;
+pub(crate) use spans::{complement, union};

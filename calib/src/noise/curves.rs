@@ -3,6 +3,8 @@
 use nalgebra::Vector3;
 
 use super::allan::{AllanAccumulator, AllanCurve};
+use super::stillness::{Spreads, Stillness};
+use crate::intervals::Span;
 use crate::recording::{Recording, Stream};
 
 /// Samples looked at before the sampling interval is known.
@@ -27,15 +29,49 @@ pub struct RecordingCurves {
     pub accelerometer: Option<SensorCurves>,
     /// Gyroscope, rad/s.
     pub gyroscope: Option<SensorCurves>,
+    /// When the recording was at rest, as the curves assume.
+    pub stillness: Stillness,
 }
 
 impl RecordingCurves {
-    /// Of a recording in memory.
-    pub fn of(recording: &Recording) -> Self {
-        let curves = |stream: &Option<Stream>| SensorCurves::of(stream.as_ref()?);
-        Self {
-            accelerometer: curves(&recording.accelerometer),
-            gyroscope: curves(&recording.gyroscope),
+    /// Of a recording in memory, or of the stretch `within` of it.
+    pub fn of(recording: &Recording, within: Option<Span>) -> Self {
+        let mut accumulator = RecordingAccumulator::default();
+        let RecordingAccumulator {
+            accelerometer,
+            gyroscope,
+        } = &mut accumulator;
+        feed(accelerometer, recording.accelerometer.as_ref(), within);
+        feed(gyroscope, recording.gyroscope.as_ref(), within);
+        accumulator.finish()
+    }
+}
+
+fn feed(sensor: &mut SensorAccumulator, stream: Option<&Stream>, within: Option<Span>) {
+    let Some(stream) = stream else { return };
+    let samples = within.map_or(0..stream.len(), |span| stream.between(span.from, span.to));
+    stream.t[samples.clone()]
+        .iter()
+        .zip(&stream.values[samples])
+        .for_each(|(&t, v)| sensor.push(t, *v));
+}
+
+/// Both sensors of a recording, sample by sample.
+#[derive(Debug, Default)]
+pub(super) struct RecordingAccumulator {
+    pub(super) accelerometer: SensorAccumulator,
+    pub(super) gyroscope: SensorAccumulator,
+}
+
+impl RecordingAccumulator {
+    /// The curves, and whether they are of a rest.
+    pub(super) fn finish(mut self) -> RecordingCurves {
+        let sensors = [&mut self.accelerometer, &mut self.gyroscope];
+        let stillness = Stillness::of(sensors.map(|sensor| std::mem::take(&mut sensor.spreads)));
+        RecordingCurves {
+            accelerometer: self.accelerometer.finish(),
+            gyroscope: self.gyroscope.finish(),
+            stillness,
         }
     }
 }
@@ -44,11 +80,7 @@ impl SensorCurves {
     /// Of a stream in memory; `None` with fewer than two samples.
     pub fn of(stream: &Stream) -> Option<Self> {
         let mut accumulator = SensorAccumulator::default();
-        stream
-            .t
-            .iter()
-            .zip(&stream.values)
-            .for_each(|(&t, v)| accumulator.push(t, *v));
+        feed(&mut accumulator, Some(stream), None);
         accumulator.finish()
     }
 }
@@ -57,6 +89,7 @@ impl SensorCurves {
 #[derive(Debug, Default)]
 pub struct SensorAccumulator {
     axes: [AllanAccumulator; 3],
+    spreads: Spreads,
     head: Vec<(f64, Vector3<f64>)>,
     limit: Option<f64>,
     last: Option<f64>,
@@ -68,6 +101,7 @@ pub struct SensorAccumulator {
 impl SensorAccumulator {
     /// The next sample; stamps ascend.
     pub fn push(&mut self, t: f64, value: Vector3<f64>) {
+        self.spreads.push(t, &value);
         match self.limit {
             Some(limit) => self.add(t, value, limit),
             None => {

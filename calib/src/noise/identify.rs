@@ -103,7 +103,7 @@ impl NoiseTerms {
 /// depends on the terms and is iterated; squared coefficients are held at or above zero. The
 /// intervals do not assume that any term is absent: they come from the fit of all five with either
 /// sign, so that two terms that this recording cannot tell apart both have wide ones. An upper end
-/// is never below what the recording could have seen (one standard error).
+/// is never below what the recording could have seen (that of an estimate of zero).
 ///
 /// Where the five terms miss the curve by more than it scatters (at the 1 % level), every point gets
 /// the relative model error that makes the misfit as large as expected.

@@ -36,9 +36,13 @@ pub(super) struct Scatter {
 ///
 /// A sum of few squares is skewed: its quantiles are taken from the Pearson III (shifted gamma)
 /// distribution with the same three moments.
+///
+/// An estimate far below zero contradicts every `θ ≥ 0`, and the plain upper end would collapse to zero
+/// just where the scatter is least understood. The upper end is therefore never below that of an
+/// estimate of zero, which is what the recording could have seen at best; that can only add confidence.
 pub(super) fn invert(confidence: f64, estimate: f64, scatter: impl Fn(f64) -> Scatter) -> Interval {
     let tail = 0.5 * (1.0 - confidence);
-    let excess = |theta: f64, probability: f64| {
+    let excess = |estimate: f64, theta: f64, probability: f64| {
         let Scatter { variance, third } = scatter(theta);
         let sigma = variance.max(f64::MIN_POSITIVE).sqrt();
         (estimate - theta) / sigma - quantile(probability, third / sigma.powi(3))
@@ -47,12 +51,15 @@ pub(super) fn invert(confidence: f64, estimate: f64, scatter: impl Fn(f64) -> Sc
         .abs()
         .max(scatter(0.0).variance.sqrt())
         .max(f64::MIN_POSITIVE);
-    let lower = if excess(0.0, 1.0 - tail) <= 0.0 {
+    let lower = if excess(estimate, 0.0, 1.0 - tail) <= 0.0 {
         0.0
     } else {
-        crossing(0.0, start, |theta| excess(theta, 1.0 - tail) <= 0.0)
+        crossing(0.0, start, |theta| {
+            excess(estimate, theta, 1.0 - tail) <= 0.0
+        })
     };
-    let upper = crossing(lower, start, |theta| excess(theta, tail) < 0.0);
+    let possible = estimate.max(0.0);
+    let upper = crossing(lower, start, |theta| excess(possible, theta, tail) < 0.0);
     Interval { lower, upper }
 }
 
@@ -136,6 +143,15 @@ mod tests {
     fn an_estimate_within_its_error_of_zero_is_only_bounded_above() {
         let interval = invert(0.95, -0.5, |_| FIXED);
         assert_eq!(interval.lower, 0.0);
-        assert!((interval.upper - (1.959_964 - 0.5)).abs() < 1e-5);
+        assert!((interval.upper - 1.959_964).abs() < 1e-5);
+    }
+
+    #[test]
+    fn an_estimate_that_contradicts_every_value_is_bounded_by_what_could_have_been_seen() {
+        for estimate in [-1.0, -3.0, -1e3] {
+            let interval = invert(0.95, estimate, |_| FIXED);
+            assert_eq!(interval.lower, 0.0);
+            assert!((interval.upper - 1.959_964).abs() < 1e-5, "{interval:?}");
+        }
     }
 }

@@ -7,7 +7,8 @@ use std::path::Path;
 use csv::{ByteRecord, ReaderBuilder};
 use nalgebra::Vector3;
 
-use super::curves::{RecordingCurves, SensorAccumulator};
+use super::curves::{RecordingAccumulator, RecordingCurves};
+use crate::intervals::Span;
 
 /// The columns of the plain CSV recording.
 const COLUMNS: [&[u8]; 7] = [b"t", b"ax", b"ay", b"az", b"gx", b"gy", b"gz"];
@@ -23,12 +24,13 @@ const HEAD: u64 = 1 << 16;
 const GRAVITY: std::ops::Range<f64> = 7.0..13.0;
 
 /// Reads a plain CSV recording (`t,ax,ay,az,gx,gy,gz…`) row by row into curves, without keeping the
-/// samples: a day at 200 Hz needs no more memory than a minute.
+/// samples: a day at 200 Hz needs hardly more memory than a minute. With `within` only that stretch
+/// goes into the curves.
 ///
 /// `None` for anything else: no regular file, other columns, a row with a missing or unreadable
 /// number, time that does not ascend, a first reading that is no gravity in m/s². The reader of
 /// recordings then says what is wrong, or knows the format.
-pub fn curves_of_long_csv(path: &Path) -> Option<RecordingCurves> {
+pub fn curves_of_long_csv(path: &Path, within: Option<Span>) -> Option<RecordingCurves> {
     if !begins_with_header(path)? {
         return None;
     }
@@ -38,8 +40,8 @@ pub fn curves_of_long_csv(path: &Path) -> Option<RecordingCurves> {
         .flexible(true)
         .from_path(path)
         .ok()?;
-    let mut accelerometer = SensorAccumulator::default();
-    let mut gyroscope = SensorAccumulator::default();
+    let mut accumulator = RecordingAccumulator::default();
+    let wanted = |t: f64| within.is_none_or(|span| span.from <= t && t < span.to);
     let mut last = f64::NEG_INFINITY;
     let mut row = ByteRecord::new();
     while reader.read_byte_record(&mut row).ok()? {
@@ -49,13 +51,12 @@ pub fn curves_of_long_csv(path: &Path) -> Option<RecordingCurves> {
             return None;
         }
         last = t;
-        accelerometer.push(t, Vector3::new(ax, ay, az));
-        gyroscope.push(t, Vector3::new(gx, gy, gz));
+        if wanted(t) {
+            accumulator.accelerometer.push(t, Vector3::new(ax, ay, az));
+            accumulator.gyroscope.push(t, Vector3::new(gx, gy, gz));
+        }
     }
-    Some(RecordingCurves {
-        accelerometer: accelerometer.finish(),
-        gyroscope: gyroscope.finish(),
-    })
+    Some(accumulator.finish())
 }
 
 /// Whether a regular file begins with the plain header, after comments.
@@ -121,10 +122,16 @@ mod tests {
             }
         }
         std::fs::write(&path, &text).unwrap();
-        assert_eq!(
-            curves_of_long_csv(&path),
-            Some(RecordingCurves::of(&recording))
-        );
+        let part = Span {
+            from: 50.0,
+            to: 200.0,
+        };
+        for within in [None, Some(part)] {
+            assert_eq!(
+                curves_of_long_csv(&path, within),
+                Some(RecordingCurves::of(&recording, within))
+            );
+        }
         for odd in [
             "500,1,2,3,4,5\n",
             "500,1,2,3,4,5,x\n",
@@ -132,15 +139,15 @@ mod tests {
             "500,1,2,3,4,5,inf\n",
         ] {
             std::fs::write(&path, format!("{text}{odd}")).unwrap();
-            assert_eq!(curves_of_long_csv(&path), None, "{odd}");
+            assert_eq!(curves_of_long_csv(&path, None), None, "{odd}");
         }
         for odd in [
             text.replace("gx,gy", "gy,gx"),
             "t,ax,ay,az,gx,gy,gz\n0,0,0,1,0,0,0\n".into(),
         ] {
             std::fs::write(&path, odd).unwrap();
-            assert_eq!(curves_of_long_csv(&path), None);
+            assert_eq!(curves_of_long_csv(&path, None), None);
         }
-        assert_eq!(curves_of_long_csv(folder.path()), None);
+        assert_eq!(curves_of_long_csv(folder.path(), None), None);
     }
 }

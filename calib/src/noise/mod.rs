@@ -12,6 +12,7 @@ mod identify;
 mod interval;
 mod long_csv;
 mod settling;
+mod stillness;
 mod summary;
 mod term;
 
@@ -21,5 +22,6 @@ pub use identify::{Estimate, NoiseTerms, identify};
 pub use interval::Interval;
 pub use long_csv::curves_of_long_csv;
 pub use settling::settling_time;
+pub use stillness::Stillness;
 pub use summary::{AxisNoise, CurvePoint, NOISE_SCHEMA, NoiseSummary, SensorNoise, TermValue};
 pub use term::NoiseTerm;

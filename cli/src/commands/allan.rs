@@ -1,21 +1,22 @@
 //! `allan`: Allan deviation, noise terms, and how long to rest before a calibration.
 
+mod source;
+
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use calib::noise::{
-    CurvePoint, NoiseSummary, NoiseTerm, RecordingCurves, SensorNoise, TermValue,
-    curves_of_long_csv,
-};
+use calib::intervals::Span;
+use calib::noise::{CurvePoint, NoiseSummary, NoiseTerm, SensorNoise, TermValue};
 use sensor::Sensor;
 
-use super::inputs::{read, spinner};
+use super::inputs::numbers;
 use super::pictures::PictureArgs;
-use crate::exit::{BUG, Failure};
+use crate::exit::{BUG, Failure, USAGE};
 use crate::output::Output;
 use crate::read_args::ReadArgs;
 use crate::report::{Axis, Plot, Report, ReportTable, Series};
 use crate::show;
+use source::{Source, listed, longest_rest};
 
 /// Names of the plots.
 const PLOTS: [&str; 2] = ["allan-gyroscope", "allan-accelerometer"];
@@ -23,8 +24,9 @@ const PLOTS: [&str; 2] = ["allan-gyroscope", "allan-accelerometer"];
 /// Overlapping Allan deviation of a recording at rest, the five noise terms with their intervals,
 /// and the initial static time they advise.
 ///
-/// The device must lie still all the time. A plain CSV is read as a stream: a day at 200 Hz takes no
-/// more memory than a minute.
+/// Only a rest has an Allan deviation: where the device moved, the longest rest is taken (with a
+/// warning), and a recording without a rest of a minute is refused. A plain CSV is read as a stream: a
+/// day at 200 Hz takes hardly more memory than a minute.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
@@ -33,6 +35,10 @@ pub struct Args {
     /// File or folder; `-` reads standard input
     #[arg(value_name = "RECORDING")]
     recording: PathBuf,
+    /// Analyse this stretch, s; motion in it is then not looked for [default: all of it, or the
+    /// longest rest]
+    #[arg(long, value_name = "T0,T1", value_parser = numbers::<2>, allow_hyphen_values = true)]
+    rest: Option<[f64; 2]>,
     /// Write the noise terms and the curves here (JSON, SI units)
     #[arg(short, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -76,27 +82,33 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     Ok(())
 }
 
-/// From a stream where the file allows it, else from the recording in memory.
+/// The noise of the recording, or of the rest in it that is asked for or the longest.
 fn summary(args: &Args) -> Result<NoiseSummary, Failure> {
-    let streamed = {
-        let spinner = spinner("reading");
-        let plain = args.read.are_default();
-        let streamed = plain.then(|| curves_of_long_csv(&args.recording)).flatten();
-        spinner.finish_and_clear();
-        streamed
-    };
-    let curves = match streamed {
-        Some(curves) => curves,
-        None => {
-            let recording = read(&args.recording, &args.read)?;
-            recording
-                .warnings
-                .iter()
-                .for_each(|warning| show::warn(warning));
-            RecordingCurves::of(&recording)
+    let mut source = Source::new(args);
+    if let Some([from, to]) = args.rest {
+        if from >= to {
+            return Err(Failure::new(USAGE, "--rest T0,T1: T0 must be before T1"));
         }
-    };
-    Ok(NoiseSummary::of(&curves)?)
+        let curves = source.curves(Some(Span { from, to }))?;
+        return Ok(NoiseSummary::of(&curves)?);
+    }
+    let curves = source.curves(None)?;
+    if curves.stillness.motions.is_empty() {
+        return Ok(NoiseSummary::of(&curves)?);
+    }
+    let rest = longest_rest(&curves.stillness)?;
+    let mut summary = NoiseSummary::of(&source.curves(Some(rest))?)?;
+    let warning = format!(
+        "the device moved ({}): only the longest rest, t = {:.2} to {:.2} s, is analysed; --rest {:.2},{:.2} \
+         says so without this warning",
+        listed(&curves.stillness.motions),
+        rest.from,
+        rest.to,
+        rest.from,
+        rest.to
+    );
+    summary.warnings.insert(0, warning);
+    Ok(summary)
 }
 
 /// The sensors there are, gyroscope first, in the order of [`PLOTS`].

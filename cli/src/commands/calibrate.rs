@@ -1,20 +1,22 @@
 //! `calibrate`: recordings to a calibration.
 
+mod report;
 mod tables;
 
 use std::path::PathBuf;
 
-use calib::Recording;
 use calib::calibrate::{
     Frame, GyroBias, Outcome, Request, STANDARD_GRAVITY, calibrate, read_static_means,
 };
 use calib::calibration::effect_named;
 use calib::intervals::{Span, read_sections};
 use calib::residuals::Integrator;
+use calib::{Calibration, Recording};
 use clap::ValueEnum;
 use nalgebra::Vector3;
 
 use super::inputs::{DetectorArgs, as_paths, read, read_pair, spinner};
+use super::pictures::{PictureArgs, Pictures};
 use super::six_position;
 use crate::exit::{Failure, GATE, USAGE};
 use crate::output::Output;
@@ -31,7 +33,7 @@ const GRAVITY: std::ops::RangeInclusive<f64> = 9.76..=9.84;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
-  stillpoint calibrate morning/ evening/ --gravity 9.8055 -o cal.json")]
+  stillpoint calibrate morning/ evening/ --gravity 9.8055 -o cal.json --report cal.html")]
 pub struct Args {
     /// Files or folders; `-` reads standard input
     #[arg(value_name = "RECORDING")]
@@ -95,6 +97,8 @@ pub struct Args {
     #[arg(long)]
     json: bool,
     #[command(flatten)]
+    pictures: PictureArgs,
+    #[command(flatten)]
     detector: DetectorArgs,
     #[command(flatten)]
     read: ReadArgs,
@@ -153,6 +157,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         Some(path) => Some(Output::claim(path, args.force, &as_paths(&inputs))?),
         None => None,
     };
+    let names = plot_names(args);
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let pictures = args
+        .pictures
+        .claim(&names, args.force, &as_paths(&inputs))?;
     let recordings = recordings(args)?;
     if let Method::SixPosition = args.method {
         let (detector, gravity) = (request.detector, request.gravity);
@@ -165,6 +174,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             first_order,
             json,
             output,
+            pictures,
         });
     }
     let gyro_recordings = args
@@ -183,7 +193,38 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         spinner.finish_and_clear();
         outcome
     };
-    report(args, output, &outcome)
+    if pictures.wanted() {
+        draw(pictures, &recordings, &outcome)?;
+    }
+    finish(args, output, &outcome)
+}
+
+/// Names of the plots that this call draws.
+fn plot_names(args: &Args) -> Vec<String> {
+    if let Method::SixPosition = args.method {
+        return six_position::PLOTS.map(str::to_owned).to_vec();
+    }
+    report::plot_names(args.recordings.len().max(1))
+}
+
+/// Writes plots and report. Every recording has a plot of its own; one that repeats another's data was
+/// counted once and is drawn as that one.
+fn draw(pictures: Pictures, recordings: &[Recording], outcome: &Outcome) -> Result<(), Failure> {
+    let mut counted: Vec<&Recording> = Vec::new();
+    for recording in recordings {
+        let same = |other: &&Recording| {
+            other.accelerometer == recording.accelerometer && other.gyroscope == recording.gyroscope
+        };
+        if !counted.iter().any(same) {
+            counted.push(recording);
+        }
+    }
+    let segmentations = outcome.choices.iter().map(|choice| &choice.segmentation);
+    let calibration = &outcome.calibration;
+    let parts = report::parts(counted.into_iter().zip(segmentations), calibration);
+    let plots = report::plots(&parts);
+    let page = report::page(calibration, &parts, &plots, tables::units(outcome))?;
+    pictures.write(&plots, &page)
 }
 
 fn request(args: &Args) -> Result<Request, Failure> {
@@ -297,7 +338,7 @@ fn sections(args: &Args, recordings: &[Recording]) -> Result<Vec<Vec<Span>>, Fai
     }
 }
 
-fn report(args: &Args, output: Option<Output>, outcome: &Outcome) -> Result<(), Failure> {
+fn finish(args: &Args, output: Option<Output>, outcome: &Outcome) -> Result<(), Failure> {
     let calibration = &outcome.calibration;
     let mut json = serde_json::to_string_pretty(calibration)
         .map_err(|e| Failure::new(crate::exit::BUG, e.to_string()))?;
@@ -313,6 +354,11 @@ fn report(args: &Args, output: Option<Output>, outcome: &Outcome) -> Result<(), 
     } else {
         show::print(&tables::text(outcome))?;
     }
+    gate(calibration)
+}
+
+/// Status 1 with the reasons where a quality gate failed.
+pub fn gate(calibration: &Calibration) -> Result<(), Failure> {
     match calibration.failed_gates.as_slice() {
         [] => Ok(()),
         gates => Err(Failure::new(GATE, gates.join("\nstillpoint: "))),

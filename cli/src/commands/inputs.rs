@@ -119,3 +119,13 @@ pub fn spinner(what: &str) -> ProgressBar {
 pub fn as_paths(paths: &[PathBuf]) -> Vec<&Path> {
     paths.iter().map(PathBuf::as_path).collect()
 }
+
+/// `a,b,…` as numbers.
+pub fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
+    numbers
+        .ok()
+        .filter(|numbers| numbers.iter().all(|v: &f64| v.is_finite()))
+        .and_then(|numbers| numbers.try_into().ok())
+        .ok_or_else(|| format!("{N} numbers separated by commas expected"))
+}

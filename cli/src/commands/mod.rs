@@ -10,6 +10,7 @@ mod evaluate;
 mod inputs;
 mod pictures;
 mod reckon;
+mod rests_plot;
 mod segment;
 mod simulate;
 mod six_position;

@@ -13,7 +13,7 @@ pub struct PictureArgs {
     /// Write a report with tables and plots here: one HTML file that needs no network
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
-    /// Write every plot into this folder, as SVG and as PNG
+    /// Write every plot into this folder, as SVG (NAME-dark.svg for dark pages) and as PNG
     #[arg(long, value_name = "DIR")]
     plots: Option<PathBuf>,
 }
@@ -22,11 +22,19 @@ pub struct PictureArgs {
 #[derive(Debug)]
 pub struct Pictures {
     report: Option<Output>,
-    plots: Vec<(Output, Output)>,
+    plots: Vec<PlotFiles>,
+}
+
+/// The files of one plot.
+#[derive(Debug)]
+struct PlotFiles {
+    light: Output,
+    dark: Output,
+    png: Output,
 }
 
 impl PictureArgs {
-    /// Claims the report and a pair of files for each of the plots called `names`.
+    /// Claims the report and the files for each of the plots called `names`.
     pub fn claim(
         &self,
         names: &[&str],
@@ -40,8 +48,12 @@ impl PictureArgs {
             std::fs::create_dir_all(folder)
                 .map_err(|e| Failure::new(OUTPUT, format!("{}: {e}", folder.display())))?;
             for name in names {
-                let file = |extension: &str| folder.join(format!("{name}.{extension}"));
-                plots.push((claim(&file("svg"))?, claim(&file("png"))?));
+                let file = |ending: &str| claim(&folder.join(format!("{name}{ending}")));
+                plots.push(PlotFiles {
+                    light: file(".svg")?,
+                    dark: file("-dark.svg")?,
+                    png: file(".png")?,
+                });
             }
         }
         Ok(Pictures { report, plots })
@@ -56,9 +68,10 @@ impl Pictures {
 
     /// Writes the plots, in the order of the names claimed, and the report.
     pub fn write(self, plots: &[Plot], report: &Report) -> Result<(), Failure> {
-        for ((svg, png), plot) in self.plots.into_iter().zip(plots) {
-            svg.write(plot.svg(Theme::Light)?.as_bytes())?;
-            png.write(&plot.png()?)?;
+        for (files, plot) in self.plots.into_iter().zip(plots) {
+            files.light.write(plot.svg(Theme::Light)?.as_bytes())?;
+            files.dark.write(plot.svg(Theme::Dark)?.as_bytes())?;
+            files.png.write(&plot.png()?)?;
         }
         match self.report {
             Some(output) => output.write(report.html()?.as_bytes()),

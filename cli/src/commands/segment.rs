@@ -5,14 +5,17 @@ use std::path::PathBuf;
 
 use calib::Recording;
 use calib::calibrate::STANDARD_GRAVITY;
-use calib::intervals::{Moments, segment};
+use calib::intervals::{Moments, Span, segment};
 use calib::methods::{Choice, choose_multiplier};
 use serde_json::json;
 
 use super::inputs::{DetectorArgs, as_paths, read};
+use super::pictures::PictureArgs;
+use super::rests_plot::rests_plot;
 use crate::exit::Failure;
 use crate::output::Output;
 use crate::read_args::ReadArgs;
+use crate::report::{Plot, Report, ReportTable};
 use crate::show;
 
 /// Shows when the device was still and when it turned.
@@ -37,6 +40,8 @@ pub struct Args {
     #[arg(long)]
     json: bool,
     #[command(flatten)]
+    pictures: PictureArgs,
+    #[command(flatten)]
     detector: DetectorArgs,
     #[command(flatten)]
     read: ReadArgs,
@@ -53,6 +58,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         )?),
         None => None,
     };
+    let pictures = args.pictures.claim(
+        &["rests"],
+        args.force,
+        &as_paths(std::slice::from_ref(&args.recording)),
+    )?;
     let recording = read(&args.recording, &args.read)?;
     for warning in &recording.warnings {
         show::warn(warning);
@@ -71,6 +81,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     json.push('\n');
     if let Some(output) = output {
         output.write(json.as_bytes())?;
+    }
+    if pictures.wanted() {
+        let plot = rests_plot(&recording, &choice.segmentation, ["m/s²", "rad/s"]);
+        let page = report(&recording, &choice, &plot)?;
+        pictures.write(&[plot], &page)?;
     }
     show::print(&if args.json {
         json
@@ -131,6 +146,56 @@ fn document(recording: &Recording, choice: &Choice) -> serde_json::Value {
         "multipliers_tried": choice.trials,
         "warnings": recording.warnings,
     })
+}
+
+/// The page: the picture, the intervals, and how the multiplier was chosen.
+fn report(recording: &Recording, choice: &Choice, plot: &Plot) -> Result<Report, Failure> {
+    let segmentation = &choice.segmentation;
+    let mut intervals = ReportTable::new(["interval", "from, s", "to, s", "length, s", ""]);
+    let row = |name: String, span: &Span, note: String| {
+        let [from, to, length] = [span.from, span.to, span.length()].map(|v| format!("{v:.2}"));
+        [name, from, to, length, note]
+    };
+    for (k, rest) in segmentation.statics.iter().enumerate() {
+        intervals.row(row(format!("rest {}", k + 1), &rest.span, String::new()));
+        if let Some(turn) = segmentation.turns.get(k) {
+            let note = turn
+                .fault
+                .as_ref()
+                .map(|fault| format!("not used: {fault}"));
+            let name = format!("turn {}", k + 1);
+            intervals.row(row(name, &turn.span, note.unwrap_or_default()));
+        }
+    }
+    let mut trials = ReportTable::new([
+        "multiplier",
+        "rests",
+        "residual per degree of freedom, mm/s²",
+    ]);
+    for trial in &choice.trials {
+        let residual = trial
+            .residual
+            .map_or("-".into(), |r| format!("{:.3}", 1e3 * r));
+        trials.row([
+            trial.multiplier.to_string(),
+            trial.static_intervals.to_string(),
+            residual,
+        ]);
+    }
+    Ok(Report::new(format!(
+        "Rests and turns of {}",
+        show::printable(&recording.name)
+    ))
+    .warnings(&recording.warnings)
+    .section("Rests")
+    .plot(plot)?
+    .table(intervals)
+    .section("Threshold")
+    .text(format!(
+        "{} times the level at rest.",
+        segmentation.multiplier
+    ))
+    .table(trials))
 }
 
 fn text(recording: &Recording, choice: &Choice) -> String {

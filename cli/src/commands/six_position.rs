@@ -2,12 +2,16 @@
 
 use std::fmt::Write as _;
 
-use calib::Recording;
 use calib::intervals::Detector;
-use calib::methods::six_position::{Face, GyroscopePart, SixPosition, placements};
+use calib::methods::six_position::{EarthRate, Face, GyroscopePart, SixPosition, placements};
+use calib::{Calibration, Recording};
+use nalgebra::Vector3;
 
+use super::calibrate::gate;
+use super::pictures::Pictures;
 use crate::exit::{BUG, Failure};
 use crate::output::Output;
+use crate::report::{Axis, Plot, Report, ReportTable, Series};
 use crate::show;
 
 /// What the options of `calibrate` say to this method.
@@ -25,7 +29,14 @@ pub struct Call<'a> {
     pub json: bool,
     /// Where the calibration goes.
     pub output: Option<Output>,
+    /// Where the report goes.
+    pub pictures: Pictures,
 }
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Names of the plots.
+pub const PLOTS: [&str; 1] = ["modulus"];
 
 /// Runs the method.
 pub fn run(call: Call<'_>) -> Result<(), Failure> {
@@ -45,75 +56,154 @@ pub fn run(call: Call<'_>) -> Result<(), Failure> {
     if let Some(output) = call.output {
         output.write(format!("{json}\n").as_bytes())?;
     }
+    if call.pictures.wanted() {
+        let plot = plot(&solution);
+        let page = report(&solution, &labels, &calibration, &plot)?;
+        call.pictures.write(&[plot], &page)?;
+    }
     show::print(&if call.json {
         json
     } else {
         text(&solution, &labels)
     })?;
-    Ok(())
+    gate(&calibration)
+}
+
+/// What is left of gravity's modulus on each face.
+fn plot(solution: &SixPosition) -> Plot {
+    let left = |correct: &dyn Fn(&Vector3<f64>) -> Vector3<f64>| {
+        (0..6)
+            .map(|k| {
+                let mean: Vector3<f64> = solution.means.column(k).into();
+                let modulus = correct(&mean).norm();
+                ((k + 1) as f64, 1e3 * (modulus - solution.gravity))
+            })
+            .collect::<Vec<_>>()
+    };
+    let plot = Plot::new(
+        "What is left of gravity's modulus on each face",
+        Axis::linear("face: x down, x up, y down, y up, z down, z up"),
+        Axis::linear("modulus less gravity, mm/s²"),
+    )
+    .with(Series::dots("raw", 6, left(&|mean| *mean)));
+    match solution.base() {
+        Some(base) => plot.with(Series::dots("six positions", 0, left(&|m| base.correct(m)))),
+        None => plot,
+    }
+}
+
+fn report(
+    solution: &SixPosition,
+    labels: &[String; 6],
+    calibration: &Calibration,
+    plot: &Plot,
+) -> Result<Report, Failure> {
+    let failed = calibration.failed_gates.iter();
+    let mut notes: Vec<String> = failed.map(|gate| format!("Do not use: {gate}")).collect();
+    notes.extend(calibration.warnings.iter().cloned());
+    let table = |(header, rows): ([&str; 5], Vec<[String; 5]>)| {
+        let mut table = ReportTable::new(header);
+        rows.into_iter().for_each(|row| table.row(row));
+        table
+    };
+    let mut report = Report::new("Calibration by six positions")
+        .warnings(&notes)
+        .section("Accelerometer")
+        .text(format!("Gravity {} m/s².", solution.gravity))
+        .table(table(matrix(solution)))
+        .text(misfit(solution))
+        .plot(plot)?
+        .section("Placements")
+        .table(table(faces(solution, labels)));
+    if let Some(part) = &solution.gyroscope {
+        report = report
+            .section("Gyroscope")
+            .table(table(rates(part)))
+            .text(verdict(part));
+    }
+    Ok(report)
+}
+
+/// A table of the result.
+fn shown((header, rows): ([&str; 5], Vec<[String; 5]>)) -> comfy_table::Table {
+    let mut table = show::table(&header);
+    rows.into_iter().for_each(|row| {
+        table.add_row(row);
+    });
+    table
 }
 
 fn text(solution: &SixPosition, labels: &[String; 6]) -> String {
     let mut text = String::new();
-    let mut table = show::table(&["face", "mean x, m/s²", "mean y", "mean z"]);
-    table.set_header(["face", "mean x, m/s²", "mean y", "mean z", "from"]);
-    for (k, face) in Face::ALL.iter().enumerate() {
-        let mean = |axis: usize| format!("{:.6}", solution.means[(axis, k)]);
-        table.add_row([
-            face.name().into(),
-            mean(0),
-            mean(1),
-            mean(2),
-            show::printable(&labels[k]),
-        ]);
-    }
-    let _ = writeln!(text, "{table}\n");
-    let mut table = show::table(&["raw = (I + M) f + b", "M x", "M y", "M z", "b, m/s²"]);
-    for (i, axis) in ["x", "y", "z"].iter().enumerate() {
-        let m = |j: usize| format!("{:+.7}", solution.m[(i, j)]);
-        table.add_row([
-            (*axis).into(),
-            m(0),
-            m(1),
-            m(2),
-            format!("{:+.6}", solution.bias[i]),
-        ]);
-    }
-    let _ = writeln!(text, "{table}");
-    let _ = writeln!(
-        text,
-        "residual {:.1} mm/s² rms; the placements are tilted by about {:.2}° rms\n",
-        1e3 * solution.residual_rms,
-        solution.tilt().to_degrees()
-    );
-    if let Some(gyroscope) = &solution.gyroscope {
-        let _ = writeln!(text, "{}", gyroscope_text(gyroscope));
+    let _ = writeln!(text, "{}\n", shown(faces(solution, labels)));
+    let _ = writeln!(text, "{}", shown(matrix(solution)));
+    let _ = writeln!(text, "{}\n", misfit(solution));
+    if let Some(part) = &solution.gyroscope {
+        let _ = writeln!(text, "{}\n{}", shown(rates(part)), verdict(part));
     }
     text
 }
 
-fn gyroscope_text(part: &GyroscopePart) -> String {
-    let mut table = show::table(&[
+fn faces(solution: &SixPosition, labels: &[String; 6]) -> ([&'static str; 5], Vec<[String; 5]>) {
+    let header = ["face", "mean x, m/s²", "mean y", "mean z", "from"];
+    let row = |(k, face): (usize, &Face)| {
+        let mean = |axis: usize| format!("{:.6}", solution.means[(axis, k)]);
+        let from = show::printable(&labels[k]);
+        [face.name().into(), mean(0), mean(1), mean(2), from]
+    };
+    (header, Face::ALL.iter().enumerate().map(row).collect())
+}
+
+fn matrix(solution: &SixPosition) -> ([&'static str; 5], Vec<[String; 5]>) {
+    let header = ["raw = (I + M) f + b", "M x", "M y", "M z", "b, m/s²"];
+    let row = |(i, axis): (usize, &&str)| {
+        let m = |j: usize| format!("{:+.7}", solution.m[(i, j)]);
+        let bias = format!("{:+.6}", solution.bias[i]);
+        [(*axis).into(), m(0), m(1), m(2), bias]
+    };
+    (header, AXES.iter().enumerate().map(row).collect())
+}
+
+fn misfit(solution: &SixPosition) -> String {
+    format!(
+        "residual {:.1} mm/s² rms; the placements are tilted by about {:.2}° rms",
+        1e3 * solution.residual_rms,
+        solution.tilt().to_degrees()
+    )
+}
+
+fn rates(part: &GyroscopePart) -> ([&'static str; 5], Vec<[String; 5]>) {
+    let header = [
         "gyroscope, as published",
         "bias, rad/s",
         "std error",
         "S",
         "std error",
-    ]);
-    for (k, axis) in ["x", "y", "z"].iter().enumerate() {
-        table.add_row([
+    ];
+    let row = |(k, axis): (usize, &&str)| {
+        [
             (*axis).into(),
             format!("{:+.7}", part.bias[k]),
             show::error(Some(part.bias_std[k])),
             format!("{:+.4}", part.scale_error[k]),
             show::error(Some(part.scale_error_std[k])),
-        ]);
-    }
-    let verdict = if part.is_meaningful() {
-        "the earth's rate stands out: S can be used"
-    } else {
-        "S means nothing here: the bias wanders by more than the earth's rate between placements; only \
-         the bias goes into the calibration"
+        ]
     };
-    format!("{table}\n{verdict}")
+    (header, AXES.iter().enumerate().map(row).collect())
+}
+
+/// What the gyroscope's part is worth.
+fn verdict(part: &GyroscopePart) -> &'static str {
+    match part.earth_rate() {
+        EarthRate::Seen => "the earth's rate stands out on every axis: S is a scale factor error",
+        EarthRate::Hidden => {
+            "S means nothing here: the bias wanders by more than the earth's rate between placements; \
+             only the bias goes into the calibration"
+        }
+        EarthRate::Absent => {
+            "S means nothing here: beyond ±0.1 the readings do not follow the earth's rate as assumed \
+             (near -1 not at all); the published formula leaves out the sine of the latitude; only the \
+             bias goes into the calibration"
+        }
+    }
 }

@@ -136,10 +136,10 @@ fn decades(low: f64, high: f64) -> Scale {
     }
 }
 
-/// `10⁻³`, and plain numbers from 0.1 to 1000.
+/// `10⁻³`, and plain numbers from 0.01 to 1000.
 fn power_of_ten(exponent: i32) -> String {
-    if (-1..=3).contains(&exponent) {
-        return ["0.1", "1", "10", "100", "1000"][(exponent + 1) as usize].into();
+    if (-2..=3).contains(&exponent) {
+        return ["0.01", "0.1", "1", "10", "100", "1000"][(exponent + 2) as usize].into();
     }
     let superscript = |c: char| match c {
         '-' => '⁻',

@@ -21,6 +21,29 @@ const PNG_SCALE: u32 = 2;
 /// The part of a side that a legend may take.
 const LEGEND_SHARE: f64 = 0.27;
 
+/// Width of a level stroke, in dots of the SVG.
+const STROKE: u32 = 5;
+
+/// How a series looks in the legend.
+#[derive(Clone, Copy, PartialEq)]
+enum Legend {
+    Line,
+    Dashed,
+    Dot,
+    Thick,
+}
+
+impl Legend {
+    fn of(mark: &Mark) -> Self {
+        match mark {
+            Mark::Line { dashed: false, .. } | Mark::Strokes { thick: false, .. } => Self::Line,
+            Mark::Line { dashed: true, .. } => Self::Dashed,
+            Mark::Bars(_) => Self::Dot,
+            Mark::Strokes { thick: true, .. } => Self::Thick,
+        }
+    }
+}
+
 /// The name under which the font is known to plotters; a browser finds its own sans-serif by it.
 const FONT: &str = "sans-serif";
 
@@ -173,30 +196,23 @@ fn draw<B: DrawingBackend>(
     for series in &plot.series {
         let colour = theme.series(series.colour);
         let stroke = colour.stroke_width(2 * scale as u32);
+        let thick = colour.stroke_width(STROKE * scale as u32);
         let place = |(px, py): (f64, f64)| Some((plot.x.place(px)?, plot.y.place(py)?));
         let drawn = match &series.mark {
-            Mark::Line {
-                points,
-                dashed: false,
-            } => {
+            Mark::Line { points, dashed } => {
                 let line: Vec<_> = points.iter().filter_map(|&p| place(p)).collect();
-                chart.draw_series(LineSeries::new(line, stroke))
-            }
-            Mark::Line {
-                points,
-                dashed: true,
-            } => {
-                let line: Vec<_> = points.iter().filter_map(|&p| place(p)).collect();
-                chart.draw_series(DashedLineSeries::new(line, 7 * scale, 4 * scale, stroke))
+                if *dashed {
+                    chart.draw_series(DashedLineSeries::new(line, 7 * scale, 4 * scale, stroke))
+                } else {
+                    chart.draw_series(LineSeries::new(line, stroke))
+                }
             }
             Mark::Bars(points) => {
                 let floor = y.from;
                 let bars = points.iter().filter_map(|&(px, _, low, high)| {
                     let (bx, top) = place((px, high))?;
-                    Some(PathElement::new(
-                        vec![(bx, plot.y.place(low).unwrap_or(floor)), (bx, top)],
-                        stroke,
-                    ))
+                    let bottom = plot.y.place(low).unwrap_or(floor);
+                    (bottom < top).then(|| PathElement::new(vec![(bx, bottom), (bx, top)], stroke))
                 });
                 chart.draw_series(bars).map_err(words)?;
                 let dots = points
@@ -205,16 +221,36 @@ fn draw<B: DrawingBackend>(
                     .map(|at| Circle::new(at, 3 * scale, colour.filled()));
                 chart.draw_series(dots)
             }
+            Mark::Strokes { strokes, thick: t } => {
+                let style = if *t { thick } else { stroke };
+                let strokes = strokes.iter().filter_map(|&[from, to]| {
+                    Some(PathElement::new(vec![place(from)?, place(to)?], style))
+                });
+                chart.draw_series(strokes)
+            }
         };
         let drawn = drawn.map_err(words)?;
         if !series.name.is_empty() {
-            let (length, dot) = (22 * scale, matches!(series.mark, Mark::Bars(_)));
+            let (kind, length) = (Legend::of(&series.mark), 22 * scale);
             drawn.label(&series.name).legend(move |(x, y)| {
-                let line = PathElement::new(vec![(x, y), (x + length, y)], stroke);
-                let radius = if dot { 3 * scale } else { 0 };
+                let dash = |from: i32, to: i32| {
+                    let style = if kind == Legend::Thick { thick } else { stroke };
+                    PathElement::new(vec![(x + from, y), (x + to, y)], style)
+                };
+                let (first, second) = match kind {
+                    Legend::Dot => (dash(0, 0), dash(0, 0)),
+                    Legend::Dashed => (dash(0, 9 * scale), dash(13 * scale, length)),
+                    Legend::Line | Legend::Thick => (dash(0, length), dash(0, 0)),
+                };
+                // A circle of no size is a dot still: it hides in the stroke.
+                let (middle, radius) = match kind {
+                    Legend::Dot => (length / 2, 3 * scale),
+                    _ => (scale, 0),
+                };
                 EmptyElement::at((0, 0))
-                    + line
-                    + Circle::new((x + length / 2, y), radius, colour.filled())
+                    + first
+                    + second
+                    + Circle::new((x + middle, y), radius, colour.filled())
             });
         }
     }

@@ -33,6 +33,11 @@ pub(super) enum Mark {
     },
     /// Dots at `(x, y)` with a bar from `low` to `high`: `(x, y, low, high)`.
     Bars(Vec<(f64, f64, f64, f64)>),
+    /// Straight strokes from one point to another.
+    Strokes {
+        strokes: Vec<[(f64, f64); 2]>,
+        thick: bool,
+    },
 }
 
 impl Series {
@@ -69,6 +74,32 @@ impl Series {
         }
     }
 
+    /// Dots at `(x, y)`.
+    pub fn dots(name: impl Into<String>, colour: usize, points: Vec<(f64, f64)>) -> Self {
+        let bare = points.into_iter().map(|(x, y)| (x, y, y, y)).collect();
+        Self::bars(name, colour, bare)
+    }
+
+    /// Level strokes `(x0, x1, y)`, thick, for stretches of time.
+    pub fn stretches(name: impl Into<String>, colour: usize, all: Vec<(f64, f64, f64)>) -> Self {
+        let strokes = all.into_iter().map(|(from, to, y)| [(from, y), (to, y)]);
+        Self::strokes(name.into(), colour, strokes.collect(), true)
+    }
+
+    /// Upright strokes `(x, low, high)`, for the range of many samples.
+    pub fn ranges(name: impl Into<String>, colour: usize, all: Vec<(f64, f64, f64)>) -> Self {
+        let strokes = all.into_iter().map(|(x, low, high)| [(x, low), (x, high)]);
+        Self::strokes(name.into(), colour, strokes.collect(), false)
+    }
+
+    fn strokes(name: String, colour: usize, strokes: Vec<[(f64, f64); 2]>, thick: bool) -> Self {
+        Self {
+            name,
+            colour,
+            mark: Mark::Strokes { strokes, thick },
+        }
+    }
+
     /// All `(x, y)` that must be in the picture.
     pub(super) fn extent(&self) -> Vec<(f64, f64)> {
         match &self.mark {
@@ -77,6 +108,7 @@ impl Series {
                 .iter()
                 .flat_map(|&(x, y, low, high)| [(x, y), (x, low), (x, high)])
                 .collect(),
+            Mark::Strokes { strokes, .. } => strokes.concat(),
         }
     }
 }

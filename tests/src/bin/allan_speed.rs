@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     timed("bytes", || bytes(path))?;
     timed("rows parsed", || rows(path))?;
     let samples = timed("six Allan curves", || {
-        let curves = curves_of_long_csv(path).ok_or("no plain CSV recording")?;
+        let curves = curves_of_long_csv(path, None).ok_or("no plain CSV recording")?;
         Ok(curves.gyroscope.map_or(0, |sensor| sensor.axes[0].samples))
     })?;
     println!("{samples} samples of six channels");

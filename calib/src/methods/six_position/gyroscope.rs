@@ -8,6 +8,22 @@ use crate::calibration::Triad;
 /// The earth's rate, rad/s, as the authors use it (IERS: 7.292115e-5).
 pub const EARTH_RATE: f64 = 7.29e-5;
 
+/// Largest believable scale factor error: ten times that of a poor sensor.
+const BELIEVABLE_SCALE_ERROR: f64 = 0.1;
+
+/// What the readings at rest show of the earth's rate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EarthRate {
+    /// The bias wanders by more than it between placements.
+    Hidden,
+    /// It would stand out, but is not there as assumed on some axis: about `S = −1` where readings do
+    /// not follow it at all, −2 where they follow it with the other sign, and `sin φ − 1` at latitude `φ`,
+    /// whose sine the published formula leaves out.
+    Absent,
+    /// It stands out on every axis and `S` is a believable scale factor error.
+    Seen,
+}
+
 /// Bias and scale factor error from the means at rest.
 ///
 /// `b = (up + down)/2` and `S = (up − down − 2 Ω)/(2 Ω)` per axis, `Ω` the earth's rate (its sine of
@@ -54,10 +70,20 @@ impl GyroscopePart {
         }
     }
 
-    /// Whether the earth's rate stands out from the wandering of the bias: three standard errors of
-    /// every scale factor below one.
-    pub fn is_meaningful(&self) -> bool {
-        3.0 * self.scale_error_std.max() < 1.0
+    /// Whether the earth's rate stands out from the wandering of the bias (three standard errors of
+    /// every scale factor below one), and whether it is there (every `|S|` below 0.1).
+    pub fn earth_rate(&self) -> EarthRate {
+        // Comparisons are written so that NaN counts as hidden.
+        let stands_out = self.scale_error_std.iter().all(|std| 3.0 * std < 1.0);
+        let believable = self
+            .scale_error
+            .iter()
+            .all(|s| s.abs() < BELIEVABLE_SCALE_ERROR);
+        match (stands_out, believable) {
+            (false, _) => EarthRate::Hidden,
+            (true, false) => EarthRate::Absent,
+            (true, true) => EarthRate::Seen,
+        }
     }
 
     /// The bias as a calibration; the scale is left at one, because a scale of noise would spoil
@@ -77,7 +103,8 @@ impl GyroscopePart {
             rank: 3,
             condition: 1.0,
             unobservable: vec![
-                "gyro scale factors: the earth's rate is below the bias's wandering".into(),
+                "gyro scale factors: the earth's rate is too small a signal, they are left at one"
+                    .into(),
             ],
             recordings: Vec::new(),
         }
@@ -88,19 +115,37 @@ impl GyroscopePart {
 mod tests {
     use super::*;
 
+    /// Readings of a gyroscope with a bias that shows `share` of the earth's rate.
+    fn showing(share: f64) -> Matrix3x6<f64> {
+        let bias = Vector3::new(1e-3, 0.0, -2e-3);
+        Matrix3x6::from_columns(&Face::ALL.map(|face| face.direction() * share * EARTH_RATE + bias))
+    }
+
     #[test]
     fn a_perfect_gyroscope_at_the_pole_has_no_error_and_a_wandering_one_no_meaning() {
-        let mut means = Matrix3x6::zeros();
-        for (k, face) in Face::ALL.iter().enumerate() {
-            means.set_column(
-                k,
-                &(face.direction() * EARTH_RATE + Vector3::new(1e-3, 0.0, -2e-3)),
-            );
-        }
+        let mut means = showing(1.0);
         let part = GyroscopePart::solve(&means);
         assert!((part.bias - Vector3::new(1e-3, 0.0, -2e-3)).norm() < 1e-15);
-        assert!(part.scale_error.norm() < 1e-9 && part.is_meaningful());
+        assert!(part.scale_error.norm() < 1e-9);
+        assert_eq!(part.earth_rate(), EarthRate::Seen);
         means[(0, 2)] += 2e-4;
-        assert!(!GyroscopePart::solve(&means).is_meaningful());
+        let part = GyroscopePart::solve(&means);
+        assert_eq!(part.earth_rate(), EarthRate::Hidden);
+    }
+
+    /// However small the standard errors: without the earth's rate `S = −1`, with its opposite −2, and
+    /// at 45° `√½ − 1`.
+    #[test]
+    fn a_gyroscope_that_does_not_show_the_earths_rate_has_no_scale_factor_from_it() {
+        for (share, s) in [
+            (0.0, -1.0),
+            (-1.0, -2.0),
+            (0.5_f64.sqrt(), 0.5_f64.sqrt() - 1.0),
+        ] {
+            let part = GyroscopePart::solve(&showing(share));
+            assert!((part.scale_error - Vector3::repeat(s)).norm() < 1e-9);
+            assert!(part.scale_error_std.norm() < 1e-9);
+            assert_eq!(part.earth_rate(), EarthRate::Absent, "{share}");
+        }
     }
 }

@@ -7,7 +7,7 @@
 mod gyroscope;
 mod placement;
 
-pub use gyroscope::GyroscopePart;
+pub use gyroscope::{EarthRate, GyroscopePart};
 pub use placement::{Face, Placement, Six, placements};
 
 use nalgebra::{Matrix3, Matrix3x6, Vector3};
@@ -18,6 +18,10 @@ use crate::error::Error;
 
 /// Placements tilted by more than this cost more than a consumer sensor's own errors, rad (0.1°).
 const TILT_LIMIT: f64 = 0.1 * std::f64::consts::PI / 180.0;
+
+/// Placements tilted by more than this (rms) are no six positions: the biases would carry more than
+/// 80 mm/s² of gravity, rad (2°).
+const TILT_GATE: f64 = 2.0 * std::f64::consts::PI / 180.0;
 
 /// Residuals less parameters of one axis: six placements, three elements of `M` and a bias.
 const SPARE: f64 = 2.0;
@@ -111,6 +115,23 @@ impl SixPosition {
         })
     }
 
+    /// Why the result must not be used, if so.
+    fn failed_gates(&self) -> Vec<String> {
+        let tilt = self.tilt();
+        let gate = format!(
+            "six positions: the placements are tilted by about {:.1}° (rms), {:.0}° at most expected: \
+             level the device on each face, or use --method stepwise, which needs no levelling",
+            tilt.to_degrees(),
+            TILT_GATE.to_degrees()
+        );
+        // Also where the tilt is no number.
+        if tilt <= TILT_GATE {
+            Vec::new()
+        } else {
+            vec![gate]
+        }
+    }
+
     /// `f = (I + M)⁻¹ (raw − b)`; `None` where `I + M` has no inverse.
     pub fn base(&self) -> Option<Base<f64>> {
         Some(Base {
@@ -181,7 +202,7 @@ impl SixPosition {
             parameters: base_names(Sensor::Accelerometer).to_vec(),
             covariance,
             warnings: self.warnings.clone(),
-            failed_gates: Vec::new(),
+            failed_gates: self.failed_gates(),
             history: Vec::new(),
         })
     }
@@ -242,6 +263,30 @@ mod tests {
             found.warnings[0].contains("tilted by about"),
             "{:?}",
             found.warnings
+        );
+        assert!(found.calibration(false).unwrap().failed_gates.is_empty());
+    }
+
+    /// Each face leans to one side by the same angle up and down: three of six differences across are
+    /// `g sin` of it, and the tilt found is `√2` of it (1.4° passes, 4.2° does not).
+    #[test]
+    fn placements_far_from_level_fail_the_gate() {
+        let lean = |face: &Face, degrees: f64| {
+            let across = Vector3::from_fn(|i, _| face.direction()[(i + 1) % 3].abs());
+            let angle = degrees.to_radians();
+            (face.direction() * angle.cos() + across * angle.sin()) * G
+        };
+        let gates = |degrees: f64| {
+            SixPosition::solve(&six(|f| lean(f, degrees)), G)
+                .calibration(false)
+                .unwrap()
+                .failed_gates
+        };
+        assert!(gates(1.0).is_empty());
+        assert!(
+            gates(3.0)[0].contains("level the device"),
+            "{:?}",
+            gates(3.0)
         );
     }
 }

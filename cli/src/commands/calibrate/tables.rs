@@ -7,25 +7,31 @@ use calib::calibration::Triad;
 
 use crate::show;
 
+/// Units of the readings of accelerometer and gyroscope.
+pub fn units(outcome: &Outcome) -> [&'static str; 2] {
+    let force = outcome.accelerometer.as_ref();
+    let rate = outcome.gyroscope.as_ref();
+    let si = [
+        force.is_none_or(|fit| fit.unit.is_si()),
+        rate.is_none_or(|fit| fit.unit.is_si()),
+    ];
+    [
+        if si[0] { "m/s²" } else { "counts" },
+        if si[1] { "rad/s" } else { "counts" },
+    ]
+}
+
 /// The tables for people.
 pub fn text(outcome: &Outcome) -> String {
     let calibration = &outcome.calibration;
     let mut text = String::new();
     if let Some(triad) = &calibration.accelerometer {
-        let unit = outcome
-            .accelerometer
-            .as_ref()
-            .is_none_or(|fit| fit.unit.is_si());
         let _ = writeln!(
             text,
             "Accelerometer   a = T (A - b), gravity {} m/s²",
             calibration.gravity
         );
-        let _ = writeln!(
-            text,
-            "{}",
-            triad_table(triad, if unit { "m/s²" } else { "counts" }, "accel")
-        );
+        let _ = writeln!(text, "{}", triad_table(triad, units(outcome)[0], "accel"));
         let _ = writeln!(
             text,
             "{} static intervals, residual {:.2} mm/s² rms{}, condition {:.1}, rank {}",
@@ -64,16 +70,8 @@ pub fn text(outcome: &Outcome) -> String {
         let _ = writeln!(text);
     }
     if let Some(triad) = &calibration.gyroscope {
-        let si = outcome
-            .gyroscope
-            .as_ref()
-            .is_none_or(|fit| fit.unit.is_si());
         let _ = writeln!(text, "Gyroscope   w = T (W - b)");
-        let _ = writeln!(
-            text,
-            "{}",
-            triad_table(triad, if si { "rad/s" } else { "counts" }, "gyro")
-        );
+        let _ = writeln!(text, "{}", triad_table(triad, units(outcome)[1], "gyro"));
         if let Some(fit) = &outcome.gyroscope {
             let _ = writeln!(
                 text,
@@ -104,13 +102,25 @@ pub fn text(outcome: &Outcome) -> String {
 }
 
 /// How far the residual lies above the noise within the intervals.
-fn over_noise(triad: &Triad) -> String {
+pub fn over_noise(triad: &Triad) -> String {
     triad.reduced_chi2.map_or(String::new(), |chi2| {
         format!(" ({:.1} times the noise in the intervals)", chi2.sqrt())
     })
 }
 
+/// Header of [`parameters`].
+pub const PARAMETERS: [&str; 4] = ["parameter", "value", "std error", "unit"];
+
 fn triad_table(triad: &Triad, unit: &str, prefix: &str) -> comfy_table::Table {
+    let mut table = show::table(&PARAMETERS);
+    parameters(triad, unit, prefix).into_iter().for_each(|row| {
+        table.add_row(row);
+    });
+    table
+}
+
+/// The parameters of a sensor's base model, a row each.
+pub fn parameters(triad: &Triad, unit: &str, prefix: &str) -> Vec<[String; 4]> {
     let angle = if prefix == "accel" { "alpha" } else { "beta" };
     let names = [
         [
@@ -129,7 +139,7 @@ fn triad_table(triad: &Triad, unit: &str, prefix: &str) -> comfy_table::Table {
             "s_z".to_owned(),
         ],
     ];
-    let mut table = show::table(&["parameter", "value", "std error", "unit"]);
+    let mut rows = Vec::new();
     let places = [
         (0, 0),
         (1, 1),
@@ -143,7 +153,7 @@ fn triad_table(triad: &Triad, unit: &str, prefix: &str) -> comfy_table::Table {
     ];
     for (i, j) in places {
         let (value, std) = (triad.t[i][j], triad.t_std[i][j]);
-        table.add_row([
+        rows.push([
             names[i][j].clone(),
             show::value(value, std),
             show::error(std),
@@ -151,9 +161,9 @@ fn triad_table(triad: &Triad, unit: &str, prefix: &str) -> comfy_table::Table {
         ]);
     }
     let biases =
-        |table: &mut comfy_table::Table, suffix: &str, bias: &[f64; 3], std: &[Option<f64>; 3]| {
+        |rows: &mut Vec<[String; 4]>, suffix: &str, bias: &[f64; 3], std: &[Option<f64>; 3]| {
             for (k, axis) in ["x", "y", "z"].iter().enumerate() {
-                table.add_row([
+                rows.push([
                     format!("b_{axis}{suffix}"),
                     show::value(bias[k], std[k]),
                     show::error(std[k]),
@@ -162,15 +172,15 @@ fn triad_table(triad: &Triad, unit: &str, prefix: &str) -> comfy_table::Table {
             }
         };
     if triad.recordings.is_empty() {
-        biases(&mut table, "", &triad.bias, &triad.bias_std);
+        biases(&mut rows, "", &triad.bias, &triad.bias_std);
     }
     for own in &triad.recordings {
         biases(
-            &mut table,
+            &mut rows,
             &format!(" in {}", show::printable(&own.recording)),
             &own.bias,
             &own.bias_std,
         );
     }
-    table
+    rows
 }

@@ -12,7 +12,7 @@ use calib::reckon::{Ending, Mode};
 use clap::ValueEnum;
 use nalgebra::Vector3;
 
-use super::inputs::{as_paths, read};
+use super::inputs::{as_paths, numbers, read};
 use super::pictures::PictureArgs;
 use crate::exit::{BUG, Failure, USAGE};
 use crate::output::Output;
@@ -258,14 +258,4 @@ fn calibrations(args: &Args) -> Result<Vec<Named>, Failure> {
         all.push(Named::file(name, load(path.as_ref())?));
     }
     Ok(all)
-}
-
-/// `a,b,…` as numbers.
-fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
-    let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
-    numbers
-        .ok()
-        .filter(|numbers| numbers.iter().all(|v: &f64| v.is_finite()))
-        .and_then(|numbers| numbers.try_into().ok())
-        .ok_or_else(|| format!("{N} numbers separated by commas expected"))
 }

@@ -1,0 +1,103 @@
+//! What `allan` analyses: a recording, or the rest in it.
+
+use calib::Recording;
+use calib::intervals::Span;
+use calib::noise::{RecordingCurves, Stillness, curves_of_long_csv};
+
+use super::super::inputs::{read, spinner};
+use super::Args;
+use crate::exit::{Failure, NOT_ENOUGH};
+use crate::show;
+
+/// A shorter rest in a recording that also moves is not worth analysing, s.
+const SHORTEST_REST: f64 = 60.0;
+
+/// Motions named in a message.
+const LISTED: usize = 4;
+
+/// The longest rest, if it is long enough to have an Allan deviation worth the name.
+///
+/// # Errors
+/// Status 4 with the times of the motions.
+pub fn longest_rest(stillness: &Stillness) -> Result<Span, Failure> {
+    let longest = stillness.longest_rest();
+    if let Some(rest) = longest.filter(|rest| rest.length() >= SHORTEST_REST) {
+        return Ok(rest);
+    }
+    let length = longest.map_or("no rest in it".into(), |rest| {
+        format!(
+            "its longest rest is {:.0} s long (t = {:.2} to {:.2} s)",
+            rest.length(),
+            rest.from,
+            rest.to
+        )
+    });
+    Err(Failure::new(
+        NOT_ENOUGH,
+        format!(
+            "the device moved ({}) and {length}: an Allan deviation needs a recording at rest; leave the \
+             device alone for an hour, or name a stretch with --rest T0,T1",
+            listed(&stillness.motions)
+        ),
+    ))
+}
+
+/// The first few spans, and how many more.
+pub fn listed(motions: &[Span]) -> String {
+    let shown: Vec<String> = motions
+        .iter()
+        .take(LISTED)
+        .map(|span| format!("{:.1} to {:.1} s", span.from.max(0.0), span.to))
+        .collect();
+    let more = motions.len().saturating_sub(LISTED);
+    let more = if more > 0 {
+        format!(" and {more} more times")
+    } else {
+        String::new()
+    };
+    format!("t = {}{more}", shown.join(", "))
+}
+
+/// The recording as a stream where the file allows it, else in memory.
+#[derive(Debug)]
+pub struct Source<'a> {
+    args: &'a Args,
+    recording: Option<Recording>,
+}
+
+impl<'a> Source<'a> {
+    /// Nothing is read yet.
+    pub fn new(args: &'a Args) -> Self {
+        Self {
+            args,
+            recording: None,
+        }
+    }
+
+    /// The curves of the recording, or of the stretch `within` of it.
+    ///
+    /// # Errors
+    /// What the reader of recordings refuses.
+    pub fn curves(&mut self, within: Option<Span>) -> Result<RecordingCurves, Failure> {
+        if let Some(recording) = &self.recording {
+            return Ok(RecordingCurves::of(recording, within));
+        }
+        let args = self.args;
+        if args.read.are_default() {
+            let spinner = spinner("reading");
+            let streamed = curves_of_long_csv(&args.recording, within);
+            spinner.finish_and_clear();
+            if let Some(curves) = streamed {
+                return Ok(curves);
+            }
+        }
+        let recording = read(&args.recording, &args.read)?;
+        recording
+            .warnings
+            .iter()
+            .for_each(|warning| show::warn(warning));
+        let curves = RecordingCurves::of(&recording, within);
+        self.recording = Some(recording);
+        Ok(curves)
+    }
+}

@@ -1,0 +1,232 @@
+//! What a report says, where it goes, and recordings that a command must refuse or mark.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use std::fmt::Write as _;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+fn stillpoint(folder: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_stillpoint"))
+        .current_dir(folder)
+        .args(args)
+        .stdin(Stdio::null())
+        .output()
+        .unwrap()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// A plain CSV at 50 Hz: rests of `rest` seconds with the given specific forces, shaken by hand for
+/// three seconds between.
+fn recording(path: &Path, forces: &[[f64; 3]], rest: f64) {
+    // White noise by the generator of NIST SP 1065, section 12.4.
+    let mut state = 1_234_567_890_u64;
+    let mut noise = move || {
+        state = 16_807 * state % 2_147_483_647;
+        state as f64 / 2_147_483_647.0 - 0.5
+    };
+    let mut text = String::from("t,ax,ay,az,gx,gy,gz\n");
+    let mut k = 0;
+    for (place, force) in forces.iter().enumerate() {
+        let shaken = if place > 0 { 3.0 } else { 0.0 };
+        for sample in 0..((rest + shaken) * 50.0) as usize {
+            let size = if (sample as f64) < shaken * 50.0 {
+                5.0
+            } else {
+                1e-3
+            };
+            let [x, y, z] = force.map(|f| f + size * noise());
+            let [p, q, r] = [0; 3].map(|_| size * noise());
+            writeln!(text, "{:.2},{x},{y},{z},{p},{q},{r}", f64::from(k) * 0.02).unwrap();
+            k += 1;
+        }
+    }
+    std::fs::write(path, text).unwrap();
+}
+
+const UP: [f64; 3] = [0.0, 0.0, 9.8];
+
+#[test]
+fn a_recording_full_of_turns_has_no_allan_deviation() {
+    let dir = tempfile::tempdir().unwrap();
+    recording(&dir.path().join("turns.csv"), &[UP; 5], 10.0);
+    let output = stillpoint(dir.path(), &["allan", "turns.csv"]);
+    assert_eq!(output.status.code(), Some(4));
+    let said = stderr(&output);
+    // The first shake is from 10 to 13 s; blocks of a second on either side are taken with it.
+    assert!(
+        said.contains("moved (t = 9.") || said.contains("moved (t = 8."),
+        "{said}"
+    );
+    assert!(said.contains("--rest T0,T1"), "{said}");
+    assert!(output.stdout.is_empty());
+}
+
+#[test]
+fn of_a_recording_that_also_moves_the_longest_rest_is_analysed_streamed_or_not() {
+    let dir = tempfile::tempdir().unwrap();
+    recording(&dir.path().join("two.csv"), &[UP; 2], 100.0);
+    let mut results = Vec::new();
+    for more in [&[][..], &["--format", "csv"]] {
+        let args = [&["allan", "two.csv", "--json"], more].concat();
+        let output = stillpoint(dir.path(), &args);
+        assert!(output.status.success(), "{}", stderr(&output));
+        let summary: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let warning = summary["warnings"][0].as_str().unwrap();
+        assert!(warning.contains("only the longest rest"), "{warning}");
+        let samples = summary["gyroscope"]["samples"].as_u64().unwrap();
+        // A hundred seconds at 50 Hz, less two at an end.
+        assert!((4850..=5000).contains(&samples), "{samples}");
+        results.push(summary);
+    }
+    assert_eq!(results[0], results[1]);
+    let args = ["allan", "two.csv", "--rest", "5,95", "--json"];
+    let named: serde_json::Value =
+        serde_json::from_slice(&stillpoint(dir.path(), &args).stdout).unwrap();
+    assert_eq!(named["gyroscope"]["samples"], 4500);
+    assert!(!named["warnings"].to_string().contains("moved"));
+}
+
+#[test]
+fn a_stretch_that_ends_before_it_begins_is_a_wrong_call() {
+    let dir = tempfile::tempdir().unwrap();
+    recording(&dir.path().join("rest.csv"), &[UP], 20.0);
+    let output = stillpoint(dir.path(), &["allan", "rest.csv", "--rest", "9,3"]);
+    assert_eq!(output.status.code(), Some(2));
+}
+
+/// The six faces, each leaning by `degrees` to one side.
+fn leaning(degrees: f64) -> Vec<[f64; 3]> {
+    let (along, across) = (
+        9.8 * degrees.to_radians().cos(),
+        9.8 * degrees.to_radians().sin(),
+    );
+    (0..6)
+        .map(|face| {
+            let mut force = [0.0; 3];
+            force[face / 2] = if face % 2 == 0 { along } else { -along };
+            force[(face / 2 + 1) % 3] = across;
+            force
+        })
+        .collect()
+}
+
+#[test]
+fn six_positions_far_from_level_fail_with_status_1_and_the_report_says_so_first() {
+    let dir = tempfile::tempdir().unwrap();
+    recording(&dir.path().join("level.csv"), &leaning(0.0), 10.0);
+    recording(&dir.path().join("lean.csv"), &leaning(5.0), 10.0);
+    let run = |name: &str| {
+        let args = ["calibrate", "--method", "six-position", "--gravity", "9.8"];
+        let files = [
+            "-o",
+            &format!("{name}.json"),
+            "--report",
+            &format!("{name}.html"),
+        ];
+        let recording = format!("{name}.csv");
+        stillpoint(dir.path(), &[&args[..], &files, &[&recording]].concat())
+    };
+    let level = run("level");
+    assert_eq!(level.status.code(), Some(0), "{}", stderr(&level));
+    let lean = run("lean");
+    assert_eq!(lean.status.code(), Some(1), "{}", stderr(&lean));
+    assert!(stderr(&lean).contains("level the device on each face"));
+    let cal = std::fs::read_to_string(dir.path().join("lean.json")).unwrap();
+    assert!(cal.contains("failed_gates"), "the file is marked");
+    let page = std::fs::read_to_string(dir.path().join("lean.html")).unwrap();
+    let (gate, warning) = (
+        page.find("Do not use").unwrap(),
+        page.find("carry about").unwrap(),
+    );
+    assert!(gate < warning && warning < page.find("<section").unwrap());
+}
+
+const SESSION: &str = "seed = 7\nrate = 100.0\ngrade = \"consumer\"\n[motion.hand_held]\n\
+placements = 14\ninitial_rest = 10.0\nrest = [4.0, 5.0]\nturn = [2.0, 3.0]\n";
+
+/// Two simulated sessions; another seed is also another device.
+fn sessions(folder: &Path) {
+    for (name, seed) in [("one", "seed = 7"), ("two", "seed = 8")] {
+        let spec = format!("{name}.toml");
+        std::fs::write(folder.join(&spec), SESSION.replace("seed = 7", seed)).unwrap();
+        let made = stillpoint(folder, &["simulate", &spec, "-o", name]);
+        assert!(made.status.success(), "{}", stderr(&made));
+    }
+}
+
+#[test]
+fn a_calibrations_report_tells_recordings_rests_and_turns_apart() {
+    let dir = tempfile::tempdir().unwrap();
+    sessions(dir.path());
+    let args = [
+        "calibrate",
+        "one",
+        "two",
+        "--force-device",
+        "--report",
+        "cal.html",
+        "--plots",
+        "p",
+    ];
+    let output = stillpoint(dir.path(), &args);
+    assert!(
+        matches!(output.status.code(), Some(0 | 1)),
+        "{}",
+        stderr(&output)
+    );
+    let page = std::fs::read_to_string(dir.path().join("cal.html")).unwrap();
+    // Modulus, direction and the rests of two recordings, each for light and dark pages.
+    assert_eq!(page.matches("<svg").count(), 2 * 4);
+    // Fourteen placements each, numbered through both recordings.
+    for words in [
+        "alpha_yz",
+        "beta_xy",
+        "std error",
+        "Rests of one",
+        "Rests of two",
+        "28</td>",
+    ] {
+        assert!(page.contains(words), "{words}");
+    }
+    assert!(!page.contains("<script") && !page.contains("<link"));
+    for name in ["modulus", "direction", "rests-1", "rests-2"] {
+        assert!(
+            dir.path().join(format!("p/{name}-dark.svg")).is_file(),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn segment_draws_the_rests_it_found() {
+    let dir = tempfile::tempdir().unwrap();
+    recording(&dir.path().join("two.csv"), &[UP; 2], 10.0);
+    let output = stillpoint(dir.path(), &["segment", "two.csv", "--report", "cut.html"]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let page = std::fs::read_to_string(dir.path().join("cut.html")).unwrap();
+    assert_eq!(page.matches("<svg").count(), 2);
+    assert!(page.contains("rest 2") && page.contains("turn 1") && !page.contains("rest 3"));
+}
+
+#[test]
+fn a_report_and_a_result_of_one_name_are_a_wrong_call_and_leave_nothing() {
+    let dir = tempfile::tempdir().unwrap();
+    recording(&dir.path().join("rest.csv"), &[UP], 20.0);
+    for (o, report) in [("same", "same"), ("same", "./same")] {
+        for command in ["calibrate", "allan", "segment"] {
+            let args = [command, "rest.csv", "-o", o, "--report", report];
+            let output = stillpoint(dir.path(), &args);
+            assert_eq!(
+                output.status.code(),
+                Some(2),
+                "{command}: {}",
+                stderr(&output)
+            );
+            assert!(stderr(&output).contains("two outputs"));
+        }
+    }
+    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 1);
+}
