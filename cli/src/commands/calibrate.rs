@@ -14,6 +14,7 @@ use clap::ValueEnum;
 use nalgebra::Vector3;
 
 use super::inputs::{DetectorArgs, as_paths, read, read_pair, spinner};
+use super::joint;
 use super::six_position;
 use crate::exit::{Failure, GATE, USAGE};
 use crate::output::Output;
@@ -399,6 +400,9 @@ fn text(outcome: &Outcome) -> String {
                 triad.rank
             );
         }
+    }
+    if let Some(fit) = &outcome.joint {
+        text.push_str(&joint::text(fit));
     }
     for effect in &calibration.effects {
         let mut table = show::table(&[&effect.name, "value", "std error", "unit"]);
