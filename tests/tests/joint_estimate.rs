@@ -22,23 +22,23 @@ fn without_noise_every_parameter_comes_back() {
 #[test]
 fn stated_errors_hold_with_and_without_a_walk_of_the_bias() {
     for row in [Row::Consumer, Row::TacticalWalk] {
-        let summary = summarise(&sessions(row, 12));
+        let summary = summarise(&sessions(row, 8));
         let joint = summary.joint.unwrap();
-        // 12 × 21 intervals: √(0.95 · 0.05 / 252) = 1.4 %; four of them, correlations apart.
-        assert!(joint.coverage > 0.895, "{row:?}: {}", joint.coverage);
-        // χ² of 252 degrees of freedom over them: √(2/252) = 0.09; four of them.
-        assert!((joint.nees - 1.0).abs() < 0.36, "{row:?}: {}", joint.nees);
+        // 8 × 21 intervals: √(0.95 · 0.05 / 168) = 1.7 %; four of them, correlations apart.
+        assert!(joint.coverage > 0.88, "{row:?}: {}", joint.coverage);
+        // χ² of 168 degrees of freedom over them: √(2/168) = 0.11; four of them.
+        assert!((joint.nees - 1.0).abs() < 0.44, "{row:?}: {}", joint.nees);
         assert_eq!(summary.false_alarms, 0, "{row:?}");
     }
 }
 
 #[test]
 fn a_slip_a_touch_and_a_gap_are_named_where_they_are() {
-    let summary = summarise(&sessions(Row::Disturbed, 6));
+    let summary = summarise(&sessions(Row::Disturbed, 4));
     assert_eq!(summary.named, [1.0; 3]);
     let joint = summary.joint.unwrap();
-    // 6 × 21 intervals: 1.9 %, four of them.
-    assert!(joint.coverage > 0.87, "{}", joint.coverage);
+    // 4 × 21 intervals: 2.4 %, four of them.
+    assert!(joint.coverage > 0.85, "{}", joint.coverage);
 }
 
 #[test]

@@ -16,8 +16,9 @@ const QUIET: f64 = 2.5;
 const OFF: f64 = 5.0;
 
 /// Windows that shake while the gyroscope rests, or that are quiet between two that are not, before
-/// something is said to have been touched: a hand that begins or ends a turn makes one at most.
-const LEAST: usize = 3;
+/// something is said to have been touched: a hand that begins or ends a turn makes
+/// three at most.
+const LEAST: usize = 4;
 
 /// Both sensors of a recording with their noise.
 #[derive(Clone, Copy, Debug)]
