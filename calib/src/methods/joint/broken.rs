@@ -98,8 +98,8 @@ fn moments(stream: &Stream, window: Span) -> Option<(Vector3<f64>, Vector3<f64>,
 fn longest(states: &[State], passes: impl Fn(State) -> bool) -> std::ops::Range<usize> {
     let mut best = 0..0;
     let mut from = 0;
-    for k in 0..states.len() {
-        if !passes(states[k]) {
+    for (k, state) in states.iter().enumerate() {
+        if !passes(*state) {
             from = k + 1;
         } else if k + 1 - from > best.len() {
             best = from..k + 1;
