@@ -229,7 +229,9 @@ fn force_triad(fit: &JointFit, fitted: &Fitted, recordings: &[&Recording]) -> Tr
     triad.reduced_chi2 = fit.reduced_chi2(Channel::Force);
     triad.static_intervals = Some(fit.data.rests.len());
     let shared = fit.models[0].parameters().len();
-    triad.recordings = own_biases(Sensor::Accelerometer, fitted, shared, recordings);
+    if fit.own_force_bias {
+        triad.recordings = own_biases(Sensor::Accelerometer, fitted, shared, recordings);
+    }
     triad
 }
 

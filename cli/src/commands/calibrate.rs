@@ -16,7 +16,11 @@ use clap::ValueEnum;
 use nalgebra::Vector3;
 
 use super::inputs::{DetectorArgs, as_paths, read, read_pair, spinner};
+<<<<<<< HEAD
 use super::pictures::{PictureArgs, Pictures};
+=======
+use super::joint;
+>>>>>>> heads/joint
 use super::six_position;
 use crate::exit::{Failure, GATE, USAGE};
 use crate::output::Output;
@@ -364,3 +368,193 @@ pub fn gate(calibration: &Calibration) -> Result<(), Failure> {
         gates => Err(Failure::new(GATE, gates.join("\nstillpoint: "))),
     }
 }
+<<<<<<< HEAD
+=======
+
+/// The tables for people.
+fn text(outcome: &Outcome) -> String {
+    let calibration = &outcome.calibration;
+    let mut text = String::new();
+    if let Some(triad) = &calibration.accelerometer {
+        let unit = outcome
+            .accelerometer
+            .as_ref()
+            .is_none_or(|fit| fit.unit.is_si());
+        let _ = writeln!(
+            text,
+            "Accelerometer   a = T (A - b), gravity {} m/s²",
+            calibration.gravity
+        );
+        let _ = writeln!(
+            text,
+            "{}",
+            triad_table(
+                calibration,
+                triad,
+                if unit { "m/s²" } else { "counts" },
+                "accel"
+            )
+        );
+        let _ = writeln!(
+            text,
+            "{} static intervals, residual {:.2} mm/s² rms{}, condition {:.1}, rank {}",
+            triad.static_intervals.unwrap_or(0),
+            1e3 * triad.residual_rms,
+            over_noise(triad),
+            triad.condition,
+            triad.rank
+        );
+        if let Some(fit) = &outcome.accelerometer {
+            let second = &fit.second.uncertainty;
+            let _ = writeln!(
+                text,
+                "step 2 as published: rank {} of {}, so its frame is free; reported in the {} frame",
+                second.rank,
+                second.names.len(),
+                if triad.t[1][0] == 0.0 {
+                    "triangular"
+                } else {
+                    "symmetric"
+                }
+            );
+            if let Some(p) = fit.common_bias_p {
+                let _ = writeln!(
+                    text,
+                    "{} (a common bias would leave so much in {:.2} % of cases)",
+                    if fit.own_bias {
+                        "each recording has a bias of its own"
+                    } else {
+                        "one bias for all recordings"
+                    },
+                    100.0 * p
+                );
+            }
+        }
+        let _ = writeln!(text);
+    }
+    if let Some(triad) = &calibration.gyroscope {
+        let si = outcome
+            .gyroscope
+            .as_ref()
+            .is_none_or(|fit| fit.unit.is_si());
+        let _ = writeln!(text, "Gyroscope   w = T (W - b)");
+        let _ = writeln!(
+            text,
+            "{}",
+            triad_table(
+                calibration,
+                triad,
+                if si { "rad/s" } else { "counts" },
+                "gyro"
+            )
+        );
+        if let Some(fit) = &outcome.gyroscope {
+            let _ = writeln!(
+                text,
+                "{} turns, gravity foretold to {:.3}° rms (raw {:.3}°){}, condition {:.1}, rank {}",
+                fit.chords.len(),
+                fit.rms().to_degrees(),
+                fit.rms_before().to_degrees(),
+                over_noise(triad),
+                triad.condition,
+                triad.rank
+            );
+        }
+    }
+    if let Some(fit) = &outcome.joint {
+        text.push_str(&joint::text(fit));
+    }
+    for effect in &calibration.effects {
+        let mut table = show::table(&[&effect.name, "value", "std error", "unit"]);
+        for p in &effect.parameters {
+            let digits = |v: f64| format!("{v:.3e}");
+            table.add_row([
+                p.name.clone(),
+                digits(p.value),
+                p.std.map_or("fixed".into(), digits),
+                p.unit.clone(),
+            ]);
+        }
+        let _ = writeln!(text, "\n{table}");
+    }
+    text
+}
+
+/// How far the residual lies above the noise within the intervals.
+fn over_noise(triad: &Triad) -> String {
+    triad.reduced_chi2.map_or(String::new(), |chi2| {
+        format!(" ({:.1} times the noise in the intervals)", chi2.sqrt())
+    })
+}
+
+fn triad_table(
+    calibration: &Calibration,
+    triad: &Triad,
+    unit: &str,
+    prefix: &str,
+) -> comfy_table::Table {
+    let _ = calibration;
+    let angle = if prefix == "accel" { "alpha" } else { "beta" };
+    let names = [
+        [
+            "s_x".to_owned(),
+            format!("{angle}_yz"),
+            format!("{angle}_zy"),
+        ],
+        [
+            format!("{angle}_xz"),
+            "s_y".to_owned(),
+            format!("{angle}_zx"),
+        ],
+        [
+            format!("{angle}_xy"),
+            format!("{angle}_yx"),
+            "s_z".to_owned(),
+        ],
+    ];
+    let mut table = show::table(&["parameter", "value", "std error", "unit"]);
+    let places = [
+        (0, 0),
+        (1, 1),
+        (2, 2),
+        (0, 1),
+        (0, 2),
+        (1, 0),
+        (1, 2),
+        (2, 0),
+        (2, 1),
+    ];
+    for (i, j) in places {
+        let (value, std) = (triad.t[i][j], triad.t_std[i][j]);
+        table.add_row([
+            names[i][j].clone(),
+            show::value(value, std),
+            show::error(std),
+            String::new(),
+        ]);
+    }
+    let biases =
+        |table: &mut comfy_table::Table, suffix: &str, bias: &[f64; 3], std: &[Option<f64>; 3]| {
+            for (k, axis) in ["x", "y", "z"].iter().enumerate() {
+                table.add_row([
+                    format!("b_{axis}{suffix}"),
+                    show::value(bias[k], std[k]),
+                    show::error(std[k]),
+                    unit.to_owned(),
+                ]);
+            }
+        };
+    if triad.recordings.is_empty() {
+        biases(&mut table, "", &triad.bias, &triad.bias_std);
+    }
+    for own in &triad.recordings {
+        biases(
+            &mut table,
+            &format!(" in {}", show::printable(&own.recording)),
+            &own.bias,
+            &own.bias_std,
+        );
+    }
+    table
+}
+>>>>>>> heads/joint

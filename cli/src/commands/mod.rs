@@ -8,6 +8,7 @@ mod demo;
 mod effects;
 mod evaluate;
 mod inputs;
+mod joint;
 mod pictures;
 mod reckon;
 mod rests_plot;

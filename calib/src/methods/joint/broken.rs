@@ -16,8 +16,9 @@ const QUIET: f64 = 2.5;
 const OFF: f64 = 5.0;
 
 /// Windows that shake while the gyroscope rests, or that are quiet between two that are not, before
-/// something is said to have been touched: a hand that begins or ends a turn makes one at most.
-const LEAST: usize = 3;
+/// something is said to have been touched: a hand that begins or ends a turn makes
+/// three at most.
+const LEAST: usize = 4;
 
 /// Both sensors of a recording with their noise.
 #[derive(Clone, Copy, Debug)]
@@ -97,8 +98,8 @@ fn moments(stream: &Stream, window: Span) -> Option<(Vector3<f64>, Vector3<f64>,
 fn longest(states: &[State], passes: impl Fn(State) -> bool) -> std::ops::Range<usize> {
     let mut best = 0..0;
     let mut from = 0;
-    for k in 0..states.len() {
-        if !passes(states[k]) {
+    for (k, state) in states.iter().enumerate() {
+        if !passes(*state) {
             from = k + 1;
         } else if k + 1 - from > best.len() {
             best = from..k + 1;

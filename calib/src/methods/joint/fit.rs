@@ -90,6 +90,8 @@ pub struct JointFit {
     pub levels: Vec<NoiseLevel>,
     /// What was found disturbed.
     pub accused: Vec<Accused>,
+    /// Whether the accelerometer has a bias of its own in every recording.
+    pub own_force_bias: bool,
     /// Unit of the accelerometer.
     pub force_unit: RawUnit,
     /// Unit of the gyroscope.
@@ -200,7 +202,7 @@ impl Run<'_> {
             models,
             self.request.gravity,
             self.charts,
-            disturbances,
+            (self.start.own_force_bias, disturbances),
         )
     }
 
@@ -377,6 +379,7 @@ impl Run<'_> {
                 .map(|s| self.in_words(s))
                 .chain(self.broken())
                 .collect(),
+            own_force_bias: self.start.own_force_bias,
             force_unit: self.start.force_unit,
             rate_unit: self.start.rate_unit,
             gravity: self.request.gravity,

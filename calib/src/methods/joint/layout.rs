@@ -11,13 +11,16 @@ const BIAS: std::ops::Range<usize> = 9..12;
 /// The columns: accelerometer's model, gyroscope's model, own biases of all recordings but the last,
 /// then two coordinates for the direction of every rest, then disturbances.
 ///
-/// All recordings share scale factors, misalignments and effects; each has its own biases.
+/// All recordings share scale factors, misalignments and effects; each has its own bias of the
+/// gyroscope, and of the accelerometer where the data refute a common one.
 #[derive(Clone, Debug)]
 pub struct Layout {
     /// Number of parameters of the accelerometer's model.
     pub accelerometer: usize,
     /// Number of parameters of the gyroscope's model; 0 without one.
     pub gyroscope: usize,
+    /// Whether the accelerometer has a bias of its own in every recording; the gyroscope always has.
+    pub own_force_bias: bool,
     /// Number of recordings.
     pub recordings: usize,
     /// Number of rests.
@@ -51,18 +54,23 @@ impl Layout {
         self.accelerometer + self.gyroscope
     }
 
+    /// Own biases per recording.
     fn own_biases(&self) -> usize {
-        if self.gyroscope > 0 { 6 } else { 3 }
+        self.own_force() + if self.gyroscope > 0 { 3 } else { 0 }
+    }
+
+    fn own_force(&self) -> usize {
+        if self.own_force_bias { 3 } else { 0 }
     }
 
     /// Columns of a model's parameters for one recording, in the model's order.
     pub fn columns(&self, sensor: Sensor, recording: usize) -> Vec<usize> {
         let (first, count, own) = match sensor {
-            Sensor::Accelerometer => (0, self.accelerometer, 0),
-            Sensor::Gyroscope => (self.accelerometer, self.gyroscope, 3),
+            Sensor::Accelerometer => (0, self.accelerometer, self.own_force_bias.then_some(0)),
+            Sensor::Gyroscope => (self.accelerometer, self.gyroscope, Some(self.own_force())),
         };
         let mut columns: Vec<usize> = (first..first + count).collect();
-        if recording + 1 < self.recordings && count > 0 {
+        if let Some(own) = own.filter(|_| recording + 1 < self.recordings && count > 0) {
             let from = self.models() + self.own_biases() * recording + own;
             for (k, place) in BIAS.enumerate() {
                 columns[place] = from + k;
@@ -79,7 +87,7 @@ impl Layout {
         data: &Data,
     ) -> Parameters {
         let mut all = accelerometer.clone();
-        let models = [Some(accelerometer), gyroscope];
+        let models = [self.own_force_bias.then_some(accelerometer), gyroscope];
         if let Some(model) = gyroscope {
             for (k, name) in model.names().iter().enumerate() {
                 all.push(name.clone(), model.units()[k].clone(), model.values()[k]);

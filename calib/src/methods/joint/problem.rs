@@ -60,7 +60,7 @@ impl<'a> Rows<'a> {
         (accelerometer, gyroscope): (&'a Model, &'a Model),
         gravity: f64,
         charts: &'a [Chart],
-        disturbances: &'a [Vec<f64>],
+        (own_force_bias, disturbances): (bool, &'a [Vec<f64>]),
     ) -> Self {
         let rate = data.chunks.iter().any(|c| c.gyroscope.is_some());
         let gyroscope_parameters = if rate {
@@ -76,6 +76,7 @@ impl<'a> Rows<'a> {
             layout: Layout {
                 accelerometer: accelerometer.parameters().len(),
                 gyroscope: gyroscope_parameters,
+                own_force_bias,
                 recordings: data.sources.len(),
                 rests: data.rests.len(),
                 disturbances: disturbances.len(),

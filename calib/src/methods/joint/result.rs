@@ -130,8 +130,9 @@ impl JointFit {
             (self.rate_unit, k - force.2)
         } else {
             let own = k - force.2 - gyroscope;
-            let per_recording = if gyroscope > 0 { 6 } else { 3 };
-            let unit = if own % per_recording < 3 {
+            let force_biases = if self.own_force_bias { 3 } else { 0 };
+            let per_recording = force_biases + if gyroscope > 0 { 3 } else { 0 };
+            let unit = if own % per_recording < force_biases {
                 self.force_unit
             } else {
                 self.rate_unit

@@ -22,6 +22,8 @@ pub struct Start {
     pub force_unit: RawUnit,
     /// Unit of the gyroscope.
     pub rate_unit: RawUnit,
+    /// Whether the data refute one bias of the accelerometer for all recordings.
+    pub own_force_bias: bool,
     /// Parameters of the accelerometer's model near SI, for each recording.
     pub accelerometer: Vec<Vec<f64>>,
 }
@@ -92,6 +94,7 @@ pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
         gyroscope_guess(&turns).unit
     };
     Ok(Start {
+        own_force_bias: fit.own_bias,
         force_unit,
         rate_unit: RawUnit {
             zero: mean_rate(request),

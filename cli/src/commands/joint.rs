@@ -1,0 +1,84 @@
+//! What the joint method says beyond the tables of the parameters.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+use std::fmt::Write as _;
+
+use calib::methods::joint::{ComponentKind, JointFit};
+use nalgebra::Vector3;
+use sensor::{Kinematics, Sensor};
+
+/// Time for a quarter or a full turn, s: what a bias adds to the heading grows with it.
+const TURN_TIME: f64 = 3.0;
+
+/// Levels of noise, and what the errors of the parameters make of readings and headings.
+pub fn text(fit: &JointFit) -> String {
+    let mut text = String::new();
+    let turns: Vec<f64> = fit.chords.iter().map(|c| c * c).collect();
+    if !turns.is_empty() {
+        let rms = (turns.iter().sum::<f64>() / turns.len() as f64).sqrt();
+        let _ = writeln!(
+            text,
+            "{} turns, gravity foretold to {:.3}° rms",
+            turns.len(),
+            rms.to_degrees()
+        );
+    }
+    for level in fit.levels.iter().filter(|l| l.size > 0.0) {
+        let _ = writeln!(text, "noise: {}", level_in_words(level.kind, level.size));
+    }
+    let force = fit.prediction(Sensor::Accelerometer);
+    for (axis, name) in axes() {
+        let truth = Kinematics::at_rest(axis * fit.gravity);
+        let std = force.std_of_reading(&truth);
+        let _ = writeln!(
+            text,
+            "error of the corrected reading with {name} up: {:.2} {:.2} {:.2} mm/s²",
+            1e3 * std.x,
+            1e3 * std.y,
+            1e3 * std.z
+        );
+    }
+    if fit.has_gyroscope() && !fit.chords.is_empty() {
+        let rate = fit.prediction(Sensor::Gyroscope);
+        for (axis, name) in axes() {
+            let _ = writeln!(
+                text,
+                "heading error per turn about {name} in {TURN_TIME} s: {:.4}° in 90°, {:.4}° in 360°",
+                rate.std_of_heading(&axis, FRAC_PI_2, TURN_TIME)
+                    .to_degrees(),
+                rate.std_of_heading(&axis, TAU, TURN_TIME).to_degrees()
+            );
+        }
+    }
+    text
+}
+
+fn axes() -> [(Vector3<f64>, &'static str); 3] {
+    [
+        (Vector3::x(), "x"),
+        (Vector3::y(), "y"),
+        (Vector3::z(), "z"),
+    ]
+}
+
+fn level_in_words(kind: ComponentKind, size: f64) -> String {
+    match kind {
+        ComponentKind::AccelerometerWalk => {
+            format!("the accelerometer's bias walks by {size:.1e} m/s²/√s")
+        }
+        ComponentKind::GyroscopeWalk => {
+            format!("the gyroscope's bias walks by {size:.1e} rad/s/√s")
+        }
+        ComponentKind::ForceScatter => format!(
+            "the accelerometer scatters by {:.2} mm/s² from rest to rest: more than its noise",
+            1e3 * size
+        ),
+        ComponentKind::RateScatter => format!(
+            "the gyroscope scatters by {size:.1e} rad/s from rest to rest: more than its noise"
+        ),
+        ComponentKind::TurnScatter => format!(
+            "the turns scatter by {:.3}°: more than the gyroscope's noise",
+            size.to_degrees()
+        ),
+    }
+}
