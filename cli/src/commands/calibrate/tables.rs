@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use calib::calibrate::Outcome;
 use calib::calibration::Triad;
 
+use crate::commands::joint;
 use crate::show;
 
 /// Units of the readings of accelerometer and gyroscope.
@@ -84,6 +85,9 @@ pub fn text(outcome: &Outcome) -> String {
                 triad.rank
             );
         }
+    }
+    if let Some(fit) = &outcome.joint {
+        text.push_str(&joint::text(fit));
     }
     for effect in &calibration.effects {
         let mut table = show::table(&[&effect.name, "value", "std error", "unit"]);
