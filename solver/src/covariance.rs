@@ -1,6 +1,9 @@
 //! What the data say about the parameters: covariance, rank, condition, unobservable directions.
 
-use faer::{Mat, MatRef};
+use faer::diag::Diag;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::svd::{ComputeSvdVectors, svd, svd_scratch};
+use faer::{Mat, MatRef, Par};
 use serde::{Deserialize, Serialize};
 
 use crate::observability::{in_words, separate};
@@ -60,31 +63,30 @@ pub fn uncertainty(jacobian: &Mat<f64>, names: Vec<String>) -> Uncertainty {
 
 /// Measures a Jacobian (`m × n`) along `directions` (`n × d`), all of them if `None`.
 ///
-/// By the singular value decomposition `U S Vᵀ` of the pivoted triangle of the Jacobian with unit
-/// columns: the covariance is `B V S⁻² Vᵀ Bᵀ`; the normal equations are never formed.
+/// By the singular value decomposition `U S Vᵀ` of the triangle of the Jacobian with unit
+/// columns (scaling columns leaves `Q` as it is, so one triangle serves): the covariance is `B V S⁻² Vᵀ Bᵀ`; the normal equations are never formed.
 pub(crate) fn uncertainty_along(
     jacobian: MatRef<'_, f64>,
     directions: Option<Mat<f64>>,
     names: Vec<String>,
 ) -> Uncertainty {
     let n = names.len();
-    let singular_values = triangle(jacobian).singular_values().unwrap_or_default();
+    let triangle = triangle(jacobian);
+    let singular_values = triangle.singular_values().unwrap_or_default();
     let reduced = match &directions {
-        Some(directions) => jacobian * directions,
-        None => jacobian.to_owned(),
+        Some(directions) => triangle * directions,
+        None => triangle,
     };
     let d = reduced.ncols();
     let norms: Vec<f64> = (0..d)
         .map(|k| unit_if_zero(reduced.col(k).norm_l2()))
         .collect();
     let scaled = Mat::from_fn(reduced.nrows(), d, |i, k| reduced[(i, k)] / norms[k]);
-    let Ok(svd) = triangle(scaled.as_ref()).svd() else {
+    let Some((s, v)) = right_vectors(scaled.as_ref()) else {
         return Uncertainty::unknown(names, singular_values);
     };
-    let s: Vec<f64> = svd.S().column_vector().iter().copied().collect();
     let largest = s.first().copied().unwrap_or(0.0);
     let rank = s.iter().filter(|&&v| v > RANK_TOLERANCE * largest).count();
-    let v = svd.V();
     // B V in the parameters' units, a column per singular value.
     let unscaled = Mat::from_fn(d, d, |i, k| v[(i, k)] / norms[i]);
     let axes = match directions {
@@ -122,6 +124,28 @@ pub(crate) fn uncertainty_along(
     }
 }
 
+/// Singular values, descending, and all right vectors `V` (`n × n`); the left ones cost as much again
+/// and nobody asks for them.
+fn right_vectors(a: MatRef<'_, f64>) -> Option<(Vec<f64>, Mat<f64>)> {
+    let (m, n) = a.shape();
+    let (left, right) = (ComputeSvdVectors::No, ComputeSvdVectors::Full);
+    let need = svd_scratch::<f64>(m, n, left, right, Par::Seq, Default::default());
+    let mut memory = MemBuffer::new(need);
+    let mut s = Diag::zeros(m.min(n));
+    let mut v = Mat::zeros(n, n);
+    svd(
+        a,
+        s.as_mut(),
+        None,
+        Some(v.as_mut()),
+        Par::Seq,
+        MemStack::new(&mut memory),
+        Default::default(),
+    )
+    .ok()?;
+    Some((s.column_vector().iter().copied().collect(), v))
+}
+
 /// A matrix of as many columns and few rows with the same singular values and right vectors.
 fn triangle(a: MatRef<'_, f64>) -> Mat<f64> {
     if a.nrows() <= 2 * a.ncols() || a.ncols() == 0 {
@@ -134,4 +158,33 @@ fn triangle(a: MatRef<'_, f64>) -> Mat<f64> {
         r.ncols(),
         |i, k| if i <= k { r[(i, k)] } else { 0.0 },
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn right_vectors_are_those_of_the_full_decomposition() {
+        for (m, n) in [(9, 9), (4, 3), (2, 5)] {
+            let a = Mat::from_fn(m, n, |i, k| ((i * 5 + k * 3 + i * i * k) % 11) as f64 - 4.0);
+            let full = a.svd().unwrap();
+            let (s, v) = right_vectors(a.as_ref()).unwrap();
+            for (k, (fast, simple)) in s.iter().zip(full.S().column_vector().iter()).enumerate() {
+                assert!((fast - simple).abs() < 1e-13 * s[0], "{m} {n} {k}");
+            }
+            // `A V` has orthogonal columns of lengths `s`: what `AᵀA = V S² Vᵀ` says.
+            let gram = v.transpose() * a.transpose() * &a * &v;
+            let square = |k: usize| s.get(k).map_or(0.0, |s| s * s);
+            for i in 0..n {
+                for k in 0..n {
+                    let expected = if i == k { square(k) } else { 0.0 };
+                    assert!(
+                        (gram[(i, k)] - expected).abs() < 1e-12 * s[0] * s[0],
+                        "{i} {k}"
+                    );
+                }
+            }
+        }
+    }
 }

@@ -1,10 +1,12 @@
 //! The problem linearised at a point, `r + J p`, and the ways to solve for `p`.
 
 mod cholesky;
+mod damped_triangle;
 mod minimum_norm;
 mod qr;
 
 pub(crate) use cholesky::CholeskyFactor;
+use damped_triangle::damped_triangle;
 pub(crate) use minimum_norm::minimum_norm;
 pub(crate) use qr::QrFactor;
 

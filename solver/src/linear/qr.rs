@@ -10,8 +10,11 @@ use faer::linalg::householder::{
 use faer::linalg::solvers::{ColPivQr, SolveLstsqCore, Svd};
 use faer::{Conj, Mat, MatRef, Par};
 
-use super::Factor;
+use super::{Factor, damped_triangle};
 use crate::vector::norm;
+
+/// Most columns for which rotating the damping in is faster than a blocked QR.
+const ROTATED_COLUMNS: usize = 32;
 
 /// `J D⁻¹ P = Q R`, factored once; a damping then costs a QR of `2n × n` only.
 ///
@@ -104,26 +107,13 @@ impl QrFactor {
 
 impl Factor for QrFactor {
     fn damped(&self, b: &[f64], lambda: f64) -> Option<Vec<f64>> {
-        let n = self.scale.len();
-        let r = self.qr.thin_R();
-        let rows = r.nrows();
-        let q = self.rotated(b);
-        let root = lambda.sqrt();
-        let stacked = Mat::from_fn(rows + n, n, |i, k| {
-            let (of_r, of_damping) = (i < rows && i <= k, i == rows + k);
-            if of_r {
-                r[(i, k)]
-            } else if of_damping {
-                root
-            } else {
-                0.0
-            }
-        });
-        let mut w = Mat::from_fn(rows + n, 1, |i, _| if i < rows { -q[i] } else { 0.0 });
-        stacked
-            .qr()
-            .solve_lstsq_in_place_with_conj(Conj::No, w.as_mut());
-        self.restore(|k| w[(k, 0)])
+        let (r, q) = (self.qr.thin_R(), self.rotated(b));
+        let w = if self.scale.len() <= ROTATED_COLUMNS {
+            damped_triangle(r, &q, lambda)
+        } else {
+            damped_stack(r, &q, lambda)
+        };
+        self.restore(|k| w[k])
     }
 
     fn undamped(&self, b: &[f64]) -> Option<Vec<f64>> {
@@ -138,6 +128,27 @@ impl Factor for QrFactor {
     fn tangential(&self, b: &[f64]) -> f64 {
         norm(&self.rotated(b)[..self.rank])
     }
+}
+
+/// `argmin ‖R w + q‖² + λ ‖w‖²` by a QR of `R` stacked on `√λ I`.
+fn damped_stack(r: MatRef<'_, f64>, q: &[f64], lambda: f64) -> Vec<f64> {
+    let (rows, n) = (r.nrows(), r.ncols());
+    let root = lambda.sqrt();
+    let stacked = Mat::from_fn(rows + n, n, |i, k| {
+        let (of_r, of_damping) = (i < rows && i <= k, i == rows + k);
+        if of_r {
+            r[(i, k)]
+        } else if of_damping {
+            root
+        } else {
+            0.0
+        }
+    });
+    let mut w = Mat::from_fn(rows + n, 1, |i, _| if i < rows { -q[i] } else { 0.0 });
+    stacked
+        .qr()
+        .solve_lstsq_in_place_with_conj(Conj::No, w.as_mut());
+    (0..n).map(|k| w[(k, 0)]).collect()
 }
 
 /// Number of diagonal entries of a pivoted `R` above rounding: `10 ε max(m, n) |R₁₁|`.
@@ -176,6 +187,25 @@ mod tests {
         for k in 0..3 {
             let gradient: f64 = (0..7).map(|i| j[(i, k)] * inside[i]).sum();
             assert!((gradient + lambda * scale[k] * scale[k] * p[k]).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn rotating_the_damping_in_equals_the_qr_of_the_stack() {
+        for (rows, n) in [(1, 1), (3, 3), (2, 5), (9, 9)] {
+            let r = Mat::from_fn(rows, n, |i, k| {
+                ((i * 5 + k * 3 + i * i * k) % 11) as f64 - 4.0
+            });
+            let q: Vec<f64> = (0..rows).map(|i| 1.0 - 0.7 * i as f64).collect();
+            for lambda in [1e-3, 0.3, 1e6] {
+                let fast = damped_triangle(r.as_ref(), &q, lambda);
+                let simple = damped_stack(r.as_ref(), &q, lambda);
+                let size = norm(&simple);
+                for (a, b) in fast.iter().zip(&simple) {
+                    // The condition is at most ‖R‖ / √λ < 3e3.
+                    assert!((a - b).abs() < 1e-11 * size, "{rows} {n} {lambda}: {a} {b}");
+                }
+            }
         }
     }
 

@@ -1,0 +1,51 @@
+//! Damped least squares on a triangle.
+
+use faer::MatRef;
+
+/// `argmin ‖R w + q‖² + λ ‖w‖²` for an upper trapezoid `R` (`rows × n`, `rows ≤ n`): rotates the
+/// diagonal `√λ I` into `R` row by row, then substitutes back.
+///
+/// For the few columns of a usual problem this costs a fraction of a QR of the stacked matrix.
+///
+/// Source: Moré, "The Levenberg-Marquardt algorithm: implementation and theory", 1978 (`qrsolv`).
+pub(crate) fn damped_triangle(r: MatRef<'_, f64>, q: &[f64], lambda: f64) -> Vec<f64> {
+    let n = r.ncols();
+    let mut rows = vec![0.0; n * n];
+    for k in 0..n {
+        for i in 0..r.nrows().min(k + 1) {
+            rows[i * n + k] = r[(i, k)];
+        }
+    }
+    let mut w: Vec<f64> = (0..n).map(|i| q.get(i).map_or(0.0, |q| -q)).collect();
+    let mut damping = vec![0.0; n];
+    for first in 0..n {
+        damping[first..].fill(0.0);
+        damping[first] = lambda.sqrt();
+        let mut right = 0.0;
+        for k in first..n {
+            let row = &mut rows[k * n + k..(k + 1) * n];
+            rotate_in(row, &mut w[k], &mut damping[k..], &mut right);
+        }
+    }
+    for i in (0..n).rev() {
+        let known: f64 = (i + 1..n).map(|k| rows[i * n + k] * w[k]).sum();
+        w[i] = (w[i] - known) / rows[i * n + i];
+    }
+    w
+}
+
+/// Rotates two equations `row · x = left` and `damping · x = right` so that `damping[0]` vanishes.
+fn rotate_in(row: &mut [f64], left: &mut f64, damping: &mut [f64], right: &mut f64) {
+    if damping[0] == 0.0 {
+        return;
+    }
+    let length = row[0].hypot(damping[0]);
+    let (cosine, sine) = (row[0] / length, damping[0] / length);
+    let rotate = |a: &mut f64, b: &mut f64| {
+        (*a, *b) = (cosine * *a + sine * *b, cosine * *b - sine * *a);
+    };
+    for (a, b) in row.iter_mut().zip(damping) {
+        rotate(a, b);
+    }
+    rotate(left, right);
+}
