@@ -1,0 +1,261 @@
+//! Whether the data determine the parameters, in words a person can act on.
+
+use nalgebra::Vector3;
+use solver::Report;
+
+use super::coverage::{Coverage, coverage};
+use super::mounting::LOST;
+use crate::error::Error;
+use crate::methods::{AccelerometerFit, AccelerometerRequest, Fitted, GyroscopeFit};
+
+/// Standard errors of scale factors and misalignments above which a warning, or a refusal, is due.
+const RELATIVE_WARN: f64 = 0.01;
+const RELATIVE_REFUSE: f64 = 0.05;
+
+/// The same for biases, as a fraction of gravity or rad/s.
+const BIAS_WARN: f64 = 0.01;
+const BIAS_REFUSE: f64 = 0.05;
+
+/// More unobservable combinations than this are counted, not written out.
+const MOST_COMBINATIONS: usize = 2;
+
+/// The fit of an accelerometer, by whatever method.
+pub(in crate::calibrate) struct ForceEvidence<'a> {
+    pub fitted: &'a Fitted,
+    /// Direction of specific force in every rest, body frame.
+    pub directions: Vec<Vector3<f64>>,
+    /// SI units per raw unit.
+    pub scale: f64,
+    /// Local gravity, m/s².
+    pub gravity: f64,
+    pub report: &'a Report,
+}
+
+/// The fit of a gyroscope, by whatever method.
+pub(in crate::calibrate) struct RateEvidence<'a> {
+    pub fitted: &'a Fitted,
+    /// Number of turns.
+    pub turns: usize,
+    /// SI units per raw unit.
+    pub scale: f64,
+    /// By how much the turns miss gravity after the fit, rad.
+    pub rms: f64,
+    pub report: &'a Report,
+}
+
+impl<'a> ForceEvidence<'a> {
+    /// Of the stepwise fit.
+    pub(in crate::calibrate) fn of(
+        fit: &'a AccelerometerFit,
+        request: &AccelerometerRequest,
+    ) -> Self {
+        Self {
+            fitted: &fit.fitted,
+            directions: directions(fit, request),
+            scale: fit.unit.scale,
+            gravity: request.gravity,
+            report: &fit.first,
+        }
+    }
+}
+
+impl<'a> RateEvidence<'a> {
+    /// Of the stepwise fit.
+    pub(in crate::calibrate) fn of(fit: &'a GyroscopeFit) -> Self {
+        Self {
+            fitted: &fit.fitted,
+            turns: fit.chords.len(),
+            scale: fit.unit.scale,
+            rms: fit.rms(),
+            report: &fit.report,
+        }
+    }
+}
+
+/// Refuses a fit whose parameters the data do not determine and warns of weak ones.
+pub(in crate::calibrate) fn accelerometer_is_determined(
+    fit: &ForceEvidence<'_>,
+    warnings: &mut Vec<String>,
+) -> Result<(), Error> {
+    let directions = &fit.directions;
+    let Coverage {
+        words: coverage,
+        complete,
+    } = coverage(directions);
+    let free = fit.fitted.free.len();
+    let count = directions.len();
+    if fit.fitted.rank < free {
+        return Err(Error::NotEnough(format!(
+            "{coverage}: too few for {free} parameters (rank {}); not observable: {}",
+            fit.fitted.rank,
+            not_observable(fit.fitted)
+        )));
+    }
+    if count <= free {
+        return Err(Error::NotEnough(format!(
+            "{coverage}: {free} parameters leave nothing to check them with; record at least \
+             {} placements",
+            free + 1
+        )));
+    }
+    if !fit.report.termination.converged() {
+        return Err(Error::NotConverged(format!(
+            "the accelerometer's fit stopped after {} steps ({:?}); is the gravity of {} m/s² right, \
+             and was the device still in the intervals that `segment` shows?",
+            fit.report.iterations.len(),
+            fit.report.termination,
+            fit.gravity
+        )));
+    }
+    let weak = weak_parameters(fit.fitted, fit.scale, fit.gravity);
+    let refused: Vec<&Weak> = weak.iter().filter(|w| w.refused).collect();
+    if !refused.is_empty() {
+        return Err(Error::NotEnough(format!(
+            "{coverage}: {}",
+            refused
+                .iter()
+                .map(|w| w.words.as_str())
+                .collect::<Vec<_>>()
+                .join("; ")
+        )));
+    }
+    if !complete {
+        let worst = worst_known(fit.fitted, fit.scale);
+        warnings.push(format!("{coverage}{worst}"));
+    }
+    warnings.extend(
+        weak.into_iter()
+            .map(|w| format!("{} ({coverage})", w.words)),
+    );
+    Ok(())
+}
+
+/// `; accel.s_z is known to 0.31 % only`: the scale factor or misalignment with the largest error.
+fn worst_known(fitted: &Fitted, scale: f64) -> String {
+    let worst = fitted
+        .free
+        .iter()
+        .filter(|name| name.starts_with("accel.") && !name.contains(".b_"))
+        .filter_map(|name| Some((name, fitted.standard_error(name)? / scale)))
+        .max_by(|a, b| a.1.total_cmp(&b.1));
+    worst.map_or(String::new(), |(name, error)| {
+        format!("; {name} is known to {:.2} % only", 100.0 * error)
+    })
+}
+
+/// Refuses a fit that the turns do not determine and warns of weak parameters.
+pub(in crate::calibrate) fn gyroscope_is_determined(
+    fit: &RateEvidence<'_>,
+    warnings: &mut Vec<String>,
+) -> Result<(), Error> {
+    let RateEvidence { fitted, turns, .. } = *fit;
+    if fitted.rank < fitted.free.len() {
+        return Err(Error::NotEnough(format!(
+            "{turns} turns determine {} of the gyroscope's {} parameters; not observable: {}; turn \
+             the device about other axes too",
+            fitted.rank,
+            fitted.free.len(),
+            not_observable(fitted)
+        )));
+    }
+    if 2 * turns <= fitted.free.len() {
+        return Err(Error::NotEnough(format!(
+            "{turns} turns leave nothing to check the gyroscope's {} parameters with; record at \
+             least {} turns",
+            fitted.free.len(),
+            fitted.free.len() / 2 + 1
+        )));
+    }
+    if !fit.report.termination.converged() {
+        return Err(Error::NotConverged(format!(
+            "the gyroscope's fit stopped after {} steps ({:?})",
+            fit.report.iterations.len(),
+            fit.report.termination
+        )));
+    }
+    let weak = weak_parameters(fitted, fit.scale, 1.0);
+    let refused: Vec<&str> = weak
+        .iter()
+        .filter(|w| w.refused)
+        .map(|w| w.words.as_str())
+        .collect();
+    if !refused.is_empty() && fit.rms < LOST {
+        return Err(Error::NotEnough(format!(
+            "{turns} turns: {}; turn the device about other axes too",
+            refused.join("; ")
+        )));
+    }
+    warnings.extend(
+        weak.into_iter()
+            .map(|w| format!("{} ({turns} turns)", w.words)),
+    );
+    Ok(())
+}
+
+fn directions(fit: &AccelerometerFit, request: &AccelerometerRequest) -> Vec<Vector3<f64>> {
+    let shared = request.model.parameters().len();
+    let mut all = Vec::new();
+    for (k, means) in request.recordings.iter().enumerate() {
+        let p = fit.fitted.local(shared, k);
+        all.extend(
+            means
+                .iter()
+                .map(|m| request.model.correct(&m.raw, &m.rest, &p))
+                .map(|f| f.normalize()),
+        );
+    }
+    all
+}
+
+/// The combinations that the data cannot see; with more than a few, how many and of what.
+fn not_observable(fitted: &Fitted) -> String {
+    let combinations = &fitted.unobservable;
+    if combinations.len() <= MOST_COMBINATIONS {
+        return combinations.join("; ");
+    }
+    let involved: Vec<&str> = fitted
+        .free
+        .iter()
+        .filter(|name| {
+            combinations
+                .iter()
+                .any(|words| words.contains(name.as_str()))
+        })
+        .map(String::as_str)
+        .collect();
+    format!(
+        "{} combinations of {}",
+        combinations.len(),
+        involved.join(", ")
+    )
+}
+
+struct Weak {
+    words: String,
+    refused: bool,
+}
+
+/// Parameters known too badly; `scale` is SI units per raw unit, `size` the unit of the bias limits.
+fn weak_parameters(fitted: &Fitted, scale: f64, size: f64) -> Vec<Weak> {
+    fitted
+        .free
+        .iter()
+        .filter(|name| name.starts_with("accel.") || name.starts_with("gyro."))
+        .filter_map(|name| {
+            let std = fitted.standard_error(name)?;
+            if name.contains(".b_") {
+                let relative = std * scale / size;
+                (relative > BIAS_WARN).then(|| Weak {
+                    words: format!("{name} is known to {std:.2} only"),
+                    refused: relative > BIAS_REFUSE,
+                })
+            } else {
+                let relative = std / scale;
+                (relative > RELATIVE_WARN).then(|| Weak {
+                    words: format!("{name} is known to {:.1} % only", 100.0 * relative),
+                    refused: relative > RELATIVE_REFUSE,
+                })
+            }
+        })
+        .collect()
+}

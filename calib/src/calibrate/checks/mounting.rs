@@ -1,0 +1,98 @@
+//! A gyroscope that is mounted, logged or scaled otherwise than it should be.
+
+use nalgebra::Matrix3;
+use sensor::Base;
+
+use super::determined::RateEvidence;
+
+/// A gyroscope that misses gravity by this much after the fit is not understood, rad.
+pub(super) const LOST: f64 = 0.1;
+
+/// An element of the gyroscope's matrix this far from that of aligned axes is no misalignment.
+const TURNED: f64 = 0.26;
+
+/// A scale this far from one on all axes of readings in SI units is a unit or a time base.
+const COMMON_SCALE: f64 = 0.03;
+
+/// Reasons not to use a gyroscope's fit as it stands.
+pub(in crate::calibrate) fn gyroscope_gates(fit: &RateEvidence<'_>, si: bool) -> Vec<String> {
+    let mut failed = Vec::new();
+    let base = Base::from_parameters(fit.fitted.parameters.values());
+    let near_si: Matrix3<f64> = base.t / fit.scale;
+    if fit.rms > LOST {
+        failed.push(format!(
+            "the gyroscope misses gravity by {:.1}° rms after the fit: is a sensor mounted or logged \
+             with other axes, or the time stamps not those of the samples?",
+            fit.rms.to_degrees()
+        ));
+    }
+    if near_si.determinant() < 0.0 {
+        failed.push(format!(
+            "the gyroscope's axes are left-handed against the accelerometer's: {}",
+            mounting(&near_si)
+        ));
+    }
+    let ratio = base.t.trace() / 3.0;
+    if si && fit.rms <= LOST && (0.5..=2.1).contains(&ratio) && all_off(&base.t) {
+        failed.push(format!(
+            "the gyroscope's scale is {ratio:.3} on all axes: a wrong time base (nominal rate) or \
+             unit rather than a sensor error"
+        ));
+    }
+    failed
+}
+
+fn all_off(t: &Matrix3<f64>) -> bool {
+    let off: Vec<f64> = (0..3).map(|k| t[(k, k)] - 1.0).collect();
+    off.iter().all(|v| *v > COMMON_SCALE) || off.iter().all(|v| *v < -COMMON_SCALE)
+}
+
+/// A gyroscope mounted or logged with other axes than the accelerometer.
+pub(in crate::calibrate) fn turned_axes(fit: &RateEvidence<'_>) -> Option<String> {
+    let base = Base::from_parameters(fit.fitted.parameters.values());
+    let near_si: Matrix3<f64> = base.t / fit.scale;
+    let largest = (0..9)
+        .map(|k| near_si[(k / 3, k % 3)] - if k % 4 == 0 { 1.0 } else { 0.0 })
+        .fold(0.0, |a: f64, b| a.max(b.abs()));
+    (fit.rms <= LOST && near_si.determinant() > 0.0 && largest > TURNED).then(|| {
+        format!(
+            "the gyroscope's axes are turned against the accelerometer's: {}; T carries them over",
+            mounting(&near_si)
+        )
+    })
+}
+
+/// `its y is flipped`, or which axis of the sensor lies on which of the body.
+fn mounting(t: &Matrix3<f64>) -> String {
+    let axes = ["x", "y", "z"];
+    let nearest = |row: usize| {
+        let column = (0..3).fold(0, |best, k| {
+            if t[(row, k)].abs() > t[(row, best)].abs() {
+                k
+            } else {
+                best
+            }
+        });
+        (column, t[(row, column)] < 0.0)
+    };
+    let rows: Vec<(usize, bool)> = (0..3).map(nearest).collect();
+    let in_order = rows
+        .iter()
+        .enumerate()
+        .all(|(row, (column, _))| row == *column);
+    if in_order {
+        let flipped: Vec<&str> = (0..3).filter(|&k| rows[k].1).map(|k| axes[k]).collect();
+        if !flipped.is_empty() {
+            let verb = if flipped.len() > 1 { "are" } else { "is" };
+            return format!("{} {verb} flipped", flipped.join(" and "));
+        }
+    }
+    rows.iter()
+        .enumerate()
+        .map(|(row, (column, negative))| {
+            let sign = if *negative { "-" } else { "" };
+            format!("{} is its {sign}{}", axes[row], axes[*column])
+        })
+        .collect::<Vec<_>>()
+        .join(", ")
+}
