@@ -1,5 +1,7 @@
 //! `bias`: biases estimated again, everything else kept.
 
+mod page;
+
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -10,6 +12,7 @@ use calib::methods::online_bias::{
 };
 
 use super::inputs::{DetectorArgs, DeviceArgs, read};
+use super::pictures::PictureArgs;
 use crate::exit::{BUG, Failure};
 use crate::output::Output;
 use crate::read_args::ReadArgs;
@@ -48,6 +51,8 @@ pub struct Args {
     #[command(flatten)]
     detector: DetectorArgs,
     #[command(flatten)]
+    pictures: PictureArgs,
+    #[command(flatten)]
     device: DeviceArgs,
     #[command(flatten)]
     read: ReadArgs,
@@ -60,6 +65,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         Some(path) => Some(Output::claim(path, args.force, &inputs)?),
         None => None,
     };
+    let names: &[&str] = if args.no_gyroscope { &[] } else { &["rates"] };
+    let pictures = args.pictures.claim(names, args.force, &inputs)?;
     let old = load(&args.calibration)?;
     let recording = read(&args.recording, &args.read)?;
     recording
@@ -81,6 +88,12 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let json = serde_json::to_string_pretty(&new).map_err(|e| Failure::new(BUG, e.to_string()))?;
     if let Some(output) = output {
         output.write(format!("{json}\n").as_bytes())?;
+    }
+    if pictures.wanted() {
+        let plot = (!stretches.is_empty()).then(|| page::plot(&stretches));
+        let name = show::printable(&recording.name);
+        let page = page::page(&name, &recording.warnings, &new, plot.as_ref())?;
+        pictures.write(plot.as_slice(), &page)?;
     }
     show::print(&if args.json {
         json
@@ -117,6 +130,16 @@ fn text(new: &Calibration, stretches: &[Stretch]) -> String {
         );
     }
     let mut table = show::table(&["bias", "before", "now", "change", "std error", "rests"]);
+    for row in updates(new) {
+        table.add_row(row);
+    }
+    let _ = writeln!(text, "{table}");
+    text
+}
+
+/// A row for each bias that was estimated again: name, before, now, change, standard error, rests.
+fn updates(new: &Calibration) -> Vec<[String; 6]> {
+    let mut rows = Vec::new();
     for update in &new.history {
         let triad = if update.sensor == "gyro" {
             &new.gyroscope
@@ -126,7 +149,7 @@ fn text(new: &Calibration, stretches: &[Stretch]) -> String {
         for (k, axis) in ["x", "y", "z"].iter().enumerate() {
             let std = triad.as_ref().and_then(|t| t.bias_std[k]);
             let (before, now) = (update.bias_before[k], update.bias[k]);
-            table.add_row([
+            rows.push([
                 format!("{}.b_{axis}", update.sensor),
                 show::value(before, std),
                 show::value(now, std),
@@ -136,6 +159,5 @@ fn text(new: &Calibration, stretches: &[Stretch]) -> String {
             ]);
         }
     }
-    let _ = writeln!(text, "{table}");
-    text
+    rows
 }

@@ -1,0 +1,47 @@
+//! The biases estimated again, as a page and a picture.
+
+use calib::calibration::Calibration;
+use calib::methods::online_bias::Stretch;
+
+use super::updates;
+use crate::exit::Failure;
+use crate::report::{Axis, Plot, Report, ReportTable, Series};
+
+/// The corrected rate in every long rest, 95 % intervals: where the old bias holds it is zero.
+pub fn plot(stretches: &[Stretch]) -> Plot {
+    let axes = ["x", "y", "z"].into_iter().enumerate();
+    let empty = Plot::new(
+        "What the old bias leaves in the rests",
+        Axis::linear("middle of the rest, s"),
+        Axis::linear("corrected rate, rad/s"),
+    );
+    axes.fold(empty, |plot, (k, axis)| {
+        let bars = stretches.iter().map(|stretch| {
+            let (rate, half) = (stretch.residual[k], 1.96 * stretch.std[k]);
+            let middle = 0.5 * (stretch.span.from + stretch.span.to);
+            (middle, rate, rate - half, rate + half)
+        });
+        plot.with(Series::bars(axis, k, bars.collect()))
+    })
+}
+
+/// Warnings, the biases before and now, the picture.
+pub fn page(
+    name: &str,
+    warnings: &[String],
+    new: &Calibration,
+    plot: Option<&Plot>,
+) -> Result<Report, Failure> {
+    let mut table = ReportTable::new(["bias", "before", "now", "change", "std error", "rests"]);
+    for row in updates(new) {
+        table.row(row);
+    }
+    let page = Report::new(format!("Biases from {name}"))
+        .warnings(warnings)
+        .section("Biases")
+        .table(table);
+    match plot {
+        Some(plot) => page.section("Rates at rest").plot(plot),
+        None => Ok(page),
+    }
+}
