@@ -19,8 +19,8 @@ use crate::error::Error;
 use crate::intervals::{Detector, Segmentation, Span};
 use crate::methods::joint::JointFit;
 use crate::methods::{
-    AccelerometerFit, AccelerometerRequest, Choice, GyroscopeFit, GyroscopeRequest,
-    choose_multiplier, fit_accelerometer, fit_gyroscope, static_means,
+    self, AccelerometerFit, AccelerometerRequest, Choice, GyroscopeFit, GyroscopeRequest,
+    fit_accelerometer, fit_gyroscope, static_means,
 };
 use crate::recording::Recording;
 use crate::residuals::Integrator;
@@ -197,16 +197,8 @@ fn cut(recording: &Recording, request: &Request, k: Option<usize>) -> Result<Cho
             trials: Vec::new(),
         });
     }
-    if request.choose_multiplier {
-        choose_multiplier(recording, &request.detector, request.gravity).map_err(named)
-    } else {
-        let segmentation =
-            crate::intervals::segment(recording, &request.detector).map_err(named)?;
-        Ok(Choice {
-            segmentation,
-            trials: Vec::new(),
-        })
-    }
+    let (choose, gravity) = (request.choose_multiplier, request.gravity);
+    methods::cut(recording, &request.detector, choose, gravity).map_err(named)
 }
 
 /// The accelerometer's fit; `None` where no recording has one.

@@ -74,6 +74,25 @@ pub fn choose_multiplier(
     })
 }
 
+/// Cuts a recording by [`choose_multiplier`], or at the detector's own multiplier.
+///
+/// # Errors
+/// As [`crate::intervals::segment`].
+pub fn cut(
+    recording: &Recording,
+    detector: &Detector,
+    choose: bool,
+    gravity: f64,
+) -> Result<Choice, Error> {
+    if choose {
+        return choose_multiplier(recording, detector, gravity);
+    }
+    Ok(Choice {
+        segmentation: crate::intervals::segment(recording, detector)?,
+        trials: Vec::new(),
+    })
+}
+
 fn trial(recording: &Recording, segmentation: &Segmentation, gravity: f64) -> Trial {
     let scatter = residual(&static_means(recording, segmentation), gravity);
     Trial {

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use calib::calibrate::STANDARD_GRAVITY;
 use calib::calibration::load;
-use calib::methods::{Choice, choose_multiplier};
-use calib::{Evaluation, evaluate, intervals::segment};
+use calib::methods::cut;
+use calib::{Evaluation, evaluate};
 use serde_json::json;
 
 use super::inputs::{DetectorArgs, DeviceArgs, read};
@@ -57,14 +57,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     for (_, calibration) in &calibrations {
         args.device.check(calibration, &[&recording])?;
     }
-    let choice = if choose {
-        choose_multiplier(&recording, &detector, args.gravity)?
-    } else {
-        Choice {
-            segmentation: segment(&recording, &detector)?,
-            trials: Vec::new(),
-        }
-    };
+    let choice = cut(&recording, &detector, choose, args.gravity)?;
     let measure = |c| evaluate(&recording, &choice.segmentation, c, args.gravity);
     let mut rows: Vec<(String, Evaluation)> = vec![("raw".into(), measure(None))];
     rows.extend(

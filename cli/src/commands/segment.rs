@@ -5,8 +5,8 @@ use std::path::PathBuf;
 
 use calib::Recording;
 use calib::calibrate::STANDARD_GRAVITY;
-use calib::intervals::{Moments, Span, segment};
-use calib::methods::{Choice, choose_multiplier};
+use calib::intervals::{Moments, Span};
+use calib::methods::{Choice, cut};
 use serde_json::json;
 
 use super::inputs::{DetectorArgs, as_paths, read};
@@ -67,14 +67,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     for warning in &recording.warnings {
         show::warn(warning);
     }
-    let choice = if choose {
-        choose_multiplier(&recording, &detector, args.gravity)?
-    } else {
-        Choice {
-            segmentation: segment(&recording, &detector)?,
-            trials: Vec::new(),
-        }
-    };
+    let choice = cut(&recording, &detector, choose, args.gravity)?;
     let document = document(&recording, &choice);
     let mut json = serde_json::to_string_pretty(&document)
         .map_err(|e| Failure::new(crate::exit::BUG, e.to_string()))?;
