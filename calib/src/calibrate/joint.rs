@@ -53,6 +53,8 @@ pub(super) fn calibrate(
         gyroscope,
         gravity: request.gravity,
         walk: None,
+        disturbances: true,
+        covariates: false,
     })?;
     let calibration = written_down(&fit, &recordings, &choices, request, &mut warnings)?;
     Ok(Outcome {

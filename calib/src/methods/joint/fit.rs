@@ -40,6 +40,28 @@ pub struct JointRequest<'a> {
     /// Random walk densities of the biases of accelerometer (m/s²/√s) and gyroscope (rad/s/√s), where
     /// they are known; estimated where not.
     pub walk: Option<[f64; 2]>,
+    /// Whether rests and turns that something disturbed are looked for and get parameters of their own, and
+    /// whether rests and turns may scatter beyond all noise. Without, the noise is white noise and walks, and
+    /// every row is believed.
+    pub disturbances: bool,
+    /// Whether what effects ask for is worked out at the samples of turns even where no effect of the
+    /// models asks for it: time, temperature, specific force, angular acceleration.
+    pub covariates: bool,
+}
+
+impl<'a> JointRequest<'a> {
+    /// Base models, walks estimated, disturbances looked for.
+    pub fn new(recordings: Vec<(&'a Recording, &'a Segmentation)>, gravity: f64) -> Self {
+        Self {
+            recordings,
+            accelerometer: accelerometer::model(),
+            gyroscope: gyroscope::model(),
+            gravity,
+            walk: None,
+            disturbances: true,
+            covariates: false,
+        }
+    }
 }
 
 /// Something that was found disturbed and has parameters of its own since.
@@ -84,6 +106,10 @@ pub struct JointFit {
     pub white_residuals: Vec<f64>,
     /// Jacobian whitened by white noise alone.
     pub white_jacobian: Mat<f64>,
+    /// The whitening: by white noise, then by everything else.
+    pub whitening: Whitening,
+    /// `∂r/∂d` of what was found disturbed, one column per parameter, not whitened (`m` each).
+    pub disturbance_columns: Vec<Vec<f64>>,
     /// What the noise may have besides, whitened by white noise: `Ca`, `Cg` …
     pub components: Vec<Component>,
     /// How much of it there is.
@@ -163,7 +189,7 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
     for cut in &cuts {
         data.add(cut);
     }
-    if !request.gyroscope.effects().is_empty() {
+    if request.covariates || !request.gyroscope.effects().is_empty() {
         for (k, p) in start.accelerometer.iter().enumerate() {
             data.know_turns(k, &cuts[k], &request.accelerometer, p);
         }
@@ -301,6 +327,13 @@ impl Run<'_> {
         let x = solution.report.parameters.values();
         let rows = self.rows(&[]);
         let mut analysis = self.analysis(&rows, &x[..x.len() - n], free);
+        let measured = |analysis: &Analysis, known: &[&Suspect]| match self.request.walk {
+            Some(walk) => given_levels(walk),
+            None => analysis.levels(known),
+        };
+        if !self.request.disturbances {
+            return Ok((measured(&analysis, &[]), Vec::new()));
+        }
         let mut candidates = suspects(&rows, &x[..x.len() - n]);
         let touched = self.touched(&rows, &x[..x.len() - n]);
         let given: Vec<usize> = (candidates.len()..candidates.len() + touched.len()).collect();
@@ -315,10 +348,6 @@ impl Run<'_> {
                 .accuse(&candidates, &given, &[], most)
                 .unwrap_or(given.clone());
         }
-        let measured = |analysis: &Analysis, known: &[&Suspect]| match self.request.walk {
-            Some(walk) => given_levels(walk),
-            None => analysis.levels(known),
-        };
         let mut levels = measured(&analysis, &all(&found));
         for _ in 0..3 {
             let doubtful: Vec<usize> = found
@@ -359,6 +388,8 @@ impl Run<'_> {
         let mut jacobian = solution.analysis.jacobian.clone();
         solution.whitening.finish(jacobian.as_mut());
         let residuals = solution.report.residuals.clone();
+        let (chords, moduli) = (rows.chords(x), rows.moduli(x));
+        let chords_before = rows.chords(self.first_values(&rows).values());
         JointFit {
             models: [
                 self.request.accelerometer.clone(),
@@ -368,8 +399,10 @@ impl Run<'_> {
             shared: rows.layout.shared(),
             first_rows: [rows.first_rate_row(), rows.first_turn_row()],
             rest_of_row: rows.rest_of_row(),
+            disturbance_columns: columns.clone(),
             residuals,
             jacobian,
+            whitening: solution.whitening,
             white_residuals: solution.analysis.residuals,
             white_jacobian: solution.analysis.jacobian,
             components: solution.analysis.components,
@@ -383,9 +416,9 @@ impl Run<'_> {
             force_unit: self.start.force_unit,
             rate_unit: self.start.rate_unit,
             gravity: self.request.gravity,
-            chords_before: rows.chords(self.first_values(&rows).values()),
-            chords: rows.chords(x),
-            moduli: rows.moduli(x),
+            chords_before,
+            chords,
+            moduli,
             data: self.data.clone(),
             charts: self.charts.to_vec(),
             free: solution.free,
@@ -446,6 +479,17 @@ fn given_levels([force, rate]: [f64; 2]) -> Vec<NoiseLevel> {
 }
 
 impl JointFit {
+    /// The rows that were fitted, to be evaluated anywhere.
+    pub fn rows(&self) -> Rows<'_> {
+        Rows::new(
+            &self.data,
+            (&self.models[0], &self.models[1]),
+            self.gravity,
+            &self.charts,
+            (self.own_force_bias, &self.disturbance_columns),
+        )
+    }
+
     /// The direction of specific force in every rest, body frame.
     pub fn directions(&self) -> Vec<Vector3<f64>> {
         let x = &self.parameters.values()[self.shared..];

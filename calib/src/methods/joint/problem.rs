@@ -207,7 +207,13 @@ impl<'a> Rows<'a> {
     }
 
     /// The truth in a chunk of a rest: time that of the chunk's middle.
-    fn at_rest(&self, rest: &Rest, u: Vector3<f64>, from: f64, to: f64) -> Kinematics<f64> {
+    pub(super) fn at_rest(
+        &self,
+        rest: &Rest,
+        u: Vector3<f64>,
+        from: f64,
+        to: f64,
+    ) -> Kinematics<f64> {
         let mut truth = rest
             .known
             .with_signal(Sensor::Accelerometer, u * self.gravity);
@@ -258,7 +264,7 @@ impl<'a> Rows<'a> {
 
     /// The rotation over a turn, and the derivative of the corrected rate by the base's `T (W − b)` per
     /// sample with the effects' slopes; the latter are empty without effects.
-    fn carried(
+    pub(super) fn carried(
         &self,
         turn: &TurnSamples,
         p: &[f64],
