@@ -11,6 +11,7 @@
 pub mod calibrate;
 pub mod calibration;
 pub mod covariates;
+pub mod discover;
 mod error;
 mod evaluate;
 pub mod intervals;

@@ -54,9 +54,12 @@ pub(super) fn calibrate(
         gravity: request.gravity,
         walk: None,
         disturbances: true,
+        known: Vec::new(),
+        held: Vec::new(),
         covariates: false,
     })?;
-    let calibration = written_down(&fit, &recordings, &choices, request, &mut warnings)?;
+    let chosen: Vec<&Choice> = choices.iter().collect();
+    let calibration = written_down(&fit, &recordings, &chosen, request, &mut warnings)?;
     Ok(Outcome {
         calibration: Calibration {
             warnings,
@@ -70,10 +73,10 @@ pub(super) fn calibrate(
 }
 
 /// The fit as a [`Calibration`], checked; `warnings` stay outside.
-fn written_down(
+pub(crate) fn written_down(
     fit: &JointFit,
     recordings: &[&Recording],
-    choices: &[Choice],
+    choices: &[&Choice],
     request: &Request,
     warnings: &mut Vec<String>,
 ) -> Result<Calibration, Error> {

@@ -44,6 +44,10 @@ pub struct JointRequest<'a> {
     /// whether rests and turns may scatter beyond all noise. Without, the noise is white noise and walks, and
     /// every row is believed.
     pub disturbances: bool,
+    /// What is known to be disturbed, by its place in the data: parameters of their own whatever is looked for.
+    pub known: Vec<Known>,
+    /// Parameters held at a value, by name.
+    pub held: Vec<(String, f64)>,
     /// Whether what effects ask for is worked out at the samples of turns even where no effect of the
     /// models asks for it: time, temperature, specific force, angular acceleration.
     pub covariates: bool,
@@ -59,9 +63,20 @@ impl<'a> JointRequest<'a> {
             gravity,
             walk: None,
             disturbances: true,
+            known: Vec::new(),
+            held: Vec::new(),
             covariates: false,
         }
     }
+}
+
+/// Something that is known to be disturbed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Known {
+    /// What happened.
+    pub kind: Disturbance,
+    /// The rest, the chunk or the turn, by its place in [`Data`].
+    pub place: usize,
 }
 
 /// Something that was found disturbed and has parameters of its own since.
@@ -261,6 +276,11 @@ impl Run<'_> {
             let n = rows.layout.disturbance(0);
             parameters.values_mut()[..n].copy_from_slice(&before.report.parameters.values()[..n]);
         }
+        for (name, value) in &self.request.held {
+            if let Some(place) = parameters.index(name) {
+                parameters.values_mut()[place] = *value;
+            }
+        }
         let mask = self.mask(&rows, &parameters);
         let free = mask.free_indices();
         let whitening = {
@@ -312,6 +332,7 @@ impl Run<'_> {
         let turns = !self.data.turns.is_empty();
         parameters.free_where(|name| {
             accelerometer::is_free_in_triangular_frame(name)
+                && self.request.held.iter().all(|(held, _)| held != name)
                 && (turns || !(name.starts_with("gyro.s_") || name.starts_with("gyro.beta_")))
         })
     }
@@ -332,7 +353,15 @@ impl Run<'_> {
             None => analysis.levels(known),
         };
         if !self.request.disturbances {
-            return Ok((measured(&analysis, &[]), Vec::new()));
+            let known: Vec<Suspect> = suspects(&rows, &x[..x.len() - n])
+                .into_iter()
+                .filter(|s| {
+                    let found = |k: &Known| k.kind == s.kind && k.place == s.place;
+                    self.request.known.iter().any(found)
+                })
+                .collect();
+            let levels = measured(&analysis, &known.iter().collect::<Vec<_>>());
+            return Ok((levels, known));
         }
         let mut candidates = suspects(&rows, &x[..x.len() - n]);
         let touched = self.touched(&rows, &x[..x.len() - n]);
@@ -487,6 +516,17 @@ impl JointFit {
             self.gravity,
             &self.charts,
             (self.own_force_bias, &self.disturbance_columns),
+        )
+    }
+
+    /// The same without the columns of what was disturbed.
+    pub fn plain_rows(&self) -> Rows<'_> {
+        Rows::new(
+            &self.data,
+            (&self.models[0], &self.models[1]),
+            self.gravity,
+            &self.charts,
+            (self.own_force_bias, &[]),
         )
     }
 

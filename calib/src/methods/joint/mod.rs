@@ -39,11 +39,12 @@ mod weights;
 
 pub use chart::Chart;
 pub use data::{Chunk, Data, LostTurn, Mean, Rest, Source, TurnSamples};
-pub use disturbance::Disturbance;
-pub use fit::{Accused, JointFit, JointRequest, fit_joint};
+pub use disturbance::{Disturbance, Suspect, suspects};
+pub use fit::{Accused, JointFit, JointRequest, Known, fit_joint};
 pub use influence::Influence;
 pub use layout::Layout;
 pub use likelihood::{Restricted, left_null_space};
+pub(crate) use marginal::orthonormal;
 pub use noise::SensorNoise;
 pub use prediction::Prediction;
 pub use problem::{Linear, RowNoise, Rows};
