@@ -20,6 +20,7 @@ pub mod noise;
 pub mod reckon;
 pub mod recording;
 pub mod residuals;
+mod sensor_names;
 pub mod simulate;
 
 pub use calibration::Calibration;

@@ -6,6 +6,7 @@ use sensor::{Kinematics, REFERENCE_TEMPERATURE, Sensor};
 
 use super::device::Device;
 use super::environment::Temperature;
+use super::hidden::{Instant, Placed};
 use super::motion::{Motion, mean_over};
 
 /// The true motion of the device and what surrounds it.
@@ -17,6 +18,8 @@ pub(crate) struct World {
     pub gravity: f64,
     /// Temperature; constant where there is none.
     pub temperature: Option<Temperature>,
+    /// What disturbs readings.
+    pub disturbances: Vec<Placed>,
 }
 
 impl World {
@@ -47,6 +50,28 @@ impl World {
         }
     }
 
+    /// What hidden disturbances add to the reading of `device` at time `t`.
+    fn disturbance(&self, device: &Device, t: f64) -> Vector3<f64> {
+        let sensor = device.model.sensor();
+        let mut own = self
+            .disturbances
+            .iter()
+            .filter(|d| d.sensor == sensor)
+            .peekable();
+        if own.peek().is_none() {
+            return Vector3::zeros();
+        }
+        let (state, truth) = (self.motion.at(t), self.kinematics(t));
+        let at = Instant {
+            time: t,
+            force: truth.specific_force,
+            rate: state.rate,
+            angular_acceleration: state.angular_acceleration,
+            attitude: state.attitude,
+        };
+        own.map(|placed| placed.disturbance.error(&at)).sum()
+    }
+
     /// Temperature at time `t`, °C.
     pub fn temperature_at(&self, t: f64) -> f64 {
         self.temperature
@@ -59,7 +84,7 @@ impl World {
     /// The sensor distorts first and averages then, as the electronics do. At rest one instant stands
     /// for the window: what still changes (temperature, drift) is linear over it.
     pub fn mean_reading(&self, device: &Device, from: f64, to: f64) -> Vector3<f64> {
-        let read = |t: f64| device.read(&self.kinematics(t));
+        let read = |t: f64| device.read(&self.kinematics(t)) + self.disturbance(device, t);
         if self.motion.is_still(from, to) {
             return read(0.5 * (from + to));
         }

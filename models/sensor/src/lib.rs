@@ -6,6 +6,7 @@
 //! ```
 
 pub mod attitude;
+mod axis;
 mod base;
 mod effect;
 mod invert;
@@ -13,6 +14,7 @@ mod kinematics;
 mod model;
 mod param;
 
+pub use axis::Axis;
 pub use base::{BASE_PARAMETERS, Base, PLACES, base_names, inverse};
 pub use effect::{AnyEffect, Effect, ModelScalar, mat3};
 pub use kinematics::{Kinematics, REFERENCE_TEMPERATURE, Sensor};

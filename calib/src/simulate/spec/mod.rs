@@ -1,7 +1,7 @@
 //! What to simulate.
 
 mod check;
-mod complaint;
+pub(crate) mod complaint;
 mod names;
 mod parse;
 
@@ -18,6 +18,7 @@ use crate::simulate::device::Grade;
 use crate::simulate::effects::{Effects, SIZE};
 use crate::simulate::environment::Temperature;
 use crate::simulate::fault::Fault;
+use crate::simulate::hidden::Hidden;
 use crate::simulate::motion::{Cart, HandHeld, Path, SixPosition, Still, Surroundings, Walking};
 use crate::simulate::noise::Noise;
 use crate::simulate::readout::Readout;
@@ -69,6 +70,8 @@ pub struct Spec {
     pub vibration: Option<Vibration>,
     /// What goes wrong.
     pub faults: Vec<Fault>,
+    /// What is outside the catalogue of effects.
+    pub hidden: Vec<Hidden>,
 }
 
 impl Default for Spec {
@@ -89,6 +92,7 @@ impl Default for Spec {
             temperature: None,
             vibration: None,
             faults: Vec::new(),
+            hidden: Vec::new(),
         }
     }
 }
@@ -203,6 +207,20 @@ impl Spec {
         self
     }
 
+    /// With something outside the catalogue of effects.
+    #[must_use]
+    pub fn with_hidden(mut self, hidden: Hidden) -> Self {
+        self.hidden.push(hidden);
+        self
+    }
+
+    /// With something that goes wrong.
+    #[must_use]
+    pub fn with_fault(mut self, fault: Fault) -> Self {
+        self.faults.push(fault);
+        self
+    }
+
     /// Without white noise, random walk and instability.
     #[must_use]
     pub fn noise_free(mut self) -> Self {
@@ -220,6 +238,17 @@ impl Spec {
     /// [`Error::Usage`] where the spec contradicts itself, or is too long for the memory.
     pub fn run(&self) -> Result<Session, Error> {
         Simulation::new(self)?.run()
+    }
+
+    /// Gravity as it is, not as the estimator is told, m/s².
+    pub fn true_gravity(&self) -> f64 {
+        let factors = self.hidden.iter().map(Hidden::gravity_factor);
+        self.gravity * factors.product::<f64>()
+    }
+
+    /// Share by which the stamps of the device run fast.
+    pub(crate) fn clock_rate_error(&self) -> f64 {
+        self.hidden.iter().map(Hidden::rate_error).sum()
     }
 
     /// What is said of one sensor.
@@ -255,7 +284,7 @@ impl Spec {
     pub(crate) fn surroundings(&self) -> Surroundings<'_> {
         Surroundings {
             seed: self.seed,
-            gravity: self.gravity,
+            gravity: self.true_gravity(),
             vibration: self.vibration.as_ref(),
             faults: &self.faults,
         }
