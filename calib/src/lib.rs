@@ -11,6 +11,7 @@
 pub mod calibrate;
 pub mod calibration;
 pub mod covariates;
+pub mod discover;
 pub mod effect_file;
 mod error;
 mod evaluate;

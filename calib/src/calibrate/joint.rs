@@ -53,8 +53,13 @@ pub(super) fn calibrate(
         gyroscope,
         gravity: request.gravity,
         walk: None,
+        disturbances: true,
+        known: Vec::new(),
+        held: Vec::new(),
+        covariates: false,
     })?;
-    let calibration = written_down(&fit, &recordings, &choices, request, &mut warnings)?;
+    let chosen: Vec<&Choice> = choices.iter().collect();
+    let calibration = written_down(&fit, &recordings, &chosen, request, &mut warnings)?;
     Ok(Outcome {
         calibration: Calibration {
             warnings,
@@ -68,10 +73,10 @@ pub(super) fn calibrate(
 }
 
 /// The fit as a [`Calibration`], checked; `warnings` stay outside.
-fn written_down(
+pub(crate) fn written_down(
     fit: &JointFit,
     recordings: &[&Recording],
-    choices: &[Choice],
+    choices: &[&Choice],
     request: &Request,
     warnings: &mut Vec<String>,
 ) -> Result<Calibration, Error> {

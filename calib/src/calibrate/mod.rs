@@ -3,7 +3,7 @@
 mod assemble;
 mod checks;
 mod gyro_data;
-mod joint;
+pub(crate) mod joint;
 mod means_file;
 mod noise;
 mod rest_bias;

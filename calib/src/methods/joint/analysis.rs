@@ -39,7 +39,7 @@ pub struct Analysis {
 impl Analysis {
     /// Of a linearised problem and its noise.
     pub fn new(rows: &Rows<'_>, linear: &Linear, noise: &RowNoise, free: &[usize]) -> Self {
-        let m = rows.len();
+        let m = rows.count();
         let white = White::new(noise, rows.first_turn_row());
         let mut jacobian = Mat::from_fn(m, free.len(), |i, k| linear.jacobian[(i, free[k])]);
         white.apply(jacobian.as_mut());
@@ -69,7 +69,7 @@ impl Analysis {
     /// Adds every kind of scatter to what the noise may have.
     pub fn allow_all_scatter(&mut self, rows: &Rows<'_>) {
         for (kind, groups) in groups(rows) {
-            self.allow(kind, &groups, rows.len());
+            self.allow(kind, &groups, rows.count());
         }
     }
 
@@ -85,10 +85,10 @@ impl Analysis {
     pub fn allow_scatter_where_misfit(&mut self, rows: &Rows<'_>, known: &[&Suspect]) -> bool {
         let before = self.components.len();
         let basis = orthonormal(&self.with(known));
-        let spare: Vec<f64> = (0..rows.len())
+        let spare: Vec<f64> = (0..rows.count())
             .map(|i| 1.0 - basis.row(i).iter().map(|v| v * v).sum::<f64>())
             .collect();
-        let r = Mat::from_fn(rows.len(), 1, |i, _| self.residuals[i]);
+        let r = Mat::from_fn(rows.count(), 1, |i, _| self.residuals[i]);
         let r = &r - &basis * (basis.transpose() * &r);
         let left: Vec<f64> = r.col(0).iter().copied().collect();
         for (kind, groups) in groups(rows) {
@@ -100,7 +100,7 @@ impl Analysis {
                 })
                 .collect();
             if quieter_ratio(ratios) > MISFIT {
-                self.allow(kind, &groups, rows.len());
+                self.allow(kind, &groups, rows.count());
             }
         }
         self.components.len() > before

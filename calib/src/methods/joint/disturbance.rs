@@ -63,7 +63,7 @@ pub fn suspects(rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
     all.extend((0..rows.data.turns.len()).map(|k| Suspect {
         kind: Disturbance::BadTurn,
         place: k,
-        columns: unit_columns(rows.len(), first + 2 * k, 2),
+        columns: unit_columns(rows.count(), first + 2 * k, 2),
         slopes: Vec::new(),
         detail: String::new(),
     }));
@@ -84,7 +84,7 @@ fn pushed(rows: &Rows<'_>, chunk: usize, row: usize) -> Suspect {
     Suspect {
         kind: Disturbance::DisturbedInterval,
         place: chunk,
-        columns: unit_columns(rows.len(), row, 3),
+        columns: unit_columns(rows.count(), row, 3),
         slopes: Vec::new(),
         detail: String::new(),
     }
@@ -110,7 +110,7 @@ pub fn pushed_chunk(rows: &Rows<'_>, x: &[f64], chunk: usize, shake: &Shake) -> 
 /// its chunks see gravity move, the turns beside it start and end half the angle away from its
 /// mean direction.
 fn slip(rows: &Rows<'_>, x: &[f64], k: usize) -> Suspect {
-    let m = rows.len();
+    let m = rows.count();
     let rest = &rows.data.rests[k];
     let u = rows.direction(x, k);
     let (middle, half) = (

@@ -40,6 +40,43 @@ pub struct JointRequest<'a> {
     /// Random walk densities of the biases of accelerometer (m/s²/√s) and gyroscope (rad/s/√s), where
     /// they are known; estimated where not.
     pub walk: Option<[f64; 2]>,
+    /// Whether rests and turns that something disturbed are looked for and get parameters of their own, and
+    /// whether rests and turns may scatter beyond all noise. Without, the noise is white noise and walks, and
+    /// every row is believed.
+    pub disturbances: bool,
+    /// What is known to be disturbed, by its place in the data: parameters of their own whatever is looked for.
+    pub known: Vec<Known>,
+    /// Parameters held at a value, by name.
+    pub held: Vec<(String, f64)>,
+    /// Whether what effects ask for is worked out at the samples of turns even where no effect of the
+    /// models asks for it: time, temperature, specific force, angular acceleration.
+    pub covariates: bool,
+}
+
+impl<'a> JointRequest<'a> {
+    /// Base models, walks estimated, disturbances looked for.
+    pub fn new(recordings: Vec<(&'a Recording, &'a Segmentation)>, gravity: f64) -> Self {
+        Self {
+            recordings,
+            accelerometer: accelerometer::model(),
+            gyroscope: gyroscope::model(),
+            gravity,
+            walk: None,
+            disturbances: true,
+            known: Vec::new(),
+            held: Vec::new(),
+            covariates: false,
+        }
+    }
+}
+
+/// Something that is known to be disturbed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Known {
+    /// What happened.
+    pub kind: Disturbance,
+    /// The rest, the chunk or the turn, by its place in [`Data`].
+    pub place: usize,
 }
 
 /// Something that was found disturbed and has parameters of its own since.
@@ -84,6 +121,10 @@ pub struct JointFit {
     pub white_residuals: Vec<f64>,
     /// Jacobian whitened by white noise alone.
     pub white_jacobian: Mat<f64>,
+    /// The whitening: by white noise, then by everything else.
+    pub whitening: Whitening,
+    /// `∂r/∂d` of what was found disturbed, one column per parameter, not whitened (`m` each).
+    pub disturbance_columns: Vec<Vec<f64>>,
     /// What the noise may have besides, whitened by white noise: `Ca`, `Cg` …
     pub components: Vec<Component>,
     /// How much of it there is.
@@ -163,7 +204,7 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
     for cut in &cuts {
         data.add(cut);
     }
-    if !request.gyroscope.effects().is_empty() {
+    if request.covariates || !request.gyroscope.effects().is_empty() {
         for (k, p) in start.accelerometer.iter().enumerate() {
             data.know_turns(k, &cuts[k], &request.accelerometer, p);
         }
@@ -235,6 +276,11 @@ impl Run<'_> {
             let n = rows.layout.disturbance(0);
             parameters.values_mut()[..n].copy_from_slice(&before.report.parameters.values()[..n]);
         }
+        for (name, value) in &self.request.held {
+            if let Some(place) = parameters.index(name) {
+                parameters.values_mut()[place] = *value;
+            }
+        }
         let mask = self.mask(&rows, &parameters);
         let free = mask.free_indices();
         let whitening = {
@@ -286,6 +332,7 @@ impl Run<'_> {
         let turns = !self.data.turns.is_empty();
         parameters.free_where(|name| {
             accelerometer::is_free_in_triangular_frame(name)
+                && self.request.held.iter().all(|(held, _)| held != name)
                 && (turns || !(name.starts_with("gyro.s_") || name.starts_with("gyro.beta_")))
         })
     }
@@ -301,6 +348,21 @@ impl Run<'_> {
         let x = solution.report.parameters.values();
         let rows = self.rows(&[]);
         let mut analysis = self.analysis(&rows, &x[..x.len() - n], free);
+        let measured = |analysis: &Analysis, known: &[&Suspect]| match self.request.walk {
+            Some(walk) => given_levels(walk),
+            None => analysis.levels(known),
+        };
+        if !self.request.disturbances {
+            let known: Vec<Suspect> = suspects(&rows, &x[..x.len() - n])
+                .into_iter()
+                .filter(|s| {
+                    let found = |k: &Known| k.kind == s.kind && k.place == s.place;
+                    self.request.known.iter().any(found)
+                })
+                .collect();
+            let levels = measured(&analysis, &known.iter().collect::<Vec<_>>());
+            return Ok((levels, known));
+        }
         let mut candidates = suspects(&rows, &x[..x.len() - n]);
         let touched = self.touched(&rows, &x[..x.len() - n]);
         let given: Vec<usize> = (candidates.len()..candidates.len() + touched.len()).collect();
@@ -315,10 +377,6 @@ impl Run<'_> {
                 .accuse(&candidates, &given, &[], most)
                 .unwrap_or(given.clone());
         }
-        let measured = |analysis: &Analysis, known: &[&Suspect]| match self.request.walk {
-            Some(walk) => given_levels(walk),
-            None => analysis.levels(known),
-        };
         let mut levels = measured(&analysis, &all(&found));
         for _ in 0..3 {
             let doubtful: Vec<usize> = found
@@ -359,6 +417,8 @@ impl Run<'_> {
         let mut jacobian = solution.analysis.jacobian.clone();
         solution.whitening.finish(jacobian.as_mut());
         let residuals = solution.report.residuals.clone();
+        let (chords, moduli) = (rows.chords(x), rows.moduli(x));
+        let chords_before = rows.chords(self.first_values(&rows).values());
         JointFit {
             models: [
                 self.request.accelerometer.clone(),
@@ -368,8 +428,10 @@ impl Run<'_> {
             shared: rows.layout.shared(),
             first_rows: [rows.first_rate_row(), rows.first_turn_row()],
             rest_of_row: rows.rest_of_row(),
+            disturbance_columns: columns.clone(),
             residuals,
             jacobian,
+            whitening: solution.whitening,
             white_residuals: solution.analysis.residuals,
             white_jacobian: solution.analysis.jacobian,
             components: solution.analysis.components,
@@ -383,9 +445,9 @@ impl Run<'_> {
             force_unit: self.start.force_unit,
             rate_unit: self.start.rate_unit,
             gravity: self.request.gravity,
-            chords_before: rows.chords(self.first_values(&rows).values()),
-            chords: rows.chords(x),
-            moduli: rows.moduli(x),
+            chords_before,
+            chords,
+            moduli,
             data: self.data.clone(),
             charts: self.charts.to_vec(),
             free: solution.free,
@@ -446,6 +508,28 @@ fn given_levels([force, rate]: [f64; 2]) -> Vec<NoiseLevel> {
 }
 
 impl JointFit {
+    /// The rows that were fitted, to be evaluated anywhere.
+    pub fn rows(&self) -> Rows<'_> {
+        Rows::new(
+            &self.data,
+            (&self.models[0], &self.models[1]),
+            self.gravity,
+            &self.charts,
+            (self.own_force_bias, &self.disturbance_columns),
+        )
+    }
+
+    /// The same without the columns of what was disturbed.
+    pub fn plain_rows(&self) -> Rows<'_> {
+        Rows::new(
+            &self.data,
+            (&self.models[0], &self.models[1]),
+            self.gravity,
+            &self.charts,
+            (self.own_force_bias, &[]),
+        )
+    }
+
     /// The direction of specific force in every rest, body frame.
     pub fn directions(&self) -> Vec<Vector3<f64>> {
         let x = &self.parameters.values()[self.shared..];

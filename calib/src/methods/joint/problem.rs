@@ -88,7 +88,7 @@ impl<'a> Rows<'a> {
     }
 
     /// Number of rows.
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         3 * self.means(Sensor::Accelerometer).count()
             + 3 * self.means(Sensor::Gyroscope).count()
             + 2 * self.data.turns.len()
@@ -96,7 +96,7 @@ impl<'a> Rows<'a> {
 
     /// First row of the turns.
     pub fn first_turn_row(&self) -> usize {
-        self.len() - 2 * self.data.turns.len()
+        self.count() - 2 * self.data.turns.len()
     }
 
     /// First row of the gyroscope's means.
@@ -133,10 +133,10 @@ impl<'a> Rows<'a> {
 
     /// Residuals and Jacobian.
     pub fn linearize(&self, x: &[f64]) -> Linear {
-        let m = self.len();
+        let m = self.count();
         let mut out = Linear {
             residuals: vec![0.0; m],
-            jacobian: Mat::zeros(m, self.layout.len()),
+            jacobian: Mat::zeros(m, self.layout.count()),
         };
         let mut row = 0;
         for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
@@ -207,7 +207,13 @@ impl<'a> Rows<'a> {
     }
 
     /// The truth in a chunk of a rest: time that of the chunk's middle.
-    fn at_rest(&self, rest: &Rest, u: Vector3<f64>, from: f64, to: f64) -> Kinematics<f64> {
+    pub(super) fn at_rest(
+        &self,
+        rest: &Rest,
+        u: Vector3<f64>,
+        from: f64,
+        to: f64,
+    ) -> Kinematics<f64> {
         let mut truth = rest
             .known
             .with_signal(Sensor::Accelerometer, u * self.gravity);
@@ -258,7 +264,7 @@ impl<'a> Rows<'a> {
 
     /// The rotation over a turn, and the derivative of the corrected rate by the base's `T (W − b)` per
     /// sample with the effects' slopes; the latter are empty without effects.
-    fn carried(
+    pub(super) fn carried(
         &self,
         turn: &TurnSamples,
         p: &[f64],
@@ -316,7 +322,7 @@ impl<'a> Rows<'a> {
 
     /// The noise of all rows at `x`.
     pub fn noise(&self, x: &[f64]) -> RowNoise {
-        let m = self.len();
+        let m = self.count();
         let mut noise = RowNoise {
             variance: vec![0.0; m],
             with_before: vec![0.0; m],
@@ -390,7 +396,7 @@ impl<'a> Rows<'a> {
 
     /// The rest that each row speaks of; a turn's is the one before it.
     pub fn rest_of_row(&self) -> Vec<usize> {
-        let mut rests = Vec::with_capacity(self.len());
+        let mut rests = Vec::with_capacity(self.count());
         for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
             rests.extend(self.means(sensor).flat_map(|(_, chunk)| [chunk.rest; 3]));
         }
