@@ -1,0 +1,108 @@
+//! What to look into.
+
+use sensor::AnyEffect;
+
+use super::projected::Walks;
+use super::state::Extension;
+use crate::error::Error;
+use crate::intervals::Detector;
+use crate::methods::joint::JointRequest;
+use crate::methods::{Choice, cut};
+use crate::recording::Recording;
+
+/// How to look for what is missing.
+#[derive(Clone, Debug)]
+pub struct Request {
+    /// Local gravity, m/s².
+    pub gravity: f64,
+    /// Chance of any false claim about recordings of a device that lacks nothing: half of it for names, half
+    /// for saying that something is unexplained.
+    pub alpha: f64,
+    /// Random walk densities of the biases, where they are known (m/s²/√s, rad/s/√s).
+    pub walks: Option<Walks>,
+    /// The detector of motion.
+    pub detector: Detector,
+    /// The effects that may be missing.
+    pub catalogue: Vec<&'static dyn AnyEffect>,
+}
+
+impl Request {
+    /// One in a hundred, densities unknown, the whole catalogue.
+    pub fn new(gravity: f64) -> Self {
+        Self {
+            gravity,
+            alpha: 0.01,
+            walks: None,
+            detector: Detector::default(),
+            catalogue: accelerometer::EFFECTS
+                .iter()
+                .chain(gyroscope::EFFECTS)
+                .copied()
+                .collect(),
+        }
+    }
+}
+
+/// Recordings of one device, cut, with all that stays the same while models change.
+#[derive(Clone, Debug)]
+pub struct Session<'a> {
+    /// The recordings with their rests and turns.
+    pub recordings: Vec<(&'a Recording, Choice)>,
+    /// Local gravity, m/s².
+    pub gravity: f64,
+    /// Random walk densities where they are known.
+    pub walks: Option<Walks>,
+}
+
+impl<'a> Session<'a> {
+    /// Cuts the recordings.
+    ///
+    /// # Errors
+    /// As [`cut`].
+    pub fn new(recordings: &'a [Recording], request: &Request) -> Result<Self, Error> {
+        let recordings = recordings
+            .iter()
+            .map(|recording| {
+                let choice = cut(recording, &request.detector, true, request.gravity)?;
+                Ok((recording, choice))
+            })
+            .collect::<Result<_, Error>>()?;
+        Ok(Self {
+            recordings,
+            gravity: request.gravity,
+            walks: request.walks,
+        })
+    }
+
+    /// The joint fit of the base models with an extension.
+    pub fn joint<'b>(&'b self, extension: &Extension) -> JointRequest<'b> {
+        let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
+        let mut held = Vec::new();
+        for (effect, shape) in &extension.effects {
+            accelerometer = accelerometer.with(*effect);
+            gyroscope = gyroscope.with(*effect);
+            if let Some((k, value)) = shape {
+                held.push((
+                    format!("{}.{}", effect.name(), effect.params()[*k].name),
+                    *value,
+                ));
+            }
+        }
+        JointRequest {
+            accelerometer,
+            gyroscope,
+            walk: self.walks,
+            disturbances: false,
+            known: extension.disturbed.clone(),
+            held,
+            covariates: true,
+            ..JointRequest::new(
+                self.recordings
+                    .iter()
+                    .map(|(r, c)| (*r, &c.segmentation))
+                    .collect(),
+                self.gravity,
+            )
+        }
+    }
+}
