@@ -53,6 +53,9 @@ pub struct Args {
     /// Local gravity, m/s²; a wrong one goes into the accelerometer's scale factors in full
     #[arg(long, value_name = "M/S²", default_value_t = STANDARD_GRAVITY)]
     gravity: f64,
+    /// Take the earth's rotation off, known from the latitude (°, north positive); with `--method joint`
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
+    latitude: Option<f64>,
     /// How to calibrate
     #[arg(long, value_enum, default_value_t = Method::Stepwise)]
     method: Method,
@@ -244,6 +247,12 @@ fn request(args: &Args) -> Result<Request, Failure> {
             ),
         ));
     }
+    if let Some(latitude) = args.latitude.filter(|l| !(-90.0..=90.0).contains(l)) {
+        return Err(Failure::new(
+            USAGE,
+            format!("--latitude {latitude}: it lies between -90 and 90 degrees"),
+        ));
+    }
     let (detector, choose_multiplier) = args.detector.detector()?;
     let own = own_effects(&args.effect_file)?;
     let effects = args
@@ -300,6 +309,7 @@ fn request(args: &Args) -> Result<Request, Failure> {
         },
         nominal_step,
         effects,
+        latitude: args.latitude,
         force_device: args.force_device,
         static_means,
     })
