@@ -88,9 +88,10 @@ struct Held {
 /// # Errors
 /// As the joint fit.
 pub fn search(session: &Session<'_>, request: &Request, base: State) -> Result<Search, Error> {
+    let candidates = request.candidates();
     let finder = Finder {
         session,
-        catalogue: &request.catalogue,
+        catalogue: &candidates,
         threshold: -(0.5 * request.alpha).ln(),
     };
     finder.run(base)

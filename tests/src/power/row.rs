@@ -15,7 +15,7 @@ const WALK: [f64; 2] = [1e-4, 5e-6];
 const TACTICAL: f64 = 0.1;
 
 /// Effects that go with orientation or rate.
-const ORIENTATION: [&str; 14] = [
+const ORIENTATION: [&str; 16] = [
     "accel_quadratic",
     "accel_cubic",
     "accel_asymmetry",
@@ -30,6 +30,8 @@ const ORIENTATION: [&str; 14] = [
     "gyro_cubic",
     "gyro_asymmetry",
     "gyro_delay",
+    "earth_rate",
+    "time_offset",
 ];
 
 /// Effects that go with time.

@@ -96,6 +96,8 @@ fn scaled(job: &Job, record: &mut Record) -> Result<Spec, Error> {
     for what in job.what() {
         let size = match job.row {
             Row::Invisible => 1.0,
+            // The earth turns as fast as it does; late stamps show in the moving accelerometer only.
+            _ if what == "earth_rate" || what == "time_offset" => 1.0,
             _ => {
                 // Faults of the readout have no size.
                 let Some(unit) = job.with(&what, 1.0) else {
@@ -128,6 +130,7 @@ fn scaled(job: &Job, record: &mut Record) -> Result<Spec, Error> {
             spec.effects.extend(with.effects);
             spec.hidden.extend(with.hidden);
             spec.faults.extend(with.faults);
+            spec.latitude = spec.latitude.or(with.latitude);
             spec.temperature = spec.temperature.or(with.temperature);
             spec.vibration = spec.vibration.or(with.vibration);
         }
