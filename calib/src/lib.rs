@@ -14,6 +14,7 @@ pub mod covariates;
 mod error;
 mod evaluate;
 pub mod intervals;
+pub mod kernel;
 pub mod methods;
 pub mod noise;
 pub mod reckon;

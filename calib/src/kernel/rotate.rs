@@ -1,0 +1,51 @@
+//! One step of a turn on vectors side by side.
+//!
+//! | symbol | meaning | unit |
+//! |---|---|---|
+//! | `φ` | rotation vector of the step | rad |
+//! | `u` | gravity, body frame | 1 |
+//! | `a₁, a₂` | vectors at rest in the frame before the turn, seen from the body | 1 |
+//! | `b` | `J_l(φ)ᵀ a`, with the left Jacobian of the rotation group | 1 |
+//!
+//! `R(φ)ᵀ = I − S [φ]× + C [φ]×²` and `J_l(φ)ᵀ = I − C [φ]× + D [φ]×²` with the series of
+//! [`super::series`]; since `S = 1 − θ² D`, `R(φ)ᵀ a = a − φ × J_l(φ)ᵀ a`.
+
+use pulp::Simd;
+
+use super::lanes::{Vector, cross, dot, minus, minus_cross, plus};
+use super::series::Series;
+
+/// `R(φ)ᵀ u`.
+#[inline(always)]
+pub(super) fn turn_vector<S: Simd, const N: usize>(
+    simd: S,
+    u: &Vector<S>,
+    phi: &Vector<S>,
+) -> Vector<S> {
+    let square = dot(simd, phi, phi);
+    let s = Series::<N>::s(simd, square);
+    let c = Series::<N>::c(simd, square);
+    let once = cross(simd, phi, u);
+    let twice = cross(simd, phi, &once);
+    std::array::from_fn(|i| plus(simd, minus(simd, u[i], s, once[i]), c, twice[i]))
+}
+
+/// Replaces both `a` by `R(φ)ᵀ a` and returns their `b`.
+#[inline(always)]
+pub(super) fn turn_frame<S: Simd, const N: usize>(
+    simd: S,
+    a: &mut [Vector<S>; 2],
+    phi: &Vector<S>,
+) -> [Vector<S>; 2] {
+    let square = dot(simd, phi, phi);
+    let c = Series::<N>::c(simd, square);
+    let d = Series::<N>::d(simd, square);
+    std::array::from_fn(|k| {
+        let once = cross(simd, phi, &a[k]);
+        let inner: Vector<S> =
+            std::array::from_fn(|i| minus(simd, simd.mul_f64s(c, a[k][i]), d, once[i]));
+        let b = minus_cross(simd, &a[k], phi, &inner);
+        a[k] = minus_cross(simd, &a[k], phi, &b);
+        b
+    })
+}
