@@ -12,6 +12,9 @@ const QUIET_SHARE: f64 = 0.1;
 /// Fewest samples in a window whose spread means something.
 const MIN_SAMPLES: f64 = 5.0;
 
+/// Samples that are judged together where all of them move or none does.
+const BLOCK: usize = 64;
+
 /// Spread that counts as none, as a fraction of the range of the samples: keeps a noise-free
 /// recording from having a threshold of zero.
 const SPREAD_FLOOR: f64 = 1e-6;
@@ -53,6 +56,8 @@ impl Default for Detector {
 pub struct Level {
     t: Vec<f64>,
     statistic: Vec<f64>,
+    /// Smallest and largest statistic of each [`BLOCK`] samples.
+    blocks: Vec<(f64, f64)>,
     /// The threshold `TS` for a multiplier of 1, (unit²)².
     pub at_rest: f64,
 }
@@ -94,9 +99,11 @@ impl Level {
         let floor = (SPREAD_FLOOR * range(&stream.values))
             .powi(4)
             .max(quantisation(stream));
+        let blocks = statistic.chunks(BLOCK).map(range_of).collect();
         Ok(Self {
             t: stream.t.clone(),
             statistic,
+            blocks,
             at_rest: reference.max(floor),
         })
     }
@@ -106,17 +113,44 @@ impl Level {
         let threshold = multiplier * self.at_rest;
         let mut spans: Vec<Span> = Vec::new();
         let mut moving = false;
-        for (&t, &v) in self.t.iter().zip(&self.statistic) {
-            if v >= threshold {
-                match spans.last_mut() {
-                    Some(span) if moving => span.to = t,
-                    _ => spans.push(Span { from: t, to: t }),
+        let chunks = self.t.chunks(BLOCK).zip(self.statistic.chunks(BLOCK));
+        for ((stamps, statistic), &(least, largest)) in chunks.zip(&self.blocks) {
+            let (Some(&from), Some(&to)) = (stamps.first(), stamps.last()) else {
+                continue;
+            };
+            if largest < threshold {
+                moving = false;
+            } else if least >= threshold {
+                join(&mut spans, moving, Span { from, to });
+                moving = true;
+            } else {
+                for (&t, &v) in stamps.iter().zip(statistic) {
+                    if v >= threshold {
+                        join(&mut spans, moving, Span { from: t, to: t });
+                    }
+                    moving = v >= threshold;
                 }
             }
-            moving = v >= threshold;
         }
         spans
     }
+}
+
+/// Prolongs the last span by a motion that goes on, or begins another.
+fn join(spans: &mut Vec<Span>, goes_on: bool, motion: Span) {
+    match spans.last_mut() {
+        Some(span) if goes_on => span.to = motion.to,
+        _ => spans.push(motion),
+    }
+}
+
+/// Smallest and largest value; not a number for the smallest where one of them is none.
+fn range_of(values: &[f64]) -> (f64, f64) {
+    let whole = (f64::INFINITY, f64::NEG_INFINITY);
+    values.iter().fold(whole, |(low, high), &v| {
+        let low = if v < low || v.is_nan() { v } else { low };
+        (low, high.max(v))
+    })
 }
 
 /// `Σ (LSB²/12)²` over the axes: where the noise is smaller than the least significant bit, some rests
@@ -209,4 +243,40 @@ fn range(values: &[Vector3<f64>]) -> f64 {
             (l.min(v.min()), h.max(v.max()))
         });
     high - low
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Sample by sample, as the definition has it.
+    fn one_by_one(level: &Level, multiplier: f64) -> Vec<Span> {
+        let threshold = multiplier * level.at_rest;
+        let mut spans: Vec<Span> = Vec::new();
+        let mut moving = false;
+        for (&t, &v) in level.t.iter().zip(&level.statistic) {
+            if v >= threshold {
+                join(&mut spans, moving, Span { from: t, to: t });
+            }
+            moving = v >= threshold;
+        }
+        spans
+    }
+
+    #[test]
+    fn blocks_give_the_spans_that_a_look_at_every_sample_gives() {
+        let t: Vec<f64> = (0..3000).map(|k| 0.01 * f64::from(k)).collect();
+        let wave =
+            |t: f64| (1.0 + (0.7 * t).sin()).powi(8) * Vector3::new((40.0 * t).sin(), 0.1, 0.0);
+        let values: Vec<_> = t.iter().map(|&t| wave(t)).collect();
+        let stream = Stream { t, values };
+        let level = Level::measure(&stream, &Detector::default()).unwrap();
+        let mut found = 0;
+        for multiplier in [1.0, 30.0, 1e3, 1e5, 1e9] {
+            let spans = level.motion(multiplier);
+            assert_eq!(spans, one_by_one(&level, multiplier));
+            found += spans.len();
+        }
+        assert!(found > 5);
+    }
 }

@@ -8,9 +8,8 @@ use solver::{Options, Problem, Report, solve};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::first_guess::accelerometer_unit;
-use super::static_means;
 use crate::error::Error;
-use crate::intervals::{Detector, Segmentation, segment_each};
+use crate::intervals::{Detector, Segmentation, Span, Survey};
 use crate::recording::Recording;
 use crate::residuals::{GravityNorm, StaticMean};
 
@@ -62,14 +61,24 @@ pub fn choose_multiplier(
     detector: &Detector,
     gravity: f64,
 ) -> Result<Choice, Error> {
-    let mut tried = segment_each(recording, detector, &MULTIPLIERS)?;
-    let trials: Vec<Trial> = tried.iter().map(|s| trial(recording, s, gravity)).collect();
-    let chosen = match plateau(&trials) {
-        Some(k) => tried.swap_remove(k),
-        None => crate::intervals::segment(recording, detector)?,
-    };
+    let survey = Survey::of(recording, detector)?;
+    let mut trials: Vec<Trial> = Vec::with_capacity(MULTIPLIERS.len());
+    let mut rests_before = Vec::new();
+    for multiplier in MULTIPLIERS {
+        let rests = survey.rests(multiplier);
+        let same = trials.last().filter(|_| rests == rests_before).cloned();
+        trials.push(match same {
+            Some(trial) => Trial {
+                multiplier,
+                ..trial
+            },
+            None => trial(&survey, &rests, multiplier, gravity),
+        });
+        rests_before = rests;
+    }
+    let chosen = plateau(&trials).map_or(detector.multiplier, |k| MULTIPLIERS[k]);
     Ok(Choice {
-        segmentation: chosen,
+        segmentation: survey.segment(chosen),
         trials,
     })
 }
@@ -93,13 +102,24 @@ pub fn cut(
     })
 }
 
-fn trial(recording: &Recording, segmentation: &Segmentation, gravity: f64) -> Trial {
-    let scatter = residual(&static_means(recording, segmentation), gravity);
+fn trial(survey: &Survey<'_>, rests: &[Span], multiplier: f64, gravity: f64) -> Trial {
+    let means = rests.iter().filter_map(|&rest| survey.mean_force(rest));
+    let means: Vec<StaticMean> = means.map(bare_mean).collect();
+    let scatter = residual(&means, gravity);
     Trial {
-        multiplier: segmentation.multiplier,
-        static_intervals: segmentation.statics.len(),
+        multiplier,
+        static_intervals: rests.len(),
         residual: scatter.map(|s| s.residual),
         expected_error: scatter.and_then(|s| s.expected_error()),
+    }
+}
+
+/// A mean of which nothing else is known: the base model asks for no more.
+fn bare_mean(raw: Vector3<f64>) -> StaticMean {
+    StaticMean {
+        raw,
+        rest: Kinematics::at_rest(Vector3::zeros()),
+        white: 0.0,
     }
 }
 
@@ -147,13 +167,7 @@ fn residual(means: &[StaticMean], gravity: f64) -> Option<Scatter> {
 
 /// `√ mean(j C jᵀ)` over faces, edges and corners, `j` the derivative of the modulus there.
 fn leverage(report: &Report, model: &Model, gravity: f64) -> f64 {
-    let everywhere: Vec<StaticMean> = orientations()
-        .map(|u| StaticMean {
-            raw: u * gravity,
-            rest: Kinematics::at_rest(Vector3::zeros()),
-            white: 0.0,
-        })
-        .collect();
+    let everywhere: Vec<StaticMean> = orientations().map(|u| bare_mean(u * gravity)).collect();
     let problem = GravityNorm {
         model,
         means: &everywhere,
