@@ -2,3 +2,4 @@
 
 pub mod nist_study;
 pub mod problem_study;
+pub mod turns;

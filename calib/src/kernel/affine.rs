@@ -5,7 +5,7 @@ use pulp::{Arch, Simd, WithSimd};
 use sensor::{BASE_PARAMETERS, Base};
 
 use super::features::Features;
-use super::lanes::{Vector, WIDTH, dot, minus, plus, splat, vector};
+use super::lanes::{Vector, WIDTH, add_scaled, dot, minus, plus, splat, vector};
 use super::packed::{Bounds, Group, PLAIN_FIELDS};
 use super::rotate::{turn_frame, turn_vector};
 use super::series::{Degree, LONG, MEDIUM, SHORT};
@@ -189,11 +189,10 @@ impl<const N: usize> WithSimd for Differentiate<'_, N> {
                 let b = turn_frame::<S, N>(simd, &mut a, &step.rotation);
                 let integrals = record[PLAIN_FIELDS * parts..].chunks_exact(parts);
                 for k in 0..2 {
+                    by_time[k] = add_scaled(simd, &by_time[k], step.time, &b[k]);
                     for i in 0..3 {
-                        for (sum, reading) in by_reading[k][i].iter_mut().zip(step.reading) {
-                            *sum = plus(simd, *sum, b[k][i], reading);
-                        }
-                        by_time[k][i] = plus(simd, by_time[k][i], b[k][i], step.time);
+                        let sum = &mut by_reading[k][i];
+                        *sum = add_scaled(simd, sum, b[k][i], &step.reading);
                     }
                 }
                 for (n, (entry, value)) in entries.iter().zip(integrals).enumerate() {

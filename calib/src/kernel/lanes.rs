@@ -52,6 +52,16 @@ pub(super) fn minus_cross<S: Simd>(
     [component(0, 1, 2), component(1, 2, 0), component(2, 0, 1)]
 }
 
+/// `a + s b`.
+#[inline(always)]
+pub(super) fn add_scaled<S: Simd>(simd: S, a: &Vector<S>, s: S::f64s, b: &Vector<S>) -> Vector<S> {
+    [
+        plus(simd, a[0], s, b[0]),
+        plus(simd, a[1], s, b[1]),
+        plus(simd, a[2], s, b[2]),
+    ]
+}
+
 /// The same vector in every lane.
 #[inline(always)]
 pub(super) fn splat<S: Simd>(simd: S, v: [f64; 3]) -> Vector<S> {

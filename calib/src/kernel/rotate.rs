@@ -40,12 +40,23 @@ pub(super) fn turn_frame<S: Simd, const N: usize>(
     let square = dot(simd, phi, phi);
     let c = Series::<N>::c(simd, square);
     let d = Series::<N>::d(simd, square);
-    std::array::from_fn(|k| {
-        let once = cross(simd, phi, &a[k]);
-        let inner: Vector<S> =
-            std::array::from_fn(|i| minus(simd, simd.mul_f64s(c, a[k][i]), d, once[i]));
-        let b = minus_cross(simd, &a[k], phi, &inner);
-        a[k] = minus_cross(simd, &a[k], phi, &b);
-        b
-    })
+    let first = adjoint(simd, &a[0], phi, c, d);
+    let second = adjoint(simd, &a[1], phi, c, d);
+    *a = [
+        minus_cross(simd, &a[0], phi, &first),
+        minus_cross(simd, &a[1], phi, &second),
+    ];
+    [first, second]
+}
+
+/// `b = a − φ × (C a − D φ × a)`.
+#[inline(always)]
+fn adjoint<S: Simd>(simd: S, a: &Vector<S>, phi: &Vector<S>, c: S::f64s, d: S::f64s) -> Vector<S> {
+    let once = cross(simd, phi, a);
+    let inner = [
+        minus(simd, simd.mul_f64s(c, a[0]), d, once[0]),
+        minus(simd, simd.mul_f64s(c, a[1]), d, once[1]),
+        minus(simd, simd.mul_f64s(c, a[2]), d, once[2]),
+    ];
+    minus_cross(simd, a, phi, &inner)
 }
