@@ -174,10 +174,11 @@ pub(super) fn levels(
             .map(|stream| Level::measure(stream, detector))
             .transpose()
     };
-    Ok([
-        measure(&recording.accelerometer)?,
-        measure(&recording.gyroscope)?,
-    ])
+    let (accelerometer, gyroscope) = rayon::join(
+        || measure(&recording.accelerometer),
+        || measure(&recording.gyroscope),
+    );
+    Ok([accelerometer?, gyroscope?])
 }
 
 /// The spans in which any of the sensors moves.

@@ -60,7 +60,7 @@ fn stretch(t: &Matrix3<f64>) -> f64 {
 /// A sensor's parameters in every lane.
 pub(super) struct Lanes<'a, S: Simd> {
     t: [Vector<S>; 3],
-    bias: Vector<S>,
+    pub bias: Vector<S>,
     affine: &'a Affine<'a>,
 }
 
@@ -72,6 +72,7 @@ pub(super) struct Step<S: Simd> {
 }
 
 impl<'a, S: Simd> Lanes<'a, S> {
+    /// Spreads the parameters.
     #[inline(always)]
     pub fn new(simd: S, affine: &'a Affine<'a>) -> Self {
         Self {
@@ -81,23 +82,47 @@ impl<'a, S: Simd> Lanes<'a, S> {
         }
     }
 
+    /// A step of every turn.
     #[inline(always)]
     pub fn step(&self, simd: S, record: &[S::f64s], part: usize) -> Step<S> {
         let parts = WIDTH / S::F64_LANES;
         let raw = vector::<S>(record, 0, part);
         let time = record[3 * parts + part];
         let reading: Vector<S> = std::array::from_fn(|i| minus(simd, raw[i], time, self.bias[i]));
-        let mut rotation: Vector<S> = std::array::from_fn(|i| dot(simd, &self.t[i], &reading));
+        let rotation = self.turned(simd, &reading);
+        Step {
+            rotation: self.without_features(simd, rotation, record, part),
+            reading,
+            time,
+        }
+    }
+
+    /// `T v`.
+    #[inline(always)]
+    pub fn turned(&self, simd: S, v: &Vector<S>) -> Vector<S> {
+        [
+            dot(simd, &self.t[0], v),
+            dot(simd, &self.t[1], v),
+            dot(simd, &self.t[2], v),
+        ]
+    }
+
+    /// `v − Ψ p`.
+    #[inline(always)]
+    pub fn without_features(
+        &self,
+        simd: S,
+        mut v: Vector<S>,
+        record: &[S::f64s],
+        part: usize,
+    ) -> Vector<S> {
+        let parts = WIDTH / S::F64_LANES;
         let features = record[PLAIN_FIELDS * parts..].chunks_exact(parts);
         for (entry, value) in self.affine.features.entries().iter().zip(features) {
             let coefficient = simd.splat_f64s(self.affine.effects[entry.parameter]);
-            rotation[entry.axis] = minus(simd, rotation[entry.axis], coefficient, value[part]);
+            v[entry.axis] = minus(simd, v[entry.axis], coefficient, value[part]);
         }
-        Step {
-            reading,
-            time,
-            rotation,
-        }
+        v
     }
 }
 

@@ -21,6 +21,7 @@
 //! packed   turns of similar length, laid side by side
 //! rotate   one step of a turn          series  its functions of the angle
 //! affine   the loops over the steps    adjoint the same, with `b` of each step kept
+//! curvature    second derivatives along a direction
 //! sensitivity  the derivative of the sensor at a sample
 //! slopes   from sums to rows           problem the solver's view
 //! ```
@@ -31,6 +32,7 @@
 
 mod adjoint;
 mod affine;
+mod curvature;
 mod features;
 mod general;
 mod lanes;

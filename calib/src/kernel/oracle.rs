@@ -150,6 +150,26 @@ fn a_mask_removes_columns_and_changes_no_other() {
 }
 
 #[test]
+fn second_derivatives_along_a_direction_are_those_of_the_straight_way() {
+    let linear = || gyroscope::EFFECTS.iter().copied().filter(|e| e.is_linear());
+    for model in [gyroscope::model(), with(linear())] {
+        let turns = turns(2.0);
+        let straight = residual(&model, &turns);
+        let fast = TurnProblem::at(straight, Tier::Affine).expect("all effects are linear");
+        let x = parameters(&model);
+        let v: Vec<f64> = (0..x.len()).map(|k| 0.1 * (k as f64).sin()).collect();
+        let (mut got, mut wanted) = (Vec::new(), Vec::new());
+        assert!(fast.second_derivative(&x, &v, &mut got));
+        assert!(straight.second_derivative(&x, &v, &mut wanted));
+        let largest = wanted.iter().fold(0.0f64, |m, w| m.max(w.abs()));
+        assert!(largest > 1e-2);
+        for (got, wanted) in got.iter().zip(&wanted) {
+            assert!((got - wanted).abs() < AGREEMENT * largest.max(1.0));
+        }
+    }
+}
+
+#[test]
 fn each_model_gets_the_fastest_tier_that_can_express_it() {
     let turns = turns(1.0);
     let tier = |model: &Model, integrator: Integrator| {

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use solver::Problem;
 
 use super::affine::{Affine, FRAME_FIELDS, differentiate, propagate};
+use super::curvature::curvature;
 use super::features::Features;
 use super::general::General;
 use super::lanes::WIDTH;
@@ -104,6 +105,18 @@ impl<'a> TurnProblem<'a> {
         }
     }
 
+    /// `d²/dt²` of gravity after each turn at `x + t v`; `None` where only the straight way knows it.
+    fn curvature(&self, x: &[f64], v: &[f64]) -> Option<Vec<[f64; 3]>> {
+        let Ready::Affine { features, groups } = &self.ready else {
+            return None;
+        };
+        let (at, along) = (Affine::new(x, features), Affine::new(v, features));
+        let turns = self.straight.turns.len();
+        each_turn(groups, turns, &at, |group, degree, out| {
+            curvature(group, &at, &along, degree, out);
+        })
+    }
+
     fn slopes(&self, x: &[f64], free: &[usize]) -> Option<Vec<(usize, Slopes)>> {
         match &self.ready {
             Ready::Affine { features, groups } => {
@@ -148,7 +161,13 @@ impl Problem for TurnProblem<'_> {
     }
 
     fn second_derivative(&self, x: &[f64], v: &[f64], out: &mut Vec<f64>) -> bool {
-        self.straight.second_derivative(x, v, out)
+        let Some(curvature) = self.curvature(x, v) else {
+            return self.straight.second_derivative(x, v, out);
+        };
+        let weight = self.straight.sigma.recip();
+        out.clear();
+        out.extend(curvature.iter().flatten().map(|c| c * weight));
+        true
     }
 }
 
@@ -158,20 +177,33 @@ pub(super) fn propagate_all(
     affine: &Affine<'_>,
     turns: usize,
 ) -> Option<Vec<[f64; 3]>> {
+    each_turn(groups, turns, affine, |group, degree, out| {
+        propagate(group, affine, degree, out);
+    })
+}
+
+/// Three numbers of each of `turns` turns, group by group; `None` where a step is too long for the
+/// series.
+fn each_turn(
+    groups: &[Group],
+    turns: usize,
+    affine: &Affine<'_>,
+    kernel: impl Fn(&Group, Degree, &mut [f64]) + Send + Sync,
+) -> Option<Vec<[f64; 3]>> {
     let each = over_groups(groups, |group| {
         let degree = Degree::for_angle(affine.longest_step(&group.bounds))?;
         let mut out = [0.0; 3 * WIDTH];
-        propagate(group, affine, degree, &mut out);
+        kernel(group, degree, &mut out);
         Some(out)
     });
-    let mut gravity = vec![[0.0; 3]; turns];
+    let mut all = vec![[0.0; 3]; turns];
     for (group, out) in groups.iter().zip(each) {
         let out = out?;
         for (lane, &turn) in group.turns.iter().enumerate() {
-            gravity[turn] = std::array::from_fn(|i| out[i * WIDTH + lane]);
+            all[turn] = std::array::from_fn(|i| out[i * WIDTH + lane]);
         }
     }
-    Some(gravity)
+    Some(all)
 }
 
 fn differentiate_all(

@@ -71,8 +71,10 @@ const fn coefficients<const N: usize>(first: usize) -> [f64; N] {
 pub(super) struct Series<const N: usize>;
 
 impl<const N: usize> Series<N> {
-    const C: [f64; N] = coefficients(2);
-    const D: [f64; N] = coefficients(3);
+    /// Coefficients of `C`, the constant first.
+    pub const C: [f64; N] = coefficients(2);
+    /// Coefficients of `D`, the constant first.
+    pub const D: [f64; N] = coefficients(3);
 
     /// `S = 1 − θ² D`: one term more than `C` has, as it multiplies `φ` and `C` the square.
     #[inline(always)]

@@ -2,6 +2,7 @@
 //! section 3.2), per degree of freedom.
 
 use nalgebra::Vector3;
+use rayon::prelude::*;
 use sensor::{Kinematics, Model};
 use serde::Serialize;
 use solver::{Options, Problem, Report, solve};
@@ -62,20 +63,8 @@ pub fn choose_multiplier(
     gravity: f64,
 ) -> Result<Choice, Error> {
     let survey = Survey::of(recording, detector)?;
-    let mut trials: Vec<Trial> = Vec::with_capacity(MULTIPLIERS.len());
-    let mut rests_before = Vec::new();
-    for multiplier in MULTIPLIERS {
-        let rests = survey.rests(multiplier);
-        let same = trials.last().filter(|_| rests == rests_before).cloned();
-        trials.push(match same {
-            Some(trial) => Trial {
-                multiplier,
-                ..trial
-            },
-            None => trial(&survey, &rests, multiplier, gravity),
-        });
-        rests_before = rests;
-    }
+    let rests: Vec<Vec<Span>> = MULTIPLIERS.iter().map(|&m| survey.rests(m)).collect();
+    let trials = trials(&survey, &rests, gravity);
     let chosen = plateau(&trials).map_or(detector.multiplier, |k| MULTIPLIERS[k]);
     Ok(Choice {
         segmentation: survey.segment(chosen),
@@ -102,12 +91,29 @@ pub fn cut(
     })
 }
 
-fn trial(survey: &Survey<'_>, rests: &[Span], multiplier: f64, gravity: f64) -> Trial {
+/// The trials at all multipliers; those that find the same rests share a fit.
+fn trials(survey: &Survey<'_>, rests: &[Vec<Span>], gravity: f64) -> Vec<Trial> {
+    let runs: Vec<&[Vec<Span>]> = rests.chunk_by(|a, b| a == b).collect();
+    let tried = runs.par_iter().map(|run| trial(survey, &run[0], gravity));
+    let tried: Vec<Trial> = tried.collect();
+    let each = runs.iter().zip(tried);
+    let repeated = each.flat_map(|(run, trial)| std::iter::repeat_n(trial, run.len()));
+    repeated
+        .zip(MULTIPLIERS)
+        .map(|(trial, multiplier)| Trial {
+            multiplier,
+            ..trial
+        })
+        .collect()
+}
+
+/// A fit to given rests, whatever the multiplier.
+fn trial(survey: &Survey<'_>, rests: &[Span], gravity: f64) -> Trial {
     let means = rests.iter().filter_map(|&rest| survey.mean_force(rest));
     let means: Vec<StaticMean> = means.map(bare_mean).collect();
     let scatter = residual(&means, gravity);
     Trial {
-        multiplier,
+        multiplier: f64::NAN,
         static_intervals: rests.len(),
         residual: scatter.map(|s| s.residual),
         expected_error: scatter.and_then(|s| s.expected_error()),
