@@ -4,7 +4,10 @@
 #![allow(missing_docs)]
 
 use calib::kernel::{Tier, TurnProblem};
+use calib::methods::{GyroscopeData, GyroscopeRequest, fit_gyroscope};
+use calib::residuals::Integrator;
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use nalgebra::Vector3;
 use sensor::Model;
 use solver::Problem;
 use stillpoint_benches::turns::{bad_sensor, residual, turns, with};
@@ -57,8 +60,28 @@ fn more_parameters(criterion: &mut Criterion) {
     compare(criterion, "turns, 48 parameters", &with(&most), &tiers[1..]);
 }
 
+/// The whole fit of a gyroscope, all iterations: 37 turns of 480 samples.
+fn gyroscope_stage(criterion: &mut Criterion) {
+    let turns = turns(37, 480);
+    let data = GyroscopeData {
+        name: "turns".into(),
+        turn_bias: vec![Vector3::new(0.02, -0.01, 0.05); turns.len()],
+        turns,
+        statics: Vec::new(),
+    };
+    let request = GyroscopeRequest {
+        recordings: vec![data],
+        model: gyroscope::model(),
+        integrator: Integrator::Exponential,
+    };
+    let mut group = criterion.benchmark_group("gyroscope stage, 37 turns of 480 samples");
+    group.bench_function("fit", |b| b.iter(|| fit_gyroscope(&request)));
+    group.finish();
+}
+
 criterion_group!(
     benches,
+    gyroscope_stage,
     base_model,
     effect_that_is_not_affine,
     more_parameters

@@ -156,8 +156,9 @@ fn range_of(values: &[f64]) -> (f64, f64) {
 /// `Σ (LSB²/12)²` over the axes: where the noise is smaller than the least significant bit, some rests
 /// do not flicker at all and others between two readings.
 fn quantisation(stream: &Stream) -> f64 {
-    (0..3)
-        .map(|axis| stream.least_step(axis))
+    stream
+        .least_steps()
+        .into_iter()
         .filter(|step| step.is_finite())
         .map(|step| (step * step / 12.0).powi(2))
         .sum()
@@ -196,37 +197,43 @@ pub(super) fn motion(levels: &[Option<Level>; 2], multiplier: f64) -> Vec<Span> 
 ///
 /// From running sums of the centred samples: one pass, whatever the length of the window.
 fn statistic(stream: &Stream, window: f64) -> Vec<f64> {
-    let n = stream.len();
-    let centre = stream.values.iter().sum::<Vector3<f64>>() / n as f64;
-    let mut sums = Vec::with_capacity(n + 1);
-    let mut squares = Vec::with_capacity(n + 1);
-    let (mut sum, mut square) = (Vector3::zeros(), Vector3::zeros());
-    sums.push(sum);
-    squares.push(square);
-    for value in &stream.values {
-        let d = value - centre;
-        sum += d;
-        square += d.component_mul(&d);
-        sums.push(sum);
-        squares.push(square);
-    }
+    let sums = running_sums(&stream.values);
     let (mut start, mut end) = (0, 0);
-    stream
-        .t
-        .iter()
-        .map(|&t| {
-            while stream.t[start] < t - 0.5 * window {
-                start += 1;
-            }
-            while end < n && stream.t[end] <= t + 0.5 * window {
-                end += 1;
-            }
-            let count = (end - start) as f64;
-            let mean: Vector3<f64> = (sums[end] - sums[start]) / count;
-            let variance = (squares[end] - squares[start]) / count - mean.component_mul(&mean);
-            variance.map(|v| v.max(0.0)).norm_squared()
-        })
-        .collect()
+    let at = |&t: &f64| {
+        while stream.t[start] < t - 0.5 * window {
+            start += 1;
+        }
+        while end < stream.len() && stream.t[end] <= t + 0.5 * window {
+            end += 1;
+        }
+        let share = ((end - start) as f64).recip();
+        let (from, to) = (&sums[start], &sums[end]);
+        (0..3)
+            .map(|axis| {
+                let mean = (to[axis] - from[axis]) * share;
+                let square = (to[3 + axis] - from[3 + axis]) * share;
+                (square - mean * mean).max(0.0)
+            })
+            .map(|variance| variance * variance)
+            .sum()
+    };
+    stream.t.iter().map(at).collect()
+}
+
+/// Sums of the centred samples (3) and of their squares (3) before each sample and after the last.
+fn running_sums(values: &[Vector3<f64>]) -> Vec<[f64; 6]> {
+    let centre = values.iter().sum::<Vector3<f64>>() / values.len() as f64;
+    let mut sums = vec![[0.0; 6]; values.len() + 1];
+    let mut sum = [0.0; 6];
+    for (value, after) in values.iter().zip(&mut sums[1..]) {
+        for axis in 0..3 {
+            let d = value[axis] - centre[axis];
+            sum[axis] += d;
+            sum[3 + axis] += d * d;
+        }
+        *after = sum;
+    }
+    sums
 }
 
 /// The value below which the share `q` of `values` lies.
@@ -238,12 +245,15 @@ fn quantile(values: &[f64], q: f64) -> f64 {
 
 /// Largest minus smallest value over all axes.
 fn range(values: &[Vector3<f64>]) -> f64 {
-    let (low, high) = values
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
-            (l.min(v.min()), h.max(v.max()))
-        });
-    high - low
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    for value in values {
+        for axis in 0..3 {
+            low[axis] = low[axis].min(value[axis]);
+            high[axis] = high[axis].max(value[axis]);
+        }
+    }
+    let (low, high) = (Vector3::from(low), Vector3::from(high));
+    high.max() - low.min()
 }
 
 #[cfg(test)]

@@ -88,7 +88,11 @@ impl<'a, S: Simd> Lanes<'a, S> {
         let parts = WIDTH / S::F64_LANES;
         let raw = vector::<S>(record, 0, part);
         let time = record[3 * parts + part];
-        let reading: Vector<S> = std::array::from_fn(|i| minus(simd, raw[i], time, self.bias[i]));
+        let reading = [
+            minus(simd, raw[0], time, self.bias[0]),
+            minus(simd, raw[1], time, self.bias[1]),
+            minus(simd, raw[2], time, self.bias[2]),
+        ];
         let rotation = self.turned(simd, &reading);
         Step {
             rotation: self.without_features(simd, rotation, record, part),

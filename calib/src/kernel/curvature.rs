@@ -79,7 +79,11 @@ fn rotation<S: Simd>(
     let shift = add_scaled(simd, &[zero; 3], back, &along.bias);
     let turned = along.turned(simd, &step.reading);
     let shifted = at.turned(simd, &shift);
-    let first = std::array::from_fn(|i| simd.add_f64s(turned[i], shifted[i]));
+    let first = [
+        simd.add_f64s(turned[0], shifted[0]),
+        simd.add_f64s(turned[1], shifted[1]),
+        simd.add_f64s(turned[2], shifted[2]),
+    ];
     let first = along.without_features(simd, first, record, part);
     let second = along.turned(simd, &shift);
     [
@@ -101,11 +105,16 @@ fn turn_path<S: Simd, const N: usize>(simd: S, u: &Path<S>, phi: &Path<S>) -> Pa
     let s = subtract_product(simd, &one, &square, &d);
     let once = cross(simd, phi, u);
     let twice = cross(simd, phi, &once);
-    let component = |i: usize| {
-        let turned = subtract_product(simd, &u[i], &s, &once[i]);
-        add_product(simd, &turned, &c, &twice[i])
-    };
-    [component(0), component(1), component(2)]
+    let once = [
+        subtract_product(simd, &u[0], &s, &once[0]),
+        subtract_product(simd, &u[1], &s, &once[1]),
+        subtract_product(simd, &u[2], &s, &once[2]),
+    ];
+    [
+        add_product(simd, &once[0], &c, &twice[0]),
+        add_product(simd, &once[1], &c, &twice[1]),
+        add_product(simd, &once[2], &c, &twice[2]),
+    ]
 }
 
 #[inline(always)]
@@ -152,11 +161,24 @@ fn subtract_product<S: Simd>(simd: S, c: &Taylor<S>, a: &Taylor<S>, b: &Taylor<S
     ]
 }
 
+/// `a × b`.
 #[inline(always)]
 fn cross<S: Simd>(simd: S, a: &Path<S>, b: &Path<S>) -> Path<S> {
-    let component = |i: usize, j: usize| {
-        let first = product(simd, &a[i], &b[j]);
-        subtract_product(simd, &first, &a[j], &b[i])
-    };
-    [component(1, 2), component(2, 0), component(0, 1)]
+    [
+        difference(simd, &a[1], &b[2], &a[2], &b[1]),
+        difference(simd, &a[2], &b[0], &a[0], &b[2]),
+        difference(simd, &a[0], &b[1], &a[1], &b[0]),
+    ]
+}
+
+/// `a b − c d`.
+#[inline(always)]
+fn difference<S: Simd>(
+    simd: S,
+    a: &Taylor<S>,
+    b: &Taylor<S>,
+    c: &Taylor<S>,
+    d: &Taylor<S>,
+) -> Taylor<S> {
+    subtract_product(simd, &product(simd, a, b), c, d)
 }

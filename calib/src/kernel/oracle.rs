@@ -206,3 +206,29 @@ fn a_reading_that_is_not_a_number_spoils_its_turn_and_no_other() {
     assert!(r[..3].iter().all(|v| v.is_nan()));
     assert!(r[3..].iter().all(|v| v.is_finite()));
 }
+
+#[test]
+fn the_bits_do_not_depend_on_the_number_of_threads() {
+    let many: Vec<TurnData> = (0..120).map(|k| turn(900 + k, 2.0)).collect();
+    let few = turns(2.0);
+    let base = gyroscope::model();
+    let all_effects = with(gyroscope::EFFECTS.iter().copied());
+    let cases = [
+        (&base, &many, Tier::Affine),
+        (&all_effects, &few, Tier::General),
+    ];
+    for (model, turns, tier) in cases {
+        let problem = TurnProblem::at(residual(model, turns), tier).expect("the tier fits");
+        let (x, free) = (parameters(model), all(model));
+        let rows = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+            let mut rows = Vec::new();
+            let jacobian = pool
+                .build()
+                .expect("threads can be started")
+                .install(|| problem.linearize(&x, &free, &mut rows));
+            (rows, jacobian)
+        };
+        assert_eq!(rows(1), rows(3));
+    }
+}

@@ -27,7 +27,11 @@ pub(super) fn turn_vector<S: Simd, const N: usize>(
     let c = Series::<N>::c(simd, square);
     let once = cross(simd, phi, u);
     let twice = cross(simd, phi, &once);
-    std::array::from_fn(|i| plus(simd, minus(simd, u[i], s, once[i]), c, twice[i]))
+    [
+        plus(simd, minus(simd, u[0], s, once[0]), c, twice[0]),
+        plus(simd, minus(simd, u[1], s, once[1]), c, twice[1]),
+        plus(simd, minus(simd, u[2], s, once[2]), c, twice[2]),
+    ]
 }
 
 /// Replaces both `a` by `R(φ)ᵀ a` and returns their `b`.
