@@ -214,7 +214,7 @@ fn slopes(state: &State, sensor: Sensor, walks: Walks) -> (f64, f64) {
 }
 
 fn slope_chi2(mean: &Mean, noise: &SensorNoise, walk: f64) -> f64 {
-    let white: Vector3<f64> = noise.variance_in_sum() / mean.spread;
+    let white: Vector3<f64> = noise.variance_of(mean) * (mean.count as f64 / mean.spread);
     let walked = WALK_IN_SLOPE * walk * walk / mean.span.length().max(1e-9);
     (0..3)
         .map(|i| mean.slope[i].powi(2) / (white[i] + walked))
