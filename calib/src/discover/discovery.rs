@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::recording::Recording;
 
 use super::channel::{Sequence, channel_of};
+use super::enough::{enough_rests, enough_to_compare};
 use super::family::{Claim, families};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
 use super::held_out::{gap_of, held_out};
@@ -30,10 +31,12 @@ pub struct Discovery {
 /// Finds what the base models lack.
 ///
 /// # Errors
-/// Recordings that cannot be cut, a fit that fails, a calibration that the data do not determine.
+/// Recordings that cannot be cut or have too few rests, a fit that fails, a calibration that the data do not determine.
 pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery, Error> {
     let session = Session::new(recordings, request)?;
+    enough_rests(&session)?;
     let base = State::fit(&session, super::Extension::default())?;
+    enough_to_compare(&session, &base)?;
     let mut faults = integrity(&session, &base);
     let quantised = faults.iter().any(|f| f.name == "quantisation");
     let mut search = if quantised {

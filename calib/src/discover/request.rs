@@ -22,6 +22,8 @@ pub struct Request {
     pub walks: Option<Walks>,
     /// The detector of motion.
     pub detector: Detector,
+    /// Whether the detector's multiplier is chosen by what the accelerometer's fit leaves.
+    pub choose_multiplier: bool,
     /// The effects that may be missing.
     pub catalogue: Vec<&'static dyn AnyEffect>,
 }
@@ -34,6 +36,7 @@ impl Request {
             alpha: 0.01,
             walks: None,
             detector: Detector::default(),
+            choose_multiplier: true,
             catalogue: accelerometer::EFFECTS
                 .iter()
                 .chain(gyroscope::EFFECTS)
@@ -63,7 +66,12 @@ impl<'a> Session<'a> {
         let recordings = recordings
             .iter()
             .map(|recording| {
-                let choice = cut(recording, &request.detector, true, request.gravity)?;
+                let choice = cut(
+                    recording,
+                    &request.detector,
+                    request.choose_multiplier,
+                    request.gravity,
+                )?;
                 Ok((recording, choice))
             })
             .collect::<Result<_, Error>>()?;

@@ -1,7 +1,7 @@
 //! `calibrate`: recordings to a calibration.
 
 mod report;
-mod tables;
+pub(super) mod tables;
 
 use std::path::PathBuf;
 
@@ -15,16 +15,13 @@ use calib::{Calibration, Recording};
 use clap::ValueEnum;
 use nalgebra::Vector3;
 
-use super::inputs::{DetectorArgs, as_paths, read, read_pair, spinner};
+use super::inputs::{DetectorArgs, as_paths, check_gravity, read, read_pair, spinner};
 use super::pictures::{PictureArgs, Pictures};
 use super::six_position;
 use crate::exit::{Failure, GATE, USAGE};
 use crate::output::Output;
 use crate::read_args::ReadArgs;
 use crate::show;
-
-/// Gravity on the earth's surface lies between these, m/s².
-const GRAVITY: std::ops::RangeInclusive<f64> = 9.76..=9.84;
 
 /// Calibrates both sensors from one or more recordings of one device.
 ///
@@ -228,18 +225,7 @@ fn draw(pictures: Pictures, recordings: &[Recording], outcome: &Outcome) -> Resu
 }
 
 fn request(args: &Args) -> Result<Request, Failure> {
-    if !GRAVITY.contains(&args.gravity) {
-        return Err(Failure::new(
-            USAGE,
-            format!(
-                "--gravity {}: on the earth it lies between {} and {} m/s²; an error of 0.01 changes \
-                 every scale factor by 0.1 %",
-                args.gravity,
-                GRAVITY.start(),
-                GRAVITY.end()
-            ),
-        ));
-    }
+    check_gravity(args.gravity)?;
     let (detector, choose_multiplier) = args.detector.detector()?;
     let effects = args
         .effects
