@@ -357,16 +357,21 @@ fn raw_counts_in_two_text_files_need_no_first_guess() {
 }
 
 #[test]
-fn demo_shows_truth_beside_estimate() {
+fn demo_discovers_what_it_hid_and_shows_truth_beside_estimate() {
     let (_dir, folder) = folder();
     let run = stillpoint(&folder, &["demo", "--out", "demo"]);
     assert_eq!(status(&run), 0, "{}", stderr(&run));
     let text = String::from_utf8_lossy(&run.stdout).into_owned();
     assert!(
-        text.contains("accel.s_x") && text.contains("gyro_g_sensitivity.zz"),
+        text.contains("lack gyro_g_sensitivity;")
+            && text.contains("accel.s_x")
+            && text.contains("gyro_g_sensitivity.zz"),
         "{text}"
     );
-    assert_eq!(files(&folder.join("demo")), ["cal.json", "recording.csv"]);
+    assert_eq!(
+        files(&folder.join("demo")),
+        ["cal.json", "findings.json", "recording.csv", "report.html"]
+    );
 }
 
 #[test]

@@ -19,7 +19,7 @@ fn calibrated(session: &Session, method: Method, effect: &str) -> Outcome {
         sections: vec![rests.collect()],
         ..Request::default()
     };
-    calibrate(&[session.recording.clone()], &[], &request).unwrap()
+    calibrate(std::slice::from_ref(&session.recording), &[], &request).unwrap()
 }
 
 /// Estimate, truth and standard error of a parameter.
@@ -79,7 +79,7 @@ fn the_latitude_takes_the_rotation_of_the_earth_off_the_bias() {
             latitude,
             ..Request::default()
         };
-        let outcome = calibrate(&[session.recording.clone()], &[], &request).unwrap();
+        let outcome = calibrate(std::slice::from_ref(&session.recording), &[], &request).unwrap();
         let fit = outcome.joint.unwrap();
         if latitude.is_some() {
             let p = |axis| fit.parameters.get(&format!("earth_rate.{axis}")).unwrap();

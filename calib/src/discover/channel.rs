@@ -87,9 +87,14 @@ impl Sequence {
         .map(|(kind, size)| NoiseLevel { kind, size });
         let fit = &state.fit;
         let whitening = Whitening::new(fit.whitening.white.clone(), &fit.components, &levels);
-        let mut jacobian = fit.white_jacobian.clone();
-        whitening.finish(jacobian.as_mut());
         let ends = [fit.first_rows[0], fit.first_rows[1], state.rows()];
+        Self::under(whitening, fit.white_jacobian.clone(), ends)
+    }
+
+    /// Of rows that end, kind by kind, at `ends`, under any whitening; `jacobian` (`m × n`) is that of what
+    /// is free, white-whitened.
+    pub fn under(whitening: Whitening, mut jacobian: Mat<f64>, ends: [usize; 3]) -> Self {
+        whitening.finish(jacobian.as_mut());
         let bases = ends.map(|end| orthonormal(&jacobian.as_ref().subrows(0, end).to_owned()));
         Self {
             bases,

@@ -8,6 +8,7 @@ use crate::recording::Recording;
 use sensor::AnyEffect;
 
 use super::channel::{Channel, Sequence, channel_of};
+use super::enough::{enough_rests, enough_to_compare};
 use super::family::{Claim, families};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
 use super::held_out::{gap_of, held_out};
@@ -36,10 +37,12 @@ pub struct Discovery {
 /// Finds what the base models lack.
 ///
 /// # Errors
-/// Recordings that cannot be cut, a fit that fails, a calibration that the data do not determine.
+/// Recordings that cannot be cut or have too few rests, a fit that fails, a calibration that the data do not determine.
 pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery, Error> {
     let session = Session::new(recordings, request)?;
+    enough_rests(&session)?;
     let base = State::fit(&session, super::Extension::default())?;
+    enough_to_compare(&session, &base)?;
     let mut faults = integrity(&session, &base);
     let quantised = faults.iter().any(|f| f.name == "quantisation");
     let mut search = if quantised {

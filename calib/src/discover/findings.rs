@@ -97,6 +97,8 @@ pub struct Validation {
     pub gap_before: f64,
     /// With everything named.
     pub gap_after: f64,
+    /// Degrees of freedom of the channel: of a complete model `gap_after²` is 1 within `±2 √(2/dof)`.
+    pub dof: f64,
 }
 
 /// What was found.

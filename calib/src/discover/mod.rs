@@ -9,11 +9,15 @@
 mod channel;
 mod columns;
 mod discovery;
+mod enough;
 mod family;
 mod findings;
 mod held_out;
 mod integrity;
+mod linear;
 mod localise;
+mod noise_file;
+mod pictures;
 mod projected;
 mod rank;
 mod request;
@@ -24,6 +28,7 @@ mod shape;
 mod state;
 mod time_offset;
 mod unexplained;
+mod validation;
 mod visible;
 
 pub use channel::{Channel, Misfit, Sequence, channel_of};
@@ -33,6 +38,8 @@ pub use findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Valida
 pub use held_out::{gap_of, held_out};
 pub use integrity::{Integrity, disturbed, integrity};
 pub use localise::{Disagreement, disagreements};
+pub use noise_file::{GivenWalks, walks_in};
+pub use pictures::{Covariate, Picture, Point, pictures};
 pub use projected::{Projected, Walks, Whitened};
 pub use rank::{Ranked, rank, shared};
 pub use request::{Request, Session};
@@ -43,3 +50,4 @@ pub use shape::{Shape, shapes};
 pub use state::{Extension, State};
 pub use time_offset::{Delay, delay};
 pub use unexplained::{Unexplained, unexplained};
+pub use validation::validate;

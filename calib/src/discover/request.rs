@@ -28,6 +28,8 @@ pub struct Request {
     pub latitude: Option<f64>,
     /// The detector of motion.
     pub detector: Detector,
+    /// Whether the detector's multiplier is chosen by what the accelerometer's fit leaves.
+    pub choose_multiplier: bool,
     /// The effects that may be missing.
     pub catalogue: Vec<&'static dyn AnyEffect>,
 }
@@ -49,6 +51,7 @@ impl Request {
             walks: None,
             latitude: None,
             detector: Detector::default(),
+            choose_multiplier: true,
             catalogue: accelerometer::EFFECTS
                 .iter()
                 .chain(gyroscope::EFFECTS)
@@ -86,7 +89,12 @@ impl<'a> Session<'a> {
         let recordings = recordings
             .iter()
             .map(|recording| {
-                let choice = cut(recording, &request.detector, true, request.gravity)?;
+                let choice = cut(
+                    recording,
+                    &request.detector,
+                    request.choose_multiplier,
+                    request.gravity,
+                )?;
                 Ok((recording, choice))
             })
             .collect::<Result<_, Error>>()?;

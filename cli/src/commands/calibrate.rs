@@ -1,7 +1,7 @@
 //! `calibrate`: recordings to a calibration.
 
 mod report;
-mod tables;
+pub(super) mod tables;
 
 use std::path::PathBuf;
 
@@ -16,16 +16,13 @@ use clap::ValueEnum;
 use nalgebra::Vector3;
 use sensor::AnyEffect;
 
-use super::inputs::{DetectorArgs, as_paths, own_effects, read, read_pair, spinner};
+use super::inputs::{DetectorArgs, as_paths, check_gravity, own_effects, read, read_pair, spinner};
 use super::pictures::{PictureArgs, Pictures};
 use super::six_position;
 use crate::exit::{Failure, GATE, USAGE};
 use crate::output::Output;
 use crate::read_args::ReadArgs;
 use crate::show;
-
-/// Gravity on the earth's surface lies between these, m/s².
-const GRAVITY: std::ops::RangeInclusive<f64> = 9.76..=9.84;
 
 /// Calibrates both sensors from one or more recordings of one device.
 ///
@@ -235,18 +232,7 @@ fn draw(pictures: Pictures, recordings: &[Recording], outcome: &Outcome) -> Resu
 }
 
 fn request(args: &Args) -> Result<Request, Failure> {
-    if !GRAVITY.contains(&args.gravity) {
-        return Err(Failure::new(
-            USAGE,
-            format!(
-                "--gravity {}: on the earth it lies between {} and {} m/s²; an error of 0.01 changes \
-                 every scale factor by 0.1 %",
-                args.gravity,
-                GRAVITY.start(),
-                GRAVITY.end()
-            ),
-        ));
-    }
+    check_gravity(args.gravity)?;
     if let Some(latitude) = args.latitude.filter(|l| !(-90.0..=90.0).contains(l)) {
         return Err(Failure::new(
             USAGE,

@@ -1,12 +1,13 @@
-//! `demo`: a simulated session, calibrated, beside its truth.
+//! `demo`: a simulated session with a hidden effect, calibrated, the effect discovered, beside the truth.
 
 use std::fmt::Write as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use calib::calibrate::{Outcome, Request, calibrate};
-use calib::calibration::effect_named;
+use calib::calibrate::{Outcome, Request as CalibrationRequest, calibrate};
+use calib::discover::{Discovery, Request};
 use calib::simulate::{Session, Spec};
 
+use super::discover::{json, look, page, plots, verdict};
 use super::inputs::spinner;
 use crate::exit::{BUG, Failure};
 use crate::output::Output;
@@ -15,16 +16,17 @@ use crate::show;
 /// The demonstration is the same for everybody.
 const SEED: u64 = 20_240_229;
 
-/// The effect that the simulated device has beyond its base models.
+/// The effect that the simulated device has beyond its base models. Nothing but the simulation is told.
 const HIDDEN_EFFECT: &str = "gyro_g_sensitivity";
 
-/// Simulates a hand-held session, calibrates it and shows truth beside estimate.
+/// Simulates a hand-held session of a device with a hidden effect, calibrates it, discovers the effect and
+/// shows truth beside estimate.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
-  stillpoint demo --out demo/   leaves recording.csv and cal.json to play with")]
+  stillpoint demo --out demo/   leaves recording.csv, cal.json, findings.json and report.html")]
 pub struct Args {
-    /// Write the recording and its calibration into this folder
+    /// Write the recording, its calibration, the findings and the report into this folder
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Replace existing files
@@ -32,95 +34,137 @@ pub struct Args {
     force: bool,
 }
 
+/// The files of the demonstration.
+struct Files {
+    recording: Output,
+    calibration: Output,
+    findings: Output,
+    report: Output,
+}
+
+impl Files {
+    fn claim(dir: &Path, force: bool) -> Result<Self, Failure> {
+        std::fs::create_dir_all(dir)
+            .map_err(|e| Failure::new(crate::exit::OUTPUT, format!("{}: {e}", dir.display())))?;
+        let claim = |name: &str| Output::claim(&dir.join(name), force, &[]);
+        Ok(Self {
+            recording: claim("recording.csv")?,
+            calibration: claim("cal.json")?,
+            findings: claim("findings.json")?,
+            report: claim("report.html")?,
+        })
+    }
+
+    fn write(self, session: &mut Session, discovery: &Discovery) -> Result<(), Failure> {
+        let calibration = serde_json::to_string_pretty(&discovery.findings.calibration)
+            .map_err(|e| Failure::new(BUG, e.to_string()))?;
+        let page = page(discovery, &plots(discovery))?.html()?;
+        let csv = calib::recording::to_csv(&mut session.recording);
+        self.recording.write(csv.as_bytes())?;
+        self.calibration
+            .write(format!("{calibration}\n").as_bytes())?;
+        self.findings.write(json(&discovery.findings)?.as_bytes())?;
+        self.report.write(page.as_bytes())
+    }
+}
+
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
-    let claims = match &args.out {
-        Some(dir) => {
-            std::fs::create_dir_all(dir).map_err(|e| {
-                Failure::new(crate::exit::OUTPUT, format!("{}: {e}", dir.display()))
-            })?;
-            let claim = |name: &str| Output::claim(&dir.join(name), args.force, &[]);
-            Some((claim("recording.csv")?, claim("cal.json")?))
-        }
-        None => None,
-    };
+    let dir = args.out.as_deref();
+    let files = dir.map(|dir| Files::claim(dir, args.force)).transpose()?;
     let progress = spinner("simulating");
     let mut session = Spec::hand_held(SEED)
         .with_effect(HIDDEN_EFFECT, 1.0)
         .run()?;
-    progress.set_message("calibrating");
-    let request = Request {
-        gravity: session.truth.spec.gravity,
-        effects: effect_named(HIDDEN_EFFECT).into_iter().collect(),
-        ..Request::default()
-    };
+    let gravity = session.truth.spec.gravity;
     let recordings = [session.recording.clone()];
+    progress.set_message("calibrating");
+    let request = CalibrationRequest {
+        gravity,
+        ..CalibrationRequest::default()
+    };
     let outcome = calibrate(&recordings, &[], &request)?;
     progress.finish_and_clear();
-    if let Some((recording, cal)) = claims {
-        recording.write(calib::recording::to_csv(&mut session.recording).as_bytes())?;
-        let json = serde_json::to_string_pretty(&outcome.calibration)
-            .map_err(|e| Failure::new(BUG, e.to_string()))?;
-        cal.write(format!("{json}\n").as_bytes())?;
+    let discovery = look(&recordings, None, &Request::new(gravity))?;
+    if let Some(files) = files {
+        files.write(&mut session, &discovery)?;
     }
-    show::print(&text(&session, &outcome))?;
-    Ok(())
+    let mut text = simulated(&session, &outcome);
+    text.push_str(&discovered(&discovery));
+    text.push_str(&compared(&session, &discovery));
+    if let Some(dir) = dir {
+        let report = dir.join("report.html");
+        let _ = writeln!(
+            text,
+            "The report is in {}.",
+            show::printable(&report.to_string_lossy())
+        );
+    }
+    show::print(&text)
 }
 
-fn text(session: &Session, outcome: &Outcome) -> String {
-    let mut table = show::table(&["parameter", "truth", "estimate", "std error", "error / std"]);
-    let mut within = 0;
-    let mut count = 0;
-    let fits = [
-        outcome.accelerometer.as_ref().map(|fit| &fit.fitted),
-        outcome.gyroscope.as_ref().map(|fit| &fit.fitted),
-    ];
-    for fitted in fits.into_iter().flatten() {
-        for name in &fitted.free {
-            let (Some(truth), Some(estimate), Some(std)) = (
-                session.truth.get(name),
-                fitted.parameters.get(name),
-                fitted.standard_error(name),
-            ) else {
-                continue;
-            };
-            let ratio = (estimate - truth) / std;
-            count += 1;
-            within += usize::from(ratio.abs() < 1.96);
-            table.add_row([
-                name.clone(),
-                show::value(truth, Some(std)),
-                show::value(estimate, Some(std)),
-                show::error(Some(std)),
-                format!("{ratio:+.2}"),
-            ]);
-        }
-    }
-    let samples = session
-        .recording
-        .accelerometer
-        .as_ref()
-        .map_or(0, |s| s.len());
-    let rests = outcome
-        .choices
-        .first()
-        .map_or(0, |c| c.segmentation.statics.len());
-    let mut text = String::new();
-    let _ = writeln!(
-        text,
-        "A simulated device, held by hand in {rests} placements: {samples} samples of both sensors, \
-         consumer grade,\nwith {HIDDEN_EFFECT} on top. What `calibrate --effects {HIDDEN_EFFECT}` makes \
-         of it:\n\n{table}\n{within} of {count} estimates lie within 1.96 standard errors of the truth."
+/// What was simulated, and what the base models make of it.
+fn simulated(session: &Session, outcome: &Outcome) -> String {
+    let accelerometer = session.recording.accelerometer.as_ref();
+    let samples = accelerometer.map_or(0, |s| s.len());
+    let choice = outcome.choices.first();
+    let rests = choice.map_or(0, |c| c.segmentation.statics.len());
+    let mut text = format!(
+        "A simulated device, held by hand in {rests} placements: {samples} samples of both sensors, consumer grade.\n\
+         It has an effect that the analysis is not told of.\n\n"
     );
     if let (Some(accelerometer), Some(gyroscope)) = (&outcome.accelerometer, &outcome.gyroscope) {
         let _ = writeln!(
             text,
-            "Gravity's modulus holds to {:.2} mm/s² rms; its direction is foretold through a turn to \
-             {:.4}° rms\n(raw: {:.2}°).",
+            "calibrate: gravity's modulus holds to {:.2} mm/s² rms; its direction is foretold through a turn to\n\
+             {:.4}° rms (raw: {:.2}°).",
             1e3 * accelerometer.first.rms(),
             gyroscope.rms().to_degrees(),
             gyroscope.rms_before().to_degrees()
         );
     }
     text
+}
+
+fn discovered(discovery: &Discovery) -> String {
+    let effects = &discovery.findings.effects;
+    let mut text = format!("discover: {}\n", verdict(&discovery.findings));
+    for effect in effects {
+        let _ = writeln!(
+            text,
+            "Likelihood ratio {:.0} with {:.0} degrees of freedom.",
+            effect.statistic, effect.dof
+        );
+    }
+    text
+}
+
+/// Truth beside the estimates of the model with everything that was named.
+fn compared(session: &Session, discovery: &Discovery) -> String {
+    let mut table = show::table(&["parameter", "truth", "estimate", "std error", "error / std"]);
+    let (mut within, mut count) = (0, 0);
+    let fitted = discovery.search.last.fit.all_fitted();
+    for name in &fitted.free {
+        let (Some(truth), Some(estimate), Some(std)) = (
+            session.truth.get(name),
+            fitted.parameters.get(name),
+            fitted.standard_error(name),
+        ) else {
+            continue;
+        };
+        let ratio = (estimate - truth) / std;
+        count += 1;
+        within += usize::from(ratio.abs() < 1.96);
+        table.add_row([
+            name.clone(),
+            show::value(truth, Some(std)),
+            show::value(estimate, Some(std)),
+            show::error(Some(std)),
+            format!("{ratio:+.2}"),
+        ]);
+    }
+    format!(
+        "\nHidden was {HIDDEN_EFFECT}. Truth beside the estimates of the model with what was named:\n\n{table}\n\
+         {within} of {count} estimates lie within 1.96 standard errors of the truth.\n"
+    )
 }

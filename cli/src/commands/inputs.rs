@@ -14,6 +14,25 @@ use crate::exit::{Failure, USAGE};
 use crate::read_args::ReadArgs;
 use crate::show;
 
+/// Gravity on the earth's surface lies between these, m/s².
+const GRAVITY: std::ops::RangeInclusive<f64> = 9.76..=9.84;
+
+/// Refuses a gravity that is nowhere on the earth.
+pub fn check_gravity(gravity: f64) -> Result<(), Failure> {
+    if GRAVITY.contains(&gravity) {
+        return Ok(());
+    }
+    Err(Failure::new(
+        crate::exit::USAGE,
+        format!(
+            "--gravity {gravity}: on the earth it lies between {} and {} m/s²; an error of 0.01 changes \
+             every scale factor by 0.1 %",
+            GRAVITY.start(),
+            GRAVITY.end()
+        ),
+    ))
+}
+
 /// How the detector of motion is set.
 #[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Static intervals")]

@@ -5,6 +5,7 @@ mod apply;
 mod bias;
 mod calibrate;
 mod demo;
+mod discover;
 mod effects;
 mod evaluate;
 mod inputs;
@@ -32,6 +33,7 @@ pub enum Command {
     Reckon(Box<reckon::Args>),
     Evaluate(evaluate::Args),
     Simulate(simulate::Args),
+    Discover(Box<discover::Args>),
     Effects(effects::Args),
 }
 
@@ -47,6 +49,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Reckon(args) => reckon::run(&args),
         Command::Evaluate(args) => evaluate::run(&args),
         Command::Simulate(args) => simulate::run(&args),
+        Command::Discover(args) => discover::run(&args),
         Command::Effects(args) => effects::run(&args),
     }
 }

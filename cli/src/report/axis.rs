@@ -12,6 +12,8 @@ pub struct Axis {
     /// What is plotted, with its unit.
     pub label: String,
     logarithmic: bool,
+    /// Words at 1, 2, … instead of numbers; none for numbers.
+    names: Vec<String>,
 }
 
 /// An axis with its ends and ticks, in coordinates that are linear on paper.
@@ -22,6 +24,7 @@ pub(super) struct Scale {
     pub ticks: Vec<f64>,
     pub fine_ticks: Vec<f64>,
     decimals: Option<usize>,
+    names: Vec<String>,
 }
 
 impl Axis {
@@ -30,6 +33,15 @@ impl Axis {
         Self {
             label: label.into(),
             logarithmic: false,
+            names: Vec::new(),
+        }
+    }
+
+    /// A linear axis with words at 1, 2, … instead of numbers.
+    pub fn categories(label: impl Into<String>, names: Vec<String>) -> Self {
+        Self {
+            names,
+            ..Self::linear(label)
         }
     }
 
@@ -38,6 +50,7 @@ impl Axis {
         Self {
             label: label.into(),
             logarithmic: true,
+            names: Vec::new(),
         }
     }
 
@@ -59,7 +72,9 @@ impl Axis {
                 (l.min(v), h.max(v))
             });
         let (low, high) = if low <= high { (low, high) } else { (0.0, 1.0) };
-        if self.logarithmic {
+        if !self.names.is_empty() {
+            categories(&self.names)
+        } else if self.logarithmic {
             decades(low, high)
         } else {
             linear(low, high)
@@ -70,11 +85,31 @@ impl Axis {
 impl Scale {
     /// The number beside a tick.
     pub(super) fn text(&self, tick: f64) -> String {
+        if !self.names.is_empty() {
+            let place = tick.round() as usize;
+            return self
+                .names
+                .get(place.wrapping_sub(1))
+                .cloned()
+                .unwrap_or_default();
+        }
         match self.decimals {
             // The minus sign of a rounded zero says nothing.
             Some(decimals) => format!("{:.decimals$}", tick + 0.0).replace('-', "−"),
             None => power_of_ten(tick.round() as i32),
         }
+    }
+}
+
+fn categories(names: &[String]) -> Scale {
+    let ticks: Vec<f64> = (1..=names.len()).map(|k| k as f64).collect();
+    Scale {
+        from: 0.5,
+        to: names.len() as f64 + 0.5,
+        fine_ticks: ticks.clone(),
+        ticks,
+        decimals: None,
+        names: names.to_vec(),
     }
 }
 
@@ -96,6 +131,7 @@ fn linear(low: f64, high: f64) -> Scale {
         fine_ticks: ticks.clone(),
         ticks,
         decimals: Some(decimals),
+        names: Vec::new(),
     }
 }
 
@@ -133,6 +169,7 @@ fn decades(low: f64, high: f64) -> Scale {
         ticks,
         fine_ticks,
         decimals: None,
+        names: Vec::new(),
     }
 }
 
@@ -168,6 +205,15 @@ mod tests {
         assert_eq!(scale.ticks, [-1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0]);
         assert_eq!(scale.text(-1.0), "−1");
         assert_eq!(scale.text(-0.0), "0");
+    }
+
+    #[test]
+    fn categories_stand_at_whole_numbers_under_their_words() {
+        let names = ["fit", "left out"].map(str::to_owned).to_vec();
+        let scale = Axis::categories("where", names).scale([1.0, 2.0].into_iter());
+        assert_eq!((scale.from, scale.to), (0.5, 2.5));
+        assert_eq!(scale.text(2.0), "left out");
+        assert_eq!(scale.text(3.0), "");
     }
 
     #[test]

@@ -119,7 +119,7 @@ impl JointFit {
     }
 
     /// Unit of a shared parameter and its place among those of its model.
-    fn unit_of(&self, k: usize) -> (RawUnit, usize) {
+    pub(crate) fn unit_of(&self, k: usize) -> (RawUnit, usize) {
         let (force, rate) = (
             self.of_sensor(Sensor::Accelerometer),
             self.of_sensor(Sensor::Gyroscope),

@@ -63,6 +63,21 @@ impl White {
         }
     }
 
+    /// `L A` in place: undoes [`White::apply`].
+    pub fn restore(&self, mut a: MatMut<'_, f64>) {
+        for k in 0..a.ncols() {
+            for i in (0..a.nrows()).rev() {
+                let before = if i > 0 { a[(i - 1, k)] } else { 0.0 };
+                a[(i, k)] = self.diagonal[i] * a[(i, k)] + self.beside[i] * before;
+            }
+        }
+    }
+
+    /// The standard deviation of a row.
+    pub fn std(&self, row: usize) -> f64 {
+        self.diagonal[row].hypot(self.beside[row])
+    }
+
     /// `L⁻¹ C L⁻ᵀ`.
     pub fn both_sides(&self, c: &Mat<f64>) -> Mat<f64> {
         let mut half = c.clone();
@@ -150,6 +165,18 @@ impl Whitening {
         }
     }
 
+    /// For white noise and what else there is, `covariance` (`m × m`) after the white noise is whitened;
+    /// the white noise alone where it is not positive definite.
+    pub fn with_covariance(white: White, covariance: &Mat<f64>) -> Self {
+        let all = (0..covariance.nrows()).collect();
+        let factor = covariance.llt(Side::Lower).ok();
+        let factors = factor.map(|f| (all, f.L().to_owned()));
+        Self {
+            white,
+            factors: factors.into_iter().collect(),
+        }
+    }
+
     /// Whitens in place.
     pub fn apply(&self, mut a: MatMut<'_, f64>) {
         self.white.apply(a.as_mut());
@@ -167,6 +194,29 @@ impl Whitening {
                     a[(row, k)] = own[(i, k)];
                 }
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_whitened_is_restored_and_a_row_has_the_variance_of_its_noise() {
+        let noise = RowNoise {
+            variance: vec![4.0, 9.0, 0.25],
+            with_before: vec![0.0, 3.0, 0.0],
+            exposures: [Vec::new(), Vec::new()],
+        };
+        let white = White::new(&noise, 3);
+        let before = Mat::from_fn(3, 2, |i, k| (i + 3 * k) as f64 - 1.5);
+        let mut a = before.clone();
+        white.apply(a.as_mut());
+        white.restore(a.as_mut());
+        assert!((a - before).norm_max() < 1e-14);
+        for (row, std) in [2.0, 3.0, 0.5].into_iter().enumerate() {
+            assert!((white.std(row) - std).abs() < 1e-14);
         }
     }
 }

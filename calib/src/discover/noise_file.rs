@@ -1,0 +1,158 @@
+//! Random walk densities from a noise file.
+
+use std::path::Path;
+
+use sensor::Sensor;
+
+use super::projected::Walks;
+use crate::error::Error;
+use crate::noise::{NOISE_SCHEMA, NoiseSummary, NoiseTerm, SensorNoise, TermValue};
+
+/// Densities with what the user should know of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenWalks {
+    /// Of accelerometer (m/s²/√s) and gyroscope (rad/s/√s).
+    pub walks: Walks,
+    /// Where a density is only bounded.
+    pub notes: Vec<String>,
+}
+
+/// The random walk densities in a file that `allan` has written: of each sensor the root mean square over its axes.
+///
+/// An axis whose walk the recording only bounds counts with its bound: too large a walk hides an effect, too small a
+/// one makes up names.
+///
+/// # Errors
+/// An unreadable file, another schema, and a walk that the file does not bound.
+pub fn walks_in(path: &Path) -> Result<GivenWalks, Error> {
+    let text = std::fs::read_to_string(path).map_err(|source| Error::Io {
+        path: path.to_owned(),
+        source,
+    })?;
+    let summary = parse(&text).map_err(|what| at(path, &what))?;
+    let mut given = GivenWalks {
+        walks: [0.0; 2],
+        notes: Vec::new(),
+    };
+    let sensors = [
+        (Sensor::Accelerometer, summary.accelerometer),
+        (Sensor::Gyroscope, summary.gyroscope),
+    ];
+    for (place, (sensor, noise)) in sensors.into_iter().enumerate() {
+        let name = word(sensor);
+        let noise = noise.ok_or_else(|| {
+            let what = format!(" no {name}: densities of both sensors are needed");
+            at(path, &what)
+        })?;
+        let density = density(&noise).ok_or_else(|| {
+            let what = format!(
+                " the random walk of the {name} is not bounded: record longer at rest (an hour or more), or \
+                 leave --noise out and have it estimated"
+            );
+            at(path, &what)
+        })?;
+        given.walks[place] = density.value;
+        if density.bounded {
+            given.notes.push(format!(
+                "{}: the random walk of the {name} is only bounded there; its bound is used, which may hide a \
+                 small effect",
+                path.display()
+            ));
+        }
+    }
+    Ok(given)
+}
+
+fn at(path: &Path, what: &str) -> Error {
+    Error::Input(format!("{}:{what}", path.display()))
+}
+
+fn word(sensor: Sensor) -> &'static str {
+    match sensor {
+        Sensor::Accelerometer => "accelerometer",
+        Sensor::Gyroscope => "gyroscope",
+    }
+}
+
+fn parse(text: &str) -> Result<NoiseSummary, String> {
+    let summary: NoiseSummary = serde_json::from_str(text).map_err(|e| {
+        let place = format!("{}:{}", e.line(), e.column());
+        format!("{place}: no noise file as `allan -o` writes it: {e}")
+    })?;
+    if summary.schema == NOISE_SCHEMA {
+        Ok(summary)
+    } else {
+        Err(format!(
+            " schema \"{}\" found, \"{NOISE_SCHEMA}\" expected",
+            summary.schema
+        ))
+    }
+}
+
+struct Density {
+    value: f64,
+    bounded: bool,
+}
+
+fn density(noise: &SensorNoise) -> Option<Density> {
+    let walk = |terms: &[TermValue]| {
+        let term = terms.iter().find(|t| t.term == NoiseTerm::RandomWalk)?;
+        if term.lower > 0.0 {
+            Some((term.value, false))
+        } else {
+            Some((term.upper?, true))
+        }
+    };
+    let axes: Option<Vec<(f64, bool)>> = noise.axes.iter().map(|a| walk(&a.terms)).collect();
+    let axes = axes?;
+    let square = axes.iter().map(|(v, _)| v * v).sum::<f64>() / axes.len() as f64;
+    Some(Density {
+        value: square.sqrt(),
+        bounded: axes.iter().any(|(_, bounded)| *bounded),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A noise file whose axes have these `(value, lower, upper)` of the walk in both sensors.
+    fn file(axes: [(f64, f64, Option<f64>); 3], schema: &str) -> tempfile::NamedTempFile {
+        let axes = axes.map(|(value, lower, upper)| {
+            serde_json::json!({"terms": [{"term": "random_walk", "name": "", "unit": "", "value": value,
+                "lower": lower, "upper": upper}], "model_error": null, "curve": []})
+        });
+        let sensor = serde_json::json!({"samples": 1, "step": 0.01, "gaps": 0, "axes": axes});
+        let whole = serde_json::json!({"schema": schema, "created_by": "", "accelerometer": sensor,
+            "gyroscope": sensor, "initial_static_time": null, "warnings": []});
+        let file = tempfile::NamedTempFile::new().unwrap();
+        std::fs::write(file.path(), whole.to_string()).unwrap();
+        file
+    }
+
+    #[test]
+    fn a_density_is_the_root_mean_square_over_the_axes_and_a_bound_counts_in_full() {
+        let known = file([(3.0, 2.0, Some(4.0)); 3], NOISE_SCHEMA);
+        let given = walks_in(known.path()).unwrap();
+        assert_eq!((given.walks, given.notes.len()), ([3.0; 2], 0));
+        // (1 + 4 + 49)/3 = 18 = (3 √2)².
+        let axes = [
+            (1.0, 0.5, Some(2.0)),
+            (2.0, 1.0, None),
+            (0.0, 0.0, Some(7.0)),
+        ];
+        let given = walks_in(file(axes, NOISE_SCHEMA).path()).unwrap();
+        assert!((given.walks[1] - 18f64.sqrt()).abs() < 1e-12);
+        assert_eq!(given.notes.len(), 2);
+    }
+
+    #[test]
+    fn a_walk_without_bound_and_another_schema_are_refused() {
+        let unbounded = file([(0.0, 0.0, None); 3], NOISE_SCHEMA);
+        let said = walks_in(unbounded.path()).unwrap_err().to_string();
+        assert!(said.contains("not bounded"), "{said}");
+        let other = file([(1.0, 1.0, None); 3], "stillpoint.noise/9");
+        let said = walks_in(other.path()).unwrap_err().to_string();
+        assert!(said.contains("noise/9"), "{said}");
+    }
+}

@@ -1,0 +1,350 @@
+//! The disagreement that an effect explains, point by point, before and after it is in the model.
+
+use faer::Mat;
+use nalgebra::{Matrix3, Vector3};
+use sensor::{Kinematics, Sensor};
+
+use super::channel::Channel;
+use super::discovery::Discovery;
+use super::family::Claim;
+use super::findings::EffectFinding;
+use super::linear::least_squares;
+use super::search::Name;
+use super::state::State;
+use crate::calibration::EffectParameter;
+
+/// What one named effect explains.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// The effect.
+    pub effect: String,
+    /// The channel that the points are of.
+    pub channel: Channel,
+    /// What the error of the effect goes with; `None` where no single number at a rest tells.
+    pub covariate: Option<Covariate>,
+    /// The points: one per chunk of a rest of the modulus, three of the rate, two per turn of the direction.
+    pub points: Vec<Point>,
+}
+
+/// What an error goes with.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Covariate {
+    /// In words.
+    pub name: String,
+    /// Its unit.
+    pub unit: &'static str,
+}
+
+/// One residual, *measured − foretold*, in m/s² (modulus of specific force), rad/s (rate) or rad (direction).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// Place of the chunk, or of the turn, among all.
+    pub place: usize,
+    /// The axis of a rate, or the coordinate of a direction; 0 of a modulus.
+    pub axis: usize,
+    /// Without the effect in the model.
+    pub before: f64,
+    /// With it and everything else named.
+    pub after: f64,
+    /// What the effect adds that the other parameters cannot take up.
+    pub foretold: f64,
+    /// Standard deviation of the white noise.
+    pub std: f64,
+    /// The covariate, in its unit.
+    pub covariate: Option<f64>,
+}
+
+/// One picture for every effect in the findings, in their order, of the channel that it lives in; where that is the
+/// direction through turns and the effect shows at rest, a second of the readings at rest.
+pub fn pictures(discovery: &Discovery) -> Vec<Picture> {
+    let search = &discovery.search;
+    let effects = search.names.iter().filter_map(|name| match name.claim {
+        Claim::Effect(effect) => Some((name, effect.name())),
+        _ => None,
+    });
+    effects
+        .flat_map(|(name, effect)| {
+            let all = &discovery.findings.effects;
+            let finding = all.iter().find(|finding| finding.name == effect);
+            finding.map_or_else(Vec::new, |finding| of_effect(name, finding, &search.last))
+        })
+        .collect()
+}
+
+fn of_effect(name: &Name, finding: &EffectFinding, last: &State) -> Vec<Picture> {
+    let without = &name.without;
+    let rows = [
+        residual_rows(without),
+        residual_rows(last),
+        foretold_rows(name).unwrap_or_else(|| Mat::zeros(without.rows(), 1)),
+    ];
+    let goes_with = GoesWith::of(&finding.name, &finding.parameters);
+    let goes_with = goes_with.as_ref();
+    let mut channels = vec![finding.channel];
+    if finding.channel == Channel::Direction && goes_with.is_some() {
+        channels.push(match name.claim.sensor() {
+            Sensor::Accelerometer => Channel::StaticNorm,
+            Sensor::Gyroscope => Channel::StaticRate,
+        });
+    }
+    channels
+        .into_iter()
+        .map(|channel| Picture {
+            effect: finding.name.clone(),
+            channel,
+            covariate: goes_with
+                .filter(|_| channel != Channel::Direction)
+                .map(|w| w.in_words(channel)),
+            points: match channel {
+                Channel::StaticNorm => of_modulus(without, &rows, goes_with),
+                Channel::StaticRate => of_rate(without, &rows, goes_with),
+                Channel::Direction => of_turns(without, &rows),
+                // The joint fit has no rows of it.
+                Channel::MovingForce => Vec::new(),
+            },
+        })
+        .collect()
+}
+
+/// Residuals in the unit of the rows (`m × 1`).
+fn residual_rows(state: &State) -> Mat<f64> {
+    let r = &state.fit.white_residuals;
+    let mut rows = Mat::from_fn(r.len(), 1, |i, _| r[i]);
+    state.fit.whitening.white.restore(rows.as_mut());
+    rows
+}
+
+/// What the estimate of the effect predicts, less what the other parameters would take up of it.
+fn foretold_rows(name: &Name) -> Option<Mat<f64>> {
+    let fit = &name.without.fit;
+    let mut whole = name.predicted.clone();
+    fit.whitening.finish(whole.as_mut());
+    let taken = least_squares(&fit.jacobian, &whole)?;
+    let mut left = &name.predicted - &fit.white_jacobian * taken;
+    fit.whitening.white.restore(left.as_mut());
+    Some(left)
+}
+
+/// Of each chunk of a rest, `−uᵀ T r`: how far the modulus lies above gravity.
+fn of_modulus(state: &State, rows: &[Mat<f64>; 3], goes_with: Option<&GoesWith>) -> Vec<Point> {
+    let means = state.sensitivities.means.iter();
+    means
+        .filter(|mean| mean.sensor == Sensor::Accelerometer)
+        .map(|mean| {
+            let u = mean.truth.specific_force.normalize();
+            let along = -(corrected(&mean.by_error).transpose() * u);
+            let [before, after, foretold] = each(rows, mean.row, &along);
+            Point {
+                place: mean.chunk,
+                axis: 0,
+                before,
+                after,
+                foretold,
+                std: std_along(state, mean.row, &along),
+                covariate: goes_with.map(|w| w.at(&mean.truth, w.axis)),
+            }
+        })
+        .collect()
+}
+
+/// Of each chunk of a rest and each axis, `−(T r)_i`.
+fn of_rate(state: &State, rows: &[Mat<f64>; 3], goes_with: Option<&GoesWith>) -> Vec<Point> {
+    let means = state.sensitivities.means.iter();
+    means
+        .filter(|mean| mean.sensor == Sensor::Gyroscope)
+        .flat_map(|mean| {
+            let t = corrected(&mean.by_error);
+            (0..3).map(move |axis| {
+                let along = -t.row(axis).transpose();
+                let [before, after, foretold] = each(rows, mean.row, &along);
+                Point {
+                    place: mean.chunk,
+                    axis,
+                    before,
+                    after,
+                    foretold,
+                    std: std_along(state, mean.row, &along),
+                    covariate: goes_with.map(|w| w.at(&mean.truth, axis)),
+                }
+            })
+        })
+        .collect()
+}
+
+/// Of each turn, `−r` in both coordinates.
+fn of_turns(state: &State, rows: &[Mat<f64>; 3]) -> Vec<Point> {
+    let turns = state.sensitivities.turns.iter();
+    turns
+        .flat_map(|turn| {
+            (0..2).map(|axis| {
+                let row = turn.row + axis;
+                let [before, after, foretold] = [0, 1, 2].map(|k| -rows[k][(row, 0)]);
+                Point {
+                    place: turn.turn,
+                    axis,
+                    before,
+                    after,
+                    foretold,
+                    std: state.fit.whitening.white.std(row),
+                    covariate: None,
+                }
+            })
+        })
+        .collect()
+}
+
+/// `T` of `∂r/∂e = T⁻¹`.
+fn corrected(by_error: &Matrix3<f64>) -> Matrix3<f64> {
+    sensor::inverse(by_error).unwrap_or_else(Matrix3::identity)
+}
+
+fn each(rows: &[Mat<f64>; 3], row: usize, along: &Vector3<f64>) -> [f64; 3] {
+    [0, 1, 2].map(|k| (0..3).map(|i| along[i] * rows[k][(row + i, 0)]).sum())
+}
+
+fn std_along(state: &State, row: usize, along: &Vector3<f64>) -> f64 {
+    let white = &state.fit.whitening.white;
+    let squares = (0..3).map(|i| (along[i] * white.std(row + i)).powi(2));
+    squares.sum::<f64>().sqrt()
+}
+
+/// The covariate of an effect.
+#[derive(Clone, Debug)]
+struct GoesWith {
+    kind: Kind,
+    /// The axis whose coefficient is most evident.
+    axis: usize,
+    /// Per axis, the direction along which specific force matters (g-sensitivity).
+    directions: [Vector3<f64>; 3],
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Time,
+    Temperature,
+    Force,
+    ForceAlong,
+    Product,
+    LastChange,
+    Vibration,
+}
+
+impl GoesWith {
+    fn of(effect: &str, parameters: &[EffectParameter]) -> Option<Self> {
+        let ends = |endings: &[&str]| endings.iter().any(|ending| effect.ends_with(ending));
+        let kind = if effect.contains("temperature") {
+            Kind::Temperature
+        } else if ends(&["_drift", "_warmup", "_step"]) {
+            Kind::Time
+        } else if ends(&["_g_sensitivity"]) {
+            Kind::ForceAlong
+        } else if ends(&[
+            "accel_quadratic",
+            "accel_cubic",
+            "accel_asymmetry",
+            "_g2_sensitivity",
+        ]) {
+            Kind::Force
+        } else if ends(&["_cross_axis"]) {
+            Kind::Product
+        } else if ends(&["_hysteresis"]) {
+            Kind::LastChange
+        } else if ends(&["_vibration_rectification"]) {
+            Kind::Vibration
+        } else {
+            return None;
+        };
+        let evidence = |p: &EffectParameter| p.std.map_or(0.0, |s| (p.value / s).abs());
+        let axis = (0..parameters.len().min(3))
+            .max_by(|&a, &b| evidence(&parameters[a]).total_cmp(&evidence(&parameters[b])))?;
+        let directions = [0, 1, 2].map(|i| {
+            let value = |j: usize| parameters.get(3 * i + j).map_or(0.0, |p| p.value);
+            Vector3::from_fn(|j, _| value(j))
+                .try_normalize(0.0)
+                .unwrap_or_else(Vector3::zeros)
+        });
+        Some(Self {
+            kind,
+            axis,
+            directions,
+        })
+    }
+
+    fn at(&self, truth: &Kinematics<f64>, axis: usize) -> f64 {
+        let f = &truth.specific_force;
+        match self.kind {
+            Kind::Time => truth.time,
+            Kind::Temperature => truth.temperature,
+            Kind::Force => f[axis],
+            Kind::ForceAlong => self.directions[axis].dot(f),
+            Kind::Product => f[(axis + 1) % 3] * f[(axis + 2) % 3],
+            Kind::LastChange => truth.last_change[axis],
+            Kind::Vibration => truth.vibration[axis],
+        }
+    }
+
+    fn in_words(&self, channel: Channel) -> Covariate {
+        let axis = match channel {
+            Channel::StaticNorm => ["x", "y", "z"][self.axis],
+            _ => "the axis",
+        };
+        let (name, unit) = match self.kind {
+            Kind::Time => ("time since the start".into(), "s"),
+            Kind::Temperature => ("temperature".into(), "°C"),
+            Kind::Force => (format!("specific force along {axis}"), "m/s²"),
+            Kind::ForceAlong => (
+                "specific force along the direction to which the axis is sensitive".into(),
+                "m/s²",
+            ),
+            Kind::Product => (
+                format!("product of the specific forces across {axis}"),
+                "(m/s²)²",
+            ),
+            Kind::LastChange => (
+                format!("sign of the last change of specific force along {axis}"),
+                "",
+            ),
+            Kind::Vibration => (
+                format!("mean square of the vibration along {axis}"),
+                "(m/s²)²",
+            ),
+        };
+        Covariate { name, unit }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::discover::{Request, discover};
+    use crate::simulate::Spec;
+
+    /// The share of the squares of the residuals before that is left once the effect is in the model.
+    fn left(points: &[Point]) -> f64 {
+        let square = |of: fn(&Point) -> f64| points.iter().map(|p| of(p).powi(2)).sum::<f64>();
+        square(|p| p.after) / square(|p| p.before)
+    }
+
+    #[test]
+    fn points_lie_on_what_the_effect_foretells_before_and_on_zero_after() {
+        for (effect, size, channel) in [
+            ("gyro_g_sensitivity", 1.0, Channel::StaticRate),
+            ("accel_cross_axis", 3.0, Channel::StaticNorm),
+        ] {
+            let session = Spec::hand_held(5).with_effect(effect, size).run().unwrap();
+            let request = Request::new(session.truth.spec.gravity);
+            let discovery = discover(&[session.recording], &request).unwrap();
+            let all = pictures(&discovery);
+            let picture = all.iter().find(|p| p.channel == channel).unwrap();
+            assert_eq!(picture.effect, effect);
+            assert!(picture.covariate.is_some());
+            let product: f64 = picture.points.iter().map(|p| p.foretold * p.before).sum();
+            let square: f64 = picture.points.iter().map(|p| p.foretold.powi(2)).sum();
+            // The slope of before on foretold: noise moves it by the square root of the statistic.
+            let slope = product / square;
+            assert!((slope - 1.0).abs() < 0.1, "{effect}: {slope}");
+            let left = left(&picture.points);
+            assert!(left < 0.3, "{effect}: {left}");
+        }
+    }
+}

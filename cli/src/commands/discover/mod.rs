@@ -1,0 +1,186 @@
+//! `discover`: where simulation and data disagree, and the name of what is missing.
+
+mod page;
+mod plots;
+mod tables;
+mod words;
+
+use std::path::PathBuf;
+
+use calib::Recording;
+use calib::calibrate::STANDARD_GRAVITY;
+use calib::discover::{Discovery, Findings, Request, discover, validate, walks_in};
+
+pub use page::page;
+pub use plots::{PLOTS, plots};
+pub use tables::text;
+pub use words::verdict;
+
+use super::calibrate::gate;
+use super::inputs::{DetectorArgs, as_paths, check_gravity, read, read_pair, spinner};
+use super::pictures::PictureArgs;
+use crate::exit::{BUG, Failure, USAGE};
+use crate::output::Output;
+use crate::read_args::ReadArgs;
+use crate::show;
+
+/// Finds what the base models lack: simulates the recording from the fitted model, compares, names the missing
+/// effect, adds it, fits again and shows the gap before and after.
+///
+/// A gap is the root of the reduced chi² of what is left: 1 is explained to the noise that was measured in
+/// the recording itself. Effects that the recording cannot tell apart are named together, with the recording that
+/// would. Nothing is named unless chance would show as much in one of a hundred recordings (`--alpha`).
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  stillpoint discover morning/ -o findings.json --report findings.html
+  stillpoint discover morning/ --validation evening/   does the name hold on another recording?
+  stillpoint allan overnight.csv -o noise.json
+  stillpoint discover morning/ --noise noise.json      random walk known: drift is told from it sooner")]
+pub struct Args {
+    /// Files or folders, recordings of one device; `-` reads standard input
+    #[arg(value_name = "RECORDING")]
+    recordings: Vec<PathBuf>,
+    /// Accelerometer text of a recording in two files (`t x y z`, no header, any unit)
+    #[arg(
+        long,
+        value_name = "FILE",
+        requires = "gyro_file",
+        conflicts_with = "recordings"
+    )]
+    accel_file: Option<PathBuf>,
+    /// Gyroscope text of that recording
+    #[arg(long, value_name = "FILE", requires = "accel_file")]
+    gyro_file: Option<PathBuf>,
+    /// Another recording of the device: the gap before and after is shown on it, the calibration held
+    #[arg(long, value_name = "RECORDING")]
+    validation: Option<PathBuf>,
+    /// Chance of any false claim about a device that lacks nothing, over the whole catalogue
+    #[arg(long, value_name = "P", default_value_t = 0.01)]
+    alpha: f64,
+    /// Take the random walk densities of the biases from this file of `allan` [default: estimated]
+    #[arg(long, value_name = "FILE")]
+    noise: Option<PathBuf>,
+    /// Local gravity, m/s²; a wrong one is a common scale of the accelerometer and never shows
+    #[arg(long, value_name = "M/S²", default_value_t = STANDARD_GRAVITY)]
+    gravity: f64,
+    /// Write the findings here
+    #[arg(short, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Replace existing files
+    #[arg(long)]
+    force: bool,
+    /// Print the findings as JSON instead of tables
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    pictures: PictureArgs,
+    #[command(flatten)]
+    detector: DetectorArgs,
+    #[command(flatten)]
+    read: ReadArgs,
+}
+
+/// Runs the command.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    let mut inputs = args.recordings.clone();
+    inputs.extend(args.accel_file.iter().chain(&args.gyro_file).cloned());
+    if inputs.is_empty() {
+        return Err(Failure::new(
+            USAGE,
+            "no recording given: name a file or a folder",
+        ));
+    }
+    inputs.extend(args.validation.iter().chain(&args.noise).cloned());
+    let mut request = request(args)?;
+    let output = match &args.output {
+        Some(path) => Some(Output::claim(path, args.force, &as_paths(&inputs))?),
+        None => None,
+    };
+    let pictures = args
+        .pictures
+        .claim(&PLOTS, args.force, &as_paths(&inputs))?;
+    if let Some(path) = &args.noise {
+        let given = walks_in(path)?;
+        given.notes.iter().for_each(|note| show::warn(note));
+        request.walks = Some(given.walks);
+    }
+    let recordings = recordings(args)?;
+    let validation = args.validation.as_ref();
+    let validation = validation.map(|path| read(path, &args.read)).transpose()?;
+    for recording in recordings.iter().chain(&validation) {
+        recording.warnings.iter().for_each(|w| show::warn(w));
+    }
+    let discovery = look(&recordings, validation.as_ref(), &request)?;
+    let findings = &discovery.findings;
+    findings
+        .calibration
+        .warnings
+        .iter()
+        .for_each(|w| show::warn(w));
+    let json = json(findings)?;
+    if let Some(output) = output {
+        output.write(json.as_bytes())?;
+    }
+    if pictures.wanted() {
+        let plots = plots(&discovery);
+        pictures.write(&plots, &page(&discovery, &plots)?)?;
+    }
+    show::print(&if args.json { json } else { text(&discovery) })?;
+    gate(&findings.calibration)
+}
+
+fn request(args: &Args) -> Result<Request, Failure> {
+    check_gravity(args.gravity)?;
+    if !(args.alpha > 0.0 && args.alpha <= 0.5) {
+        return Err(Failure::new(
+            USAGE,
+            format!(
+                "--alpha {}: a chance above 0 and at most 0.5 expected; 0.01 is one false claim in a hundred \
+                 recordings",
+                args.alpha
+            ),
+        ));
+    }
+    let (detector, choose_multiplier) = args.detector.detector()?;
+    Ok(Request {
+        alpha: args.alpha,
+        detector,
+        choose_multiplier,
+        ..Request::new(args.gravity)
+    })
+}
+
+fn recordings(args: &Args) -> Result<Vec<Recording>, Failure> {
+    match (&args.accel_file, &args.gyro_file) {
+        (Some(accel), Some(gyro)) => Ok(vec![read_pair(accel, gyro, &args.read)?]),
+        _ => args
+            .recordings
+            .iter()
+            .map(|path| read(path, &args.read))
+            .collect(),
+    }
+}
+
+/// The discovery, with the gap on the validation recording.
+pub fn look(
+    recordings: &[Recording],
+    validation: Option<&Recording>,
+    request: &Request,
+) -> Result<Discovery, Failure> {
+    let spinner = spinner("looking for what is missing");
+    let mut discovery = discover(recordings, request)?;
+    if let Some(recording) = validation {
+        spinner.set_message("comparing with the validation recording");
+        discovery.findings.validation = validate(recording, request, &discovery)?;
+    }
+    spinner.finish_and_clear();
+    Ok(discovery)
+}
+
+/// The document that `-o` and `--json` give.
+pub fn json(findings: &Findings) -> Result<String, Failure> {
+    let text =
+        serde_json::to_string_pretty(findings).map_err(|e| Failure::new(BUG, e.to_string()))?;
+    Ok(format!("{text}\n"))
+}

@@ -1,0 +1,174 @@
+//! The gap and the residuals before and after, as pictures.
+
+use calib::discover::{Channel, Discovery, Findings, Picture, Point, pictures};
+
+use super::tables::places;
+use crate::report::{Axis, Plot, Series};
+use crate::show;
+
+/// Names of the plots as files, at most.
+pub const PLOTS: [&str; 13] = [
+    "gap",
+    "residual-1",
+    "residual-2",
+    "residual-3",
+    "residual-4",
+    "residual-5",
+    "residual-6",
+    "residual-7",
+    "residual-8",
+    "residual-9",
+    "residual-10",
+    "residual-11",
+    "residual-12",
+];
+
+/// Colours of what is before and after, of the noise, and of what joins them.
+const BEFORE: usize = 1;
+const AFTER: usize = 0;
+const BY_AXIS: [usize; 3] = [1, 4, 3];
+const NOISE: usize = 2;
+const GREY: usize = 6;
+
+/// A gap above this wants a logarithmic axis.
+const WIDE: f64 = 6.0;
+
+/// Letters of a recording's name that fit under the axis.
+const LETTERS: usize = 18;
+
+/// The plots: the gap, then for every named effect its residuals; none where nothing is named.
+pub fn plots(discovery: &Discovery) -> Vec<Plot> {
+    let findings = &discovery.findings;
+    if findings.effects.is_empty() {
+        return Vec::new();
+    }
+    let residuals = pictures(discovery);
+    std::iter::once(gap(findings))
+        .chain(residuals.iter().flat_map(residual_plots))
+        .take(PLOTS.len())
+        .collect()
+}
+
+/// The gap before and after everywhere it was measured.
+fn gap(findings: &Findings) -> Plot {
+    let several = findings.effects.len() > 1;
+    let (mut names, mut before, mut after, mut joined) = (vec![], vec![], vec![], vec![]);
+    for effect in &findings.effects {
+        for (place, b, a) in places(findings, effect) {
+            let place: String = place.chars().take(LETTERS).collect();
+            names.push(if several {
+                format!("{}: {place}", short(&effect.name))
+            } else {
+                place
+            });
+            let x = names.len() as f64;
+            before.push((x, b));
+            after.push((x, a));
+            joined.push((x, a.min(b), a.max(b)));
+        }
+    }
+    let widest = before.iter().chain(&after).map(|p| p.1).fold(0.0, f64::max);
+    let label = "gap, root of chi² per degree of freedom";
+    let axis = if widest > WIDE {
+        Axis::log(label)
+    } else {
+        Axis::linear(label)
+    };
+    // One empty place for the legend.
+    names.push(String::new());
+    let end = names.len() as f64 + 0.5;
+    let title = match findings.effects.as_slice() {
+        [one] => format!("The gap of the {}", one.channel.words()),
+        _ => "The gap of the channel that each effect lives in".into(),
+    };
+    Plot::new(title, Axis::categories("", names), axis)
+        .with(Series::dashed(
+            "explained to the noise",
+            NOISE,
+            vec![(0.5, 1.0), (end, 1.0)],
+        ))
+        .with(Series::ranges("", GREY, joined))
+        .with(Series::dots("without the effect", BEFORE, before))
+        .with(Series::dots("with it", AFTER, after))
+}
+
+/// `g_sensitivity` of `gyro_g_sensitivity`.
+fn short(name: &str) -> &str {
+    name.split_once('_').map_or(name, |(_, rest)| rest)
+}
+
+/// The residuals against what the effect foretells, and against what it goes with.
+fn residual_plots(picture: &Picture) -> Vec<Plot> {
+    let (measured, unit, factor) = measured(picture.channel);
+    let label = format!("{measured}, {unit}");
+    let effect = show::printable(&picture.effect);
+    let foretold = against(
+        Plot::new(
+            format!("{effect}: what it foretells, and what was measured"),
+            Axis::linear(format!("foretold by {effect}, {unit}")),
+            Axis::linear(&label),
+        )
+        .with(diagonal(&picture.points, factor)),
+        &picture.points,
+        factor,
+        |p| Some(factor * p.foretold),
+    );
+    let mut plots = vec![foretold];
+    if let Some(covariate) = &picture.covariate {
+        let x = match covariate.unit {
+            "" => covariate.name.clone(),
+            unit => format!("{}, {unit}", covariate.name),
+        };
+        let plot = Plot::new(
+            format!("{effect}: residual before and after"),
+            Axis::linear(x),
+            Axis::linear(&label),
+        );
+        plots.push(against(plot, &picture.points, factor, |p| p.covariate));
+    }
+    plots
+}
+
+/// What the residual of a channel is, its unit, and how many of it make the SI unit.
+fn measured(channel: Channel) -> (&'static str, &'static str, f64) {
+    match channel {
+        Channel::StaticNorm => ("modulus less gravity", "mm/s²", 1e3),
+        Channel::StaticRate => ("rate at rest", "mrad/s", 1e3),
+        Channel::Direction => ("gravity's direction after the turn", "°", 1f64.to_degrees()),
+    }
+}
+
+fn diagonal(points: &[Point], factor: f64) -> Series {
+    let values = points.iter().map(|p| factor * p.foretold);
+    let (low, high) = values.fold((0.0_f64, 0.0_f64), |(l, h), v| (l.min(v), h.max(v)));
+    Series::dashed("as foretold", GREY, vec![(low, low), (high, high)])
+}
+
+/// Dots with 95 % of the white noise, before and after; before axis by axis, where there are several.
+fn against(plot: Plot, points: &[Point], factor: f64, x: impl Fn(&Point) -> Option<f64>) -> Plot {
+    let bars = |of: fn(&Point) -> f64, wanted: &dyn Fn(&Point) -> bool| {
+        let bar = |p: &Point| {
+            let (y, half) = (factor * of(p), 1.96 * factor * p.std);
+            Some((x(p)?, y, y - half, y + half))
+        };
+        let all = points.iter().filter(|p| wanted(p));
+        all.filter_map(bar).collect::<Vec<(f64, f64, f64, f64)>>()
+    };
+    let axes = 1 + points.iter().map(|p| p.axis).max().unwrap_or(0);
+    let plot = (0..axes).fold(plot, |plot, axis| {
+        let name = match (axes, axis) {
+            (3, 0) => "x without the effect",
+            (3, 1) => "y without the effect",
+            (3, 2) => "z without the effect",
+            (_, 0) => "without the effect",
+            _ => "",
+        };
+        let colour = if axes == 3 { BY_AXIS[axis] } else { BEFORE };
+        plot.with(Series::bars(
+            name,
+            colour,
+            bars(|p| p.before, &|p| p.axis == axis),
+        ))
+    });
+    plot.with(Series::bars("with it", AFTER, bars(|p| p.after, &|_| true)))
+}

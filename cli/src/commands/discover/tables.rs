@@ -1,0 +1,222 @@
+//! Findings as tables, for the terminal and for the page.
+
+use std::fmt::Write as _;
+
+use calib::discover::{Discovery, EffectFinding, Findings};
+use comfy_table::CellAlignment;
+
+use super::words::{chance, next_recordings, verdict};
+use crate::show;
+
+/// Header and rows.
+pub type Rows<const N: usize> = ([&'static str; N], Vec<[String; N]>);
+
+/// The gap before and after, in the fit, on intervals left out and on the validation recording.
+pub fn gaps(findings: &Findings) -> Rows<5> {
+    let header = [
+        "gap (1: explained to the noise)",
+        "of the",
+        "where",
+        "before",
+        "after",
+    ];
+    let mut rows = Vec::new();
+    for effect in &findings.effects {
+        for (place, before, after) in places(findings, effect) {
+            rows.push([
+                effect.name.clone(),
+                effect.channel.words().into(),
+                place,
+                format!("{before:.2}"),
+                format!("{after:.2}"),
+            ]);
+        }
+    }
+    if findings.effects.is_empty() {
+        rows.extend(findings.validation.iter().map(|v| {
+            [
+                "base models".into(),
+                v.channel.words().into(),
+                show::printable(&v.recording),
+                format!("{:.2}", v.gap_before),
+                format!("{:.2}", v.gap_after),
+            ]
+        }));
+    }
+    (header, rows)
+}
+
+/// Where the gap of an effect was measured, before and after.
+pub fn places(findings: &Findings, effect: &EffectFinding) -> Vec<(String, f64, f64)> {
+    let mut places = vec![
+        ("in the fit".into(), effect.gap_before, effect.gap_after),
+        (
+            "left out".into(),
+            effect.held_out_gap_before,
+            effect.held_out_gap_after,
+        ),
+    ];
+    let own = findings.validation.iter();
+    places.extend(
+        own.filter(|v| v.channel == effect.channel)
+            .map(|v| (show::printable(&v.recording), v.gap_before, v.gap_after)),
+    );
+    places
+}
+
+/// The parameters of a named effect.
+pub fn parameters(effect: &EffectFinding) -> Vec<[String; 4]> {
+    let digits = |v: f64| format!("{v:.3e}");
+    let row = |p: &calib::calibration::EffectParameter| {
+        [
+            p.name.clone(),
+            digits(p.value),
+            p.std.map_or("held".into(), digits),
+            p.unit.clone(),
+        ]
+    };
+    effect.parameters.iter().map(row).collect()
+}
+
+/// The evidence for what is named, everything else named being in the model.
+pub fn evidence(findings: &Findings) -> Rows<5> {
+    let header = [
+        "named",
+        "likelihood ratio",
+        "dof",
+        "p, one test",
+        "p, whole catalogue",
+    ];
+    let row = |e: &EffectFinding| {
+        [
+            e.name.clone(),
+            format!("{:.1}", e.statistic),
+            format!("{:.0}", e.dof),
+            chance(e.p_value),
+            chance(e.adjusted_p_value),
+        ]
+    };
+    (header, findings.effects.iter().map(row).collect())
+}
+
+/// The best of the catalogue against the base models.
+pub fn ranking(findings: &Findings) -> Rows<4> {
+    let header = [
+        "against the base models",
+        "likelihood ratio",
+        "dof",
+        "p, whole catalogue",
+    ];
+    let rows = findings.ranking.iter().map(|claim| {
+        [
+            claim.name.clone(),
+            format!("{:.1}", claim.statistic),
+            format!("{:.0}", claim.dof),
+            chance(claim.adjusted_p_value),
+        ]
+    });
+    (header, rows.collect())
+}
+
+/// Where the base models disagree with the data.
+pub fn disagreement(findings: &Findings) -> Rows<4> {
+    let header = ["base models disagree in", "gap", "most in", "goes with"];
+    let rows = findings.disagreement.iter().map(|d| {
+        [
+            d.channel.words().into(),
+            format!("{:.2}", d.size),
+            show::printable(&d.place),
+            d.covariate.clone(),
+        ]
+    });
+    (header, rows.collect())
+}
+
+/// Faults of the recordings.
+pub fn faults(findings: &Findings) -> Rows<5> {
+    let header = ["fault", "recording", "interval", "time, s", "what"];
+    let rows = findings.integrity.iter().map(|fault| {
+        [
+            fault.name.into(),
+            show::printable(&fault.recording),
+            fault.interval.map_or("all".into(), |k| k.to_string()),
+            format!("{:.2} to {:.2}", fault.t0, fault.t1),
+            fault.detail.clone(),
+        ]
+    });
+    (header, rows.collect())
+}
+
+/// What cannot be told from a named effect, in a sentence each.
+pub fn ties(findings: &Findings) -> Vec<String> {
+    let mut all = Vec::new();
+    for effect in &findings.effects {
+        for (tie, shared) in effect.indistinguishable_from.iter().zip(&effect.shared) {
+            all.push(format!(
+                "{tie} would explain {:.0} % of what {} explains: these recordings cannot tell the two apart.",
+                100.0 * shared,
+                effect.name
+            ));
+        }
+    }
+    all
+}
+
+/// What is not seen here, in sentences.
+pub fn not_seen(findings: &Findings) -> Vec<String> {
+    let mut all = Vec::new();
+    if !findings.not_observable.is_empty() {
+        all.push(format!(
+            "Not observable in these recordings, not even at ten times the typical size: {}.",
+            findings.not_observable.join(", ")
+        ));
+    }
+    if !findings.never_visible.is_empty() {
+        all.push("Never visible in recordings made by hand:".into());
+        let words = findings.never_visible.iter();
+        all.extend(words.map(|what| format!("• {what}")));
+    }
+    all
+}
+
+/// The tables for people.
+pub fn text(discovery: &Discovery) -> String {
+    let findings = &discovery.findings;
+    let mut text = format!("{}\n", verdict(findings));
+    push(&mut text, gaps(findings), 3);
+    push(&mut text, evidence(findings), 1);
+    for effect in &findings.effects {
+        let mut table = show::table(&[&effect.name, "value", "std error", "unit"]);
+        for row in parameters(effect) {
+            table.add_row(row);
+        }
+        let _ = writeln!(text, "\n{table}");
+    }
+    push(&mut text, faults(findings), 5);
+    push(&mut text, disagreement(findings), 1);
+    if findings.effects.is_empty() {
+        push(&mut text, ranking(findings), 1);
+    }
+    for line in ties(findings).into_iter().chain(not_seen(findings)) {
+        let _ = writeln!(text, "{line}");
+    }
+    for line in next_recordings(findings) {
+        let _ = writeln!(text, "{line}");
+    }
+    text
+}
+
+/// Appends a table, its first `left` columns aligned left; nothing where it has no rows.
+fn push<const N: usize>(text: &mut String, (header, rows): Rows<N>, left: usize) {
+    if rows.is_empty() {
+        return;
+    }
+    let mut table = show::table(&header);
+    for column in table.column_iter_mut().take(left) {
+        column.set_cell_alignment(CellAlignment::Left);
+    }
+    for row in rows {
+        table.add_row(row);
+    }
+    let _ = writeln!(text, "\n{table}");
+}

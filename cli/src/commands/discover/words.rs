@@ -1,0 +1,187 @@
+//! Findings in sentences.
+
+use calib::discover::{EffectFinding, Findings, Unexplained, Verdict};
+
+/// The verdict in one sentence.
+pub fn verdict(findings: &Findings) -> String {
+    let mut parts = Vec::new();
+    if !findings.effects.is_empty() {
+        parts.push(named(&findings.effects));
+    }
+    if !findings.integrity.is_empty() {
+        parts.push(faults(findings));
+    }
+    if let Some(rest) = &findings.unexplained {
+        parts.push(unexplained(rest));
+    }
+    if findings.verdict == Verdict::Nothing {
+        let hidden = match findings.not_observable.len() {
+            0 => String::new(),
+            1 => "; one effect of the catalogue could not have shown".into(),
+            n => format!("; {n} effects of the catalogue could not have shown"),
+        };
+        return format!(
+            "Nothing is missing that could show here: the base models explain the data to within its noise{hidden}."
+        );
+    }
+    let whole = parts.join("; ");
+    let mut letters = whole.chars();
+    let first = letters.next().map(|c| c.to_uppercase().to_string());
+    format!("{}{}.", first.unwrap_or_default(), letters.as_str())
+}
+
+fn named(effects: &[EffectFinding]) -> String {
+    let names: Vec<String> = effects.iter().map(with_ties).collect();
+    let gaps: Vec<String> = effects
+        .iter()
+        .map(|e| {
+            format!(
+                "the gap of the {} from {:.2} to {:.2} (left out: {:.2} to {:.2})",
+                e.channel.words(),
+                e.gap_before,
+                e.gap_after,
+                e.held_out_gap_before,
+                e.held_out_gap_after
+            )
+        })
+        .collect();
+    let them = if effects.len() == 1 {
+        "it takes"
+    } else {
+        "they take"
+    };
+    format!(
+        "the base models lack {}; {them} {}",
+        names.join(" and "),
+        gaps.join(" and ")
+    )
+}
+
+/// `a, which cannot be told from b here`.
+fn with_ties(effect: &EffectFinding) -> String {
+    let ties = &effect.indistinguishable_from;
+    if ties.is_empty() {
+        return effect.name.clone();
+    }
+    format!("{} (or {})", effect.name, ties.join(" or "))
+}
+
+fn faults(findings: &Findings) -> String {
+    let mut counts: Vec<(&str, usize)> = Vec::new();
+    for fault in &findings.integrity {
+        match counts.iter_mut().find(|(name, _)| *name == fault.name) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((fault.name, 1)),
+        }
+    }
+    let words: Vec<String> = counts
+        .iter()
+        .map(|(name, count)| match count {
+            1 => (*name).to_owned(),
+            n => format!("{name} ({n} times)"),
+        })
+        .collect();
+    format!("the recording itself is at fault: {}", words.join(", "))
+}
+
+fn unexplained(rest: &Unexplained) -> String {
+    format!(
+        "something remains that no effect of the catalogue explains: {} (gap {:.2} of the {}, p = {})",
+        rest.shape,
+        rest.size,
+        rest.channel.words(),
+        chance(rest.p_value)
+    )
+}
+
+/// A chance: `3e-11`, `0.004`.
+pub fn chance(p: f64) -> String {
+    if p <= 0.0 {
+        "< 1e-300".into()
+    } else if p < 1e-3 {
+        format!("{p:.0e}")
+    } else {
+        format!("{p:.3}")
+    }
+}
+
+/// What a recording must have for effects whose names contain the first to show.
+const TO_SHOW: [(&str, &str); 5] = [
+    (
+        "temperature",
+        "a recording with a temperature column during which the device warms by ten degrees or more",
+    ),
+    (
+        "vibration",
+        "some rests on a table that vibrates, others on one that does not",
+    ),
+    (
+        "hysteresis",
+        "the same placements reached from different sides",
+    ),
+    (
+        "gyro_",
+        "turns of very different speed, both ways about every axis, between rests in twenty orientations",
+    ),
+    ("accel_", "more orientations, edges and corners among them"),
+];
+
+/// What to record next, the most telling first.
+pub fn next_recordings(findings: &Findings) -> Vec<String> {
+    let mut next: Vec<String> = Vec::new();
+    let mut add = |text: String| {
+        if !next.contains(&text) {
+            next.push(text);
+        }
+    };
+    for effect in &findings.effects {
+        if let Some(recording) = &effect.told_apart_by {
+            add(format!(
+                "To tell {} from {}: {recording}.",
+                effect.name,
+                effect.indistinguishable_from.join(" and ")
+            ));
+        }
+    }
+    if findings.unexplained.is_some() {
+        add(
+            "To learn whether what remains belongs to the device or to the day: a second recording of the same \
+             kind. What returns with the same shape belongs to the device."
+                .into(),
+        );
+    }
+    if !findings.effects.is_empty() && findings.validation.is_empty() {
+        add(
+            "To see the name confirmed: another recording of the device, given as --validation. The gap must close \
+             there too."
+                .into(),
+        );
+    }
+    for (part, recording) in TO_SHOW {
+        let effects: Vec<&str> = findings
+            .not_observable
+            .iter()
+            .filter(|name| {
+                let first = TO_SHOW.iter().find(|(p, _)| name.contains(p));
+                first.is_some_and(|(p, _)| *p == part)
+            })
+            .map(String::as_str)
+            .collect();
+        if !effects.is_empty() {
+            add(format!("To see {}: {recording}.", effects.join(", ")));
+        }
+    }
+    next
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_chance_has_one_figure_where_it_is_small_and_never_reads_zero() {
+        assert_eq!(chance(0.0), "< 1e-300");
+        assert_eq!(chance(3.2e-11), "3e-11");
+        assert_eq!(chance(0.0042), "0.004");
+    }
+}

@@ -1,0 +1,245 @@
+//! `discover` from the command line: what it finds, what it writes, what it refuses.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+use calib::recording::to_csv;
+use calib::simulate::Spec;
+
+const HIDDEN: &str = "gyro_g_sensitivity";
+
+fn stillpoint(folder: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_stillpoint"))
+        .current_dir(folder)
+        .args(args)
+        .stdin(Stdio::null())
+        .output()
+        .unwrap()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+/// A folder with the recording of `spec` in `NAME.csv`.
+fn folder(name: &str, spec: &Spec) -> (tempfile::TempDir, PathBuf) {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().to_owned();
+    let mut recording = spec.run().unwrap().recording;
+    std::fs::write(path.join(format!("{name}.csv")), to_csv(&mut recording)).unwrap();
+    (dir, path)
+}
+
+fn hidden() -> (tempfile::TempDir, PathBuf) {
+    folder("hidden", &Spec::hand_held(3).with_effect(HIDDEN, 1.0))
+}
+
+fn still() -> (tempfile::TempDir, PathBuf) {
+    folder("still", &Spec::still(1, 60.0))
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> = entries
+        .map(|e| e.unwrap().file_name().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn a_hidden_effect_is_named_added_and_its_gap_shrinks() {
+    let (_dir, folder) = hidden();
+    let args = [
+        "discover",
+        "hidden.csv",
+        "-o",
+        "findings.json",
+        "--report",
+        "report.html",
+        "--plots",
+        "plots",
+    ];
+    let run = stillpoint(&folder, &args);
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    let said = stdout(&run);
+    assert!(
+        said.starts_with("The base models lack gyro_g_sensitivity;"),
+        "{said}"
+    );
+    let text = std::fs::read_to_string(folder.join("findings.json")).unwrap();
+    let findings: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(findings["schema"], "stillpoint.findings/1");
+    assert_eq!(findings["verdict"], "named");
+    for key in [
+        "effects",
+        "integrity",
+        "unexplained",
+        "disagreement",
+        "calibration",
+    ] {
+        assert!(findings.get(key).is_some(), "{key}");
+    }
+    assert_eq!(
+        findings["calibration"]["schema"],
+        "stillpoint.calibration/1"
+    );
+    let effect = &findings["effects"][0];
+    for key in [
+        "name",
+        "statistic",
+        "dof",
+        "p_value",
+        "adjusted_p_value",
+        "indistinguishable_from",
+        "parameters",
+        "gap_before",
+        "gap_after",
+        "held_out_gap_before",
+        "held_out_gap_after",
+    ] {
+        assert!(effect.get(key).is_some(), "{key}");
+    }
+    assert_eq!(effect["name"], HIDDEN);
+    assert_eq!(effect["parameters"].as_array().unwrap().len(), 9);
+    let gap = |key: &str| effect[key].as_f64().unwrap();
+    for (before, after) in [
+        ("gap_before", "gap_after"),
+        ("held_out_gap_before", "held_out_gap_after"),
+    ] {
+        // A rate at rest of 1 mrad/s in means good to 20 µrad/s.
+        assert!(gap(before) > 5.0 && gap(after) < 1.5, "{effect}");
+    }
+    let page = std::fs::read_to_string(folder.join("report.html")).unwrap();
+    for words in [
+        "What is missing",
+        HIDDEN,
+        "Verdict",
+        "<svg",
+        "Not observable",
+    ] {
+        assert!(page.contains(words), "{words}");
+    }
+    assert!(!page.contains("<script"));
+    let plots = names(&folder.join("plots"));
+    for plot in ["gap.svg", "residual-1.png", "residual-2-dark.svg"] {
+        assert!(plots.iter().any(|p| p == plot), "{plots:?}");
+    }
+    assert!(plots.iter().all(|p| !p.ends_with(".partial")), "{plots:?}");
+}
+
+#[test]
+fn a_device_that_lacks_nothing_gets_no_name_and_the_document_is_alone_on_standard_output() {
+    let (_dir, folder) = folder("clean", &Spec::hand_held(4));
+    let run = stillpoint(&folder, &["discover", "clean.csv", "--json"]);
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    let findings: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+    assert_eq!(findings["verdict"], "none");
+    assert_eq!(findings["effects"], serde_json::json!([]));
+    assert!(findings["unexplained"].is_null());
+    let table = stdout(&stillpoint(&folder, &["discover", "clean.csv"]));
+    assert!(table.starts_with("Nothing is missing"), "{table}");
+    // What has no temperature column cannot show an effect of temperature.
+    assert!(table.contains("Not observable") && table.contains("accel_temperature"));
+}
+
+#[test]
+fn wrong_calls_and_bad_inputs_end_with_their_status() {
+    let (_dir, folder) = still();
+    std::fs::write(folder.join("noise.json"), "{}").unwrap();
+    let cases: [(&[&str], i32, &str); 9] = [
+        (&["discover"], 2, "no recording given"),
+        (&["discover", "still.csv", "--alpha", "0"], 2, "--alpha"),
+        (&["discover", "still.csv", "--alpha", "2"], 2, "--alpha"),
+        (&["discover", "still.csv", "--gravity", "1"], 2, "--gravity"),
+        (
+            &["discover", "still.csv", "-o", "still.csv", "--force"],
+            2,
+            "is the input",
+        ),
+        (&["discover", "nowhere.csv"], 3, "nowhere.csv"),
+        (
+            &["discover", "still.csv", "--validation", "nowhere.csv"],
+            3,
+            "nowhere.csv",
+        ),
+        (
+            &["discover", "still.csv", "--noise", "noise.json"],
+            3,
+            "noise.json:1:2",
+        ),
+        (
+            &["discover", "still.csv", "-o", "findings.json"],
+            4,
+            "static interval",
+        ),
+    ];
+    for (args, status, words) in cases {
+        let run = stillpoint(&folder, args);
+        let said = stderr(&run);
+        assert_eq!(run.status.code(), Some(status), "{args:?}: {said}");
+        assert!(said.contains(words), "{args:?}: {said}");
+        assert!(run.stdout.is_empty(), "{args:?}");
+    }
+    assert_eq!(names(&folder), ["noise.json", "still.csv"]);
+}
+
+#[test]
+fn outputs_in_the_way_are_found_before_anything_is_looked_for() {
+    let (_dir, folder) = still();
+    std::fs::write(folder.join("old.json"), "old").unwrap();
+    std::fs::create_dir(folder.join("locked")).unwrap();
+    let locked = folder.join("locked");
+    let mut permissions = std::fs::metadata(&locked).unwrap().permissions();
+    permissions.set_readonly(true);
+    std::fs::set_permissions(&locked, permissions).unwrap();
+    // Whoever may write anywhere (root) finds the folder writable.
+    let may_write = std::fs::write(locked.join("probe"), "").is_ok();
+    let mut cases = vec![
+        (["-o", "old.json"], "exists already"),
+        (["--report", "old.json"], "exists already"),
+        (["-o", "missing/findings.json"], "cannot be written"),
+    ];
+    if may_write {
+        std::fs::remove_file(locked.join("probe")).unwrap();
+    } else {
+        cases.push((["-o", "locked/findings.json"], "cannot be written"));
+    }
+    for (args, words) in cases {
+        let run = stillpoint(&folder, &[&["discover", "still.csv"], &args[..]].concat());
+        assert_eq!(run.status.code(), Some(6), "{args:?}: {}", stderr(&run));
+        assert!(stderr(&run).contains(words), "{args:?}: {}", stderr(&run));
+    }
+    let old = std::fs::read_to_string(folder.join("old.json")).unwrap();
+    assert_eq!(old, "old");
+}
+
+#[test]
+fn another_recording_of_the_device_shows_whether_the_name_holds() {
+    let (_dir, folder) = hidden();
+    let other = Spec::hand_held(9).run().unwrap();
+    std::fs::write(
+        folder.join("stranger.csv"),
+        to_csv(&mut other.recording.clone()),
+    )
+    .unwrap();
+    let args = [
+        "discover",
+        "hidden.csv",
+        "--validation",
+        "stranger.csv",
+        "--json",
+    ];
+    let run = stillpoint(&folder, &args);
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    let findings: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+    let validation = &findings["validation"][0];
+    assert_eq!(validation["channel"], "static_rate");
+    // Another device: the name of this one does not hold there.
+    assert!(validation["gap_after"].as_f64().unwrap() > 3.0);
+}
