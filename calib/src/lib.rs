@@ -11,6 +11,8 @@
 pub mod calibrate;
 pub mod calibration;
 pub mod covariates;
+pub mod discover;
+pub mod effect_file;
 mod error;
 mod evaluate;
 pub mod intervals;
@@ -21,6 +23,7 @@ pub mod reckon;
 pub mod recording;
 pub mod residuals;
 pub mod simulate;
+mod toml_place;
 
 pub use calibration::Calibration;
 pub use error::Error;

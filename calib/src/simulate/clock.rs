@@ -54,6 +54,8 @@ pub(crate) struct Ticks {
     rate: f64,
     place: Stamp,
     count: u64,
+    /// Samples that the clock has not counted.
+    closed_up: u64,
     random: Random,
 }
 
@@ -64,6 +66,7 @@ impl Ticks {
             clock: clock.clone(),
             place,
             count: 0,
+            closed_up: 0,
             random: Random::new(seed, Purpose::Clock(sensor)),
         }
     }
@@ -85,9 +88,15 @@ impl Ticks {
         }
     }
 
+    /// Leaves the last sample uncounted: the stamps after it are a step earlier.
+    pub fn close_up(&mut self) {
+        self.closed_up += 1;
+    }
+
     fn stamp(&mut self, time: f64, step: f64) -> f64 {
         let clock = &self.clock;
-        let mut stamp = time * (1.0 + clock.rate_error) + clock.offset;
+        let counted = time - self.closed_up as f64 * step;
+        let mut stamp = counted * (1.0 + clock.rate_error) + clock.offset;
         if clock.jitter > 0.0 {
             let limit = 0.4 * step;
             stamp += (clock.jitter * self.random.normal()).clamp(-limit, limit);

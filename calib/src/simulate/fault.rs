@@ -34,4 +34,12 @@ pub enum Fault {
         /// s.
         length: f64,
     },
+    /// Samples of both sensors are lost in the middle of a turn, and the stamps after them are closed
+    /// up as if nothing were missing.
+    Lost {
+        /// Turn, counted from 0.
+        turn: usize,
+        /// Time that is lost, s.
+        length: f64,
+    },
 }

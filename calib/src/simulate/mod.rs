@@ -16,6 +16,7 @@ mod drift;
 mod effects;
 mod environment;
 mod fault;
+mod hidden;
 mod motion;
 mod noise;
 mod random;
@@ -33,6 +34,9 @@ pub use device::Grade;
 pub use effects::{Effects, SIZE, catalogue};
 pub use environment::Temperature;
 pub use fault::Fault;
+pub use hidden::{
+    Heading, Hidden, HiddenTruth, Pattern, Periodic, Relaxation, SizeEffect, Telegraph,
+};
 pub use motion::{Cart, HandHeld, SixPosition, Still, Walking};
 pub use noise::Noise;
 pub use samples::{Sample, Samples};
@@ -41,3 +45,5 @@ pub use spec::{EARTH_RATE, EXAMPLE, Motion, SensorSpec, Spec};
 pub use truth::{StaticInterval, TRUTH_SCHEMA, Truth};
 pub use vibration::Vibration;
 pub use write::FILES;
+
+pub(crate) use spec::complaint::hint;

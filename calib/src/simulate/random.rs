@@ -36,6 +36,8 @@ pub(crate) enum Purpose {
     Clock(Sensor),
     /// Coefficients of the effect with this place in the sensor's catalogue.
     Effect(Sensor, usize),
+    /// The hidden disturbance with this place in the list.
+    Hidden(usize),
     /// The fault with this place in the list.
     Fault(usize),
 }
@@ -55,6 +57,7 @@ impl Purpose {
             Self::Instability(sensor) => of(13, sensor),
             Self::Clock(sensor) => of(14, sensor),
             Self::Effect(sensor, place) => of(1000 + place as u64, sensor),
+            Self::Hidden(place) => (1 << 34) + place as u64,
             Self::Fault(place) => (1 << 33) + place as u64,
         }
     }

@@ -44,6 +44,7 @@ impl<'a> Samples<'a> {
         if sensor == Sensor::Accelerometer {
             clock.offset += simulation.delays().stamps;
         }
+        clock.rate_error += spec.clock_rate_error();
         Self {
             simulation,
             sensor,
@@ -67,6 +68,12 @@ impl<'a> Samples<'a> {
                 .component_mul(&self.vibration.normal3()),
             _ => Vector3::zeros(),
         }
+    }
+
+    /// Whether the sample is missing and the stamps do not show it.
+    fn is_closed_up(&self, tick: &Tick) -> bool {
+        let mut lost = self.simulation.lost_spans().iter();
+        lost.any(|span| span.contains(&tick.time))
     }
 
     fn is_lost(&self, tick: &Tick) -> bool {
@@ -93,6 +100,10 @@ impl Iterator for Samples<'_> {
             }
             let noise = self.noise.draw();
             let shake = self.shake(tick.time);
+            if self.is_closed_up(&tick) {
+                self.ticks.close_up();
+                continue;
+            }
             if self.is_lost(&tick) {
                 continue;
             }

@@ -1,5 +1,7 @@
 //! A simulation that is ready to run.
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
 use sensor::Sensor;
 use solver::Parameters;
@@ -7,6 +9,8 @@ use solver::Parameters;
 use super::device::Device;
 use super::drift::DriftMeans;
 use super::effects::draw_device;
+use super::fault::Fault;
+use super::hidden::{HiddenTruth, Placed};
 use super::motion::{Motion, Rest, Segment};
 use super::random::{Purpose, Random};
 use super::readout::ZERO_COUNT;
@@ -38,6 +42,9 @@ pub struct Simulation {
     accelerometer: Device,
     gyroscope: Device,
     delays: Delays,
+    lost_spans: Vec<Range<f64>>,
+    /// One for each of the spec's `hidden`.
+    disturbances: Vec<Option<Placed>>,
 }
 
 impl Simulation {
@@ -49,23 +56,27 @@ impl Simulation {
         spec.check()?;
         let path = spec.motion.path(&spec.surroundings());
         let motion = Motion::new(path, Vector3::from(spec.lever_arm));
-        spec.check_faults(
-            motion
-                .segments()
-                .iter()
-                .filter(|s| s.rest.is_some())
-                .count(),
-        )?;
+        let rests = motion.segments().iter().filter(|s| s.rest.is_some());
+        let (placements, segments) = (rests.count(), motion.segments().len());
+        spec.check_faults(placements, segments - placements)?;
         let (seed, end) = (spec.seed, motion.end());
+        let disturbances: Vec<Option<Placed>> = spec
+            .hidden
+            .iter()
+            .enumerate()
+            .map(|(place, hidden)| hidden.place(seed, place, &motion))
+            .collect();
         let device = |sensor| draw_device(spec, sensor, seed, end);
         let accelerometer = device(Sensor::Accelerometer)?;
         let gyroscope = device(Sensor::Gyroscope)?;
         let delays = Delays::of(&accelerometer, &gyroscope);
-        let (gravity, temperature) = (spec.gravity, spec.temperature.clone());
+        let (gravity, temperature) = (spec.true_gravity(), spec.temperature.clone());
+        let lost_spans = lost_spans(spec, &motion);
         let world = World {
             motion,
             gravity,
             temperature,
+            disturbances: disturbances.iter().flatten().cloned().collect(),
         };
         Ok(Self {
             spec: spec.clone(),
@@ -73,6 +84,8 @@ impl Simulation {
             accelerometer,
             gyroscope,
             delays,
+            disturbances,
+            lost_spans,
         })
     }
 
@@ -103,11 +116,14 @@ impl Simulation {
         let temperature = self.spec.temperature.as_ref()?;
         let mut random = Random::new(self.spec.seed, Purpose::Thermometer);
         let count = (self.duration() * temperature.rate).floor() as usize + 1;
-        let t: Vec<f64> = (0..count).map(|k| k as f64 / temperature.rate).collect();
-        let celsius = t
-            .iter()
-            .map(|&t| temperature.at(t) + temperature.noise * random.normal())
-            .collect();
+        let fast = 1.0 + self.spec.clock_rate_error();
+        let (t, celsius) = (0..count)
+            .map(|k| {
+                let t = k as f64 / temperature.rate;
+                let celsius = temperature.at(t) + temperature.noise * random.normal();
+                (t * fast, celsius)
+            })
+            .unzip();
         Some(Temperature { t, celsius })
     }
 
@@ -166,6 +182,11 @@ impl Simulation {
         }
     }
 
+    /// When samples are lost that leave no gap in the stamps, s.
+    pub(crate) fn lost_spans(&self) -> &[Range<f64>] {
+        &self.lost_spans
+    }
+
     pub(crate) fn delays(&self) -> &Delays {
         &self.delays
     }
@@ -192,12 +213,27 @@ impl Simulation {
             accelerometer_noise: self.spec.noise(Sensor::Accelerometer),
             gyroscope_noise: self.spec.noise(Sensor::Gyroscope),
             effects: effects.collect(),
+            hidden: self.hidden_truth(),
             static_intervals: self
                 .rests()
                 .enumerate()
                 .map(|(k, (segment, rest))| self.static_interval(segment, rest, k, drift))
                 .collect(),
         }
+    }
+
+    fn hidden_truth(&self) -> Vec<HiddenTruth> {
+        let hidden = self.spec.hidden.iter().zip(&self.disturbances);
+        hidden
+            .map(|(hidden, placed)| HiddenTruth {
+                name: hidden.name().to_owned(),
+                amplitude: hidden.amplitude(),
+                drawn: placed
+                    .as_ref()
+                    .map(|p| p.disturbance.drawn())
+                    .unwrap_or_default(),
+            })
+            .collect()
     }
 
     fn rests(&self) -> impl Iterator<Item = (&Segment, &Rest)> {
@@ -245,4 +281,17 @@ impl Simulation {
         }
         parameters
     }
+}
+
+/// The middles of the turns in which samples are lost without a trace.
+fn lost_spans(spec: &Spec, motion: &Motion) -> Vec<Range<f64>> {
+    let turns = || motion.segments().iter().filter(|s| s.rest.is_none());
+    let span = |fault: &Fault| match *fault {
+        Fault::Lost { turn, length } => turns().nth(turn).map(|segment| {
+            let middle = 0.5 * (segment.start + segment.end);
+            middle - 0.5 * length..middle + 0.5 * length
+        }),
+        _ => None,
+    };
+    spec.faults.iter().filter_map(span).collect()
 }

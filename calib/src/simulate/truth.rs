@@ -4,6 +4,7 @@ use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 use solver::Parameters;
 
+use super::hidden::HiddenTruth;
 use super::noise::Noise;
 use super::spec::Spec;
 
@@ -28,6 +29,9 @@ pub struct Truth {
     pub gyroscope_noise: Noise,
     /// Names of the effects that are on.
     pub effects: Vec<String>,
+    /// What is outside the catalogue, and what was drawn for it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub hidden: Vec<HiddenTruth>,
     /// The placements, in order.
     pub static_intervals: Vec<StaticInterval>,
 }

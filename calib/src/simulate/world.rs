@@ -6,6 +6,7 @@ use sensor::{Kinematics, REFERENCE_TEMPERATURE, Sensor};
 
 use super::device::Device;
 use super::environment::Temperature;
+use super::hidden::{Instant, Placed};
 use super::motion::{Motion, mean_over};
 
 /// The true motion of the device and what surrounds it.
@@ -17,13 +18,15 @@ pub(crate) struct World {
     pub gravity: f64,
     /// Temperature; constant where there is none.
     pub temperature: Option<Temperature>,
+    /// What disturbs readings.
+    pub disturbances: Vec<Placed>,
 }
 
 impl World {
     /// The truth at time `t`: `f = Rᵀ(a + g z)`, rate and acceleration relative to the earth.
     ///
-    /// Derivatives of the signals are left at zero: the effects that need them are delays, which are
-    /// simulated as such (see [`Delays`]).
+    /// The derivative of specific force is left at zero: the effect that needs it is a delay, and simulated
+    /// as such (see [`Delays`]).
     pub fn kinematics(&self, t: f64) -> Kinematics<f64> {
         let state = self.motion.at(t);
         let up = Vector3::z() * self.gravity;
@@ -34,6 +37,7 @@ impl World {
         Kinematics {
             time: t,
             temperature: self.temperature_at(t),
+            angular_acceleration: state.angular_acceleration,
             last_change: rest.map_or_else(Vector3::zeros, |r| r.last_change),
             vibration: rest.map_or_else(Vector3::zeros, |r| r.vibration),
             attitude: Attitude {
@@ -45,6 +49,28 @@ impl World {
                 state.rate,
             )
         }
+    }
+
+    /// What hidden disturbances add to the reading of `device` at time `t`.
+    fn disturbance(&self, device: &Device, t: f64) -> Vector3<f64> {
+        let sensor = device.model.sensor();
+        let mut own = self
+            .disturbances
+            .iter()
+            .filter(|d| d.sensor == sensor)
+            .peekable();
+        if own.peek().is_none() {
+            return Vector3::zeros();
+        }
+        let (state, truth) = (self.motion.at(t), self.kinematics(t));
+        let at = Instant {
+            time: t,
+            force: truth.specific_force,
+            rate: state.rate,
+            angular_acceleration: state.angular_acceleration,
+            attitude: state.attitude,
+        };
+        own.map(|placed| placed.disturbance.error(&at)).sum()
     }
 
     /// Temperature at time `t`, °C.
@@ -59,7 +85,7 @@ impl World {
     /// The sensor distorts first and averages then, as the electronics do. At rest one instant stands
     /// for the window: what still changes (temperature, drift) is linear over it.
     pub fn mean_reading(&self, device: &Device, from: f64, to: f64) -> Vector3<f64> {
-        let read = |t: f64| device.read(&self.kinematics(t));
+        let read = |t: f64| device.read(&self.kinematics(t)) + self.disturbance(device, t);
         if self.motion.is_still(from, to) {
             return read(0.5 * (from + to));
         }

@@ -201,11 +201,11 @@ fn joint(
     walk: Option<[f64; 2]>,
 ) -> Result<JointFit, Error> {
     fit_joint(&JointRequest {
-        recordings: vec![(&session.recording, segmentation)],
-        accelerometer: accelerometer::model(),
-        gyroscope: gyroscope::model(),
-        gravity: session.truth.spec.gravity,
         walk,
+        ..JointRequest::new(
+            vec![(&session.recording, segmentation)],
+            session.truth.spec.gravity,
+        )
     })
 }
 

@@ -47,8 +47,7 @@ pub fn touched(pair: &Pair<'_>, turn: Span, bias: &Vector3<f64>) -> Option<Span>
     };
     let states: Vec<State> = (0..count).map(|k| state(pair, window(k), bias)).collect();
     let shaking = longest(&states, |s| s == State::Shakes);
-    let first = states.iter().position(|s| *s != State::Quiet)?;
-    let last = states.iter().rposition(|s| *s != State::Quiet)?;
+    let (first, last) = ends(&states)?;
     let inner = longest(&states[first..=last], |s| s == State::Quiet);
     let found = if shaking.len() >= LEAST {
         shaking
@@ -92,6 +91,15 @@ fn moments(stream: &Stream, window: Span) -> Option<(Vector3<f64>, Vector3<f64>,
     let mean = values.iter().sum::<Vector3<f64>>() / count;
     let squares: Vector3<f64> = values.iter().map(|v| (v - mean).map(|d| d * d)).sum();
     (values.len() > 2).then(|| (mean, squares / (count - 1.0), count))
+}
+
+/// The first and the last window of motion or shaking that lasts longer than one window; a single one is a
+/// chance reading.
+fn ends(states: &[State]) -> Option<(usize, usize)> {
+    let lasts = |pair: &[State]| pair.iter().all(|s| *s != State::Quiet);
+    let first = states.windows(2).position(lasts)?;
+    let last = states.windows(2).rposition(lasts)? + 1;
+    Some((first, last))
 }
 
 /// The longest run of states that pass.

@@ -36,7 +36,7 @@ impl Layout {
     }
 
     /// All of them.
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.disturbance(0) + self.disturbances
     }
 

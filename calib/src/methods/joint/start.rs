@@ -28,7 +28,8 @@ pub struct Start {
     pub accelerometer: Vec<Vec<f64>>,
 }
 
-/// The stepwise accelerometer and the gyroscope's unit, from the static means alone.
+/// The stepwise accelerometer without effects, which are small, and the gyroscope's unit, from the static
+/// means alone.
 ///
 /// # Errors
 /// Means that lie on no sphere, and what the solver refuses.
@@ -54,19 +55,21 @@ pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
     let fit = fit_accelerometer(&AccelerometerRequest {
         recordings: means,
         names,
-        model: request.accelerometer.clone(),
+        model: Model::base(sensor::Sensor::Accelerometer),
         gravity: request.gravity,
     })?;
-    let shared = request.accelerometer.parameters().len();
+    let nominal = request.accelerometer.parameters();
     let near_si = fit.first.parameters.values();
     let determined = fit.fitted.rank == fit.fitted.free.len() && fit.first.termination.converged();
     let accelerometer: Vec<Vec<f64>> = (0..request.recordings.len())
         .map(|k| {
+            let mut local = nominal.values().to_vec();
             if !determined {
-                return request.accelerometer.parameters().values().to_vec();
+                return local;
             }
-            let mut local = near_si[..shared].to_vec();
-            if let Some(own) = near_si.get(shared + 3 * k..shared + 3 * k + 3) {
+            local[..BASE_PARAMETERS].copy_from_slice(&near_si[..BASE_PARAMETERS]);
+            let own = BASE_PARAMETERS + 3 * k;
+            if let Some(own) = near_si.get(own..own + 3) {
                 local[9..BASE_PARAMETERS].copy_from_slice(own);
             }
             local

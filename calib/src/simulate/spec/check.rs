@@ -49,7 +49,9 @@ impl Spec {
         self.faults
             .iter()
             .enumerate()
-            .try_for_each(|(k, fault)| fault.check(k))
+            .try_for_each(|(k, fault)| fault.check(k))?;
+        let mut hidden = self.hidden.iter().enumerate();
+        hidden.try_for_each(|(k, hidden)| hidden.check(k))
     }
 
     fn check_motion(&self) -> Result<(), Complaint> {
@@ -97,19 +99,20 @@ impl Spec {
         }
     }
 
-    /// Faults that name a placement, once the number of placements is known.
-    pub(crate) fn check_faults(&self, placements: usize) -> Result<(), Error> {
+    /// Faults that name a placement or a turn, once the number of both is known.
+    pub(crate) fn check_faults(&self, placements: usize, turns: usize) -> Result<(), Error> {
         for (k, fault) in self.faults.iter().enumerate() {
-            let interval = match *fault {
+            let (key, place, count) = match *fault {
                 Fault::Slip { interval, .. }
                 | Fault::Touch { interval, .. }
-                | Fault::Disturbed { interval, .. } => interval,
+                | Fault::Disturbed { interval, .. } => ("interval", interval, placements),
+                Fault::Lost { turn, .. } => ("turn", turn, turns),
                 Fault::Gap { .. } => continue,
             };
-            if interval >= placements {
-                let what =
-                    format!("is {interval}, but there are {placements} placements, 0 the first");
-                return Err(Complaint::new(format!("faults.{k}.interval"), what).into());
+            if place >= count {
+                let kind = if key == "turn" { "turns" } else { "placements" };
+                let what = format!("is {place}, but there are {count} {kind}, 0 the first");
+                return Err(Complaint::new(format!("faults.{k}.{key}"), what).into());
             }
         }
         Ok(())
@@ -164,6 +167,7 @@ impl Fault {
             Self::Slip { angle, .. } => number(&key("slip.angle"), angle, -3.2..=3.2),
             Self::Touch { size, .. } => number(&key("touch.size"), size, -LARGE..=LARGE),
             Self::Disturbed { size, .. } => number(&key("disturbed.size"), size, -LARGE..=LARGE),
+            Self::Lost { length, .. } => number(&key("lost.length"), length, 0.0..=SHORTEST_TURN),
             Self::Gap { start, length } => {
                 number(&key("gap.start"), start, 0.0..=LONGEST)?;
                 number(&key("gap.length"), length, 0.0..=LONGEST)

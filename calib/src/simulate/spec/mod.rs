@@ -1,23 +1,27 @@
 //! What to simulate.
 
 mod check;
-mod complaint;
+pub(crate) mod complaint;
 mod names;
 mod parse;
 
 pub use parse::EXAMPLE;
 
+use complaint::Complaint;
+
 use std::collections::BTreeMap;
 
-use sensor::Sensor;
+use sensor::{AnyEffect, Definition, Sensor};
 use serde::{Deserialize, Serialize};
 
 use crate::Error;
+use crate::effect_file::effects_of;
 use crate::simulate::clock::{Clock, Stamp};
 use crate::simulate::device::Grade;
-use crate::simulate::effects::{Effects, SIZE};
+use crate::simulate::effects::{Effects, SIZE, catalogue};
 use crate::simulate::environment::Temperature;
 use crate::simulate::fault::Fault;
+use crate::simulate::hidden::Hidden;
 use crate::simulate::motion::{Cart, HandHeld, Path, SixPosition, Still, Surroundings, Walking};
 use crate::simulate::noise::Noise;
 use crate::simulate::readout::Readout;
@@ -67,8 +71,12 @@ pub struct Spec {
     pub temperature: Option<Temperature>,
     /// Vibration of the table at rest.
     pub vibration: Option<Vibration>,
+    /// Effects beside the catalogue, as expressions; `effects` switches them on.
+    pub definitions: Vec<Definition>,
     /// What goes wrong.
     pub faults: Vec<Fault>,
+    /// What is outside the catalogue of effects.
+    pub hidden: Vec<Hidden>,
 }
 
 impl Default for Spec {
@@ -88,7 +96,9 @@ impl Default for Spec {
             gyroscope: SensorSpec::default(),
             temperature: None,
             vibration: None,
+            definitions: Vec::new(),
             faults: Vec::new(),
+            hidden: Vec::new(),
         }
     }
 }
@@ -203,6 +213,20 @@ impl Spec {
         self
     }
 
+    /// With something outside the catalogue of effects.
+    #[must_use]
+    pub fn with_hidden(mut self, hidden: Hidden) -> Self {
+        self.hidden.push(hidden);
+        self
+    }
+
+    /// With something that goes wrong.
+    #[must_use]
+    pub fn with_fault(mut self, fault: Fault) -> Self {
+        self.faults.push(fault);
+        self
+    }
+
     /// Without white noise, random walk and instability.
     #[must_use]
     pub fn noise_free(mut self) -> Self {
@@ -220,6 +244,17 @@ impl Spec {
     /// [`Error::Usage`] where the spec contradicts itself, or is too long for the memory.
     pub fn run(&self) -> Result<Session, Error> {
         Simulation::new(self)?.run()
+    }
+
+    /// Gravity as it is, not as the estimator is told, m/s².
+    pub fn true_gravity(&self) -> f64 {
+        let factors = self.hidden.iter().map(Hidden::gravity_factor);
+        self.gravity * factors.product::<f64>()
+    }
+
+    /// Share by which the stamps of the device run fast.
+    pub(crate) fn clock_rate_error(&self) -> f64 {
+        self.hidden.iter().map(Hidden::rate_error).sum()
     }
 
     /// What is said of one sensor.
@@ -240,6 +275,19 @@ impl Spec {
         }
     }
 
+    /// The catalogue of one sensor with the definitions after it.
+    ///
+    /// # Errors
+    /// The key of what is wrong with a definition, and what.
+    pub(crate) fn catalogue(
+        &self,
+        sensor: Sensor,
+    ) -> Result<Vec<&'static dyn AnyEffect>, Complaint> {
+        let own = effects_of(&self.definitions).map_err(|(key, what)| Complaint { key, what })?;
+        let all = catalogue(sensor).iter().copied().chain(own);
+        Ok(all.filter(|effect| effect.sensor() == sensor).collect())
+    }
+
     /// The effects with the earth's rotation in it, if there is a latitude.
     pub(crate) fn all_effects(&self) -> Effects {
         let mut effects = self.effects.clone();
@@ -255,7 +303,7 @@ impl Spec {
     pub(crate) fn surroundings(&self) -> Surroundings<'_> {
         Surroundings {
             seed: self.seed,
-            gravity: self.gravity,
+            gravity: self.true_gravity(),
             vibration: self.vibration.as_ref(),
             faults: &self.faults,
         }

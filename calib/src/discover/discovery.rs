@@ -1,0 +1,222 @@
+//! The whole way from recordings to findings.
+
+use crate::calibrate::{Request as CalibrationRequest, joint::written_down};
+use crate::calibration::{Calibration, EffectParameter, EffectValues};
+use crate::error::Error;
+use crate::recording::Recording;
+
+use sensor::AnyEffect;
+
+use super::channel::{Channel, Sequence, channel_of};
+use super::family::{Claim, families};
+use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
+use super::held_out::{gap_of, held_out};
+use super::integrity::{disturbed, integrity};
+use super::localise::disagreements;
+use super::rank::Ranked;
+use super::request::{Request, Session};
+use super::search::{Name, Search, search};
+use super::state::State;
+use super::time_offset::{Delay, delay};
+use super::unexplained::unexplained;
+use super::visible::{NEVER_VISIBLE, told_apart_by};
+
+/// The effect that the moving accelerometer shows.
+const LATE: &str = "time_offset";
+
+/// The findings with the models behind them, for pictures.
+#[derive(Clone, Debug)]
+pub struct Discovery {
+    /// What was found.
+    pub findings: Findings,
+    /// The models.
+    pub search: Search,
+}
+
+/// Finds what the base models lack.
+///
+/// # Errors
+/// Recordings that cannot be cut, a fit that fails, a calibration that the data do not determine.
+pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery, Error> {
+    let session = Session::new(recordings, request)?;
+    let base = State::fit(&session, super::Extension::default())?;
+    let mut faults = integrity(&session, &base);
+    let quantised = faults.iter().any(|f| f.name == "quantisation");
+    let mut search = if quantised {
+        Search::without_names(base)
+    } else {
+        search(&session, request, base)?
+    };
+    let rest = if quantised {
+        None
+    } else {
+        unexplained(&mut search, 0.5 * request.alpha)
+    };
+    let late = (!quantised).then(|| late(&search.last, request)).flatten();
+    if let Some((effect, late)) = late {
+        let mut extension = search.last.extension.clone();
+        extension.effects.push((effect, Some((0, late.delay))));
+        search.last = State::fit(&session, extension)?;
+    }
+    let mut calibration = calibration(&session, &search.last, request)?;
+    let mut effects: Vec<EffectFinding> = search
+        .names
+        .iter()
+        .filter(|name| matches!(name.claim, Claim::Effect(_)))
+        .map(|name| finding(name, &search.last, &calibration))
+        .collect();
+    if let Some((_, late)) = late {
+        effects.push(late_finding(&late, request, &mut calibration));
+    }
+    faults.extend(disturbed(&search.last));
+    let named = !effects.is_empty() || !faults.is_empty();
+    let verdict = match (named, rest.is_some()) {
+        (false, false) => Verdict::Nothing,
+        (true, false) => Verdict::Named,
+        (false, true) => Verdict::Unexplained,
+        (true, true) => Verdict::NamedAndUnexplained,
+    };
+    let findings = Findings {
+        schema: FINDINGS_SCHEMA,
+        verdict,
+        effects,
+        integrity: faults,
+        unexplained: rest,
+        disagreement: disagreements(&search.base),
+        ranking: search
+            .first_ranking
+            .iter()
+            .map(|(c, r)| ranked_claim(c, r))
+            .collect(),
+        not_observable: not_observable(&search.base, request),
+        never_visible: NEVER_VISIBLE.to_vec(),
+        validation: Vec::new(),
+        walks: search.last.walks,
+        calibration,
+    };
+    Ok(Discovery { findings, search })
+}
+
+fn calibration(
+    session: &Session<'_>,
+    last: &State,
+    request: &Request,
+) -> Result<Calibration, Error> {
+    let recordings: Vec<&Recording> = session.recordings.iter().map(|(r, _)| *r).collect();
+    let choices: Vec<_> = session.recordings.iter().map(|(_, c)| c).collect();
+    let mut warnings = Vec::new();
+    let how = CalibrationRequest {
+        gravity: request.gravity,
+        ..CalibrationRequest::default()
+    };
+    let calibration = written_down(&last.fit, &recordings, &choices, &how, &mut warnings)?;
+    Ok(Calibration {
+        warnings,
+        ..calibration
+    })
+}
+
+fn finding(name: &Name, last: &State, calibration: &Calibration) -> EffectFinding {
+    let without = &name.without;
+    let walks = last.walks;
+    let sequence = Sequence::of(without, walks);
+    let channel = channel_of(&sequence.of_column(name.predicted.clone()));
+    let before = sequence.misfits(without)[channel as usize].gap();
+    let after = Sequence::of(last, walks).misfits(last)[channel as usize].gap();
+    let held = |state: &State| held_out(state, walks).map_or(1.0, |m| gap_of(&m, channel));
+    let ties: Vec<String> = name.ties.iter().map(|t| t.claim.name().into()).collect();
+    EffectFinding {
+        name: name.claim.name().into(),
+        statistic: name.ranked.statistic,
+        dof: name.ranked.dof,
+        p_value: name.ranked.log_p.exp(),
+        adjusted_p_value: adjusted(&name.ranked),
+        told_apart_by: told_apart_by(name.claim.name(), &ties),
+        indistinguishable_from: ties,
+        shared: name.ties.iter().map(|t| t.shared).collect(),
+        parameters: parameters_of(name.claim.name(), calibration),
+        channel,
+        gap_before: before,
+        gap_after: after,
+        held_out_gap_before: held(without),
+        held_out_gap_after: held(last),
+    }
+}
+
+/// The effect of late stamps, where the moving accelerometer shows it.
+fn late(state: &State, request: &Request) -> Option<(&'static dyn AnyEffect, Delay)> {
+    let candidates = request.candidates();
+    let effect = candidates.iter().find(|e| e.name() == LATE)?;
+    let found = delay(state)?;
+    (late_evidence(&found, candidates.len()) > -(0.5 * request.alpha).ln())
+        .then_some((*effect, found))
+}
+
+fn late_evidence(found: &Delay, candidates: usize) -> f64 {
+    -found.log_p - (2.0 * candidates as f64).ln()
+}
+
+fn late_finding(found: &Delay, request: &Request, calibration: &mut Calibration) -> EffectFinding {
+    for effect in calibration.effects.iter_mut().filter(|e| e.name == LATE) {
+        for p in &mut effect.parameters {
+            p.std = Some(found.std);
+        }
+    }
+    EffectFinding {
+        name: LATE.into(),
+        statistic: found.statistic,
+        dof: 1.0,
+        p_value: found.log_p.exp(),
+        adjusted_p_value: (-late_evidence(found, request.candidates().len()))
+            .exp()
+            .min(1.0),
+        indistinguishable_from: Vec::new(),
+        shared: Vec::new(),
+        told_apart_by: None,
+        parameters: parameters_of(LATE, calibration),
+        channel: Channel::MovingForce,
+        gap_before: found.gap_before,
+        gap_after: 1.0,
+        held_out_gap_before: found.held_out_gap_before,
+        held_out_gap_after: found.held_out_gap_after,
+    }
+}
+
+fn adjusted(ranked: &Ranked) -> f64 {
+    (-ranked.evidence).exp().min(1.0)
+}
+
+fn parameters_of(name: &str, calibration: &Calibration) -> Vec<EffectParameter> {
+    let own = |effect: &&EffectValues| effect.name == name;
+    calibration
+        .effects
+        .iter()
+        .find(own)
+        .map(|effect| effect.parameters.clone())
+        .unwrap_or_default()
+}
+
+fn ranked_claim(claim: &Claim, ranked: &Ranked) -> RankedClaim {
+    RankedClaim {
+        name: claim.name().into(),
+        statistic: ranked.statistic,
+        dof: ranked.dof,
+        adjusted_p_value: adjusted(ranked),
+    }
+}
+
+fn not_observable(base: &State, request: &Request) -> Vec<String> {
+    let families = families(base, &request.candidates());
+    let Some(whitened) = base.projected.at([0.0; 2]) else {
+        return Vec::new();
+    };
+    families
+        .iter()
+        .filter(|f| matches!(f.claim, Claim::Effect(_)))
+        .filter(|f| {
+            let columns = whitened.columns(&base.projected.columns(f.columns.as_ref()));
+            super::score::score(columns.as_ref(), &whitened.z).dof == 0
+        })
+        .map(|f| f.claim.name().into())
+        .collect()
+}

@@ -1,0 +1,263 @@
+//! What may be missing: families of hypotheses about one recording.
+
+use faer::Mat;
+use sensor::{AnyEffect, Sensor};
+
+use super::columns::{effect_columns, step_columns};
+use super::shape::Shape;
+use super::state::State;
+use crate::methods::joint::Disturbance;
+
+/// Time constants tried for an effect that settles, s. Between neighbours the shapes correlate by more than
+/// 0.98 over a session of minutes.
+const TIME_CONSTANTS: [f64; 6] = [20.0, 40.0, 70.0, 120.0, 200.0, 350.0];
+
+/// Typical sizes of what is no sensor effect: creep of a rest (rad/s: 1.5 mrad in 7 s), a pushed chunk
+/// (m/s²), a turn with lost samples (rad).
+const TYPICAL_CREEP: f64 = 2e-4;
+const TYPICAL_PUSH: f64 = 2e-2;
+const TYPICAL_MISS: f64 = 1e-2;
+
+/// A temperature effect of higher order comes with those of lower order: they stand for the
+/// reference temperature, which is nobody's to choose.
+const COMPANIONS: [(&str, &str); 1] = [("accel_temperature_quadratic", "accel_temperature")];
+
+/// What a family claims.
+#[derive(Clone, Copy, Debug)]
+pub enum Claim {
+    /// The sensor has an effect of the catalogue.
+    Effect(&'static dyn AnyEffect),
+    /// The recording was disturbed.
+    Disturbed(Disturbance),
+    /// Something is left that no effect of the catalogue explains, of this shape.
+    Shape(Shape, Sensor),
+}
+
+impl Claim {
+    /// The name in findings.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Effect(effect) => effect.name(),
+            Self::Disturbed(Disturbance::MountSlip) => "mount_slip",
+            Self::Disturbed(Disturbance::DisturbedInterval) => "disturbed_interval",
+            Self::Disturbed(Disturbance::BadTurn) => "lost_samples",
+            Self::Shape(shape, _) => shape.words(),
+        }
+    }
+
+    /// The sensor whose bias walk can be taken for it.
+    pub fn sensor(&self) -> Sensor {
+        match self {
+            Self::Effect(effect) => effect.sensor(),
+            Self::Disturbed(Disturbance::DisturbedInterval) => Sensor::Accelerometer,
+            Self::Disturbed(_) => Sensor::Gyroscope,
+            Self::Shape(_, sensor) => *sensor,
+        }
+    }
+}
+
+/// One way in which a claim can hold: an instant, a time constant, an interval.
+#[derive(Clone, Debug)]
+pub struct Hypothesis {
+    /// A parameter that shapes the effect, by its place, with its value: `tau` or `t0`.
+    pub shape: Option<(usize, f64)>,
+    /// The rest, chunk or turn of a disturbance.
+    pub place: Option<usize>,
+    /// Its columns among those of the family.
+    pub columns: std::ops::Range<usize>,
+}
+
+/// All hypotheses of one claim.
+#[derive(Clone, Debug)]
+pub struct Family {
+    /// What it claims.
+    pub claim: Claim,
+    /// The ways.
+    pub hypotheses: Vec<Hypothesis>,
+    /// `∂r/∂c · typical` (`m × …`), white-whitened: columns of all hypotheses side by side.
+    pub columns: Mat<f64>,
+    /// The size that a column stands for.
+    pub typical: f64,
+    /// Degrees of freedom that the choice of a shape spends.
+    pub shape_dof: f64,
+    /// `ln` of the number of places that it could be at.
+    pub log_places: f64,
+}
+
+/// Places of an effect's coefficients, which are nothing in a perfect sensor, and of the parameter that
+/// shapes it, where there is one.
+pub fn coefficients(effect: &dyn AnyEffect) -> (Vec<usize>, Option<usize>) {
+    let params = effect.params();
+    let shape = params
+        .iter()
+        .position(|p| p.name == "tau" || p.name == "t0");
+    let linear = (0..params.len()).filter(|k| Some(*k) != shape).collect();
+    (linear, shape)
+}
+
+/// The effects that come with `effect`, itself first.
+pub fn with_companions<'a>(
+    effect: &'static dyn AnyEffect,
+    catalogue: &'a [&'static dyn AnyEffect],
+) -> impl Iterator<Item = &'static dyn AnyEffect> + 'a {
+    let companion = COMPANIONS
+        .iter()
+        .find(|(name, _)| *name == effect.name())
+        .and_then(|(_, with)| catalogue.iter().find(|e| e.name() == *with));
+    std::iter::once(effect).chain(companion.copied())
+}
+
+/// Everything that the model of `state` lacks and its recordings could show.
+pub fn families(state: &State, catalogue: &[&'static dyn AnyEffect]) -> Vec<Family> {
+    let mut all: Vec<Family> = catalogue
+        .iter()
+        .filter(|effect| !state.has(effect.name()))
+        .filter(|effect| effect.sensor() == Sensor::Accelerometer || state.fit.has_gyroscope())
+        .map(|effect| effect_family(state, *effect, catalogue))
+        .collect();
+    all.extend(disturbance_families(state));
+    all
+}
+
+fn effect_family(
+    state: &State,
+    effect: &'static dyn AnyEffect,
+    catalogue: &[&'static dyn AnyEffect],
+) -> Family {
+    let (linear, shape) = coefficients(effect);
+    let nominal: Vec<f64> = effect.params().iter().map(|p| p.nominal).collect();
+    let values: Vec<Option<f64>> = match shape {
+        Some(k) if effect.params()[k].name == "tau" => TIME_CONSTANTS.map(Some).to_vec(),
+        Some(_) => state.boundaries().into_iter().map(Some).collect(),
+        None => vec![None],
+    };
+    let is_instant = shape.is_some_and(|k| effect.params()[k].name == "t0");
+    let mut parts = if is_instant {
+        vec![steps(state, effect, &linear, &values)]
+    } else {
+        Vec::new()
+    };
+    let mut hypotheses = Vec::new();
+    let mut first = 0;
+    for value in &values {
+        let shape = shape.zip(*value);
+        let mut count = linear.len();
+        if !is_instant {
+            let mut p = nominal.clone();
+            if let Some((k, value)) = shape {
+                p[k] = value;
+            }
+            parts.push(scaled(state, effect, &p, &linear));
+            let companions = with_companions(effect, catalogue).skip(1);
+            for companion in companions.filter(|c| !state.has(c.name())) {
+                let (linear, _) = coefficients(companion);
+                let p: Vec<f64> = companion.params().iter().map(|p| p.nominal).collect();
+                count += linear.len();
+                parts.push(scaled(state, companion, &p, &linear));
+            }
+        }
+        hypotheses.push(Hypothesis {
+            shape,
+            place: None,
+            columns: first..first + count,
+        });
+        first += count;
+    }
+    Family {
+        claim: Claim::Effect(effect),
+        shape_dof: if shape.is_some() && !is_instant {
+            1.0
+        } else {
+            0.0
+        },
+        log_places: if is_instant {
+            (values.len().max(1) as f64).ln()
+        } else {
+            0.0
+        },
+        hypotheses,
+        columns: state.whitened(beside(&parts, state.rows())),
+        typical: effect.typical(),
+    }
+}
+
+/// The columns of an effect's coefficients, for typical sizes.
+fn scaled(state: &State, effect: &dyn AnyEffect, p: &[f64], linear: &[usize]) -> Mat<f64> {
+    let columns = effect_columns(&state.sensitivities, state.rows(), effect, p, linear);
+    columns * faer::Scale(effect.typical())
+}
+
+/// The same for an effect that begins at an instant, for all instants.
+fn steps(
+    state: &State,
+    effect: &dyn AnyEffect,
+    linear: &[usize],
+    values: &[Option<f64>],
+) -> Mat<f64> {
+    let instants: Vec<f64> = values.iter().flatten().copied().collect();
+    // The instant is no coefficient: it is put before everything.
+    let always: Vec<f64> = (0..effect.params().len())
+        .map(|k| {
+            if linear.contains(&k) {
+                0.0
+            } else {
+                f64::NEG_INFINITY
+            }
+        })
+        .collect();
+    let of = (always.as_slice(), linear);
+    let columns = step_columns(&state.sensitivities, state.rows(), effect, of, &instants);
+    columns * faer::Scale(effect.typical())
+}
+
+fn disturbance_families(state: &State) -> Vec<Family> {
+    [
+        (Disturbance::MountSlip, TYPICAL_CREEP),
+        (Disturbance::DisturbedInterval, TYPICAL_PUSH),
+        (Disturbance::BadTurn, TYPICAL_MISS),
+    ]
+    .into_iter()
+    .map(|(kind, typical)| {
+        let suspects: Vec<_> = state
+            .suspects()
+            .into_iter()
+            .filter(|s| s.kind == kind && !state.is_accused(kind, s.place))
+            .collect();
+        let mut hypotheses = Vec::new();
+        let mut first = 0;
+        for suspect in &suspects {
+            hypotheses.push(Hypothesis {
+                shape: None,
+                place: Some(suspect.place),
+                columns: first..first + suspect.columns.len(),
+            });
+            first += suspect.columns.len();
+        }
+        let all: Vec<&Vec<f64>> = suspects.iter().flat_map(|s| &s.columns).collect();
+        let columns = Mat::from_fn(state.rows(), first, |i, k| typical * all[k][i]);
+        Family {
+            claim: Claim::Disturbed(kind),
+            shape_dof: 0.0,
+            log_places: (suspects.len().max(1) as f64).ln(),
+            hypotheses,
+            columns: state.whitened(columns),
+            typical,
+        }
+    })
+    .collect()
+}
+
+/// Matrices of `m` rows side by side.
+pub fn beside(parts: &[Mat<f64>], m: usize) -> Mat<f64> {
+    let count = parts.iter().map(Mat::ncols).sum();
+    let mut whole = Mat::zeros(m, count);
+    let mut first = 0;
+    for part in parts {
+        whole
+            .as_mut()
+            .subcols_mut(first, part.ncols())
+            .copy_from(part);
+        first += part.ncols();
+    }
+    whole
+}

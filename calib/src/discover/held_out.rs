@@ -1,0 +1,121 @@
+//! Intervals that the fit did not see: cross-validation over blocks of rests.
+
+use faer::linalg::solvers::DenseSolveCore;
+use faer::{Mat, Side};
+use nalgebra::DMatrix;
+
+use super::channel::{Channel, Misfit};
+use super::projected::Walks;
+use super::state::State;
+
+/// Blocks that the rests are dealt into.
+const BLOCKS: usize = 8;
+
+/// Eigenvalues below this share of the largest are directions that the rest of the data say nothing of.
+const UNSEEN: f64 = 1e-8;
+
+/// What each channel of a block misses when the rest of the data foretell it, summed over all blocks.
+///
+/// With `P = N (Nᵀ V N)⁻¹ Nᵀ` a block `B` that is left out is missed by `(P_BB)⁺ (P r)_B`, of covariance
+/// `(P_BB)⁺`: no refit is needed. The errors of the parameters that the other blocks give are in it, and
+/// what only the block could tell (its directions) is projected out.
+pub fn held_out(state: &State, walks: Walks) -> Option<[Misfit; 3]> {
+    let precision = precision(state, walks)?;
+    let r = &state.fit.white_residuals;
+    let pr = &precision * Mat::from_fn(r.len(), 1, |i, _| r[i]);
+    let mut sums = [Misfit::default(); 3];
+    for block in blocks(state) {
+        let of = |first: usize, last: usize| -> Vec<usize> {
+            let rows = block.iter().copied();
+            rows.filter(|i| (first..last).contains(i)).collect()
+        };
+        let [rate, turns] = state.fit.first_rows;
+        let force = of(0, rate);
+        let direction: Vec<usize> = force.iter().copied().chain(of(turns, r.len())).collect();
+        let modulus = missed(&precision, &pr, &block, &force);
+        let with_force = missed(&precision, &pr, &block, &direction);
+        sums[0].add(modulus);
+        sums[1].add(missed(&precision, &pr, &block, &of(rate, turns)));
+        sums[2].add(Misfit {
+            chi2: (with_force.chi2 - modulus.chi2).max(0.0),
+            dof: with_force.dof - modulus.dof,
+        });
+    }
+    Some(sums)
+}
+
+/// `√(χ²/dof)` of one channel.
+pub fn gap_of(misfits: &[Misfit; 3], channel: Channel) -> f64 {
+    misfits[channel as usize].gap()
+}
+
+fn precision(state: &State, walks: Walks) -> Option<Mat<f64>> {
+    let projected = &state.projected;
+    let q = projected.dof();
+    let mut v = Mat::<f64>::identity(q, q);
+    for (c, k) in projected.walks.iter().zip(walks) {
+        if let (Some(c), true) = (c, k > 0.0) {
+            v += faer::Scale(k * k) * c;
+        }
+    }
+    let inverse = v.llt(Side::Lower).ok()?.inverse();
+    Some(&projected.null * (inverse * projected.null.transpose()))
+}
+
+/// The rows of every block: neighbouring rests with their chunks and the turns that begin in them.
+fn blocks(state: &State) -> Vec<Vec<usize>> {
+    let rests = state.fit.data.rests.len().max(1);
+    let count = BLOCKS.min(rests);
+    let mut blocks = vec![Vec::new(); count];
+    for (row, rest) in state.fit.rest_of_row.iter().enumerate() {
+        blocks[(rest * count / rests).min(count - 1)].push(row);
+    }
+    blocks
+}
+
+/// The rows `wanted` of a block that is left out as a whole: its other rows are taken out of the data first,
+/// `P → P − P_·o (P_oo)⁺ P_o·`.
+fn missed(precision: &Mat<f64>, pr: &Mat<f64>, block: &[usize], wanted: &[usize]) -> Misfit {
+    let others: Vec<usize> = block
+        .iter()
+        .copied()
+        .filter(|i| !wanted.contains(i))
+        .collect();
+    let part = |rows: &[usize], columns: &[usize]| {
+        DMatrix::from_fn(rows.len(), columns.len(), |i, j| {
+            precision[(rows[i], columns[j])]
+        })
+    };
+    let moved = |rows: &[usize]| DMatrix::from_fn(rows.len(), 1, |i, _| pr[(rows[i], 0)]);
+    let across = part(wanted, &others);
+    let (inverse, _) = pseudo_inverse(&part(&others, &others));
+    let own = part(wanted, wanted) - &across * &inverse * across.transpose();
+    let y = moved(wanted) - &across * &inverse * moved(&others);
+    let (inverse, rank) = pseudo_inverse(&own);
+    Misfit {
+        chi2: (y.transpose() * inverse * &y)[(0, 0)],
+        dof: rank as f64,
+    }
+}
+
+fn pseudo_inverse(a: &DMatrix<f64>) -> (DMatrix<f64>, usize) {
+    let n = a.nrows();
+    let mut inverse = DMatrix::zeros(n, n);
+    if n == 0 {
+        return (inverse, 0);
+    }
+    let eigen = a.clone().symmetric_eigen();
+    // The precision of a whitened row is at most 1.
+    let mut rank = 0;
+    for (value, vector) in eigen
+        .eigenvalues
+        .iter()
+        .zip(eigen.eigenvectors.column_iter())
+    {
+        if *value > UNSEEN {
+            inverse += vector * vector.transpose() / *value;
+            rank += 1;
+        }
+    }
+    (inverse, rank)
+}

@@ -1,0 +1,239 @@
+//! Faults of the recording itself, found without a model.
+
+use nalgebra::Vector3;
+use serde::Serialize;
+
+use super::request::Session;
+use super::state::State;
+use crate::intervals::{Rails, Segmentation, Span};
+use crate::methods::joint::{Disturbance, SensorNoise};
+use crate::recording::{Recording, Stream};
+
+/// Samples at the end of the range that count as saturation.
+const CLIPPED: usize = 5;
+
+/// A rest with this share of its samples at the end of the range is saturated, not quantised.
+const MOST: f64 = 0.5;
+
+/// A least significant bit beyond this many standard deviations of the reading no longer averages out: the mean
+/// of a rest is then off by more than its noise.
+const COARSE: f64 = 2.0;
+
+/// A clock whose steps hardly differ: 95 % within this share of the median.
+const REGULAR: f64 = 0.2;
+
+/// A fault of the recording.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Integrity {
+    /// `saturation`, `quantisation`, `lost_samples`, `mount_slip` or `disturbed_interval`.
+    pub name: &'static str,
+    /// The recording.
+    pub recording: String,
+    /// The static interval, or the one before the turn, counted from 1; `None` of a whole recording.
+    pub interval: Option<usize>,
+    /// When, s.
+    pub t0: f64,
+    /// Until when, s.
+    pub t1: f64,
+    /// In words.
+    pub detail: String,
+}
+
+/// Saturation, coarse steps and lost samples of all recordings.
+pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
+    let mut all = Vec::new();
+    for ((recording, choice), source) in session.recordings.iter().zip(&base.fit.data.sources) {
+        let sensors = [
+            (
+                "accelerometer",
+                &recording.accelerometer,
+                &source.accelerometer,
+                base.fit.force_unit.scale,
+            ),
+            (
+                "gyroscope",
+                &recording.gyroscope,
+                &source.gyroscope,
+                base.fit.rate_unit.scale,
+            ),
+        ];
+        for (sensor, stream, noise, scale) in sensors {
+            let Some(stream) = stream else { continue };
+            let place = Looked {
+                recording,
+                segmentation: &choice.segmentation,
+                sensor,
+                stream,
+            };
+            all.extend(place.saturation());
+            all.extend(
+                noise
+                    .as_ref()
+                    .and_then(|noise| place.quantisation(noise, scale)),
+            );
+            all.extend(place.lost_samples());
+        }
+    }
+    all
+}
+
+/// What a fit found disturbed, in the same form.
+pub fn disturbed(state: &State) -> Vec<Integrity> {
+    state
+        .fit
+        .accused
+        .iter()
+        .take(state.extension.disturbed.len())
+        .map(|accused| {
+            let (name, detail) = match accused.kind {
+                Disturbance::MountSlip => {
+                    ("mount_slip", "the device moved while it should have rested")
+                }
+                Disturbance::DisturbedInterval => {
+                    ("disturbed_interval", "the specific force is not gravity's")
+                }
+                Disturbance::BadTurn => (
+                    "lost_samples",
+                    "the turn misses gravity by far: samples are lost",
+                ),
+            };
+            Integrity {
+                name,
+                recording: state.fit.data.sources[accused.recording].name.clone(),
+                interval: Some(accused.interval + 1),
+                t0: accused.span.from,
+                t1: accused.span.to,
+                detail: detail.into(),
+            }
+        })
+        .collect()
+}
+
+/// One sensor of one recording.
+struct Looked<'a> {
+    recording: &'a Recording,
+    segmentation: &'a Segmentation,
+    sensor: &'a str,
+    stream: &'a Stream,
+}
+
+impl Looked<'_> {
+    fn found(
+        &self,
+        name: &'static str,
+        interval: Option<usize>,
+        span: Span,
+        detail: String,
+    ) -> Integrity {
+        Integrity {
+            name,
+            recording: self.recording.name.clone(),
+            interval,
+            t0: span.from,
+            t1: span.to,
+            detail,
+        }
+    }
+
+    /// Turns and rests with readings at the end of the range.
+    fn saturation(&self) -> Vec<Integrity> {
+        let rails = Rails::of(&self.stream.values);
+        let clipped = |span: Span| {
+            let samples = &self.stream.values[self.stream.between(span.from, span.to)];
+            (
+                samples.iter().filter(|v| rails.reached(v)).count(),
+                samples.len(),
+            )
+        };
+        let turns = self.segmentation.turns.iter().filter_map(|turn| {
+            let (count, _) = clipped(turn.span);
+            (count >= CLIPPED).then_some((turn.from, turn.span, count))
+        });
+        let rests = self
+            .segmentation
+            .statics
+            .iter()
+            .enumerate()
+            .filter_map(|(k, rest)| {
+                let (count, all) = clipped(rest.span);
+                (count as f64 > MOST * all as f64).then_some((k, rest.span, count))
+            });
+        turns
+            .chain(rests)
+            .map(|(k, span, count)| {
+                let detail = format!(
+                    "{count} samples of the {} at the end of its range",
+                    self.sensor
+                );
+                self.found("saturation", Some(k + 1), span, detail)
+            })
+            .collect()
+    }
+
+    /// Steps too wide for the noise to even out.
+    fn quantisation(&self, noise: &SensorNoise, scale: f64) -> Option<Integrity> {
+        let axis = (0..3).find(|&i| noise.step[i] > COARSE * noise.white[i])?;
+        let step: Vector3<f64> = noise.step / scale;
+        let detail = format!(
+            "the {} reads in steps of {:.3e} on axis {}, {:.1} times its noise",
+            self.sensor,
+            step[axis],
+            ["x", "y", "z"][axis],
+            noise.step[axis] / noise.white[axis]
+        );
+        Some(self.found("quantisation", None, self.whole(), detail))
+    }
+
+    fn whole(&self) -> Span {
+        let t = &self.stream.t;
+        Span {
+            from: t.first().copied().unwrap_or(0.0),
+            to: t.last().copied().unwrap_or(0.0),
+        }
+    }
+
+    /// Steps of a regular clock that leave samples out.
+    fn lost_samples(&self) -> Vec<Integrity> {
+        let gaps: Vec<Span> = match self.regular_step() {
+            Some(step) => self
+                .stream
+                .t
+                .windows(2)
+                .filter(|pair| pair[1] - pair[0] > 1.5 * step)
+                .map(|pair| Span {
+                    from: pair[0],
+                    to: pair[1],
+                })
+                .collect(),
+            None => self
+                .stream
+                .gaps()
+                .iter()
+                .map(|gap| Span {
+                    from: gap.t0,
+                    to: gap.t1,
+                })
+                .collect(),
+        };
+        gaps.into_iter()
+            .map(|gap| {
+                let before = self
+                    .segmentation
+                    .statics
+                    .iter()
+                    .rposition(|r| r.span.from <= gap.from);
+                let detail = format!("no sample of the {} for {:.3} s", self.sensor, gap.length());
+                self.found("lost_samples", before.map(|k| k + 1), gap, detail)
+            })
+            .collect()
+    }
+
+    fn regular_step(&self) -> Option<f64> {
+        let median = self.stream.median_step()?;
+        let steps = self.stream.t.windows(2).map(|pair| pair[1] - pair[0]);
+        let odd = steps
+            .filter(|s| (s - median).abs() > REGULAR * median)
+            .count();
+        (20 * odd < self.stream.len()).then_some(median)
+    }
+}

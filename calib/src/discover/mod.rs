@@ -1,0 +1,45 @@
+//! Where simulation and data disagree, and what the model lacks.
+//!
+//! ```text
+//! Session ──► State: joint fit ──► Projected z = Nᵀ r ──► rank(families) ──► Extension ─┐
+//!    ▲        what is left           I + k² C                evidence          a name     │
+//!    └────────────────────────────────────────────────────────────────────────────────────┘
+//! ```
+
+mod channel;
+mod columns;
+mod discovery;
+mod family;
+mod findings;
+mod held_out;
+mod integrity;
+mod localise;
+mod projected;
+mod rank;
+mod request;
+mod scatter;
+mod score;
+mod search;
+mod shape;
+mod state;
+mod time_offset;
+mod unexplained;
+mod visible;
+
+pub use channel::{Channel, Misfit, Sequence, channel_of};
+pub use discovery::{Discovery, discover};
+pub use family::{Claim, Family, Hypothesis, families};
+pub use findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Validation, Verdict};
+pub use held_out::{gap_of, held_out};
+pub use integrity::{Integrity, disturbed, integrity};
+pub use localise::{Disagreement, disagreements};
+pub use projected::{Projected, Walks, Whitened};
+pub use rank::{Ranked, rank, shared};
+pub use request::{Request, Session};
+pub use scatter::{Scatter, scatters};
+pub use score::{Score, log_tail, score};
+pub use search::{Name, Search, Tie, search};
+pub use shape::{Shape, shapes};
+pub use state::{Extension, State};
+pub use time_offset::{Delay, delay};
+pub use unexplained::{Unexplained, unexplained};

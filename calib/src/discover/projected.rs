@@ -1,0 +1,119 @@
+//! The disagreement, with everything that the model's parameters could explain taken out.
+
+use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
+use faer::{Mat, MatRef, Par, Side};
+
+use crate::methods::joint::{Restricted, left_null_space};
+
+/// Random walk densities of the biases of accelerometer (m/s²/√s) and gyroscope (rad/s/√s).
+pub type Walks = [f64; 2];
+
+/// `z = Nᵀ r ~ N(Nᵀ E β, I + k_a² C_a + k_g² C_g)`, `N` (`m × q`) the left null space of the Jacobian of a
+/// model: what is left when all its parameters, directions and biases have had their share.
+#[derive(Clone, Debug)]
+pub struct Projected {
+    /// `N` (`m × q`).
+    pub null: Mat<f64>,
+    /// `Nᵀ r` (`q × 1`).
+    pub z: Mat<f64>,
+    /// `Nᵀ C N` (`q × q`) of the walks of accelerometer and gyroscope; `None` without the sensor.
+    pub walks: [Option<Mat<f64>>; 2],
+}
+
+impl Projected {
+    /// Of white-whitened residuals (`m`), Jacobian (`m × n`) and walk covariances (`m × m`).
+    pub fn new(residuals: &[f64], jacobian: &Mat<f64>, walks: [Option<&Mat<f64>>; 2]) -> Self {
+        let null = left_null_space(jacobian);
+        let r = Mat::from_fn(residuals.len(), 1, |i, _| residuals[i]);
+        Self {
+            z: null.transpose() * &r,
+            walks: walks.map(|c| c.map(|c| null.transpose() * (c * &null))),
+            null,
+        }
+    }
+
+    /// Degrees of freedom `q`.
+    pub fn dof(&self) -> usize {
+        self.z.nrows()
+    }
+
+    /// `Nᵀ E` (`q × k`) of white-whitened columns.
+    pub fn columns(&self, e: MatRef<'_, f64>) -> Mat<f64> {
+        self.null.transpose() * e
+    }
+
+    /// The densities that make the data likeliest when nothing is missing.
+    pub fn likeliest_walks(&self) -> Walks {
+        let restricted = Restricted {
+            z: self.z.col(0).iter().copied().collect(),
+            covariances: self.walks.iter().flatten().cloned().collect(),
+        };
+        let variances = restricted.variances(&vec![true; restricted.covariances.len()]);
+        let mut found = variances.into_iter();
+        [0, 1].map(|s| match &self.walks[s] {
+            Some(_) => found.next().map_or(0.0, f64::sqrt),
+            None => 0.0,
+        })
+    }
+
+    /// The whole at given densities; `None` where they are not finite.
+    pub fn at(&self, walks: Walks) -> Option<Whitened> {
+        let q = self.dof();
+        let mut v = Mat::<f64>::identity(q, q);
+        let mut white = true;
+        for (c, k) in self.walks.iter().zip(walks) {
+            if let (Some(c), true) = (c, k > 0.0) {
+                v += faer::Scale(k * k) * c;
+                white = false;
+            }
+        }
+        let factor = if white {
+            None
+        } else {
+            Some(v.llt(Side::Lower).ok()?.L().to_owned())
+        };
+        let mut z = self.z.clone();
+        let log_determinant = match &factor {
+            Some(l) => {
+                solve_lower_triangular_in_place(l.as_ref(), z.as_mut(), Par::Seq);
+                (0..q).map(|k| 2.0 * l[(k, k)].ln()).sum()
+            }
+            None => 0.0,
+        };
+        Some(Whitened {
+            square: z.squared_norm_l2(),
+            z,
+            factor,
+            log_determinant,
+        })
+    }
+}
+
+/// The disagreement at given densities of the walks, whitened.
+#[derive(Clone, Debug)]
+pub struct Whitened {
+    /// `L⁻¹ z` (`q × 1`).
+    pub z: Mat<f64>,
+    /// `L` of `V = L Lᵀ`; `None` for the identity.
+    factor: Option<Mat<f64>>,
+    /// `ln det V`.
+    pub log_determinant: f64,
+    /// `zᵀ V⁻¹ z`: χ² of `q` when nothing is missing.
+    pub square: f64,
+}
+
+impl Whitened {
+    /// `L⁻¹ F` (`q × k`) of projected columns.
+    pub fn columns(&self, f: &Mat<f64>) -> Mat<f64> {
+        let mut w = f.clone();
+        if let Some(l) = &self.factor {
+            solve_lower_triangular_in_place(l.as_ref(), w.as_mut(), Par::Seq);
+        }
+        w
+    }
+
+    /// Log-likelihood of the model as it is, up to a constant.
+    pub fn log_likelihood(&self) -> f64 {
+        -0.5 * (self.log_determinant + self.square)
+    }
+}

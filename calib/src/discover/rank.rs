@@ -1,0 +1,158 @@
+//! The evidence for everything that may be missing.
+
+use faer::Mat;
+use sensor::Sensor;
+
+use super::family::Family;
+use super::projected::{Projected, Walks, Whitened};
+use super::score::{Score, log_tail, score};
+
+/// Shares of the likeliest density of a walk at which hypotheses are tried too: what is taken for a walk
+/// when nothing is missing may be the effect.
+const SHARES: [f64; 5] = [0.7, 0.45, 0.25, 0.12, 0.0];
+
+/// The evidence for one family: that of its best hypothesis, the search paid for.
+#[derive(Clone, Debug)]
+pub struct Ranked {
+    /// The family's place.
+    pub family: usize,
+    /// The hypothesis' place in the family.
+    pub hypothesis: usize,
+    /// Densities of the walks under it.
+    pub walks: Walks,
+    /// Likelihood ratio `2 (max LL_c − max LL_0)`.
+    pub statistic: f64,
+    /// Its degrees of freedom: what the data can see of the columns, and a shape.
+    pub dof: f64,
+    /// `ln p` of the statistic, in this one test.
+    pub log_p: f64,
+    /// `−ln p − ln n_sub − ln 2m`: significant at family-wise level α where above `−ln α`.
+    pub evidence: f64,
+    /// The expected change of the coefficients, in typical sizes.
+    pub score: Score,
+}
+
+/// One setting of the densities.
+struct Level {
+    walks: Walks,
+    whitened: Whitened,
+    /// The sensor whose density differs from the likeliest; both hold the same there.
+    of: Option<Sensor>,
+}
+
+/// The evidence for all families, greatest first.
+///
+/// `given` says that the densities are known: they are not profiled then.
+pub fn rank(projected: &Projected, families: &[Family], walks: Walks, given: bool) -> Vec<Ranked> {
+    let levels = levels(projected, walks, given);
+    let Some(nothing) = levels.first().map(|l| l.whitened.log_likelihood()) else {
+        return Vec::new();
+    };
+    let count = families.iter().filter(|f| !f.hypotheses.is_empty()).count();
+    let mut ranked: Vec<Ranked> = families
+        .iter()
+        .enumerate()
+        .filter_map(|(place, family)| best(place, family, projected, &levels, nothing, count))
+        .collect();
+    ranked.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
+    ranked
+}
+
+fn levels(projected: &Projected, walks: Walks, given: bool) -> Vec<Level> {
+    let mut levels = Vec::new();
+    let mut add = |walks: Walks, of: Option<Sensor>| {
+        if let Some(whitened) = projected.at(walks) {
+            levels.push(Level {
+                walks,
+                whitened,
+                of,
+            });
+        }
+    };
+    add(walks, None);
+    if given {
+        return levels;
+    }
+    for (s, sensor) in [Sensor::Accelerometer, Sensor::Gyroscope]
+        .into_iter()
+        .enumerate()
+    {
+        if walks[s] > 0.0 {
+            for share in SHARES {
+                let mut less = walks;
+                less[s] *= share;
+                add(less, Some(sensor));
+            }
+        }
+    }
+    levels
+}
+
+fn best(
+    place: usize,
+    family: &Family,
+    projected: &Projected,
+    levels: &[Level],
+    nothing: f64,
+    count: usize,
+) -> Option<Ranked> {
+    if family.hypotheses.is_empty() {
+        return None;
+    }
+    let columns = projected.columns(family.columns.as_ref());
+    let own = family.claim.sensor();
+    let mut best: Option<Ranked> = None;
+    for level in levels.iter().filter(|l| l.of.is_none_or(|s| s == own)) {
+        let whitened = level.whitened.columns(&columns);
+        let lost = 2.0 * (level.whitened.log_likelihood() - nothing);
+        for (k, hypothesis) in family.hypotheses.iter().enumerate() {
+            let range = hypothesis.columns.clone();
+            let score = score(
+                whitened.as_ref().subcols(range.start, range.len()),
+                &level.whitened.z,
+            );
+            if score.dof == 0 {
+                continue;
+            }
+            let statistic = score.statistic + lost;
+            let dof = score.dof as f64 + family.shape_dof;
+            let log_p = log_tail(statistic, dof);
+            let evidence = -log_p - family.log_places - (2.0 * count as f64).ln();
+            if best.as_ref().is_none_or(|b| evidence > b.evidence) {
+                best = Some(Ranked {
+                    family: place,
+                    hypothesis: k,
+                    walks: level.walks,
+                    statistic,
+                    dof,
+                    log_p,
+                    evidence,
+                    score,
+                });
+            }
+        }
+    }
+    best
+}
+
+/// How much of what `one` explains the columns of `other` explain too: `ρ²` of the disagreement that the
+/// estimate of `one` predicts, at its densities.
+pub fn shared(
+    projected: &Projected,
+    families: &[Family],
+    one: &Ranked,
+    other: &Ranked,
+) -> Option<f64> {
+    let whitened = projected.at(one.walks)?;
+    let of = |ranked: &Ranked| {
+        let family = &families[ranked.family];
+        let range = family.hypotheses[ranked.hypothesis].columns.clone();
+        whitened
+            .columns(&projected.columns(family.columns.as_ref().subcols(range.start, range.len())))
+    };
+    let (mine, theirs) = (of(one), of(other));
+    let change = Mat::from_fn(mine.ncols(), 1, |i, _| one.score.change[i]);
+    let predicted = &mine * &change;
+    let whole = predicted.squared_norm_l2();
+    (whole > 0.0).then(|| score(theirs.as_ref(), &predicted).statistic / whole)
+}

@@ -1,0 +1,137 @@
+//! What to look into.
+
+use sensor::AnyEffect;
+
+use super::projected::Walks;
+use super::state::Extension;
+use crate::error::Error;
+use crate::intervals::Detector;
+use crate::methods::joint::JointRequest;
+use crate::methods::{Choice, cut};
+use crate::recording::Recording;
+use crate::simulate::EARTH_RATE;
+
+/// Name of the effect that is the earth's rotation.
+const EARTH: &str = "earth_rate";
+
+/// How to look for what is missing.
+#[derive(Clone, Debug)]
+pub struct Request {
+    /// Local gravity, m/s².
+    pub gravity: f64,
+    /// Chance of any false claim about recordings of a device that lacks nothing: half of it for names, half
+    /// for saying that something is unexplained.
+    pub alpha: f64,
+    /// Random walk densities of the biases, where they are known (m/s²/√s, rad/s/√s).
+    pub walks: Option<Walks>,
+    /// Latitude, degrees north: the earth's rotation is then part of the base model.
+    pub latitude: Option<f64>,
+    /// The detector of motion.
+    pub detector: Detector,
+    /// The effects that may be missing.
+    pub catalogue: Vec<&'static dyn AnyEffect>,
+}
+
+impl Request {
+    /// The effects that may be missing from the base model.
+    pub fn candidates(&self) -> Vec<&'static dyn AnyEffect> {
+        let known = |name: &str| self.latitude.is_some() && name == EARTH;
+        let mut all = self.catalogue.clone();
+        all.retain(|effect| !known(effect.name()));
+        all
+    }
+
+    /// One in a hundred, densities unknown, the whole catalogue.
+    pub fn new(gravity: f64) -> Self {
+        Self {
+            gravity,
+            alpha: 0.01,
+            walks: None,
+            latitude: None,
+            detector: Detector::default(),
+            catalogue: accelerometer::EFFECTS
+                .iter()
+                .chain(gyroscope::EFFECTS)
+                .copied()
+                .collect(),
+        }
+    }
+}
+
+/// The effect that is the earth's rotation.
+fn earth_rate() -> Option<&'static dyn AnyEffect> {
+    let found = gyroscope::EFFECTS.iter().find(|e| e.name() == EARTH);
+    found.copied()
+}
+
+/// Recordings of one device, cut, with all that stays the same while models change.
+#[derive(Clone, Debug)]
+pub struct Session<'a> {
+    /// The recordings with their rests and turns.
+    pub recordings: Vec<(&'a Recording, Choice)>,
+    /// Local gravity, m/s².
+    pub gravity: f64,
+    /// Random walk densities where they are known.
+    pub walks: Option<Walks>,
+    /// Latitude, degrees north.
+    pub latitude: Option<f64>,
+}
+
+impl<'a> Session<'a> {
+    /// Cuts the recordings.
+    ///
+    /// # Errors
+    /// As [`cut`].
+    pub fn new(recordings: &'a [Recording], request: &Request) -> Result<Self, Error> {
+        let recordings = recordings
+            .iter()
+            .map(|recording| {
+                let choice = cut(recording, &request.detector, true, request.gravity)?;
+                Ok((recording, choice))
+            })
+            .collect::<Result<_, Error>>()?;
+        Ok(Self {
+            recordings,
+            gravity: request.gravity,
+            walks: request.walks,
+            latitude: request.latitude,
+        })
+    }
+
+    /// The joint fit of the base models with an extension.
+    pub fn joint<'b>(&'b self, extension: &Extension) -> JointRequest<'b> {
+        let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
+        let mut held = Vec::new();
+        if let (Some(latitude), Some(earth)) = (self.latitude, earth_rate()) {
+            gyroscope = gyroscope.with(earth);
+            let vertical = EARTH_RATE * latitude.to_radians().sin();
+            held.push((format!("{}.z", earth.name()), vertical));
+        }
+        for (effect, shape) in &extension.effects {
+            accelerometer = accelerometer.with(*effect);
+            gyroscope = gyroscope.with(*effect);
+            if let Some((k, value)) = shape {
+                held.push((
+                    format!("{}.{}", effect.name(), effect.params()[*k].name),
+                    *value,
+                ));
+            }
+        }
+        JointRequest {
+            accelerometer,
+            gyroscope,
+            walk: self.walks,
+            disturbances: false,
+            known: extension.disturbed.clone(),
+            held,
+            covariates: true,
+            ..JointRequest::new(
+                self.recordings
+                    .iter()
+                    .map(|(r, c)| (*r, &c.segmentation))
+                    .collect(),
+                self.gravity,
+            )
+        }
+    }
+}

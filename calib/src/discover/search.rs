@@ -1,0 +1,381 @@
+//! Naming what is missing, one thing after the other, until the rest is noise.
+
+use faer::Mat;
+use sensor::AnyEffect;
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
+use super::family::{Claim, Family, Hypothesis, families, with_companions};
+use super::rank::{Ranked, rank, shared};
+use super::request::{Request, Session};
+use super::state::{Extension, State};
+use crate::error::Error;
+use crate::methods::joint::Known;
+
+/// Names at most; a device that seems to lack more is not understood.
+const MOST_NAMES: usize = 6;
+
+/// Evidence that differs by less than this (20 to 1) does not part two claims.
+pub const APART: f64 = 2.995_732_273_553_991;
+
+/// A temperature effect of second order must gain this over that of first order, in `χ²₃`.
+const HIGHER_ORDER: f64 = 0.99;
+
+/// Families whose pairs are tried.
+const PAIRED: usize = 10;
+
+/// Something named.
+#[derive(Clone, Debug)]
+pub struct Name {
+    /// What.
+    pub claim: Claim,
+    /// In which way.
+    pub hypothesis: Hypothesis,
+    /// The evidence for it, everything else that is named being in the model.
+    pub ranked: Ranked,
+    /// What these recordings cannot tell from it.
+    pub ties: Vec<Tie>,
+    /// The model with everything else that is named.
+    pub without: State,
+    /// What the estimate predicts (`m × 1`), white-whitened.
+    pub predicted: Mat<f64>,
+}
+
+/// A claim that explains the data about as well as the named one.
+#[derive(Clone, Debug)]
+pub struct Tie {
+    /// What.
+    pub claim: Claim,
+    /// How much less evidence it has.
+    pub behind: f64,
+    /// The share of what the named one explains that it explains too, `ρ²`.
+    pub shared: f64,
+}
+
+/// All names and the models on the way.
+#[derive(Clone, Debug)]
+pub struct Search {
+    /// The base models.
+    pub base: State,
+    /// The model with everything named.
+    pub last: State,
+    /// What was named, most evident first.
+    pub names: Vec<Name>,
+    /// The ranking against the base models, best first.
+    pub first_ranking: Vec<(Claim, Ranked)>,
+}
+
+impl Search {
+    /// The base models, with nothing looked for.
+    pub fn without_names(base: State) -> Self {
+        Self {
+            last: base.clone(),
+            base,
+            names: Vec::new(),
+            first_ranking: Vec::new(),
+        }
+    }
+}
+
+/// A claim in the model, with the way in which it holds.
+#[derive(Clone, Debug)]
+struct Held {
+    claim: Claim,
+    hypothesis: Hypothesis,
+}
+
+/// Names what is missing.
+///
+/// # Errors
+/// As the joint fit.
+pub fn search(session: &Session<'_>, request: &Request, base: State) -> Result<Search, Error> {
+    let candidates = request.candidates();
+    let finder = Finder {
+        session,
+        catalogue: &candidates,
+        threshold: -(0.5 * request.alpha).ln(),
+    };
+    finder.run(base)
+}
+
+struct Finder<'a> {
+    session: &'a Session<'a>,
+    catalogue: &'a [&'static dyn AnyEffect],
+    threshold: f64,
+}
+
+impl Finder<'_> {
+    fn run(&self, base: State) -> Result<Search, Error> {
+        let mut held = Vec::new();
+        let mut last = base.clone();
+        let mut first_ranking = Vec::new();
+        while held.len() < MOST_NAMES {
+            let (families, ranked) = self.ranked(&last);
+            let next = self.next(&families, &ranked);
+            if held.is_empty() {
+                first_ranking = labelled(&families, &ranked);
+            }
+            let Some(next) = next else { break };
+            held.push(next);
+            last = self.state(&held)?;
+        }
+        let (names, held) = self.review(&base, held)?;
+        let last = if names.is_empty() {
+            base.clone()
+        } else {
+            self.state(&held)?
+        };
+        Ok(Search {
+            base,
+            last,
+            names,
+            first_ranking,
+        })
+    }
+
+    fn state(&self, held: &[Held]) -> Result<State, Error> {
+        State::fit(self.session, self.extension(held))
+    }
+
+    fn extension(&self, held: &[Held]) -> Extension {
+        let mut extension = Extension::default();
+        for h in held {
+            match h.claim {
+                Claim::Effect(effect) => {
+                    extension.effects.push((effect, h.hypothesis.shape));
+                    for companion in with_companions(effect, self.catalogue).skip(1) {
+                        let there = extension
+                            .effects
+                            .iter()
+                            .any(|(e, _)| e.name() == companion.name());
+                        if !there {
+                            extension.effects.push((companion, None));
+                        }
+                    }
+                }
+                Claim::Disturbed(kind) => {
+                    extension
+                        .disturbed
+                        .extend(h.hypothesis.place.map(|place| Known { kind, place }));
+                }
+                Claim::Shape(..) => {}
+            }
+        }
+        extension
+    }
+
+    fn ranked(&self, state: &State) -> (Vec<Family>, Vec<Ranked>) {
+        let families = families(state, self.catalogue);
+        let given = self.session.walks.is_some();
+        let ranked = rank(&state.projected, &families, state.walks, given);
+        (families, ranked)
+    }
+
+    /// The claim with the most evidence, where that is enough.
+    fn next(&self, families: &[Family], ranked: &[Ranked]) -> Option<Held> {
+        let top = ranked.first().filter(|r| r.evidence > self.threshold)?;
+        let chosen = self.simpler(families, ranked, top).unwrap_or(top);
+        Some(held(families, chosen))
+    }
+
+    /// The first order of a temperature effect, where the second does not gain enough over it.
+    fn simpler<'r>(
+        &self,
+        families: &[Family],
+        ranked: &'r [Ranked],
+        top: &Ranked,
+    ) -> Option<&'r Ranked> {
+        let Claim::Effect(effect) = families[top.family].claim else {
+            return None;
+        };
+        let companion = with_companions(effect, self.catalogue).nth(1)?;
+        let lower = ranked
+            .iter()
+            .find(|r| families[r.family].claim.name() == companion.name())?;
+        let law = ChiSquared::new((top.dof - lower.dof).max(1.0)).ok()?;
+        let gain = top.statistic - lower.statistic;
+        (lower.evidence > self.threshold && gain < law.inverse_cdf(HIGHER_ORDER)).then_some(lower)
+    }
+
+    /// Each name against all others once more, everything else named being in the model: names that are no
+    /// longer evident go, and a name makes way for one that is more evident.
+    fn review(&self, base: &State, mut held: Vec<Held>) -> Result<(Vec<Name>, Vec<Held>), Error> {
+        if held.len() == 2 {
+            self.try_pairs(base, &mut held);
+        }
+        for _ in 0..2 * MOST_NAMES {
+            let mut names = Vec::new();
+            let mut changed = false;
+            for k in 0..held.len() {
+                let mut others = held.clone();
+                let own = others.remove(k);
+                let without = if others.is_empty() {
+                    base.clone()
+                } else {
+                    self.state(&others)?
+                };
+                let (families, ranked) = self.ranked(&without);
+                match self.judge(&own, &families, &ranked) {
+                    Verdict::Gone => {
+                        held.remove(k);
+                        changed = true;
+                    }
+                    Verdict::Other(better) => {
+                        held[k] = better;
+                        changed = true;
+                    }
+                    Verdict::Stays(ranked_own) => names.push(Name {
+                        claim: own.claim,
+                        hypothesis: own.hypothesis,
+                        ties: ties(&without, &families, &ranked, &ranked_own),
+                        predicted: predicted(&families, &ranked_own),
+                        ranked: ranked_own,
+                        without,
+                    }),
+                }
+                if changed {
+                    break;
+                }
+            }
+            if !changed {
+                names.sort_by(|a, b| b.ranked.evidence.total_cmp(&a.ranked.evidence));
+                return Ok((names, held));
+            }
+        }
+        Ok((Vec::new(), Vec::new()))
+    }
+
+    fn judge(&self, own: &Held, families: &[Family], ranked: &[Ranked]) -> Verdict {
+        let mine = ranked.iter().find(|r| {
+            let family = &families[r.family];
+            family.claim.name() == own.claim.name()
+                && (own.hypothesis.place.is_none()
+                    || family.hypotheses[r.hypothesis].place == own.hypothesis.place)
+        });
+        let Some(mine) = mine else {
+            return Verdict::Gone;
+        };
+        let Some(top) = ranked.first() else {
+            return Verdict::Gone;
+        };
+        if top.evidence > mine.evidence + APART && !self.is_simpler(families, top, mine) {
+            return Verdict::Other(held(families, top));
+        }
+        if mine.evidence <= self.threshold {
+            return Verdict::Gone;
+        }
+        let found = &families[mine.family].hypotheses[mine.hypothesis];
+        if found.shape != own.hypothesis.shape {
+            return Verdict::Other(held(families, mine));
+        }
+        Verdict::Stays(mine.clone())
+    }
+
+    /// Whether `one` is the first order of `top`.
+    fn is_simpler(&self, families: &[Family], top: &Ranked, one: &Ranked) -> bool {
+        match families[top.family].claim {
+            Claim::Effect(effect) => with_companions(effect, self.catalogue)
+                .skip(1)
+                .any(|c| c.name() == families[one.family].claim.name()),
+            _ => false,
+        }
+    }
+
+    /// Two effects found one after the other may stand for two others: all pairs of the best families at the
+    /// base model, the best of them instead where it is 20 to 1 better.
+    fn try_pairs(&self, base: &State, held: &mut Vec<Held>) {
+        let (families, ranked) = self.ranked(base);
+        let walks = base.walks;
+        let Some(whitened) = base.projected.at(walks) else {
+            return;
+        };
+        let best: Vec<&Ranked> = ranked
+            .iter()
+            .filter(|r| matches!(families[r.family].claim, Claim::Effect(_)))
+            .take(PAIRED)
+            .collect();
+        let columns: Vec<Mat<f64>> = best
+            .iter()
+            .map(|r| {
+                let family = &families[r.family];
+                let range = family.hypotheses[r.hypothesis].columns.clone();
+                let own = family.columns.as_ref().subcols(range.start, range.len());
+                whitened.columns(&base.projected.columns(own))
+            })
+            .collect();
+        let evidence = |i: usize, j: usize| {
+            let both = super::family::beside(
+                &[columns[i].clone(), columns[j].clone()],
+                base.projected.dof(),
+            );
+            let score = super::score::score(both.as_ref(), &whitened.z);
+            let families = [&families[best[i].family], &families[best[j].family]];
+            let dof = score.dof as f64 + families.iter().map(|f| f.shape_dof).sum::<f64>();
+            let places: f64 = families.iter().map(|f| f.log_places).sum();
+            -super::score::log_tail(score.statistic, dof) - places
+        };
+        let place = |h: &Held| {
+            best.iter()
+                .position(|r| families[r.family].claim.name() == h.claim.name())
+        };
+        let (Some(a), Some(b)) = (place(&held[0]), place(&held[1])) else {
+            return;
+        };
+        let now = evidence(a, b);
+        let mut top: Option<(f64, usize, usize)> = None;
+        for i in 0..best.len() {
+            for j in 0..i {
+                let e = evidence(i, j);
+                if e > now + APART && top.is_none_or(|(best, ..)| e > best) {
+                    top = Some((e, i, j));
+                }
+            }
+        }
+        if let Some((_, i, j)) = top {
+            *held = vec![
+                self::held(&families, best[i]),
+                self::held(&families, best[j]),
+            ];
+        }
+    }
+}
+
+enum Verdict {
+    Stays(Ranked),
+    Gone,
+    Other(Held),
+}
+
+fn held(families: &[Family], ranked: &Ranked) -> Held {
+    let family = &families[ranked.family];
+    Held {
+        claim: family.claim,
+        hypothesis: family.hypotheses[ranked.hypothesis].clone(),
+    }
+}
+
+fn labelled(families: &[Family], ranked: &[Ranked]) -> Vec<(Claim, Ranked)> {
+    let best = ranked.iter().take(PAIRED);
+    best.map(|r| (families[r.family].claim, r.clone()))
+        .collect()
+}
+
+/// `E β` of the estimate, white-whitened (`m × 1`).
+fn predicted(families: &[Family], ranked: &Ranked) -> Mat<f64> {
+    let family = &families[ranked.family];
+    let range = family.hypotheses[ranked.hypothesis].columns.clone();
+    let change = Mat::from_fn(range.len(), 1, |i, _| ranked.score.change[i]);
+    family.columns.as_ref().subcols(range.start, range.len()) * change
+}
+
+/// The claims whose evidence is within 20 to 1 of the named one's.
+fn ties(state: &State, families: &[Family], ranked: &[Ranked], named: &Ranked) -> Vec<Tie> {
+    ranked
+        .iter()
+        .filter(|r| r.family != named.family && r.evidence > named.evidence - APART)
+        .map(|r| Tie {
+            claim: families[r.family].claim,
+            behind: named.evidence - r.evidence,
+            shared: shared(&state.projected, families, named, r).unwrap_or(0.0),
+        })
+        .collect()
+}

@@ -1,0 +1,123 @@
+//! A model fitted to the recordings, and what it leaves unexplained.
+
+use faer::{Mat, MatMut};
+use sensor::AnyEffect;
+
+use super::projected::{Projected, Walks};
+use super::request::Session;
+use crate::error::Error;
+use crate::methods::joint::{
+    ComponentKind, Disturbance, JointFit, Known, Sensitivities, Suspect, fit_joint, suspects,
+};
+
+/// The parameter that shapes an effect (`tau`, `t0`), by its place, and its value, which the fit holds.
+pub type Held = Option<(usize, f64)>;
+
+/// What the model holds besides the base models.
+#[derive(Clone, Debug, Default)]
+pub struct Extension {
+    /// Effects, with what shapes them.
+    pub effects: Vec<(&'static dyn AnyEffect, Held)>,
+    /// Disturbances with their place: parameters of their own.
+    pub disturbed: Vec<Known>,
+}
+
+/// One model, fitted.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// What the model holds.
+    pub extension: Extension,
+    /// The fit.
+    pub fit: JointFit,
+    /// What errors that the model lacks would do to the rows.
+    pub sensitivities: Sensitivities,
+    /// What is left.
+    pub projected: Projected,
+    /// Random walk densities when nothing is missing: given or likeliest.
+    pub walks: Walks,
+}
+
+impl State {
+    /// Fits the base models and the extension to a session.
+    ///
+    /// # Errors
+    /// As [`fit_joint`].
+    pub fn fit(session: &Session<'_>, extension: Extension) -> Result<Self, Error> {
+        let fit = fit_joint(&session.joint(&extension))?;
+        let sensitivities = fit.sensitivities();
+        let walk = |kind| {
+            let found = fit.components.iter().find(|c| c.kind == kind);
+            found.map(|c| &c.covariance)
+        };
+        let projected = Projected::new(
+            &fit.white_residuals,
+            &fit.white_jacobian,
+            [
+                walk(ComponentKind::AccelerometerWalk),
+                walk(ComponentKind::GyroscopeWalk),
+            ],
+        );
+        let walks = session.walks.unwrap_or_else(|| projected.likeliest_walks());
+        Ok(Self {
+            extension,
+            fit,
+            sensitivities,
+            projected,
+            walks,
+        })
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.fit.white_residuals.len()
+    }
+
+    /// Whitens columns by the white noise.
+    pub fn whitened(&self, mut columns: Mat<f64>) -> Mat<f64> {
+        let view: MatMut<'_, f64> = columns.as_mut();
+        self.fit.whitening.white.apply(view);
+        columns
+    }
+
+    /// Whether the model has the effect of this name.
+    pub fn has(&self, name: &str) -> bool {
+        self.extension.effects.iter().any(|(e, _)| e.name() == name)
+    }
+
+    /// Whether a disturbance is in the model already.
+    pub fn is_accused(&self, kind: Disturbance, place: usize) -> bool {
+        self.extension
+            .disturbed
+            .iter()
+            .any(|k| k.kind == kind && k.place == place)
+    }
+
+    /// What may have been disturbed.
+    pub fn suspects(&self) -> Vec<Suspect> {
+        let rows = self.fit.plain_rows();
+        suspects(
+            &rows,
+            &self.fit.parameters.values()[..rows.layout.disturbance(0)],
+        )
+    }
+
+    /// Times (since the start of the recording, s) at which a bias may have jumped: between
+    /// neighbouring chunks of rests, those at the very ends left out.
+    pub fn boundaries(&self) -> Vec<f64> {
+        let mut middles: Vec<f64> = self
+            .sensitivities
+            .means
+            .iter()
+            .map(|mean| mean.truth.time)
+            .collect();
+        middles.sort_by(f64::total_cmp);
+        middles.dedup_by(|a, b| (*a - *b).abs() < 1.0);
+        let last = middles.len().saturating_sub(2);
+        middles
+            .windows(2)
+            .enumerate()
+            .filter(|(k, _)| *k > 0 && *k < last)
+            .map(|(_, pair)| 0.5 * (pair[0] + pair[1]))
+            .collect()
+    }
+}

@@ -1,0 +1,222 @@
+//! What is left when everything of the catalogue has had its chance.
+
+use nalgebra::Vector3;
+use sensor::Sensor;
+use serde::Serialize;
+
+use super::channel::{Channel, Sequence};
+use super::family::{Claim, Family};
+use super::projected::Walks;
+use super::rank::{Ranked, rank};
+use super::scatter::scatters;
+use super::score::log_tail;
+use super::search::{APART, Search};
+use super::shape::{Shape, shapes};
+use super::state::State;
+use crate::methods::joint::{Mean, SensorNoise};
+
+/// The mean square of the slope over a window of length `T` of a random walk of unit density is `6/5 / T`.
+const WALK_IN_SLOPE: f64 = 1.2;
+
+/// A disagreement that no effect of the catalogue explains.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Unexplained {
+    /// The channel that shows most of it.
+    pub channel: Channel,
+    /// `√(χ²/dof)` of that channel.
+    pub size: f64,
+    /// Chance of so much where nothing is missing, over all that was tested.
+    pub p_value: f64,
+    /// In words.
+    pub shape: String,
+    /// Period, where it has one, s.
+    pub period: Option<f64>,
+    /// Whether names were withdrawn because this explains more than they do.
+    pub instead_of: Vec<String>,
+}
+
+/// One of the tests for a rest: `ln p` with its search paid for, but not the number of tests.
+struct Trial {
+    log_p: f64,
+    words: String,
+    channel: Option<Channel>,
+    period: Option<f64>,
+}
+
+/// Looks for a significant rest (family-wise chance `alpha`) and, where there is one, whether its shape
+/// explains the whole better than the names do: these are withdrawn then.
+pub fn unexplained(search: &mut Search, alpha: f64) -> Option<Unexplained> {
+    let mut found = rest_of(&search.last, alpha)?;
+    let effects: f64 = search
+        .names
+        .iter()
+        .map(|name| name.ranked.evidence.max(0.0))
+        .sum();
+    let named_effect = search
+        .names
+        .iter()
+        .any(|n| matches!(n.claim, Claim::Effect(_)));
+    if named_effect {
+        let base = &search.base;
+        let shapes = shapes(base);
+        let best = ranked(base, &shapes);
+        if best.iter().any(|(_, b)| b.evidence > effects + APART) {
+            found = rest_of(base, alpha)?;
+            found.instead_of = search.names.iter().map(|n| n.claim.name().into()).collect();
+            search.names.clear();
+            search.last = search.base.clone();
+        }
+    }
+    Some(found)
+}
+
+fn rest_of(state: &State, alpha: f64) -> Option<Unexplained> {
+    let trials = trials(state)?;
+    let count = trials.len() as f64;
+    let worst = trials.iter().min_by(|a, b| a.log_p.total_cmp(&b.log_p))?;
+    let log_p = worst.log_p + count.ln();
+    if log_p > alpha.ln() {
+        return None;
+    }
+    let misfits = Sequence::of(state, state.walks).misfits(state);
+    let excess = |k: usize| (misfits[k].chi2 - misfits[k].dof) / misfits[k].dof.max(1.0).sqrt();
+    let most = (1..3).fold(0, |best, k| if excess(k) > excess(best) { k } else { best });
+    let channel = worst.channel.unwrap_or(Channel::ALL[most]);
+    Some(Unexplained {
+        channel,
+        size: misfits[channel as usize].gap(),
+        p_value: log_p.exp(),
+        shape: worst.words.clone(),
+        period: worst.period,
+        instead_of: Vec::new(),
+    })
+}
+
+fn trials(state: &State) -> Option<Vec<Trial>> {
+    let shapes = shapes(state);
+    let mut trials: Vec<Trial> = ranked(state, &shapes)
+        .iter()
+        .map(|(family, ranked)| of_shape(family, ranked))
+        .collect();
+    let whitened = state.projected.at(state.walks)?;
+    trials.push(Trial {
+        log_p: log_tail(whitened.square, state.projected.dof() as f64),
+        words: "more scatter than the noise".into(),
+        channel: None,
+        period: None,
+    });
+    trials.extend(scatters(state, &whitened).into_iter().map(|s| Trial {
+        log_p: s.log_p,
+        words: format!(
+            "{}: the bias of axis {} wanders from rest to rest, with a memory of about {:.0} s",
+            word(s.sensor),
+            ["x", "y", "z"][s.axis],
+            s.memory
+        ),
+        channel: None,
+        period: None,
+    }));
+    let misfits = Sequence::of(state, state.walks).misfits(state);
+    for (channel, misfit) in Channel::ALL.into_iter().zip(misfits) {
+        trials.push(Trial {
+            log_p: log_tail(misfit.chi2, misfit.dof),
+            words: "more scatter than the noise".into(),
+            channel: Some(channel),
+            period: None,
+        });
+    }
+    for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+        let (chi2, dof) = slopes(state, sensor, state.walks);
+        trials.push(Trial {
+            log_p: log_tail(chi2, dof),
+            words: format!("readings of the {} drift within rests", word(sensor)),
+            channel: Some(channel_at_rest(sensor)),
+            period: None,
+        });
+    }
+    Some(trials)
+}
+
+/// The evidence for shapes. Slow changes are judged at the likeliest walk: with many coefficients they could
+/// stand for any walk.
+fn ranked<'a>(state: &State, shapes: &'a [Family]) -> Vec<(&'a Family, Ranked)> {
+    let slow = |f: &Family| matches!(f.claim, Claim::Shape(Shape::SlowTime, _));
+    let of = |walks_given: bool| {
+        rank(&state.projected, shapes, state.walks, walks_given)
+            .into_iter()
+            .map(|r| (&shapes[r.family], r))
+            .filter(move |(f, _)| slow(f) == walks_given)
+    };
+    of(true).chain(of(false)).collect()
+}
+
+fn of_shape(family: &Family, ranked: &Ranked) -> Trial {
+    let (shape, sensor) = match family.claim {
+        Claim::Shape(shape, sensor) => (Some(shape), sensor),
+        ref other => (None, other.sensor()),
+    };
+    let value = family.hypotheses[ranked.hypothesis].shape.map(|(_, v)| v);
+    let period = value.filter(|_| shape == Some(Shape::Periodic));
+    let words = match period {
+        Some(period) => format!("{}: periodic with {period:.1} s", word(sensor)),
+        None => format!("{}: {}", word(sensor), family.claim.name()),
+    };
+    Trial {
+        log_p: ranked.log_p + family.log_places,
+        words,
+        channel: None,
+        period,
+    }
+}
+
+fn word(sensor: Sensor) -> &'static str {
+    match sensor {
+        Sensor::Accelerometer => "accelerometer",
+        Sensor::Gyroscope => "gyroscope",
+    }
+}
+
+fn channel_at_rest(sensor: Sensor) -> Channel {
+    match sensor {
+        Sensor::Accelerometer => Channel::StaticNorm,
+        Sensor::Gyroscope => Channel::StaticRate,
+    }
+}
+
+/// `Σ (slope/σ)²` over the chunks of rests that nothing disturbed, and the number of slopes.
+fn slopes(state: &State, sensor: Sensor, walks: Walks) -> (f64, f64) {
+    let data = &state.fit.data;
+    let disturbed = |k: usize| {
+        state.fit.accused.iter().any(|a| {
+            let rest = &data.rests[data.chunks[k].rest];
+            a.recording == rest.recording && a.interval == rest.interval
+        })
+    };
+    let (mut chi2, mut dof) = (0.0, 0.0);
+    for (k, chunk) in data
+        .chunks
+        .iter()
+        .enumerate()
+        .filter(|(k, _)| !disturbed(*k))
+    {
+        let source = &data.sources[data.rests[chunk.rest].recording];
+        let (mean, noise, walk) = match sensor {
+            Sensor::Accelerometer => (chunk.accelerometer, source.accelerometer, walks[0]),
+            Sensor::Gyroscope => (chunk.gyroscope, source.gyroscope, walks[1]),
+        };
+        debug_assert!(k < data.chunks.len());
+        if let (Some(mean), Some(noise)) = (mean, noise) {
+            chi2 += slope_chi2(&mean, &noise, walk);
+            dof += 3.0;
+        }
+    }
+    (chi2, dof)
+}
+
+fn slope_chi2(mean: &Mean, noise: &SensorNoise, walk: f64) -> f64 {
+    let white: Vector3<f64> = noise.variance_in_sum() / mean.spread;
+    let walked = WALK_IN_SLOPE * walk * walk / mean.span.length().max(1e-9);
+    (0..3)
+        .map(|i| mean.slope[i].powi(2) / (white[i] + walked))
+        .sum()
+}
