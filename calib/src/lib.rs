@@ -12,6 +12,7 @@ pub mod calibrate;
 pub mod calibration;
 pub mod covariates;
 pub mod discover;
+pub mod effect_file;
 mod error;
 mod evaluate;
 pub mod intervals;
@@ -20,8 +21,8 @@ pub mod noise;
 pub mod reckon;
 pub mod recording;
 pub mod residuals;
-mod sensor_names;
 pub mod simulate;
+mod toml_place;
 
 pub use calibration::Calibration;
 pub use error::Error;

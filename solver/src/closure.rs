@@ -43,8 +43,7 @@ impl<F: Fn(&[Jet], &mut Vec<Jet>)> Problem for Dual<F> {
     }
 
     fn linearize(&self, x: &[f64], free: &[usize], residuals: &mut Vec<f64>) -> Mat<f64> {
-        self.values(x, residuals);
-        dual_jacobian(&self.0, x, free, residuals.len())
+        dual_jacobian(&self.0, x, free, residuals)
     }
 
     fn second_derivative(&self, _: &[f64], _: &[f64], _: &mut Vec<f64>) -> bool {

@@ -6,11 +6,15 @@ use faer::linalg::svd::{ComputeSvdVectors, svd, svd_scratch};
 use faer::{Mat, MatRef, Par};
 use serde::{Deserialize, Serialize};
 
+use crate::linear::singular;
 use crate::observability::{in_words, separate};
 use crate::scaling::unit_if_zero;
 
 /// Singular values below this fraction of the largest one count as zero.
 const RANK_TOLERANCE: f64 = 1e-10;
+
+/// Most columns for which rotating pairs of them is faster than a bidiagonalisation.
+const SMALL: usize = 16;
 
 /// Second-order information at a solution, for the free parameters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -72,7 +76,10 @@ pub(crate) fn uncertainty_along(
 ) -> Uncertainty {
     let n = names.len();
     let triangle = triangle(jacobian);
-    let singular_values = triangle.singular_values().unwrap_or_default();
+    let mut singular_values = right_vectors(triangle.as_ref())
+        .map(|(values, _)| values)
+        .unwrap_or_default();
+    singular_values.truncate(triangle.nrows());
     let reduced = match &directions {
         Some(directions) => triangle * directions,
         None => triangle,
@@ -128,6 +135,11 @@ pub(crate) fn uncertainty_along(
 /// and nobody asks for them.
 fn right_vectors(a: MatRef<'_, f64>) -> Option<(Vec<f64>, Mat<f64>)> {
     let (m, n) = a.shape();
+    if n <= SMALL
+        && let Some(found) = singular(a)
+    {
+        return Some((found.values, found.vectors));
+    }
     let (left, right) = (ComputeSvdVectors::No, ComputeSvdVectors::Full);
     let need = svd_scratch::<f64>(m, n, left, right, Par::Seq, Default::default());
     let mut memory = MemBuffer::new(need);
@@ -166,7 +178,7 @@ mod tests {
 
     #[test]
     fn right_vectors_are_those_of_the_full_decomposition() {
-        for (m, n) in [(9, 9), (4, 3), (2, 5)] {
+        for (m, n) in [(9, 9), (4, 3), (2, 5), (20, 20)] {
             let a = Mat::from_fn(m, n, |i, k| ((i * 5 + k * 3 + i * i * k) % 11) as f64 - 4.0);
             let full = a.svd().unwrap();
             let (s, v) = right_vectors(a.as_ref()).unwrap();

@@ -3,7 +3,7 @@
 use faer::Mat;
 
 use crate::feasible::{Face, Polytope};
-use crate::linear::{Factor, Jacobian, LinearSolver};
+use crate::linear::{Factor, Jacobian, QrFactor};
 use crate::newton;
 use crate::point::Point;
 use crate::scaling::unit_if_zero;
@@ -33,6 +33,8 @@ pub(crate) struct Verdict {
     pub tangential: f64,
     /// `‖D p‖ / ‖D z‖` of the undamped step.
     pub relative_step: f64,
+    /// The dense Jacobian factored, if no constraint is active.
+    pub factor: Option<QrFactor>,
     /// The active constraints, where there are constraints.
     pub face: Option<Face>,
     step: Option<Vec<f64>>,
@@ -52,14 +54,15 @@ impl Verdict {
             .collect();
         let face = polytope.map(|p| Face::at(p, &point.z, &point.gradient(), &scale));
         let residuals = &point.at.residuals;
+        let mut whole = None;
         let (tangential, step) = match (&face, &point.at.jacobian) {
             (Some(face), Jacobian::Dense(j)) if !face.active().is_empty() => {
                 solved(&face.factor(j.as_ref()), residuals)
             }
-            (_, jacobian) => solved(
-                jacobian.factor(&scale, LinearSolver::Qr).as_ref(),
-                residuals,
-            ),
+            (_, Jacobian::Dense(j)) => {
+                solved(whole.insert(QrFactor::new(j.as_ref(), &scale)), residuals)
+            }
+            (_, Jacobian::Blocks(j)) => solved(&j.eliminate(&scale), residuals),
         };
         let length = step
             .as_ref()
@@ -73,6 +76,7 @@ impl Verdict {
             },
             tangential,
             relative_step: if length > 0.0 { length / size } else { 0.0 },
+            factor: whole,
             face,
             step,
             scale,

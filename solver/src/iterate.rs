@@ -20,10 +20,10 @@ use crate::vector::{add, norm, scaled_norm};
 
 /// Relative offset below which the cost no longer tells two points apart (it changes by the square
 /// of the offset) and the last steps are judged by the gradient instead.
-const NEAR: f64 = 1e-6;
+const NEAR: f64 = 1e-5;
 
 /// Steps taken after which a run counts as slow.
-const SLOW: usize = 20;
+const SLOW: usize = 30;
 
 /// Falls of the cost in a row, each below rounding, after which it counts as flat.
 const FLAT_STEPS: usize = 3;
@@ -119,15 +119,18 @@ impl<'a> Run<'a> {
     fn next_point(&mut self, point: &Point) -> Result<Point, Stop> {
         let scale = self.scaling.diagonal().to_vec();
         let factor = point.at.jacobian.factor(&scale, self.options.linear_solver);
-        let local = Local {
+        let mut local = Local {
             system: self.system,
             point,
             factor: factor.as_ref(),
             scale: &scale,
+            offset: 0.0,
         };
-        if self.tangential(&local) <= NEAR * norm(&point.at.residuals) {
+        let (tangential, size) = (self.tangential(&local), norm(&point.at.residuals));
+        if tangential <= NEAR * size {
             return Err(Stop::Near);
         }
+        local.offset = tangential / size;
         self.not_finite = None;
         let hessian = self.missing_hessian(&local);
         loop {

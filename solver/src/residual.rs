@@ -40,14 +40,13 @@ where
     }
 
     fn linearize(&self, x: &[f64], free: &[usize], residuals: &mut Vec<f64>) -> Mat<f64> {
-        self.values(x, residuals);
         let evaluate = |x: &[Jet], out: &mut Vec<Jet>| Residual::<Jet>::residuals(self, x, out);
-        dual_jacobian(&evaluate, x, free, residuals.len())
+        dual_jacobian(&evaluate, x, free, residuals)
     }
 
     fn second_derivative(&self, x: &[f64], v: &[f64], out: &mut Vec<f64>) -> bool {
         let point: Vec<Jet2> = x.iter().zip(v).map(|(&x, &v)| along(x, v)).collect();
-        let mut rows = Vec::new();
+        let mut rows = Vec::with_capacity(out.capacity());
         Residual::<Jet2>::residuals(self, &point, &mut rows);
         out.clear();
         out.extend(rows.iter().map(second_derivative));
@@ -55,26 +54,34 @@ where
     }
 }
 
-/// The Jacobian (`m × free.len()`) by forward mode, [`LANES`] columns per pass.
+/// The Jacobian (`m × free.len()`) by forward mode, [`LANES`] columns per pass; `residuals` become
+/// the values of the first pass.
 pub(crate) fn dual_jacobian(
     evaluate: &impl Fn(&[Jet], &mut Vec<Jet>),
     x: &[f64],
     free: &[usize],
-    m: usize,
+    residuals: &mut Vec<f64>,
 ) -> Mat<f64> {
-    let mut jacobian = Mat::zeros(m, free.len());
     let mut point: Vec<Jet> = x.iter().map(|&value| Jet::from_re(value)).collect();
-    let mut rows = Vec::with_capacity(m);
-    for (pass, columns) in free.chunks(LANES).enumerate() {
+    let mut rows = Vec::with_capacity(residuals.capacity());
+    let mut jacobian = Mat::zeros(0, 0);
+    for pass in 0..free.len().div_ceil(LANES).max(1) {
+        let first = pass * LANES;
+        let columns = &free[first..free.len().min(first + LANES)];
         for (lane, &k) in columns.iter().enumerate() {
             point[k] = variable(x[k], lane);
         }
         rows.clear();
         evaluate(&point, &mut rows);
-        for (row, value) in rows.iter().enumerate() {
+        if pass == 0 {
+            residuals.clear();
+            residuals.extend(rows.iter().map(|row| row.re));
+            jacobian = Mat::zeros(rows.len(), free.len());
+        }
+        for (row, value) in rows.iter().take(residuals.len()).enumerate() {
             let slopes = derivatives(value);
             for lane in 0..columns.len() {
-                jacobian[(row, pass * LANES + lane)] = slopes[lane];
+                jacobian[(row, first + lane)] = slopes[lane];
             }
         }
         for &k in columns {

@@ -105,7 +105,10 @@ impl Solution {
             .filter(|face| !face.active().is_empty());
         let directions = held.map(|face| face.directions());
         let uncertainty = match &self.point.at.jacobian {
-            Jacobian::Dense(j) => uncertainty_along(j.as_ref(), directions, names),
+            Jacobian::Dense(j) => match &self.verdict.factor {
+                Some(factor) => uncertainty_along(factor.root().as_ref(), directions, names),
+                None => uncertainty_along(j.as_ref(), directions, names),
+            },
             Jacobian::Blocks(_) => Uncertainty::unknown(names, Vec::new()),
         };
         self.into_report(parameters, uncertainty, polytope, options)

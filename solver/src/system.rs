@@ -36,6 +36,8 @@ pub(crate) struct Dense<'a> {
     problem: &'a dyn Problem,
     full: Vec<f64>,
     free: Vec<usize>,
+    /// Number of residuals seen last: room for the next ones.
+    rows: Cell<usize>,
 }
 
 impl<'a> Dense<'a> {
@@ -45,7 +47,12 @@ impl<'a> Dense<'a> {
             problem,
             full: start.values().to_vec(),
             free: mask.free_indices(),
+            rows: Cell::new(0),
         }
+    }
+
+    fn room(&self) -> Vec<f64> {
+        Vec::with_capacity(self.rows.get())
     }
 
     /// The free entries of a full vector.
@@ -68,16 +75,17 @@ impl<'a> Dense<'a> {
 
 impl System for Dense<'_> {
     fn residuals(&self, z: &[f64]) -> Vec<f64> {
-        let mut residuals = Vec::new();
+        let mut residuals = self.room();
         self.problem.values(&self.embed(z), &mut residuals);
         residuals
     }
 
     fn linearize(&self, z: &[f64]) -> Linearization {
-        let mut residuals = Vec::new();
+        let mut residuals = self.room();
         let jacobian = self
             .problem
             .linearize(&self.embed(z), &self.free, &mut residuals);
+        self.rows.set(residuals.len());
         let cost = half_square(&residuals);
         Linearization {
             residuals,
@@ -88,7 +96,7 @@ impl System for Dense<'_> {
 
     fn second_derivative(&self, z: &[f64], v: &[f64]) -> Option<Vec<f64>> {
         let direction = self.scatter(vec![0.0; self.full.len()], v);
-        let mut out = Vec::new();
+        let mut out = self.room();
         let offered = self
             .problem
             .second_derivative(&self.embed(z), &direction, &mut out);

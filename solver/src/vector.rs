@@ -1,8 +1,18 @@
 //! The few vector operations of the solver, on slices.
 
-/// `a · b`.
+/// `a · b`, in four sums that do not wait for each other.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+    let length = a.len().min(b.len());
+    let (a, a_rest) = a[..length].as_chunks::<4>();
+    let (b, b_rest) = b[..length].as_chunks::<4>();
+    let mut sums = [0.0; 4];
+    for (a, b) in a.iter().zip(b) {
+        for k in 0..4 {
+            sums[k] += a[k] * b[k];
+        }
+    }
+    let rest: f64 = a_rest.iter().zip(b_rest).map(|(a, b)| a * b).sum();
+    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
 }
 
 /// `‖a‖`, without overflow for entries whose squares overflow.
@@ -36,6 +46,13 @@ pub(crate) fn add(a: &[f64], factor: f64, b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a + factor * b).collect()
 }
 
+/// Adds `factor · b` to `a`.
+pub(crate) fn add_to(a: &mut [f64], factor: f64, b: &[f64]) {
+    for (a, b) in a.iter_mut().zip(b) {
+        *a += factor * b;
+    }
+}
+
 /// `½ ‖r‖²`, infinite where it is not a number.
 pub(crate) fn half_square(r: &[f64]) -> f64 {
     let sum = 0.5 * dot(r, r);
@@ -45,6 +62,16 @@ pub(crate) fn half_square(r: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn dot_of_every_length_is_the_plain_sum() {
+        for length in 0..10 {
+            let a: Vec<f64> = (0..length).map(f64::from).collect();
+            // Σ i², exact in whole numbers.
+            let sum: f64 = a.iter().map(|v| v * v).sum();
+            assert_eq!(dot(&a, &a), sum, "{length}");
+        }
+    }
 
     #[test]
     fn norm_survives_overflow_and_underflow() {

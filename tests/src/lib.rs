@@ -5,4 +5,5 @@
 pub mod coverage;
 pub mod noise_source;
 pub mod phone;
+pub mod power;
 pub mod problems;

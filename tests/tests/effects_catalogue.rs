@@ -81,19 +81,20 @@ fn instant(seed: usize) -> Kinematics<f64> {
 /// Coefficients of `size` typical sizes; time constants and instants as they are nominally.
 fn coefficients(effect: &dyn AnyEffect, size: f64, seed: usize) -> Vec<f64> {
     let mut next = numbers(seed + 17);
-    let value = |p: &sensor::Param| match p.nominal {
-        0.0 => size * effect.typical() * next(),
+    let value = |(k, p): (usize, &sensor::Param)| match p.nominal {
+        0.0 => size * effect.typical_of(k) * next(),
         nominal => nominal,
     };
-    effect.params().iter().map(value).collect()
+    effect.params().iter().enumerate().map(value).collect()
 }
 
 #[test]
-fn every_promised_name_is_there_with_its_sensor_and_no_other() {
+fn every_promised_name_is_there_with_its_sensor() {
     for (sensor, promised) in PROMISED {
         let own = catalogue().into_iter().filter(|e| e.sensor() == sensor);
         let names: HashSet<_> = own.map(|e| e.name()).collect();
-        assert_eq!(names, promised.iter().copied().collect());
+        let missing: Vec<_> = promised.iter().filter(|n| !names.contains(*n)).collect();
+        assert!(missing.is_empty(), "{missing:?}");
     }
 }
 

@@ -41,6 +41,8 @@ fn placements() -> Vec<[f64; 3]> {
 struct Peer<'a> {
     problem: &'a dyn Problem,
     x: Vec<f64>,
+    /// Number of residuals seen last: room for the next ones, as the solver has it.
+    rows: Cell<usize>,
     jacobians: &'a Cell<usize>,
 }
 
@@ -58,15 +60,16 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Peer<'_> {
     }
 
     fn residuals(&self) -> Option<DVector<f64>> {
-        let mut out = Vec::new();
+        let mut out = Vec::with_capacity(self.rows.get());
         self.problem.values(&self.x, &mut out);
+        self.rows.set(out.len());
         Some(DVector::from_vec(out))
     }
 
     fn jacobian(&self) -> Option<DMatrix<f64>> {
         self.jacobians.set(self.jacobians.get() + 1);
         let free: Vec<usize> = (0..self.x.len()).collect();
-        let mut residuals = Vec::new();
+        let mut residuals = Vec::with_capacity(self.rows.get());
         let j = self.problem.linearize(&self.x, &free, &mut residuals);
         Some(DMatrix::from_fn(residuals.len(), free.len(), |i, k| j[(i, k)]))
     }
@@ -74,7 +77,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Peer<'_> {
 
 fn peer(problem: &dyn Problem, start: &Parameters) -> usize {
     let jacobians = Cell::new(0);
-    let peer = Peer { problem, x: start.values().to_vec(), jacobians: &jacobians };
+    let peer = Peer { problem, x: start.values().to_vec(), rows: Cell::new(0), jacobians: &jacobians };
     black_box(LevenbergMarquardt::new().minimize(peer));
     jacobians.get()
 }

@@ -326,6 +326,7 @@ pub(super) fn effect_values<'a>(
             .collect();
         EffectValues {
             name: effect.name().into(),
+            definition: effect.definition().cloned(),
             parameters,
         }
     })

@@ -1,14 +1,20 @@
 //! `--method joint`: recordings to a calibration by one weighted problem.
 
-use sensor::{BASE_PARAMETERS, Sensor};
+use sensor::{BASE_PARAMETERS, Model, Sensor};
 
 use super::assemble::{effect_values, of_the_gyro_unit, of_the_unit, triad};
 use super::{Frame, Outcome, Request, checks, cut};
-use crate::calibration::{Calibration, RecordingBias, SCHEMA, Triad, in_symmetric_frame};
+use crate::calibration::{
+    Calibration, RecordingBias, SCHEMA, Triad, effect_named, in_symmetric_frame,
+};
 use crate::error::Error;
 use crate::methods::joint::{Channel, Disturbance, JointFit, JointRequest, fit_joint};
 use crate::methods::{Choice, Fitted};
 use crate::recording::Recording;
+use crate::simulate::EARTH_RATE;
+
+/// The effect that is the earth's rotation.
+const EARTH: &str = "earth_rate";
 
 /// A rest whose absence moves a parameter by so many of its standard errors is named.
 const INFLUENTIAL: f64 = 4.0;
@@ -43,6 +49,14 @@ pub(super) fn calibrate(
         accelerometer = accelerometer.with(*effect);
         gyroscope = gyroscope.with(*effect);
     }
+    let held = match request.latitude {
+        Some(latitude) => {
+            gyroscope = with_earth_rate(gyroscope)?;
+            let vertical = EARTH_RATE * latitude.to_radians().sin();
+            vec![(format!("{EARTH}.z"), vertical)]
+        }
+        None => Vec::new(),
+    };
     let fit = fit_joint(&JointRequest {
         recordings: recordings
             .iter()
@@ -55,7 +69,7 @@ pub(super) fn calibrate(
         walk: None,
         disturbances: true,
         known: Vec::new(),
-        held: Vec::new(),
+        held,
         covariates: false,
     })?;
     let chosen: Vec<&Choice> = choices.iter().collect();
@@ -70,6 +84,15 @@ pub(super) fn calibrate(
         gyroscope: None,
         joint: Some(fit),
     })
+}
+
+/// The gyroscope with the earth's rotation in what it measures.
+fn with_earth_rate(gyroscope: Model) -> Result<Model, Error> {
+    if gyroscope.effects().iter().any(|e| e.name() == EARTH) {
+        return Ok(gyroscope);
+    }
+    let missing = || Error::Usage(format!("{EARTH} is not in the catalogue"));
+    Ok(gyroscope.with(effect_named(EARTH).ok_or_else(missing)?))
 }
 
 /// The fit as a [`Calibration`], checked; `warnings` stay outside.
@@ -103,9 +126,12 @@ pub(crate) fn written_down(
     }
     disturbances(fit, warnings);
     influences(fit, warnings);
-    let all = fit.all_fitted();
+    // The earth's rotation is no error of the sensor: corrected rates keep it.
+    let of_the_earth = |name: &str| request.latitude.is_some() && name.starts_with(EARTH);
+    let all = fit.fitted_where(|name| !of_the_earth(name));
     let effects = effect_values(&fit.models[0], &all)
         .chain(effect_values(&fit.models[1], &all))
+        .filter(|effect| !of_the_earth(&effect.name))
         .collect();
     let calibration = Calibration {
         schema: SCHEMA.into(),

@@ -81,6 +81,9 @@ pub struct Request {
     pub nominal_step: Option<f64>,
     /// Effects on top of the base models.
     pub effects: Vec<&'static dyn AnyEffect>,
+    /// Latitude, °: the joint method then takes the earth's rotation off the gyroscope. Its vertical part is
+    /// known, its horizontal part is estimated, as the heading of the recording is not known.
+    pub latitude: Option<f64>,
     /// Take the recordings to be of one device even where they disagree.
     pub force_device: bool,
     /// Means to use for the accelerometer instead of those of the recordings.
@@ -100,6 +103,7 @@ impl Default for Request {
             gyro_bias: GyroBias::default(),
             nominal_step: None,
             effects: Vec::new(),
+            latitude: None,
             force_device: false,
             static_means: Vec::new(),
         }
@@ -141,6 +145,13 @@ pub fn calibrate(
         .collect::<Result<Vec<_>, _>>()?;
     if request.method == Method::Joint {
         return joint::calibrate(&recordings, gyro_recordings, choices, request, warnings);
+    }
+    if request.latitude.is_some() {
+        return Err(Error::Usage(
+            "the earth's rotation needs the attitude in every rest, which only the joint method works \
+             out: use --method joint with --latitude"
+                .into(),
+        ));
     }
     let accelerometer = accelerometer(&recordings, &choices, request, &mut warnings)?;
     let separate = gyro_recordings

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{Calibration, SCHEMA, effect_named};
+use super::{Calibration, SCHEMA};
 use crate::error::Error;
 
 /// Reads a calibration file.
@@ -64,12 +64,9 @@ fn check(calibration: &Calibration) -> Result<(), String> {
         }
     }
     for values in &calibration.effects {
-        let effect = effect_named(&values.name).ok_or_else(|| {
-            format!(
-                " effects: \"{}\" is not in the catalogue (`stillpoint effects`)",
-                values.name
-            )
-        })?;
+        let effect = values
+            .effect()
+            .map_err(|what| format!(" effects: \"{}\" {what}", values.name))?;
         let (expected, found) = (effect.params().len(), values.parameters.len());
         if expected != found {
             return Err(format!(

@@ -11,7 +11,7 @@ pub use frame::in_symmetric_frame;
 pub use units::check_units;
 
 use nalgebra::{Matrix3, Vector3};
-use sensor::{AnyEffect, Base, Model, Sensor};
+use sensor::{AnyEffect, Base, Definition, Model, Sensor};
 use serde::{Deserialize, Serialize};
 
 /// The schema this version writes.
@@ -114,8 +114,11 @@ pub struct RecordingBias {
 /// An effect and its parameters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EffectValues {
-    /// Name in the catalogue.
+    /// Name in the catalogue, or of `definition`.
     pub name: String,
+    /// The text of an effect that is not in the catalogue.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub definition: Option<Definition>,
     /// Its parameters, in order.
     pub parameters: Vec<EffectParameter>,
 }
@@ -131,6 +134,26 @@ pub struct EffectParameter {
     pub std: Option<f64>,
     /// Unit.
     pub unit: String,
+}
+
+impl EffectValues {
+    /// The effect: that of its definition, or of its name in the catalogue.
+    ///
+    /// # Errors
+    /// What is wrong with the definition, or that there is no such effect, in words.
+    pub fn effect(&self) -> Result<&'static dyn AnyEffect, String> {
+        match &self.definition {
+            Some(definition) if definition.name != self.name => {
+                Err(format!("its definition is of \"{}\"", definition.name))
+            }
+            Some(definition) => {
+                let effect = definition.effect();
+                effect.map_err(|e| format!("definition.{e}"))
+            }
+            None => effect_named(&self.name)
+                .ok_or_else(|| "is not in the catalogue (`stillpoint effects`)".to_owned()),
+        }
+    }
 }
 
 impl Triad {
@@ -158,7 +181,7 @@ impl Calibration {
         let mut model = Model::base(sensor);
         let mut p = self.triad(sensor)?.base().parameters().to_vec();
         for values in &self.effects {
-            let Some(effect) = effect_named(&values.name).filter(|e| e.sensor() == sensor) else {
+            let Some(effect) = values.effect().ok().filter(|e| e.sensor() == sensor) else {
                 continue;
             };
             model = model.with(effect);

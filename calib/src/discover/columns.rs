@@ -1,12 +1,12 @@
 //! Columns of the Jacobian for errors that the model lacks.
 
 use faer::Mat;
-use nalgebra::Vector3;
+use nalgebra::{Matrix2x3, Vector2, Vector3};
 use sensor::{AnyEffect, Kinematics, Sensor};
 use solver::scalar::{derivatives, variable};
 use solver::{Jet, LANES, lit};
 
-use crate::methods::joint::Sensitivities;
+use crate::methods::joint::{MeanSensitivity, Sensitivities};
 
 /// Where an error is asked for.
 #[derive(Clone, Copy, Debug)]
@@ -26,14 +26,22 @@ pub enum Place {
     Turn(usize),
 }
 
+/// Where the error is asked for within a turn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sampling {
+    /// At every sample.
+    Every,
+    /// In its middle: for errors that hardly change within a turn.
+    Middle,
+}
+
 /// `∂r/∂c` (`m × count`) of an error `Σ c_j e_j` of a sensor; `errors` pushes the `e_j` at one instant.
 ///
-/// At rest the instant is the middle of a chunk. A turn is that of its samples; the accelerometer has
-/// no part in it.
+/// At rest the instant is the middle of a chunk. The accelerometer has no part in turns.
 pub fn error_columns(
     sensitivities: &Sensitivities,
     m: usize,
-    sensor: Sensor,
+    (sensor, sampling): (Sensor, Sampling),
     count: usize,
     errors: impl Fn(&Instant<'_>, &mut Vec<Vector3<f64>>),
 ) -> Mat<f64> {
@@ -51,18 +59,27 @@ pub fn error_columns(
             }
         }
     }
-    if sensor == Sensor::Gyroscope {
-        for turn in &sensitivities.turns {
-            let place = Place::Turn(turn.turn);
-            for (by_error, truth) in turn.by_error.iter().zip(&turn.truth) {
-                e.clear();
-                errors(&Instant { truth, place }, &mut e);
-                for (j, e) in e.iter().enumerate() {
-                    let shift = by_error * e;
-                    out[(turn.row, j)] += shift[0];
-                    out[(turn.row + 1, j)] += shift[1];
-                }
+    if sensor == Sensor::Accelerometer {
+        return out;
+    }
+    for turn in &sensitivities.turns {
+        let place = Place::Turn(turn.turn);
+        let mut add = |by_error: &Matrix2x3<f64>, truth: &Kinematics<f64>| {
+            e.clear();
+            errors(&Instant { truth, place }, &mut e);
+            for (j, e) in e.iter().enumerate() {
+                let shift = by_error * e;
+                out[(turn.row, j)] += shift[0];
+                out[(turn.row + 1, j)] += shift[1];
             }
+        };
+        match (sampling, turn.truth.get(turn.truth.len() / 2)) {
+            (Sampling::Middle, Some(truth)) => add(&turn.by_error.iter().sum(), truth),
+            _ => turn
+                .by_error
+                .iter()
+                .zip(&turn.truth)
+                .for_each(|(g, truth)| add(g, truth)),
         }
     }
     out
@@ -77,16 +94,123 @@ pub fn effect_columns(
     wanted: &[usize],
 ) -> Mat<f64> {
     let sensor = effect.sensor();
-    error_columns(sensitivities, m, sensor, wanted.len(), |instant, out| {
-        let lifted = instant.truth.lift();
-        for group in wanted.chunks(LANES) {
-            let mut point: Vec<Jet> = p.iter().map(|&v| lit(v)).collect();
-            for (lane, &k) in group.iter().enumerate() {
-                point[k] = variable(p[k], lane);
+    error_columns(
+        sensitivities,
+        m,
+        (sensor, Sampling::Every),
+        wanted.len(),
+        |instant, out| {
+            slopes(effect, instant.truth, p, wanted, out);
+        },
+    )
+}
+
+/// The columns of an effect that begins at an instant, for all `instants` (s since the start of the recording)
+/// side by side (`m × wanted · instants`): what it would be had it always been there, from then on.
+pub fn step_columns(
+    sensitivities: &Sensitivities,
+    m: usize,
+    effect: &dyn AnyEffect,
+    (p, wanted): (&[f64], &[usize]),
+    instants: &[f64],
+) -> Mat<f64> {
+    let q = wanted.len();
+    let mut out = Mat::zeros(m, q * instants.len());
+    let mut e = Vec::with_capacity(q);
+    let of_sensor = |s: &&MeanSensitivity| s.sensor == effect.sensor();
+    for mean in sensitivities.means.iter().filter(of_sensor) {
+        e.clear();
+        slopes(effect, &mean.truth, p, wanted, &mut e);
+        for (k, _) in instants
+            .iter()
+            .enumerate()
+            .filter(|(_, t)| mean.truth.time > **t)
+        {
+            for (j, e) in e.iter().enumerate() {
+                let shift = mean.by_error * e;
+                for i in 0..3 {
+                    out[(mean.row + i, q * k + j)] = shift[i];
+                }
             }
-            let error = effect.error_jet(&lifted, &point);
-            let slopes = [0, 1, 2].map(|i| derivatives(&error[i]));
-            out.extend((0..group.len()).map(|lane| Vector3::from_fn(|i, _| slopes[i][lane])));
         }
-    })
+    }
+    if effect.sensor() == Sensor::Accelerometer {
+        return out;
+    }
+    for turn in &sensitivities.turns {
+        // From the last sample backwards: `sums` is what the samples after the instant add up to.
+        let mut sums = vec![Vector2::zeros(); q];
+        let mut samples = turn.by_error.iter().zip(&turn.truth).rev().peekable();
+        for (k, instant) in instants.iter().enumerate().rev() {
+            while let Some((by_error, truth)) = samples.next_if(|(_, truth)| truth.time > *instant)
+            {
+                e.clear();
+                slopes(effect, truth, p, wanted, &mut e);
+                for (sum, e) in sums.iter_mut().zip(&e) {
+                    *sum += by_error * e;
+                }
+            }
+            for (j, sum) in sums.iter().enumerate() {
+                out[(turn.row, q * k + j)] = sum[0];
+                out[(turn.row + 1, q * k + j)] = sum[1];
+            }
+        }
+    }
+    out
+}
+
+/// Pushes `∂e/∂p` of the parameters `wanted`.
+fn slopes(
+    effect: &dyn AnyEffect,
+    truth: &Kinematics<f64>,
+    p: &[f64],
+    wanted: &[usize],
+    out: &mut Vec<Vector3<f64>>,
+) {
+    let lifted = truth.lift();
+    for group in wanted.chunks(LANES) {
+        let mut point: Vec<Jet> = p.iter().map(|&v| lit(v)).collect();
+        for (lane, &k) in group.iter().enumerate() {
+            point[k] = variable(p[k], lane);
+        }
+        let error = effect.error_jet(&lifted, &point);
+        let by_lane = [0, 1, 2].map(|i| derivatives(&error[i]));
+        out.extend((0..group.len()).map(|lane| Vector3::from_fn(|i, _| by_lane[i][lane])));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::discover::{Extension, Request, Session, State};
+    use crate::simulate::Spec;
+
+    #[test]
+    fn steps_at_once_are_the_steps_one_by_one() {
+        let spec = Spec::hand_held(3);
+        let recordings = [spec.run().unwrap().recording];
+        let session = Session::new(&recordings, &Request::new(spec.gravity)).unwrap();
+        let state = State::fit(&session, Extension::default()).unwrap();
+        let effect = gyroscope::EFFECTS
+            .iter()
+            .find(|e| e.name() == "gyro_step")
+            .unwrap();
+        let (wanted, always) = ([0, 1, 2], [0.0, 0.0, 0.0, f64::NEG_INFINITY]);
+        let instants = [60.0, 100.0, 200.0];
+        let m = state.rows();
+        let at_once = step_columns(
+            &state.sensitivities,
+            m,
+            *effect,
+            (&always, &wanted),
+            &instants,
+        );
+        for (k, instant) in instants.into_iter().enumerate() {
+            let p = [0.0, 0.0, 0.0, instant];
+            let one = effect_columns(&state.sensitivities, m, *effect, &p, &wanted);
+            let difference = &one - at_once.as_ref().subcols(3 * k, 3);
+            // Sums in another order.
+            assert!(difference.norm_max() < 1e-12 * one.norm_max());
+        }
+    }
 }

@@ -44,11 +44,10 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery
     } else {
         search(&session, request, base)?
     };
-    let given = request.walks.is_some();
     let rest = if quantised {
         None
     } else {
-        unexplained(&mut search, 0.5 * request.alpha, given)
+        unexplained(&mut search, 0.5 * request.alpha)
     };
     let calibration = calibration(&session, &search.last, request)?;
     let effects: Vec<EffectFinding> = search

@@ -3,7 +3,7 @@
 use faer::Mat;
 use sensor::{AnyEffect, Sensor};
 
-use super::columns::effect_columns;
+use super::columns::{effect_columns, step_columns};
 use super::shape::Shape;
 use super::state::State;
 use crate::methods::joint::Disturbance;
@@ -131,30 +131,30 @@ fn effect_family(
         Some(_) => state.boundaries().into_iter().map(Some).collect(),
         None => vec![None],
     };
-    let mut parts = Vec::new();
+    let is_instant = shape.is_some_and(|k| effect.params()[k].name == "t0");
+    let mut parts = if is_instant {
+        vec![steps(state, effect, &linear, &values)]
+    } else {
+        Vec::new()
+    };
     let mut hypotheses = Vec::new();
     let mut first = 0;
     for value in &values {
-        let mut p = nominal.clone();
         let shape = shape.zip(*value);
-        if let Some((k, value)) = shape {
-            p[k] = value;
-        }
-        let mut columns = effect_columns(&state.sensitivities, state.rows(), effect, &p, &linear);
-        columns *= faer::Scale(effect.typical());
-        let mut count = columns.ncols();
-        parts.push(columns);
-        for companion in with_companions(effect, catalogue)
-            .skip(1)
-            .filter(|c| !state.has(c.name()))
-        {
-            let (linear, _) = coefficients(companion);
-            let p: Vec<f64> = companion.params().iter().map(|p| p.nominal).collect();
-            let mut columns =
-                effect_columns(&state.sensitivities, state.rows(), companion, &p, &linear);
-            columns *= faer::Scale(companion.typical());
-            count += columns.ncols();
-            parts.push(columns);
+        let mut count = linear.len();
+        if !is_instant {
+            let mut p = nominal.clone();
+            if let Some((k, value)) = shape {
+                p[k] = value;
+            }
+            parts.push(scaled(state, effect, &p, &linear));
+            let companions = with_companions(effect, catalogue).skip(1);
+            for companion in companions.filter(|c| !state.has(c.name())) {
+                let (linear, _) = coefficients(companion);
+                let p: Vec<f64> = companion.params().iter().map(|p| p.nominal).collect();
+                count += linear.len();
+                parts.push(scaled(state, companion, &p, &linear));
+            }
         }
         hypotheses.push(Hypothesis {
             shape,
@@ -163,7 +163,6 @@ fn effect_family(
         });
         first += count;
     }
-    let is_instant = shape.is_some_and(|k| effect.params()[k].name == "t0");
     Family {
         claim: Claim::Effect(effect),
         shape_dof: if shape.is_some() && !is_instant {
@@ -180,6 +179,35 @@ fn effect_family(
         columns: state.whitened(beside(&parts, state.rows())),
         typical: effect.typical(),
     }
+}
+
+/// The columns of an effect's coefficients, for typical sizes.
+fn scaled(state: &State, effect: &dyn AnyEffect, p: &[f64], linear: &[usize]) -> Mat<f64> {
+    let columns = effect_columns(&state.sensitivities, state.rows(), effect, p, linear);
+    columns * faer::Scale(effect.typical())
+}
+
+/// The same for an effect that begins at an instant, for all instants.
+fn steps(
+    state: &State,
+    effect: &dyn AnyEffect,
+    linear: &[usize],
+    values: &[Option<f64>],
+) -> Mat<f64> {
+    let instants: Vec<f64> = values.iter().flatten().copied().collect();
+    // The instant is no coefficient: it is put before everything.
+    let always: Vec<f64> = (0..effect.params().len())
+        .map(|k| {
+            if linear.contains(&k) {
+                0.0
+            } else {
+                f64::NEG_INFINITY
+            }
+        })
+        .collect();
+    let of = (always.as_slice(), linear);
+    let columns = step_columns(&state.sensitivities, state.rows(), effect, of, &instants);
+    columns * faer::Scale(effect.typical())
 }
 
 fn disturbance_families(state: &State) -> Vec<Family> {

@@ -83,6 +83,7 @@ pub fn disturbed(state: &State) -> Vec<Integrity> {
         .fit
         .accused
         .iter()
+        .take(state.extension.disturbed.len())
         .map(|accused| {
             let (name, detail) = match accused.kind {
                 Disturbance::MountSlip => {

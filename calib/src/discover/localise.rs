@@ -7,7 +7,7 @@ use sensor::Sensor;
 use serde::Serialize;
 
 use super::channel::{Channel, Sequence};
-use super::columns::{Instant, error_columns};
+use super::columns::{Instant, Sampling, error_columns};
 use super::score::{log_tail, score};
 use super::state::State;
 
@@ -118,14 +118,20 @@ fn best_covariate(state: &State, channel: Channel) -> &'static str {
         _ => Sensor::Gyroscope,
     };
     let statistic = |covariate: &Covariate| {
-        let columns = error_columns(&state.sensitivities, state.rows(), sensor, 3, |i, out| {
-            let values = covariate.1(i);
-            for axis in 0..3 {
-                let mut e = Vector3::zeros();
-                e[axis] = values[axis];
-                out.push(e);
-            }
-        });
+        let columns = error_columns(
+            &state.sensitivities,
+            state.rows(),
+            (sensor, Sampling::Every),
+            3,
+            |i, out| {
+                let values = covariate.1(i);
+                for axis in 0..3 {
+                    let mut e = Vector3::zeros();
+                    e[axis] = values[axis];
+                    out.push(e);
+                }
+            },
+        );
         let scales: Vec<f64> = columns.col_iter().map(|c| c.norm_max()).collect();
         let scaled = Mat::from_fn(columns.nrows(), 3, |i, k| {
             if scales[k] > 0.0 {

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use nalgebra::Vector3;
 use sensor::Sensor;
 
-use super::columns::{Instant, Place, error_columns};
+use super::columns::{Instant, Place, Sampling, error_columns};
 use super::family::{Claim, Family, Hypothesis, beside};
 use super::state::State;
 use crate::methods::joint::Mean;
@@ -93,7 +93,17 @@ fn family(state: &State, scene: &Scene<'_>, shape: Shape, sensor: Sensor) -> Fam
     let mut parts = Vec::new();
     let mut first = 0;
     for (count, errors, value) in ways(scene, shape, sensor) {
-        let mut columns = error_columns(&state.sensitivities, state.rows(), sensor, count, errors);
+        let sampling = match shape {
+            Shape::SlowTime | Shape::Periodic | Shape::LastTurn => Sampling::Middle,
+            _ => Sampling::Every,
+        };
+        let mut columns = error_columns(
+            &state.sensitivities,
+            state.rows(),
+            (sensor, sampling),
+            count,
+            errors,
+        );
         columns *= faer::Scale(typical);
         parts.push(columns);
         hypotheses.push(Hypothesis {

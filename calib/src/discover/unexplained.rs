@@ -44,8 +44,8 @@ struct Trial {
 
 /// Looks for a significant rest (family-wise chance `alpha`) and, where there is one, whether its shape
 /// explains the whole better than the names do: these are withdrawn then.
-pub fn unexplained(search: &mut Search, alpha: f64, given: bool) -> Option<Unexplained> {
-    let mut found = rest_of(&search.last, alpha, given)?;
+pub fn unexplained(search: &mut Search, alpha: f64) -> Option<Unexplained> {
+    let mut found = rest_of(&search.last, alpha)?;
     let effects: f64 = search
         .names
         .iter()
@@ -58,9 +58,9 @@ pub fn unexplained(search: &mut Search, alpha: f64, given: bool) -> Option<Unexp
     if named_effect {
         let base = &search.base;
         let shapes = shapes(base);
-        let best = rank(&base.projected, &shapes, base.walks, given);
+        let best = rank(&base.projected, &shapes, base.walks, true);
         if best.first().is_some_and(|b| b.evidence > effects + APART) {
-            found = rest_of(base, alpha, given)?;
+            found = rest_of(base, alpha)?;
             found.instead_of = search.names.iter().map(|n| n.claim.name().into()).collect();
             search.names.clear();
             search.last = search.base.clone();
@@ -69,8 +69,8 @@ pub fn unexplained(search: &mut Search, alpha: f64, given: bool) -> Option<Unexp
     Some(found)
 }
 
-fn rest_of(state: &State, alpha: f64, given: bool) -> Option<Unexplained> {
-    let trials = trials(state, given)?;
+fn rest_of(state: &State, alpha: f64) -> Option<Unexplained> {
+    let trials = trials(state)?;
     let count = trials.len() as f64;
     let worst = trials.iter().min_by(|a, b| a.log_p.total_cmp(&b.log_p))?;
     let log_p = worst.log_p + count.ln();
@@ -91,9 +91,10 @@ fn rest_of(state: &State, alpha: f64, given: bool) -> Option<Unexplained> {
     })
 }
 
-fn trials(state: &State, given: bool) -> Option<Vec<Trial>> {
+fn trials(state: &State) -> Option<Vec<Trial>> {
+    // At the likeliest walk: a shape with many coefficients could stand for any walk.
     let shapes = shapes(state);
-    let mut trials: Vec<Trial> = rank(&state.projected, &shapes, state.walks, given)
+    let mut trials: Vec<Trial> = rank(&state.projected, &shapes, state.walks, true)
         .iter()
         .map(|ranked| of_shape(&shapes[ranked.family], ranked))
         .collect();

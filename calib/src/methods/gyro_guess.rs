@@ -17,8 +17,9 @@ const TURN_ANGLES: (f64, f64) = (0.3, 60.0);
 const SCALE_STEP: f64 = 1.01;
 const COARSE_STEP: f64 = 1.03;
 
-/// Turns looked at when all axes and scales are tried together.
+/// Turns looked at when many scales are tried, and how many of those scales all turns are asked about.
 const FEW_TURNS: usize = 8;
+const PROMISING: usize = 12;
 
 /// Where a gyroscope's fit starts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,11 +54,11 @@ pub fn gyroscope_guess(turns: &[TurnData]) -> GyroGuess {
         return guess(1.0, axes);
     }
     let fine = scales(longest, SCALE_STEP);
-    let scaled = least(fine.iter().map(|&s| (misfit(turns, s, &named), s)));
+    let few = &turns[..turns.len().min(FEW_TURNS)];
+    let scaled = least(promising(few, &fine).map(|s| (misfit(turns, s, &named), s)));
     if let Some((_, scale)) = scaled.filter(|(value, _)| *value < FORETOLD) {
         return guess(scale, named);
     }
-    let few = &turns[..turns.len().min(FEW_TURNS)];
     let coarse = scales(longest, COARSE_STEP);
     let both = all_axes.iter().flat_map(|axes| {
         let tried = coarse.iter();
@@ -69,6 +70,17 @@ pub fn gyroscope_guess(turns: &[TurnData]) -> GyroGuess {
         (_, Some((_, scale))) => guess(scale, named),
         _ => guess(1.0, named),
     }
+}
+
+/// The scales at which few turns carry gravity best, with the axes as they are named.
+fn promising(few: &[TurnData], scales: &[f64]) -> impl Iterator<Item = f64> {
+    let named = Matrix3::identity();
+    let mut tried: Vec<(f64, f64)> = scales
+        .iter()
+        .map(|&s| (misfit(few, s, &named), s))
+        .collect();
+    tried.sort_by(|a, b| a.0.total_cmp(&b.0));
+    tried.into_iter().take(PROMISING).map(|(_, s)| s)
 }
 
 /// The entry with the smallest misfit.

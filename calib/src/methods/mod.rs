@@ -22,21 +22,34 @@ pub use threshold::{Choice, MULTIPLIERS, Trial, choose_multiplier, cut};
 use nalgebra::Vector3;
 use sensor::Kinematics;
 
-use crate::intervals::{Segmentation, StaticInterval};
+use crate::covariates::{last_changes, vibrations};
+use crate::intervals::{Moments, Segmentation, StaticInterval};
 use crate::recording::Recording;
 use crate::residuals::StaticMean;
 
-/// The accelerometer's means over the rests of a recording.
+/// The accelerometer's means over the rests of a recording, with what effects ask for.
 pub fn static_means(recording: &Recording, segmentation: &Segmentation) -> Vec<StaticMean> {
-    let mean = |rest: &StaticInterval| {
-        let moments = rest.accelerometer?;
-        Some(StaticMean {
+    let rests: Vec<(&StaticInterval, Moments)> = segmentation
+        .statics
+        .iter()
+        .filter_map(|rest| Some((rest, rest.accelerometer?)))
+        .collect();
+    let forces: Vec<Vector3<f64>> = rests.iter().map(|(_, m)| m.mean).collect();
+    let variances: Vec<Vector3<f64>> = rests.iter().map(|(_, m)| m.covariance.diagonal()).collect();
+    let (changes, shaking) = (last_changes(&forces), vibrations(&variances));
+    rests
+        .into_iter()
+        .zip(changes.into_iter().zip(shaking))
+        .map(|((rest, moments), (last_change, vibration))| StaticMean {
             raw: moments.mean,
-            rest: known_of(recording, rest, Vector3::zeros()),
+            rest: Kinematics {
+                last_change,
+                vibration,
+                ..known_of(recording, rest, Vector3::zeros())
+            },
             white: moments.white_of_mean(),
         })
-    };
-    segmentation.statics.iter().filter_map(mean).collect()
+        .collect()
 }
 
 /// What is known of a rest besides a sensor's own reading.

@@ -75,12 +75,31 @@ pub(crate) struct Device {
     pub model: Model,
     /// The true parameters of `model`, in SI units.
     pub parameters: Parameters,
+    /// The same without the delays, which the simulation makes by reading earlier.
+    acting: Vec<f64>,
 }
 
+/// Effects that are delays: the catalogue has them to first order, the simulation in full.
+const DELAYS: [&str; 2] = ["time_offset.", "gyro_delay."];
+
 impl Device {
+    /// A sensor with these true parameters of its model.
+    pub fn new(model: Model, parameters: Parameters) -> Self {
+        let is_delay = |name: &str| DELAYS.iter().any(|delay| name.starts_with(delay));
+        let values = parameters.names().iter().zip(parameters.values());
+        let acting = values
+            .map(|(name, value)| if is_delay(name) { 0.0 } else { *value })
+            .collect();
+        Self {
+            model,
+            parameters,
+            acting,
+        }
+    }
+
     /// The raw reading; `parameters` must have a regular `T` (see [`Device::is_regular`]).
     pub fn read(&self, truth: &Kinematics<f64>) -> Vector3<f64> {
-        let raw = self.model.distort(truth, self.parameters.values());
+        let raw = self.model.distort(truth, &self.acting);
         raw.unwrap_or_else(|| Vector3::repeat(f64::NAN))
     }
 

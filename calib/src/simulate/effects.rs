@@ -36,7 +36,7 @@ pub(crate) fn draw_device(
     let mut model = Model::base(sensor);
     let mut drawn = Vec::from(spec.grade.draw(sensor, seed).parameters());
     let effects = spec.all_effects();
-    for (place, effect) in catalogue(sensor).iter().enumerate() {
+    for (place, effect) in spec.catalogue(sensor)?.iter().enumerate() {
         if let Some(wanted) = effects.get(effect.name()) {
             model = model.with(*effect);
             let mut random = Random::new(seed, Purpose::Effect(sensor, place));
@@ -50,7 +50,7 @@ pub(crate) fn draw_device(
             parameters.values_mut()[place] = *value;
         }
     }
-    let device = Device { model, parameters };
+    let device = Device::new(model, parameters);
     match device.is_regular() {
         true => Ok(device),
         false => Err(Error::Usage(format!(
@@ -72,8 +72,8 @@ fn coefficients(
         .get(SIZE)
         .copied()
         .unwrap_or(if names_one { 0.0 } else { 1.0 });
-    let draw = |p: &sensor::Param, random: &mut Random| {
-        let drawn = random.sign() * random.uniform(0.5..1.5) * size * effect.typical();
+    let draw = |k: usize, p: &sensor::Param, random: &mut Random| {
+        let drawn = random.sign() * random.uniform(0.5..1.5) * size * effect.typical_of(k);
         match (p.name, p.nominal) {
             // A step is only seen if it lies within the recording.
             ("t0", _) => random.uniform(0.3 * end..0.7 * end),
@@ -81,9 +81,9 @@ fn coefficients(
             (_, nominal) => nominal,
         }
     };
-    let mut value = |p: &sensor::Param| {
-        let drawn = draw(p, random);
+    let mut value = |(k, p): (usize, &sensor::Param)| {
+        let drawn = draw(k, p, random);
         wanted.get(p.name).copied().unwrap_or(drawn)
     };
-    effect.params().iter().map(&mut value).collect()
+    effect.params().iter().enumerate().map(&mut value).collect()
 }

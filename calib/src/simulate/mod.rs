@@ -45,3 +45,5 @@ pub use spec::{EARTH_RATE, EXAMPLE, Motion, SensorSpec, Spec};
 pub use truth::{StaticInterval, TRUTH_SCHEMA, Truth};
 pub use vibration::Vibration;
 pub use write::FILES;
+
+pub(crate) use spec::complaint::hint;

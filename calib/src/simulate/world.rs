@@ -25,8 +25,8 @@ pub(crate) struct World {
 impl World {
     /// The truth at time `t`: `f = Rᵀ(a + g z)`, rate and acceleration relative to the earth.
     ///
-    /// Derivatives of the signals are left at zero: the effects that need them are delays, which are
-    /// simulated as such (see [`Delays`]).
+    /// The derivative of specific force is left at zero: the effect that needs it is a delay, and simulated
+    /// as such (see [`Delays`]).
     pub fn kinematics(&self, t: f64) -> Kinematics<f64> {
         let state = self.motion.at(t);
         let up = Vector3::z() * self.gravity;
@@ -37,6 +37,7 @@ impl World {
         Kinematics {
             time: t,
             temperature: self.temperature_at(t),
+            angular_acceleration: state.angular_acceleration,
             last_change: rest.map_or_else(Vector3::zeros, |r| r.last_change),
             vibration: rest.map_or_else(Vector3::zeros, |r| r.vibration),
             attitude: Attitude {

@@ -8,14 +8,17 @@ use std::path::PathBuf;
 use calib::calibrate::{
     Frame, GyroBias, Outcome, Request, STANDARD_GRAVITY, calibrate, read_static_means,
 };
-use calib::calibration::effect_named;
+use calib::effect_file::catalogue_with;
 use calib::intervals::{Span, read_sections};
 use calib::residuals::Integrator;
 use calib::{Calibration, Recording};
 use clap::ValueEnum;
 use nalgebra::Vector3;
+use sensor::AnyEffect;
 
-use super::inputs::{DetectorArgs, as_paths, check_gravity, read, read_pair, spinner};
+use super::inputs::{
+    DetectorArgs, as_paths, check_gravity, check_latitude, own_effects, read, read_pair, spinner,
+};
 use super::pictures::{PictureArgs, Pictures};
 use super::six_position;
 use crate::exit::{Failure, GATE, USAGE};
@@ -49,6 +52,9 @@ pub struct Args {
     /// Local gravity, m/s²; a wrong one goes into the accelerometer's scale factors in full
     #[arg(long, value_name = "M/S²", default_value_t = STANDARD_GRAVITY)]
     gravity: f64,
+    /// Take the earth's rotation off, known from the latitude (°, north positive); with `--method joint`
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
+    latitude: Option<f64>,
     /// How to calibrate
     #[arg(long, value_enum, default_value_t = Method::Stepwise)]
     method: Method,
@@ -58,6 +64,9 @@ pub struct Args {
     /// Effects to fit on top of the base models, such as gyro_g_sensitivity
     #[arg(long, value_name = "A,B", value_delimiter = ',')]
     effects: Vec<String>,
+    /// File that defines effects as expressions (TOML), to be named in `--effects`
+    #[arg(long, value_name = "FILE.toml")]
+    effect_file: Vec<PathBuf>,
     /// Recording to take the gyroscope's turns from instead
     #[arg(long, value_name = "RECORDING")]
     gyro_recording: Vec<PathBuf>,
@@ -142,7 +151,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let mut inputs = args.recordings.clone();
     inputs.extend(args.accel_file.iter().chain(&args.gyro_file).cloned());
     inputs.extend(args.gyro_recording.iter().chain(&args.sections).cloned());
-    inputs.extend(args.static_means.iter().cloned());
+    inputs.extend(args.static_means.iter().chain(&args.effect_file).cloned());
     if inputs.is_empty() {
         return Err(Failure::new(
             USAGE,
@@ -226,17 +235,20 @@ fn draw(pictures: Pictures, recordings: &[Recording], outcome: &Outcome) -> Resu
 
 fn request(args: &Args) -> Result<Request, Failure> {
     check_gravity(args.gravity)?;
+    check_latitude(args.latitude)?;
     let (detector, choose_multiplier) = args.detector.detector()?;
+    let own = own_effects(&args.effect_file)?;
     let effects = args
         .effects
         .iter()
         .map(|name| {
-            effect_named(name).ok_or_else(|| {
+            let mut all = catalogue_with(&own);
+            all.find(|effect| effect.name() == name).ok_or_else(|| {
                 Failure::new(
                     USAGE,
                     format!(
                         "--effects {name}: not in the catalogue ({})",
-                        catalogue_names()
+                        catalogue_names(&own)
                     ),
                 )
             })
@@ -280,13 +292,14 @@ fn request(args: &Args) -> Result<Request, Failure> {
         },
         nominal_step,
         effects,
+        latitude: args.latitude,
         force_device: args.force_device,
         static_means,
     })
 }
 
-fn catalogue_names() -> String {
-    let names: Vec<&str> = calib::calibration::catalogue().map(|e| e.name()).collect();
+fn catalogue_names(own: &[&'static dyn AnyEffect]) -> String {
+    let names: Vec<&str> = catalogue_with(own).map(|e| e.name()).collect();
     names.join(", ")
 }
 

@@ -1,9 +1,12 @@
 //! `effects`: the catalogue.
 
-use calib::calibration::catalogue;
+use std::path::PathBuf;
+
+use calib::effect_file::catalogue_with;
 use sensor::Sensor;
 use serde_json::json;
 
+use super::inputs::own_effects;
 use crate::exit::{BUG, Failure};
 use crate::show;
 
@@ -20,12 +23,16 @@ pub struct Args {
     /// Print JSON instead of a table
     #[arg(long)]
     json: bool,
+    /// File that defines further effects as expressions (TOML)
+    #[arg(long, value_name = "FILE.toml")]
+    effect_file: Vec<PathBuf>,
 }
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
+    let own = own_effects(&args.effect_file)?;
     if args.json {
-        let effects: Vec<_> = catalogue()
+        let effects: Vec<_> = catalogue_with(&own)
             .map(|effect| {
                 let parameters: Vec<_> = effect
                     .params()
@@ -49,7 +56,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     for column in table.column_iter_mut() {
         column.set_cell_alignment(comfy_table::CellAlignment::Left);
     }
-    for effect in catalogue() {
+    for effect in catalogue_with(&own) {
         table.add_row([
             effect.name().to_owned(),
             sensor_name(effect.sensor()).to_owned(),

@@ -4,11 +4,13 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use calib::calibration::check_units;
+use calib::effect_file::{catalogue_with, read_effects};
 use calib::intervals::Detector;
 use calib::{Calibration, Recording};
 use indicatif::ProgressBar;
+use sensor::AnyEffect;
 
-use crate::exit::Failure;
+use crate::exit::{Failure, USAGE};
 use crate::read_args::ReadArgs;
 use crate::show;
 
@@ -29,6 +31,17 @@ pub fn check_gravity(gravity: f64) -> Result<(), Failure> {
             GRAVITY.end()
         ),
     ))
+}
+
+/// Refuses a latitude beyond the poles.
+pub fn check_latitude(latitude: Option<f64>) -> Result<(), Failure> {
+    match latitude.filter(|l| !(-90.0..=90.0).contains(l)) {
+        None => Ok(()),
+        Some(latitude) => Err(Failure::new(
+            crate::exit::USAGE,
+            format!("--latitude {latitude}: it lies between -90 and 90 degrees"),
+        )),
+    }
 }
 
 /// How the detector of motion is set.
@@ -147,4 +160,23 @@ pub fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
         .filter(|numbers| numbers.iter().all(|v: &f64| v.is_finite()))
         .and_then(|numbers| numbers.try_into().ok())
         .ok_or_else(|| format!("{N} numbers separated by commas expected"))
+}
+
+/// The effects that `--effect-file` defines, each name once.
+pub fn own_effects(files: &[PathBuf]) -> Result<Vec<&'static dyn AnyEffect>, Failure> {
+    let mut own: Vec<&'static dyn AnyEffect> = Vec::new();
+    for path in files {
+        for effect in read_effects(path)? {
+            let name = effect.name();
+            if catalogue_with(&own).any(|other| other.name() == name) {
+                let message = format!(
+                    "--effect-file {}: `{name}` is defined in another of the files too",
+                    path.display()
+                );
+                return Err(Failure::new(USAGE, message));
+            }
+            own.push(effect);
+        }
+    }
+    Ok(own)
 }

@@ -3,9 +3,11 @@
 use std::fmt;
 
 use nalgebra::Vector3;
+use serde::{Deserialize, Serialize};
 
 /// One axis of a sensor, or of the body frame.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Axis {
     /// The first.
     X,

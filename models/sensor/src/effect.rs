@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 use solver::{Jet, Jet2, Scalar};
 
+use crate::definition::Definition;
 use crate::kinematics::{Kinematics, Sensor};
 use crate::param::Param;
 
@@ -36,9 +37,18 @@ pub trait AnyEffect: Send + Sync {
     /// The equation as users read it.
     fn equation(&self) -> &'static str;
     /// Names, units and nominal values.
-    fn params(&self) -> &'static [Param];
+    fn params(&self) -> &[Param];
     /// Size of a coefficient in a consumer-grade device.
     fn typical(&self) -> f64;
+    /// Size of the parameter in place `k`: its own where it has one, otherwise that of the effect.
+    fn typical_of(&self, k: usize) -> f64 {
+        let own = self.params().get(k).and_then(|p| p.typical);
+        own.unwrap_or_else(|| self.typical())
+    }
+    /// The text that defines it; `None` for what is compiled.
+    fn definition(&self) -> Option<&Definition> {
+        None
+    }
     /// [`Effect::error`] for values.
     fn error_f64(&self, truth: &Kinematics<f64>, p: &[f64]) -> Vector3<f64>;
     /// [`Effect::error`] with first derivatives.
@@ -57,7 +67,7 @@ impl<E: Effect> AnyEffect for E {
     fn equation(&self) -> &'static str {
         E::EQUATION
     }
-    fn params(&self) -> &'static [Param] {
+    fn params(&self) -> &[Param] {
         E::PARAMS
     }
     fn typical(&self) -> f64 {

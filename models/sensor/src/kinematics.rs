@@ -1,12 +1,14 @@
 //! The true motion that a sensor model sees at one instant.
 
 use nalgebra::Vector3;
+use serde::{Deserialize, Serialize};
 use solver::{Scalar, lit};
 
 use crate::attitude::Attitude;
 
 /// Which sensor a model or an effect belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Sensor {
     /// Measures specific force.
     Accelerometer,

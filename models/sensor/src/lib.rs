@@ -5,10 +5,17 @@
 //!                Base  T (m − b) ────────┴► Model ──► distort (simulate) · correct (calibrate)
 //! ```
 
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
 pub mod attitude;
 mod axis;
 mod base;
+mod covariate;
+mod definition;
 mod effect;
+mod emit;
+pub mod expression;
+mod formula;
 mod invert;
 mod kinematics;
 mod model;
@@ -16,7 +23,11 @@ mod param;
 
 pub use axis::Axis;
 pub use base::{BASE_PARAMETERS, Base, PLACES, base_names, inverse};
+pub use covariate::Covariate;
+pub use definition::{DefinedParam, Definition, DefinitionError};
 pub use effect::{AnyEffect, Effect, ModelScalar, mat3};
+pub use emit::emit_effect;
+pub use formula::{Factor, Formula, Term};
 pub use kinematics::{Kinematics, REFERENCE_TEMPERATURE, Sensor};
 pub use model::Model;
 pub use param::{Param, params};

@@ -9,6 +9,8 @@ pub struct Param {
     pub unit: &'static str,
     /// Value of a perfect sensor, at which the effect is silent.
     pub nominal: f64,
+    /// Size in a consumer-grade device, where it is not that of the effect.
+    pub typical: Option<f64>,
 }
 
 impl Param {
@@ -18,6 +20,16 @@ impl Param {
             name,
             unit,
             nominal,
+            typical: None,
+        }
+    }
+
+    /// The same with a size of its own in a consumer-grade device.
+    #[must_use]
+    pub const fn sized(self, typical: f64) -> Self {
+        Self {
+            typical: Some(typical),
+            ..self
         }
     }
 }
@@ -28,6 +40,7 @@ pub const fn params<const N: usize>(unit: &'static str, names: [&'static str; N]
         name: "",
         unit,
         nominal: 0.0,
+        typical: None,
     }; N];
     let mut k = 0;
     while k < N {

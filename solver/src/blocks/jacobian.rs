@@ -102,7 +102,7 @@ impl BlockJacobian {
     /// Row and column of the first entry that is not finite.
     pub fn not_finite(&self) -> Option<(usize, usize)> {
         self.terms.iter().find_map(|term| {
-            let (row, own) = linear::not_finite(term.matrix.as_ref())?;
+            let (row, own) = linear::not_finite(&term.matrix)?;
             Some((term.first_row + row, self.column(term, own)))
         })
     }

@@ -2,6 +2,10 @@
 
 use super::{Descent, Local, Step, geodesic};
 
+/// Relative offset below which the rest of the way is so short that bending it changes nothing worth
+/// a second derivative.
+const STRAIGHT: f64 = 3e-3;
+
 /// `argmin ‖J p + r‖² + λ ‖D p‖²`, bent along the geodesic where second derivatives are known.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Damped {
@@ -19,7 +23,7 @@ impl Descent for Damped {
 impl Damped {
     /// The step of a velocity.
     pub fn bent(&self, local: &Local<'_>, velocity: Vec<f64>, lambda: f64) -> Option<Step> {
-        if self.geodesic {
+        if self.geodesic && local.offset > STRAIGHT {
             return geodesic::bend(local, velocity, lambda);
         }
         Some(Step {

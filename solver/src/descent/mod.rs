@@ -27,6 +27,8 @@ pub(crate) struct Local<'a> {
     pub factor: &'a dyn Factor,
     /// The diagonal of `D` (`n`).
     pub scale: &'a [f64],
+    /// The relative offset there, `‖P r‖ / ‖r‖`.
+    pub offset: f64,
 }
 
 /// A proposed step.

@@ -39,7 +39,7 @@ fn rotate_in(row: &mut [f64], left: &mut f64, damping: &mut [f64], right: &mut f
     if damping[0] == 0.0 {
         return;
     }
-    let length = row[0].hypot(damping[0]);
+    let length = hypotenuse(row[0], damping[0]);
     let (cosine, sine) = (row[0] / length, damping[0] / length);
     let rotate = |a: &mut f64, b: &mut f64| {
         (*a, *b) = (cosine * *a + sine * *b, cosine * *b - sine * *a);
@@ -48,4 +48,14 @@ fn rotate_in(row: &mut [f64], left: &mut f64, damping: &mut [f64], right: &mut f
         rotate(a, b);
     }
     rotate(left, right);
+}
+
+/// `√(a² + b²)`; the plain formula, three times as fast, where nothing under- or overflows.
+fn hypotenuse(a: f64, b: f64) -> f64 {
+    let square = a * a + b * b;
+    if square.is_normal() {
+        square.sqrt()
+    } else {
+        a.hypot(b)
+    }
 }

@@ -2,11 +2,15 @@
 
 mod cholesky;
 mod damped_triangle;
+mod householder;
+mod jacobi;
 mod minimum_norm;
 mod qr;
 
 pub(crate) use cholesky::CholeskyFactor;
 use damped_triangle::damped_triangle;
+use householder::Householder;
+pub(crate) use jacobi::singular;
 pub(crate) use minimum_norm::minimum_norm;
 pub(crate) use qr::QrFactor;
 
@@ -14,7 +18,7 @@ use faer::{Mat, MatRef};
 use serde::{Deserialize, Serialize};
 
 use crate::blocks::BlockJacobian;
-use crate::vector::dot;
+use crate::vector::{add_to, dot, norm};
 
 /// How the damped linear problem is solved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -65,7 +69,7 @@ impl Jacobian {
     /// `‖J_k‖` of every column.
     pub fn column_norms(&self) -> Vec<f64> {
         match self {
-            Self::Dense(j) => (0..j.ncols()).map(|k| j.col(k).norm_l2()).collect(),
+            Self::Dense(j) => (0..j.ncols()).map(|k| norm(j.col_as_slice(k))).collect(),
             Self::Blocks(j) => j.column_norms(),
         }
     }
@@ -114,7 +118,7 @@ impl Jacobian {
     /// Row and column of the first entry that is not finite.
     pub fn not_finite(&self) -> Option<(usize, usize)> {
         match self {
-            Self::Dense(j) => not_finite(j.as_ref()),
+            Self::Dense(j) => not_finite(j),
             Self::Blocks(j) => j.not_finite(),
         }
     }
@@ -123,10 +127,13 @@ impl Jacobian {
 /// `A p`.
 pub(crate) fn multiply(a: MatRef<'_, f64>, p: &[f64]) -> Vec<f64> {
     let mut out = vec![0.0; a.nrows()];
-    for (column, &factor) in a.col_iter().zip(p) {
-        if factor != 0.0 {
-            for (sum, value) in out.iter_mut().zip(column.iter()) {
-                *sum += factor * value;
+    for (column, &factor) in a.col_iter().zip(p).filter(|(_, p)| **p != 0.0) {
+        match column.try_as_col_major() {
+            Some(column) => add_to(&mut out, factor, column.as_slice()),
+            None => {
+                for (sum, value) in out.iter_mut().zip(column.iter()) {
+                    *sum += factor * value;
+                }
             }
         }
     }
@@ -144,10 +151,9 @@ pub(crate) fn transpose_multiply(a: MatRef<'_, f64>, b: &[f64]) -> Vec<f64> {
 }
 
 /// Row and column of the first entry that is not finite, column by column.
-pub(crate) fn not_finite(a: MatRef<'_, f64>) -> Option<(usize, usize)> {
+pub(crate) fn not_finite(a: &Mat<f64>) -> Option<(usize, usize)> {
     (0..a.ncols()).find_map(|k| {
-        (0..a.nrows())
-            .find(|&i| !a[(i, k)].is_finite())
-            .map(|i| (i, k))
+        let row = a.col_as_slice(k).iter().position(|v| !v.is_finite())?;
+        Some((row, k))
     })
 }

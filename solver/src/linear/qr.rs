@@ -8,19 +8,26 @@ use faer::linalg::householder::{
     apply_block_householder_sequence_transpose_on_the_left_in_place_with_conj as apply_transpose,
 };
 use faer::linalg::solvers::{ColPivQr, SolveLstsqCore, Svd};
-use faer::{Conj, Mat, MatRef, Par};
+use faer::{Conj, Mat, MatMut, MatRef, Par};
 
-use super::{Factor, damped_triangle};
+use super::{Factor, Householder, damped_triangle};
 use crate::vector::norm;
 
 /// Most columns for which rotating the damping in is faster than a blocked QR.
 const ROTATED_COLUMNS: usize = 32;
 
+/// Most entries of a Jacobian that is factored on slices; beyond, faer's blocks are worth their set-up.
+const SMALL: usize = 1 << 14;
+
 /// `J D⁻¹ P = Q R`, factored once; a damping then costs a QR of `2n × n` only.
 ///
 /// The way of MINPACK: Moré, "The Levenberg-Marquardt algorithm: implementation and theory", 1978.
 pub(crate) struct QrFactor {
-    qr: ColPivQr<f64>,
+    q: Orthogonal,
+    /// `R`, its first `min(m, n)` rows.
+    r: Mat<f64>,
+    /// The column of `J` at each place of `R`.
+    order: Vec<usize>,
     scale: Vec<f64>,
     rank: usize,
     svd: OnceCell<Option<Svd<f64>>>,
@@ -28,16 +35,26 @@ pub(crate) struct QrFactor {
     last: RefCell<(Vec<f64>, Vec<f64>)>,
 }
 
+/// `Q` as reflections.
+enum Orthogonal {
+    Small(Householder),
+    Large(ColPivQr<f64>),
+}
+
 impl QrFactor {
     /// Factors `J D⁻¹` (`m × n`).
     pub fn new(jacobian: MatRef<'_, f64>, scale: &[f64]) -> Self {
-        let scaled = Mat::from_fn(jacobian.nrows(), jacobian.ncols(), |i, k| {
-            jacobian[(i, k)] / scale[k]
-        });
-        let qr = scaled.col_piv_qr();
-        let rank = numerical_rank(qr.R(), scaled.nrows());
+        let (m, n) = jacobian.shape();
+        let (q, r, order) = if m * n <= SMALL {
+            small(jacobian, scale)
+        } else {
+            large(jacobian, scale)
+        };
+        let rank = numerical_rank(r.as_ref(), m);
         Self {
-            qr,
+            q,
+            r,
+            order,
             scale: scale.to_vec(),
             rank,
             svd: OnceCell::new(),
@@ -49,32 +66,32 @@ impl QrFactor {
     fn rotated(&self, b: &[f64]) -> Vec<f64> {
         let mut last = self.last.borrow_mut();
         if last.0 != b {
-            *last = (b.to_vec(), self.rotate(b));
+            let mut rotated = b.to_vec();
+            match &self.q {
+                Orthogonal::Small(qr) => qr.rotate(&mut rotated),
+                Orthogonal::Large(qr) => rotate(qr, &mut rotated),
+            }
+            rotated.truncate(self.r.nrows());
+            *last = (b.to_vec(), rotated);
         }
         last.1.clone()
     }
 
-    fn rotate(&self, b: &[f64]) -> Vec<f64> {
-        let (basis, coefficients) = (self.qr.Q_basis(), self.qr.Q_coeff());
-        let mut rhs = Mat::from_fn(b.len(), 1, |i, _| b[i]);
-        let mut memory = MemBuffer::new(scratch::<f64>(basis.nrows(), coefficients.nrows(), 1));
-        apply_transpose(
-            basis,
-            coefficients,
-            Conj::No,
-            rhs.as_mut(),
-            Par::Seq,
-            MemStack::new(&mut memory),
-        );
-        let size = self.qr.thin_R().nrows();
-        (0..size).map(|i| rhs[(i, 0)]).collect()
+    /// `R Pᵀ D`: at most `n` rows with the `JᵀJ` of the Jacobian.
+    pub fn root(&self) -> Mat<f64> {
+        let mut root = Mat::zeros(self.r.nrows(), self.r.ncols());
+        for (place, &column) in self.order.iter().enumerate() {
+            for i in 0..root.nrows().min(place + 1) {
+                root[(i, column)] = self.r[(i, place)] * self.scale[column];
+            }
+        }
+        root
     }
 
     /// Undoes pivoting and scaling: `p = D⁻¹ P w`.
     fn restore(&self, w: impl Fn(usize) -> f64) -> Option<Vec<f64>> {
         let mut p = vec![0.0; self.scale.len()];
-        let (forward, _) = self.qr.P().arrays();
-        for (place, &column) in forward.iter().enumerate() {
+        for (place, &column) in self.order.iter().enumerate() {
             p[column] = w(place) / self.scale[column];
         }
         p.iter().all(|v| v.is_finite()).then_some(p)
@@ -82,7 +99,7 @@ impl QrFactor {
 
     /// Back substitution where the rank is full.
     fn triangular(&self, q: &[f64]) -> Option<Vec<f64>> {
-        let r = self.qr.thin_R();
+        let r = &self.r;
         let n = self.scale.len();
         let mut w = vec![0.0; n];
         for i in (0..n).rev() {
@@ -94,10 +111,7 @@ impl QrFactor {
 
     /// The truncated pseudoinverse of `R` where the rank is short.
     fn truncated(&self, q: &[f64]) -> Option<Vec<f64>> {
-        let svd = self
-            .svd
-            .get_or_init(|| self.qr.thin_R().thin_svd().ok())
-            .as_ref()?;
+        let svd = self.svd.get_or_init(|| self.r.thin_svd().ok()).as_ref()?;
         let (u, s, v) = (svd.U(), svd.S().column_vector(), svd.V());
         let coefficient = |j: usize| -(0..q.len()).map(|i| u[(i, j)] * q[i]).sum::<f64>() / s[j];
         let c: Vec<f64> = (0..self.rank).map(coefficient).collect();
@@ -107,7 +121,7 @@ impl QrFactor {
 
 impl Factor for QrFactor {
     fn damped(&self, b: &[f64], lambda: f64) -> Option<Vec<f64>> {
-        let (r, q) = (self.qr.thin_R(), self.rotated(b));
+        let (r, q) = (self.r.as_ref(), self.rotated(b));
         let w = if self.scale.len() <= ROTATED_COLUMNS {
             damped_triangle(r, &q, lambda)
         } else {
@@ -128,6 +142,40 @@ impl Factor for QrFactor {
     fn tangential(&self, b: &[f64]) -> f64 {
         norm(&self.rotated(b)[..self.rank])
     }
+}
+
+fn small(jacobian: MatRef<'_, f64>, scale: &[f64]) -> (Orthogonal, Mat<f64>, Vec<usize>) {
+    let (m, n) = jacobian.shape();
+    let mut columns = Vec::with_capacity(m * n);
+    for (column, scale) in jacobian.col_iter().zip(scale) {
+        columns.extend(column.iter().map(|value| value / scale));
+    }
+    let qr = Householder::new(columns, m, n);
+    let r = Mat::from_fn(m.min(n), n, |i, k| qr.r(i, k));
+    let order = qr.order().to_vec();
+    (Orthogonal::Small(qr), r, order)
+}
+
+fn large(jacobian: MatRef<'_, f64>, scale: &[f64]) -> (Orthogonal, Mat<f64>, Vec<usize>) {
+    let (m, n) = jacobian.shape();
+    let qr = Mat::from_fn(m, n, |i, k| jacobian[(i, k)] / scale[k]).col_piv_qr();
+    let r = qr.thin_R().to_owned();
+    let order = qr.P().arrays().0.to_vec();
+    (Orthogonal::Large(qr), r, order)
+}
+
+/// Replaces `b` by `Qᵀ b`.
+fn rotate(qr: &ColPivQr<f64>, b: &mut [f64]) {
+    let (basis, coefficients) = (qr.Q_basis(), qr.Q_coeff());
+    let mut memory = MemBuffer::new(scratch::<f64>(basis.nrows(), coefficients.nrows(), 1));
+    apply_transpose(
+        basis,
+        coefficients,
+        Conj::No,
+        MatMut::from_column_major_slice_mut(b, basis.nrows(), 1),
+        Par::Seq,
+        MemStack::new(&mut memory),
+    );
 }
 
 /// `argmin ‖R w + q‖² + λ ‖w‖²` by a QR of `R` stacked on `√λ I`.
@@ -207,6 +255,48 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn small_and_large_matrices_are_solved_alike() {
+        let (m, n) = (SMALL / 4 + 1, 4);
+        let wave = |i: usize, k: usize| (0.37 * (i * (k + 1)) as f64 + k as f64).sin();
+        let j = Mat::from_fn(m, n, wave);
+        let (scale, b) = ([1.0, 2.0, 0.5, 4.0], wave_column(m));
+        let factor = |parts: (Orthogonal, Mat<f64>, Vec<usize>)| QrFactor {
+            rank: n,
+            q: parts.0,
+            r: parts.1,
+            order: parts.2,
+            scale: scale.to_vec(),
+            svd: OnceCell::new(),
+            last: RefCell::default(),
+        };
+        let fast = factor(small(j.as_ref(), &scale));
+        let simple = factor(large(j.as_ref(), &scale));
+        assert!((fast.tangential(&b) / simple.tangential(&b) - 1.0).abs() < 1e-12);
+        let pairs = [
+            (fast.undamped(&b), simple.undamped(&b)),
+            (fast.damped(&b, 0.1), simple.damped(&b, 0.1)),
+        ];
+        for (fast, simple) in pairs {
+            for (a, b) in fast.unwrap().iter().zip(&simple.unwrap()) {
+                // Columns of sines are nearly orthogonal: the condition is near 1.
+                assert!((a - b).abs() < 1e-13, "{a} {b}");
+            }
+        }
+    }
+
+    fn wave_column(m: usize) -> Vec<f64> {
+        (0..m).map(|i| (0.11 * i as f64).cos() + 0.2).collect()
+    }
+
+    #[test]
+    fn the_root_has_the_normal_matrix_of_the_jacobian() {
+        let j = tall();
+        let root = QrFactor::new(j.as_ref(), &[2.0, 0.5, 3.0]).root();
+        let difference = root.transpose() * &root - j.transpose() * &j;
+        assert!(difference.norm_l2() < 1e-13 * j.norm_l2().powi(2));
     }
 
     #[test]

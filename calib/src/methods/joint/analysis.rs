@@ -2,16 +2,16 @@
 
 use faer::Mat;
 
-use super::disturbance::{Suspect, Verdict, judge};
+use super::disturbance::Suspect;
 use super::exposure::covariance;
 use super::likelihood::Restricted;
 use super::marginal::orthonormal;
-use super::problem::{Linear, RowNoise, Rows};
+use super::problem::{Linear, Rows};
+use super::row_noise::RowNoise;
+use super::trial::Trial;
+use super::walks::Walks;
 use super::weights::{Component, ComponentKind, NoiseLevel, White, Whitening};
 use sensor::Sensor;
-
-/// Chance of any false accusation of a clean recording.
-const CHANCE: f64 = 0.001;
 
 /// A fit whose quieter three quarters are off by this much, as χ² per degree of freedom, does not
 /// know its noise: the model misses, or the noise is of another kind.
@@ -45,39 +45,12 @@ impl Analysis {
         white.apply(jacobian.as_mut());
         let mut residuals = Mat::from_fn(m, 1, |i, _| linear.residuals[i]);
         white.apply(residuals.as_mut());
-        let kinds = [
-            ComponentKind::AccelerometerWalk,
-            ComponentKind::GyroscopeWalk,
-        ];
-        let components = kinds
-            .into_iter()
-            .zip(&noise.exposures)
-            .filter(|(_, exposures)| !exposures.is_empty())
-            .map(|(kind, exposures)| Component {
-                kind,
-                covariance: white.both_sides(&covariance(exposures, m)),
-            })
-            .collect();
         Self {
             residuals: residuals.col(0).iter().copied().collect(),
             jacobian,
+            components: walks(noise, &white),
             white,
-            components,
         }
-    }
-
-    /// Adds every kind of scatter to what the noise may have.
-    pub fn allow_all_scatter(&mut self, rows: &Rows<'_>) {
-        for (kind, groups) in groups(rows) {
-            self.allow(kind, &groups, rows.count());
-        }
-    }
-
-    fn allow(&mut self, kind: ComponentKind, groups: &[Vec<usize>], m: usize) {
-        self.components.push(Component {
-            kind,
-            covariance: self.white.both_sides(&shared(groups, kind, m)),
-        });
     }
 
     /// Adds scatter between rests and turns to what the noise may have, where the quieter three
@@ -100,33 +73,57 @@ impl Analysis {
                 })
                 .collect();
             if quieter_ratio(ratios) > MISFIT {
-                self.allow(kind, &groups, rows.count());
+                self.components
+                    .push(scatter(kind, &groups, &self.white, rows.count()));
             }
         }
         self.components.len() > before
     }
 
     /// The levels of the components by restricted likelihood, with the disturbances' columns among the
-    /// free ones: walks as their expectation, scatter at its likeliest.
+    /// free ones: scatter at its likeliest, walks as their expectation.
     pub fn levels(&self, disturbances: &[&Suspect]) -> Vec<NoiseLevel> {
         let jacobian = self.with(disturbances);
-        let covariances: Vec<&Mat<f64>> = self.components.iter().map(|c| &c.covariance).collect();
-        let restricted = Restricted::new(&self.residuals, &jacobian, &covariances);
-        let walks: Vec<bool> = self.components.iter().map(|c| c.kind.is_walk()).collect();
-        let likeliest = restricted.variances(&walks);
-        self.components
+        let is_walk = |c: &&Component| c.kind.is_walk();
+        let (walks, scatter): (Vec<&Component>, Vec<&Component>) =
+            self.components.iter().partition(is_walk);
+        let scatter = self.scatter(&jacobian, &walks, &scatter);
+        let fixed = scatter
             .iter()
-            .enumerate()
-            .map(|(c, component)| NoiseLevel {
+            .fold(None, |sum: Option<Mat<f64>>, (c, variance)| {
+                let own = faer::Scale(*variance) * &c.covariance;
+                Some(sum.map_or_else(|| own.clone(), |sum| sum + &own))
+            });
+        let covariances: Vec<&Mat<f64>> = walks.iter().map(|c| &c.covariance).collect();
+        let usual: Vec<f64> = covariances.iter().map(|c| usual_walk(c)).collect();
+        let expected =
+            Walks::new(&self.residuals, &jacobian, &covariances, fixed.as_ref()).expected(&usual);
+        walks
+            .into_iter()
+            .zip(expected)
+            .chain(scatter)
+            .map(|(component, variance)| NoiseLevel {
                 kind: component.kind,
-                size: if walks[c] {
-                    let usual = usual_walk(&component.covariance);
-                    restricted.expected(c, &likeliest, usual).sqrt()
-                } else {
-                    likeliest[c].sqrt()
-                },
+                size: variance.sqrt(),
             })
             .collect()
+    }
+
+    /// The likeliest variances of the scatter, walks beside it.
+    fn scatter<'a>(
+        &self,
+        jacobian: &Mat<f64>,
+        walks: &[&Component],
+        scatter: &[&'a Component],
+    ) -> Vec<(&'a Component, f64)> {
+        if scatter.is_empty() {
+            return Vec::new();
+        }
+        let all: Vec<&Mat<f64>> = walks.iter().chain(scatter).map(|c| &c.covariance).collect();
+        let kept: Vec<bool> = (0..all.len()).map(|c| c < walks.len()).collect();
+        let variances = Restricted::new(&self.residuals, jacobian, &all).variances(&kept);
+        let own = variances.into_iter().skip(walks.len());
+        scatter.iter().copied().zip(own).collect()
     }
 
     /// The whitening at these levels.
@@ -134,72 +131,30 @@ impl Analysis {
         Whitening::new(self.white.clone(), &self.components, levels)
     }
 
-    /// The disturbances that chance does not explain, one after the other from the worst on, given
-    /// those already `accused`; `None` where there are more than `most` (places among `suspects`).
-    pub fn accuse(
+    /// The tests of all suspects, whose `columns` the white noise has whitened, at these levels.
+    pub fn trial<'a>(
         &self,
-        suspects: &[Suspect],
-        accused: &[usize],
+        suspects: &'a [Suspect],
+        columns: &Mat<f64>,
         levels: &[NoiseLevel],
-        most: usize,
-    ) -> Option<Vec<usize>> {
-        let mut found = accused.to_vec();
-        let whitening = self.whitening(levels);
-        let level = CHANCE / suspects.len().max(1) as f64;
-        loop {
-            let known: Vec<&Suspect> = found.iter().map(|&k| &suspects[k]).collect();
-            let worst = self
-                .verdicts(suspects, &known, &whitening)
-                .into_iter()
-                .filter(|v| !found.contains(&v.suspect) && v.p_value < level)
-                .min_by(|a, b| {
-                    let by_p = a.p_value.total_cmp(&b.p_value);
-                    by_p.then(b.statistic.total_cmp(&a.statistic))
-                });
-            match worst {
-                None => return Some(found),
-                Some(_) if found.len() >= most => return None,
-                Some(verdict) => found.push(verdict.suspect),
-            }
-        }
+    ) -> Trial<'a> {
+        let residuals = Mat::from_fn(self.residuals.len(), 1, |i, _| self.residuals[i]);
+        let (columns, jacobian) = (columns.clone(), self.jacobian.clone());
+        Trial::new(
+            suspects,
+            columns,
+            jacobian,
+            residuals,
+            &self.whitening(levels),
+        )
     }
 
-    /// Those of the doubtful among the accused whose own test, given the others, chance does not
-    /// explain.
-    pub fn confirm(
-        &self,
-        suspects: &[Suspect],
-        accused: &[usize],
-        doubtful: &[usize],
-        levels: &[NoiseLevel],
-    ) -> Vec<usize> {
-        let whitening = self.whitening(levels);
-        let level = CHANCE / suspects.len().max(1) as f64;
-        let holds = |k: usize| {
-            let others: Vec<&Suspect> = accused
-                .iter()
-                .filter(|&&o| o != k)
-                .map(|&o| &suspects[o])
-                .collect();
-            self.verdicts(&suspects[k..=k], &others, &whitening)
-                .iter()
-                .any(|v| v.p_value < level)
-        };
-        doubtful.iter().copied().filter(|&k| holds(k)).collect()
-    }
-
-    /// The tests of `suspects` with the columns of `known` among the free ones.
-    fn verdicts(
-        &self,
-        suspects: &[Suspect],
-        known: &[&Suspect],
-        whitening: &Whitening,
-    ) -> Vec<Verdict> {
-        let mut jacobian = self.with(known);
-        whitening.finish(jacobian.as_mut());
-        let mut residuals = Mat::from_fn(self.residuals.len(), 1, |i, _| self.residuals[i]);
-        whitening.finish(residuals.as_mut());
-        judge(suspects, whitening, &orthonormal(&jacobian), &residuals)
+    /// The columns of all suspects, whitened by the white noise (`m × k`).
+    pub fn columns(&self, suspects: &[Suspect]) -> Mat<f64> {
+        let all: Vec<&Vec<f64>> = suspects.iter().flat_map(|s| &s.columns).collect();
+        let mut columns = Mat::from_fn(self.residuals.len(), all.len(), |i, k| all[k][i]);
+        self.white.apply(columns.as_mut());
+        columns
     }
 
     /// The Jacobian with more columns, all whitened by white noise.
@@ -215,6 +170,33 @@ impl Analysis {
                 added[(i, k - n)]
             }
         })
+    }
+}
+
+/// The walks of the biases, of unit density, whitened by the white noise.
+pub fn walks(noise: &RowNoise, white: &White) -> Vec<Component> {
+    let kinds = [
+        ComponentKind::AccelerometerWalk,
+        ComponentKind::GyroscopeWalk,
+    ];
+    let exposed = kinds.into_iter().zip(&noise.exposures);
+    exposed
+        .filter(|(_, exposures)| !exposures.is_empty())
+        .map(|(kind, exposures)| {
+            let whitened: Vec<_> = exposures.iter().map(|e| e.whitened(white)).collect();
+            Component {
+                kind,
+                covariance: covariance(&whitened, noise.variance.len()),
+            }
+        })
+        .collect()
+}
+
+/// A scatter of unit size, whitened by the white noise.
+fn scatter(kind: ComponentKind, groups: &[Vec<usize>], white: &White, m: usize) -> Component {
+    Component {
+        kind,
+        covariance: white.both_sides(&shared(groups, kind, m)),
     }
 }
 

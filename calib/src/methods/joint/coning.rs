@@ -4,7 +4,11 @@ use nalgebra::Vector3;
 
 /// Windows on either side of the one being integrated.
 pub const REACH: usize = 3;
-const WINDOWS: usize = 2 * REACH + 1;
+/// Windows that the rotation over one of them is taken from.
+pub const WINDOWS: usize = 2 * REACH + 1;
+
+/// The same, filled up to what vector registers hold.
+const PADDED: usize = WINDOWS + 1;
 
 /// Nodes of the Gauss–Legendre rule on [−1, 1] with five points: exact to degree 9 and, by symmetry
 /// of what is integrated here, enough for the products of degree 13 after splitting the window.
@@ -30,13 +34,14 @@ const NODES: [(f64, f64); 5] = [
 /// of third order in the angle.
 #[derive(Clone, Copy, Debug)]
 pub struct Coning {
-    weights: [[f64; WINDOWS]; WINDOWS],
+    /// `K_cb`, one array over `c` for every `b`, zero beyond.
+    columns: [[f64; PADDED]; WINDOWS],
 }
 
 impl Coning {
     /// Works out the weights.
     pub fn new() -> Self {
-        let mut weights = [[0.0; WINDOWS]; WINDOWS];
+        let mut columns = [[0.0; PADDED]; WINDOWS];
         // Four parts of the window: the rule is then exact to rounding.
         let parts = 4;
         for part in 0..parts {
@@ -48,49 +53,37 @@ impl Coning {
                 for a in 0..WINDOWS {
                     for b in 0..WINDOWS {
                         let term = angle[a] * rate[b] - angle[b] * rate[a];
-                        weights[a][b] += 0.5 * weight * half * term;
+                        columns[b][a] += 0.5 * weight * half * term;
                     }
                 }
             }
         }
-        Self { weights }
+        Self { columns }
     }
 
-    /// `v_c = Σ_b K_cb θ_b` for the windows around `k`; windows beyond the ends count as still.
-    fn sums(&self, angles: &[Vector3<f64>], k: usize) -> [Vector3<f64>; WINDOWS] {
-        let mut sums = [Vector3::zeros(); WINDOWS];
-        for b in 0..WINDOWS {
-            let Some(angle) = neighbour(angles, k, b) else {
-                continue;
-            };
-            for (c, sum) in sums.iter_mut().enumerate() {
-                *sum += angle * self.weights[c][b];
-            }
-        }
-        sums
-    }
-
-    /// The rotation vector over window `k`, and per window around it the `v` with
-    /// `∂φ = ∂θ_k + Σ_c ∂θ_c × v_c`.
+    /// The rotation vector over the middle one of seven windows with the given angles (rad), and per window
+    /// the `v` with `∂φ = ∂θ₀ + Σ_c ∂θ_c × v_c`: `v_c = Σ_b K_cb θ_b`.
     pub fn rotation(
         &self,
-        angles: &[Vector3<f64>],
-        k: usize,
+        angles: &[Vector3<f64>; WINDOWS],
     ) -> (Vector3<f64>, [Vector3<f64>; WINDOWS]) {
-        let sums = self.sums(angles, k);
-        let mut phi = angles[k];
-        for (c, sum) in sums.iter().enumerate() {
-            if let Some(angle) = neighbour(angles, k, c) {
-                phi += angle.cross(sum) * 0.5;
+        // Axis by axis over all windows at once: this is the innermost loop of every fit.
+        let mut by_axis = [[0.0; PADDED]; 3];
+        for (angle, weights) in angles.iter().zip(&self.columns) {
+            for (sums, angle) in by_axis.iter_mut().zip(angle.iter()) {
+                for (sum, weight) in sums.iter_mut().zip(weights) {
+                    *sum += weight * angle;
+                }
             }
         }
-        (phi, sums)
+        let [x, y, z] = &by_axis;
+        let sums = std::array::from_fn(|c| Vector3::new(x[c], y[c], z[c]));
+        let mut twice = Vector3::zeros();
+        for (angle, sum) in angles.iter().zip(&sums) {
+            twice += angle.cross(sum);
+        }
+        (angles[REACH] + twice * 0.5, sums)
     }
-}
-
-/// Window `c` of those around `k`, if there is one.
-fn neighbour(angles: &[Vector3<f64>], k: usize, c: usize) -> Option<&Vector3<f64>> {
-    angles.get((k + c).checked_sub(REACH)?)
 }
 
 /// Place of edge `j` of the windows, in windows from the middle of window 0.
@@ -133,8 +126,8 @@ mod tests {
             Vector3::new(0.1, -0.2, 0.05),
             Vector3::new(0.02, 0.01, -0.03),
         );
-        let angles: Vec<_> = (-3..=3).map(|k| a + b * f64::from(k)).collect();
-        let (phi, _) = Coning::new().rotation(&angles, REACH);
+        let angles = std::array::from_fn(|k| a + b * (k as f64 - 3.0));
+        let (phi, _) = Coning::new().rotation(&angles);
         assert!((phi - (a + a.cross(&b) / 12.0)).norm() < 1e-16);
     }
 
@@ -147,26 +140,26 @@ mod tests {
             Vector3::new(-0.02, 0.05, 0.01),
         );
         let mean = |k: f64| p + q * (k * k * k + 0.25 * k);
-        let angles: Vec<_> = (-3..=3).map(|k| mean(f64::from(k))).collect();
-        let (phi, _) = Coning::new().rotation(&angles, REACH);
+        let angles = std::array::from_fn(|k| mean(k as f64 - 3.0));
+        let (phi, _) = Coning::new().rotation(&angles);
         assert!((phi - (p + p.cross(&q) / 80.0)).norm() < 1e-15);
     }
 
     #[test]
     fn the_derivative_is_that_of_differences() {
         let coning = Coning::new();
-        let angles: Vec<Vector3<f64>> = (0..7)
-            .map(|k| Vector3::new((k as f64).sin(), (k as f64 * 1.3).cos(), 0.1 * k as f64))
-            .collect();
-        let (_, sums) = coning.rotation(&angles, 3);
+        let angles: [Vector3<f64>; WINDOWS] = std::array::from_fn(|k| {
+            Vector3::new((k as f64).sin(), (k as f64 * 1.3).cos(), 0.1 * k as f64)
+        });
+        let (_, sums) = coning.rotation(&angles);
         for c in 0..7 {
             for axis in 0..3 {
                 let mut step = Vector3::zeros();
                 step[axis] = 1e-6;
                 let at = |sign: f64| {
-                    let mut moved = angles.clone();
+                    let mut moved = angles;
                     moved[c] += step * sign;
-                    coning.rotation(&moved, 3).0
+                    coning.rotation(&moved).0
                 };
                 let difference = (at(1.0) - at(-1.0)) / 2e-6;
                 let direct = if c == 3 {

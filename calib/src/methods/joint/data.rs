@@ -3,16 +3,16 @@
 use std::ops::Range;
 
 use nalgebra::Vector3;
-use sensor::{Kinematics, Model};
+use sensor::Kinematics;
 
 use super::broken::{Pair, touched};
+use super::knowledge::known_at_rests;
 use super::noise::SensorNoise;
 use super::shake::{Shake, gaps, shakes};
 use super::trim::quiet_part;
 use super::turn::MARGIN;
-use crate::covariates::last_changes;
 use crate::intervals::{Segmentation, Span, TurnFault};
-use crate::methods::{RawUnit, known_of};
+use crate::methods::RawUnit;
 use crate::recording::{Recording, Stream};
 
 /// Rests are cut into chunks of about this length, s: they anchor random walk, drift and warm-up.
@@ -163,7 +163,7 @@ impl Data {
             .collect();
         let total: f64 = spans.iter().map(Span::length).sum();
         let length = CHUNK.max(total / MOST_CHUNKS);
-        let history = self.history(cut);
+        let known = known_at_rests(cut);
         let first = self.rests.len();
         for (interval, span) in spans.iter().enumerate() {
             let from = self.chunks.len();
@@ -174,14 +174,11 @@ impl Data {
                     gyroscope: rate.as_ref().and_then(|s| mean_over(s, part)),
                 });
             }
-            let statics = &cut.segmentation.statics[interval];
-            let mut known = known_of(cut.recording, statics, Vector3::zeros());
-            known.last_change = history.get(interval).copied().unwrap_or_default();
             self.rests.push(Rest {
                 recording: place,
                 interval,
                 span: *span,
-                known,
+                known: known[interval],
                 chunks: from..self.chunks.len(),
             });
         }
@@ -252,29 +249,16 @@ impl Data {
                     self.shaken.push((chunk, shake));
                 }
             }
-            for place in first..self.rests.len() {
-                for gap in gaps(stream, self.rests[place].span) {
-                    if self.gaps.iter().all(|(known, _)| *known != place) {
-                        self.gaps.push((place, gap));
+            let rests: Vec<Span> = self.rests[first..].iter().map(|r| r.span).collect();
+            for (k, found) in gaps(stream, &rests).into_iter().enumerate() {
+                for gap in found {
+                    if self.gaps.iter().all(|(known, _)| *known != first + k) {
+                        self.gaps.push((first + k, gap));
                     }
                 }
             }
         }
         self.shaken.sort_by_key(|(chunk, _)| *chunk);
-    }
-
-    /// The sign of the last change of specific force in every rest.
-    fn history(&self, cut: &Cut<'_>) -> Vec<Vector3<f64>> {
-        let forces: Vec<Vector3<f64>> = cut
-            .segmentation
-            .statics
-            .iter()
-            .map(|rest| {
-                rest.accelerometer
-                    .map_or_else(Vector3::zeros, |m| cut.force_unit.to_si(&m.mean))
-            })
-            .collect();
-        last_changes(&forces)
     }
 
     fn add_turns(&mut self, cut: &Cut<'_>, rate: &Stream, spans: &[Span], first: usize) {
@@ -310,38 +294,6 @@ impl Data {
                 readings: rate.values[range].to_vec(),
                 known: Vec::new(),
             });
-        }
-    }
-
-    /// Fills in what effects of the gyroscope ask for at the samples of the turns: the specific force
-    /// by `force` (raw reading near SI units and what else is known to m/s²), time and temperature.
-    pub fn know_turns(&mut self, recording: usize, cut: &Cut<'_>, force: &Model, p: &[f64]) {
-        for turn in self.turns.iter_mut().filter(|t| t.recording == recording) {
-            let start = cut.recording.start();
-            let accelerometer = cut.recording.accelerometer.as_ref();
-            turn.known = turn
-                .t
-                .iter()
-                .map(|&t| {
-                    let mut known = Kinematics::at_rest(Vector3::zeros());
-                    known.time = t - start;
-                    if let Some(celsius) = cut.recording.temperature.as_ref().and_then(|c| c.at(t))
-                    {
-                        known.temperature = celsius;
-                    }
-                    if let Some(raw) = accelerometer.and_then(|s| s.at(t)) {
-                        known.specific_force =
-                            force.correct(&cut.force_unit.to_si(&raw), &known, p);
-                    }
-                    known
-                })
-                .collect();
-            let accelerations: Vec<Vector3<f64>> = (0..turn.t.len())
-                .map(|k| slope_at(&turn.t, &turn.readings, k))
-                .collect();
-            for (known, acceleration) in turn.known.iter_mut().zip(accelerations) {
-                known.angular_acceleration = acceleration;
-            }
         }
     }
 }
@@ -407,15 +359,6 @@ fn window(t: &[f64], k: usize) -> f64 {
         (Some(a), Some(b)) => 0.5 * (a + b),
         (Some(a), None) | (None, Some(a)) => a,
         (None, None) => 0.0,
-    }
-}
-
-fn slope_at(t: &[f64], values: &[Vector3<f64>], k: usize) -> Vector3<f64> {
-    let (a, b) = (k.saturating_sub(1), (k + 1).min(t.len() - 1));
-    if b > a {
-        (values[b] - values[a]) / (t[b] - t[a])
-    } else {
-        Vector3::zeros()
     }
 }
 

@@ -1,15 +1,12 @@
 //! Rests and turns that something disturbed: tests that need no refit.
 
-use faer::{Mat, MatRef};
 use nalgebra::Vector3;
 use sensor::Sensor;
 use serde::Serialize;
-use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::data::{Chunk, Mean};
 use super::problem::Rows;
 use super::shake::Shake;
-use super::weights::Whitening;
 
 /// What happened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -36,17 +33,6 @@ pub struct Suspect {
     pub detail: String,
     /// What the slopes of the accelerometer within chunks say of it, whitened: `∂s/∂d` and `s`.
     pub slopes: Vec<(Vec<f64>, f64)>,
-}
-
-/// A suspect that the data accuse.
-#[derive(Clone, Debug)]
-pub struct Verdict {
-    /// The suspect's place among the suspects.
-    pub suspect: usize,
-    /// `χ²` of its parameters.
-    pub statistic: f64,
-    /// Probability of so much by chance, in this one test.
-    pub p_value: f64,
 }
 
 /// Everything that may have been disturbed at the parameters `x`.
@@ -138,7 +124,7 @@ fn slip(rows: &Rows<'_>, x: &[f64], k: usize) -> Suspect {
             } else if turn.from == k {
                 // It is at u + half·u̇ when the turn begins; the model carries u.
                 let q = rows.rotation(x, turn);
-                rows.charts[k + 1].across.transpose() * q.into_body(&(moved * -half))
+                rows.charts[k + 1].across.transpose() * (q * (moved * -half))
             } else {
                 continue;
             };
@@ -218,65 +204,4 @@ fn creep_slopes(
             (by, mean.slope[i] / sigma)
         })
         .collect()
-}
-
-/// Score test of every suspect: with `E` its whitened columns and `P` the projection orthogonal to the
-/// Jacobian, `bᵀ A⁻¹ b ~ χ²` of `b = Eᵀ P r`, `A = Eᵀ P E`, plus what the slopes add. No refit is needed.
-///
-/// `basis` is orthonormal on the columns of the whitened Jacobian, `residuals` (`m × 1`) are whitened.
-pub fn judge(
-    suspects: &[Suspect],
-    whitening: &Whitening,
-    basis: &Mat<f64>,
-    residuals: &Mat<f64>,
-) -> Vec<Verdict> {
-    let r = residuals - basis * (basis.transpose() * residuals);
-    let all: Vec<&Vec<f64>> = suspects.iter().flat_map(|s| &s.columns).collect();
-    let mut e = Mat::from_fn(r.nrows(), all.len(), |i, k| all[k][i]);
-    whitening.apply(e.as_mut());
-    let e = &e - basis * (basis.transpose() * &e);
-    let mut first = 0;
-    suspects
-        .iter()
-        .enumerate()
-        .filter_map(|(suspect, s)| {
-            let own = e.subcols(first, s.columns.len());
-            first += s.columns.len();
-            test(own, &r, &s.slopes).map(|(statistic, p_value)| Verdict {
-                suspect,
-                statistic,
-                p_value,
-            })
-        })
-        .collect()
-}
-
-/// Eigenvalues of `A` below this share of what the columns had before projection are nothing.
-const UNSEEN: f64 = 1e-8;
-
-fn test(e: MatRef<'_, f64>, r: &Mat<f64>, slopes: &[(Vec<f64>, f64)]) -> Option<(f64, f64)> {
-    let q = e.ncols();
-    let gram = e.transpose() * e;
-    let moved = e.transpose() * r;
-    let mut a = nalgebra::DMatrix::from_fn(q, q, |i, k| gram[(i, k)]);
-    let mut b = nalgebra::DVector::from_fn(q, |i, _| moved[(i, 0)]);
-    for (by, s) in slopes {
-        for i in 0..q {
-            b[i] += by[i] * s;
-            for k in 0..q {
-                a[(i, k)] += by[i] * by[k];
-            }
-        }
-    }
-    let eigen = a.symmetric_eigen();
-    let largest = eigen.eigenvalues.max();
-    let (mut statistic, mut dof) = (0.0, 0);
-    for (k, value) in eigen.eigenvalues.iter().enumerate() {
-        if *value > UNSEEN * largest && *value > 0.0 {
-            statistic += eigen.eigenvectors.column(k).dot(&b).powi(2) / value;
-            dof += 1;
-        }
-    }
-    let law = ChiSquared::new(f64::from(dof)).ok()?;
-    Some((statistic, law.sf(statistic)))
 }

@@ -1,8 +1,7 @@
 //! Levels of noise by restricted likelihood.
 
 use faer::linalg::solvers::DenseSolveCore;
-use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
-use faer::{Mat, Par, Side};
+use faer::{Mat, Side};
 
 /// Steps of Fisher scoring at most.
 const STEPS: usize = 40;
@@ -13,10 +12,6 @@ const SETTLED: f64 = 1e-3;
 /// Twice the gain in log-likelihood below which a variance is taken for zero: 5 % of recordings without
 /// it pass by chance, the variance being at the edge of what it can be (½ χ²₀ + ½ χ²₁).
 const WORTH_IT: f64 = 2.7;
-
-/// Sizes tried for an average, and how far beyond the likeliest they reach.
-const GRID: usize = 12;
-const BEYOND: f64 = 2.5;
 
 /// What is left of the residuals when the parameters have had their share:
 /// `z = Nᵀ r ~ N(0, I + Σ θ_c C_c)`, `N` the left null space of the whitened Jacobian.
@@ -66,45 +61,11 @@ impl Restricted {
         }
     }
 
-    /// The expected variance of component `c` given the data, the others at `theta`: an average over
-    /// what the density may be, half the prior chance on none at all and half spread evenly over sizes up to
-    /// `usual`.
-    ///
-    /// A walk at the edge of what a recording can show is estimated as zero in one of five; stating errors
-    /// as if it were zero is then wrong by a factor of two. The average is calibrated either way.
-    pub fn expected(&self, c: usize, theta: &[f64], usual: f64) -> f64 {
-        let highest = usual.max(BEYOND * theta[c].sqrt());
-        let width = highest / GRID as f64;
-        let sizes = (0..GRID).map(|k| (k as f64 + 0.5) * width);
-        let mut points: Vec<(f64, f64, f64)> =
-            sizes.map(|size| (size, width / usual, 0.0)).collect();
-        points.push((0.0, 1.0, 0.0));
-        for (size, _, log_likelihood) in &mut points {
-            let mut tried = theta.to_vec();
-            tried[c] = *size * *size;
-            *log_likelihood = self.log_likelihood(&tried).unwrap_or(f64::NEG_INFINITY);
-        }
-        let best = points.iter().map(|p| p.2).fold(f64::NEG_INFINITY, f64::max);
-        let (sum, total) = points.iter().fold((0.0, 0.0), |(sum, total), p| {
-            let weight = p.1 * (p.2 - best).exp();
-            (sum + weight * p.0 * p.0, total + weight)
-        });
-        if total > 0.0 { sum / total } else { 0.0 }
-    }
-
-    fn log_likelihood(&self, theta: &[f64]) -> Option<f64> {
-        let q = self.z.len();
-        let mut v = Mat::<f64>::identity(q, q);
-        for (c, value) in self.covariances.iter().zip(theta) {
-            if *value > 0.0 {
-                v += faer::Scale(*value) * c;
-            }
-        }
-        let factor = v.llt(Side::Lower).ok()?;
-        let mut z = Mat::from_fn(q, 1, |i, _| self.z[i]);
-        solve_lower_triangular_in_place(factor.L(), z.as_mut(), Par::Seq);
-        let log_determinant: f64 = (0..q).map(|k| 2.0 * factor.L()[(k, k)].ln()).sum();
-        Some(-0.5 * (log_determinant + z.squared_norm_l2()))
+    /// `log L` at these variances, up to a constant.
+    #[cfg(test)]
+    pub(super) fn log_likelihood(&self, theta: &[f64]) -> Option<f64> {
+        let active = vec![false; theta.len()];
+        Some(self.measure(theta, &active)?.log_likelihood)
     }
 
     /// Fisher scoring over the active components; variances and log-likelihood.

@@ -1,17 +1,15 @@
 //! The rows of the joint problem and their Jacobian.
 
 use faer::Mat;
-use nalgebra::{Matrix2x3, Matrix3, Vector3};
-use sensor::attitude::Attitude;
+use nalgebra::{Matrix3, Vector3};
 use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, PLACES, Sensor, inverse};
 
 use super::chart::Chart;
 use super::coning::Coning;
 use super::data::{Chunk, Data, Rest, TurnSamples};
-use super::exposure::{Exposure, white};
 use super::layout::Layout;
 use super::slopes::EffectSlopes;
-use super::turn::{Carried, MARGIN, carry};
+use super::turn::{Carried, carry};
 
 /// The models and the data, before any weight.
 #[derive(Clone, Debug)]
@@ -30,7 +28,7 @@ pub struct Rows<'a> {
     pub charts: &'a [Chart],
     /// `∂r/∂d` of the disturbances, one column each (`m`): rows that are known to be off.
     pub disturbances: &'a [Vec<f64>],
-    coning: Coning,
+    pub(super) coning: Coning,
 }
 
 /// Residuals and Jacobian at a point.
@@ -40,17 +38,6 @@ pub struct Linear {
     pub residuals: Vec<f64>,
     /// `∂r/∂x` (`m × n`), all columns.
     pub jacobian: Mat<f64>,
-}
-
-/// What the noise of the recordings makes of the rows.
-#[derive(Clone, Debug)]
-pub struct RowNoise {
-    /// Per row: its white variance.
-    pub variance: Vec<f64>,
-    /// Per row: its white covariance with the row before; only the two rows of a turn share noise.
-    pub with_before: Vec<f64>,
-    /// How the rows of accelerometer and gyroscope feel a walk of the bias.
-    pub exposures: [Vec<Exposure>; 2],
 }
 
 impl<'a> Rows<'a> {
@@ -232,7 +219,7 @@ impl<'a> Rows<'a> {
         let (carried, slopes) = self.carried(turn, &p);
         let across = self.charts[turn.from + 1].across.transpose();
         let before = self.direction(x, turn.from);
-        let foretold = carried.attitude.into_body(&before);
+        let foretold = carried.rotation * before;
         let residual = across * (foretold - self.direction(x, turn.from + 1));
         // ∂(Rᵀ u) = (Rᵀ u) × δ
         let by_rotation = across * foretold.cross_matrix();
@@ -252,9 +239,7 @@ impl<'a> Rows<'a> {
         let slope_before = self.charts[turn.from].slope(&x[from..from + 2]);
         let slope_after = self.charts[turn.from + 1].slope(&x[to..to + 2]);
         for j in 0..2 {
-            let moved = carried
-                .attitude
-                .into_body(&slope_before.column(j).into_owned());
+            let moved = carried.rotation * slope_before.column(j);
             set(from + j, across * moved);
             set(to + j, -(across * slope_after.column(j)));
         }
@@ -318,124 +303,5 @@ impl<'a> Rows<'a> {
             .chain((0..3).map(|axis| by_bias.column(axis).into_owned()))
             .chain(by_effects)
             .collect()
-    }
-
-    /// The noise of all rows at `x`.
-    pub fn noise(&self, x: &[f64]) -> RowNoise {
-        let m = self.count();
-        let mut noise = RowNoise {
-            variance: vec![0.0; m],
-            with_before: vec![0.0; m],
-            exposures: [Vec::new(), Vec::new()],
-        };
-        let mut row = 0;
-        for (place, sensor) in [Sensor::Accelerometer, Sensor::Gyroscope]
-            .into_iter()
-            .enumerate()
-        {
-            for (_, chunk) in self.means(sensor) {
-                let recording = self.data.rests[chunk.rest].recording;
-                let source = &self.data.sources[recording];
-                let (mean, own) = match sensor {
-                    Sensor::Accelerometer => (chunk.accelerometer, source.accelerometer),
-                    Sensor::Gyroscope => (chunk.gyroscope, source.gyroscope),
-                };
-                let (Some(mean), Some(own)) = (mean, own) else {
-                    continue;
-                };
-                let variance = own.variance_of_mean(mean.count);
-                noise.variance[row..row + 3].copy_from_slice(variance.as_slice());
-                noise.exposures[place].push(Exposure::of_mean(
-                    row..row + 3,
-                    recording,
-                    (mean.span.from, mean.span.to),
-                    source.reference,
-                    -1.0,
-                ));
-                row += 3;
-            }
-        }
-        for turn in &self.data.turns {
-            self.turn_noise(x, turn, row, &mut noise);
-            row += 2;
-        }
-        noise
-    }
-
-    fn turn_noise(&self, x: &[f64], turn: &TurnSamples, row: usize, noise: &mut RowNoise) {
-        let source = &self.data.sources[turn.recording];
-        let Some(own) = source.gyroscope else { return };
-        let p = self.local(x, Sensor::Gyroscope, turn.recording);
-        let base = Base::from_parameters(&p);
-        let (carried, _) = self.carried(turn, &p);
-        let foretold = carried.attitude.into_body(&self.direction(x, turn.from));
-        let across = self.charts[turn.from + 1].across.transpose() * foretold.cross_matrix();
-        let inner = MARGIN..turn.t.len() - MARGIN;
-        let gains: Vec<Matrix2x3<f64>> = carried.gains[inner.clone()]
-            .iter()
-            .map(|gain| across * gain * base.t)
-            .collect();
-        let covariance = white(&gains, &own.variance_in_sum());
-        noise.variance[row] = covariance[(0, 0)];
-        noise.variance[row + 1] = covariance[(1, 1)];
-        noise.with_before[row + 1] = covariance[(1, 0)];
-        noise.exposures[1].push(Exposure::of_samples(
-            row..row + 2,
-            turn.recording,
-            &turn.t[inner],
-            &gains,
-            source.reference,
-        ));
-    }
-
-    /// The rotation over a turn at `x`: `v_before = q v_after q*`.
-    pub fn rotation(&self, x: &[f64], turn: &TurnSamples) -> Attitude<f64> {
-        let p = self.local(x, Sensor::Gyroscope, turn.recording);
-        self.carried(turn, &p).0.attitude
-    }
-
-    /// The rest that each row speaks of; a turn's is the one before it.
-    pub fn rest_of_row(&self) -> Vec<usize> {
-        let mut rests = Vec::with_capacity(self.count());
-        for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
-            rests.extend(self.means(sensor).flat_map(|(_, chunk)| [chunk.rest; 3]));
-        }
-        rests.extend(self.data.turns.iter().flat_map(|turn| [turn.from; 2]));
-        rests
-    }
-
-    /// The angle by which every turn misses the direction that the accelerometer shows after it, from
-    /// the one it shows before, rad.
-    pub fn chords(&self, x: &[f64]) -> Vec<f64> {
-        self.data
-            .turns
-            .iter()
-            .filter_map(|turn| {
-                let before = self.force(x, turn.from)?.normalize();
-                let after = self.force(x, turn.from + 1)?.normalize();
-                Some((self.rotation(x, turn).into_body(&before) - after).norm())
-            })
-            .collect()
-    }
-
-    /// `|f| − g` of every rest, m/s².
-    pub fn moduli(&self, x: &[f64]) -> Vec<f64> {
-        (0..self.data.rests.len())
-            .filter_map(|k| Some(self.force(x, k)?.norm() - self.gravity))
-            .collect()
-    }
-
-    /// The corrected mean specific force of a rest, m/s².
-    fn force(&self, x: &[f64], k: usize) -> Option<Vector3<f64>> {
-        let rest = &self.data.rests[k];
-        let p = self.local(x, Sensor::Accelerometer, rest.recording);
-        let means = self.data.chunks[rest.chunks.clone()].iter();
-        let (sum, count) = means
-            .filter_map(|c| c.accelerometer)
-            .fold((Vector3::zeros(), 0.0), |(sum, n), m| {
-                (sum + m.value * m.count as f64, n + m.count as f64)
-            });
-        let force = self.accelerometer.correct(&(sum / count), &rest.known, &p);
-        (count > 0.0).then_some(force)
     }
 }

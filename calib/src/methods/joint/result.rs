@@ -77,15 +77,16 @@ impl JointFit {
         let prefix = format!("{}.", sensor.prefix());
         let (_, first, count) = self.of_sensor(sensor);
         let effects: Vec<String> = self.parameters.names()[first..first + count].to_vec();
-        self.in_raw_units(|name| name.starts_with(&prefix) || effects.iter().any(|e| e == name))
+        self.fitted_where(|name| name.starts_with(&prefix) || effects.iter().any(|e| e == name))
     }
 
     /// Both sensors in raw units, with the covariance between them.
     pub fn all_fitted(&self) -> Fitted {
-        self.in_raw_units(|_| true)
+        self.fitted_where(|_| true)
     }
 
-    fn in_raw_units(&self, wanted: impl Fn(&str) -> bool) -> Fitted {
+    /// Those of the shared parameters that are `wanted`, in raw units, everything else free.
+    pub fn fitted_where(&self, wanted: impl Fn(&str) -> bool) -> Fitted {
         let uncertainty = self.marginal_where(&wanted);
         let mut parameters = solver::Parameters::new();
         let mut factors = Vec::new();

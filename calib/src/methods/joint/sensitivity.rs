@@ -96,7 +96,7 @@ impl Rows<'_> {
         let samples = &self.data.turns[turn];
         let p = self.local(x, Sensor::Gyroscope, samples.recording);
         let (carried, slopes) = self.carried(samples, &p);
-        let foretold = carried.attitude.into_body(&self.direction(x, samples.from));
+        let foretold = carried.rotation * self.direction(x, samples.from);
         let by_rotation =
             self.charts[samples.from + 1].across.transpose() * foretold.cross_matrix();
         let base = Base::from_parameters(&p);

@@ -33,10 +33,14 @@ pub struct Shake {
 /// its number of samples. The usual variance is the median over all windows, so that neither
 /// colour nor a few touches move it.
 pub fn shakes(stream: &Stream, stretches: &[Span]) -> Vec<Shake> {
+    let Some(step) = stream.median_step().filter(|s| *s > 0.0) else {
+        return Vec::new();
+    };
+    let count = ((WINDOW / step).round() as usize).max(4);
     let windows: Vec<Window> = stretches
         .iter()
         .enumerate()
-        .flat_map(|(k, span)| windows(stream, k, *span))
+        .flat_map(|(k, span)| windows(stream, k, *span, count))
         .collect();
     let usual = Vector3::from_fn(|axis, _| {
         let all: Vec<f64> = windows.iter().map(|w| w.squares[axis] / w.count).collect();
@@ -81,14 +85,11 @@ struct Window {
     squares: Vector3<f64>,
 }
 
-fn windows(stream: &Stream, stretch: usize, span: Span) -> Vec<Window> {
+/// The windows of `count` samples in a stretch.
+fn windows(stream: &Stream, stretch: usize, span: Span, count: usize) -> Vec<Window> {
     let range = stream.between(span.from, span.to);
     let values = &stream.values[range.clone()];
     let mean = values.iter().sum::<Vector3<f64>>() / values.len().max(1) as f64;
-    let Some(step) = stream.median_step().filter(|s| *s > 0.0) else {
-        return Vec::new();
-    };
-    let count = ((WINDOW / step).round() as usize).max(4);
     values
         .chunks_exact(count)
         .enumerate()
@@ -101,20 +102,22 @@ fn windows(stream: &Stream, stretch: usize, span: Span) -> Vec<Window> {
         .collect()
 }
 
-/// The gaps in a stretch of rest.
-pub fn gaps(stream: &Stream, span: Span) -> Vec<Span> {
+/// The gaps in each of some rests.
+pub fn gaps(stream: &Stream, rests: &[Span]) -> Vec<Vec<Span>> {
     let Some(step) = stream.median_step() else {
-        return Vec::new();
+        return vec![Vec::new(); rests.len()];
     };
-    let range = stream.between(span.from, span.to);
-    stream.t[range]
-        .windows(2)
-        .filter(|w| w[1] - w[0] > GAP_STEPS * step)
-        .map(|w| Span {
-            from: w[0],
-            to: w[1],
-        })
-        .collect()
+    let of = |rest: &Span| {
+        stream.t[stream.between(rest.from, rest.to)]
+            .windows(2)
+            .filter(|w| w[1] - w[0] > GAP_STEPS * step)
+            .map(|w| Span {
+                from: w[0],
+                to: w[1],
+            })
+            .collect()
+    };
+    rests.iter().map(of).collect()
 }
 
 #[cfg(test)]

@@ -2,8 +2,10 @@
 
 use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::{Mat, MatMut, Par, Side};
+use nalgebra::DMatrix;
 
-use super::problem::RowNoise;
+use super::blocks::independent;
+use super::row_noise::RowNoise;
 
 /// Error of the integration over a turn that is always granted, rad: what the coning terms leave out.
 const INTEGRATION: f64 = 1e-8;
@@ -39,12 +41,24 @@ impl White {
     }
 
     /// `L⁻¹ A` in place.
-    pub fn apply(&self, mut a: MatMut<'_, f64>) {
-        for k in 0..a.ncols() {
+    pub fn apply(&self, a: MatMut<'_, f64>) {
+        for column in a.col_iter_mut() {
             let mut before = 0.0;
-            for i in 0..a.nrows() {
-                before = (a[(i, k)] - self.beside[i] * before) / self.diagonal[i];
-                a[(i, k)] = before;
+            let factor = self.beside.iter().zip(&self.diagonal);
+            for (v, (beside, diagonal)) in column.iter_mut().zip(factor) {
+                before = (*v - beside * before) / diagonal;
+                *v = before;
+            }
+        }
+    }
+
+    /// The same for the rows from `first` on that share noise with no other.
+    pub fn apply_block(&self, first: usize, a: &mut DMatrix<f64>) {
+        for mut column in a.column_iter_mut() {
+            let mut before = 0.0;
+            for (i, v) in column.iter_mut().enumerate() {
+                before = (*v - self.beside[first + i] * before) / self.diagonal[first + i];
+                *v = before;
             }
         }
     }
@@ -119,8 +133,9 @@ pub struct NoiseLevel {
 pub struct Whitening {
     /// By white noise.
     pub white: White,
-    /// Cholesky factor of `I + Σ size² C`; `None` where that is the identity.
-    factor: Option<Mat<f64>>,
+    /// Cholesky factors of `I + Σ size² C`, for every group of rows that share no noise with others; none
+    /// where that is the identity.
+    factors: Vec<(Vec<usize>, Mat<f64>)>,
 }
 
 impl Whitening {
@@ -135,15 +150,29 @@ impl Whitening {
             let total = sum.get_or_insert_with(|| Mat::identity(m, m));
             *total += faer::Scale(level.size * level.size) * &component.covariance;
         }
-        let factor = sum.and_then(|v| v.llt(Side::Lower).ok().map(|f| f.L().to_owned()));
-        Self { white, factor }
+        match sum {
+            Some(covariance) => Self::with_covariance(white, &covariance),
+            None => Self {
+                white,
+                factors: Vec::new(),
+            },
+        }
     }
 
     /// For white noise and what else there is, `covariance` (`m × m`) after the white noise is whitened;
     /// the white noise alone where it is not positive definite.
     pub fn with_covariance(white: White, covariance: &Mat<f64>) -> Self {
-        let factor = covariance.llt(Side::Lower).ok().map(|f| f.L().to_owned());
-        Self { white, factor }
+        let v = covariance;
+        let factor = |rows: Vec<usize>| {
+            let own = Mat::from_fn(rows.len(), rows.len(), |i, k| v[(rows[i], rows[k])]);
+            let lower = own.llt(Side::Lower).ok()?.L().to_owned();
+            Some((rows, lower))
+        };
+        let factors: Option<Vec<_>> = independent(&[v]).into_iter().map(factor).collect();
+        Self {
+            white,
+            factors: factors.unwrap_or_default(),
+        }
     }
 
     /// Whitens in place.
@@ -152,10 +181,17 @@ impl Whitening {
         self.finish(a);
     }
 
-    /// The second step alone, of what the white noise has whitened.
-    pub fn finish(&self, a: MatMut<'_, f64>) {
-        if let Some(factor) = &self.factor {
-            solve_lower_triangular_in_place(factor.as_ref(), a, Par::Seq);
+    /// The second step alone, of what the white noise has whitened. Every row is mixed with rows before
+    /// it only.
+    pub fn finish(&self, mut a: MatMut<'_, f64>) {
+        for (rows, factor) in &self.factors {
+            let mut own = Mat::from_fn(rows.len(), a.ncols(), |i, k| a[(rows[i], k)]);
+            solve_lower_triangular_in_place(factor.as_ref(), own.as_mut(), Par::Seq);
+            for k in 0..own.ncols() {
+                for (i, &row) in rows.iter().enumerate() {
+                    a[(row, k)] = own[(i, k)];
+                }
+            }
         }
     }
 }

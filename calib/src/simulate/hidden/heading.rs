@@ -5,7 +5,6 @@ use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 
 use super::{Disturbance, Instant};
-use crate::sensor_names::SensorName;
 
 /// `e = a Rᵀ h`, `h` a horizontal direction of the world seen from the body: what a magnetic field does
 /// to a sensor that feels it. A turn about the vertical changes it, which gravity does not see.
@@ -13,7 +12,6 @@ use crate::sensor_names::SensorName;
 #[serde(deny_unknown_fields)]
 pub struct Heading {
     /// The sensor.
-    #[serde(with = "SensorName")]
     pub sensor: Sensor,
     /// `a`, m/s² or rad/s.
     pub amplitude: f64,

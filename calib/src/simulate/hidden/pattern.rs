@@ -8,7 +8,6 @@ use sensor::{Axis, Sensor};
 use serde::{Deserialize, Serialize};
 
 use super::{Disturbance, Instant};
-use crate::sensor_names::{AxisName, SensorName};
 use crate::simulate::random::Random;
 
 /// `e = a Πᵢ sin(k uᵢ + φᵢ)` on one axis, `u = f/‖f‖` the direction of specific force: finer over the
@@ -17,10 +16,8 @@ use crate::simulate::random::Random;
 #[serde(deny_unknown_fields)]
 pub struct Pattern {
     /// The sensor.
-    #[serde(with = "SensorName")]
     pub sensor: Sensor,
     /// Its axis.
-    #[serde(with = "AxisName")]
     pub axis: Axis,
     /// `a`, m/s² or rad/s; the root mean square over the sphere is about a third of it.
     pub amplitude: f64,

@@ -7,17 +7,14 @@ use sensor::{Axis, Sensor};
 use serde::{Deserialize, Serialize};
 
 use super::{Disturbance, Instant};
-use crate::sensor_names::{AxisName, SensorName};
 
 /// `e = a sin(2πt/period + phase)` on one axis: a cooling fan, an interfering radio.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Periodic {
     /// The sensor.
-    #[serde(with = "SensorName")]
     pub sensor: Sensor,
     /// Its axis.
-    #[serde(with = "AxisName")]
     pub axis: Axis,
     /// `a`, m/s² or rad/s.
     pub amplitude: f64,

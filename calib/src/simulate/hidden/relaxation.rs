@@ -7,7 +7,6 @@ use sensor::{Axis, Sensor};
 use serde::{Deserialize, Serialize};
 
 use super::{Disturbance, Instant};
-use crate::sensor_names::{AxisName, SensorName};
 use crate::simulate::motion::{Motion, Segment};
 
 /// `e = a s exp(−(t − t₀)/τ)` on one axis; `t₀` is the end of the last turn that is over and `s` the
@@ -16,10 +15,8 @@ use crate::simulate::motion::{Motion, Segment};
 #[serde(deny_unknown_fields)]
 pub struct Relaxation {
     /// The sensor.
-    #[serde(with = "SensorName")]
     pub sensor: Sensor,
     /// Its axis.
-    #[serde(with = "AxisName")]
     pub axis: Axis,
     /// `a`, m/s² or rad/s.
     pub amplitude: f64,

@@ -7,7 +7,6 @@ use sensor::{Axis, Sensor};
 use serde::{Deserialize, Serialize};
 
 use super::{Disturbance, Instant};
-use crate::sensor_names::{AxisName, SensorName};
 use crate::simulate::random::Random;
 
 /// `e = ±a` on one axis, the sign changing after times that are exponential with mean `dwell`: random
@@ -16,10 +15,8 @@ use crate::simulate::random::Random;
 #[serde(deny_unknown_fields)]
 pub struct Telegraph {
     /// The sensor.
-    #[serde(with = "SensorName")]
     pub sensor: Sensor,
     /// Its axis.
-    #[serde(with = "AxisName")]
     pub axis: Axis,
     /// `a`, m/s² or rad/s.
     pub amplitude: f64,

@@ -115,7 +115,7 @@ fn truth_says_what_was_hidden_and_what_was_drawn_for_it() {
         assert_eq!(truth.hidden.len(), 1);
         assert_eq!(truth.hidden[0].name, hidden.name());
         assert_eq!(truth.hidden[0].amplitude, 1e-3);
-        assert_eq!(truth.spec.hidden, [hidden.clone()]);
+        assert_eq!(truth.spec.hidden, std::slice::from_ref(&hidden));
         let drawn = matches!(
             hidden,
             Hidden::Pattern(_)

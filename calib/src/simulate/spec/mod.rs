@@ -7,15 +7,18 @@ mod parse;
 
 pub use parse::EXAMPLE;
 
+use complaint::Complaint;
+
 use std::collections::BTreeMap;
 
-use sensor::Sensor;
+use sensor::{AnyEffect, Definition, Sensor};
 use serde::{Deserialize, Serialize};
 
 use crate::Error;
+use crate::effect_file::effects_of;
 use crate::simulate::clock::{Clock, Stamp};
 use crate::simulate::device::Grade;
-use crate::simulate::effects::{Effects, SIZE};
+use crate::simulate::effects::{Effects, SIZE, catalogue};
 use crate::simulate::environment::Temperature;
 use crate::simulate::fault::Fault;
 use crate::simulate::hidden::Hidden;
@@ -68,6 +71,8 @@ pub struct Spec {
     pub temperature: Option<Temperature>,
     /// Vibration of the table at rest.
     pub vibration: Option<Vibration>,
+    /// Effects beside the catalogue, as expressions; `effects` switches them on.
+    pub definitions: Vec<Definition>,
     /// What goes wrong.
     pub faults: Vec<Fault>,
     /// What is outside the catalogue of effects.
@@ -91,6 +96,7 @@ impl Default for Spec {
             gyroscope: SensorSpec::default(),
             temperature: None,
             vibration: None,
+            definitions: Vec::new(),
             faults: Vec::new(),
             hidden: Vec::new(),
         }
@@ -267,6 +273,19 @@ impl Spec {
             random_walk: own.random_walk,
             instability: own.instability,
         }
+    }
+
+    /// The catalogue of one sensor with the definitions after it.
+    ///
+    /// # Errors
+    /// The key of what is wrong with a definition, and what.
+    pub(crate) fn catalogue(
+        &self,
+        sensor: Sensor,
+    ) -> Result<Vec<&'static dyn AnyEffect>, Complaint> {
+        let own = effects_of(&self.definitions).map_err(|(key, what)| Complaint { key, what })?;
+        let all = catalogue(sensor).iter().copied().chain(own);
+        Ok(all.filter(|effect| effect.sensor() == sensor).collect())
     }
 
     /// The effects with the earth's rotation in it, if there is a latitude.

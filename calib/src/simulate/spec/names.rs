@@ -4,7 +4,7 @@ use sensor::{AnyEffect, Sensor, base_names};
 
 use super::Spec;
 use super::complaint::{Complaint, hint, number};
-use crate::simulate::effects::{SIZE, catalogue};
+use crate::simulate::effects::SIZE;
 
 const SENSORS: [Sensor; 2] = [Sensor::Accelerometer, Sensor::Gyroscope];
 
@@ -14,11 +14,8 @@ const HUGE: f64 = 1e9;
 impl Spec {
     /// Effects and parameters exist, have numbers, and can show.
     pub(super) fn check_names(&self) -> Result<(), Complaint> {
-        let all: Vec<&dyn AnyEffect> = SENSORS
-            .iter()
-            .flat_map(|s| catalogue(*s))
-            .copied()
-            .collect();
+        let [accelerometer, gyroscope] = SENSORS.map(|sensor| self.catalogue(sensor));
+        let all = [accelerometer?, gyroscope?].concat();
         for (name, wanted) in &self.effects {
             let key = format!("effects.{name}");
             let Some(effect) = all.iter().find(|e| e.name() == name) else {
@@ -67,7 +64,7 @@ impl Spec {
         Ok(())
     }
 
-    fn check_parameters(&self, all: &[&dyn AnyEffect]) -> Result<(), Complaint> {
+    fn check_parameters(&self, all: &[&'static dyn AnyEffect]) -> Result<(), Complaint> {
         let mut known: Vec<String> = SENSORS.iter().flat_map(|s| base_names(*s)).collect();
         for effect in all.iter().filter(|e| self.effects.contains_key(e.name())) {
             known.extend(

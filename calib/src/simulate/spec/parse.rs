@@ -1,13 +1,9 @@
 //! A spec from a TOML text, with errors that name the line.
 
-use std::ops::Range;
-
-use toml::Spanned;
-use toml::de::{DeTable, DeValue};
-
 use super::Spec;
-use super::complaint::{Complaint, hint};
+use super::complaint::Complaint;
 use crate::Error;
+use crate::toml_place::{explain, key_position, place};
 
 /// A spec that shows what can be said, with comments.
 pub const EXAMPLE: &str = include_str!("example.toml");
@@ -38,53 +34,6 @@ impl Spec {
     /// [`Error::Usage`] for a seed above 2⁶³ − 1, which TOML cannot hold.
     pub fn to_toml(&self) -> Result<String, Error> {
         toml::to_string(self).map_err(|e| Error::Usage(format!("spec cannot be written: {e}")))
-    }
-}
-
-/// Line and column of a byte, counted from 1.
-fn place(text: &str, byte: usize) -> String {
-    let before = text.get(..byte).unwrap_or(text);
-    let line = before.matches('\n').count() + 1;
-    let column = before.rsplit('\n').next().map_or(0, |l| l.chars().count()) + 1;
-    format!("{line}:{column}")
-}
-
-/// The parser's message in one line, with the nearest of the names it lists.
-fn explain(message: &str) -> String {
-    let line = message.lines().collect::<Vec<_>>().join(" ");
-    let mut quoted = line.split('`').skip(1).step_by(2);
-    let hint = match (line.starts_with("unknown "), quoted.next()) {
-        (true, Some(found)) => hint(found, quoted),
-        _ => String::new(),
-    };
-    line + &hint
-}
-
-/// Where the longest known part of the dotted `key` stands in `text`.
-fn key_position(text: &str, key: &str) -> Option<usize> {
-    let table = DeTable::parse(text).ok()?;
-    deepest(table.get_ref(), key).map(|span| span.start)
-}
-
-/// Parameter names have a dot in them, so that a key of the table may be more than one part.
-fn deepest(table: &DeTable, key: &str) -> Option<Range<usize>> {
-    let (name, value) = table.iter().find(|(name, _)| {
-        let rest = key.strip_prefix(name.get_ref().as_ref());
-        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
-    })?;
-    let rest = key.get(name.get_ref().len() + 1..).unwrap_or("");
-    deepest_in(value, rest).or(Some(name.span()))
-}
-
-fn deepest_in(value: &Spanned<DeValue>, key: &str) -> Option<Range<usize>> {
-    match value.get_ref() {
-        DeValue::Table(table) => deepest(table, key),
-        DeValue::Array(items) => {
-            let (place, rest) = key.split_once('.').unwrap_or((key, ""));
-            let item = items.get(place.parse::<usize>().ok()?)?;
-            deepest_in(item, rest).or(Some(item.span()))
-        }
-        _ => None,
     }
 }
 
@@ -173,6 +122,7 @@ mod tests {
         let effects = [
             "accel_warmup",
             "accel_temperature",
+            "accel_swirl",
             "gyro_g_sensitivity",
             "earth_rate",
         ];

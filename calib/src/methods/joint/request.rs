@@ -1,0 +1,75 @@
+//! What to fit, and what may be wrong with the data.
+
+use sensor::Model;
+
+use super::disturbance::Disturbance;
+use crate::intervals::{Segmentation, Span};
+use crate::recording::Recording;
+
+/// What to fit.
+#[derive(Clone, Debug)]
+pub struct JointRequest<'a> {
+    /// The recordings with their rests and turns.
+    pub recordings: Vec<(&'a Recording, &'a Segmentation)>,
+    /// The accelerometer: base model and effects.
+    pub accelerometer: Model,
+    /// The gyroscope: base model and effects.
+    pub gyroscope: Model,
+    /// Local gravity, m/s².
+    pub gravity: f64,
+    /// Random walk densities of the biases of accelerometer (m/s²/√s) and gyroscope (rad/s/√s), where
+    /// they are known; estimated where not.
+    pub walk: Option<[f64; 2]>,
+    /// Whether rests and turns that something disturbed are looked for and get parameters of their own, and
+    /// whether rests and turns may scatter beyond all noise. Without, the noise is white noise and walks, and
+    /// every row is believed.
+    pub disturbances: bool,
+    /// What is known to be disturbed, by its place in the data: parameters of their own whatever is looked for.
+    pub known: Vec<Known>,
+    /// Parameters held at a value, by name.
+    pub held: Vec<(String, f64)>,
+    /// Whether what effects ask for is worked out at the samples of turns even where no effect of the
+    /// models asks for it: time, temperature, specific force, angular acceleration.
+    pub covariates: bool,
+}
+
+impl<'a> JointRequest<'a> {
+    /// Base models, walks estimated, disturbances looked for.
+    pub fn new(recordings: Vec<(&'a Recording, &'a Segmentation)>, gravity: f64) -> Self {
+        Self {
+            recordings,
+            accelerometer: accelerometer::model(),
+            gyroscope: gyroscope::model(),
+            gravity,
+            walk: None,
+            disturbances: true,
+            known: Vec::new(),
+            held: Vec::new(),
+            covariates: false,
+        }
+    }
+}
+
+/// Something that is known to be disturbed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Known {
+    /// What happened.
+    pub kind: Disturbance,
+    /// The rest, the chunk or the turn, by its place in [`Data`].
+    pub place: usize,
+}
+
+/// Something that was found disturbed and has parameters of its own since.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Accused {
+    /// What happened.
+    pub kind: Disturbance,
+    /// Place of the recording.
+    pub recording: usize,
+    /// Static interval (or the one before the turn), counted from 0.
+    pub interval: usize,
+    /// When.
+    pub span: Span,
+    /// In words.
+    pub detail: String,
+}

@@ -1,0 +1,90 @@
+//! What the noise of the recordings makes of the rows.
+
+use nalgebra::Matrix2x3;
+use sensor::{Base, Sensor};
+
+use super::data::TurnSamples;
+use super::exposure::{Exposure, white};
+use super::problem::Rows;
+use super::turn::MARGIN;
+
+/// The noise of all rows: white, and how they feel a walk of the biases.
+#[derive(Clone, Debug)]
+pub struct RowNoise {
+    /// Per row: its white variance.
+    pub variance: Vec<f64>,
+    /// Per row: its white covariance with the row before; only the two rows of a turn share noise.
+    pub with_before: Vec<f64>,
+    /// How the rows of accelerometer and gyroscope feel a walk of the bias.
+    pub exposures: [Vec<Exposure>; 2],
+}
+
+impl Rows<'_> {
+    /// The noise of all rows at `x`.
+    pub fn noise(&self, x: &[f64]) -> RowNoise {
+        let m = self.count();
+        let mut noise = RowNoise {
+            variance: vec![0.0; m],
+            with_before: vec![0.0; m],
+            exposures: [Vec::new(), Vec::new()],
+        };
+        let mut row = 0;
+        for (place, sensor) in [Sensor::Accelerometer, Sensor::Gyroscope]
+            .into_iter()
+            .enumerate()
+        {
+            for (_, chunk) in self.means(sensor) {
+                let recording = self.data.rests[chunk.rest].recording;
+                let source = &self.data.sources[recording];
+                let (mean, own) = match sensor {
+                    Sensor::Accelerometer => (chunk.accelerometer, source.accelerometer),
+                    Sensor::Gyroscope => (chunk.gyroscope, source.gyroscope),
+                };
+                let (Some(mean), Some(own)) = (mean, own) else {
+                    continue;
+                };
+                let variance = own.variance_of_mean(mean.count);
+                noise.variance[row..row + 3].copy_from_slice(variance.as_slice());
+                noise.exposures[place].push(Exposure::of_mean(
+                    row..row + 3,
+                    recording,
+                    (mean.span.from, mean.span.to),
+                    source.reference,
+                    -1.0,
+                ));
+                row += 3;
+            }
+        }
+        for turn in &self.data.turns {
+            self.turn_noise(x, turn, row, &mut noise);
+            row += 2;
+        }
+        noise
+    }
+
+    fn turn_noise(&self, x: &[f64], turn: &TurnSamples, row: usize, noise: &mut RowNoise) {
+        let source = &self.data.sources[turn.recording];
+        let Some(own) = source.gyroscope else { return };
+        let p = self.local(x, Sensor::Gyroscope, turn.recording);
+        let base = Base::from_parameters(&p);
+        let (carried, _) = self.carried(turn, &p);
+        let foretold = carried.rotation * self.direction(x, turn.from);
+        let across = self.charts[turn.from + 1].across.transpose() * foretold.cross_matrix();
+        let inner = MARGIN..turn.t.len() - MARGIN;
+        let gains: Vec<Matrix2x3<f64>> = carried.gains[inner.clone()]
+            .iter()
+            .map(|gain| across * gain * base.t)
+            .collect();
+        let covariance = white(&gains, &own.variance_in_sum());
+        noise.variance[row] = covariance[(0, 0)];
+        noise.variance[row + 1] = covariance[(1, 1)];
+        noise.with_before[row + 1] = covariance[(1, 0)];
+        noise.exposures[1].push(Exposure::of_samples(
+            row..row + 2,
+            turn.recording,
+            &turn.t[inner],
+            &gains,
+            source.reference,
+        ));
+    }
+}

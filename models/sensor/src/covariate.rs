@@ -1,0 +1,138 @@
+//! What an error can depend on, by name.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+use solver::{Scalar, lit};
+
+use crate::axis::Axis;
+use crate::kinematics::{Kinematics, REFERENCE_TEMPERATURE};
+
+/// One number of the true motion or its surroundings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(into = "String", try_from = "String")]
+pub enum Covariate {
+    /// `fx`: specific force, m/s².
+    SpecificForce(Axis),
+    /// `wx`: angular rate, rad/s.
+    AngularRate(Axis),
+    /// `alphax`: derivative of the angular rate, rad/s².
+    AngularAcceleration(Axis),
+    /// `vibrationx`: mean square of the vibration, (m/s²)².
+    Vibration(Axis),
+    /// `changex`: sign of the last change of specific force, −1, 0 or 1.
+    LastChange(Axis),
+    /// `t`: time since the start of the recording, s.
+    Time,
+    /// `T`: temperature, °C.
+    Temperature,
+    /// `dT`: temperature less [`REFERENCE_TEMPERATURE`], K.
+    Warming,
+}
+
+/// What a product of covariates is measured in: powers of (m/s², rad/s, rad/s², s, K).
+pub(crate) type Dimension = [i32; 5];
+
+impl Covariate {
+    /// Every one of them.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let triads = [
+            Self::SpecificForce,
+            Self::AngularRate,
+            Self::AngularAcceleration,
+            Self::Vibration,
+            Self::LastChange,
+        ];
+        let triads = triads.into_iter().flat_map(|kind| Axis::ALL.map(kind));
+        triads.chain([Self::Time, Self::Temperature, Self::Warming])
+    }
+
+    /// Its name in expressions.
+    pub fn name(self) -> String {
+        match self {
+            Self::SpecificForce(axis) => format!("f{axis}"),
+            Self::AngularRate(axis) => format!("w{axis}"),
+            Self::AngularAcceleration(axis) => format!("alpha{axis}"),
+            Self::Vibration(axis) => format!("vibration{axis}"),
+            Self::LastChange(axis) => format!("change{axis}"),
+            Self::Time => "t".to_owned(),
+            Self::Temperature => "T".to_owned(),
+            Self::Warming => "dT".to_owned(),
+        }
+    }
+
+    /// Its value in `truth`.
+    pub fn value<D: Scalar>(self, truth: &Kinematics<D>) -> D {
+        match self {
+            Self::SpecificForce(axis) => truth.specific_force[axis.index()],
+            Self::AngularRate(axis) => truth.angular_rate[axis.index()],
+            Self::AngularAcceleration(axis) => lit(truth.angular_acceleration[axis.index()]),
+            Self::Vibration(axis) => lit(truth.vibration[axis.index()]),
+            Self::LastChange(axis) => lit(truth.last_change[axis.index()]),
+            Self::Time => lit(truth.time),
+            Self::Temperature => lit(truth.temperature),
+            Self::Warming => lit(truth.temperature - REFERENCE_TEMPERATURE),
+        }
+    }
+
+    /// The same in Rust, for an instant called `truth`.
+    pub(crate) fn source(self) -> String {
+        match self {
+            Self::SpecificForce(axis) => format!("truth.specific_force.{axis}"),
+            Self::AngularRate(axis) => format!("truth.angular_rate.{axis}"),
+            Self::AngularAcceleration(axis) => format!("truth.angular_acceleration.{axis}"),
+            Self::Vibration(axis) => format!("truth.vibration.{axis}"),
+            Self::LastChange(axis) => format!("truth.last_change.{axis}"),
+            Self::Time => "truth.time".to_owned(),
+            Self::Temperature => "truth.temperature".to_owned(),
+            Self::Warming => "(truth.temperature - REFERENCE_TEMPERATURE)".to_owned(),
+        }
+    }
+
+    /// What it means, and its unit.
+    pub(crate) fn meaning(self) -> (&'static str, &'static str) {
+        match self {
+            Self::SpecificForce(_) => ("specific force", "m/s²"),
+            Self::AngularRate(_) => ("angular rate", "rad/s"),
+            Self::AngularAcceleration(_) => ("angular acceleration", "rad/s²"),
+            Self::Vibration(_) => ("mean square of the vibration", "(m/s²)²"),
+            Self::LastChange(_) => ("sign of the last change of specific force", "1"),
+            Self::Time => ("time", "s"),
+            Self::Temperature => ("temperature", "°C"),
+            Self::Warming => ("temperature less `REFERENCE_TEMPERATURE`", "K"),
+        }
+    }
+
+    pub(crate) fn dimension(self) -> Dimension {
+        match self {
+            Self::SpecificForce(_) => [1, 0, 0, 0, 0],
+            Self::AngularRate(_) => [0, 1, 0, 0, 0],
+            Self::AngularAcceleration(_) => [0, 0, 1, 0, 0],
+            Self::Vibration(_) => [2, 0, 0, 0, 0],
+            Self::LastChange(_) => [0; 5],
+            Self::Time => [0, 0, 0, 1, 0],
+            Self::Temperature | Self::Warming => [0, 0, 0, 0, 1],
+        }
+    }
+}
+
+impl fmt::Display for Covariate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.name())
+    }
+}
+
+impl From<Covariate> for String {
+    fn from(covariate: Covariate) -> Self {
+        covariate.name()
+    }
+}
+
+impl TryFrom<String> for Covariate {
+    type Error = String;
+
+    fn try_from(name: String) -> Result<Self, String> {
+        let known = Self::all().find(|covariate| covariate.name() == name);
+        known.ok_or_else(|| format!("there is no covariate `{name}`"))
+    }
+}

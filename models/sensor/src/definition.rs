@@ -1,0 +1,433 @@
+//! An effect that is defined by text: what a user writes without compiling anything.
+
+use std::sync::{Mutex, PoisonError};
+
+use nalgebra::Vector3;
+use serde::{Deserialize, Serialize};
+use solver::{Jet, Jet2, Scalar};
+
+use crate::axis::Axis;
+use crate::covariate::Covariate;
+use crate::effect::AnyEffect;
+use crate::expression::Expression;
+use crate::kinematics::{Kinematics, Sensor};
+use crate::param::Param;
+
+/// An effect as its name, parameters and an expression per axis.
+///
+/// The expressions are over the names of [`Covariate`]s and of the parameters. Like every effect it
+/// is an error in the sensor's unit at the true signal, and silent at its nominal parameters.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use stillpoint_sensor::{DefinedParam, Definition, Kinematics, Sensor};
+///
+/// let swirl = Definition {
+///     name: "accel_swirl".into(),
+///     x: "k * fy * fz".into(),
+///     parameters: vec![DefinedParam::new("k", "1/(m/s^2)", 1e-4)],
+///     ..Definition::silent(Sensor::Accelerometer)
+/// };
+/// let truth = Kinematics::at_rest(Vector3::new(0.0, 2.0, 5.0));
+/// let error = swirl.effect()?.error_f64(&truth, &[0.1]);
+/// assert_eq!(error, Vector3::new(1.0, 0.0, 0.0));
+/// # Ok::<(), stillpoint_sensor::DefinitionError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Definition {
+    /// Unique name in snake case.
+    pub name: String,
+    /// The sensor that has it.
+    pub sensor: Sensor,
+    /// The equation as users read it; made of the expressions where it is empty.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub equation: String,
+    /// Error of the x axis; 0 where it is empty.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub x: String,
+    /// Error of the y axis.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub y: String,
+    /// Error of the z axis.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub z: String,
+    /// Its parameters, in order.
+    pub parameters: Vec<DefinedParam>,
+}
+
+/// A parameter of a [`Definition`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DefinedParam {
+    /// Name within the effect, in snake case.
+    pub name: String,
+    /// Unit.
+    #[serde(default)]
+    pub unit: String,
+    /// Value of a perfect sensor, at which the effect is silent.
+    #[serde(default)]
+    pub nominal: f64,
+    /// Size in a consumer-grade device: what a simulation draws from, and a discovery scales by.
+    pub typical: f64,
+}
+
+impl DefinedParam {
+    /// A parameter that is 0 in a perfect sensor.
+    pub fn new(name: &str, unit: &str, typical: f64) -> Self {
+        Self {
+            name: name.to_owned(),
+            unit: unit.to_owned(),
+            nominal: 0.0,
+            typical,
+        }
+    }
+}
+
+/// What is wrong with a definition.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{key}: {what}")]
+pub struct DefinitionError {
+    /// The entry: `name`, `x`, `parameters.1.typical` …
+    pub key: String,
+    /// What was found and what is expected.
+    pub what: String,
+}
+
+impl DefinitionError {
+    pub(crate) fn new(key: impl Into<String>, what: impl Into<String>) -> Self {
+        Self {
+            key: key.into(),
+            what: what.into(),
+        }
+    }
+}
+
+impl Definition {
+    /// No name, no parameters, no error: to be filled in.
+    pub fn silent(sensor: Sensor) -> Self {
+        Self {
+            name: String::new(),
+            sensor,
+            equation: String::new(),
+            x: String::new(),
+            y: String::new(),
+            z: String::new(),
+            parameters: Vec::new(),
+        }
+    }
+
+    /// The expression of an axis.
+    pub fn axis(&self, axis: Axis) -> &str {
+        match axis {
+            Axis::X => &self.x,
+            Axis::Y => &self.y,
+            Axis::Z => &self.z,
+        }
+    }
+
+    /// The effect that it defines.
+    ///
+    /// It lives as long as the program, as those of the catalogue do; the same definition gives the
+    /// same effect.
+    ///
+    /// # Errors
+    /// [`DefinitionError`] with the entry: a name that is not snake case or taken twice, an expression
+    /// that cannot be read (with the column), a number that makes no sense, an effect that is not
+    /// silent at its nominal parameters.
+    pub fn effect(&self) -> Result<&'static dyn AnyEffect, DefinitionError> {
+        static DEFINED: Mutex<Vec<&'static Defined>> = Mutex::new(Vec::new());
+        let mut defined = DEFINED.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = defined.iter().find(|known| known.definition == *self) {
+            return Ok(*known);
+        }
+        let new: &'static Defined = Box::leak(Box::new(self.read()?));
+        defined.push(new);
+        Ok(new)
+    }
+
+    fn read(&self) -> Result<Defined, DefinitionError> {
+        self.check_names()?;
+        let covariates: Vec<Covariate> = Covariate::all().collect();
+        let mut names: Vec<String> = covariates.iter().map(|c| c.name()).collect();
+        names.extend(self.parameters.iter().map(|p| p.name.clone()));
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let mut axes: [Option<Expression>; 3] = [None, None, None];
+        for axis in Axis::ALL {
+            let text = self.axis(axis);
+            if !text.trim().is_empty() {
+                let read = Expression::parse(text, &names)
+                    .map_err(|e| DefinitionError::new(axis.letter(), format!("`{text}`, {e}")))?;
+                axes[axis.index()] = Some(read);
+            }
+        }
+        if axes.iter().all(Option::is_none) {
+            let what = "no expression on any axis: write one of x, y, z";
+            return Err(DefinitionError::new("x", what));
+        }
+        let params: Vec<Param> = self.parameters.iter().map(parameter).collect();
+        let defined = Defined {
+            definition: self.clone(),
+            name: leak(&self.name),
+            equation: leak(&self.written_equation()),
+            params,
+            covariates,
+            axes,
+        };
+        defined.check_silent()?;
+        Ok(defined)
+    }
+
+    /// The equation, made of the expressions where none is given.
+    pub fn written_equation(&self) -> String {
+        if !self.equation.is_empty() {
+            return self.equation.clone();
+        }
+        let letter = match self.sensor {
+            Sensor::Accelerometer => "A",
+            Sensor::Gyroscope => "W",
+        };
+        let written = Axis::ALL
+            .iter()
+            .filter(|axis| !self.axis(**axis).trim().is_empty());
+        let written = written.map(|axis| format!("{letter}_{axis} += {}", self.axis(*axis)));
+        written.collect::<Vec<_>>().join(", ")
+    }
+
+    fn check_names(&self) -> Result<(), DefinitionError> {
+        if !is_snake_case(&self.name) {
+            let what = format!("`{}` found, a name in snake case expected", self.name);
+            return Err(DefinitionError::new("name", what));
+        }
+        if self.parameters.is_empty() {
+            let what = "none found: an effect needs one that switches it off";
+            return Err(DefinitionError::new("parameters", what));
+        }
+        for (k, p) in self.parameters.iter().enumerate() {
+            let key = |name: &str| format!("parameters.{k}.{name}");
+            let taken = Covariate::all().any(|c| c.name() == p.name)
+                || self.parameters[..k]
+                    .iter()
+                    .any(|other| other.name == p.name)
+                || p.name == "pi"
+                || p.name == "size"
+                || crate::expression::FUNCTIONS.contains(&p.name.as_str());
+            if taken {
+                let what = format!("`{}` means something else already", p.name);
+                return Err(DefinitionError::new(key("name"), what));
+            }
+            if !is_snake_case(&p.name) {
+                let what = format!("`{}` found, a name in snake case expected", p.name);
+                return Err(DefinitionError::new(key("name"), what));
+            }
+            if !(p.typical > 0.0 && p.typical.is_finite()) {
+                let what = format!("is {}, a positive size expected", p.typical);
+                return Err(DefinitionError::new(key("typical"), what));
+            }
+            if !p.nominal.is_finite() {
+                let what = format!("is {}, a number expected", p.nominal);
+                return Err(DefinitionError::new(key("nominal"), what));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn is_snake_case(name: &str) -> bool {
+    name.starts_with(|c: char| c.is_ascii_lowercase())
+        && !name.ends_with('_')
+        && !name.contains("__")
+        && name
+            .chars()
+            .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
+}
+
+fn leak(text: &str) -> &'static str {
+    Box::leak(text.to_owned().into_boxed_str())
+}
+
+fn parameter(p: &DefinedParam) -> Param {
+    Param::new(leak(&p.name), leak(&p.unit), p.nominal).sized(p.typical)
+}
+
+/// A definition that has been read.
+#[derive(Debug)]
+struct Defined {
+    definition: Definition,
+    name: &'static str,
+    equation: &'static str,
+    params: Vec<Param>,
+    covariates: Vec<Covariate>,
+    axes: [Option<Expression>; 3],
+}
+
+impl Defined {
+    fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
+        let count = self.covariates.len();
+        let variable = |k: usize| match self.covariates.get(k) {
+            Some(covariate) => covariate.value(truth),
+            None => p[k - count],
+        };
+        Vector3::from_fn(|i, _| {
+            let axis = self.axes[i].as_ref();
+            axis.map_or_else(|| D::from(0.0), |axis| axis.eval(&variable))
+        })
+    }
+
+    /// Silent at the nominal parameters, and a number at the typical ones, in some motion or other.
+    fn check_silent(&self) -> Result<(), DefinitionError> {
+        let nominal: Vec<f64> = self.params.iter().map(|p| p.nominal).collect();
+        let sized = |p: &DefinedParam| match p.nominal {
+            0.0 => p.typical,
+            nominal => nominal,
+        };
+        let typical: Vec<f64> = self.definition.parameters.iter().map(sized).collect();
+        for truth in probes() {
+            let (off, on) = (self.error(&truth, &nominal), self.error(&truth, &typical));
+            for axis in Axis::ALL {
+                let (off, on) = (off[axis.index()], on[axis.index()]);
+                if off != 0.0 {
+                    let what = format!(
+                        "is {off} at the nominal parameters in some motion, must be 0: an effect is \
+                         silent in a perfect sensor"
+                    );
+                    return Err(DefinitionError::new(axis.letter(), what));
+                }
+                if !on.is_finite() {
+                    let what = format!("is {on} at the typical parameters in some motion");
+                    return Err(DefinitionError::new(axis.letter(), what));
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Rest and brisk motion, in both directions, at different temperatures.
+fn probes() -> [Kinematics<f64>; 3] {
+    let moving = |sign: f64| Kinematics {
+        time: 100.0 - 50.0 * sign,
+        temperature: 25.0 + 10.0 * sign,
+        angular_acceleration: Vector3::new(5.0, -7.0, 3.0) * sign,
+        last_change: Vector3::new(1.0, -1.0, 1.0) * sign,
+        vibration: Vector3::new(0.1, 0.2, 0.3),
+        ..Kinematics::new(
+            Vector3::new(6.0, -5.0, 4.0) * sign,
+            Vector3::new(-1.0, 2.0, 3.0) * sign,
+        )
+    };
+    [
+        Kinematics::at_rest(Vector3::new(0.0, 0.0, 9.8)),
+        moving(1.0),
+        moving(-1.0),
+    ]
+}
+
+impl AnyEffect for Defined {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+    fn sensor(&self) -> Sensor {
+        self.definition.sensor
+    }
+    fn equation(&self) -> &'static str {
+        self.equation
+    }
+    fn params(&self) -> &[Param] {
+        &self.params
+    }
+    fn typical(&self) -> f64 {
+        self.definition
+            .parameters
+            .first()
+            .map_or(0.0, |p| p.typical)
+    }
+    fn definition(&self) -> Option<&Definition> {
+        Some(&self.definition)
+    }
+    fn error_f64(&self, truth: &Kinematics<f64>, p: &[f64]) -> Vector3<f64> {
+        self.error(truth, p)
+    }
+    fn error_jet(&self, truth: &Kinematics<Jet>, p: &[Jet]) -> Vector3<Jet> {
+        self.error(truth, p)
+    }
+    fn error_jet2(&self, truth: &Kinematics<Jet2>, p: &[Jet2]) -> Vector3<Jet2> {
+        self.error(truth, p)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use solver::scalar::{derivatives, variable};
+
+    fn swirl() -> Definition {
+        Definition {
+            name: "gyro_swirl".into(),
+            x: "k * fy * wz^2".into(),
+            z: "c * exp(-t/tau)".into(),
+            parameters: vec![
+                DefinedParam::new("k", "s/m*s", 1e-4),
+                DefinedParam::new("c", "rad/s", 1e-3),
+                DefinedParam {
+                    nominal: 60.0,
+                    ..DefinedParam::new("tau", "s", 30.0)
+                },
+            ],
+            ..Definition::silent(Sensor::Gyroscope)
+        }
+    }
+
+    fn refused(change: impl FnOnce(&mut Definition)) -> String {
+        let mut definition = swirl();
+        change(&mut definition);
+        definition.effect().unwrap_err().to_string()
+    }
+
+    #[test]
+    fn a_defined_effect_is_what_its_expressions_say_over_every_scalar() {
+        let effect = swirl().effect().unwrap();
+        let truth = Kinematics {
+            time: 60.0,
+            ..Kinematics::new(Vector3::new(0.0, 2.0, 0.0), Vector3::new(0.0, 0.0, -3.0))
+        };
+        let e = effect.error_f64(&truth, &[0.1, 1.0, 60.0]);
+        assert!((e - Vector3::new(1.8, 0.0, (-1.0_f64).exp())).norm() < 1e-15);
+        let p = [0.1, 1.0, 60.0].map(solver::lit);
+        let mut jets: Kinematics<Jet> = truth.cast();
+        jets.angular_rate.z = variable(-3.0, 0);
+        // d/dw of k f w² is 2 k f w.
+        assert!((derivatives(&effect.error_jet(&jets, &p).x)[0] + 1.2).abs() < 1e-15);
+        assert_eq!(effect.params()[2].nominal, 60.0);
+        assert_eq!(effect.typical_of(1), 1e-3);
+        let written = "W_x += k * fy * wz^2, W_z += c * exp(-t/tau)";
+        assert_eq!(effect.equation(), written);
+    }
+
+    #[test]
+    fn the_same_definition_is_the_same_effect() {
+        let (one, two) = (swirl().effect().unwrap(), swirl().effect().unwrap());
+        assert!(std::ptr::addr_eq(one, two));
+        let mut other = swirl();
+        other.equation = "something".into();
+        assert!(!std::ptr::addr_eq(one, other.effect().unwrap()));
+    }
+
+    #[test]
+    fn what_is_wrong_is_named_with_its_entry() {
+        let message = refused(|d| d.x = "k * fq".into());
+        let place = "x: `k * fq`, column 5: there is no `fq`: the variables are fx, fy";
+        assert!(message.starts_with(place), "{message}");
+        let message = refused(|d| d.y = "1 + k".into());
+        let silent = "y: is 1 at the nominal parameters";
+        assert!(message.starts_with(silent), "{message}");
+        let message = refused(|d| d.x = "k * sqrt(fy)".into());
+        assert!(message.starts_with("x: is NaN at"), "{message}");
+        assert!(refused(|d| d.name = "Swirl".into()).starts_with("name: `Swirl` found"));
+        assert!(refused(|d| d.parameters[1].name = "fx".into()).starts_with("parameters.1.name: "));
+        assert!(refused(|d| d.parameters[0].typical = 0.0).starts_with("parameters.0.typical: "));
+        assert!(refused(|d| d.parameters.clear()).starts_with("parameters: none found"));
+        let message = refused(|d| (d.x, d.z) = (String::new(), " ".into()));
+        assert!(message.starts_with("x: no expression"), "{message}");
+    }
+}

@@ -1,0 +1,182 @@
+//! Column-pivoted QR of small matrices, on slices.
+
+use crate::vector::{add_to, dot, norm};
+
+/// Share of a column's norm, squared, below which the norm is measured again and not updated.
+const CANCELLED: f64 = 1.5e-8;
+
+/// `A P = Q R` by Householder reflections `I − τ v vᵀ`.
+///
+/// For matrices so small that a blocked factorisation costs more to set up than it saves.
+///
+/// Source: Businger and Golub, "Linear least squares solutions by Householder transformations",
+/// 1965.
+pub(crate) struct Householder {
+    rows: usize,
+    /// Column after column: `R` above the diagonal, `v` (its first entry 1) from the diagonal on.
+    columns: Vec<f64>,
+    /// `τ` of every reflection.
+    tau: Vec<f64>,
+    /// The diagonal of `R`.
+    diagonal: Vec<f64>,
+    /// The column of `A` at each place.
+    order: Vec<usize>,
+}
+
+impl Householder {
+    /// Factors the matrix of `n` columns of length `rows` that lie one after the other.
+    pub fn new(columns: Vec<f64>, rows: usize, n: usize) -> Self {
+        let size = rows.min(n);
+        let mut factor = Self {
+            rows,
+            columns,
+            tau: Vec::with_capacity(size),
+            diagonal: Vec::with_capacity(size),
+            order: (0..n).collect(),
+        };
+        let mut norms: Vec<Norm> = (0..n).map(|k| Norm::of(factor.column(k))).collect();
+        for k in 0..size {
+            factor.bring_largest(k, &mut norms);
+            factor.eliminate(k, &mut norms);
+        }
+        factor
+    }
+
+    /// The column of `A` at each place of `R`.
+    pub fn order(&self) -> &[usize] {
+        &self.order
+    }
+
+    /// `R[i, k]`.
+    pub fn r(&self, i: usize, k: usize) -> f64 {
+        match i.cmp(&k) {
+            std::cmp::Ordering::Less => self.columns[k * self.rows + i],
+            std::cmp::Ordering::Equal => self.diagonal[i],
+            std::cmp::Ordering::Greater => 0.0,
+        }
+    }
+
+    /// Replaces `b` (`rows`) by `Qᵀ b`.
+    pub fn rotate(&self, b: &mut [f64]) {
+        for (k, &tau) in self.tau.iter().enumerate() {
+            reflect(&self.column(k)[k..], tau, &mut b[k..]);
+        }
+    }
+
+    fn column(&self, k: usize) -> &[f64] {
+        &self.columns[k * self.rows..(k + 1) * self.rows]
+    }
+
+    /// Swaps the longest of the columns that are left into place `k`.
+    fn bring_largest(&mut self, k: usize, norms: &mut [Norm]) {
+        let longest = (k..norms.len()).max_by(|&a, &b| norms[a].now.total_cmp(&norms[b].now));
+        let Some(pivot) = longest.filter(|&pivot| pivot > k) else {
+            return;
+        };
+        let (before, after) = self.columns.split_at_mut(pivot * self.rows);
+        before[k * self.rows..(k + 1) * self.rows].swap_with_slice(&mut after[..self.rows]);
+        norms.swap(k, pivot);
+        self.order.swap(k, pivot);
+    }
+
+    /// Reflects column `k` onto the diagonal, and all columns after it.
+    fn eliminate(&mut self, k: usize, norms: &mut [Norm]) {
+        let (before, after) = self.columns.split_at_mut((k + 1) * self.rows);
+        let v = &mut before[k * self.rows + k..];
+        let (diagonal, tau) = reflection(v);
+        for (column, norm) in after.chunks_exact_mut(self.rows).zip(&mut norms[k + 1..]) {
+            reflect(v, tau, &mut column[k..]);
+            norm.without_first(&column[k..]);
+        }
+        self.diagonal.push(diagonal);
+        self.tau.push(tau);
+    }
+}
+
+/// Turns `x` into the `v` of the reflection that maps `x` to `(d, 0, …)`; returns `d` and `τ`.
+fn reflection(x: &mut [f64]) -> (f64, f64) {
+    let length = norm(x);
+    let first = std::mem::replace(&mut x[0], 1.0);
+    if length == 0.0 {
+        return (0.0, 0.0);
+    }
+    let d = -length.copysign(first);
+    for value in &mut x[1..] {
+        *value /= first - d;
+    }
+    (d, (d - first) / d)
+}
+
+/// `c − τ v (vᵀ c)`.
+fn reflect(v: &[f64], tau: f64, c: &mut [f64]) {
+    let along = tau * dot(v, c);
+    add_to(c, -along, v);
+}
+
+/// The norm of what is left of a column.
+#[derive(Clone, Copy)]
+struct Norm {
+    now: f64,
+    measured: f64,
+}
+
+impl Norm {
+    fn of(column: &[f64]) -> Self {
+        let now = norm(column);
+        Self { now, measured: now }
+    }
+
+    /// Leaves out the first entry: by Pythagoras, or measured again where that cancels.
+    fn without_first(&mut self, column: &[f64]) {
+        if self.now == 0.0 {
+            return;
+        }
+        let left = (1.0 - (column[0] / self.now).powi(2)).max(0.0);
+        if left * (self.now / self.measured).powi(2) <= CANCELLED {
+            *self = Self::of(&column[1..]);
+        } else {
+            self.now *= left.sqrt();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use faer::Mat;
+
+    #[test]
+    fn is_the_factorisation_of_faer_up_to_signs() {
+        for (m, n) in [(1, 1), (7, 3), (9, 9), (3, 5), (40, 8)] {
+            let a = Mat::from_fn(m, n, |i, k| ((i * 5 + k * 3 + i * i * k) % 11) as f64 - 4.3);
+            let columns = (0..n).flat_map(|k| a.col_as_slice(k).to_vec()).collect();
+            let small = Householder::new(columns, m, n);
+            let large = a.col_piv_qr();
+            let (forward, _) = large.P().arrays();
+            assert_eq!(small.order(), forward, "{m} {n}");
+            let b: Vec<f64> = (0..m).map(|i| 1.0 - 0.7 * i as f64).collect();
+            let mut rotated = b.clone();
+            small.rotate(&mut rotated);
+            let oracle = large.compute_Q().transpose() * Mat::from_fn(m, 1, |i, _| b[i]);
+            let size = norm(&b) + a.norm_l2();
+            for i in 0..m.min(n) {
+                for k in 0..n {
+                    let difference = small.r(i, k).abs() - large.thin_R()[(i, k)].abs();
+                    let expected = if k < i { small.r(i, k) } else { difference };
+                    assert!(expected.abs() < 1e-13 * size, "{m} {n}: R {i} {k}");
+                }
+                let difference = rotated[i].abs() - oracle[(i, 0)].abs();
+                assert!(difference.abs() < 1e-13 * size, "{m} {n}: Qᵀb {i}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_column_of_zeros_and_one_that_repeats_leave_zeros_on_the_diagonal() {
+        let x = [1.0, 2.0, 3.0];
+        let columns = [[0.0; 3], x, x].concat();
+        let factor = Householder::new(columns, 3, 3);
+        assert!((factor.r(0, 0).abs() - 14f64.sqrt()).abs() < 1e-15);
+        assert!(factor.r(1, 1).abs() < 1e-15 && factor.r(2, 2).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,10 @@
+//! Does discovery find what is hidden, and nothing where nothing is?
+
+mod row;
+mod session;
+mod size;
+mod summary;
+
+pub use row::{Job, Row};
+pub use session::{Record, run};
+pub use summary::{Summary, summarise};

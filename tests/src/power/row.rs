@@ -1,0 +1,317 @@
+//! What is hidden in the sessions of each row.
+
+use calib::simulate::{
+    Fault, Grade, Heading, Hidden, Pattern, Periodic, Relaxation, SizeEffect, Spec, Telegraph,
+};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use sensor::{Axis, Sensor};
+use serde::{Deserialize, Serialize};
+
+/// The usual random walk of the biases of a consumer-grade device, m/s²/√s and rad/s/√s.
+const WALK: [f64; 2] = [1e-4, 5e-6];
+
+/// A tactical device has a tenth of a consumer device's errors.
+const TACTICAL: f64 = 0.1;
+
+/// Effects that go with orientation or rate.
+const ORIENTATION: [&str; 14] = [
+    "accel_quadratic",
+    "accel_cubic",
+    "accel_asymmetry",
+    "accel_cross_axis",
+    "accel_scale_temperature",
+    "accel_hysteresis",
+    "accel_vibration_rectification",
+    "gyro_g_sensitivity",
+    "gyro_g2_sensitivity",
+    "gyro_scale_temperature",
+    "gyro_quadratic",
+    "gyro_cubic",
+    "gyro_asymmetry",
+    "gyro_delay",
+];
+
+/// Effects that go with time.
+const TIME: [&str; 9] = [
+    "accel_drift",
+    "accel_warmup",
+    "accel_step",
+    "accel_temperature",
+    "accel_temperature_quadratic",
+    "gyro_drift",
+    "gyro_warmup",
+    "gyro_step",
+    "gyro_temperature",
+];
+
+const OUTSIDE: [&str; 5] = ["periodic", "pattern", "telegraph", "heading", "relaxation"];
+const INVISIBLE: [&str; 3] = ["wrong_gravity", "fast_clock", "size_effect"];
+const INTEGRITY: [&str; 5] = [
+    "saturation",
+    "quantisation",
+    "lost_samples",
+    "mount_slip",
+    "disturbed_interval",
+];
+const CLEAN: [&str; 6] = [
+    "consumer, no walk",
+    "consumer, usual walk",
+    "consumer, three times the usual walk",
+    "tactical, no walk",
+    "tactical, usual walk",
+    "tactical, three times the usual walk",
+];
+
+/// A row of the table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Row {
+    /// Nothing hidden.
+    Clean,
+    /// What this kind of data cannot show.
+    Invisible,
+    /// Effects that go with orientation or rate, lambda 60.
+    Orientation60,
+    /// The same, lambda 30.
+    Orientation30,
+    /// Effects that go with time, lambda 150, random walk unknown.
+    Time150,
+    /// The same, lambda 60, densities given.
+    Time60,
+    /// Pairs of effects, lambda 60 each.
+    Pairs,
+    /// Outside the catalogue, lambda 150.
+    Outside,
+    /// Faults of the recording, lambda 60 where they have a size.
+    Integrity,
+}
+
+impl Row {
+    /// The kinds of session, taken in turn.
+    fn kinds(self) -> &'static [&'static str] {
+        match self {
+            Self::Clean => &CLEAN,
+            Self::Invisible => &INVISIBLE,
+            Self::Orientation60 | Self::Orientation30 => &ORIENTATION,
+            Self::Time150 | Self::Time60 => &TIME,
+            Self::Pairs => &["pair"],
+            Self::Outside => &OUTSIDE,
+            Self::Integrity => &INTEGRITY,
+        }
+    }
+
+    /// Sessions that the issue asks for.
+    pub fn sessions(self) -> u64 {
+        match self {
+            Self::Clean => 500,
+            Self::Invisible => 60,
+            Self::Orientation60 | Self::Orientation30 => 50 * ORIENTATION.len() as u64,
+            Self::Time150 | Self::Time60 => 50 * TIME.len() as u64,
+            Self::Pairs => 100,
+            Self::Outside => 50 * OUTSIDE.len() as u64,
+            Self::Integrity => 40 * INTEGRITY.len() as u64,
+        }
+    }
+
+    /// The noncentrality that everything hidden is scaled to.
+    pub fn lambda(self) -> f64 {
+        match self {
+            Self::Orientation30 => 30.0,
+            Self::Time150 | Self::Outside => 150.0,
+            _ => 60.0,
+        }
+    }
+}
+
+/// One session to be made.
+#[derive(Clone, Debug)]
+pub struct Job {
+    /// The row.
+    pub row: Row,
+    /// What kind of session of the row.
+    pub kind: String,
+    /// The names that are right.
+    pub hidden: Vec<String>,
+    /// The session with nothing hidden.
+    pub clean: Spec,
+    /// Random walk densities.
+    pub walks: [f64; 2],
+    /// Whether the analysis is told them.
+    pub told: bool,
+    random: ChaCha8Rng,
+}
+
+impl Job {
+    /// The `index`-th session of a row; half of the devices are tactical.
+    pub fn new(row: Row, index: u64) -> Self {
+        let kinds = row.kinds();
+        let kind = kinds[(index % kinds.len() as u64) as usize];
+        let round = index / kinds.len() as u64;
+        let (tactical, times) = match row {
+            Row::Clean => {
+                let k = index % kinds.len() as u64;
+                (k >= 3, [0.0, 1.0, 3.0][(k % 3) as usize])
+            }
+            _ => (round % 2 == 1, 1.0),
+        };
+        let mut random = ChaCha8Rng::seed_from_u64(1_000_003 * (row as u64 + 1) + index);
+        let mut clean = Spec::hand_held(random.random());
+        let mut walks = WALK.map(|k| times * k);
+        if tactical {
+            clean.grade = Grade::Tactical;
+            walks = walks.map(|k| TACTICAL * k);
+        }
+        clean.accelerometer.random_walk = walks[0];
+        clean.gyroscope.random_walk = walks[1];
+        let mut job = Self {
+            row,
+            kind: kind.into(),
+            hidden: Vec::new(),
+            clean,
+            walks,
+            told: row == Row::Time60,
+            random,
+        };
+        job.hide(kind);
+        job
+    }
+
+    /// What is to be named, and what the clean session needs for it to show.
+    fn hide(&mut self, kind: &str) {
+        self.hidden = match self.row {
+            Row::Clean | Row::Invisible | Row::Outside => Vec::new(),
+            Row::Pairs => self.pair(),
+            _ => vec![kind.into()],
+        };
+        for name in self.hidden.clone() {
+            if name.contains("temperature") {
+                let temperature = self.clean.temperature.get_or_insert_default();
+                temperature.swing = 3.0;
+                temperature.period = self.random.random_range(150.0..400.0);
+            }
+            if name.contains("vibration") {
+                self.clean.vibration.get_or_insert_default();
+            }
+            if name.ends_with("_warmup") {
+                let tau = self.random.random_range(60.0..300.0);
+                self.clean.parameters.insert(format!("{name}.tau"), tau);
+            }
+        }
+    }
+
+    /// Two effects of the catalogue; which ones changes with every fifth session.
+    fn pair(&mut self) -> Vec<String> {
+        let all: Vec<&str> = ORIENTATION.iter().chain(&TIME[..4]).copied().collect();
+        let a = self.random.random_range(0..all.len());
+        let b = (a + self.random.random_range(1..all.len())) % all.len();
+        vec![all[a].into(), all[b].into()]
+    }
+
+    /// The clean session with one hidden thing of a size; `None` for what has no size.
+    pub fn with(&self, what: &str, size: f64) -> Option<Spec> {
+        let mut spec = self.clean.clone();
+        match self.row {
+            Row::Clean => return None,
+            Row::Orientation60 | Row::Orientation30 | Row::Time150 | Row::Time60 | Row::Pairs => {
+                spec = spec.with_effect(what, size)
+            }
+            Row::Invisible => spec = spec.with_hidden(invisible(what, size)),
+            Row::Outside => spec = spec.with_hidden(self.outside(what, size)),
+            Row::Integrity => spec = spec.with_fault(self.fault(what, size)?),
+        }
+        Some(spec)
+    }
+
+    /// What is hidden in the session, by name.
+    pub fn what(&self) -> Vec<String> {
+        match self.row {
+            Row::Clean => Vec::new(),
+            Row::Pairs => self.hidden.clone(),
+            _ => vec![self.kind.clone()],
+        }
+    }
+
+    fn outside(&self, what: &str, size: f64) -> Hidden {
+        let mut random = self.random.clone();
+        let sensor = if random.random() {
+            Sensor::Accelerometer
+        } else {
+            Sensor::Gyroscope
+        };
+        let axis = [Axis::X, Axis::Y, Axis::Z][random.random_range(0..3)];
+        let amplitude = size
+            * if sensor == Sensor::Accelerometer {
+                5e-3
+            } else {
+                1e-4
+            };
+        match what {
+            "periodic" => Hidden::Periodic(Periodic {
+                sensor,
+                axis,
+                amplitude,
+                period: random.random_range(25.0..120.0),
+                phase: random.random_range(0.0..6.28),
+            }),
+            "pattern" => Hidden::Pattern(Pattern {
+                sensor,
+                axis,
+                amplitude,
+                wavenumber: 7.0,
+            }),
+            "telegraph" => Hidden::Telegraph(Telegraph {
+                sensor,
+                axis,
+                amplitude,
+                dwell: random.random_range(15.0..50.0),
+            }),
+            "heading" => Hidden::Heading(Heading {
+                sensor,
+                amplitude,
+                azimuth: random.random_range(0.0..6.28),
+            }),
+            _ => Hidden::Relaxation(Relaxation {
+                sensor,
+                axis,
+                amplitude,
+                tau: random.random_range(1.0..6.0),
+            }),
+        }
+    }
+
+    /// A fault at a random placement; `None` where it is no fault of the motion.
+    fn fault(&self, what: &str, size: f64) -> Option<Fault> {
+        let mut random = self.random.clone();
+        let interval = random.random_range(3..22);
+        match what {
+            "mount_slip" => Some(Fault::Slip {
+                interval,
+                angle: 1.5e-3 * size,
+            }),
+            "disturbed_interval" => Some(Fault::Disturbed {
+                interval,
+                size: 2e-2 * size,
+            }),
+            "lost_samples" => Some(Fault::Lost {
+                turn: interval,
+                length: 0.05 * size,
+            }),
+            _ => None,
+        }
+    }
+}
+
+fn invisible(what: &str, size: f64) -> Hidden {
+    match what {
+        "wrong_gravity" => Hidden::WrongGravity {
+            amplitude: 2e-3 * size,
+        },
+        "fast_clock" => Hidden::FastClock {
+            amplitude: 1e-3 * size,
+        },
+        _ => Hidden::SizeEffect(SizeEffect {
+            amplitude: 5e-3 * size,
+        }),
+    }
+}

@@ -1,0 +1,192 @@
+//! One session: made, looked into, judged.
+
+use std::time::Instant;
+
+use calib::Error;
+use calib::discover::{Extension, Request, Session, State, Verdict, discover, gap_of, held_out};
+use calib::simulate::Spec;
+use serde::{Deserialize, Serialize};
+
+use super::row::{Job, Row};
+use super::size::noncentrality;
+
+/// What became of a session.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub struct Record {
+    /// Its place in the row.
+    pub index: u64,
+    /// What kind of session of the row.
+    pub kind: String,
+    /// Noncentrality of what is hidden, as measured at unit size and scaled; `None` where it could not be.
+    pub lambda: Vec<Option<f64>>,
+    /// The names that are right.
+    pub hidden: Vec<String>,
+    /// The effects that were named.
+    pub named: Vec<String>,
+    /// What each of them was said to be indistinguishable from.
+    pub ties: Vec<Vec<String>>,
+    /// The faults of the recording that were named.
+    pub integrity: Vec<String>,
+    /// What was left unexplained, in words.
+    pub unexplained: Option<String>,
+    /// `(estimate − truth)/σ` of the parameters of effects that were rightly named.
+    pub z: Vec<f64>,
+    /// Held-out gap of the final model over that of the true model, of rightly named effects.
+    pub gap_ratio: Vec<f64>,
+    /// Seconds for the whole discovery.
+    pub seconds: f64,
+    /// Why there was none.
+    pub refused: Option<String>,
+}
+
+/// Runs one session; the same index gives the same result.
+///
+/// # Errors
+/// A spec that contradicts itself.
+pub fn run(row: Row, index: u64) -> Result<Record, Error> {
+    let job = Job::new(row, index);
+    let mut record = Record {
+        index,
+        kind: job.kind.clone(),
+        hidden: job.hidden.clone(),
+        ..Record::default()
+    };
+    let spec = scaled(&job, &mut record)?;
+    let session = spec.run()?;
+    let recordings = [session.recording.clone()];
+    let mut request = Request::new(spec.gravity);
+    request.walks = job.told.then_some(job.walks);
+    let start = Instant::now();
+    let discovery = match discover(&recordings, &request) {
+        Ok(discovery) => discovery,
+        Err(refusal) => {
+            record.refused = Some(refusal.to_string());
+            return Ok(record);
+        }
+    };
+    record.seconds = start.elapsed().as_secs_f64();
+    let findings = &discovery.findings;
+    debug_assert!(findings.verdict != Verdict::Nothing || findings.effects.is_empty());
+    record.unexplained = findings.unexplained.as_ref().map(|u| u.shape.clone());
+    record.integrity = findings.integrity.iter().map(|i| i.name.into()).collect();
+    record.integrity.sort();
+    record.integrity.dedup();
+    for effect in &findings.effects {
+        record.named.push(effect.name.clone());
+        record.ties.push(effect.indistinguishable_from.clone());
+        if !job.hidden.contains(&effect.name) {
+            continue;
+        }
+        for p in &effect.parameters {
+            let truth = session.truth.get(&format!("{}.{}", effect.name, p.name));
+            if let (Some(truth), Some(std)) = (truth, p.std) {
+                record.z.push((p.value - truth) / std);
+            }
+        }
+    }
+    if !record.named.is_empty() && job.what() == job.hidden {
+        record.gap_ratio = against_the_truth(&job, &recordings, &request, &discovery)?;
+    }
+    Ok(record)
+}
+
+/// The session with everything hidden in it at the size that the row asks for.
+fn scaled(job: &Job, record: &mut Record) -> Result<Spec, Error> {
+    let mut spec = job.clean.clone();
+    for what in job.what() {
+        let size = match job.row {
+            Row::Invisible => 1.0,
+            _ => {
+                // Faults of the readout have no size.
+                let Some(unit) = job.with(&what, 1.0) else {
+                    spec = readout(job, &what)?;
+                    continue;
+                };
+                let first = if job.clean.grade == calib::simulate::Grade::Tactical {
+                    0.1
+                } else {
+                    1.0
+                };
+                let trial = if first == 1.0 {
+                    unit
+                } else {
+                    job.with(&what, first).unwrap_or(unit)
+                };
+                match noncentrality(&job.clean, &trial, job.walks)? {
+                    Some(lambda) if lambda > 0.0 => {
+                        record.lambda.push(Some(job.row.lambda()));
+                        first * (job.row.lambda() / lambda).sqrt()
+                    }
+                    _ => {
+                        record.lambda.push(None);
+                        first
+                    }
+                }
+            }
+        };
+        if let Some(with) = job.with(&what, size) {
+            spec.effects.extend(with.effects);
+            spec.hidden.extend(with.hidden);
+            spec.faults.extend(with.faults);
+            spec.temperature = spec.temperature.or(with.temperature);
+            spec.vibration = spec.vibration.or(with.vibration);
+        }
+    }
+    Ok(spec)
+}
+
+/// A range that the turns exceed, or steps four times the noise.
+fn readout(job: &Job, what: &str) -> Result<Spec, Error> {
+    let mut spec = job.clean.clone();
+    if what == "saturation" {
+        let recording = spec.run()?.recording;
+        let rates = recording.gyroscope.iter().flat_map(|s| &s.values);
+        let most = rates.map(nalgebra::Vector3::amax).fold(0.0, f64::max);
+        spec.gyroscope.range = Some(0.7 * most);
+    } else {
+        let noise = spec.noise(sensor::Sensor::Accelerometer).white * spec.rate.sqrt();
+        spec.accelerometer.step = 4.0 * noise;
+    }
+    Ok(spec)
+}
+
+/// The held-out gaps of the final model over those of the model that is told the truth.
+fn against_the_truth(
+    job: &Job,
+    recordings: &[calib::Recording],
+    request: &Request,
+    discovery: &calib::discover::Discovery,
+) -> Result<Vec<f64>, Error> {
+    let session = Session::new(recordings, request)?;
+    let mut extension = Extension::default();
+    for name in &job.hidden {
+        let Some(effect) = request.catalogue.iter().find(|e| e.name() == name) else {
+            return Ok(Vec::new());
+        };
+        let mut shape = None;
+        for (k, p) in effect.params().iter().enumerate() {
+            if p.name == "tau" || p.name == "t0" {
+                let named = discovery
+                    .search
+                    .names
+                    .iter()
+                    .find(|n| n.claim.name() == name);
+                shape = named
+                    .and_then(|n| n.hypothesis.shape)
+                    .or(Some((k, p.nominal)));
+            }
+        }
+        extension.effects.push((*effect, shape));
+    }
+    let truth = State::fit(&session, extension)?;
+    let walks = discovery.search.last.walks;
+    let Some(best) = held_out(&truth, walks) else {
+        return Ok(Vec::new());
+    };
+    Ok(discovery
+        .findings
+        .effects
+        .iter()
+        .map(|e| e.held_out_gap_after / gap_of(&best, e.channel))
+        .collect())
+}
