@@ -17,7 +17,7 @@ pub use tables::text;
 pub use words::verdict;
 
 use super::calibrate::gate;
-use super::inputs::{DetectorArgs, as_paths, check_gravity, read, read_pair, spinner};
+use super::inputs::{DetectorArgs, as_paths, check_gravity, own_effects, read, read_pair, spinner};
 use super::pictures::PictureArgs;
 use crate::exit::{BUG, Failure, USAGE};
 use crate::output::Output;
@@ -61,6 +61,9 @@ pub struct Args {
     /// Take the random walk densities of the biases from this file of `allan` [default: estimated]
     #[arg(long, value_name = "FILE")]
     noise: Option<PathBuf>,
+    /// File that defines effects as expressions (TOML): they join the catalogue of this run
+    #[arg(long, value_name = "FILE.toml")]
+    effect_file: Vec<PathBuf>,
     /// Local gravity, m/s²; a wrong one is a common scale of the accelerometer and never shows
     #[arg(long, value_name = "M/S²", default_value_t = STANDARD_GRAVITY)]
     gravity: f64,
@@ -92,6 +95,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         ));
     }
     inputs.extend(args.validation.iter().chain(&args.noise).cloned());
+    inputs.extend(args.effect_file.iter().cloned());
     let mut request = request(args)?;
     let output = match &args.output {
         Some(path) => Some(Output::claim(path, args.force, &as_paths(&inputs))?),
@@ -143,12 +147,14 @@ fn request(args: &Args) -> Result<Request, Failure> {
         ));
     }
     let (detector, choose_multiplier) = args.detector.detector()?;
-    Ok(Request {
+    let mut request = Request {
         alpha: args.alpha,
         detector,
         choose_multiplier,
         ..Request::new(args.gravity)
-    })
+    };
+    request.catalogue.extend(own_effects(&args.effect_file)?);
+    Ok(request)
 }
 
 fn recordings(args: &Args) -> Result<Vec<Recording>, Failure> {

@@ -24,6 +24,9 @@ pub fn page(discovery: &Discovery, plots: &[Plot]) -> Result<Report, Failure> {
         report = report.plot(gap)?;
     }
     report = filled(report, tables::gaps(findings));
+    report = tables::validated(findings)
+        .into_iter()
+        .fold(report, Report::text);
     if !findings.effects.is_empty() || !findings.validation.is_empty() {
         report = report.text(GAP);
     }
