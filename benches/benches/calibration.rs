@@ -3,10 +3,14 @@
 
 #![allow(missing_docs)]
 
-use calib::calibrate::{Request, calibrate};
+use calib::calibrate::{Request, calibrate, gyroscope_data};
 use calib::intervals::{Detector, segment};
-use calib::methods::choose_multiplier;
+use calib::methods::{
+    AccelerometerRequest, GyroscopeRequest, choose_multiplier, fit_accelerometer, fit_gyroscope,
+    static_means,
+};
 use calib::recording::{ReadOptions, Recording, to_csv};
+use calib::residuals::Integrator;
 use calib::simulate::{HandHeld, Motion, Session, Spec};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
@@ -46,6 +50,27 @@ fn stages(criterion: &mut Criterion) {
     group.bench_function("choose multiplier", |b| {
         b.iter(|| choose_multiplier(&recordings[0], &detector, gravity));
     });
+    if let Ok(choice) = choose_multiplier(&recordings[0], &detector, gravity) {
+        let segmentation = &choice.segmentation;
+        let force = AccelerometerRequest {
+            recordings: vec![static_means(&recordings[0], segmentation)],
+            names: vec![recordings[0].name.clone()],
+            model: accelerometer::model(),
+            gravity,
+        };
+        group.bench_function("accelerometer fit", |b| {
+            b.iter(|| fit_accelerometer(&force));
+        });
+        if let Ok(fit) = fit_accelerometer(&force) {
+            let data = gyroscope_data(&recordings[0], segmentation, &fit, &request);
+            let rate = GyroscopeRequest {
+                recordings: vec![data],
+                model: gyroscope::model(),
+                integrator: Integrator::Exponential,
+            };
+            group.bench_function("gyroscope fit", |b| b.iter(|| fit_gyroscope(&rate)));
+        }
+    }
     group.bench_function("calibrate", |b| {
         b.iter(|| calibrate(&recordings, &[], &request))
     });

@@ -2,3 +2,5 @@
 
 pub mod nist_study;
 pub mod problem_study;
+pub mod stages;
+pub mod turns;

@@ -16,6 +16,7 @@ pub mod effect_file;
 mod error;
 mod evaluate;
 pub mod intervals;
+pub mod kernel;
 pub mod methods;
 pub mod noise;
 pub mod reckon;

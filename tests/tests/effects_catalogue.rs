@@ -322,3 +322,29 @@ fn the_second_derivative_of_a_corrected_reading_is_right() {
         }
     }
 }
+
+#[test]
+fn an_effect_that_calls_itself_linear_is_and_does_not_see_its_own_signal() {
+    let linear = catalogue().into_iter().filter(|effect| effect.is_linear());
+    let mut tried = 0;
+    for (effect, seed) in linear.flat_map(|effect| (0..4).map(move |seed| (effect, seed))) {
+        let truth = instant(seed);
+        let other_signal = truth.with_signal(effect.sensor(), Vector3::new(0.3, -2.0, 5.0));
+        let (p, q) = (
+            coefficients(effect, 1.0, seed),
+            coefficients(effect, 3.0, seed + 40),
+        );
+        let sum: Vec<f64> = p.iter().zip(&q).map(|(p, q)| 2.0 * p + q).collect();
+        let parts = effect.error_f64(&truth, &p) * 2.0 + effect.error_f64(&truth, &q);
+        let error = effect.error_f64(&truth, &sum) - parts;
+        assert!(error.norm() <= 1e-14 * parts.norm(), "{}", effect.name());
+        assert_eq!(
+            effect.error_f64(&truth, &p),
+            effect.error_f64(&other_signal, &p),
+            "{}",
+            effect.name()
+        );
+        tried += 1;
+    }
+    assert!(tried > 40);
+}

@@ -12,15 +12,15 @@ mod same_device;
 pub use means_file::read_static_means;
 
 use nalgebra::Vector3;
-use sensor::AnyEffect;
+use sensor::{AnyEffect, Model};
 
 use crate::calibration::Calibration;
 use crate::error::Error;
 use crate::intervals::{Detector, Segmentation, Span};
 use crate::methods::joint::JointFit;
 use crate::methods::{
-    self, AccelerometerFit, AccelerometerRequest, Choice, GyroscopeFit, GyroscopeRequest,
-    fit_accelerometer, fit_gyroscope, static_means,
+    self, AccelerometerFit, AccelerometerRequest, Choice, GyroscopeData, GyroscopeFit,
+    GyroscopeRequest, fit_accelerometer, fit_gyroscope, static_means,
 };
 use crate::recording::Recording;
 use crate::residuals::Integrator;
@@ -279,10 +279,7 @@ fn gyroscope(
         }
         return Ok(None);
     }
-    let mut model = gyroscope::model();
-    for effect in &request.effects {
-        model = model.with(*effect);
-    }
+    let model = gyroscope_model(request);
     let mut data = Vec::new();
     for (k, (recording, segmentation)) in turning.iter().enumerate() {
         if recording.gyroscope.is_none() || recording.accelerometer.is_none() {
@@ -310,4 +307,28 @@ fn gyroscope(
     let fit = fit_gyroscope(&request)?;
     checks::gyroscope_is_determined(&checks::RateEvidence::of(&fit), warnings)?;
     Ok(Some(fit))
+}
+
+/// The sound turns and the rests of a recording as the gyroscope's fit takes them, with the directions
+/// of gravity by `accelerometer`.
+pub fn gyroscope_data(
+    recording: &Recording,
+    segmentation: &Segmentation,
+    accelerometer: &AccelerometerFit,
+    request: &Request,
+) -> GyroscopeData {
+    let of = gyro_data::Source {
+        recording,
+        segmentation,
+        place: None,
+        accelerometer,
+        request,
+    };
+    gyro_data::collect(&of, &gyroscope_model(request), &mut Vec::new())
+}
+
+/// The gyroscope's base model with its effects.
+fn gyroscope_model(request: &Request) -> Model {
+    let effects = request.effects.iter();
+    effects.fold(gyroscope::model(), |model, effect| model.with(*effect))
 }

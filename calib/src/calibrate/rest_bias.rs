@@ -24,6 +24,7 @@ pub(super) fn rest_bias(
     let stream = recording.gyroscope.as_ref()?;
     let first = rests.first()?;
     let mean = rests.iter().map(|m| m.mean).sum::<Vector3<f64>>() / rests.len() as f64;
+    let least = stream.least_steps();
     let std = [0, 1, 2].map(|axis| {
         let between = if rests.len() > 1 {
             let deviations: Vec<f64> = rests.iter().map(|m| m.mean[axis] - mean[axis]).collect();
@@ -31,7 +32,7 @@ pub(super) fn rest_bias(
         } else {
             first.covariance[(axis, axis)] / first.count as f64
         };
-        let floor = stream.least_step(axis) / 12f64.sqrt();
+        let floor = least[axis] / 12f64.sqrt();
         let quantised = first.std()[axis] < floor;
         let floor = if quantised { floor } else { 0.0 };
         Some(between.sqrt().max(floor))

@@ -17,10 +17,12 @@ pub enum Channel {
     StaticRate,
     /// Direction of gravity carried through the turns.
     Direction,
+    /// Specific force while the device turns.
+    MovingForce,
 }
 
 impl Channel {
-    /// All, in the order of the rows.
+    /// Those that the joint fit compares, in the order of its rows.
     pub const ALL: [Self; 3] = [Self::StaticNorm, Self::StaticRate, Self::Direction];
 
     /// In words.
@@ -29,6 +31,7 @@ impl Channel {
             Self::StaticNorm => "modulus of specific force at rest",
             Self::StaticRate => "rate at rest",
             Self::Direction => "gravity direction through turns",
+            Self::MovingForce => "specific force while turning",
         }
     }
 }

@@ -5,7 +5,9 @@ use crate::calibration::{Calibration, EffectParameter, EffectValues};
 use crate::error::Error;
 use crate::recording::Recording;
 
-use super::channel::{Sequence, channel_of};
+use sensor::AnyEffect;
+
+use super::channel::{Channel, Sequence, channel_of};
 use super::enough::{enough_rests, enough_to_compare};
 use super::family::{Claim, families};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
@@ -16,8 +18,12 @@ use super::rank::Ranked;
 use super::request::{Request, Session};
 use super::search::{Name, Search, search};
 use super::state::State;
+use super::time_offset::{Delay, delay};
 use super::unexplained::unexplained;
 use super::visible::{NEVER_VISIBLE, told_apart_by};
+
+/// The effect that the moving accelerometer shows.
+const LATE: &str = "time_offset";
 
 /// The findings with the models behind them, for pictures.
 #[derive(Clone, Debug)]
@@ -49,13 +55,22 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery
     } else {
         unexplained(&mut search, 0.5 * request.alpha)
     };
-    let calibration = calibration(&session, &search.last, request)?;
-    let effects: Vec<EffectFinding> = search
+    let late = (!quantised).then(|| late(&search.last, request)).flatten();
+    if let Some((effect, late)) = late {
+        let mut extension = search.last.extension.clone();
+        extension.effects.push((effect, Some((0, late.delay))));
+        search.last = State::fit(&session, extension)?;
+    }
+    let mut calibration = calibration(&session, &search.last, request)?;
+    let mut effects: Vec<EffectFinding> = search
         .names
         .iter()
         .filter(|name| matches!(name.claim, Claim::Effect(_)))
         .map(|name| finding(name, &search.last, &calibration))
         .collect();
+    if let Some((_, late)) = late {
+        effects.push(late_finding(&late, request, &mut calibration));
+    }
     faults.extend(disturbed(&search.last));
     let named = !effects.is_empty() || !faults.is_empty();
     let verdict = match (named, rest.is_some()) {
@@ -131,6 +146,45 @@ fn finding(name: &Name, last: &State, calibration: &Calibration) -> EffectFindin
     }
 }
 
+/// The effect of late stamps, where the moving accelerometer shows it.
+fn late(state: &State, request: &Request) -> Option<(&'static dyn AnyEffect, Delay)> {
+    let candidates = request.candidates();
+    let effect = candidates.iter().find(|e| e.name() == LATE)?;
+    let found = delay(state)?;
+    (late_evidence(&found, candidates.len()) > -(0.5 * request.alpha).ln())
+        .then_some((*effect, found))
+}
+
+fn late_evidence(found: &Delay, candidates: usize) -> f64 {
+    -found.log_p - (2.0 * candidates as f64).ln()
+}
+
+fn late_finding(found: &Delay, request: &Request, calibration: &mut Calibration) -> EffectFinding {
+    for effect in calibration.effects.iter_mut().filter(|e| e.name == LATE) {
+        for p in &mut effect.parameters {
+            p.std = Some(found.std);
+        }
+    }
+    EffectFinding {
+        name: LATE.into(),
+        statistic: found.statistic,
+        dof: 1.0,
+        p_value: found.log_p.exp(),
+        adjusted_p_value: (-late_evidence(found, request.candidates().len()))
+            .exp()
+            .min(1.0),
+        indistinguishable_from: Vec::new(),
+        shared: Vec::new(),
+        told_apart_by: None,
+        parameters: parameters_of(LATE, calibration),
+        channel: Channel::MovingForce,
+        gap_before: found.gap_before,
+        gap_after: 1.0,
+        held_out_gap_before: found.held_out_gap_before,
+        held_out_gap_after: found.held_out_gap_after,
+    }
+}
+
 fn adjusted(ranked: &Ranked) -> f64 {
     (-ranked.evidence).exp().min(1.0)
 }
@@ -155,7 +209,7 @@ fn ranked_claim(claim: &Claim, ranked: &Ranked) -> RankedClaim {
 }
 
 fn not_observable(base: &State, request: &Request) -> Vec<String> {
-    let families = families(base, &request.catalogue);
+    let families = families(base, &request.candidates());
     let Some(whitened) = base.projected.at([0.0; 2]) else {
         return Vec::new();
     };

@@ -65,12 +65,14 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
                 sensor,
                 stream,
             };
-            all.extend(place.saturation());
-            all.extend(
-                noise
-                    .as_ref()
-                    .and_then(|noise| place.quantisation(noise, scale)),
-            );
+            let coarse = noise
+                .as_ref()
+                .and_then(|noise| place.quantisation(noise, scale));
+            // Coarse readings repeat at their extremes too.
+            if coarse.is_none() {
+                all.extend(place.saturation());
+            }
+            all.extend(coarse);
             all.extend(place.lost_samples());
         }
     }

@@ -101,6 +101,8 @@ fn of_effect(name: &Name, finding: &EffectFinding, last: &State) -> Vec<Picture>
                 Channel::StaticNorm => of_modulus(without, &rows, goes_with),
                 Channel::StaticRate => of_rate(without, &rows, goes_with),
                 Channel::Direction => of_turns(without, &rows),
+                // The joint fit has no rows of it.
+                Channel::MovingForce => Vec::new(),
             },
         })
         .collect()

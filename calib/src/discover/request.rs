@@ -9,6 +9,10 @@ use crate::intervals::Detector;
 use crate::methods::joint::JointRequest;
 use crate::methods::{Choice, cut};
 use crate::recording::Recording;
+use crate::simulate::EARTH_RATE;
+
+/// Name of the effect that is the earth's rotation.
+const EARTH: &str = "earth_rate";
 
 /// How to look for what is missing.
 #[derive(Clone, Debug)]
@@ -20,6 +24,8 @@ pub struct Request {
     pub alpha: f64,
     /// Random walk densities of the biases, where they are known (m/s²/√s, rad/s/√s).
     pub walks: Option<Walks>,
+    /// Latitude, degrees north: the earth's rotation is then part of the base model.
+    pub latitude: Option<f64>,
     /// The detector of motion.
     pub detector: Detector,
     /// Whether the detector's multiplier is chosen by what the accelerometer's fit leaves.
@@ -29,12 +35,21 @@ pub struct Request {
 }
 
 impl Request {
+    /// The effects that may be missing from the base model.
+    pub fn candidates(&self) -> Vec<&'static dyn AnyEffect> {
+        let known = |name: &str| self.latitude.is_some() && name == EARTH;
+        let mut all = self.catalogue.clone();
+        all.retain(|effect| !known(effect.name()));
+        all
+    }
+
     /// One in a hundred, densities unknown, the whole catalogue.
     pub fn new(gravity: f64) -> Self {
         Self {
             gravity,
             alpha: 0.01,
             walks: None,
+            latitude: None,
             detector: Detector::default(),
             choose_multiplier: true,
             catalogue: accelerometer::EFFECTS
@@ -46,6 +61,12 @@ impl Request {
     }
 }
 
+/// The effect that is the earth's rotation.
+fn earth_rate() -> Option<&'static dyn AnyEffect> {
+    let found = gyroscope::EFFECTS.iter().find(|e| e.name() == EARTH);
+    found.copied()
+}
+
 /// Recordings of one device, cut, with all that stays the same while models change.
 #[derive(Clone, Debug)]
 pub struct Session<'a> {
@@ -55,6 +76,8 @@ pub struct Session<'a> {
     pub gravity: f64,
     /// Random walk densities where they are known.
     pub walks: Option<Walks>,
+    /// Latitude, degrees north.
+    pub latitude: Option<f64>,
 }
 
 impl<'a> Session<'a> {
@@ -79,6 +102,7 @@ impl<'a> Session<'a> {
             recordings,
             gravity: request.gravity,
             walks: request.walks,
+            latitude: request.latitude,
         })
     }
 
@@ -86,6 +110,11 @@ impl<'a> Session<'a> {
     pub fn joint<'b>(&'b self, extension: &Extension) -> JointRequest<'b> {
         let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
         let mut held = Vec::new();
+        if let (Some(latitude), Some(earth)) = (self.latitude, earth_rate()) {
+            gyroscope = gyroscope.with(earth);
+            let vertical = EARTH_RATE * latitude.to_radians().sin();
+            held.push((format!("{}.z", earth.name()), vertical));
+        }
         for (effect, shape) in &extension.effects {
             accelerometer = accelerometer.with(*effect);
             gyroscope = gyroscope.with(*effect);

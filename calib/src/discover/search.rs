@@ -20,6 +20,9 @@ pub const APART: f64 = 2.995_732_273_553_991;
 /// A temperature effect of second order must gain this over that of first order, in `χ²₃`.
 const HIGHER_ORDER: f64 = 0.99;
 
+/// A rotation whose length differs from the earth's by more than so many standard errors is not it.
+const EARTH_LENGTH: f64 = 3.5;
+
 /// Families whose pairs are tried.
 const PAIRED: usize = 10;
 
@@ -88,9 +91,10 @@ struct Held {
 /// # Errors
 /// As the joint fit.
 pub fn search(session: &Session<'_>, request: &Request, base: State) -> Result<Search, Error> {
+    let candidates = request.candidates();
     let finder = Finder {
         session,
-        catalogue: &request.catalogue,
+        catalogue: &candidates,
         threshold: -(0.5 * request.alpha).ln(),
     };
     finder.run(base)
@@ -165,7 +169,8 @@ impl Finder<'_> {
     fn ranked(&self, state: &State) -> (Vec<Family>, Vec<Ranked>) {
         let families = families(state, self.catalogue);
         let given = self.session.walks.is_some();
-        let ranked = rank(&state.projected, &families, state.walks, given);
+        let mut ranked = rank(&state.projected, &families, state.walks, given);
+        ranked.retain(|r| !turns_otherwise(&families[r.family], r));
         (families, ranked)
     }
 
@@ -336,6 +341,19 @@ impl Finder<'_> {
             ];
         }
     }
+}
+
+/// Whether what would be the earth's rotation has not its length.
+fn turns_otherwise(family: &Family, ranked: &Ranked) -> bool {
+    if family.claim.name() != "earth_rate" {
+        return false;
+    }
+    // The typical size of the effect is the earth's rate: its length is 1.
+    let rate = nalgebra::DVector::from_column_slice(&ranked.score.change);
+    let length = rate.norm();
+    let variance =
+        (rate.transpose() * &ranked.score.covariance * &rate)[(0, 0)] / (length * length);
+    (length - 1.0).abs() > EARTH_LENGTH * variance.sqrt()
 }
 
 enum Verdict {

@@ -18,6 +18,9 @@ const COSINES: usize = 6;
 /// Periods tried at most; a period shorter than two rests is not seen in their means.
 const PERIODS: usize = 80;
 
+/// Full periods that a recording must hold: of fewer, a walk looks the same.
+const LEAST_PERIODS: f64 = 2.0;
+
 /// Time constants of a relaxation after a turn, s.
 const RELAXATIONS: [f64; 3] = [1.0, 3.0, 10.0];
 
@@ -274,10 +277,10 @@ impl<'a> Scene<'a> {
         on_every_axis(&factors, out);
     }
 
-    /// Frequencies from one period to one per two rests, a third of the resolution apart.
+    /// Frequencies from two periods to one per rest, two thirds of the resolution apart.
     fn periods(&self) -> Vec<Way<'_>> {
         let rests = self.state.fit.data.rests.len() as f64;
-        let (lowest, highest) = (1.0 / self.length(), rests / self.length());
+        let (lowest, highest) = (LEAST_PERIODS / self.length(), rests / self.length());
         let count = ((highest - lowest) * self.length() * 1.5) as usize;
         (0..=count.min(PERIODS))
             .map(|k| -> Way<'_> {

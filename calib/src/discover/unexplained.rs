@@ -5,9 +5,10 @@ use sensor::Sensor;
 use serde::Serialize;
 
 use super::channel::{Channel, Sequence};
-use super::family::Claim;
+use super::family::{Claim, Family};
 use super::projected::Walks;
 use super::rank::{Ranked, rank};
+use super::scatter::scatters;
 use super::score::log_tail;
 use super::search::{APART, Search};
 use super::shape::{Shape, shapes};
@@ -58,8 +59,8 @@ pub fn unexplained(search: &mut Search, alpha: f64) -> Option<Unexplained> {
     if named_effect {
         let base = &search.base;
         let shapes = shapes(base);
-        let best = rank(&base.projected, &shapes, base.walks, true);
-        if best.first().is_some_and(|b| b.evidence > effects + APART) {
+        let best = ranked(base, &shapes);
+        if best.iter().any(|(_, b)| b.evidence > effects + APART) {
             found = rest_of(base, alpha)?;
             found.instead_of = search.names.iter().map(|n| n.claim.name().into()).collect();
             search.names.clear();
@@ -92,11 +93,10 @@ fn rest_of(state: &State, alpha: f64) -> Option<Unexplained> {
 }
 
 fn trials(state: &State) -> Option<Vec<Trial>> {
-    // At the likeliest walk: a shape with many coefficients could stand for any walk.
     let shapes = shapes(state);
-    let mut trials: Vec<Trial> = rank(&state.projected, &shapes, state.walks, true)
+    let mut trials: Vec<Trial> = ranked(state, &shapes)
         .iter()
-        .map(|ranked| of_shape(&shapes[ranked.family], ranked))
+        .map(|(family, ranked)| of_shape(family, ranked))
         .collect();
     let whitened = state.projected.at(state.walks)?;
     trials.push(Trial {
@@ -105,6 +105,17 @@ fn trials(state: &State) -> Option<Vec<Trial>> {
         channel: None,
         period: None,
     });
+    trials.extend(scatters(state, &whitened).into_iter().map(|s| Trial {
+        log_p: s.log_p,
+        words: format!(
+            "{}: the bias of axis {} wanders from rest to rest, with a memory of about {:.0} s",
+            word(s.sensor),
+            ["x", "y", "z"][s.axis],
+            s.memory
+        ),
+        channel: None,
+        period: None,
+    }));
     let misfits = Sequence::of(state, state.walks).misfits(state);
     for (channel, misfit) in Channel::ALL.into_iter().zip(misfits) {
         trials.push(Trial {
@@ -126,7 +137,20 @@ fn trials(state: &State) -> Option<Vec<Trial>> {
     Some(trials)
 }
 
-fn of_shape(family: &super::family::Family, ranked: &Ranked) -> Trial {
+/// The evidence for shapes. Slow changes are judged at the likeliest walk: with many coefficients they could
+/// stand for any walk.
+fn ranked<'a>(state: &State, shapes: &'a [Family]) -> Vec<(&'a Family, Ranked)> {
+    let slow = |f: &Family| matches!(f.claim, Claim::Shape(Shape::SlowTime, _));
+    let of = |walks_given: bool| {
+        rank(&state.projected, shapes, state.walks, walks_given)
+            .into_iter()
+            .map(|r| (&shapes[r.family], r))
+            .filter(move |(f, _)| slow(f) == walks_given)
+    };
+    of(true).chain(of(false)).collect()
+}
+
+fn of_shape(family: &Family, ranked: &Ranked) -> Trial {
     let (shape, sensor) = match family.claim {
         Claim::Shape(shape, sensor) => (Some(shape), sensor),
         ref other => (None, other.sensor()),
@@ -190,7 +214,7 @@ fn slopes(state: &State, sensor: Sensor, walks: Walks) -> (f64, f64) {
 }
 
 fn slope_chi2(mean: &Mean, noise: &SensorNoise, walk: f64) -> f64 {
-    let white: Vector3<f64> = noise.variance_in_sum() / mean.spread;
+    let white: Vector3<f64> = noise.variance_of(mean) * (mean.count as f64 / mean.spread);
     let walked = WALK_IN_SLOPE * walk * walk / mean.span.length().max(1e-9);
     (0..3)
         .map(|i| mean.slope[i].powi(2) / (white[i] + walked))

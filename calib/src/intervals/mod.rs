@@ -1,20 +1,24 @@
 //! When the device was still and when it turned.
 //!
 //! ```text
-//! Recording ──► Detector ──► spans of motion ──► Segmentation: StaticInterval · Turn · StaticInterval …
+//! Recording ──► Survey ──► spans of motion ──► Segmentation: StaticInterval · Turn · StaticInterval …
+//!               Detector   at a multiplier
 //! ```
 
 mod detector;
 mod moments;
+mod running_sums;
 mod saturation;
 mod sections;
 mod segmentation;
 mod spans;
+mod survey;
 
 pub use detector::{Detector, Level};
 pub use moments::Moments;
 pub use saturation::Rails;
 pub use sections::read_sections;
-pub use segmentation::{Segmentation, StaticInterval, Turn, TurnFault, segment, segment_each};
+pub use segmentation::{Segmentation, StaticInterval, Turn, TurnFault};
 pub use spans::Span;
 pub(crate) use spans::{complement, union};
+pub use survey::{Survey, segment};

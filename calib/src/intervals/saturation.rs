@@ -16,25 +16,24 @@ pub struct Rails {
 impl Rails {
     /// Looks for a flat top or bottom of each axis.
     pub fn of(values: &[Vector3<f64>]) -> Self {
-        let axis = |k: usize, sign: f64| {
-            let top = values
-                .iter()
-                .map(|v| sign * v[k])
-                .fold(f64::NEG_INFINITY, f64::max);
-            let bottom = values
-                .iter()
-                .map(|v| sign * v[k])
-                .fold(f64::INFINITY, f64::min);
-            let run = longest_run(values.iter().map(|v| sign * v[k] == top));
-            if run >= RUN_AT_RAIL && top > bottom {
-                sign * top
+        let mut ends = [[End::default(); 3]; 2];
+        for value in values {
+            for k in 0..3 {
+                ends[0][k].look_at(-value[k]);
+                ends[1][k].look_at(value[k]);
+            }
+        }
+        let [low, high] = ends;
+        let rail = |end: &End, other: &End| {
+            if end.longest >= RUN_AT_RAIL && end.top > -other.top {
+                end.top
             } else {
-                sign * f64::INFINITY
+                f64::INFINITY
             }
         };
         Self {
-            low: Vector3::from_fn(|k, _| axis(k, -1.0)),
-            high: Vector3::from_fn(|k, _| axis(k, 1.0)),
+            low: Vector3::from_fn(|k, _| -rail(&low[k], &high[k])),
+            high: Vector3::from_fn(|k, _| rail(&high[k], &low[k])),
         }
     }
 
@@ -44,13 +43,35 @@ impl Rails {
     }
 }
 
-fn longest_run(flags: impl Iterator<Item = bool>) -> usize {
-    let (mut longest, mut run) = (0, 0);
-    for flag in flags {
-        run = if flag { run + 1 } else { 0 };
-        longest = longest.max(run);
+/// The largest reading so far and the longest run of it.
+#[derive(Clone, Copy)]
+struct End {
+    top: f64,
+    run: usize,
+    longest: usize,
+}
+
+impl Default for End {
+    fn default() -> Self {
+        Self {
+            top: f64::NEG_INFINITY,
+            run: 0,
+            longest: 0,
+        }
     }
-    longest
+}
+
+impl End {
+    fn look_at(&mut self, value: f64) {
+        if value > self.top {
+            (self.top, self.run, self.longest) = (value, 1, 1);
+        } else if value == self.top {
+            self.run += 1;
+            self.longest = self.longest.max(self.run);
+        } else {
+            self.run = 0;
+        }
+    }
 }
 
 #[cfg(test)]

@@ -2,11 +2,9 @@
 
 use std::ops::Range;
 
-use super::detector::{Detector, Level, levels, motion};
 use super::moments::Moments;
 use super::saturation::Rails;
-use super::spans::{Span, static_spans, union};
-use crate::error::Error;
+use super::spans::Span;
 use crate::recording::{Recording, Stream};
 
 /// A step between gyroscope samples longer than this many median steps is a gap: the rotation in it
@@ -119,88 +117,6 @@ impl Segmentation {
             level_at_rest: [None; 2],
         }
     }
-}
-
-/// Cuts a recording into rests and turns by the detector.
-///
-/// # Errors
-/// A sensor without samples or a recording shorter than the window.
-pub fn segment(recording: &Recording, detector: &Detector) -> Result<Segmentation, Error> {
-    let levels = levels(recording, detector)?;
-    Ok(segment_at(
-        recording,
-        detector,
-        &levels,
-        detector.multiplier,
-    ))
-}
-
-/// [`segment`] for several multipliers from one measurement of the levels.
-///
-/// # Errors
-/// As [`segment`].
-pub fn segment_each(
-    recording: &Recording,
-    detector: &Detector,
-    multipliers: &[f64],
-) -> Result<Vec<Segmentation>, Error> {
-    let levels = levels(recording, detector)?;
-    Ok(multipliers
-        .iter()
-        .map(|&m| segment_at(recording, detector, &levels, m))
-        .collect())
-}
-
-fn segment_at(
-    recording: &Recording,
-    detector: &Detector,
-    levels: &[Option<Level>; 2],
-    multiplier: f64,
-) -> Segmentation {
-    let mut moving = motion(levels, multiplier);
-    moving.extend(gaps(recording));
-    let moving = union(moving);
-    let spans = static_spans(
-        common(recording),
-        &moving,
-        detector.min_dynamic,
-        detector.min_static,
-    );
-    Segmentation {
-        level_at_rest: levels
-            .each_ref()
-            .map(|level| level.as_ref().map(|l| l.at_rest)),
-        ..Segmentation::from_spans(recording, &spans, multiplier)
-    }
-}
-
-/// The interruptions of either sensor: what the device did in them is not known.
-fn gaps(recording: &Recording) -> impl Iterator<Item = Span> + '_ {
-    [&recording.accelerometer, &recording.gyroscope]
-        .into_iter()
-        .flatten()
-        .flat_map(Stream::gaps)
-        .map(|gap| Span {
-            from: gap.t0,
-            to: gap.t1,
-        })
-}
-
-/// The time in which all sensors of the recording have samples.
-fn common(recording: &Recording) -> Span {
-    [&recording.accelerometer, &recording.gyroscope]
-        .into_iter()
-        .flatten()
-        .fold(
-            Span {
-                from: f64::NEG_INFINITY,
-                to: f64::INFINITY,
-            },
-            |span, stream| Span {
-                from: stream.t.first().map_or(span.from, |&t| span.from.max(t)),
-                to: stream.t.last().map_or(span.to, |&t| span.to.min(t)),
-            },
-        )
 }
 
 fn static_interval(recording: &Recording, span: Span) -> StaticInterval {

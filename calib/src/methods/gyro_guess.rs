@@ -4,8 +4,11 @@
 use nalgebra::{Matrix3, Vector3};
 use sensor::{Base, Model, Sensor};
 
+use solver::Problem;
+
 use super::first_guess::RawUnit;
-use crate::residuals::{Integrator, TurnData};
+use crate::kernel::TurnProblem;
+use crate::residuals::{Integrator, PropagatedGravity, TurnData};
 
 /// Turns foretold this well, rms of the chord, need no other unit or axes.
 const FORETOLD: f64 = 0.5;
@@ -41,30 +44,28 @@ pub fn gyroscope_guess(turns: &[TurnData]) -> GyroGuess {
         axes,
     };
     let longest = turns.iter().map(travel).fold(0.0, f64::max);
-    if longest <= 0.0 || misfit(turns, 1.0, &named) < FORETOLD {
+    let model = Model::base(Sensor::Gyroscope);
+    let all = plain(&model, turns);
+    if longest <= 0.0 || misfit(&all, 1.0, &named) < FORETOLD {
         return guess(1.0, named);
     }
     let all_axes = signed_permutations();
-    let mounted = least(
-        all_axes
-            .iter()
-            .map(|axes| (misfit(turns, 1.0, axes), *axes)),
-    );
+    let mounted = least(all_axes.iter().map(|axes| (misfit(&all, 1.0, axes), *axes)));
     if let Some((_, axes)) = mounted.filter(|(value, _)| *value < FORETOLD) {
         return guess(1.0, axes);
     }
     let fine = scales(longest, SCALE_STEP);
-    let few = &turns[..turns.len().min(FEW_TURNS)];
-    let scaled = least(promising(few, &fine).map(|s| (misfit(turns, s, &named), s)));
+    let few = plain(&model, &turns[..turns.len().min(FEW_TURNS)]);
+    let scaled = least(promising(&few, &fine).map(|s| (misfit(&all, s, &named), s)));
     if let Some((_, scale)) = scaled.filter(|(value, _)| *value < FORETOLD) {
         return guess(scale, named);
     }
     let coarse = scales(longest, COARSE_STEP);
     let both = all_axes.iter().flat_map(|axes| {
-        let tried = coarse.iter();
+        let (tried, few) = (coarse.iter(), &few);
         tried.map(move |&s| (misfit(few, s, axes), (s, *axes)))
     });
-    let both = least(both).map(|(_, (scale, axes))| (misfit(turns, scale, &axes), scale, axes));
+    let both = least(both).map(|(_, (scale, axes))| (misfit(&all, scale, &axes), scale, axes));
     match (both, scaled) {
         (Some((value, scale, axes)), Some((plain, _))) if value < 0.5 * plain => guess(scale, axes),
         (_, Some((_, scale))) => guess(scale, named),
@@ -73,7 +74,7 @@ pub fn gyroscope_guess(turns: &[TurnData]) -> GyroGuess {
 }
 
 /// The scales at which few turns carry gravity best, with the axes as they are named.
-fn promising(few: &[TurnData], scales: &[f64]) -> impl Iterator<Item = f64> {
+fn promising(few: &TurnProblem<'_>, scales: &[f64]) -> impl Iterator<Item = f64> {
     let named = Matrix3::identity();
     let mut tried: Vec<(f64, f64)> = scales
         .iter()
@@ -88,20 +89,41 @@ fn least<T>(tried: impl Iterator<Item = (f64, T)>) -> Option<(f64, T)> {
     tried.min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
+/// Turns as the base model sees them.
+fn plain<'a>(model: &'a Model, turns: &'a [TurnData]) -> TurnProblem<'a> {
+    TurnProblem::new(PropagatedGravity {
+        model,
+        turns,
+        integrator: Integrator::Exponential,
+        sigma: 1.0,
+    })
+}
+
 /// Root mean square chord by which the turns miss gravity.
-fn misfit(turns: &[TurnData], scale: f64, axes: &Matrix3<f64>) -> f64 {
-    let model = Model::base(Sensor::Gyroscope);
+fn misfit(turns: &TurnProblem<'_>, scale: f64, axes: &Matrix3<f64>) -> f64 {
     let base = Base {
         t: axes * scale,
         bias: Vector3::zeros(),
     };
-    let p = base.parameters();
-    let square: f64 = turns
-        .iter()
-        .map(|turn| turn.propagated(&model, Integrator::Exponential, &p[..]) - turn.after)
-        .map(|miss| miss.norm_squared())
-        .sum();
-    (square / turns.len() as f64).sqrt()
+    let mut rows = Vec::new();
+    turns.values(&base.parameters(), &mut rows);
+    let square: f64 = rows.iter().map(|r| r * r).sum();
+    (square * 3.0 / rows.len() as f64).sqrt()
+}
+
+/// The length by which each turn misses gravity for a perfect sensor of a scale.
+pub(super) fn perfect_chords(turns: &[TurnData], scale: f64) -> Vec<f64> {
+    let model = Model::base(Sensor::Gyroscope);
+    let base = Base {
+        t: Matrix3::identity() * scale,
+        bias: Vector3::zeros(),
+    };
+    let mut rows = Vec::new();
+    plain(&model, turns).values(&base.parameters(), &mut rows);
+    let chords = rows.chunks_exact(3);
+    chords
+        .map(|r| Vector3::new(r[0], r[1], r[2]).norm())
+        .collect()
 }
 
 /// The scales at which the longest turn covers [`TURN_ANGLES`].

@@ -1,14 +1,17 @@
 //! The gyroscope by propagated gravity (Liu et al. 2021, section 2.2).
 
 use nalgebra::Vector3;
-use sensor::{BASE_PARAMETERS, Base, Model, ModelScalar};
-use solver::{Options, Parameters, Report, Residual, solve};
+use sensor::{Base, Model};
+use solver::{Options, Parameters, Report, solve};
 
 use super::first_guess::RawUnit;
 use super::fitted::Fitted;
-use super::gyro_guess::{GyroGuess, gyroscope_guess};
+use super::gyro_guess::{GyroGuess, gyroscope_guess, perfect_chords};
 use crate::error::Error;
-use crate::residuals::{Integrator, OwnBias, PropagatedGravity, StaticMean, StaticRate, TurnData};
+use crate::kernel::TurnProblem;
+use crate::residuals::{
+    Integrator, OwnBias, PropagatedGravity, Recordings, Stacked, StaticMean, StaticRate, TurnData,
+};
 
 /// Rounds in which the two kinds of rows are weighted by what the fit before left of them.
 const WEIGHT_ROUNDS: usize = 6;
@@ -84,7 +87,7 @@ pub fn fit_gyroscope(request: &GyroscopeRequest) -> Result<GyroscopeFit, Error> 
         ));
     }
     let guess = gyroscope_guess(&all);
-    let before = perfect_chords(&all, &guess.unit);
+    let before = perfect_chords(&all, guess.unit.scale);
     if request.model.effects().is_empty() {
         published(request, &scaled(&unbiased, &guess.unit), &guess, before)
     } else {
@@ -110,12 +113,12 @@ fn published(
     chords_before: Vec<f64>,
 ) -> Result<GyroscopeFit, Error> {
     let turns = turns.concat();
-    let problem = PropagatedGravity {
+    let problem = TurnProblem::new(PropagatedGravity {
         model: &request.model,
         turns: &turns,
         integrator: request.integrator,
         sigma: 1.0,
-    };
+    });
     let unit = guess.unit;
     let start = mounted(request.model.parameters(), guess);
     let mask = start.free_where(|name| !name.contains(".b_"));
@@ -158,31 +161,15 @@ fn with_effects(
     let shared = request.model.parameters().len();
     let names: Vec<String> = request.recordings.iter().map(|r| r.name.clone()).collect();
     let (mut sigma_turn, mut sigma_rest) = (5e-3, 1e-4);
+    let mut problem = turns_and_rests(request, &near_si);
     let mut result = None;
     for _ in 0..WEIGHT_ROUNDS {
-        let parts = near_si
-            .iter()
-            .map(|(turns, statics)| TurnsAndRests {
-                turns: PropagatedGravity {
-                    model: &request.model,
-                    turns,
-                    integrator: request.integrator,
-                    sigma: sigma_turn,
-                },
-                rests: StaticRate {
-                    model: &request.model,
-                    means: statics,
-                    sigma: sigma_rest,
-                },
-            })
-            .collect();
-        let problem = OwnBias {
-            parts,
-            shared,
-            own_bias: true,
-        };
+        for part in &mut problem.0.parts {
+            part.first.weigh(sigma_turn);
+            part.second.sigma = sigma_rest;
+        }
         let model = mounted(request.model.parameters(), guess);
-        let start = problem.parameters(&model, &names);
+        let start = problem.0.parameters(&model, &names);
         let mask = start.free_where(|_| true);
         let report = solve(&problem, &start, &mask, &Options::default())?;
         let (turns, rests) = split_rows(&near_si, &report.residuals);
@@ -213,18 +200,29 @@ fn with_effects(
     })
 }
 
-/// Turns and rests of one recording as one residual.
-#[derive(Clone, Copy, Debug)]
-struct TurnsAndRests<'a> {
-    turns: PropagatedGravity<'a>,
-    rests: StaticRate<'a>,
-}
-
-impl<D: ModelScalar> Residual<D> for TurnsAndRests<'_> {
-    fn residuals(&self, x: &[D], out: &mut Vec<D>) {
-        self.turns.residuals(x, out);
-        self.rests.residuals(x, out);
-    }
+/// Turns and rests of all recordings, each with a bias of its own.
+fn turns_and_rests<'a>(
+    request: &'a GyroscopeRequest,
+    near_si: &'a [(Vec<TurnData>, Vec<StaticMean>)],
+) -> Recordings<Stacked<TurnProblem<'a>, StaticRate<'a>>> {
+    let part = |(turns, means): &'a (Vec<TurnData>, Vec<StaticMean>)| Stacked {
+        first: TurnProblem::new(PropagatedGravity {
+            model: &request.model,
+            turns,
+            integrator: request.integrator,
+            sigma: 1.0,
+        }),
+        second: StaticRate {
+            model: &request.model,
+            means,
+            sigma: 1.0,
+        },
+    };
+    Recordings(OwnBias {
+        parts: near_si.iter().map(part).collect(),
+        shared: request.model.parameters().len(),
+        own_bias: true,
+    })
 }
 
 /// The rows of the turns and those of the rests, of all recordings.
@@ -254,20 +252,6 @@ fn direction_scatter(report: &Report, turns: usize) -> f64 {
 fn chords(rows: &[f64]) -> Vec<f64> {
     rows.chunks_exact(3)
         .map(|r| (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]).sqrt())
-        .collect()
-}
-
-/// The chords of a sensor with unit scales and no misalignment.
-fn perfect_chords(turns: &[TurnData], unit: &RawUnit) -> Vec<f64> {
-    let model = Model::base(sensor::Sensor::Gyroscope);
-    let mut p = sensor::Base::identity().parameters();
-    p[..3].fill(unit.scale);
-    turns
-        .iter()
-        .map(|turn| {
-            let u = turn.propagated(&model, Integrator::Exponential, &p[..BASE_PARAMETERS]);
-            (u - turn.after).norm()
-        })
         .collect()
 }
 

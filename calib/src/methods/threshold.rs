@@ -2,15 +2,15 @@
 //! section 3.2), per degree of freedom.
 
 use nalgebra::Vector3;
+use rayon::prelude::*;
 use sensor::{Kinematics, Model};
 use serde::Serialize;
 use solver::{Options, Problem, Report, solve};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::first_guess::accelerometer_unit;
-use super::static_means;
 use crate::error::Error;
-use crate::intervals::{Detector, Segmentation, segment_each};
+use crate::intervals::{Detector, Segmentation, Span, Survey};
 use crate::recording::Recording;
 use crate::residuals::{GravityNorm, StaticMean};
 
@@ -62,14 +62,12 @@ pub fn choose_multiplier(
     detector: &Detector,
     gravity: f64,
 ) -> Result<Choice, Error> {
-    let mut tried = segment_each(recording, detector, &MULTIPLIERS)?;
-    let trials: Vec<Trial> = tried.iter().map(|s| trial(recording, s, gravity)).collect();
-    let chosen = match plateau(&trials) {
-        Some(k) => tried.swap_remove(k),
-        None => crate::intervals::segment(recording, detector)?,
-    };
+    let survey = Survey::of(recording, detector)?;
+    let rests: Vec<Vec<Span>> = MULTIPLIERS.iter().map(|&m| survey.rests(m)).collect();
+    let trials = trials(&survey, &rests, gravity);
+    let chosen = plateau(&trials).map_or(detector.multiplier, |k| MULTIPLIERS[k]);
     Ok(Choice {
-        segmentation: chosen,
+        segmentation: survey.segment(chosen),
         trials,
     })
 }
@@ -93,13 +91,41 @@ pub fn cut(
     })
 }
 
-fn trial(recording: &Recording, segmentation: &Segmentation, gravity: f64) -> Trial {
-    let scatter = residual(&static_means(recording, segmentation), gravity);
+/// The trials at all multipliers; those that find the same rests share a fit.
+fn trials(survey: &Survey<'_>, rests: &[Vec<Span>], gravity: f64) -> Vec<Trial> {
+    let runs: Vec<&[Vec<Span>]> = rests.chunk_by(|a, b| a == b).collect();
+    let tried = runs.par_iter().map(|run| trial(survey, &run[0], gravity));
+    let tried: Vec<Trial> = tried.collect();
+    let each = runs.iter().zip(tried);
+    let repeated = each.flat_map(|(run, trial)| std::iter::repeat_n(trial, run.len()));
+    repeated
+        .zip(MULTIPLIERS)
+        .map(|(trial, multiplier)| Trial {
+            multiplier,
+            ..trial
+        })
+        .collect()
+}
+
+/// A fit to given rests, whatever the multiplier.
+fn trial(survey: &Survey<'_>, rests: &[Span], gravity: f64) -> Trial {
+    let means = rests.iter().filter_map(|&rest| survey.mean_force(rest));
+    let means: Vec<StaticMean> = means.map(bare_mean).collect();
+    let scatter = residual(&means, gravity);
     Trial {
-        multiplier: segmentation.multiplier,
-        static_intervals: segmentation.statics.len(),
+        multiplier: f64::NAN,
+        static_intervals: rests.len(),
         residual: scatter.map(|s| s.residual),
         expected_error: scatter.and_then(|s| s.expected_error()),
+    }
+}
+
+/// A mean of which nothing else is known: the base model asks for no more.
+fn bare_mean(raw: Vector3<f64>) -> StaticMean {
+    StaticMean {
+        raw,
+        rest: Kinematics::at_rest(Vector3::zeros()),
+        white: 0.0,
     }
 }
 
@@ -147,13 +173,7 @@ fn residual(means: &[StaticMean], gravity: f64) -> Option<Scatter> {
 
 /// `√ mean(j C jᵀ)` over faces, edges and corners, `j` the derivative of the modulus there.
 fn leverage(report: &Report, model: &Model, gravity: f64) -> f64 {
-    let everywhere: Vec<StaticMean> = orientations()
-        .map(|u| StaticMean {
-            raw: u * gravity,
-            rest: Kinematics::at_rest(Vector3::zeros()),
-            white: 0.0,
-        })
-        .collect();
+    let everywhere: Vec<StaticMean> = orientations().map(|u| bare_mean(u * gravity)).collect();
     let problem = GravityNorm {
         model,
         means: &everywhere,

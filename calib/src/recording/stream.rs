@@ -64,14 +64,19 @@ impl Stream {
         Some(v0 + (v1 - v0) * ((t - t0) / (t1 - t0)))
     }
 
-    /// The smallest step between neighbouring readings of an axis: the least significant bit of a
+    /// The smallest step between neighbouring readings of each axis: the least significant bit of a
     /// quantised sensor. Infinite where the axis never changes.
-    pub fn least_step(&self, axis: usize) -> f64 {
-        self.values
-            .windows(2)
-            .map(|w| (w[1][axis] - w[0][axis]).abs())
-            .filter(|step| *step > 0.0)
-            .fold(f64::INFINITY, f64::min)
+    pub fn least_steps(&self) -> [f64; 3] {
+        let mut least = [f64::INFINITY; 3];
+        for pair in self.values.windows(2) {
+            for (axis, least) in least.iter_mut().enumerate() {
+                let step = (pair[1][axis] - pair[0][axis]).abs();
+                if step > 0.0 && step < *least {
+                    *least = step;
+                }
+            }
+        }
+        least
     }
 
     /// The samples with `from <= t < to`.

@@ -45,6 +45,26 @@ impl<R> OwnBias<R> {
         }
         local
     }
+
+    /// Which of the model's parameters are free in recording `k` when those of the whole are `free`,
+    /// and the place of each in `free`.
+    pub fn local_columns(&self, k: usize, free: &[usize]) -> (Vec<usize>, Vec<usize>) {
+        let own = self.own_bias && k + 1 < self.parts.len();
+        let from = self.shared + 3 * k;
+        let local = |&index: &usize| {
+            if own && BIAS.contains(&index) {
+                None
+            } else if own && (from..from + 3).contains(&index) {
+                Some(BIAS.start + index - from)
+            } else {
+                (index < self.shared).then_some(index)
+            }
+        };
+        let places = free.iter().enumerate();
+        places
+            .filter_map(|(column, index)| Some((local(index)?, column)))
+            .unzip()
+    }
 }
 
 impl<D: ModelScalar, R: Residual<D>> Residual<D> for OwnBias<R> {

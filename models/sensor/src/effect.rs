@@ -22,6 +22,9 @@ pub trait Effect: Send + Sync + 'static {
     /// Size of a coefficient in a consumer-grade device, in its unit: what a simulation draws from. It
     /// is meant for the parameters that are 0 in a perfect sensor.
     const TYPICAL: f64;
+    /// Whether the error is `F p`: linear in the parameters, with an `F` that does not depend on this
+    /// sensor's own signal. Fits of such an effect are faster; `false` is always right.
+    const LINEAR: bool = false;
 
     /// The error at `truth`, in the unit of the sensor's signal, for parameters `p` in the order
     /// of `PARAMS`.
@@ -40,6 +43,10 @@ pub trait AnyEffect: Send + Sync {
     fn params(&self) -> &[Param];
     /// Size of a coefficient in a consumer-grade device.
     fn typical(&self) -> f64;
+    /// Whether the error is `F p` with an `F` that does not depend on the sensor's own signal.
+    fn is_linear(&self) -> bool {
+        false
+    }
     /// Size of the parameter in place `k`: its own where it has one, otherwise that of the effect.
     fn typical_of(&self, k: usize) -> f64 {
         let own = self.params().get(k).and_then(|p| p.typical);
@@ -72,6 +79,9 @@ impl<E: Effect> AnyEffect for E {
     }
     fn typical(&self) -> f64 {
         E::TYPICAL
+    }
+    fn is_linear(&self) -> bool {
+        E::LINEAR
     }
     fn error_f64(&self, truth: &Kinematics<f64>, p: &[f64]) -> Vector3<f64> {
         self.error(truth, p)

@@ -1,5 +1,7 @@
 //! What is hidden in the sessions of each row.
 
+use std::f64::consts::TAU;
+
 use calib::simulate::{
     Fault, Grade, Heading, Hidden, Pattern, Periodic, Relaxation, SizeEffect, Spec, Telegraph,
 };
@@ -15,7 +17,7 @@ const WALK: [f64; 2] = [1e-4, 5e-6];
 const TACTICAL: f64 = 0.1;
 
 /// Effects that go with orientation or rate.
-const ORIENTATION: [&str; 14] = [
+const ORIENTATION: [&str; 16] = [
     "accel_quadratic",
     "accel_cubic",
     "accel_asymmetry",
@@ -30,6 +32,8 @@ const ORIENTATION: [&str; 14] = [
     "gyro_cubic",
     "gyro_asymmetry",
     "gyro_delay",
+    "earth_rate",
+    "time_offset",
 ];
 
 /// Effects that go with time.
@@ -139,6 +143,8 @@ pub struct Job {
     pub walks: [f64; 2],
     /// Whether the analysis is told them.
     pub told: bool,
+    /// Time constant of what warms up, s.
+    tau: f64,
     random: ChaCha8Rng,
 }
 
@@ -171,6 +177,7 @@ impl Job {
             clean,
             walks,
             told: row == Row::Time60,
+            tau: 120.0,
             random,
         };
         job.hide(kind);
@@ -194,8 +201,7 @@ impl Job {
                 self.clean.vibration.get_or_insert_default();
             }
             if name.ends_with("_warmup") {
-                let tau = self.random.random_range(60.0..300.0);
-                self.clean.parameters.insert(format!("{name}.tau"), tau);
+                self.tau = self.random.random_range(60.0..300.0);
             }
         }
     }
@@ -214,7 +220,10 @@ impl Job {
         match self.row {
             Row::Clean => return None,
             Row::Orientation60 | Row::Orientation30 | Row::Time150 | Row::Time60 | Row::Pairs => {
-                spec = spec.with_effect(what, size)
+                spec = spec.with_effect(what, size);
+                if what.ends_with("_warmup") {
+                    spec.parameters.insert(format!("{what}.tau"), self.tau);
+                }
             }
             Row::Invisible => spec = spec.with_hidden(invisible(what, size)),
             Row::Outside => spec = spec.with_hidden(self.outside(what, size)),
@@ -252,7 +261,7 @@ impl Job {
                 axis,
                 amplitude,
                 period: random.random_range(25.0..120.0),
-                phase: random.random_range(0.0..6.28),
+                phase: random.random_range(0.0..TAU),
             }),
             "pattern" => Hidden::Pattern(Pattern {
                 sensor,
@@ -269,7 +278,7 @@ impl Job {
             "heading" => Hidden::Heading(Heading {
                 sensor,
                 amplitude,
-                azimuth: random.random_range(0.0..6.28),
+                azimuth: random.random_range(0.0..TAU),
             }),
             _ => Hidden::Relaxation(Relaxation {
                 sensor,

@@ -96,6 +96,10 @@ fn scaled(job: &Job, record: &mut Record) -> Result<Spec, Error> {
     for what in job.what() {
         let size = match job.row {
             Row::Invisible => 1.0,
+            // The earth turns as fast as it does; late stamps show in the moving accelerometer only.
+            _ if what == "earth_rate" || what == "time_offset" => 1.0,
+            // Two samples: lost ones move the stamps of all that follow, so that sessions cannot be compared.
+            _ if what == "lost_samples" => 0.4,
             _ => {
                 // Faults of the readout have no size.
                 let Some(unit) = job.with(&what, 1.0) else {
@@ -126,8 +130,10 @@ fn scaled(job: &Job, record: &mut Record) -> Result<Spec, Error> {
         };
         if let Some(with) = job.with(&what, size) {
             spec.effects.extend(with.effects);
+            spec.parameters.extend(with.parameters);
             spec.hidden.extend(with.hidden);
             spec.faults.extend(with.faults);
+            spec.latitude = spec.latitude.or(with.latitude);
             spec.temperature = spec.temperature.or(with.temperature);
             spec.vibration = spec.vibration.or(with.vibration);
         }

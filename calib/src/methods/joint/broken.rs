@@ -15,11 +15,10 @@ const QUIET: f64 = 2.5;
 /// Standard deviations that a window's mean rate may be off.
 const OFF: f64 = 5.0;
 
-/// Windows that shake while the gyroscope rests before something is said to have been touched.
+/// Windows that shake while the gyroscope rests, or that are quiet between two that are not, before
+/// something is said to have been touched: a hand that begins or ends a turn makes
+/// three at most.
 const LEAST: usize = 4;
-
-/// Windows that are quiet between two that are not before they count as part of a rest.
-const LEAST_QUIET: usize = 5;
 
 /// Both sensors of a recording with their noise.
 #[derive(Clone, Copy, Debug)]
@@ -47,13 +46,12 @@ pub fn touched(pair: &Pair<'_>, turn: Span, bias: &Vector3<f64>) -> Option<Span>
         to: turn.from + (k + 1) as f64 * WINDOW,
     };
     let states: Vec<State> = (0..count).map(|k| state(pair, window(k), bias)).collect();
-    let shaking = touch(&states);
-    let first = states.iter().position(|s| *s != State::Quiet)?;
-    let last = states.iter().rposition(|s| *s != State::Quiet)?;
+    let shaking = longest(&states, |s| s == State::Shakes);
+    let (first, last) = ends(&states)?;
     let inner = longest(&states[first..=last], |s| s == State::Quiet);
     let found = if shaking.len() >= LEAST {
         shaking
-    } else if inner.len() >= LEAST_QUIET {
+    } else if inner.len() >= LEAST {
         inner.start + first..inner.end + first
     } else {
         return None;
@@ -95,21 +93,13 @@ fn moments(stream: &Stream, window: Span) -> Option<(Vector3<f64>, Vector3<f64>,
     (values.len() > 2).then(|| (mean, squares / (count - 1.0), count))
 }
 
-/// The longest run that shakes and has rest on either side: a hand that begins or ends a turn shakes too,
-/// and turns right after or before.
-fn touch(states: &[State]) -> std::ops::Range<usize> {
-    let rests = |k: Option<usize>| k.and_then(|k| states.get(k)) != Some(&State::Turns);
-    let mut best = 0..0;
-    let mut from = 0;
-    for run in states.chunk_by(|a, b| a == b) {
-        let range = from..from + run.len();
-        from = range.end;
-        let alone = rests(range.start.checked_sub(1)) && rests(Some(range.end));
-        if run[0] == State::Shakes && alone && range.len() > best.len() {
-            best = range;
-        }
-    }
-    best
+/// The first and the last window of motion or shaking that lasts longer than one window; a single one is a
+/// chance reading.
+fn ends(states: &[State]) -> Option<(usize, usize)> {
+    let lasts = |pair: &[State]| pair.iter().all(|s| *s != State::Quiet);
+    let first = states.windows(2).position(lasts)?;
+    let last = states.windows(2).rposition(lasts)? + 1;
+    Some((first, last))
 }
 
 /// The longest run of states that pass.

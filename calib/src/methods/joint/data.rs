@@ -33,6 +33,8 @@ pub struct Mean {
     pub count: usize,
     /// Their mean (3).
     pub value: Vector3<f64>,
+    /// Their variance (3).
+    pub variance: Vector3<f64>,
     /// Their slope, per second (3).
     pub slope: Vector3<f64>,
     /// `Σ (t − t̄)²`, s²: the slope has the variance `σ²` over this.
@@ -334,10 +336,11 @@ fn mean_over(stream: &Stream, part: Span) -> Option<Mean> {
     let (t, values) = (&stream.t[range.clone()], &stream.values[range.clone()]);
     let mean_time = t.iter().sum::<f64>() / count as f64;
     let value = values.iter().sum::<Vector3<f64>>() / count as f64;
-    let (mut spread, mut moment) = (0.0, Vector3::zeros());
+    let (mut spread, mut moment, mut square) = (0.0, Vector3::zeros(), Vector3::zeros());
     for (t, v) in t.iter().zip(values) {
         spread += (t - mean_time).powi(2);
         moment += (v - value) * (t - mean_time);
+        square += (v - value).map(|d: f64| d * d);
     }
     Some(Mean {
         span: Span {
@@ -346,6 +349,7 @@ fn mean_over(stream: &Stream, part: Span) -> Option<Mean> {
         },
         count,
         value,
+        variance: square / (count - 1) as f64,
         slope: moment / spread,
         spread,
     })

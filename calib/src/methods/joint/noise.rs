@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
+use super::data::Mean;
 use crate::recording::Stream;
 
 /// Length of the batches whose means show noise that does not average out, s.
@@ -14,6 +15,9 @@ const COLOURED: f64 = 1.2;
 
 /// Stretches with more than this many times the median variance are not quiet.
 const QUIET: f64 = 1.5;
+
+/// A mean of samples with more than this many times the quiet variance has a noise of its own.
+const RESTLESS: f64 = 1.5;
 
 /// Noise below this (m/s² or rad/s) is rounding: keeps noise-free recordings weighted, and sensibly.
 pub(super) const FLOOR: f64 = 1e-9;
@@ -70,6 +74,20 @@ impl SensorNoise {
         Vector3::from_fn(|i, _| {
             let sampled = (self.white[i] * self.long_run[i]).powi(2) / count as f64;
             sampled + self.undithered(i)
+        })
+    }
+
+    /// The same of a mean whose own samples may scatter more than the quiet ones, as on a table that vibrates:
+    /// their own variance then, axis by axis.
+    pub fn variance_of(&self, mean: &Mean) -> Vector3<f64> {
+        let usual = self.variance_of_mean(mean.count);
+        Vector3::from_fn(|i, _| {
+            let ratio = mean.variance[i] / self.white[i].powi(2);
+            if ratio > RESTLESS {
+                ratio * usual[i]
+            } else {
+                usual[i]
+            }
         })
     }
 

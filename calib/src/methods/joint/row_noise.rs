@@ -43,7 +43,7 @@ impl Rows<'_> {
                 let (Some(mean), Some(own)) = (mean, own) else {
                     continue;
                 };
-                let variance = own.variance_of_mean(mean.count);
+                let variance = own.variance_of(&mean);
                 noise.variance[row..row + 3].copy_from_slice(variance.as_slice());
                 noise.exposures[place].push(Exposure::of_mean(
                     row..row + 3,

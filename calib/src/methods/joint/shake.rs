@@ -11,7 +11,7 @@ use crate::recording::Stream;
 const WINDOW: f64 = 0.25;
 
 /// Touches are reported where chance would show one in so many recordings.
-const CHANCE: f64 = 0.0025;
+const CHANCE: f64 = 0.001;
 
 /// A step between samples longer than this many median steps is a gap.
 const GAP_STEPS: f64 = 5.0;

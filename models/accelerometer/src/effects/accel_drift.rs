@@ -20,6 +20,7 @@ impl Effect for AccelDrift {
     const EQUATION: &'static str = "A_i += c_i t";
     const PARAMS: &'static [Param] = &params("m/s^3", ["x", "y", "z"]);
     const TYPICAL: f64 = 1.5e-5;
+    const LINEAR: bool = true;
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         Vector3::from_fn(|i, _| p[i] * truth.time)

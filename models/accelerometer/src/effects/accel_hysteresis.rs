@@ -20,6 +20,7 @@ impl Effect for AccelHysteresis {
     const EQUATION: &'static str = "A_i += h_i sign(last change of f_i)";
     const PARAMS: &'static [Param] = &params("m/s^2", ["x", "y", "z"]);
     const TYPICAL: f64 = 3e-3;
+    const LINEAR: bool = true;
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         Vector3::from_fn(|i, _| p[i] * truth.last_change[i])

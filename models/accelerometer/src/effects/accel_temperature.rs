@@ -21,6 +21,7 @@ impl Effect for AccelTemperature {
     const EQUATION: &'static str = "A_i += c_i (T - T0)";
     const PARAMS: &'static [Param] = &params("m/s^2/K", ["x", "y", "z"]);
     const TYPICAL: f64 = 2e-3;
+    const LINEAR: bool = true;
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let warmer = truth.temperature - REFERENCE_TEMPERATURE;

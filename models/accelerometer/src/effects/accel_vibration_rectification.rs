@@ -20,6 +20,7 @@ impl Effect for AccelVibrationRectification {
     const EQUATION: &'static str = "A_i += k_i rms² of the vibration";
     const PARAMS: &'static [Param] = &params("1/(m/s^2)", ["x", "y", "z"]);
     const TYPICAL: f64 = 4e-2;
+    const LINEAR: bool = true;
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         Vector3::from_fn(|i, _| p[i] * truth.vibration[i])

@@ -23,6 +23,7 @@ impl Effect for TimeOffset {
     const EQUATION: &'static str = "accelerometer stamps late by d";
     const PARAMS: &'static [Param] = &[Param::new("d", "s", 0.0)];
     const TYPICAL: f64 = 5e-3;
+    const LINEAR: bool = true;
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         truth.specific_force_rate.map(|rate| p[0] * (-rate))

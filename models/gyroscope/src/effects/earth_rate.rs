@@ -23,6 +23,7 @@ impl Effect for EarthRate {
     const EQUATION: &'static str = "w += R' Omega(latitude)";
     const PARAMS: &'static [Param] = &params("rad/s", ["x", "y", "z"]);
     const TYPICAL: f64 = 7.292_115e-5;
+    const LINEAR: bool = true;
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let omega = Vector3::new(p[0], p[1], p[2]);

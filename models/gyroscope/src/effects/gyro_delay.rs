@@ -20,6 +20,7 @@ impl Effect for GyroDelay {
     const EQUATION: &'static str = "W_i(t) = w_i(t - d_i)";
     const PARAMS: &'static [Param] = &params("s", ["x", "y", "z"]);
     const TYPICAL: f64 = 5e-4;
+    const LINEAR: bool = true;
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         Vector3::from_fn(|i, _| p[i] * (-truth.angular_acceleration[i]))

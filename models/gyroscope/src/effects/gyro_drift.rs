@@ -20,6 +20,7 @@ impl Effect for GyroDrift {
     const EQUATION: &'static str = "W_i += c_i t";
     const PARAMS: &'static [Param] = &params("rad/s^2", ["x", "y", "z"]);
     const TYPICAL: f64 = 5e-7;
+    const LINEAR: bool = true;
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         Vector3::from_fn(|i, _| p[i] * truth.time)

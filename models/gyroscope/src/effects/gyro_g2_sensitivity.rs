@@ -20,6 +20,7 @@ impl Effect for GyroG2Sensitivity {
     const EQUATION: &'static str = "W_i += k_i f_i²";
     const PARAMS: &'static [Param] = &params("rad/s/(m/s^2)^2", ["x", "y", "z"]);
     const TYPICAL: f64 = 2e-6;
+    const LINEAR: bool = true;
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let f = &truth.specific_force;

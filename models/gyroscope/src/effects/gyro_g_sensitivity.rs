@@ -24,6 +24,7 @@ impl Effect for GyroGSensitivity {
     );
 
     const TYPICAL: f64 = 1e-4;
+    const LINEAR: bool = true;
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         mat3(p) * truth.specific_force

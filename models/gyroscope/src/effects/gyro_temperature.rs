@@ -21,6 +21,7 @@ impl Effect for GyroTemperature {
     const EQUATION: &'static str = "W_i += c_i (T - T0)";
     const PARAMS: &'static [Param] = &params("rad/s/K", ["x", "y", "z"]);
     const TYPICAL: f64 = 5e-5;
+    const LINEAR: bool = true;
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let warmer = truth.temperature - REFERENCE_TEMPERATURE;
