@@ -17,7 +17,9 @@ pub use tables::text;
 pub use words::verdict;
 
 use super::calibrate::gate;
-use super::inputs::{DetectorArgs, as_paths, check_gravity, own_effects, read, read_pair, spinner};
+use super::inputs::{
+    DetectorArgs, as_paths, check_gravity, check_latitude, own_effects, read, read_pair, spinner,
+};
 use super::pictures::PictureArgs;
 use crate::exit::{BUG, Failure, USAGE};
 use crate::output::Output;
@@ -67,6 +69,9 @@ pub struct Args {
     /// Local gravity, m/s²; a wrong one is a common scale of the accelerometer and never shows
     #[arg(long, value_name = "M/S²", default_value_t = STANDARD_GRAVITY)]
     gravity: f64,
+    /// Latitude, degrees, north positive: the earth's rotation is then part of the base models
+    #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
+    latitude: Option<f64>,
     /// Write the findings here
     #[arg(short, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -136,6 +141,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 
 fn request(args: &Args) -> Result<Request, Failure> {
     check_gravity(args.gravity)?;
+    check_latitude(args.latitude)?;
     if !(args.alpha > 0.0 && args.alpha <= 0.5) {
         return Err(Failure::new(
             USAGE,
@@ -149,6 +155,7 @@ fn request(args: &Args) -> Result<Request, Failure> {
     let (detector, choose_multiplier) = args.detector.detector()?;
     let mut request = Request {
         alpha: args.alpha,
+        latitude: args.latitude,
         detector,
         choose_multiplier,
         ..Request::new(args.gravity)
