@@ -139,7 +139,6 @@ fn residual_plots(picture: &Picture) -> Vec<Plot> {
 fn measured(channel: Channel) -> (&'static str, &'static str, f64) {
     match channel {
         Channel::StaticNorm => ("modulus less gravity", "mm/s²", 1e3),
-        Channel::MovingForce => ("specific force while turning", "mm/s²", 1e3),
         Channel::StaticRate => ("rate at rest", "mrad/s", 1e3),
         Channel::Direction => ("gravity's direction after the turn", "°", 1f64.to_degrees()),
         Channel::MovingForce => ("specific force while turning", "mm/s²", 1e3),
