@@ -9,7 +9,7 @@ use super::words::{chance, next_recordings, verdict};
 use crate::show;
 
 /// A gap that is above this share of what it was has not shrunk.
-const SHRUNK: f64 = 0.95;
+const SHRUNK: f64 = 0.9;
 
 /// Header and rows.
 pub type Rows<const N: usize> = ([&'static str; N], Vec<[String; N]>);
@@ -171,7 +171,13 @@ pub fn validated(findings: &Findings) -> Vec<String> {
         // Of a complete model chi² per degree of freedom is 1 within two of these.
         let spread = 2.0 * (2.0 / v.dof.max(1.0)).sqrt();
         let (name, channel) = (show::printable(&v.recording), v.channel.words());
-        if v.gap_after.powi(2) <= 1.0 + spread {
+        let explained = |gap: f64| gap.powi(2) <= 1.0 + spread;
+        if !findings.effects.is_empty() && explained(v.gap_before) && explained(v.gap_after) {
+            format!(
+                "On {name} the {channel} is explained to the noise without what was named for it too: that \
+                 recording cannot confirm it."
+            )
+        } else if explained(v.gap_after) {
             format!("On {name} the {channel} is explained to the noise.")
         } else if findings.effects.is_empty() {
             format!(
@@ -179,7 +185,7 @@ pub fn validated(findings: &Findings) -> Vec<String> {
             )
         } else if v.gap_after > SHRUNK * v.gap_before {
             format!(
-                "On {name} the gap of the {channel} does not shrink: what was named for it is not confirmed there."
+                "On {name} the gap of the {channel} hardly shrinks: what was named for it is not confirmed there."
             )
         } else {
             format!("On {name} the gap of the {channel} shrinks, but something is left.")
