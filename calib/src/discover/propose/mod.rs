@@ -5,6 +5,7 @@
 //!  products        score, walks          stable groups             terms                  evidence       gap
 //! ```
 
+mod alternatives;
 mod dictionary;
 mod group_lasso;
 mod screen;
@@ -24,10 +25,11 @@ use super::state::State;
 use super::unexplained::Unexplained;
 use crate::calibration::EffectParameter;
 
+use alternatives::alternatives;
 use dictionary::dictionary;
 use screen::screen;
 use stability::stability;
-use terms::{Terms, terms};
+use terms::terms;
 
 /// Share of the halves that must select a group (Meinshausen and Bühlmann 2010 take 0.6 to 0.9).
 const STABLE: f64 = 0.8;
@@ -61,6 +63,8 @@ pub struct Proposal {
     pub held_out_gap_after: f64,
     /// Share of the halves of the intervals that select each of its products: the least.
     pub stability: f64,
+    /// What would do about as well in place of one of its terms, as formulas of one term.
+    pub alternatives: Vec<String>,
     /// The formula itself.
     #[serde(skip)]
     pub formula: Formula,
@@ -78,6 +82,7 @@ pub struct Proposed {
     ranked: Ranked,
     stability: f64,
     gaps: [f64; 2],
+    alternatives: Vec<String>,
 }
 
 impl Proposed {
@@ -98,6 +103,7 @@ impl Proposed {
             held_out_gap_before: self.gaps[0],
             held_out_gap_after: self.gaps[1],
             stability: self.stability,
+            alternatives: self.alternatives,
             formula,
         }
     }
@@ -126,8 +132,8 @@ pub fn propose(
     stable.retain(|(k, _)| products[*k].sensor == sensor);
     stable.truncate(MOST_PRODUCTS);
     let chosen: Vec<_> = stable.iter().map(|(k, f)| (&products[*k], *f)).collect();
-    let Terms { terms, stability } = terms(&screened.whitened, &chosen)?;
-    let formula = Formula::new(sensor, terms);
+    let found = terms(&screened.whitened, &chosen)?;
+    let formula = Formula::new(sensor, found.terms.clone());
     let effect = formula.effect(name_of(sensor)).ok()?;
     let offered: usize = products.iter().map(|p| p.axes.len()).sum();
     let ranked = evidence(session, last, effect, offered)?;
@@ -138,13 +144,15 @@ pub fn propose(
     extension.effects.push((effect, None));
     let state = State::fit(session, extension).ok()?;
     let gaps = closed(last, &state, rest.channel)?;
+    let kept: Vec<_> = screened.kept.iter().map(|k| &products[*k]).collect();
     Some(Proposed {
         formula,
         effect,
         state,
         ranked,
-        stability,
+        stability: found.stability,
         gaps,
+        alternatives: alternatives(&screened.whitened, &found, &kept),
     })
 }
 

@@ -21,7 +21,9 @@ const BY_CHANCE: f64 = 0.05;
 /// What passed.
 #[derive(Debug)]
 pub struct Screened {
-    /// Places in the dictionary, most evident first.
+    /// Places in the dictionary of those with the best scores, twins among them.
+    pub kept: Vec<usize>,
+    /// Of those without twins, most evident first.
     pub products: Vec<usize>,
     /// Their orthonormal columns (`q × rank`).
     pub bases: Vec<Mat<f64>>,
@@ -40,6 +42,7 @@ pub fn screen(state: &State, given: bool, products: &[Product]) -> Option<Screen
     let law = ChiSquared::new(3.0).ok()?;
     let floor = law.inverse_cdf(1.0 - BY_CHANCE / products.len().max(1) as f64) / 3.0;
     let mut screened = Screened {
+        kept: kept.clone(),
         products: Vec::new(),
         bases: Vec::new(),
         whitened,

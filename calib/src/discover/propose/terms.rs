@@ -1,7 +1,7 @@
 //! The terms of the selected products that the data need.
 
 use faer::Mat;
-use sensor::Term;
+use sensor::{Sensor, Term};
 
 use super::dictionary::Product;
 use crate::discover::family::beside;
@@ -16,8 +16,22 @@ const SIGNIFICANT: f64 = 3.0;
 pub struct Terms {
     /// With their estimates.
     pub terms: Vec<Term>,
+    /// The sensor that has them.
+    pub sensor: Sensor,
+    /// Their whitened columns (`q × 1` each).
+    pub columns: Vec<Mat<f64>>,
+    /// What they explain together, `χ²`.
+    pub statistic: f64,
     /// Of the least stable.
     pub stability: f64,
+}
+
+impl Terms {
+    /// Whether `term` of `product` is one of them.
+    pub fn holds(&self, product: &Product, term: &Term) -> bool {
+        let name = term.name();
+        product.sensor == self.sensor && self.terms.iter().any(|own| own.name() == name)
+    }
 }
 
 /// The terms of stable products, by backward elimination: the least significant goes first, the rest is
@@ -52,6 +66,9 @@ pub fn terms(whitened: &Whitened, products: &[(&Product, f64)]) -> Option<Terms>
         let stability = places.iter().map(|(k, _)| products[*k].1);
         return Some(Terms {
             terms: places.iter().enumerate().map(term).collect(),
+            sensor: products[0].0.sensor,
+            columns: own,
+            statistic: fitted.statistic,
             stability: stability.fold(1.0, f64::min),
         });
     }

@@ -1,5 +1,6 @@
 //! `discover`: where simulation and data disagree, and the name of what is missing.
 
+mod emit;
 mod page;
 mod plots;
 mod tables;
@@ -11,13 +12,14 @@ use calib::Recording;
 use calib::calibrate::STANDARD_GRAVITY;
 use calib::discover::{Discovery, Findings, Request, discover, validate, walks_in};
 
+use emit::Emit;
 pub use page::page;
 pub use plots::{PLOTS, plots};
 pub use tables::text;
 pub use words::verdict;
 
 use super::calibrate::gate;
-use super::inputs::{DetectorArgs, as_paths, check_gravity, read, read_pair, spinner};
+use super::inputs::{DetectorArgs, as_paths, check_gravity, own_effects, read, read_pair, spinner};
 use super::pictures::PictureArgs;
 use crate::exit::{BUG, Failure, USAGE};
 use crate::output::Output;
@@ -30,13 +32,26 @@ use crate::show;
 /// A gap is the root of the reduced chi² of what is left: 1 is explained to the noise that was measured in
 /// the recording itself. Effects that the recording cannot tell apart are named together, with the recording that
 /// would. Nothing is named unless chance would show as much in one of a hundred recordings (`--alpha`).
+///
+/// For what no effect of the catalogue explains a formula may be proposed: a sum of a few products of specific
+/// force, rate, angular acceleration, temperature and time that closes the gap on intervals that the fit did not
+/// see. It is no name: another formula may do as well.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
   stillpoint discover morning/ -o findings.json --report findings.html
   stillpoint discover morning/ --validation evening/   does the name hold on another recording?
   stillpoint allan overnight.csv -o noise.json
-  stillpoint discover morning/ --noise noise.json      random walk known: drift is told from it sooner")]
+  stillpoint discover morning/ --noise noise.json      random walk known: drift is told from it sooner
+  stillpoint discover morning/ --emit-effect gyro_swirl.rs    the proposed formula as the source of an effect
+  stillpoint discover evening/ --effect-file mine.toml        is it an effect of my own?
+
+An effect of one's own, mine.toml:
+  [[definitions]]
+  name = \"gyro_swirl\"
+  sensor = \"gyroscope\"
+  x = \"k * fy * fz\"
+  parameters = [{ name = \"k\", unit = \"rad/s/(m/s^2)^2\", typical = 5e-6 }]")]
 pub struct Args {
     /// Files or folders, recordings of one device; `-` reads standard input
     #[arg(value_name = "RECORDING")]
@@ -64,6 +79,12 @@ pub struct Args {
     /// Local gravity, m/s²; a wrong one is a common scale of the accelerometer and never shows
     #[arg(long, value_name = "M/S²", default_value_t = STANDARD_GRAVITY)]
     gravity: f64,
+    /// File that defines effects as expressions (TOML): candidates like those of the catalogue
+    #[arg(long, value_name = "FILE.toml")]
+    effect_file: Vec<PathBuf>,
+    /// Write the proposed formula here, as the source of an effect that bears the file's name
+    #[arg(long, value_name = "FILE.rs")]
+    emit_effect: Option<PathBuf>,
     /// Write the findings here
     #[arg(short, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -91,10 +112,17 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             "no recording given: name a file or a folder",
         ));
     }
-    inputs.extend(args.validation.iter().chain(&args.noise).cloned());
+    let files = args.validation.iter().chain(&args.noise);
+    inputs.extend(files.chain(&args.effect_file).cloned());
+    let own = own_effects(&args.effect_file)?;
     let mut request = request(args)?;
+    request.catalogue.extend(&own);
     let output = match &args.output {
         Some(path) => Some(Output::claim(path, args.force, &as_paths(&inputs))?),
+        None => None,
+    };
+    let emit = match &args.emit_effect {
+        Some(path) => Some(Emit::claim(path, args.force, &as_paths(&inputs), &own)?),
         None => None,
     };
     let pictures = args
@@ -121,6 +149,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let json = json(findings)?;
     if let Some(output) = output {
         output.write(json.as_bytes())?;
+    }
+    if let Some(emit) = emit {
+        emit.write(findings)?;
     }
     if pictures.wanted() {
         let plots = plots(&discovery);
