@@ -25,8 +25,9 @@ use exit::Failure;
     version,
     after_help = "\
 Example:
-  stillpoint demo                              a simulated session, calibrated, beside its truth
+  stillpoint demo                              a simulated session, its hidden effect discovered
   stillpoint calibrate phone.csv -o cal.json   the calibration of a recording
+  stillpoint discover phone.csv                what its model lacks
   stillpoint apply cal.json run.csv -o corrected.csv"
 )]
 struct Cli {

@@ -152,11 +152,16 @@ fn a_device_that_lacks_nothing_gets_no_name_and_the_document_is_alone_on_standar
 fn wrong_calls_and_bad_inputs_end_with_their_status() {
     let (_dir, folder) = still();
     std::fs::write(folder.join("noise.json"), "{}").unwrap();
-    let cases: [(&[&str], i32, &str); 9] = [
+    let cases: [(&[&str], i32, &str); 10] = [
         (&["discover"], 2, "no recording given"),
         (&["discover", "still.csv", "--alpha", "0"], 2, "--alpha"),
         (&["discover", "still.csv", "--alpha", "2"], 2, "--alpha"),
         (&["discover", "still.csv", "--gravity", "1"], 2, "--gravity"),
+        (
+            &["discover", "still.csv", "--latitude", "-91"],
+            2,
+            "--latitude -91",
+        ),
         (
             &["discover", "still.csv", "-o", "still.csv", "--force"],
             2,

@@ -80,13 +80,8 @@ impl Sequence {
     /// sums of squares that are independent. That of the rows of force is the modulus, the direction of a rest
     /// being free there.
     pub fn of(state: &State, walks: Walks) -> Self {
-        let levels = [
-            (ComponentKind::AccelerometerWalk, walks[0]),
-            (ComponentKind::GyroscopeWalk, walks[1]),
-        ]
-        .map(|(kind, size)| NoiseLevel { kind, size });
         let fit = &state.fit;
-        let whitening = Whitening::new(fit.whitening.white.clone(), &fit.components, &levels);
+        let whitening = whitening_at(state, walks);
         let ends = [fit.first_rows[0], fit.first_rows[1], state.rows()];
         Self::under(whitening, fit.white_jacobian.clone(), ends)
     }
@@ -129,6 +124,17 @@ impl Sequence {
         }
         misfits
     }
+}
+
+/// The whitening of a state's rows by white noise and walks of these densities.
+pub(super) fn whitening_at(state: &State, walks: Walks) -> Whitening {
+    let levels = [
+        (ComponentKind::AccelerometerWalk, walks[0]),
+        (ComponentKind::GyroscopeWalk, walks[1]),
+    ]
+    .map(|(kind, size)| NoiseLevel { kind, size });
+    let fit = &state.fit;
+    Whitening::new(fit.whitening.white.clone(), &fit.components, &levels)
 }
 
 /// The channel with the largest part of a column.

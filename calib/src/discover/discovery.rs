@@ -56,7 +56,11 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery
     } else {
         unexplained(&mut search, 0.5 * request.alpha)
     };
-    let late = (!quantised).then(|| late(&search.last, request)).flatten();
+    // What delays the gyroscope's axes delays them against the accelerometer too.
+    let delayed = search.names.iter().any(|n| n.claim.name() == "gyro_delay");
+    let late = (!quantised && !delayed)
+        .then(|| late(&search.last, request))
+        .flatten();
     if let Some((effect, late)) = late {
         let mut extension = search.last.extension.clone();
         extension.effects.push((effect, Some((0, late.delay))));

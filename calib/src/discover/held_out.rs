@@ -44,9 +44,9 @@ pub fn held_out(state: &State, walks: Walks) -> Option<[Misfit; 3]> {
     Some(sums)
 }
 
-/// `√(χ²/dof)` of one channel.
+/// `√(χ²/dof)` of one channel; 1 of one that the joint fit has no rows of.
 pub fn gap_of(misfits: &[Misfit; 3], channel: Channel) -> f64 {
-    misfits[channel as usize].gap()
+    misfits.get(channel as usize).map_or(1.0, Misfit::gap)
 }
 
 fn precision(state: &State, walks: Walks) -> Option<Mat<f64>> {

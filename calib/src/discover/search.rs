@@ -21,7 +21,7 @@ pub const APART: f64 = 2.995_732_273_553_991;
 const HIGHER_ORDER: f64 = 0.99;
 
 /// A rotation whose length differs from the earth's by more than so many standard errors is not it.
-const EARTH_LENGTH: f64 = 3.5;
+const EARTH_LENGTH: f64 = 3.0;
 
 /// Families whose pairs are tried.
 const PAIRED: usize = 10;

@@ -6,7 +6,7 @@
 
 use faer::Mat;
 
-use super::channel::{Channel, Misfit, Sequence};
+use super::channel::{Channel, Misfit, Sequence, whitening_at};
 use super::discovery::Discovery;
 use super::findings::Validation;
 use super::linear::least_squares;
@@ -63,7 +63,7 @@ fn missed(session: &Session<'_>, model: &State, walks: Walks) -> Result<[Misfit;
         effects: model.extension.effects.clone(),
         disturbed: Vec::new(),
     }))?;
-    let held = HeldCalibration::of(&model.fit, &fit);
+    let held = HeldCalibration::of(&under(model, walks), &fit);
     let rows = fit.plain_rows();
     let mut x = fit.parameters.values()[..rows.layout.count()].to_vec();
     for (place, value) in &held.values {
@@ -89,6 +89,26 @@ fn missed(session: &Session<'_>, model: &State, walks: Walks) -> Result<[Misfit;
     let whitening = Whitening::with_covariance(fit.whitening.white.clone(), &covariance);
     let ends = [fit.first_rows[0], fit.first_rows[1], r.nrows()];
     Ok(Sequence::under(whitening, columns(&jacobian, &nuisance), ends).of_column(r))
+}
+
+/// A model's fit, its parameters moved to where walks of these densities put them.
+///
+/// Where an effect is missing it is taken for a walk of the bias, and errors as large as such a walk allows would hide
+/// every gap.
+fn under(model: &State, walks: Walks) -> JointFit {
+    let mut fit = model.fit.clone();
+    let whitening = whitening_at(model, walks);
+    let mut r = Mat::from_fn(model.rows(), 1, |i, _| fit.white_residuals[i]);
+    let mut jacobian = fit.white_jacobian.clone();
+    whitening.finish(r.as_mut());
+    whitening.finish(jacobian.as_mut());
+    if let Some(step) = least_squares(&jacobian, &r) {
+        for (k, place) in fit.free.iter().enumerate() {
+            fit.parameters.values_mut()[*place] -= step[(k, 0)];
+        }
+    }
+    fit.jacobian = jacobian;
+    fit
 }
 
 /// Residuals (`m × 1`) and Jacobian of all parameters (`m × n`), white-whitened.

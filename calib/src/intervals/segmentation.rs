@@ -124,12 +124,14 @@ fn static_interval(recording: &Recording, span: Span) -> StaticInterval {
         let stream = stream.as_ref()?;
         Moments::of(&stream.values[stream.between(span.from, span.to)])
     };
-    let middle = 0.5 * (span.from + span.to);
     StaticInterval {
         span,
         accelerometer: moments(&recording.accelerometer),
         gyroscope: moments(&recording.gyroscope),
-        temperature: recording.temperature.as_ref().and_then(|t| t.at(middle)),
+        temperature: recording
+            .temperature
+            .as_ref()
+            .and_then(|t| t.mean(span.from, span.to)),
     }
 }
 

@@ -132,4 +132,16 @@ impl Temperature {
         let (t0, c0) = (self.t[after - 1], self.celsius[after - 1]);
         Some(c0 + (c1 - c0) * (t - t0) / (t1 - t0))
     }
+
+    /// The mean of the readings from `from` to `to`; between the readings about it where it holds none.
+    pub fn mean(&self, from: f64, to: f64) -> Option<f64> {
+        let first = self.t.partition_point(|&s| s < from);
+        let end = self.t.partition_point(|&s| s <= to);
+        match self.celsius.get(first..end) {
+            Some(readings) if !readings.is_empty() => {
+                Some(readings.iter().sum::<f64>() / readings.len() as f64)
+            }
+            _ => self.at(0.5 * (from + to)),
+        }
+    }
 }

@@ -16,7 +16,9 @@ use clap::ValueEnum;
 use nalgebra::Vector3;
 use sensor::AnyEffect;
 
-use super::inputs::{DetectorArgs, as_paths, check_gravity, own_effects, read, read_pair, spinner};
+use super::inputs::{
+    DetectorArgs, as_paths, check_gravity, check_latitude, own_effects, read, read_pair, spinner,
+};
 use super::pictures::{PictureArgs, Pictures};
 use super::six_position;
 use crate::exit::{Failure, GATE, USAGE};
@@ -233,12 +235,7 @@ fn draw(pictures: Pictures, recordings: &[Recording], outcome: &Outcome) -> Resu
 
 fn request(args: &Args) -> Result<Request, Failure> {
     check_gravity(args.gravity)?;
-    if let Some(latitude) = args.latitude.filter(|l| !(-90.0..=90.0).contains(l)) {
-        return Err(Failure::new(
-            USAGE,
-            format!("--latitude {latitude}: it lies between -90 and 90 degrees"),
-        ));
-    }
+    check_latitude(args.latitude)?;
     let (detector, choose_multiplier) = args.detector.detector()?;
     let own = own_effects(&args.effect_file)?;
     let effects = args

@@ -33,6 +33,17 @@ pub fn check_gravity(gravity: f64) -> Result<(), Failure> {
     ))
 }
 
+/// Refuses a latitude beyond the poles.
+pub fn check_latitude(latitude: Option<f64>) -> Result<(), Failure> {
+    match latitude.filter(|l| !(-90.0..=90.0).contains(l)) {
+        None => Ok(()),
+        Some(latitude) => Err(Failure::new(
+            crate::exit::USAGE,
+            format!("--latitude {latitude}: it lies between -90 and 90 degrees"),
+        )),
+    }
+}
+
 /// How the detector of motion is set.
 #[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "Static intervals")]

@@ -102,7 +102,11 @@ impl Scale {
 }
 
 fn categories(names: &[String]) -> Scale {
-    let ticks: Vec<f64> = (1..=names.len()).map(|k| k as f64).collect();
+    // A place without a word has no tick: it makes room.
+    let ticks: Vec<f64> = (1..=names.len())
+        .filter(|k| !names[k - 1].is_empty())
+        .map(|k| k as f64)
+        .collect();
     Scale {
         from: 0.5,
         to: names.len() as f64 + 0.5,

@@ -43,6 +43,10 @@ pub trait AnyEffect: Send + Sync {
     fn params(&self) -> &[Param];
     /// Size of a coefficient in a consumer-grade device.
     fn typical(&self) -> f64;
+    /// Whether the error is `F p` with an `F` that does not depend on the sensor's own signal.
+    fn is_linear(&self) -> bool {
+        false
+    }
     /// Size of the parameter in place `k`: its own where it has one, otherwise that of the effect.
     fn typical_of(&self, k: usize) -> f64 {
         let own = self.params().get(k).and_then(|p| p.typical);
@@ -51,10 +55,6 @@ pub trait AnyEffect: Send + Sync {
     /// The text that defines it; `None` for what is compiled.
     fn definition(&self) -> Option<&Definition> {
         None
-    }
-    /// Whether the error is `F p` with an `F` that does not depend on the sensor's own signal.
-    fn is_linear(&self) -> bool {
-        false
     }
     /// [`Effect::error`] for values.
     fn error_f64(&self, truth: &Kinematics<f64>, p: &[f64]) -> Vector3<f64>;

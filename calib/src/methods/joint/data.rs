@@ -50,6 +50,8 @@ pub struct Chunk {
     pub accelerometer: Option<Mean>,
     /// The gyroscope.
     pub gyroscope: Option<Mean>,
+    /// Mean temperature, °C, where it was recorded.
+    pub temperature: Option<f64>,
 }
 
 /// A static interval: one direction of specific force.
@@ -169,11 +171,13 @@ impl Data {
         let first = self.rests.len();
         for (interval, span) in spans.iter().enumerate() {
             let from = self.chunks.len();
+            let celsius = cut.recording.temperature.as_ref();
             for part in parts(*span, length) {
                 self.chunks.push(Chunk {
                     rest: self.rests.len(),
                     accelerometer: force.as_ref().and_then(|s| mean_over(s, part)),
                     gyroscope: rate.as_ref().and_then(|s| mean_over(s, part)),
+                    temperature: celsius.and_then(|t| t.mean(part.from, part.to)),
                 });
             }
             self.rests.push(Rest {

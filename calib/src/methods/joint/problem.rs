@@ -6,7 +6,7 @@ use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, PLACES, Sensor, inverse};
 
 use super::chart::Chart;
 use super::coning::Coning;
-use super::data::{Chunk, Data, Rest, TurnSamples};
+use super::data::{Chunk, Data, Mean, TurnSamples};
 use super::layout::Layout;
 use super::slopes::EffectSlopes;
 use super::turn::{Carried, carry};
@@ -162,7 +162,7 @@ impl<'a> Rows<'a> {
         let at = self.layout.direction(chunk.rest);
         let u = self.direction(x, chunk.rest);
         let by_direction = self.charts[chunk.rest].slope(&x[at..at + 2]) * self.gravity;
-        let truth = self.at_rest(rest, u, mean.span.from, mean.span.to);
+        let truth = self.at_rest(chunk, &mean, u);
         let effects = EffectSlopes::at(model, &truth, &p, Sensor::Accelerometer);
         let signal = truth.signal(sensor) + effects.value;
         let reading = inverse * signal;
@@ -193,18 +193,14 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// The truth in a chunk of a rest: time that of the chunk's middle.
-    pub(super) fn at_rest(
-        &self,
-        rest: &Rest,
-        u: Vector3<f64>,
-        from: f64,
-        to: f64,
-    ) -> Kinematics<f64> {
+    /// The truth in a chunk of a rest: time that of the mean's middle.
+    pub(super) fn at_rest(&self, chunk: &Chunk, mean: &Mean, u: Vector3<f64>) -> Kinematics<f64> {
+        let rest = &self.data.rests[chunk.rest];
         let mut truth = rest
             .known
             .with_signal(Sensor::Accelerometer, u * self.gravity);
-        truth.time += 0.5 * (from + to) - 0.5 * (rest.span.from + rest.span.to);
+        truth.time += 0.5 * (mean.span.from + mean.span.to - rest.span.from - rest.span.to);
+        truth.temperature = chunk.temperature.unwrap_or(truth.temperature);
         truth
     }
 

@@ -2,7 +2,7 @@
 
 use faer::Mat;
 use sensor::Sensor;
-use solver::{Mask, Options, Parameters, Variant, solve};
+use solver::{Mask, Options, Parameters, Termination, Variant, solve};
 
 use super::analysis::{Analysis, walks};
 use super::approach::{Weighted, approach};
@@ -11,6 +11,7 @@ use super::data::{Cut, Data};
 use super::disturbance::{Disturbance, Suspect, pushed_chunk, suspects};
 use super::fit::JointFit;
 use super::knowledge::Attitudes;
+use super::marginal::orthonormal;
 use super::problem::{Linear, Rows};
 use super::request::{Accused, JointRequest, Known};
 use super::start::{Start, charts, start};
@@ -23,6 +24,9 @@ const ROUNDS: usize = 6;
 /// Bends of the rows between two points below this, in standard deviations, change no judgement: all
 /// that is judged is what the Jacobian's columns leave, and that is the same at both.
 const STRAIGHT: f64 = 0.2;
+
+/// A minimum nearer than this, in standard errors, is reached.
+const NEAR: f64 = 0.01;
 
 /// More disturbances than this share of the rests, and the noise is at fault, not the rests.
 const MOST_DISTURBED: f64 = 0.2;
@@ -351,13 +355,16 @@ impl Run<'_> {
             let x = near.settled(&weighted, &free);
             parameters.values_mut().copy_from_slice(&x);
         }
-        let report = solve(&weighted, &parameters, &point.mask, &options())?;
+        let mut report = solve(&weighted, &parameters, &point.mask, &options())?;
         let x = report.parameters.values();
         let linear = rows.linearize(x);
         let white = &weights.whitening.white;
         let (white_residuals, white_jacobian) = linear.whitened(&free, |a| white.apply(a));
         let mut jacobian = white_jacobian.clone();
         weights.whitening.finish(jacobian.as_mut());
+        if report.termination == Termination::Stalled && is_near(&report.residuals, &jacobian) {
+            report.termination = Termination::Cost;
+        }
         let broken = self.broken();
         Ok(JointFit {
             models: [
@@ -453,4 +460,13 @@ fn given_levels([force, rate]: [f64; 2]) -> Vec<NoiseLevel> {
     ]
     .map(|(kind, size)| NoiseLevel { kind, size })
     .to_vec()
+}
+
+/// Whether the minimum is nearer than a hundredth of the standard errors: of whitened residuals, what the
+/// Jacobian's columns still explain is below that share of what chance makes of them (Bates & Watts 1981). A
+/// combination that is hardly observable can keep rounding from letting the cost fall further.
+fn is_near(residuals: &[f64], jacobian: &Mat<f64>) -> bool {
+    let basis = orthonormal(jacobian);
+    let r = Mat::from_fn(residuals.len(), 1, |i, _| residuals[i]);
+    (basis.transpose() * r).squared_norm_l2() < NEAR.powi(2) * basis.ncols() as f64
 }

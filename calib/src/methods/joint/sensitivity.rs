@@ -87,7 +87,7 @@ impl Rows<'_> {
             sensor,
             chunk,
             row,
-            truth: self.at_rest(rest, u, mean.span.from, mean.span.to),
+            truth: self.at_rest(own, &mean, u),
             by_error: inverse(&base.t).unwrap_or_else(|| Matrix3::repeat(f64::NAN)),
         })
     }

@@ -40,7 +40,7 @@ impl Rows<'_> {
         let Some(mean) = mean else { return unknown };
         let p = self.local(x, sensor, rest.recording);
         let u = self.direction(x, chunk.rest);
-        let truth = self.at_rest(rest, u, mean.span.from, mean.span.to);
+        let truth = self.at_rest(chunk, &mean, u);
         let reading = model.distort(&truth, &p);
         reading.map_or(unknown, |reading| reading - mean.value)
     }

@@ -150,30 +150,28 @@ impl Whitening {
             let total = sum.get_or_insert_with(|| Mat::identity(m, m));
             *total += faer::Scale(level.size * level.size) * &component.covariance;
         }
-        let factor = |rows: Vec<usize>, v: &Mat<f64>| {
-            let own = Mat::from_fn(rows.len(), rows.len(), |i, k| v[(rows[i], rows[k])]);
-            let lower = own.llt(Side::Lower).ok()?.L().to_owned();
-            Some((rows, lower))
-        };
-        let factors = sum.and_then(|v| {
-            let groups = independent(&[&v]).into_iter();
-            groups.map(|rows| factor(rows, &v)).collect()
-        });
-        Self {
-            white,
-            factors: factors.unwrap_or_default(),
+        match sum {
+            Some(covariance) => Self::with_covariance(white, &covariance),
+            None => Self {
+                white,
+                factors: Vec::new(),
+            },
         }
     }
 
     /// For white noise and what else there is, `covariance` (`m × m`) after the white noise is whitened;
     /// the white noise alone where it is not positive definite.
     pub fn with_covariance(white: White, covariance: &Mat<f64>) -> Self {
-        let all = (0..covariance.nrows()).collect();
-        let factor = covariance.llt(Side::Lower).ok();
-        let factors = factor.map(|f| (all, f.L().to_owned()));
+        let v = covariance;
+        let factor = |rows: Vec<usize>| {
+            let own = Mat::from_fn(rows.len(), rows.len(), |i, k| v[(rows[i], rows[k])]);
+            let lower = own.llt(Side::Lower).ok()?.L().to_owned();
+            Some((rows, lower))
+        };
+        let factors: Option<Vec<_>> = independent(&[v]).into_iter().map(factor).collect();
         Self {
             white,
-            factors: factors.into_iter().collect(),
+            factors: factors.unwrap_or_default(),
         }
     }
 

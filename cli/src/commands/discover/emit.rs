@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use calib::discover::Findings;
-use calib::effect_file::catalogue_with;
 use sensor::{AnyEffect, Axis, Covariate, Formula, Sensor, Term, emit_effect};
 
 use crate::exit::{BUG, Failure, USAGE};
@@ -19,7 +18,7 @@ pub struct Emit {
 }
 
 impl Emit {
-    /// Claims `path`; effects of the catalogue and `own` have their names already.
+    /// Claims `path`; the effects of `catalogue` have their names already.
     ///
     /// # Errors
     /// Status 2 for a file name that is not `some_name.rs` or the name of another effect; as [`Output::claim`].
@@ -27,12 +26,12 @@ impl Emit {
         path: &Path,
         force: bool,
         inputs: &[&Path],
-        own: &[&'static dyn AnyEffect],
+        catalogue: &[&'static dyn AnyEffect],
     ) -> Result<Self, Failure> {
         let name = name_in(path).ok_or_else(|| {
             refused(path, "the effect bears the file's name: a name in snake case with the ending .rs expected, such as gyro_proposed.rs")
         })?;
-        if catalogue_with(own).any(|effect| effect.name() == name) {
+        if catalogue.iter().any(|effect| effect.name() == name) {
             return Err(refused(
                 path,
                 &format!("`{name}` is another effect already"),

@@ -19,7 +19,9 @@ pub use tables::text;
 pub use words::verdict;
 
 use super::calibrate::gate;
-use super::inputs::{DetectorArgs, as_paths, check_gravity, own_effects, read, read_pair, spinner};
+use super::inputs::{
+    DetectorArgs, as_paths, check_gravity, check_latitude, own_effects, read, read_pair, spinner,
+};
 use super::pictures::PictureArgs;
 use crate::exit::{BUG, Failure, USAGE};
 use crate::output::Output;
@@ -76,15 +78,18 @@ pub struct Args {
     /// Take the random walk densities of the biases from this file of `allan` [default: estimated]
     #[arg(long, value_name = "FILE")]
     noise: Option<PathBuf>,
+    /// File that defines effects as expressions (TOML): they join the catalogue of this run
+    #[arg(long, value_name = "FILE.toml")]
+    effect_file: Vec<PathBuf>,
     /// Local gravity, m/s²; a wrong one is a common scale of the accelerometer and never shows
     #[arg(long, value_name = "M/S²", default_value_t = STANDARD_GRAVITY)]
     gravity: f64,
-    /// File that defines effects as expressions (TOML): candidates like those of the catalogue
-    #[arg(long, value_name = "FILE.toml")]
-    effect_file: Vec<PathBuf>,
     /// Write the proposed formula here, as the source of an effect that bears the file's name
     #[arg(long, value_name = "FILE.rs")]
     emit_effect: Option<PathBuf>,
+    /// Latitude, degrees, north positive: the earth's rotation is then part of the base models
+    #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
+    latitude: Option<f64>,
     /// Write the findings here
     #[arg(short, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -114,15 +119,16 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     }
     let files = args.validation.iter().chain(&args.noise);
     inputs.extend(files.chain(&args.effect_file).cloned());
-    let own = own_effects(&args.effect_file)?;
     let mut request = request(args)?;
-    request.catalogue.extend(&own);
     let output = match &args.output {
         Some(path) => Some(Output::claim(path, args.force, &as_paths(&inputs))?),
         None => None,
     };
     let emit = match &args.emit_effect {
-        Some(path) => Some(Emit::claim(path, args.force, &as_paths(&inputs), &own)?),
+        Some(path) => {
+            let taken = &request.catalogue;
+            Some(Emit::claim(path, args.force, &as_paths(&inputs), taken)?)
+        }
         None => None,
     };
     let pictures = args
@@ -163,6 +169,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 
 fn request(args: &Args) -> Result<Request, Failure> {
     check_gravity(args.gravity)?;
+    check_latitude(args.latitude)?;
     if !(args.alpha > 0.0 && args.alpha <= 0.5) {
         return Err(Failure::new(
             USAGE,
@@ -174,12 +181,15 @@ fn request(args: &Args) -> Result<Request, Failure> {
         ));
     }
     let (detector, choose_multiplier) = args.detector.detector()?;
-    Ok(Request {
+    let mut request = Request {
         alpha: args.alpha,
+        latitude: args.latitude,
         detector,
         choose_multiplier,
         ..Request::new(args.gravity)
-    })
+    };
+    request.catalogue.extend(own_effects(&args.effect_file)?);
+    Ok(request)
 }
 
 fn recordings(args: &Args) -> Result<Vec<Recording>, Failure> {

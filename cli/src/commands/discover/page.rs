@@ -14,8 +14,7 @@ pub fn page(discovery: &Discovery, plots: &[Plot]) -> Result<Report, Failure> {
     let findings = &discovery.findings;
     let calibration = &findings.calibration;
     let failed = calibration.failed_gates.iter();
-    let mut notes: Vec<String> = failed.map(|gate| format!("Do not use: {gate}")).collect();
-    notes.extend(calibration.warnings.iter().cloned());
+    let gates: Vec<String> = failed.map(|gate| format!("Do not use: {gate}")).collect();
     let mut report = Report::new("What is missing")
         .section("Verdict")
         .text(verdict(findings));
@@ -23,6 +22,9 @@ pub fn page(discovery: &Discovery, plots: &[Plot]) -> Result<Report, Failure> {
         report = report.plot(gap)?;
     }
     report = filled(report, tables::gaps(findings));
+    report = tables::validated(findings)
+        .into_iter()
+        .fold(report, Report::text);
     if !findings.effects.is_empty() || !findings.validation.is_empty() {
         report = report.text(GAP);
     }
@@ -49,7 +51,12 @@ pub fn page(discovery: &Discovery, plots: &[Plot]) -> Result<Report, Failure> {
         "What cannot be seen here",
         tables::not_seen(findings),
     );
-    Ok(calibrated(report, discovery).warnings(&notes))
+    report = lines(
+        report,
+        "Notes on the recordings",
+        calibration.warnings.clone(),
+    );
+    Ok(calibrated(report, discovery).warnings(&gates))
 }
 
 const GAP: &str = "A gap is the root of chi² per degree of freedom of one kind of comparison: 1 is explained to the noise that \

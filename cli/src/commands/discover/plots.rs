@@ -33,8 +33,9 @@ const GREY: usize = 6;
 /// A gap above this wants a logarithmic axis.
 const WIDE: f64 = 6.0;
 
-/// Letters of a recording's name that fit under the axis.
+/// Letters that fit under the axis, of one effect and of several.
 const LETTERS: usize = 18;
+const FEW: usize = 8;
 
 /// The plots: the gap, then for every named effect its residuals; none where nothing is named.
 pub fn plots(discovery: &Discovery) -> Vec<Plot> {
@@ -53,13 +54,17 @@ pub fn plots(discovery: &Discovery) -> Vec<Plot> {
 fn gap(findings: &Findings) -> Plot {
     let several = findings.effects.len() > 1;
     let (mut names, mut before, mut after, mut joined) = (vec![], vec![], vec![], vec![]);
-    for effect in &findings.effects {
+    for (order, effect) in findings.effects.iter().enumerate() {
         for (place, b, a) in places(findings, effect) {
-            let place: String = place.chars().take(LETTERS).collect();
             names.push(if several {
-                format!("{}: {place}", short(&effect.name))
+                let place: String = place
+                    .trim_start_matches("in the ")
+                    .chars()
+                    .take(FEW)
+                    .collect();
+                format!("{} {place}", order + 1)
             } else {
-                place
+                place.chars().take(LETTERS).collect()
             });
             let x = names.len() as f64;
             before.push((x, b));
@@ -79,7 +84,13 @@ fn gap(findings: &Findings) -> Plot {
     let end = names.len() as f64 + 0.5;
     let title = match findings.effects.as_slice() {
         [one] => format!("The gap of the {}", one.channel.words()),
-        _ => "The gap of the channel that each effect lives in".into(),
+        many => {
+            let numbered = many.iter().enumerate();
+            let names: Vec<String> = numbered
+                .map(|(k, e)| format!("{} {}", k + 1, e.name))
+                .collect();
+            format!("The gap of {}", names.join(", "))
+        }
     };
     Plot::new(title, Axis::categories("", names), axis)
         .with(Series::dashed(
@@ -90,11 +101,6 @@ fn gap(findings: &Findings) -> Plot {
         .with(Series::ranges("", GREY, joined))
         .with(Series::dots("without the effect", BEFORE, before))
         .with(Series::dots("with it", AFTER, after))
-}
-
-/// `g_sensitivity` of `gyro_g_sensitivity`.
-fn short(name: &str) -> &str {
-    name.split_once('_').map_or(name, |(_, rest)| rest)
 }
 
 /// The residuals against what the effect foretells, and against what it goes with.
@@ -135,6 +141,7 @@ fn measured(channel: Channel) -> (&'static str, &'static str, f64) {
         Channel::StaticNorm => ("modulus less gravity", "mm/s²", 1e3),
         Channel::StaticRate => ("rate at rest", "mrad/s", 1e3),
         Channel::Direction => ("gravity's direction after the turn", "°", 1f64.to_degrees()),
+        Channel::MovingForce => ("specific force while turning", "mm/s²", 1e3),
     }
 }
 

@@ -3,11 +3,14 @@
 use std::fmt::Write as _;
 
 use calib::calibration::EffectParameter;
-use calib::discover::{Discovery, EffectFinding, Findings, Proposal};
+use calib::discover::{Discovery, EffectFinding, Findings, Proposal, Validation};
 use comfy_table::CellAlignment;
 
 use super::words::{chance, next_recordings, proposed, verdict};
 use crate::show;
+
+/// A gap that is above this share of what it was has not shrunk.
+const SHRUNK: f64 = 0.9;
 
 /// Header and rows.
 pub type Rows<const N: usize> = ([&'static str; N], Vec<[String; N]>);
@@ -169,6 +172,35 @@ pub fn ties(findings: &Findings) -> Vec<String> {
     all
 }
 
+/// What the validation recording says of the names, in a sentence per channel.
+pub fn validated(findings: &Findings) -> Vec<String> {
+    let of = |v: &Validation| {
+        // Of a complete model chi² per degree of freedom is 1 within two of these.
+        let spread = 2.0 * (2.0 / v.dof.max(1.0)).sqrt();
+        let (name, channel) = (show::printable(&v.recording), v.channel.words());
+        let explained = |gap: f64| gap.powi(2) <= 1.0 + spread;
+        if !findings.effects.is_empty() && explained(v.gap_before) && explained(v.gap_after) {
+            format!(
+                "On {name} the {channel} is explained to the noise without what was named for it too: that \
+                 recording cannot confirm it."
+            )
+        } else if explained(v.gap_after) {
+            format!("On {name} the {channel} is explained to the noise.")
+        } else if findings.effects.is_empty() {
+            format!(
+                "On {name} the {channel} is not explained: something is missing that did not show here."
+            )
+        } else if v.gap_after > SHRUNK * v.gap_before {
+            format!(
+                "On {name} the gap of the {channel} hardly shrinks: what was named for it is not confirmed there."
+            )
+        } else {
+            format!("On {name} the gap of the {channel} shrinks, but something is left.")
+        }
+    };
+    findings.validation.iter().map(of).collect()
+}
+
 /// What is not seen here, in sentences.
 pub fn not_seen(findings: &Findings) -> Vec<String> {
     let mut all = Vec::new();
@@ -191,6 +223,9 @@ pub fn text(discovery: &Discovery) -> String {
     let findings = &discovery.findings;
     let mut text = format!("{}\n", verdict(findings));
     push(&mut text, gaps(findings), 3);
+    for line in validated(findings) {
+        let _ = writeln!(text, "{line}");
+    }
     push(&mut text, evidence(findings), 1);
     for effect in &findings.effects {
         let mut table = show::table(&[&effect.name, "value", "std error", "unit"]);
