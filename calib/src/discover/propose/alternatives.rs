@@ -38,3 +38,44 @@ pub fn alternatives(whitened: &Whitened, terms: &Terms, products: &[&Product]) -
     }
     all
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::discover::projected::Projected;
+    use sensor::{Axis, Covariate, Sensor};
+
+    fn product(covariate: Covariate, column: [f64; 3]) -> Product {
+        Product {
+            sensor: Sensor::Gyroscope,
+            factors: vec![(covariate, 1)],
+            axes: vec![Axis::X],
+            columns: Mat::from_fn(3, 1, |i, _| column[i]),
+            lengths: vec![1.0],
+        }
+    }
+
+    #[test]
+    fn a_term_that_is_twenty_times_less_likely_is_no_alternative() {
+        let projected = Projected {
+            null: Mat::identity(3, 3),
+            z: Mat::from_fn(3, 1, |i, _| [10.0, 1.0, 0.0][i]),
+            walks: [None, None],
+        };
+        let whitened = projected.at([0.0; 2]).unwrap();
+        let chosen = product(Covariate::Time, [1.0, 0.0, 0.0]);
+        // (10 cos 0.2 + sin 0.2)² is 99.98, (10 cos 0.4 + sin 0.4)² is 92.2; of 100 more than 2 ln 20 less is 94.0.
+        let turned = |angle: f64| [angle.cos(), angle.sin(), 0.0];
+        let close = product(Covariate::Warming, turned(0.2));
+        let far = product(Covariate::SpecificForce(Axis::X), turned(0.4));
+        let terms = Terms {
+            terms: vec![chosen.term(0, 10.0)],
+            sensor: Sensor::Gyroscope,
+            columns: vec![chosen.columns.clone()],
+            statistic: 100.0,
+            stability: 1.0,
+        };
+        let found = alternatives(&whitened, &terms, &[&chosen, &close, &far]);
+        assert_eq!(found, ["W_x += x_dt * dT"]);
+    }
+}
