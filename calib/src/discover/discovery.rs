@@ -15,12 +15,13 @@ use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Ver
 use super::held_out::{gap_of, held_out};
 use super::integrity::{disturbed, integrity};
 use super::localise::disagreements;
+use super::propose::{Proposal, propose};
 use super::rank::Ranked;
 use super::request::{Request, Session};
 use super::search::{Name, Search, search};
 use super::state::State;
 use super::time_offset::{Delay, delay};
-use super::unexplained::{rest_of, unexplained};
+use super::unexplained::{Unexplained, rest_of, unexplained};
 use super::visible::{NEVER_VISIBLE, told_apart_by};
 
 /// The effect that the moving accelerometer shows.
@@ -70,6 +71,9 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery
         extension.effects.push((effect, Some((0, late.delay))));
         search.last = State::fit(&session, extension)?;
     }
+    let proposed = rest
+        .as_ref()
+        .and_then(|rest| proposal(&session, request, &search.last, rest));
     let mut calibration = calibration(&session, &search.last, request)?;
     let mut effects: Vec<EffectFinding> = search
         .names
@@ -94,6 +98,7 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery
         effects,
         integrity: faults,
         unexplained: rest,
+        proposed,
         disagreement: disagreements(&search.base),
         ranking: search
             .first_ranking
@@ -126,6 +131,19 @@ fn calibration(
         warnings,
         ..calibration
     })
+}
+
+/// A formula for the rest, with its coefficients.
+fn proposal(
+    session: &Session<'_>,
+    request: &Request,
+    last: &State,
+    rest: &Unexplained,
+) -> Option<Proposal> {
+    let proposed = propose(session, request, last, rest)?;
+    let calibration = calibration(session, &proposed.state, request).ok()?;
+    let parameters = parameters_of(proposed.effect.name(), &calibration);
+    Some(proposed.written(rest.channel, parameters))
 }
 
 fn finding(name: &Name, last: &State, calibration: &Calibration) -> EffectFinding {

@@ -119,7 +119,8 @@ pub fn families(state: &State, catalogue: &[&'static dyn AnyEffect]) -> Vec<Fami
     all
 }
 
-fn effect_family(
+/// The family of one effect; `catalogue` has its companions.
+pub(super) fn effect_family(
     state: &State,
     effect: &'static dyn AnyEffect,
     catalogue: &[&'static dyn AnyEffect],
@@ -184,7 +185,15 @@ fn effect_family(
 /// The columns of an effect's coefficients, for typical sizes.
 fn scaled(state: &State, effect: &dyn AnyEffect, p: &[f64], linear: &[usize]) -> Mat<f64> {
     let columns = effect_columns(&state.sensitivities, state.rows(), effect, p, linear);
-    columns * faer::Scale(effect.typical())
+    sized(columns, effect, linear)
+}
+
+/// Columns of coefficients, for the typical size of each.
+fn sized(mut columns: Mat<f64>, effect: &dyn AnyEffect, linear: &[usize]) -> Mat<f64> {
+    for (k, mut column) in columns.col_iter_mut().enumerate() {
+        column *= faer::Scale(effect.typical_of(linear[k % linear.len()]));
+    }
+    columns
 }
 
 /// The same for an effect that begins at an instant, for all instants.
@@ -207,7 +216,7 @@ fn steps(
         .collect();
     let of = (always.as_slice(), linear);
     let columns = step_columns(&state.sensitivities, state.rows(), effect, of, &instants);
-    columns * faer::Scale(effect.typical())
+    sized(columns, effect, linear)
 }
 
 fn disturbance_families(state: &State) -> Vec<Family> {

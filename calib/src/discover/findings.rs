@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::channel::Channel;
 use super::integrity::Integrity;
 use super::localise::Disagreement;
+use super::propose::Proposal;
 use super::unexplained::Unexplained;
 use crate::calibration::{Calibration, EffectParameter};
 
@@ -114,6 +115,8 @@ pub struct Findings {
     pub integrity: Vec<Integrity>,
     /// A disagreement that remains.
     pub unexplained: Option<Unexplained>,
+    /// A formula for it, where one closes the gap on intervals that the fit did not see.
+    pub proposed: Option<Proposal>,
     /// Where the base models disagree with the data.
     pub disagreement: Vec<Disagreement>,
     /// The best of the catalogue against the base models.

@@ -33,11 +33,11 @@ pub struct Ranked {
 }
 
 /// One setting of the densities.
-struct Level {
-    walks: Walks,
-    whitened: Whitened,
+pub(super) struct Level {
+    pub walks: Walks,
+    pub whitened: Whitened,
     /// The sensor whose density differs from the likeliest; both hold the same there.
-    of: Option<Sensor>,
+    pub of: Option<Sensor>,
 }
 
 /// The evidence for all families, greatest first.
@@ -58,7 +58,8 @@ pub fn rank(projected: &Projected, families: &[Family], walks: Walks, given: boo
     ranked
 }
 
-fn levels(projected: &Projected, walks: Walks, given: bool) -> Vec<Level> {
+/// The likeliest densities, then for each sensor shares of them.
+pub(super) fn levels(projected: &Projected, walks: Walks, given: bool) -> Vec<Level> {
     let mut levels = Vec::new();
     let mut add = |walks: Walks, of: Option<Sensor>| {
         if let Some(whitened) = projected.at(walks) {

@@ -1,5 +1,6 @@
 //! `discover`: where simulation and data disagree, and the name of what is missing.
 
+mod emit;
 mod page;
 mod plots;
 mod tables;
@@ -11,6 +12,7 @@ use calib::Recording;
 use calib::calibrate::STANDARD_GRAVITY;
 use calib::discover::{Discovery, Findings, Request, discover, validate, walks_in};
 
+use emit::Emit;
 pub use page::page;
 pub use plots::{PLOTS, plots};
 pub use tables::text;
@@ -32,13 +34,26 @@ use crate::show;
 /// A gap is the root of the reduced chi² of what is left: 1 is explained to the noise that was measured in
 /// the recording itself. Effects that the recording cannot tell apart are named together, with the recording that
 /// would. Nothing is named unless chance would show as much in one of a hundred recordings (`--alpha`).
+///
+/// For what no effect of the catalogue explains a formula may be proposed: a sum of a few products of specific
+/// force, rate, angular acceleration, temperature and time that closes the gap on intervals that the fit did not
+/// see. It is no name: another formula may do as well.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
   stillpoint discover morning/ -o findings.json --report findings.html
   stillpoint discover morning/ --validation evening/   does the name hold on another recording?
   stillpoint allan overnight.csv -o noise.json
-  stillpoint discover morning/ --noise noise.json      random walk known: drift is told from it sooner")]
+  stillpoint discover morning/ --noise noise.json      random walk known: drift is told from it sooner
+  stillpoint discover morning/ --emit-effect gyro_swirl.rs    the proposed formula as the source of an effect
+  stillpoint discover evening/ --effect-file mine.toml        is it an effect of my own?
+
+An effect of one's own, mine.toml:
+  [[definitions]]
+  name = \"gyro_swirl\"
+  sensor = \"gyroscope\"
+  x = \"k * fy * fz\"
+  parameters = [{ name = \"k\", unit = \"rad/s/(m/s^2)^2\", typical = 5e-6 }]")]
 pub struct Args {
     /// Files or folders, recordings of one device; `-` reads standard input
     #[arg(value_name = "RECORDING")]
@@ -69,6 +84,9 @@ pub struct Args {
     /// Local gravity, m/s²; a wrong one is a common scale of the accelerometer and never shows
     #[arg(long, value_name = "M/S²", default_value_t = STANDARD_GRAVITY)]
     gravity: f64,
+    /// Write the proposed formula here, as the source of an effect that bears the file's name
+    #[arg(long, value_name = "FILE.rs")]
+    emit_effect: Option<PathBuf>,
     /// Latitude, degrees, north positive: the earth's rotation is then part of the base models
     #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
     latitude: Option<f64>,
@@ -99,11 +117,18 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             "no recording given: name a file or a folder",
         ));
     }
-    inputs.extend(args.validation.iter().chain(&args.noise).cloned());
-    inputs.extend(args.effect_file.iter().cloned());
+    let files = args.validation.iter().chain(&args.noise);
+    inputs.extend(files.chain(&args.effect_file).cloned());
     let mut request = request(args)?;
     let output = match &args.output {
         Some(path) => Some(Output::claim(path, args.force, &as_paths(&inputs))?),
+        None => None,
+    };
+    let emit = match &args.emit_effect {
+        Some(path) => {
+            let taken = &request.catalogue;
+            Some(Emit::claim(path, args.force, &as_paths(&inputs), taken)?)
+        }
         None => None,
     };
     let pictures = args
@@ -130,6 +155,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let json = json(findings)?;
     if let Some(output) = output {
         output.write(json.as_bytes())?;
+    }
+    if let Some(emit) = emit {
+        emit.write(findings)?;
     }
     if pictures.wanted() {
         let plots = plots(&discovery);

@@ -1,11 +1,10 @@
 //! The report of a discovery.
 
-use calib::calibration::catalogue;
 use calib::discover::{Discovery, Findings};
 
 use super::super::calibrate::tables::{PARAMETERS, parameters};
 use super::tables::{self, Rows};
-use super::words::{next_recordings, verdict};
+use super::words::{next_recordings, proposed, verdict};
 use crate::exit::Failure;
 use crate::report::{Plot, Report, ReportTable};
 
@@ -29,7 +28,7 @@ pub fn page(discovery: &Discovery, plots: &[Plot]) -> Result<Report, Failure> {
     if !findings.effects.is_empty() || !findings.validation.is_empty() {
         report = report.text(GAP);
     }
-    report = named(report, findings, plots)?;
+    report = named(report, discovery, plots)?;
     report = section(report, "Faults of the recording", tables::faults(findings));
     report = unexplained(report, findings);
     report = section(
@@ -68,11 +67,13 @@ const RANKING: &str = "Each effect on its own against the base models, the rando
                        chance is that of so much by any test of the catalogue where nothing is missing.";
 
 /// Every named effect: equation, parameters, evidence, residuals.
-fn named(mut report: Report, findings: &Findings, plots: &[Plot]) -> Result<Report, Failure> {
+fn named(mut report: Report, discovery: &Discovery, plots: &[Plot]) -> Result<Report, Failure> {
+    let findings = &discovery.findings;
     let (header, evidence) = tables::evidence(findings);
+    let held = &discovery.search.last.extension.effects;
     for (effect, row) in findings.effects.iter().zip(evidence) {
         report = report.section(effect.name.clone());
-        if let Some(known) = catalogue().find(|e| e.name() == effect.name) {
+        if let Some((known, _)) = held.iter().find(|(e, _)| e.name() == effect.name) {
             report = report.text(known.equation());
         }
         report = filled(report, (PARAMETERS, tables::parameters(effect)));
@@ -96,13 +97,18 @@ fn unexplained(report: Report, findings: &Findings) -> Report {
             names.join(" and ")
         ),
     };
-    report.section("What remains unexplained").text(format!(
+    let report = report.section("What remains unexplained").text(format!(
         "{}: gap {:.2} of the {}, chance {}.{instead}",
         rest.shape,
         rest.size,
         rest.channel.words(),
         super::words::chance(rest.p_value)
-    ))
+    ));
+    let Some(proposal) = &findings.proposed else {
+        return report;
+    };
+    let rows = tables::proposed_terms(proposal);
+    filled(report.text(proposed(proposal)), (PARAMETERS, rows))
 }
 
 /// The base models of the final calibration.

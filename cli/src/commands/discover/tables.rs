@@ -2,10 +2,11 @@
 
 use std::fmt::Write as _;
 
-use calib::discover::{Discovery, EffectFinding, Findings, Validation};
+use calib::calibration::EffectParameter;
+use calib::discover::{Discovery, EffectFinding, Findings, Proposal, Validation};
 use comfy_table::CellAlignment;
 
-use super::words::{chance, next_recordings, verdict};
+use super::words::{chance, next_recordings, proposed, verdict};
 use crate::show;
 
 /// A gap that is above this share of what it was has not shrunk.
@@ -69,16 +70,22 @@ pub fn places(findings: &Findings, effect: &EffectFinding) -> Vec<(String, f64, 
 
 /// The parameters of a named effect.
 pub fn parameters(effect: &EffectFinding) -> Vec<[String; 4]> {
+    effect.parameters.iter().map(parameter).collect()
+}
+
+fn parameter(p: &EffectParameter) -> [String; 4] {
     let digits = |v: f64| format!("{v:.3e}");
-    let row = |p: &calib::calibration::EffectParameter| {
-        [
-            p.name.clone(),
-            digits(p.value),
-            p.std.map_or("held".into(), digits),
-            p.unit.clone(),
-        ]
-    };
-    effect.parameters.iter().map(row).collect()
+    [
+        p.name.clone(),
+        digits(p.value),
+        p.std.map_or("held".into(), digits),
+        p.unit.clone(),
+    ]
+}
+
+/// The coefficients of the proposed formula.
+pub fn proposed_terms(proposal: &Proposal) -> Vec<[String; 4]> {
+    proposal.terms.iter().map(parameter).collect()
 }
 
 /// The evidence for what is named, everything else named being in the model.
@@ -226,6 +233,13 @@ pub fn text(discovery: &Discovery) -> String {
             table.add_row(row);
         }
         let _ = writeln!(text, "\n{table}");
+    }
+    if let Some(proposal) = &findings.proposed {
+        let mut table = show::table(&["proposed", "value", "std error", "unit"]);
+        for row in proposed_terms(proposal) {
+            table.add_row(row);
+        }
+        let _ = writeln!(text, "{}\n\n{table}", proposed(proposal));
     }
     push(&mut text, faults(findings), 5);
     push(&mut text, disagreement(findings), 1);

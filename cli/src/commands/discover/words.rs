@@ -1,6 +1,6 @@
 //! Findings in sentences.
 
-use calib::discover::{EffectFinding, Findings, Unexplained, Verdict};
+use calib::discover::{EffectFinding, Findings, Proposal, Unexplained, Verdict};
 
 /// The verdict in one sentence.
 pub fn verdict(findings: &Findings) -> String {
@@ -94,6 +94,24 @@ fn unexplained(rest: &Unexplained) -> String {
     )
 }
 
+/// What is proposed, in sentences.
+pub fn proposed(proposal: &Proposal) -> String {
+    let instead = match proposal.alternatives.as_slice() {
+        [] => "another formula may do as well".to_owned(),
+        all => format!("these recordings cannot tell it from {}", all.join(" or ")),
+    };
+    format!(
+        "Proposed: {} takes the gap of the {} on intervals left out from {:.2} to {:.2} (p = {} among all formulas of \
+         as many terms; selected by {:.0} % of the halves of the recording). It is no name: {instead}.",
+        proposal.equation,
+        proposal.channel.words(),
+        proposal.held_out_gap_before,
+        proposal.held_out_gap_after,
+        chance(proposal.adjusted_p_value),
+        100.0 * proposal.stability
+    )
+}
+
 /// A chance: `3e-11`, `0.004`.
 pub fn chance(p: f64) -> String {
     if p <= 0.0 {
@@ -147,6 +165,13 @@ pub fn next_recordings(findings: &Findings) -> Vec<String> {
         add(
             "To learn whether what remains belongs to the device or to the day: a second recording of the same \
              kind. What returns with the same shape belongs to the device."
+                .into(),
+        );
+    }
+    if findings.proposed.is_some() {
+        add(
+            "To see the proposed formula confirmed: another recording of the device, with the formula defined in a \
+             file given as --effect-file. It must be named there."
                 .into(),
         );
     }
