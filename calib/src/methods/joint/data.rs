@@ -80,7 +80,7 @@ pub struct TurnSamples {
     pub from: usize,
     /// When.
     pub span: Span,
-    /// Middle of each sample's window, s; [`MARGIN`] samples of the rests at either end.
+    /// Middle of each sample's window, s; a few samples of the rests at either end.
     pub t: Vec<f64>,
     /// Length of each sample's window, s.
     pub lengths: Vec<f64>,

@@ -55,7 +55,7 @@ impl<'a> JointRequest<'a> {
 pub struct Known {
     /// What happened.
     pub kind: Disturbance,
-    /// The rest, the chunk or the turn, by its place in [`Data`].
+    /// The rest, the chunk or the turn, by its place in [`super::Data`].
     pub place: usize,
 }
 
