@@ -238,7 +238,7 @@ fn disturbances(fit: &JointFit, warnings: &mut Vec<String>) {
 /// Names the rests without which a parameter would be another.
 fn influences(fit: &JointFit, warnings: &mut Vec<String>) {
     for influence in fit.influences() {
-        if influence.change > INFLUENTIAL {
+        if influence.change > INFLUENTIAL && influence.change.is_finite() {
             let rest = &fit.data.rests[influence.rest];
             warnings.push(format!(
                 "{}: without static interval {} (t = {:.2} to {:.2} s) {} would move by {:.1} of its \

@@ -147,3 +147,30 @@ pub fn channel_of(parts: &[Misfit; 3]) -> Channel {
     }
     Channel::ALL[best]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::discover::{Extension, Request, Session};
+    use crate::simulate::Spec;
+
+    #[test]
+    fn the_channels_add_up_to_the_whole_disagreement() {
+        let mut spec = Spec::hand_held(5);
+        spec.gyroscope.random_walk = 5e-6;
+        let recordings = [spec.run().unwrap().recording];
+        let session = Session::new(&recordings, &Request::new(spec.gravity)).unwrap();
+        let state = State::fit(&session, Extension::default()).unwrap();
+        let walks = [2e-5, 5e-6];
+        let misfits = Sequence::of(&state, walks).misfits(&state);
+        let whole = state.projected.at(walks).unwrap();
+        let sum: f64 = misfits.iter().map(|m| m.chi2).sum();
+        let dof: f64 = misfits.iter().map(|m| m.dof).sum();
+        assert!(
+            (sum / whole.square - 1.0).abs() < 1e-6,
+            "{sum} {}",
+            whole.square
+        );
+        assert_eq!(dof, state.projected.dof() as f64);
+    }
+}

@@ -3,6 +3,7 @@
 use crate::calibrate::{Request as CalibrationRequest, joint::written_down};
 use crate::calibration::{Calibration, EffectParameter, EffectValues};
 use crate::error::Error;
+use crate::methods::joint::{Disturbance, Known};
 use crate::recording::Recording;
 
 use sensor::AnyEffect;
@@ -20,11 +21,14 @@ use super::request::{Request, Session};
 use super::search::{Name, Search, search};
 use super::state::State;
 use super::time_offset::{Delay, delay};
-use super::unexplained::{Unexplained, unexplained};
+use super::unexplained::{Unexplained, rest_of, unexplained};
 use super::visible::{NEVER_VISIBLE, told_apart_by};
 
 /// The effect that the moving accelerometer shows.
 const LATE: &str = "time_offset";
+
+/// Disturbances of one kind in so many places are suspect themselves.
+const CROWD: usize = 3;
 
 /// The findings with the models behind them, for pictures.
 #[derive(Clone, Debug)]
@@ -54,6 +58,7 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery
     let rest = if quantised {
         None
     } else {
+        without_crowds(&session, &mut search, request)?;
         unexplained(&mut search, 0.5 * request.alpha)
     };
     // What delays the gyroscope's axes delays them against the accelerometer too.
@@ -168,6 +173,38 @@ fn finding(name: &Name, last: &State, calibration: &Calibration) -> EffectFindin
     }
 }
 
+/// Withdraws disturbances of one kind that are named in many places and still leave a rest: the model misses
+/// then, or the noise, and not those places.
+fn without_crowds(
+    session: &Session<'_>,
+    search: &mut Search,
+    request: &Request,
+) -> Result<(), Error> {
+    let crowded = |kind: Disturbance| {
+        let same = |k: &&Known| k.kind == kind;
+        search.last.extension.disturbed.iter().filter(same).count() >= CROWD
+    };
+    let crowds: Vec<Disturbance> = [
+        Disturbance::MountSlip,
+        Disturbance::DisturbedInterval,
+        Disturbance::BadTurn,
+    ]
+    .into_iter()
+    .filter(|kind| crowded(*kind))
+    .collect();
+    if crowds.is_empty() || rest_of(&search.last, 0.5 * request.alpha).is_none() {
+        return Ok(());
+    }
+    let mut extension = search.last.extension.clone();
+    extension.disturbed.retain(|k| !crowds.contains(&k.kind));
+    search.last = State::fit(session, extension)?;
+    search.names.retain(|name| match name.claim {
+        Claim::Disturbed(kind) => !crowds.contains(&kind),
+        _ => true,
+    });
+    Ok(())
+}
+
 /// The effect of late stamps, where the moving accelerometer shows it.
 fn late(state: &State, request: &Request) -> Option<(&'static dyn AnyEffect, Delay)> {
     let candidates = request.candidates();
@@ -237,7 +274,7 @@ fn not_observable(base: &State, request: &Request) -> Vec<String> {
     };
     families
         .iter()
-        .filter(|f| matches!(f.claim, Claim::Effect(_)))
+        .filter(|f| matches!(f.claim, Claim::Effect(_)) && f.claim.name() != LATE)
         .filter(|f| {
             let columns = whitened.columns(&base.projected.columns(f.columns.as_ref()));
             super::score::score(columns.as_ref(), &whitened.z).dof == 0

@@ -119,3 +119,33 @@ fn pseudo_inverse(a: &DMatrix<f64>) -> (DMatrix<f64>, usize) {
     }
     (inverse, rank)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::methods::joint::left_null_space;
+
+    #[test]
+    fn a_block_left_out_is_missed_as_by_a_fit_without_it() {
+        let j = Mat::from_fn(12, 3, |i, k| (((i * 7 + k * 5 + i * k) % 11) as f64) - 5.0);
+        let r = Mat::from_fn(12, 1, |i, _| ((i * 5 % 7) as f64) - 3.0);
+        let null = left_null_space(&j);
+        let precision = &null * null.transpose();
+        let pr = &precision * &r;
+        let (block, rest): (Vec<usize>, Vec<usize>) = (0..12).partition(|i| (4..8).contains(i));
+        let dense = |rows: &[usize]| DMatrix::from_fn(rows.len(), 3, |i, k| j[(rows[i], k)]);
+        let values = |rows: &[usize]| DMatrix::from_fn(rows.len(), 1, |i, _| r[(rows[i], 0)]);
+        let normal = (dense(&rest).transpose() * dense(&rest))
+            .try_inverse()
+            .unwrap();
+        let x = &normal * dense(&rest).transpose() * values(&rest);
+        let wanted = &block[..3];
+        let missed_by_fit = values(wanted) - dense(wanted) * x;
+        let own = dense(wanted);
+        let covariance = DMatrix::identity(3, 3) + &own * normal * own.transpose();
+        let direct = missed_by_fit.transpose() * covariance.try_inverse().unwrap() * &missed_by_fit;
+        let found = missed(&precision, &pr, &block, wanted);
+        assert_eq!(found.dof, 3.0);
+        assert!((found.chi2 / direct[(0, 0)] - 1.0).abs() < 1e-9);
+    }
+}

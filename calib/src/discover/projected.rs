@@ -117,3 +117,28 @@ impl Whitened {
         -0.5 * (self.log_determinant + self.square)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use faer::linalg::solvers::DenseSolveCore;
+
+    #[test]
+    fn the_square_is_that_of_the_disagreement_under_its_whole_covariance() {
+        let j = Mat::from_fn(9, 2, |i, k| ((i * 3 + k * 7) % 5) as f64 - 2.0);
+        let r: Vec<f64> = (0..9).map(|i| ((i * 4 % 9) as f64) - 4.0).collect();
+        let walk = Mat::from_fn(9, 9, |i, k| (i.min(k) + 1) as f64);
+        let projected = Projected::new(&r, &j, [Some(&walk), None]);
+        assert_eq!(projected.dof(), 7);
+        let at = projected.at([0.5, 0.0]).unwrap();
+        // zᵀ (Nᵀ(I + k²C)N)⁻¹ z with the inverse written out.
+        let v = Mat::<f64>::identity(9, 9) + faer::Scale(0.25) * &walk;
+        let inner = projected.null.transpose() * (&v * &projected.null);
+        let inverse = inner.llt(Side::Lower).unwrap().inverse();
+        let direct = (projected.z.transpose() * (inverse * &projected.z))[(0, 0)];
+        assert!((at.square / direct - 1.0).abs() < 1e-12);
+        assert!(
+            (projected.at([0.0; 2]).unwrap().square - projected.z.squared_norm_l2()).abs() < 1e-12
+        );
+    }
+}

@@ -84,3 +84,27 @@ fn tail(b: &Mat<f64>, z: &Mat<f64>, times: &[f64], memory: f64) -> f64 {
     }
     log_tail(form * trace / squares, trace * trace / squares)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::SeedableRng;
+    use rand_distr::{Distribution, StandardNormal};
+
+    #[test]
+    fn one_in_twenty_of_quiet_sessions_is_in_the_upper_twentieth() {
+        let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(11);
+        let times: Vec<f64> = (0..40).map(|k| 10.0 * f64::from(k)).collect();
+        let b = Mat::from_fn(60, 40, |i, k| if i == k || i == k + 20 { 0.7 } else { 0.0 });
+        let sessions = 2000;
+        let far = (0..sessions)
+            .filter(|_| {
+                let z = Mat::from_fn(60, 1, |_, _| StandardNormal.sample(&mut random));
+                tail(&b, &z, &times, 30.0) < 0.05_f64.ln()
+            })
+            .count();
+        // 2000 sessions leave 0.5 % of standard error; four, and the approximation of the tail.
+        let share = far as f64 / f64::from(sessions);
+        assert!((0.025..0.075).contains(&share), "{share}");
+    }
+}

@@ -114,3 +114,31 @@ fn of_turns(turns: &[Turn]) -> Option<Delay> {
         held_out_gap_after: (held[1] / after).sqrt(),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::discover::{Extension, Request, Session};
+    use crate::simulate::Spec;
+
+    fn found(late: f64) -> Delay {
+        let mut spec = Spec::hand_held(21);
+        if late > 0.0 {
+            let given = std::collections::BTreeMap::from([("d".to_owned(), late)]);
+            spec.effects.insert("time_offset".into(), given);
+        }
+        let recordings = [spec.run().unwrap().recording];
+        let session = Session::new(&recordings, &Request::new(spec.gravity)).unwrap();
+        delay(&State::fit(&session, Extension::default()).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn late_stamps_are_measured_and_punctual_ones_are_not_late() {
+        let late = found(8e-3);
+        assert!((late.delay - 8e-3).abs() < 4.0 * late.std, "{late:?}");
+        assert!(late.log_p < -9.0, "{late:?}");
+        let punctual = found(0.0);
+        assert!(punctual.delay.abs() < 4.0 * punctual.std, "{punctual:?}");
+        assert!(punctual.log_p > -7.0, "{punctual:?}");
+    }
+}

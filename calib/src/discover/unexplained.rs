@@ -70,7 +70,8 @@ pub fn unexplained(search: &mut Search, alpha: f64) -> Option<Unexplained> {
     Some(found)
 }
 
-fn rest_of(state: &State, alpha: f64) -> Option<Unexplained> {
+/// The disagreement that a model leaves, where it is significant (family-wise chance `alpha`).
+pub fn rest_of(state: &State, alpha: f64) -> Option<Unexplained> {
     let trials = trials(state)?;
     let count = trials.len() as f64;
     let worst = trials.iter().min_by(|a, b| a.log_p.total_cmp(&b.log_p))?;
