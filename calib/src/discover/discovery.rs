@@ -18,6 +18,7 @@ use super::localise::disagreements;
 use super::propose::{Proposal, propose};
 use super::rank::Ranked;
 use super::request::{Request, Session};
+use super::score::log_tail;
 use super::search::{Name, Search, search};
 use super::state::State;
 use super::time_offset::{Delay, delay};
@@ -53,14 +54,17 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery
     let mut search = if quantised {
         Search::without_names(base)
     } else {
-        search(&session, request, base)?
+        named(&session, request, base)?
     };
-    let rest = if quantised {
+    let alpha = 0.5 * request.alpha;
+    let mut rest = if quantised {
         None
     } else {
-        without_crowds(&session, &mut search, request)?;
-        unexplained(&mut search, 0.5 * request.alpha)
+        unexplained(&mut search, alpha)
     };
+    if rest.is_some() && without_weak(&session, &mut search, request)? {
+        rest = rest_of(&search.last, alpha);
+    }
     // What delays the gyroscope's axes delays them against the accelerometer too.
     let delayed = search.names.iter().any(|n| n.claim.name() == "gyro_delay");
     let late = (!quantised && !delayed)
@@ -173,36 +177,67 @@ fn finding(name: &Name, last: &State, calibration: &Calibration) -> EffectFindin
     }
 }
 
-/// Withdraws disturbances of one kind that are named in many places and still leave a rest: the model misses
-/// then, or the noise, and not those places.
-fn without_crowds(
-    session: &Session<'_>,
-    search: &mut Search,
-    request: &Request,
-) -> Result<(), Error> {
-    let crowded = |kind: Disturbance| {
-        let same = |k: &&Known| k.kind == kind;
-        search.last.extension.disturbed.iter().filter(same).count() >= CROWD
+/// What is named, disturbances that crowd left out.
+fn named(session: &Session<'_>, request: &Request, base: State) -> Result<Search, Error> {
+    let found = search(session, request, base.clone(), &[])?;
+    let crowds = crowds(&found, 0.5 * request.alpha);
+    if crowds.is_empty() {
+        return Ok(found);
+    }
+    search(session, request, base, &crowds)
+}
+
+/// The disturbances that are named in so many places that they are suspect themselves, a rest remaining: the
+/// model misses then, or the noise, and not those places.
+fn crowds(found: &Search, alpha: f64) -> Vec<Disturbance> {
+    let crowded = |kind: &Disturbance| {
+        let same = |k: &&Known| k.kind == *kind;
+        found.last.extension.disturbed.iter().filter(same).count() >= CROWD
     };
-    let crowds: Vec<Disturbance> = [
+    let kinds = [
         Disturbance::MountSlip,
         Disturbance::DisturbedInterval,
         Disturbance::BadTurn,
-    ]
-    .into_iter()
-    .filter(|kind| crowded(*kind))
-    .collect();
-    if crowds.is_empty() || rest_of(&search.last, 0.5 * request.alpha).is_none() {
-        return Ok(());
+    ];
+    let crowds: Vec<Disturbance> = kinds.into_iter().filter(crowded).collect();
+    if crowds.is_empty() || rest_of(&found.last, alpha).is_none() {
+        return Vec::new();
     }
-    let mut extension = search.last.extension.clone();
-    extension.disturbed.retain(|k| !crowds.contains(&k.kind));
-    search.last = State::fit(session, extension)?;
-    search.names.retain(|name| match name.claim {
-        Claim::Disturbed(kind) => !crowds.contains(&kind),
-        _ => true,
+    crowds
+}
+
+/// Withdraws the effects that are not evident against what remains unexplained: a rest of `g` times the noise
+/// makes all likelihood ratios `g²` times too large.
+fn without_weak(
+    session: &Session<'_>,
+    found: &mut Search,
+    request: &Request,
+) -> Result<bool, Error> {
+    let threshold = -(0.5 * request.alpha).ln();
+    let walks = found.last.walks;
+    let left = Sequence::of(&found.last, walks).misfits(&found.last);
+    let mut extension = found.last.extension.clone();
+    let before = found.names.len();
+    found.names.retain(|name| {
+        let Claim::Effect(effect) = name.claim else {
+            return true;
+        };
+        let parts = Sequence::of(&name.without, walks).of_column(name.predicted.clone());
+        let gap = gap_of(&left, channel_of(&parts)).max(1.0);
+        let ranked = &name.ranked;
+        let search_cost = -ranked.log_p - ranked.evidence;
+        let evident =
+            -log_tail(ranked.statistic / (gap * gap), ranked.dof) - search_cost > threshold;
+        if !evident {
+            extension.effects.retain(|(e, _)| e.name() != effect.name());
+        }
+        evident
     });
-    Ok(())
+    if found.names.len() == before {
+        return Ok(false);
+    }
+    found.last = State::fit(session, extension)?;
+    Ok(true)
 }
 
 /// The effect of late stamps, where the moving accelerometer shows it.
