@@ -3,7 +3,6 @@
 use crate::calibrate::{Request as CalibrationRequest, joint::written_down};
 use crate::calibration::{Calibration, EffectParameter, EffectValues};
 use crate::error::Error;
-use crate::methods::joint::{Disturbance, Known};
 use crate::recording::Recording;
 
 use sensor::AnyEffect;
@@ -28,9 +27,6 @@ use super::visible::{NEVER_VISIBLE, told_apart_by};
 /// The effect that the moving accelerometer shows.
 const LATE: &str = "time_offset";
 
-/// Disturbances of one kind in so many places are suspect themselves.
-const CROWD: usize = 3;
-
 /// The findings with the models behind them, for pictures.
 #[derive(Clone, Debug)]
 pub struct Discovery {
@@ -54,7 +50,7 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery
     let mut search = if quantised {
         Search::without_names(base)
     } else {
-        named(&session, request, base)?
+        search(&session, request, base)?
     };
     let alpha = 0.5 * request.alpha;
     let mut rest = if quantised {
@@ -175,35 +171,6 @@ fn finding(name: &Name, last: &State, calibration: &Calibration) -> EffectFindin
         held_out_gap_before: held(without),
         held_out_gap_after: held(last),
     }
-}
-
-/// What is named, disturbances that crowd left out.
-fn named(session: &Session<'_>, request: &Request, base: State) -> Result<Search, Error> {
-    let found = search(session, request, base.clone(), &[])?;
-    let crowds = crowds(&found, 0.5 * request.alpha);
-    if crowds.is_empty() {
-        return Ok(found);
-    }
-    search(session, request, base, &crowds)
-}
-
-/// The disturbances that are named in so many places that they are suspect themselves, a rest remaining: the
-/// model misses then, or the noise, and not those places.
-fn crowds(found: &Search, alpha: f64) -> Vec<Disturbance> {
-    let crowded = |kind: &Disturbance| {
-        let same = |k: &&Known| k.kind == *kind;
-        found.last.extension.disturbed.iter().filter(same).count() >= CROWD
-    };
-    let kinds = [
-        Disturbance::MountSlip,
-        Disturbance::DisturbedInterval,
-        Disturbance::BadTurn,
-    ];
-    let crowds: Vec<Disturbance> = kinds.into_iter().filter(crowded).collect();
-    if crowds.is_empty() || rest_of(&found.last, alpha).is_none() {
-        return Vec::new();
-    }
-    crowds
 }
 
 /// Withdraws the effects that are not evident against what remains unexplained: a rest of `g` times the noise

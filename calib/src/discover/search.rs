@@ -9,7 +9,7 @@ use super::rank::{Ranked, rank, shared};
 use super::request::{Request, Session};
 use super::state::{Extension, State};
 use crate::error::Error;
-use crate::methods::joint::{Disturbance, Known};
+use crate::methods::joint::Known;
 
 /// Names at most; a device that seems to lack more is not understood.
 const MOST_NAMES: usize = 6;
@@ -86,21 +86,15 @@ struct Held {
     hypothesis: Hypothesis,
 }
 
-/// Names what is missing; disturbances of the kinds `barred` are not among what may be.
+/// Names what is missing.
 ///
 /// # Errors
 /// As the joint fit.
-pub fn search(
-    session: &Session<'_>,
-    request: &Request,
-    base: State,
-    barred: &[Disturbance],
-) -> Result<Search, Error> {
+pub fn search(session: &Session<'_>, request: &Request, base: State) -> Result<Search, Error> {
     let candidates = request.candidates();
     let finder = Finder {
         session,
         catalogue: &candidates,
-        barred,
         threshold: -(0.5 * request.alpha).ln(),
     };
     finder.run(base)
@@ -109,7 +103,6 @@ pub fn search(
 struct Finder<'a> {
     session: &'a Session<'a>,
     catalogue: &'a [&'static dyn AnyEffect],
-    barred: &'a [Disturbance],
     threshold: f64,
 }
 
@@ -174,9 +167,7 @@ impl Finder<'_> {
     }
 
     fn ranked(&self, state: &State) -> (Vec<Family>, Vec<Ranked>) {
-        let mut families = families(state, self.catalogue);
-        families
-            .retain(|f| !matches!(f.claim, Claim::Disturbed(kind) if self.barred.contains(&kind)));
+        let families = families(state, self.catalogue);
         let given = self.session.walks.is_some();
         let mut ranked = rank(&state.projected, &families, state.walks, given);
         ranked.retain(|r| !turns_otherwise(&families[r.family], r));
