@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::projected::Walks;
 use super::state::State;
-use crate::methods::joint::{ComponentKind, NoiseLevel, Whitening, orthonormal};
+use crate::methods::joint::{NoiseLevel, Whitening, orthonormal};
 
 /// A kind of comparison between the model and the data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -128,12 +128,8 @@ impl Sequence {
 
 /// The whitening of a state's rows by white noise and walks of these densities.
 pub(super) fn whitening_at(state: &State, walks: Walks) -> Whitening {
-    let levels = [
-        (ComponentKind::AccelerometerWalk, walks[0]),
-        (ComponentKind::GyroscopeWalk, walks[1]),
-    ]
-    .map(|(kind, size)| NoiseLevel { kind, size });
     let fit = &state.fit;
+    let levels = NoiseLevel::walks(walks);
     Whitening::new(fit.whitening.white.clone(), &fit.components, &levels)
 }
 

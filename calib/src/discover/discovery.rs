@@ -7,13 +7,14 @@ use crate::recording::Recording;
 
 use sensor::AnyEffect;
 
-use super::channel::{Channel, Sequence, channel_of};
+use super::channel::{Channel, Misfit, Sequence, channel_of};
 use super::enough::{enough_rests, enough_to_compare};
 use super::family::{Claim, families};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
 use super::held_out::{gap_of, held_out};
 use super::integrity::{disturbed, integrity};
 use super::localise::disagreements;
+use super::projected::Walks;
 use super::propose::{Proposal, propose};
 use super::rank::Ranked;
 use super::request::{Request, Session};
@@ -52,7 +53,7 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery
     } else {
         search(&session, request, base)?
     };
-    let alpha = 0.5 * request.alpha;
+    let alpha = request.half_alpha();
     let mut rest = if quantised {
         None
     } else {
@@ -75,12 +76,13 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery
         .as_ref()
         .and_then(|rest| proposal(&session, request, &search.last, rest));
     let mut calibration = calibration(&session, &search.last, request)?;
-    let mut effects: Vec<EffectFinding> = search
-        .names
-        .iter()
-        .filter(|name| matches!(name.claim, Claim::Effect(_)))
-        .map(|name| finding(name, &search.last, &calibration))
-        .collect();
+    let named = |name: &&Name| matches!(name.claim, Claim::Effect(_));
+    let mut effects = Vec::new();
+    if search.names.iter().any(|name| named(&name)) {
+        let last = Final::of(&search.last, &calibration);
+        let names = search.names.iter().filter(named);
+        effects.extend(names.map(|name| finding(name, &last)));
+    }
     if let Some((_, late)) = late {
         effects.push(late_finding(&late, request, &mut calibration));
     }
@@ -146,14 +148,32 @@ fn proposal(
     Some(proposed.written(rest.channel, parameters))
 }
 
-fn finding(name: &Name, last: &State, calibration: &Calibration) -> EffectFinding {
+/// The final model with its misfits, in the fit and on blocks left out.
+struct Final<'a> {
+    walks: Walks,
+    misfits: [Misfit; 3],
+    held_out: Option<[Misfit; 3]>,
+    calibration: &'a Calibration,
+}
+
+impl<'a> Final<'a> {
+    fn of(last: &State, calibration: &'a Calibration) -> Self {
+        let walks = last.walks;
+        Self {
+            walks,
+            misfits: Sequence::of(last, walks).misfits(last),
+            held_out: held_out(last, walks),
+            calibration,
+        }
+    }
+}
+
+fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
     let without = &name.without;
     let walks = last.walks;
     let sequence = Sequence::of(without, walks);
     let channel = channel_of(&sequence.of_column(name.predicted.clone()));
-    let before = sequence.misfits(without)[channel as usize].gap();
-    let after = Sequence::of(last, walks).misfits(last)[channel as usize].gap();
-    let held = |state: &State| held_out(state, walks).map_or(1.0, |m| gap_of(&m, channel));
+    let held = |misfits: &Option<[Misfit; 3]>| misfits.map_or(1.0, |m| gap_of(&m, channel));
     let ties: Vec<String> = name.ties.iter().map(|t| t.claim.name().into()).collect();
     EffectFinding {
         name: name.claim.name().into(),
@@ -164,12 +184,12 @@ fn finding(name: &Name, last: &State, calibration: &Calibration) -> EffectFindin
         told_apart_by: told_apart_by(name.claim.name(), &ties),
         indistinguishable_from: ties,
         shared: name.ties.iter().map(|t| t.shared).collect(),
-        parameters: parameters_of(name.claim.name(), calibration),
+        parameters: parameters_of(name.claim.name(), last.calibration),
         channel,
-        gap_before: before,
-        gap_after: after,
-        held_out_gap_before: held(without),
-        held_out_gap_after: held(last),
+        gap_before: gap_of(&sequence.misfits(without), channel),
+        gap_after: gap_of(&last.misfits, channel),
+        held_out_gap_before: held(&held_out(without, walks)),
+        held_out_gap_after: held(&last.held_out),
     }
 }
 
@@ -180,7 +200,7 @@ fn without_weak(
     found: &mut Search,
     request: &Request,
 ) -> Result<bool, Error> {
-    let threshold = -(0.5 * request.alpha).ln();
+    let threshold = request.threshold();
     let walks = found.last.walks;
     let left = Sequence::of(&found.last, walks).misfits(&found.last);
     let mut extension = found.last.extension.clone();
@@ -212,8 +232,7 @@ fn late(state: &State, request: &Request) -> Option<(&'static dyn AnyEffect, Del
     let candidates = request.candidates();
     let effect = candidates.iter().find(|e| e.name() == LATE)?;
     let found = delay(state)?;
-    (late_evidence(&found, candidates.len()) > -(0.5 * request.alpha).ln())
-        .then_some((*effect, found))
+    (late_evidence(&found, candidates.len()) > request.threshold()).then_some((*effect, found))
 }
 
 fn late_evidence(found: &Delay, candidates: usize) -> f64 {

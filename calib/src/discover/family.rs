@@ -1,6 +1,6 @@
 //! What may be missing: families of hypotheses about one recording.
 
-use faer::Mat;
+use faer::{Mat, MatRef};
 use sensor::{AnyEffect, Sensor};
 
 use super::columns::{effect_columns, step_columns};
@@ -82,6 +82,14 @@ pub struct Family {
     pub shape_dof: f64,
     /// `ln` of the number of places that it could be at.
     pub log_places: f64,
+}
+
+impl Family {
+    /// The columns of one of its hypotheses.
+    pub fn columns_of(&self, hypothesis: usize) -> MatRef<'_, f64> {
+        let range = &self.hypotheses[hypothesis].columns;
+        self.columns.as_ref().subcols(range.start, range.len())
+    }
 }
 
 /// Places of an effect's coefficients, which are nothing in a perfect sensor, and of the parameter that

@@ -51,13 +51,9 @@ pub fn gap_of(misfits: &[Misfit; 3], channel: Channel) -> f64 {
 
 fn precision(state: &State, walks: Walks) -> Option<Mat<f64>> {
     let projected = &state.projected;
-    let q = projected.dof();
-    let mut v = Mat::<f64>::identity(q, q);
-    for (c, k) in projected.walks.iter().zip(walks) {
-        if let (Some(c), true) = (c, k > 0.0) {
-            v += faer::Scale(k * k) * c;
-        }
-    }
+    let Some(v) = projected.covariance(walks) else {
+        return Some(&projected.null * projected.null.transpose());
+    };
     let inverse = v.llt(Side::Lower).ok()?.inverse();
     Some(&projected.null * (inverse * projected.null.transpose()))
 }

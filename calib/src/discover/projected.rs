@@ -56,27 +56,29 @@ impl Projected {
         })
     }
 
-    /// The whole at given densities; `None` where they are not finite.
-    pub fn at(&self, walks: Walks) -> Option<Whitened> {
+    /// `V = I + k_a² C_a + k_g² C_g` (`q × q`); `None` where that is the identity.
+    pub fn covariance(&self, walks: Walks) -> Option<Mat<f64>> {
         let q = self.dof();
-        let mut v = Mat::<f64>::identity(q, q);
-        let mut white = true;
+        let mut sum: Option<Mat<f64>> = None;
         for (c, k) in self.walks.iter().zip(walks) {
             if let (Some(c), true) = (c, k > 0.0) {
-                v += faer::Scale(k * k) * c;
-                white = false;
+                *sum.get_or_insert_with(|| Mat::identity(q, q)) += faer::Scale(k * k) * c;
             }
         }
-        let factor = if white {
-            None
-        } else {
-            Some(v.llt(Side::Lower).ok()?.L().to_owned())
+        sum
+    }
+
+    /// The whole at given densities; `None` where they are not finite.
+    pub fn at(&self, walks: Walks) -> Option<Whitened> {
+        let factor = match self.covariance(walks) {
+            Some(v) => Some(v.llt(Side::Lower).ok()?.L().to_owned()),
+            None => None,
         };
         let mut z = self.z.clone();
         let log_determinant = match &factor {
             Some(l) => {
                 solve_lower_triangular_in_place(l.as_ref(), z.as_mut(), Par::Seq);
-                (0..q).map(|k| 2.0 * l[(k, k)].ln()).sum()
+                (0..self.dof()).map(|k| 2.0 * l[(k, k)].ln()).sum()
             }
             None => 0.0,
         };

@@ -146,10 +146,8 @@ pub fn shared(
 ) -> Option<f64> {
     let whitened = projected.at(one.walks)?;
     let of = |ranked: &Ranked| {
-        let family = &families[ranked.family];
-        let range = family.hypotheses[ranked.hypothesis].columns.clone();
-        whitened
-            .columns(&projected.columns(family.columns.as_ref().subcols(range.start, range.len())))
+        let own = families[ranked.family].columns_of(ranked.hypothesis);
+        whitened.columns(&projected.columns(own))
     };
     let (mine, theirs) = (of(one), of(other));
     let change = Mat::from_fn(mine.ncols(), 1, |i, _| one.score.change[i]);

@@ -35,6 +35,16 @@ pub struct Request {
 }
 
 impl Request {
+    /// The share of the chance of a false claim that names may take, and that an unexplained rest may take.
+    pub fn half_alpha(&self) -> f64 {
+        0.5 * self.alpha
+    }
+
+    /// The evidence that a name needs.
+    pub fn threshold(&self) -> f64 {
+        -self.half_alpha().ln()
+    }
+
     /// The effects that may be missing from the base model.
     pub fn candidates(&self) -> Vec<&'static dyn AnyEffect> {
         let known = |name: &str| self.latitude.is_some() && name == EARTH;

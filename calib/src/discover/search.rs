@@ -95,7 +95,7 @@ pub fn search(session: &Session<'_>, request: &Request, base: State) -> Result<S
     let finder = Finder {
         session,
         catalogue: &candidates,
-        threshold: -(0.5 * request.alpha).ln(),
+        threshold: request.threshold(),
     };
     finder.run(base)
 }
@@ -300,9 +300,7 @@ impl Finder<'_> {
         let columns: Vec<Mat<f64>> = best
             .iter()
             .map(|r| {
-                let family = &families[r.family];
-                let range = family.hypotheses[r.hypothesis].columns.clone();
-                let own = family.columns.as_ref().subcols(range.start, range.len());
+                let own = families[r.family].columns_of(r.hypothesis);
                 whitened.columns(&base.projected.columns(own))
             })
             .collect();
@@ -378,10 +376,9 @@ fn labelled(families: &[Family], ranked: &[Ranked]) -> Vec<(Claim, Ranked)> {
 
 /// `E β` of the estimate, white-whitened (`m × 1`).
 fn predicted(families: &[Family], ranked: &Ranked) -> Mat<f64> {
-    let family = &families[ranked.family];
-    let range = family.hypotheses[ranked.hypothesis].columns.clone();
-    let change = Mat::from_fn(range.len(), 1, |i, _| ranked.score.change[i]);
-    family.columns.as_ref().subcols(range.start, range.len()) * change
+    let columns = families[ranked.family].columns_of(ranked.hypothesis);
+    let change = Mat::from_fn(columns.ncols(), 1, |i, _| ranked.score.change[i]);
+    columns * change
 }
 
 /// The claims whose evidence is within 20 to 1 of the named one's.

@@ -13,7 +13,7 @@ use super::score::log_tail;
 use super::search::{APART, Search};
 use super::shape::{Shape, shapes};
 use super::state::State;
-use crate::methods::joint::{Mean, SensorNoise};
+use crate::methods::joint::{Chunk, Mean, SensorNoise};
 
 /// The mean square of the slope over a window of length `T` of a random walk of unit density is `6/5 / T`.
 const WALK_IN_SLOPE: f64 = 1.2;
@@ -187,25 +187,21 @@ fn channel_at_rest(sensor: Sensor) -> Channel {
 /// `Σ (slope/σ)²` over the chunks of rests that nothing disturbed, and the number of slopes.
 fn slopes(state: &State, sensor: Sensor, walks: Walks) -> (f64, f64) {
     let data = &state.fit.data;
-    let disturbed = |k: usize| {
-        state.fit.accused.iter().any(|a| {
-            let rest = &data.rests[data.chunks[k].rest];
-            a.recording == rest.recording && a.interval == rest.interval
-        })
+    let disturbed = |chunk: &Chunk| {
+        let rest = &data.rests[chunk.rest];
+        state
+            .fit
+            .accused
+            .iter()
+            .any(|a| a.recording == rest.recording && a.interval == rest.interval)
     };
     let (mut chi2, mut dof) = (0.0, 0.0);
-    for (k, chunk) in data
-        .chunks
-        .iter()
-        .enumerate()
-        .filter(|(k, _)| !disturbed(*k))
-    {
+    for chunk in data.chunks.iter().filter(|chunk| !disturbed(chunk)) {
         let source = &data.sources[data.rests[chunk.rest].recording];
         let (mean, noise, walk) = match sensor {
             Sensor::Accelerometer => (chunk.accelerometer, source.accelerometer, walks[0]),
             Sensor::Gyroscope => (chunk.gyroscope, source.gyroscope, walks[1]),
         };
-        debug_assert!(k < data.chunks.len());
         if let (Some(mean), Some(noise)) = (mean, noise) {
             chi2 += slope_chi2(&mean, &noise, walk);
             dof += 3.0;

@@ -14,7 +14,9 @@ use super::projected::Walks;
 use super::request::{Request, Session};
 use super::state::{Extension, State};
 use crate::error::Error;
-use crate::methods::joint::{ComponentKind, JointFit, Rows, Whitening, fit_joint};
+use crate::methods::joint::{
+    JointFit, NoiseLevel, Rows, Whitening, columns, covariance_at, fit_joint,
+};
 use crate::recording::Recording;
 
 /// Gauss–Newton steps of directions and biases: the problem is all but linear in them, and the first is
@@ -121,24 +123,11 @@ fn whitened(rows: &Rows<'_>, fit: &JointFit, x: &[f64]) -> (Mat<f64>, Mat<f64>) 
     (r, jacobian)
 }
 
-fn columns(a: &Mat<f64>, which: &[usize]) -> Mat<f64> {
-    Mat::from_fn(a.nrows(), which.len(), |i, k| a[(i, which[k])])
-}
-
 /// `I + k_a² C_a + k_g² C_g + J_s Σ J_sᵀ`, white-whitened.
 fn expected(fit: &JointFit, held: &HeldCalibration, jacobian: &Mat<f64>, walks: Walks) -> Mat<f64> {
     let m = jacobian.nrows();
-    let mut v = Mat::<f64>::identity(m, m);
-    for component in &fit.components {
-        let density = match component.kind {
-            ComponentKind::AccelerometerWalk => walks[0],
-            ComponentKind::GyroscopeWalk => walks[1],
-            _ => 0.0,
-        };
-        if density > 0.0 {
-            v += faer::Scale(density * density) * &component.covariance;
-        }
-    }
+    let noise = covariance_at(&fit.components, &NoiseLevel::walks(walks));
+    let v = noise.unwrap_or_else(|| Mat::identity(m, m));
     let by_calibration = columns(jacobian, &held.uncertain);
     v + &by_calibration * &held.covariance * by_calibration.transpose()
 }

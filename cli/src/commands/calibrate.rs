@@ -17,7 +17,8 @@ use nalgebra::Vector3;
 use sensor::AnyEffect;
 
 use super::inputs::{
-    DetectorArgs, as_paths, check_gravity, check_latitude, own_effects, read, read_pair, spinner,
+    DetectorArgs, RecordingArgs, as_paths, check_gravity, check_latitude, own_effects, read,
+    spinner,
 };
 use super::pictures::{PictureArgs, Pictures};
 use super::six_position;
@@ -35,20 +36,8 @@ use crate::show;
 Example:
   stillpoint calibrate morning/ evening/ --gravity 9.8055 -o cal.json --report cal.html")]
 pub struct Args {
-    /// Files or folders; `-` reads standard input
-    #[arg(value_name = "RECORDING")]
-    recordings: Vec<PathBuf>,
-    /// Accelerometer text of a recording in two files (`t x y z`, no header, any unit)
-    #[arg(
-        long,
-        value_name = "FILE",
-        requires = "gyro_file",
-        conflicts_with = "recordings"
-    )]
-    accel_file: Option<PathBuf>,
-    /// Gyroscope text of that recording
-    #[arg(long, value_name = "FILE", requires = "accel_file")]
-    gyro_file: Option<PathBuf>,
+    #[command(flatten)]
+    recordings: RecordingArgs,
     /// Local gravity, m/s²; a wrong one goes into the accelerometer's scale factors in full
     #[arg(long, value_name = "M/S²", default_value_t = STANDARD_GRAVITY)]
     gravity: f64,
@@ -148,8 +137,7 @@ enum GyroBiasArg {
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
-    let mut inputs = args.recordings.clone();
-    inputs.extend(args.accel_file.iter().chain(&args.gyro_file).cloned());
+    let mut inputs = args.recordings.paths();
     inputs.extend(args.gyro_recording.iter().chain(&args.sections).cloned());
     inputs.extend(args.static_means.iter().chain(&args.effect_file).cloned());
     if inputs.is_empty() {
@@ -168,7 +156,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let pictures = args
         .pictures
         .claim(&names, args.force, &as_paths(&inputs))?;
-    let recordings = recordings(args)?;
+    let recordings = args.recordings.read(&args.read)?;
     if let Method::SixPosition = args.method {
         let (detector, gravity) = (request.detector, request.gravity);
         let (first_order, json) = (args.first_order, args.json);
@@ -210,7 +198,7 @@ fn plot_names(args: &Args) -> Vec<String> {
     if let Method::SixPosition = args.method {
         return six_position::PLOTS.map(str::to_owned).to_vec();
     }
-    report::plot_names(args.recordings.len().max(1))
+    report::plot_names(args.recordings.recordings.len().max(1))
 }
 
 /// Writes plots and report. Every recording has a plot of its own; one that repeats another's data was
@@ -301,17 +289,6 @@ fn request(args: &Args) -> Result<Request, Failure> {
 fn catalogue_names(own: &[&'static dyn AnyEffect]) -> String {
     let names: Vec<&str> = catalogue_with(own).map(|e| e.name()).collect();
     names.join(", ")
-}
-
-fn recordings(args: &Args) -> Result<Vec<Recording>, Failure> {
-    match (&args.accel_file, &args.gyro_file) {
-        (Some(accel), Some(gyro)) => Ok(vec![read_pair(accel, gyro, &args.read)?]),
-        _ => args
-            .recordings
-            .iter()
-            .map(|path| read(path, &args.read))
-            .collect(),
-    }
 }
 
 fn sections(args: &Args, recordings: &[Recording]) -> Result<Vec<Vec<Span>>, Failure> {

@@ -14,6 +14,41 @@ use crate::exit::{Failure, USAGE};
 use crate::read_args::ReadArgs;
 use crate::show;
 
+/// Recordings of one device, as files or as a pair of texts.
+#[derive(Debug, clap::Args)]
+pub struct RecordingArgs {
+    /// Files or folders, recordings of one device; `-` reads standard input
+    #[arg(value_name = "RECORDING")]
+    pub recordings: Vec<PathBuf>,
+    /// Accelerometer text of a recording in two files (`t x y z`, no header, any unit)
+    #[arg(
+        long,
+        value_name = "FILE",
+        requires = "gyro_file",
+        conflicts_with = "recordings"
+    )]
+    accel_file: Option<PathBuf>,
+    /// Gyroscope text of that recording
+    #[arg(long, value_name = "FILE", requires = "accel_file")]
+    gyro_file: Option<PathBuf>,
+}
+
+impl RecordingArgs {
+    /// Everything that is read for them.
+    pub fn paths(&self) -> Vec<PathBuf> {
+        let pair = self.accel_file.iter().chain(&self.gyro_file);
+        self.recordings.iter().chain(pair).cloned().collect()
+    }
+
+    /// Reads them.
+    pub fn read(&self, how: &ReadArgs) -> Result<Vec<Recording>, Failure> {
+        match (&self.accel_file, &self.gyro_file) {
+            (Some(accel), Some(gyro)) => Ok(vec![read_pair(accel, gyro, how)?]),
+            _ => self.recordings.iter().map(|path| read(path, how)).collect(),
+        }
+    }
+}
+
 /// Gravity on the earth's surface lies between these, m/s².
 const GRAVITY: std::ops::RangeInclusive<f64> = 9.76..=9.84;
 

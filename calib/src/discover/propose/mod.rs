@@ -137,7 +137,7 @@ pub fn propose(
     let effect = formula.effect(name_of(sensor)).ok()?;
     let offered: usize = products.iter().map(|p| p.axes.len()).sum();
     let ranked = evidence(session, last, effect, offered)?;
-    if ranked.evidence <= -(0.5 * request.alpha).ln() {
+    if ranked.evidence <= request.threshold() {
         return None;
     }
     let mut extension = last.extension.clone();

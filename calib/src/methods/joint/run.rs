@@ -15,7 +15,7 @@ use super::marginal::orthonormal;
 use super::problem::{Linear, Rows};
 use super::request::{Accused, JointRequest, Known};
 use super::start::{Start, charts, start};
-use super::weights::{Component, ComponentKind, NoiseLevel, White, Whitening};
+use super::weights::{Component, NoiseLevel, White, Whitening};
 use crate::error::Error;
 
 /// Rounds of weighting at most; one suffices where nothing was disturbed.
@@ -163,7 +163,7 @@ impl Run<'_> {
         let noise = rows.noise(x);
         let white = White::new(&noise, rows.first_turn_row());
         let components = walks(&noise, &white);
-        let levels = self.request.walk.map(given_levels).unwrap_or_default();
+        let levels = self.request.walk.map(NoiseLevel::walks).unwrap_or_default();
         Weights {
             whitening: Whitening::new(white, &components, &levels),
             components,
@@ -276,7 +276,7 @@ impl Run<'_> {
 
     fn measured(&self, analysis: &Analysis, known: &[&Suspect]) -> Vec<NoiseLevel> {
         match self.request.walk {
-            Some(walk) => given_levels(walk),
+            Some(walk) => NoiseLevel::walks(walk),
             None => analysis.levels(known),
         }
     }
@@ -451,15 +451,6 @@ fn options() -> Options {
         variant: Variant::GaussNewton,
         ..Options::default()
     }
-}
-
-fn given_levels([force, rate]: [f64; 2]) -> Vec<NoiseLevel> {
-    [
-        (ComponentKind::AccelerometerWalk, force),
-        (ComponentKind::GyroscopeWalk, rate),
-    ]
-    .map(|(kind, size)| NoiseLevel { kind, size })
-    .to_vec()
 }
 
 /// Whether the minimum is nearer than a hundredth of the standard errors: of whitened residuals, what the

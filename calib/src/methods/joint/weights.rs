@@ -128,6 +128,32 @@ pub struct NoiseLevel {
     pub size: f64,
 }
 
+impl NoiseLevel {
+    /// Random walks of these densities: accelerometer (m/s²/√s), gyroscope (rad/s/√s).
+    pub fn walks([force, rate]: [f64; 2]) -> Vec<Self> {
+        [
+            (ComponentKind::AccelerometerWalk, force),
+            (ComponentKind::GyroscopeWalk, rate),
+        ]
+        .map(|(kind, size)| Self { kind, size })
+        .to_vec()
+    }
+}
+
+/// `I + Σ size² C` (`m × m`), white-whitened; `None` where that is the identity.
+pub fn covariance_at(components: &[Component], levels: &[NoiseLevel]) -> Option<Mat<f64>> {
+    let mut sum: Option<Mat<f64>> = None;
+    for level in levels.iter().filter(|l| l.size > 0.0) {
+        let Some(component) = components.iter().find(|c| c.kind == level.kind) else {
+            continue;
+        };
+        let m = component.covariance.nrows();
+        let total = sum.get_or_insert_with(|| Mat::identity(m, m));
+        *total += faer::Scale(level.size * level.size) * &component.covariance;
+    }
+    sum
+}
+
 /// The whole whitening: by white noise, then by what else there is.
 #[derive(Clone, Debug)]
 pub struct Whitening {
@@ -141,16 +167,7 @@ pub struct Whitening {
 impl Whitening {
     /// For these levels of the components.
     pub fn new(white: White, components: &[Component], levels: &[NoiseLevel]) -> Self {
-        let mut sum: Option<Mat<f64>> = None;
-        for level in levels.iter().filter(|l| l.size > 0.0) {
-            let Some(component) = components.iter().find(|c| c.kind == level.kind) else {
-                continue;
-            };
-            let m = component.covariance.nrows();
-            let total = sum.get_or_insert_with(|| Mat::identity(m, m));
-            *total += faer::Scale(level.size * level.size) * &component.covariance;
-        }
-        match sum {
+        match covariance_at(components, levels) {
             Some(covariance) => Self::with_covariance(white, &covariance),
             None => Self {
                 white,

@@ -20,7 +20,8 @@ pub use words::verdict;
 
 use super::calibrate::gate;
 use super::inputs::{
-    DetectorArgs, as_paths, check_gravity, check_latitude, own_effects, read, read_pair, spinner,
+    DetectorArgs, RecordingArgs, as_paths, check_gravity, check_latitude, own_effects, read,
+    spinner,
 };
 use super::pictures::PictureArgs;
 use crate::exit::{BUG, Failure, USAGE};
@@ -55,20 +56,8 @@ An effect of one's own, mine.toml:
   x = \"k * fy * fz\"
   parameters = [{ name = \"k\", unit = \"rad/s/(m/s^2)^2\", typical = 5e-6 }]")]
 pub struct Args {
-    /// Files or folders, recordings of one device; `-` reads standard input
-    #[arg(value_name = "RECORDING")]
-    recordings: Vec<PathBuf>,
-    /// Accelerometer text of a recording in two files (`t x y z`, no header, any unit)
-    #[arg(
-        long,
-        value_name = "FILE",
-        requires = "gyro_file",
-        conflicts_with = "recordings"
-    )]
-    accel_file: Option<PathBuf>,
-    /// Gyroscope text of that recording
-    #[arg(long, value_name = "FILE", requires = "accel_file")]
-    gyro_file: Option<PathBuf>,
+    #[command(flatten)]
+    recordings: RecordingArgs,
     /// Another recording of the device: the gap before and after is shown on it, the calibration held
     #[arg(long, value_name = "RECORDING")]
     validation: Option<PathBuf>,
@@ -109,8 +98,7 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
-    let mut inputs = args.recordings.clone();
-    inputs.extend(args.accel_file.iter().chain(&args.gyro_file).cloned());
+    let mut inputs = args.recordings.paths();
     if inputs.is_empty() {
         return Err(Failure::new(
             USAGE,
@@ -139,7 +127,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         given.notes.iter().for_each(|note| show::warn(note));
         request.walks = Some(given.walks);
     }
-    let recordings = recordings(args)?;
+    let recordings = args.recordings.read(&args.read)?;
     let validation = args.validation.as_ref();
     let validation = validation.map(|path| read(path, &args.read)).transpose()?;
     for recording in recordings.iter().chain(&validation) {
@@ -190,17 +178,6 @@ fn request(args: &Args) -> Result<Request, Failure> {
     };
     request.catalogue.extend(own_effects(&args.effect_file)?);
     Ok(request)
-}
-
-fn recordings(args: &Args) -> Result<Vec<Recording>, Failure> {
-    match (&args.accel_file, &args.gyro_file) {
-        (Some(accel), Some(gyro)) => Ok(vec![read_pair(accel, gyro, &args.read)?]),
-        _ => args
-            .recordings
-            .iter()
-            .map(|path| read(path, &args.read))
-            .collect(),
-    }
 }
 
 /// The discovery, with the gap on the validation recording.
