@@ -96,12 +96,16 @@ impl<'a> Session<'a> {
     /// # Errors
     /// As [`cut`].
     pub fn new(recordings: &'a [Recording], request: &Request) -> Result<Self, Error> {
+        let detector = Detector {
+            shaken: true,
+            ..request.detector
+        };
         let recordings = recordings
             .iter()
             .map(|recording| {
                 let choice = cut(
                     recording,
-                    &request.detector,
+                    &detector,
                     request.choose_multiplier,
                     request.gravity,
                 )?;

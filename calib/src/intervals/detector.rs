@@ -36,6 +36,8 @@ pub struct Detector {
     /// Length of the initial rest that gives the threshold as published, s; `None` takes the
     /// quietest tenth of the recording, which needs no rest at the start.
     pub initial_static: Option<f64>,
+    /// Whether a rest on a table that vibrates is a rest: what it tells is less certain than a quiet one.
+    pub shaken: bool,
 }
 
 impl Default for Detector {
@@ -46,6 +48,7 @@ impl Default for Detector {
             min_dynamic: 0.5,
             min_static: 3.0,
             initial_static: None,
+            shaken: false,
         }
     }
 }

@@ -11,6 +11,7 @@ mod running_sums;
 mod saturation;
 mod sections;
 mod segmentation;
+mod shaken;
 mod spans;
 mod survey;
 

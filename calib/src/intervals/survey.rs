@@ -6,6 +6,7 @@ use super::Moments;
 use super::detector::{Detector, Level, levels, motion};
 use super::running_sums::RunningSums;
 use super::segmentation::Segmentation;
+use super::shaken::shaken;
 use super::spans::{Span, static_spans, union};
 use crate::error::Error;
 use crate::recording::{Recording, Stream};
@@ -38,9 +39,13 @@ impl<'a> Survey<'a> {
         })
     }
 
-    /// The rests at a multiplier.
+    /// The rests at a multiplier, those on a table that vibrates not among them.
     pub fn rests(&self, multiplier: f64) -> Vec<Span> {
-        let mut moving = motion(&self.levels, multiplier);
+        self.without(motion(&self.levels, multiplier))
+    }
+
+    /// What is left between motions and gaps.
+    fn without(&self, mut moving: Vec<Span>) -> Vec<Span> {
         moving.extend_from_slice(&self.gaps);
         let Detector {
             min_dynamic,
@@ -60,12 +65,27 @@ impl<'a> Survey<'a> {
         }
     }
 
+    /// The rests at a multiplier that only the accelerometer does not take for rests.
+    fn shaken(&self, multiplier: f64, quiet: &[Span]) -> Vec<Span> {
+        let [_, Some(gyroscope)] = &self.levels else {
+            return Vec::new();
+        };
+        let turned = self.without(gyroscope.motion(multiplier));
+        let accelerometer = self.recording.accelerometer.as_ref();
+        accelerometer.map_or_else(Vec::new, |stream| shaken(stream, &turned, quiet))
+    }
+
     /// The recording cut into rests and turns at a multiplier.
     pub fn segment(&self, multiplier: f64) -> Segmentation {
         let level = |level: &Option<Level>| level.as_ref().map(|l| l.at_rest);
+        let mut rests = self.rests(multiplier);
+        if self.detector.shaken {
+            rests.extend(self.shaken(multiplier, &rests));
+            rests.sort_by(|a, b| a.from.total_cmp(&b.from));
+        }
         Segmentation {
             level_at_rest: self.levels.each_ref().map(level),
-            ..Segmentation::from_spans(self.recording, &self.rests(multiplier), multiplier)
+            ..Segmentation::from_spans(self.recording, &rests, multiplier)
         }
     }
 }

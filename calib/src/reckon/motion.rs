@@ -11,6 +11,7 @@ const DETECTOR: Detector = Detector {
     min_dynamic: 0.5,
     min_static: 1.0,
     initial_static: None,
+    shaken: false,
 };
 
 /// A rest shorter than this says too little of where up is, s.

@@ -126,6 +126,7 @@ impl DetectorArgs {
             min_dynamic: self.min_dynamic,
             min_static: self.min_static,
             initial_static: self.initial_static,
+            ..default
         };
         Ok((detector, self.multiplier.is_none()))
     }
