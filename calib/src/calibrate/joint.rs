@@ -58,19 +58,17 @@ pub(super) fn calibrate(
         None => Vec::new(),
     };
     let fit = fit_joint(&JointRequest {
-        recordings: recordings
-            .iter()
-            .copied()
-            .zip(choices.iter().map(|c| &c.segmentation))
-            .collect(),
         accelerometer,
         gyroscope,
-        gravity: request.gravity,
-        walk: None,
-        disturbances: true,
-        known: Vec::new(),
         held,
-        covariates: false,
+        ..JointRequest::new(
+            recordings
+                .iter()
+                .copied()
+                .zip(choices.iter().map(|c| &c.segmentation))
+                .collect(),
+            request.gravity,
+        )
     })?;
     let chosen: Vec<&Choice> = choices.iter().collect();
     let calibration = written_down(&fit, &recordings, &chosen, request, &mut warnings)?;

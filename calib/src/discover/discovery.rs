@@ -9,7 +9,7 @@ use sensor::AnyEffect;
 
 use super::channel::{Channel, Misfit, Sequence, channel_of};
 use super::enough::{enough_rests, enough_to_compare};
-use super::family::{Claim, families};
+use super::family::{Claim, TIME_CONSTANT, TIME_CONSTANTS, families};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
 use super::held_out::{gap_of, held_out};
 use super::integrity::{disturbed, integrity};
@@ -27,6 +27,9 @@ use super::visible::{NEVER_VISIBLE, told_apart_by};
 
 /// The effect that the moving accelerometer shows.
 const LATE: &str = "time_offset";
+
+/// A time constant so many times beyond those tried is none that the recording shows.
+const BEYOND_TRIED: f64 = 3.0;
 
 /// The findings with the models behind them, for pictures.
 #[derive(Clone, Debug)]
@@ -72,6 +75,7 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery
         extension.effects.push((effect, Some((0, late.delay))));
         search.last = State::fit(&session, extension)?;
     }
+    settle(&session, &mut search.last);
     let proposed = rest
         .as_ref()
         .and_then(|rest| proposal(&session, request, &search.last, rest));
@@ -225,6 +229,36 @@ fn without_weak(
     }
     found.last = State::fit(session, extension)?;
     Ok(true)
+}
+
+/// Fits the time constants of what settles, where they come out as ones of this recording: amplitudes are no
+/// better known than they.
+fn settle(session: &Session<'_>, last: &mut State) {
+    let mut extension = last.extension.clone();
+    let constants: Vec<String> = extension
+        .effects
+        .iter()
+        .filter_map(|(effect, shape)| Some((effect, effect.params()[(*shape)?.0].name)))
+        .filter(|(_, parameter)| *parameter == TIME_CONSTANT)
+        .map(|(effect, parameter)| format!("{}.{parameter}", effect.name()))
+        .collect();
+    if constants.is_empty() {
+        return;
+    }
+    extension.settles = true;
+    let Ok(settled) = State::fit(session, extension) else {
+        return;
+    };
+    let [shortest, .., longest] = TIME_CONSTANTS;
+    let shown = shortest / BEYOND_TRIED..longest * BEYOND_TRIED;
+    let fitted = &settled.fit.parameters;
+    let is_shown = |name: &String| {
+        let place = fitted.index(name);
+        place.is_some_and(|k| shown.contains(&fitted.values()[k]))
+    };
+    if constants.iter().all(is_shown) {
+        *last = settled;
+    }
 }
 
 /// The effect of late stamps, where the moving accelerometer shows it.

@@ -8,9 +8,12 @@ use super::shape::Shape;
 use super::state::State;
 use crate::methods::joint::Disturbance;
 
+/// The parameter of an effect that settles.
+pub const TIME_CONSTANT: &str = "tau";
+
 /// Time constants tried for an effect that settles, s. Between neighbours the shapes correlate by more than
 /// 0.98 over a session of minutes.
-const TIME_CONSTANTS: [f64; 6] = [20.0, 40.0, 70.0, 120.0, 200.0, 350.0];
+pub const TIME_CONSTANTS: [f64; 6] = [20.0, 40.0, 70.0, 120.0, 200.0, 350.0];
 
 /// Typical sizes of what is no sensor effect: creep of a rest (rad/s: 1.5 mrad in 7 s), a pushed chunk
 /// (m/s²), a turn with lost samples (rad).
@@ -21,6 +24,10 @@ const TYPICAL_MISS: f64 = 1e-2;
 /// A temperature effect of higher order comes with those of lower order: they stand for the
 /// reference temperature, which is nobody's to choose.
 const COMPANIONS: [(&str, &str); 1] = [("accel_temperature_quadratic", "accel_temperature")];
+
+/// Coefficients that are nothing by convention: the others are differences to them, and what is common to
+/// all does not show.
+const REFERENCES: [(&str, &str); 1] = [("gyro_delay", "z")];
 
 /// What a family claims.
 #[derive(Clone, Copy, Debug)]
@@ -98,9 +105,18 @@ pub fn coefficients(effect: &dyn AnyEffect) -> (Vec<usize>, Option<usize>) {
     let params = effect.params();
     let shape = params
         .iter()
-        .position(|p| p.name == "tau" || p.name == "t0");
-    let linear = (0..params.len()).filter(|k| Some(*k) != shape).collect();
+        .position(|p| p.name == TIME_CONSTANT || p.name == "t0");
+    let reference = reference_of(effect);
+    let linear = (0..params.len())
+        .filter(|k| Some(*k) != shape && Some(params[*k].name) != reference)
+        .collect();
     (linear, shape)
+}
+
+/// The name of the coefficient that the others are differences to, where there is one.
+pub fn reference_of(effect: &dyn AnyEffect) -> Option<&'static str> {
+    let found = REFERENCES.iter().find(|(name, _)| *name == effect.name());
+    found.map(|(_, reference)| *reference)
 }
 
 /// The effects that come with `effect`, itself first.
@@ -136,7 +152,7 @@ pub(super) fn effect_family(
     let (linear, shape) = coefficients(effect);
     let nominal: Vec<f64> = effect.params().iter().map(|p| p.nominal).collect();
     let values: Vec<Option<f64>> = match shape {
-        Some(k) if effect.params()[k].name == "tau" => TIME_CONSTANTS.map(Some).to_vec(),
+        Some(k) if effect.params()[k].name == TIME_CONSTANT => TIME_CONSTANTS.map(Some).to_vec(),
         Some(_) => state.boundaries().into_iter().map(Some).collect(),
         None => vec![None],
     };

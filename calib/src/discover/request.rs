@@ -2,6 +2,7 @@
 
 use sensor::AnyEffect;
 
+use super::family::{TIME_CONSTANT, reference_of};
 use super::projected::Walks;
 use super::state::Extension;
 use crate::error::Error;
@@ -123,7 +124,7 @@ impl<'a> Session<'a> {
     /// The joint fit of the base models with an extension.
     pub fn joint<'b>(&'b self, extension: &Extension) -> JointRequest<'b> {
         let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
-        let mut held = Vec::new();
+        let (mut held, mut starts) = (Vec::new(), Vec::new());
         if let (Some(latitude), Some(earth)) = (self.latitude, earth_rate()) {
             gyroscope = gyroscope.with(earth);
             let vertical = EARTH_RATE * latitude.to_radians().sin();
@@ -132,20 +133,30 @@ impl<'a> Session<'a> {
         for (effect, shape) in &extension.effects {
             accelerometer = accelerometer.with(*effect);
             gyroscope = gyroscope.with(*effect);
+            let mut hold = |parameter: &str, value: f64| {
+                held.push((format!("{}.{parameter}", effect.name()), value));
+            };
+            if let Some(reference) = reference_of(*effect) {
+                hold(reference, 0.0);
+            }
             if let Some((k, value)) = shape {
-                held.push((
-                    format!("{}.{}", effect.name(), effect.params()[*k].name),
-                    *value,
-                ));
+                let parameter = effect.params()[*k].name;
+                if extension.settles && parameter == TIME_CONSTANT {
+                    starts.push((format!("{}.{parameter}", effect.name()), *value));
+                } else {
+                    hold(parameter, *value);
+                }
             }
         }
         JointRequest {
             accelerometer,
             gyroscope,
             walk: self.walks,
+            biases_walk: true,
             disturbances: false,
             known: extension.disturbed.clone(),
             held,
+            starts,
             covariates: true,
             ..JointRequest::new(
                 self.recordings

@@ -168,7 +168,7 @@ impl Finder<'_> {
 
     fn ranked(&self, state: &State) -> (Vec<Family>, Vec<Ranked>) {
         let families = families(state, self.catalogue);
-        let given = self.session.walks.is_some();
+        let given = state.walks_given;
         let mut ranked = rank(&state.projected, &families, state.walks, given);
         ranked.retain(|r| !turns_otherwise(&families[r.family], r));
         (families, ranked)

@@ -20,6 +20,8 @@ pub struct Extension {
     pub effects: Vec<(&'static dyn AnyEffect, Held)>,
     /// Disturbances with their place: parameters of their own.
     pub disturbed: Vec<Known>,
+    /// Whether time constants are fitted, from their values on, and not held there.
+    pub settles: bool,
 }
 
 /// One model, fitted.
@@ -35,6 +37,8 @@ pub struct State {
     pub projected: Projected,
     /// Random walk densities when nothing is missing: given or likeliest.
     pub walks: Walks,
+    /// Whether the densities were given.
+    pub walks_given: bool,
 }
 
 impl State {
@@ -64,6 +68,7 @@ impl State {
             sensitivities,
             projected,
             walks,
+            walks_given: session.walks.is_some(),
         })
     }
 

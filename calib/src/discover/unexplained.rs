@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use sensor::Sensor;
 use serde::Serialize;
 
-use super::channel::{Channel, Sequence};
+use super::channel::{Channel, Misfit, Sequence};
 use super::family::{Claim, Family};
 use super::projected::Walks;
 use super::rank::{Ranked, rank};
@@ -43,43 +43,43 @@ struct Trial {
     period: Option<f64>,
 }
 
-/// Looks for a significant rest (family-wise chance `alpha`) and, where there is one, whether its shape
-/// explains the whole better than the names do: these are withdrawn then.
+/// Looks for a significant rest (family-wise chance `alpha`), and whether one shape explains the whole better than
+/// the names do: these are withdrawn then.
 pub fn unexplained(search: &mut Search, alpha: f64) -> Option<Unexplained> {
-    let mut found = rest_of(&search.last, alpha)?;
-    let effects: f64 = search
-        .names
-        .iter()
-        .map(|name| name.ranked.evidence.max(0.0))
-        .sum();
     let named_effect = search
         .names
         .iter()
         .any(|n| matches!(n.claim, Claim::Effect(_)));
     if named_effect {
-        let base = &search.base;
-        let shapes = shapes(base);
-        let best = ranked(base, &shapes);
-        if best.iter().any(|(_, b)| b.evidence > effects + APART) {
-            found = rest_of(base, alpha)?;
-            found.instead_of = search.names.iter().map(|n| n.claim.name().into()).collect();
+        let effects: f64 = search
+            .names
+            .iter()
+            .map(|name| name.ranked.evidence.max(0.0))
+            .sum();
+        let shaped = shaped(&search.base);
+        let better = |t: &Trial| -t.log_p - (shaped.len() as f64).ln() > effects + APART;
+        if shaped.iter().any(better) {
+            let mut whole = rest_of(&search.base, alpha)?;
+            whole.instead_of = search.names.iter().map(|n| n.claim.name().into()).collect();
             search.names.clear();
             search.last = search.base.clone();
+            return Some(whole);
         }
     }
-    Some(found)
+    rest_of(&search.last, alpha)
 }
 
 /// The disagreement that a model leaves, where it is significant (family-wise chance `alpha`).
 pub fn rest_of(state: &State, alpha: f64) -> Option<Unexplained> {
-    let trials = trials(state)?;
+    let misfits = Sequence::of(state, state.walks).misfits(state);
+    let mut trials = shaped(state);
+    trials.extend(shapeless(state, &misfits)?);
     let count = trials.len() as f64;
     let worst = trials.iter().min_by(|a, b| a.log_p.total_cmp(&b.log_p))?;
     let log_p = worst.log_p + count.ln();
     if log_p > alpha.ln() {
         return None;
     }
-    let misfits = Sequence::of(state, state.walks).misfits(state);
     let excess = |k: usize| (misfits[k].chi2 - misfits[k].dof) / misfits[k].dof.max(1.0).sqrt();
     let most = (1..3).fold(0, |best, k| if excess(k) > excess(best) { k } else { best });
     let channel = worst.channel.unwrap_or(Channel::ALL[most]);
@@ -93,20 +93,14 @@ pub fn rest_of(state: &State, alpha: f64) -> Option<Unexplained> {
     })
 }
 
-fn trials(state: &State) -> Option<Vec<Trial>> {
+/// The tests that say what the rest looks like.
+fn shaped(state: &State) -> Vec<Trial> {
     let shapes = shapes(state);
     let mut trials: Vec<Trial> = ranked(state, &shapes)
         .iter()
         .map(|(family, ranked)| of_shape(family, ranked))
         .collect();
-    let whitened = state.projected.at(state.walks)?;
-    trials.push(Trial {
-        log_p: log_tail(whitened.square, state.projected.dof() as f64),
-        words: "more scatter than the noise".into(),
-        channel: None,
-        period: None,
-    });
-    trials.extend(scatters(state, &whitened).into_iter().map(|s| Trial {
+    trials.extend(scatters(state).into_iter().map(|s| Trial {
         log_p: s.log_p,
         words: format!(
             "{}: the bias of axis {} wanders from rest to rest, with a memory of about {:.0} s",
@@ -117,11 +111,23 @@ fn trials(state: &State) -> Option<Vec<Trial>> {
         channel: None,
         period: None,
     }));
-    let misfits = Sequence::of(state, state.walks).misfits(state);
+    trials
+}
+
+/// The tests that say that there is more than the noise.
+fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
+    let more = "more scatter than the noise";
+    let whitened = state.projected.at(state.walks)?;
+    let mut trials = vec![Trial {
+        log_p: log_tail(whitened.square, state.projected.dof() as f64),
+        words: more.into(),
+        channel: None,
+        period: None,
+    }];
     for (channel, misfit) in Channel::ALL.into_iter().zip(misfits) {
         trials.push(Trial {
             log_p: log_tail(misfit.chi2, misfit.dof),
-            words: "more scatter than the noise".into(),
+            words: more.into(),
             channel: Some(channel),
             period: None,
         });
@@ -143,7 +149,8 @@ fn trials(state: &State) -> Option<Vec<Trial>> {
 fn ranked<'a>(state: &State, shapes: &'a [Family]) -> Vec<(&'a Family, Ranked)> {
     let slow = |f: &Family| matches!(f.claim, Claim::Shape(Shape::SlowTime, _));
     let of = |walks_given: bool| {
-        rank(&state.projected, shapes, state.walks, walks_given)
+        let given = walks_given || state.walks_given;
+        rank(&state.projected, shapes, state.walks, given)
             .into_iter()
             .map(|r| (&shapes[r.family], r))
             .filter(move |(f, _)| slow(f) == walks_given)

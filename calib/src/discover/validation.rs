@@ -63,7 +63,7 @@ fn missed(session: &Session<'_>, model: &State, walks: Walks) -> Result<[Misfit;
     // What was disturbed in the other recording was disturbed there.
     let fit = fit_joint(&session.joint(&Extension {
         effects: model.extension.effects.clone(),
-        disturbed: Vec::new(),
+        ..Extension::default()
     }))?;
     let held = HeldCalibration::of(&under(model, walks), &fit);
     let rows = fit.plain_rows();

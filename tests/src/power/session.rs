@@ -3,8 +3,10 @@
 use std::time::Instant;
 
 use calib::Error;
-use calib::discover::{Extension, Request, Session, State, Verdict, discover, gap_of, held_out};
-use calib::simulate::Spec;
+use calib::discover::{
+    EffectFinding, Extension, Request, Session, State, Verdict, discover, gap_of, held_out,
+};
+use calib::simulate::{Spec, Truth};
 use serde::{Deserialize, Serialize};
 
 use super::row::{Job, Row};
@@ -77,17 +79,41 @@ pub fn run(row: Row, index: u64) -> Result<Record, Error> {
         if !job.hidden.contains(&effect.name) {
             continue;
         }
-        for p in &effect.parameters {
-            let truth = session.truth.get(&format!("{}.{}", effect.name, p.name));
-            if let (Some(truth), Some(std)) = (truth, p.std) {
-                record.z.push((p.value - truth) / std);
-            }
-        }
+        record.z.extend(deviations(effect, &session.truth));
     }
     if !record.named.is_empty() && job.what() == job.hidden {
         record.gap_ratio = against_the_truth(&job, &recordings, &request, &discovery)?;
     }
     Ok(record)
+}
+
+/// Errors of an effect's parameters in their standard errors, as far as a recording shows them.
+fn deviations(effect: &EffectFinding, truth: &Truth) -> Vec<f64> {
+    let known: Vec<(f64, Option<f64>, f64)> = effect
+        .parameters
+        .iter()
+        .filter_map(|p| {
+            let truth = truth.get(&format!("{}.{}", effect.name, p.name))?;
+            Some((p.value, p.std, truth))
+        })
+        .collect();
+    let compared = match (effect.name.as_str(), known.as_slice()) {
+        // The heading of the first rest is nobody's to know: the length of the horizontal part, and the vertical one.
+        ("earth_rate", &[(x, x_std, north), (y, y_std, east), vertical]) => {
+            let length = x.hypot(y);
+            let std = x_std.zip(y_std).map(|(a, b)| (a * x).hypot(b * y) / length);
+            vec![(length, std, north.hypot(east)), vertical]
+        }
+        // Delays are relative to that of z.
+        ("gyro_delay", &[(x, x_std, x_truth), (y, y_std, y_truth), (.., z_truth)]) => {
+            vec![(x, x_std, x_truth - z_truth), (y, y_std, y_truth - z_truth)]
+        }
+        _ => known,
+    };
+    compared
+        .iter()
+        .filter_map(|(value, std, truth)| Some((value - truth) / (*std)?))
+        .collect()
 }
 
 /// The session with everything hidden in it at the size that the row asks for.

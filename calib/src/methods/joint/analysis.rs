@@ -81,8 +81,9 @@ impl Analysis {
     }
 
     /// The levels of the components by restricted likelihood, with the disturbances' columns among the
-    /// free ones: scatter at its likeliest, walks as their expectation.
-    pub fn levels(&self, disturbances: &[&Suspect]) -> Vec<NoiseLevel> {
+    /// free ones: scatter at its likeliest, walks as their expectation, which none at all may be unless
+    /// biases are sure to walk.
+    pub fn levels(&self, disturbances: &[&Suspect], biases_walk: bool) -> Vec<NoiseLevel> {
         let jacobian = self.with(disturbances);
         let is_walk = |c: &&Component| c.kind.is_walk();
         let (walks, scatter): (Vec<&Component>, Vec<&Component>) =
@@ -96,8 +97,9 @@ impl Analysis {
             });
         let covariances: Vec<&Mat<f64>> = walks.iter().map(|c| &c.covariance).collect();
         let usual: Vec<f64> = covariances.iter().map(|c| usual_walk(c)).collect();
-        let expected =
-            Walks::new(&self.residuals, &jacobian, &covariances, fixed.as_ref()).expected(&usual);
+        let none = if biases_walk { 0.0 } else { 1.0 };
+        let expected = Walks::new(&self.residuals, &jacobian, &covariances, fixed.as_ref())
+            .expected(&usual, none);
         walks
             .into_iter()
             .zip(expected)

@@ -20,6 +20,9 @@ pub struct JointRequest<'a> {
     /// Random walk densities of the biases of accelerometer (m/s²/√s) and gyroscope (rad/s/√s), where
     /// they are known; estimated where not.
     pub walk: Option<[f64; 2]>,
+    /// Whether the biases are sure to walk. Estimated densities are averages over what they may be, with half the
+    /// prior chance on no walk at all where this is not sure.
+    pub biases_walk: bool,
     /// Whether rests and turns that something disturbed are looked for and get parameters of their own, and
     /// whether rests and turns may scatter beyond all noise. Without, the noise is white noise and walks, and
     /// every row is believed.
@@ -28,6 +31,8 @@ pub struct JointRequest<'a> {
     pub known: Vec<Known>,
     /// Parameters held at a value, by name.
     pub held: Vec<(String, f64)>,
+    /// Parameters that begin at a value of their own, by name.
+    pub starts: Vec<(String, f64)>,
     /// Whether what effects ask for is worked out at the samples of turns even where no effect of the
     /// models asks for it: time, temperature, specific force, angular acceleration.
     pub covariates: bool,
@@ -42,9 +47,11 @@ impl<'a> JointRequest<'a> {
             gyroscope: gyroscope::model(),
             gravity,
             walk: None,
+            biases_walk: false,
             disturbances: true,
             known: Vec::new(),
             held: Vec::new(),
+            starts: Vec::new(),
             covariates: false,
         }
     }

@@ -179,14 +179,11 @@ impl Run<'_> {
         let rows = self.rows(&columns);
         let mut parameters = self.first_values(&rows);
         let plain = rows.layout.disturbance(0);
+        set(&mut parameters, &self.request.starts);
         if let Some(before) = before {
             parameters.values_mut()[..plain].copy_from_slice(before.plain_values());
         }
-        for (name, value) in &self.request.held {
-            if let Some(place) = parameters.index(name) {
-                parameters.values_mut()[place] = *value;
-            }
-        }
+        set(&mut parameters, &self.request.held);
         let mask = self.mask(&parameters);
         let weighted = Weighted {
             rows: &rows,
@@ -277,7 +274,7 @@ impl Run<'_> {
     fn measured(&self, analysis: &Analysis, known: &[&Suspect]) -> Vec<NoiseLevel> {
         match self.request.walk {
             Some(walk) => NoiseLevel::walks(walk),
-            None => analysis.levels(known),
+            None => analysis.levels(known, self.request.biases_walk),
         }
     }
 
@@ -442,6 +439,14 @@ impl Run<'_> {
             interval,
             span,
             detail: suspect.detail.clone(),
+        }
+    }
+}
+
+fn set(parameters: &mut Parameters, values: &[(String, f64)]) {
+    for (name, value) in values {
+        if let Some(place) = parameters.index(name) {
+            parameters.values_mut()[place] = *value;
         }
     }
 }

@@ -94,12 +94,12 @@ impl Walks {
     }
 
     /// The expected variance of every walk given the data, the others at theirs: an average over what
-    /// the density may be, half the prior chance on none at all and half spread evenly over sizes up to
-    /// `usual`, with the same chance per size beyond where the data ask for it.
+    /// the density may be, its prior chance spread evenly over sizes up to `usual`, with the same chance per size
+    /// beyond where the data ask for it, and `none` times as much on no walk at all.
     ///
     /// A walk at the edge of what a recording can show is most likely none in one of five; stating errors
     /// as if it were none is then wrong by a factor of two. The average is calibrated either way.
-    pub fn expected(&self, usual: &[f64]) -> Vec<f64> {
+    pub fn expected(&self, usual: &[f64], none: f64) -> Vec<f64> {
         let mut theta = vec![0.0; self.walks];
         let parts: Option<Vec<Part>> = self.groups.iter().map(|g| g.part(&theta)).collect();
         let Some(mut parts) = parts else {
@@ -109,7 +109,7 @@ impl Walks {
             let mut moved = false;
             for c in 0..self.walks {
                 let before = theta[c];
-                theta[c] = self.average(c, &theta, usual[c], &parts);
+                theta[c] = self.average(c, &theta, (usual[c], none), &parts);
                 moved |= (theta[c] - before).abs() > SETTLED * theta[c].max(before);
                 if !self.update(c, &theta, &mut parts) {
                     return vec![0.0; self.walks];
@@ -122,8 +122,8 @@ impl Walks {
         theta
     }
 
-    fn average(&self, c: usize, theta: &[f64], usual: f64, parts: &[Part]) -> f64 {
-        let mut points = vec![(0.0, 1.0, self.at(c, 0.0, theta, parts))];
+    fn average(&self, c: usize, theta: &[f64], (usual, none): (f64, f64), parts: &[Part]) -> f64 {
+        let mut points = vec![(0.0, none, self.at(c, 0.0, theta, parts))];
         let mut highest = usual;
         for doubling in 0..=DOUBLINGS {
             let from = if doubling == 0 { 0.0 } else { 0.5 * highest };
@@ -295,7 +295,7 @@ mod tests {
         let (r, jacobian, [a, b]) = example();
         let walks = Walks::new(&r, &jacobian, &[&a, &b], None);
         let usual = [0.3, 0.3];
-        let found = walks.expected(&usual);
+        let found = walks.expected(&usual, 1.0);
         let whole = Restricted::new(&r, &jacobian, &[&a, &b]);
         let fine: Vec<(f64, f64, f64)> = (0..=400)
             .map(|k| {
