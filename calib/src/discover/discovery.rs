@@ -9,7 +9,7 @@ use sensor::AnyEffect;
 
 use super::channel::{Channel, Misfit, Sequence, channel_of};
 use super::enough::{enough_rests, enough_to_compare};
-use super::family::{Claim, TIME_CONSTANT, TIME_CONSTANTS, families};
+use super::family::{Claim, TIME_CONSTANT, TIME_CONSTANTS};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
 use super::held_out::{gap_of, held_out};
 use super::integrity::{disturbed, integrity};
@@ -26,7 +26,13 @@ use super::unexplained::{Unexplained, rest_of, unexplained};
 use super::visible::{NEVER_VISIBLE, told_apart_by};
 
 /// The effect that the moving accelerometer shows.
-const LATE: &str = "time_offset";
+pub const LATE: &str = "time_offset";
+
+/// The effect that delays the axes of the gyroscope.
+const GYRO_DELAY: &str = "gyro_delay";
+
+/// Stamps are late beyond what delays of the gyroscope do if by more standard errors than this.
+const MUCH_LATER: f64 = 3.0;
 
 /// A time constant so many times beyond those tried is none that the recording shows.
 const BEYOND_TRIED: f64 = 3.0;
@@ -65,11 +71,7 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery
     if rest.is_some() && without_weak(&session, &mut search, request)? {
         rest = rest_of(&search.last, alpha);
     }
-    // What delays the gyroscope's axes delays them against the accelerometer too.
-    let delayed = search.names.iter().any(|n| n.claim.name() == "gyro_delay");
-    let late = (!quantised && !delayed)
-        .then(|| late(&search.last, request))
-        .flatten();
+    let late = (!quantised).then(|| late(&search.last, request)).flatten();
     if let Some((effect, late)) = late {
         let mut extension = search.last.extension.clone();
         extension.effects.push((effect, Some((0, late.delay))));
@@ -111,7 +113,7 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery
             .iter()
             .map(|(c, r)| ranked_claim(c, r))
             .collect(),
-        not_observable: not_observable(&search.base, request),
+        not_observable: search.not_observable.clone(),
         never_visible: NEVER_VISIBLE.to_vec(),
         validation: Vec::new(),
         walks: search.last.walks,
@@ -266,7 +268,19 @@ fn late(state: &State, request: &Request) -> Option<(&'static dyn AnyEffect, Del
     let candidates = request.candidates();
     let effect = candidates.iter().find(|e| e.name() == LATE)?;
     let found = delay(state)?;
+    // What delays the gyroscope's axes delays them against the accelerometer too.
+    if found.delay.abs() <= 2.0 * gyroscope_delay(state) + MUCH_LATER * found.std {
+        return None;
+    }
     (late_evidence(&found, candidates.len()) > request.threshold()).then_some((*effect, found))
+}
+
+/// The longest delay of an axis of the gyroscope against another in the model, s.
+fn gyroscope_delay(state: &State) -> f64 {
+    let fitted = &state.fit.parameters;
+    let named = fitted.names().iter().zip(fitted.values());
+    let of_delay = named.filter(|(name, _)| name.starts_with(GYRO_DELAY));
+    of_delay.map(|(_, d)| d.abs()).fold(0.0, f64::max)
 }
 
 fn late_evidence(found: &Delay, candidates: usize) -> f64 {
@@ -320,20 +334,4 @@ fn ranked_claim(claim: &Claim, ranked: &Ranked) -> RankedClaim {
         dof: ranked.dof,
         adjusted_p_value: adjusted(ranked),
     }
-}
-
-fn not_observable(base: &State, request: &Request) -> Vec<String> {
-    let families = families(base, &request.candidates());
-    let Some(whitened) = base.projected.at([0.0; 2]) else {
-        return Vec::new();
-    };
-    families
-        .iter()
-        .filter(|f| matches!(f.claim, Claim::Effect(_)) && f.claim.name() != LATE)
-        .filter(|f| {
-            let columns = whitened.columns(&base.projected.columns(f.columns.as_ref()));
-            super::score::score(columns.as_ref(), &whitened.z).dof == 0
-        })
-        .map(|f| f.claim.name().into())
-        .collect()
 }

@@ -4,6 +4,7 @@ use faer::Mat;
 use sensor::AnyEffect;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
+use super::discovery::LATE;
 use super::family::{Claim, Family, Hypothesis, families, with_companions};
 use super::rank::{Ranked, rank, shared};
 use super::request::{Request, Session};
@@ -22,6 +23,9 @@ const HIGHER_ORDER: f64 = 0.99;
 
 /// A rotation whose length differs from the earth's by more than so many standard errors is not it.
 const EARTH_LENGTH: f64 = 3.0;
+
+/// A rotation whose vertical part is fewer standard errors than this is not known to be the earth's.
+const EARTH_VERTICAL: f64 = 2.0;
 
 /// Families whose pairs are tried.
 const PAIRED: usize = 10;
@@ -65,6 +69,8 @@ pub struct Search {
     pub names: Vec<Name>,
     /// The ranking against the base models, best first.
     pub first_ranking: Vec<(Claim, Ranked)>,
+    /// Effects that the recordings would not show, had the device them.
+    pub not_observable: Vec<String>,
 }
 
 impl Search {
@@ -75,6 +81,7 @@ impl Search {
             base,
             names: Vec::new(),
             first_ranking: Vec::new(),
+            not_observable: Vec::new(),
         }
     }
 }
@@ -110,12 +117,13 @@ impl Finder<'_> {
     fn run(&self, base: State) -> Result<Search, Error> {
         let mut held = Vec::new();
         let mut last = base.clone();
-        let mut first_ranking = Vec::new();
+        let (mut first_ranking, mut not_observable) = (Vec::new(), Vec::new());
         while held.len() < MOST_NAMES {
             let (families, ranked) = self.ranked(&last);
             let next = self.next(&families, &ranked);
             if held.is_empty() {
                 first_ranking = labelled(&families, &ranked);
+                not_observable = silent(&families, &ranked);
             }
             let Some(next) = next else { break };
             held.push(next);
@@ -132,6 +140,7 @@ impl Finder<'_> {
             last,
             names,
             first_ranking,
+            not_observable,
         })
     }
 
@@ -170,7 +179,10 @@ impl Finder<'_> {
         let families = families(state, self.catalogue);
         let given = state.walks_given;
         let mut ranked = rank(&state.projected, &families, state.walks, given);
-        ranked.retain(|r| !turns_otherwise(&families[r.family], r));
+        for r in ranked.iter_mut().filter(|r| turns_otherwise(&families[r.family], r)) {
+            r.evidence = f64::NEG_INFINITY;
+        }
+        ranked.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
         (families, ranked)
     }
 
@@ -341,7 +353,8 @@ impl Finder<'_> {
     }
 }
 
-/// Whether what would be the earth's rotation has not its length.
+/// Whether what would be the earth's rotation has not its length, or no vertical part: a horizontal one alone is as well
+/// something that a direction of the room does to the sensor.
 fn turns_otherwise(family: &Family, ranked: &Ranked) -> bool {
     if family.claim.name() != "earth_rate" {
         return false;
@@ -351,7 +364,8 @@ fn turns_otherwise(family: &Family, ranked: &Ranked) -> bool {
     let length = rate.norm();
     let variance =
         (rate.transpose() * &ranked.score.covariance * &rate)[(0, 0)] / (length * length);
-    (length - 1.0).abs() > EARTH_LENGTH * variance.sqrt()
+    let vertical = rate[2].abs() / ranked.score.covariance[(2, 2)].sqrt();
+    (length - 1.0).abs() > EARTH_LENGTH * variance.sqrt() || vertical < EARTH_VERTICAL
 }
 
 enum Verdict {
@@ -371,6 +385,18 @@ fn held(families: &[Family], ranked: &Ranked) -> Held {
 fn labelled(families: &[Family], ranked: &[Ranked]) -> Vec<(Claim, Ranked)> {
     let best = ranked.iter().take(PAIRED);
     best.map(|r| (families[r.family].claim, r.clone()))
+        .collect()
+}
+
+/// The effects of which no column is left beside the model's own: they have no rank. Late stamps show in the moving
+/// accelerometer only, which is looked at on its own.
+fn silent(families: &[Family], ranked: &[Ranked]) -> Vec<String> {
+    families
+        .iter()
+        .enumerate()
+        .filter(|(_, f)| matches!(f.claim, Claim::Effect(_)) && f.claim.name() != LATE)
+        .filter(|(k, _)| ranked.iter().all(|r| r.family != *k))
+        .map(|(_, f)| f.claim.name().into())
         .collect()
 }
 

@@ -165,9 +165,14 @@ fn of_shape(family: &Family, ranked: &Ranked) -> Trial {
     };
     let value = family.hypotheses[ranked.hypothesis].shape.map(|(_, v)| v);
     let period = value.filter(|_| shape == Some(Shape::Periodic));
-    let words = match period {
-        Some(period) => format!("{}: periodic with {period:.1} s", word(sensor)),
-        None => format!("{}: {}", word(sensor), family.claim.name()),
+    let of = word(sensor);
+    let words = match (shape, period, sensor) {
+        (_, Some(period), _) => format!("{of}: periodic with {period:.1} s"),
+        (Some(Shape::Heading), None, Sensor::Gyroscope) => format!(
+            "{of}: {}, as the earth's rotation is near the equator (--latitude puts it into the model)",
+            family.claim.name()
+        ),
+        _ => format!("{of}: {}", family.claim.name()),
     };
     Trial {
         log_p: ranked.log_p + family.log_places,
