@@ -10,7 +10,7 @@ use super::rank::{Ranked, rank, shared};
 use super::request::{Request, Session};
 use super::state::{Extension, State};
 use crate::error::Error;
-use crate::methods::joint::Known;
+use crate::methods::joint::{Disturbance, Known};
 
 /// Names at most; a device that seems to lack more is not understood.
 const MOST_NAMES: usize = 6;
@@ -65,8 +65,11 @@ pub struct Search {
     pub base: State,
     /// The model with everything named.
     pub last: State,
-    /// What was named, most evident first.
+    /// What was named, most evident first, but for disturbances that are beyond doubt by their own parameters.
     pub names: Vec<Name>,
+    /// The evidence for all that was named: together, as one was found after the other, or each beside the others,
+    /// whichever says more.
+    pub evidence: f64,
     /// The ranking against the base models, best first.
     pub first_ranking: Vec<(Claim, Ranked)>,
     /// Effects that the recordings would not show, had the device them.
@@ -80,6 +83,7 @@ impl Search {
             last: base.clone(),
             base,
             names: Vec::new(),
+            evidence: 0.0,
             first_ranking: Vec::new(),
             not_observable: Vec::new(),
         }
@@ -91,6 +95,24 @@ impl Search {
 struct Held {
     claim: Claim,
     hypothesis: Hypothesis,
+    /// When it was found.
+    evidence: f64,
+}
+
+impl Held {
+    /// Whether this is a known disturbance.
+    fn is(&self, known: &Known) -> bool {
+        let same = |kind: Disturbance| kind == known.kind;
+        matches!(self.claim, Claim::Disturbed(kind) if same(kind))
+            && self.hypothesis.place == Some(known.place)
+    }
+}
+
+/// What is left of the names after a second look.
+struct Reviewed {
+    names: Vec<Name>,
+    evidence: f64,
+    last: State,
 }
 
 /// Names what is missing.
@@ -129,16 +151,12 @@ impl Finder<'_> {
             held.push(next);
             last = self.state(&held)?;
         }
-        let (names, held) = self.review(&base, held)?;
-        let last = if names.is_empty() {
-            base.clone()
-        } else {
-            self.state(&held)?
-        };
+        let reviewed = self.review(&base, last, held)?;
         Ok(Search {
             base,
-            last,
-            names,
+            last: reviewed.last,
+            names: reviewed.names,
+            evidence: reviewed.evidence,
             first_ranking,
             not_observable,
         })
@@ -179,7 +197,10 @@ impl Finder<'_> {
         let families = families(state, self.catalogue);
         let given = state.walks_given;
         let mut ranked = rank(&state.projected, &families, state.walks, given);
-        for r in ranked.iter_mut().filter(|r| turns_otherwise(&families[r.family], r)) {
+        for r in ranked
+            .iter_mut()
+            .filter(|r| turns_otherwise(&families[r.family], r))
+        {
             r.evidence = f64::NEG_INFINITY;
         }
         ranked.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
@@ -214,14 +235,19 @@ impl Finder<'_> {
 
     /// Each name against all others once more, everything else named being in the model: names that are no
     /// longer evident go, and a name makes way for one that is more evident.
-    fn review(&self, base: &State, mut held: Vec<Held>) -> Result<(Vec<Name>, Vec<Held>), Error> {
-        if held.len() == 2 {
-            self.try_pairs(base, &mut held);
+    fn review(&self, base: &State, last: State, mut held: Vec<Held>) -> Result<Reviewed, Error> {
+        let mut last = last;
+        if held.len() == 2 && self.try_pairs(base, &mut held) {
+            last = self.state(&held)?;
         }
         for _ in 0..2 * MOST_NAMES {
+            let certain = self.certain(&last);
             let mut names = Vec::new();
             let mut changed = false;
             for k in 0..held.len() {
+                if certain.iter().any(|(known, _)| held[k].is(known)) {
+                    continue;
+                }
                 let mut others = held.clone();
                 let own = others.remove(k);
                 let without = if others.is_empty() {
@@ -254,10 +280,38 @@ impl Finder<'_> {
             }
             if !changed {
                 names.sort_by(|a, b| b.ranked.evidence.total_cmp(&a.ranked.evidence));
-                return Ok((names, held));
+                let found: f64 = held.iter().map(|h| h.evidence).sum();
+                let beside: f64 = certain.iter().map(|(_, evidence)| evidence).sum();
+                let beside = names.iter().map(|n| n.ranked.evidence).sum::<f64>() + beside;
+                return Ok(Reviewed {
+                    names,
+                    evidence: found.max(beside),
+                    last,
+                });
             }
+            last = if held.is_empty() {
+                base.clone()
+            } else {
+                self.state(&held)?
+            };
         }
-        Ok((Vec::new(), Vec::new()))
+        Ok(Reviewed {
+            names: Vec::new(),
+            evidence: 0.0,
+            last: base.clone(),
+        })
+    }
+
+    /// The disturbances of a model that are beyond doubt by their own parameters, with their evidence.
+    fn certain(&self, state: &State) -> Vec<(Known, f64)> {
+        let places = state.fit.data.chunks.len() + state.fit.data.turns.len();
+        let search = (places as f64).ln() + (2.0 * self.catalogue.len() as f64).ln();
+        let mut certain = state.disturbances();
+        for (_, evidence) in &mut certain {
+            *evidence = -*evidence - search;
+        }
+        certain.retain(|(_, evidence)| *evidence > self.threshold + APART);
+        certain
     }
 
     fn judge(&self, own: &Held, families: &[Family], ranked: &[Ranked]) -> Verdict {
@@ -297,12 +351,12 @@ impl Finder<'_> {
     }
 
     /// Two effects found one after the other may stand for two others: all pairs of the best families at the
-    /// base model, the best of them instead where it is 20 to 1 better.
-    fn try_pairs(&self, base: &State, held: &mut Vec<Held>) {
+    /// base model, the best of them instead where it is 20 to 1 better. Whether it was.
+    fn try_pairs(&self, base: &State, held: &mut Vec<Held>) -> bool {
         let (families, ranked) = self.ranked(base);
         let walks = base.walks;
         let Some(whitened) = base.projected.at(walks) else {
-            return;
+            return false;
         };
         let best: Vec<&Ranked> = ranked
             .iter()
@@ -332,7 +386,7 @@ impl Finder<'_> {
                 .position(|r| families[r.family].claim.name() == h.claim.name())
         };
         let (Some(a), Some(b)) = (place(&held[0]), place(&held[1])) else {
-            return;
+            return false;
         };
         let now = evidence(a, b);
         let mut top: Option<(f64, usize, usize)> = None;
@@ -350,13 +404,15 @@ impl Finder<'_> {
                 self::held(&families, best[j]),
             ];
         }
+        top.is_some()
     }
 }
 
 /// Whether what would be the earth's rotation has not its length, or no vertical part: a horizontal one alone is as well
 /// something that a direction of the room does to the sensor.
 fn turns_otherwise(family: &Family, ranked: &Ranked) -> bool {
-    if family.claim.name() != "earth_rate" {
+    // Beside the isotropic g-sensitivity the vertical part is nobody's to know.
+    if family.claim.name() != "earth_rate" || ranked.score.dof < 3 {
         return false;
     }
     // The typical size of the effect is the earth's rate: its length is 1.
@@ -379,6 +435,7 @@ fn held(families: &[Family], ranked: &Ranked) -> Held {
     Held {
         claim: family.claim,
         hypothesis: family.hypotheses[ranked.hypothesis].clone(),
+        evidence: ranked.evidence,
     }
 }
 

@@ -1,13 +1,17 @@
 //! A model fitted to the recordings, and what it leaves unexplained.
 
+use std::ops::Range;
+
 use faer::{Mat, MatMut};
 use sensor::AnyEffect;
 
 use super::projected::{Projected, Walks};
 use super::request::Session;
+use super::score::log_tail;
 use crate::error::Error;
 use crate::methods::joint::{
-    ComponentKind, Disturbance, JointFit, Known, Sensitivities, Suspect, fit_joint, suspects,
+    ComponentKind, Disturbance, JointFit, Known, Sensitivities, Suspect, columns, fit_joint,
+    suspects, without,
 };
 
 /// The parameter that shapes an effect (`tau`, `t0`), by its place, and its value, which the fit holds.
@@ -104,6 +108,43 @@ impl State {
             &rows,
             &self.fit.parameters.values()[..rows.layout.disturbance(0)],
         )
+    }
+
+    /// How sure the model is of what it holds as disturbed: `ln p` of `βᵀ C⁻¹ β`, `β` the parameters of one
+    /// disturbance and `C` their covariance.
+    pub fn disturbances(&self) -> Vec<(Known, f64)> {
+        let all = self.fit.parameters.values();
+        let mut next = all.len() - self.fit.disturbance_columns.len();
+        let suspects = self.suspects().into_iter();
+        suspects
+            .filter(|s| self.is_accused(s.kind, s.place))
+            .map(|s| {
+                let own = next..next + s.columns.len();
+                next = own.end;
+                let known = Known {
+                    kind: s.kind,
+                    place: s.place,
+                };
+                (known, self.log_p_of_nothing(own))
+            })
+            .collect()
+    }
+
+    /// `ln p` that some parameters are nothing.
+    fn log_p_of_nothing(&self, places: Range<usize>) -> f64 {
+        let is_own = |k: &usize| places.contains(&self.fit.free[*k]);
+        let columns: Vec<usize> = (0..self.fit.free.len()).filter(is_own).collect();
+        let jacobian = &self.fit.jacobian;
+        let others: Vec<usize> = (0..jacobian.ncols())
+            .filter(|k| !columns.contains(k))
+            .collect();
+        let own = without(
+            &self::columns(jacobian, &others),
+            &self::columns(jacobian, &columns),
+        );
+        let values = &self.fit.parameters.values()[places];
+        let explained = own * Mat::from_fn(values.len(), 1, |k, _| values[k]);
+        log_tail(explained.squared_norm_l2(), values.len() as f64)
     }
 
     /// Times (since the start of the recording, s) at which a bias may have jumped: between

@@ -51,17 +51,13 @@ pub fn unexplained(search: &mut Search, alpha: f64) -> Option<Unexplained> {
         .iter()
         .any(|n| matches!(n.claim, Claim::Effect(_)));
     if named_effect {
-        let effects: f64 = search
-            .names
-            .iter()
-            .map(|name| name.ranked.evidence.max(0.0))
-            .sum();
         let shaped = shaped(&search.base);
-        let better = |t: &Trial| -t.log_p - (shaped.len() as f64).ln() > effects + APART;
+        let better = |t: &Trial| -t.log_p - (shaped.len() as f64).ln() > search.evidence + APART;
         if shaped.iter().any(better) {
             let mut whole = rest_of(&search.base, alpha)?;
             whole.instead_of = search.names.iter().map(|n| n.claim.name().into()).collect();
             search.names.clear();
+            search.evidence = 0.0;
             search.last = search.base.clone();
             return Some(whole);
         }

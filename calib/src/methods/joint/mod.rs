@@ -53,7 +53,7 @@ pub use fit::JointFit;
 pub use influence::Influence;
 pub use layout::Layout;
 pub use likelihood::{Restricted, left_null_space};
-pub(crate) use marginal::{columns, orthonormal};
+pub(crate) use marginal::{columns, orthonormal, without};
 pub use noise::SensorNoise;
 pub use prediction::Prediction;
 pub use problem::{Linear, Rows};
