@@ -7,7 +7,7 @@ use solver::{Mask, Options, Parameters, Termination, Variant, solve};
 use super::analysis::{Analysis, walks};
 use super::approach::{Weighted, approach};
 use super::chart::Chart;
-use super::data::{Cut, Data};
+use super::data::{Cut, Data, MOST_DISTURBED};
 use super::disturbance::{Disturbance, Suspect, pushed_chunk, suspects};
 use super::fit::JointFit;
 use super::knowledge::Attitudes;
@@ -27,9 +27,6 @@ const STRAIGHT: f64 = 0.2;
 
 /// A minimum nearer than this, in standard errors, is reached.
 const NEAR: f64 = 0.01;
-
-/// More disturbances than this share of the rests, and the noise is at fault, not the rests.
-const MOST_DISTURBED: f64 = 0.2;
 
 /// Fits everything at once.
 ///
@@ -332,8 +329,12 @@ impl Run<'_> {
         (levels, found)
     }
 
-    /// The chunks that were seen to shake: their force may be off and the device may have moved.
+    /// The chunks that were seen to shake: their force may be off and the device may have moved. None where
+    /// shaking is how the recording is: the rows are believed by their own noise then.
     fn touched(&self, rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
+        if self.data.shakes_throughout().is_some() {
+            return Vec::new();
+        }
         self.data
             .shaken
             .iter()
