@@ -214,7 +214,8 @@ pub fn walks(noise: &RowNoise, white: &White) -> Vec<Component> {
         .collect()
 }
 
-fn whitened(exposures: &[Exposure], white: &White) -> Vec<Exposure> {
+/// The exposures of rows that the white noise has whitened.
+pub fn whitened(exposures: &[Exposure], white: &White) -> Vec<Exposure> {
     exposures.iter().map(|e| e.whitened(white)).collect()
 }
 

@@ -115,7 +115,8 @@ pub struct Source {
     pub accelerometer: Option<SensorNoise>,
     /// Noise of the gyroscope, near SI units.
     pub gyroscope: Option<SensorNoise>,
-    /// The time that the bias of this recording is given for, s: the edge of a chunk near the middle.
+    /// The time that walks of the biases are counted from while the noise is judged, s: the edge of a chunk
+    /// near the middle. The biases of a fit are means over the rests.
     pub reference: f64,
 }
 

@@ -6,6 +6,7 @@ use solver::{Mask, Options, Parameters, Termination, Variant, solve};
 
 use super::analysis::{Analysis, walks};
 use super::approach::{Weighted, approach};
+use super::centred::centred;
 use super::chart::Chart;
 use super::data::{Cut, Data, MOST_DISTURBED};
 use super::disturbance::{Disturbance, Suspect, pushed_chunk, suspects};
@@ -342,8 +343,22 @@ impl Run<'_> {
             .collect()
     }
 
+    /// The same weights for biases that are means over the rests.
+    fn about_the_means(&self, point: &Point, weights: Weights) -> Weights {
+        let rows = self.rows(&[]);
+        let white = &weights.whitening.white;
+        let noise = rows.noise(point.plain_values());
+        let components = centred(&rows, &noise, white, &weights.components);
+        Weights {
+            whitening: Whitening::new(white.clone(), &components, &weights.levels),
+            components,
+            ..weights
+        }
+    }
+
     /// The last steps, to what double precision allows.
     fn finish(&self, point: &Point, weights: Weights) -> Result<JointFit, Error> {
+        let weights = self.about_the_means(point, weights);
         let columns = weights.columns();
         let rows = self.rows(&columns);
         let weighted = Weighted {
