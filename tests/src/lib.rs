@@ -3,6 +3,7 @@
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod coverage;
+pub mod leave_one_out;
 pub mod noise_source;
 pub mod phone;
 pub mod power;

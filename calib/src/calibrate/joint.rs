@@ -206,6 +206,13 @@ fn disturbances(fit: &JointFit, warnings: &mut Vec<String>) {
             gap.from
         ));
     }
+    if let Some(shaken) = fit.data.shakes_throughout() {
+        warnings.push(format!(
+            "{shaken} of {} static intervals shake more than the quiet parts of the recording: was the device \
+             held in the hand? They are weighted by their own noise, and touches are not told from it",
+            fit.data.rests.len()
+        ));
+    }
     for accused in &fit.accused {
         let (what, done) = match accused.kind {
             Disturbance::MountSlip => (

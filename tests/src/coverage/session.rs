@@ -3,9 +3,9 @@
 use calib::Error;
 use calib::calibrate::{Method, Request, calibrate};
 use calib::calibration::Calibration;
-use calib::intervals::Segmentation;
+use calib::intervals::{Segmentation, Span};
 use calib::methods::Fitted;
-use calib::methods::joint::{JointFit, JointRequest, fit_joint};
+use calib::methods::joint::{Chunk, JointFit, JointRequest, fit_joint};
 use calib::simulate::{Fault, Grade, HandHeld, Motion, Session, Simulation, Spec};
 use nalgebra::{DMatrix, DVector, Vector3};
 use sensor::{PLACES, Sensor, base_names};
@@ -173,11 +173,7 @@ pub fn run(row: Row, seed: u64) -> Result<SessionResult, Error> {
     } else {
         joint(&session, segmentation, Some(walk))?
     };
-    let drift = drifts(
-        &simulation,
-        row.walk().is_some(),
-        fit.data.sources[0].reference,
-    );
+    let drift = drifts(&simulation, row.walk().is_some(), &fit);
     let truth = |name: &str| {
         let axis = name.strip_suffix(['x', 'y', 'z'])?;
         let place = ["x", "y", "z"].iter().position(|a| name.ends_with(a))?;
@@ -263,17 +259,36 @@ fn named(fit: &JointFit, session: &Session) -> Vec<String> {
     names
 }
 
-/// Drift of both biases at the reference time.
-fn drifts(simulation: &Simulation, walks: bool, reference: f64) -> [Vector3<f64>; 2] {
+/// Mean drift of both biases over the rests that the fit has seen.
+fn drifts(simulation: &Simulation, walks: bool, fit: &JointFit) -> [Vector3<f64>; 2] {
     [Sensor::Accelerometer, Sensor::Gyroscope].map(|sensor| {
         if !walks {
             return Vector3::zeros();
         }
-        simulation
-            .samples(sensor)
-            .find(|s| s.t >= reference)
-            .map_or_else(Vector3::zeros, |s| s.drift)
+        let spans: Vec<Span> = fit
+            .data
+            .chunks
+            .iter()
+            .filter_map(|c| span(c, sensor))
+            .collect();
+        let (mut sum, mut count) = (Vector3::zeros(), 0.0);
+        for sample in simulation.samples(sensor) {
+            let next = spans.partition_point(|s| s.to <= sample.t);
+            if spans.get(next).is_some_and(|s| s.from <= sample.t) {
+                sum += sample.drift;
+                count += 1.0;
+            }
+        }
+        sum / count
     })
+}
+
+fn span(chunk: &Chunk, sensor: Sensor) -> Option<Span> {
+    let mean = match sensor {
+        Sensor::Accelerometer => chunk.accelerometer,
+        Sensor::Gyroscope => chunk.gyroscope,
+    };
+    mean.map(|m| m.span)
 }
 
 fn figures_of(

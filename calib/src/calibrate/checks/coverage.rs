@@ -1,6 +1,6 @@
 //! Which orientations were recorded.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 /// Orientations closer than this count as one, cos 20°.
 const SAME_ORIENTATION: f64 = 0.939_692_620_785_908_4;
@@ -8,7 +8,13 @@ const SAME_ORIENTATION: f64 = 0.939_692_620_785_908_4;
 /// A face counts as recorded by a placement within 45° of it.
 const FACE_REACHED: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
-/// `26 placements, 24 of which differ by more than 20°, none with z down`.
+/// Orientations all within this of one plane leave what lies along its normal unknown, sin 20°.
+const IN_ONE_PLANE: f64 = 0.342_020_143_325_668_7;
+
+/// A component of a normal below this is rounded away, so that an axis is called by its name.
+const ALONG_AN_AXIS: f64 = 0.17;
+
+/// `26 placements, 24 of which differ by more than 20°; add placements with z down`.
 pub(super) fn coverage(directions: &[Vector3<f64>]) -> Coverage {
     let mut distinct: Vec<Vector3<f64>> = Vec::new();
     for u in directions {
@@ -31,13 +37,54 @@ pub(super) fn coverage(directions: &[Vector3<f64>]) -> Coverage {
         directions.len(),
         distinct.len()
     );
-    if !missing.is_empty() {
+    let normal = normal_of_one_plane(directions);
+    if let Some(normal) = normal.filter(|n| n.amax() < 1.0) {
+        let along = in_words(&normal);
+        words.push_str(&format!(
+            ", all near one plane; add placements with {along} up and down"
+        ));
+    } else if !missing.is_empty() {
         words.push_str(&format!("; add placements with {}", missing.join(", ")));
     }
     Coverage {
         words,
-        complete: missing.is_empty(),
+        complete: missing.is_empty() && normal.is_none(),
     }
+}
+
+/// The normal of the plane that all directions lie near, to two digits.
+fn normal_of_one_plane(directions: &[Vector3<f64>]) -> Option<Vector3<f64>> {
+    let scatter: Matrix3<f64> = directions.iter().map(|u| u * u.transpose()).sum();
+    let eigen = scatter.symmetric_eigen();
+    let normal = eigen
+        .eigenvectors
+        .column(eigen.eigenvalues.imin())
+        .into_owned();
+    let near = directions
+        .iter()
+        .all(|u| u.dot(&normal).abs() < IN_ONE_PLANE);
+    let rounded = normal.map(|v| if v.abs() < ALONG_AN_AXIS { 0.0 } else { v });
+    let upwards = if rounded.sum() < 0.0 {
+        -rounded
+    } else {
+        rounded
+    };
+    (near && !directions.is_empty())
+        .then(|| upwards.normalize().map(|v| (100.0 * v).round() / 100.0))
+}
+
+/// `the direction 0.71 x - 0.71 y`.
+fn in_words(v: &Vector3<f64>) -> String {
+    let parts = v.iter().zip(["x", "y", "z"]).filter(|(c, _)| **c != 0.0);
+    parts.fold("the direction".into(), |words: String, (c, axis)| {
+        let sign = match (words == "the direction", *c < 0.0) {
+            (true, true) => " -",
+            (true, false) => " ",
+            (false, true) => " - ",
+            (false, false) => " + ",
+        };
+        format!("{words}{sign}{:.2} {axis}", c.abs())
+    })
 }
 
 /// Which orientations were recorded.
@@ -45,4 +92,46 @@ pub(super) struct Coverage {
     pub words: String,
     /// Every face was up and down at least once.
     pub complete: bool,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn in_plane(normal: Vector3<f64>) -> Vec<Vector3<f64>> {
+        let across = normal.cross(&Vector3::new(0.3, 0.8, -0.5)).normalize();
+        let other = normal.normalize().cross(&across);
+        let at = |k: i32| {
+            let (sin, cos) = (0.9 * f64::from(k)).sin_cos();
+            across * cos + other * sin
+        };
+        (0..7).map(at).collect()
+    }
+
+    #[test]
+    fn a_plane_across_an_axis_asks_for_both_of_its_faces() {
+        let found = coverage(&in_plane(Vector3::z()));
+        assert!(!found.complete);
+        let asked = found.words.ends_with("add placements with z up, z down");
+        assert!(asked, "{}", found.words);
+    }
+
+    #[test]
+    fn a_slanting_plane_asks_for_its_normal() {
+        let found = coverage(&in_plane(Vector3::new(3.0, 0.0, -4.0)));
+        let wanted = "all near one plane; add placements with the direction";
+        assert!(found.words.contains(wanted), "{}", found.words);
+        let slanted = found.words.contains("0.60 x") && found.words.contains("0.80 z");
+        assert!(slanted && !found.words.contains(" y"), "{}", found.words);
+    }
+
+    #[test]
+    fn six_faces_and_an_edge_ask_for_nothing() {
+        let mut all: Vec<_> = (0..3)
+            .flat_map(|k| [Vector3::ith(k, 1.0), Vector3::ith(k, -1.0)])
+            .collect();
+        all.push(Vector3::new(1.0, 1.0, 0.0).normalize());
+        let found = coverage(&all);
+        assert!(found.complete && !found.words.contains("add"));
+    }
 }

@@ -93,8 +93,9 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
     }
     if count <= free {
         return Err(Error::NotEnough(format!(
-            "{coverage}: {free} parameters leave nothing to check them with; record at least \
+            "{coverage}{}: {free} parameters leave nothing to check them with; record at least \
              {} placements",
+            least_known(fit),
             free + 1
         )));
     }
@@ -120,8 +121,7 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
         )));
     }
     if !complete {
-        let worst = worst_known(fit.fitted, fit.scale);
-        warnings.push(format!("{coverage}{worst}"));
+        warnings.push(format!("{coverage}{}", least_known(fit)));
     }
     warnings.extend(
         weak.into_iter()
@@ -130,16 +130,30 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
     Ok(())
 }
 
-/// `; accel.s_z is known to 0.31 % only`: the scale factor or misalignment with the largest error.
-fn worst_known(fitted: &Fitted, scale: f64) -> String {
+/// `; accel.s_z is known to 0.31 % only`: the parameter with the largest error, a bias against gravity.
+fn least_known(fit: &ForceEvidence<'_>) -> String {
+    let fitted = fit.fitted;
+    let relative = |name: &String| {
+        let error = fitted.standard_error(name)?;
+        Some(if name.contains(".b_") {
+            error * fit.scale / fit.gravity
+        } else {
+            error / fit.scale
+        })
+    };
     let worst = fitted
         .free
         .iter()
-        .filter(|name| name.starts_with("accel.") && !name.contains(".b_"))
-        .filter_map(|name| Some((name, fitted.standard_error(name)? / scale)))
+        .filter(|name| name.starts_with("accel."))
+        .filter_map(|name| Some((name, relative(name)?)))
         .max_by(|a, b| a.1.total_cmp(&b.1));
     worst.map_or(String::new(), |(name, error)| {
-        format!("; {name} is known to {:.2} % only", 100.0 * error)
+        let of = if name.contains(".b_") {
+            " of gravity"
+        } else {
+            ""
+        };
+        format!("; {name} is known to {:.2} %{of} only", 100.0 * error)
     })
 }
 

@@ -2,8 +2,9 @@
 
 use faer::Mat;
 
+use super::data::Chunk;
 use super::disturbance::Suspect;
-use super::exposure::covariance;
+use super::exposure::{Exposure, covariance};
 use super::likelihood::Restricted;
 use super::marginal::orthonormal;
 use super::problem::{Linear, Rows};
@@ -34,6 +35,8 @@ pub struct Analysis {
     pub white: White,
     /// What else the noise may have.
     pub components: Vec<Component>,
+    /// How the gyroscope's means, then the turns, feel its bias.
+    rate_exposures: Vec<Exposure>,
 }
 
 impl Analysis {
@@ -49,6 +52,7 @@ impl Analysis {
             residuals: residuals.col(0).iter().copied().collect(),
             jacobian,
             components: walks(noise, &white),
+            rate_exposures: whitened(&noise.exposures[1], &white),
             white,
         }
     }
@@ -73,11 +77,32 @@ impl Analysis {
                 })
                 .collect();
             if quieter_ratio(ratios) > MISFIT {
-                self.components
-                    .push(scatter(kind, &groups, &self.white, rows.count()));
+                if kind == ComponentKind::ForceScatter {
+                    self.end_walk_with_rests(rows);
+                }
+                let covariance = if kind == ComponentKind::RateScatter {
+                    rate_scatter(rows, &self.rate_exposures)
+                } else {
+                    self.white.both_sides(&shared(&groups, kind, rows.count()))
+                };
+                self.components.push(Component { kind, covariance });
             }
         }
         self.components.len() > before
+    }
+
+    /// Lets the walk of the accelerometer's bias begin anew in every rest.
+    ///
+    /// What the model misses from rest to rest depends on the orientation, and orientations are
+    /// recorded in some order: a walk through the whole recording would take it for its own, and
+    /// believe neighbouring rests too little and those near the reference time too much. What differs between
+    /// rests is then left to their scatter, and the walk to what is seen within them.
+    fn end_walk_with_rests(&mut self, rows: &Rows<'_>) {
+        let walk = walk_within_rests(rows, &self.white);
+        self.components
+            .iter_mut()
+            .filter(|c| c.kind == ComponentKind::AccelerometerWalk)
+            .for_each(|c| c.covariance.clone_from(&walk));
     }
 
     /// The levels of the components by restricted likelihood, with the disturbances' columns among the
@@ -184,22 +209,51 @@ pub fn walks(noise: &RowNoise, white: &White) -> Vec<Component> {
     let exposed = kinds.into_iter().zip(&noise.exposures);
     exposed
         .filter(|(_, exposures)| !exposures.is_empty())
-        .map(|(kind, exposures)| {
-            let whitened: Vec<_> = exposures.iter().map(|e| e.whitened(white)).collect();
-            Component {
-                kind,
-                covariance: covariance(&whitened, noise.variance.len()),
-            }
+        .map(|(kind, exposures)| Component {
+            kind,
+            covariance: covariance(&whitened(exposures, white), noise.variance.len()),
         })
         .collect()
 }
 
-/// A scatter of unit size, whitened by the white noise.
-fn scatter(kind: ComponentKind, groups: &[Vec<usize>], white: &White, m: usize) -> Component {
-    Component {
-        kind,
-        covariance: white.both_sides(&shared(groups, kind, m)),
+/// The exposures of rows that the white noise has whitened.
+pub fn whitened(exposures: &[Exposure], white: &White) -> Vec<Exposure> {
+    exposures.iter().map(|e| e.whitened(white)).collect()
+}
+
+/// The covariance of a walk of the accelerometer's bias, of unit density, that is none at the begin of every
+/// rest; whitened by the white noise.
+fn walk_within_rests(rows: &Rows<'_>, white: &White) -> Mat<f64> {
+    let exposure = |(k, (_, chunk)): (usize, (usize, &Chunk))| {
+        let span = chunk.accelerometer?.span;
+        let begin = rows.data.rests[chunk.rest].span.from;
+        let rows = 3 * k..3 * k + 3;
+        let (path, sign) = (chunk.rest, -1.0);
+        Some(Exposure::of_mean(rows, path, (span.from, span.to), begin, sign).whitened(white))
+    };
+    let means = rows.means(Sensor::Accelerometer).enumerate();
+    let exposures: Vec<Exposure> = means.filter_map(exposure).collect();
+    covariance(&exposures, rows.count())
+}
+
+/// The covariance of a scatter of the gyroscope from rest to rest, of unit size: what shifts its reading in
+/// a rest shifts it by half in the turns on either side, as far as anybody can know.
+fn rate_scatter(rows: &Rows<'_>, exposures: &[Exposure]) -> Mat<f64> {
+    let means = rows.means(Sensor::Gyroscope);
+    let of_means = means.map(|(_, chunk)| vec![(chunk.rest, 1.0)]);
+    let turns = rows.data.turns.iter();
+    let of_turns = turns.map(|turn| vec![(turn.from, 0.5), (turn.from + 1, 0.5)]);
+    let mut by_shift = Mat::<f64>::zeros(rows.count(), 3 * rows.data.rests.len());
+    for (exposure, shares) in exposures.iter().zip(of_means.chain(of_turns)) {
+        for (rest, share) in shares {
+            for (i, row) in exposure.rows.clone().enumerate() {
+                for axis in 0..3 {
+                    by_shift[(row, 3 * rest + axis)] = share * exposure.total[(i, axis)];
+                }
+            }
+        }
     }
+    &by_shift * by_shift.transpose()
 }
 
 /// The density up to which walks are common: at the far end of the recording the bias has moved by three

@@ -1,5 +1,7 @@
 //! Rests that a touch broke: what the detector of motion took for part of a turn.
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
 
 use super::noise::SensorNoise;
@@ -19,6 +21,9 @@ const OFF: f64 = 5.0;
 /// something is said to have been touched: a hand that begins or ends a turn makes
 /// three at most.
 const LEAST: usize = 4;
+
+/// The same of windows that shake with quiet on either side: no hand that turns the device.
+const LEAST_ALONE: usize = 3;
 
 /// Both sensors of a recording with their noise.
 #[derive(Clone, Copy, Debug)]
@@ -47,10 +52,13 @@ pub fn touched(pair: &Pair<'_>, turn: Span, bias: &Vector3<f64>) -> Option<Span>
     };
     let states: Vec<State> = (0..count).map(|k| state(pair, window(k), bias)).collect();
     let shaking = longest(&states, |s| s == State::Shakes);
+    let alone = alone(&states);
     let (first, last) = ends(&states)?;
     let inner = longest(&states[first..=last], |s| s == State::Quiet);
     let found = if shaking.len() >= LEAST {
         shaking
+    } else if alone.len() >= LEAST_ALONE {
+        alone
     } else if inner.len() >= LEAST {
         inner.start + first..inner.end + first
     } else {
@@ -102,8 +110,24 @@ fn ends(states: &[State]) -> Option<(usize, usize)> {
     Some((first, last))
 }
 
+/// The longest run that shakes with no turning right before or after it.
+fn alone(states: &[State]) -> Range<usize> {
+    let turns = |k: Option<usize>| k.and_then(|k| states.get(k)) == Some(&State::Turns);
+    let mut best = 0..0;
+    let mut from = 0;
+    for run in states.chunk_by(|a, b| a == b) {
+        let range = from..from + run.len();
+        from = range.end;
+        let apart = !turns(range.start.checked_sub(1)) && !turns(Some(range.end));
+        if run[0] == State::Shakes && apart && range.len() > best.len() {
+            best = range;
+        }
+    }
+    best
+}
+
 /// The longest run of states that pass.
-fn longest(states: &[State], passes: impl Fn(State) -> bool) -> std::ops::Range<usize> {
+fn longest(states: &[State], passes: impl Fn(State) -> bool) -> Range<usize> {
     let mut best = 0..0;
     let mut from = 0;
     for (k, state) in states.iter().enumerate() {
@@ -119,6 +143,15 @@ fn longest(states: &[State], passes: impl Fn(State) -> bool) -> std::ops::Range<
 #[cfg(test)]
 mod tests {
     use super::*;
+    use State::{Quiet, Shakes, Turns};
+
+    #[test]
+    fn what_shakes_beside_a_turn_is_a_hand_and_what_shakes_apart_from_it_is_not() {
+        let beside = [Quiet, Turns, Turns, Shakes, Shakes, Shakes, Quiet];
+        assert_eq!(alone(&beside), 0..0);
+        let apart = [Quiet, Turns, Quiet, Shakes, Shakes, Shakes];
+        assert_eq!(alone(&apart), 3..6);
+    }
     use crate::simulate::{Simulation, Spec};
 
     #[test]

@@ -24,6 +24,9 @@ const WHOLE: f64 = 1.5;
 /// Chunks of a recording that suffice: of longer recordings they are longer.
 const MOST_CHUNKS: f64 = 60.0;
 
+/// More disturbances than this share of the rests, and the noise is at fault, not the rests.
+pub(super) const MOST_DISTURBED: f64 = 0.2;
+
 /// The mean of the samples of a sensor over a chunk, near SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mean {
@@ -112,7 +115,8 @@ pub struct Source {
     pub accelerometer: Option<SensorNoise>,
     /// Noise of the gyroscope, near SI units.
     pub gyroscope: Option<SensorNoise>,
-    /// The time that the bias of this recording is given for, s: the edge of a chunk near the middle.
+    /// The time that walks of the biases are counted from while the noise is judged, s: the edge of a chunk
+    /// near the middle. The biases of a fit are means over the rests.
     pub reference: f64,
 }
 
@@ -212,6 +216,19 @@ impl Data {
             gyroscope: of_rate,
             reference: middle_edge(&spans),
         });
+    }
+
+    /// How many rests shake, where they are too many to have been touched one by one.
+    pub fn shakes_throughout(&self) -> Option<usize> {
+        let mut rests: Vec<usize> = self
+            .shaken
+            .iter()
+            .map(|(chunk, _)| self.chunks[*chunk].rest)
+            .collect();
+        rests.sort_unstable();
+        rests.dedup();
+        let most = (MOST_DISTURBED * self.rests.len() as f64).ceil() as usize;
+        (rests.len() > most).then_some(rests.len())
     }
 
     /// Touches that broke a rest in two or off its end.

@@ -17,7 +17,7 @@ use super::weights::White;
 pub struct Exposure {
     /// The rows.
     pub rows: Range<usize>,
-    /// The recording: paths of different recordings are independent.
+    /// The recording, or whatever has a path of its own: paths of different ones are independent.
     pub recording: usize,
     /// Whether the group lies after the reference time.
     pub after: bool,

@@ -17,6 +17,7 @@ mod analysis;
 mod approach;
 mod blocks;
 mod broken;
+mod centred;
 mod chart;
 mod coning;
 mod data;

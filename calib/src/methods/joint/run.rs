@@ -6,8 +6,9 @@ use solver::{Mask, Options, Parameters, Termination, Variant, solve};
 
 use super::analysis::{Analysis, walks};
 use super::approach::{Weighted, approach};
+use super::centred::centred;
 use super::chart::Chart;
-use super::data::{Cut, Data};
+use super::data::{Cut, Data, MOST_DISTURBED};
 use super::disturbance::{Disturbance, Suspect, pushed_chunk, suspects};
 use super::fit::JointFit;
 use super::knowledge::Attitudes;
@@ -27,9 +28,6 @@ const STRAIGHT: f64 = 0.2;
 
 /// A minimum nearer than this, in standard errors, is reached.
 const NEAR: f64 = 0.01;
-
-/// More disturbances than this share of the rests, and the noise is at fault, not the rests.
-const MOST_DISTURBED: f64 = 0.2;
 
 /// Fits everything at once.
 ///
@@ -329,8 +327,12 @@ impl Run<'_> {
         (levels, found)
     }
 
-    /// The chunks that were seen to shake: their force may be off and the device may have moved.
+    /// The chunks that were seen to shake: their force may be off and the device may have moved. None where
+    /// shaking is how the recording is: the rows are believed by their own noise then.
     fn touched(&self, rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
+        if self.data.shakes_throughout().is_some() {
+            return Vec::new();
+        }
         self.data
             .shaken
             .iter()
@@ -338,8 +340,22 @@ impl Run<'_> {
             .collect()
     }
 
+    /// The same weights for biases that are means over the rests.
+    fn about_the_means(&self, point: &Point, weights: Weights) -> Weights {
+        let rows = self.rows(&[]);
+        let white = &weights.whitening.white;
+        let noise = rows.noise(point.plain_values());
+        let components = centred(&rows, &noise, white, &weights.components);
+        Weights {
+            whitening: Whitening::new(white.clone(), &components, &weights.levels),
+            components,
+            ..weights
+        }
+    }
+
     /// The last steps, to what double precision allows.
     fn finish(&self, point: &Point, weights: Weights) -> Result<JointFit, Error> {
+        let weights = self.about_the_means(point, weights);
         let columns = weights.columns();
         let rows = self.rows(&columns);
         let weighted = Weighted {
