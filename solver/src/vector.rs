@@ -1,18 +1,25 @@
 //! The few vector operations of the solver, on slices.
 
 /// `a · b`, in four sums that do not wait for each other.
+#[inline]
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let length = a.len().min(b.len());
-    let (a, a_rest) = a[..length].as_chunks::<4>();
-    let (b, b_rest) = b[..length].as_chunks::<4>();
+    let (a, b) = (&a[..length], &b[..length]);
+    let blocks = length - length % 4;
     let mut sums = [0.0; 4];
-    for (a, b) in a.iter().zip(b) {
+    let mut i = 0;
+    while i < blocks {
         for k in 0..4 {
-            sums[k] += a[k] * b[k];
+            sums[k] += a[i + k] * b[i + k];
         }
+        i += 4;
     }
-    let rest: f64 = a_rest.iter().zip(b_rest).map(|(a, b)| a * b).sum();
-    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
+    let mut rest = 0.0;
+    while i < length {
+        rest += a[i] * b[i];
+        i += 1;
+    }
+    (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
 }
 
 /// `‖a‖`, without overflow for entries whose squares overflow.
@@ -47,9 +54,12 @@ pub(crate) fn add(a: &[f64], factor: f64, b: &[f64]) -> Vec<f64> {
 }
 
 /// Adds `factor · b` to `a`.
+#[inline]
 pub(crate) fn add_to(a: &mut [f64], factor: f64, b: &[f64]) {
-    for (a, b) in a.iter_mut().zip(b) {
-        *a += factor * b;
+    let length = a.len().min(b.len());
+    let (a, b) = (&mut a[..length], &b[..length]);
+    for i in 0..length {
+        a[i] += factor * b[i];
     }
 }
 

@@ -1,5 +1,6 @@
 //! Column-pivoted QR of small matrices, on slices.
 
+use super::Triangle;
 use crate::vector::{add_to, dot, norm};
 
 /// Share of a column's norm, squared, below which the norm is measured again and not updated.
@@ -15,10 +16,8 @@ pub(crate) struct Householder {
     rows: usize,
     /// Column after column: `R` above the diagonal, `v` (its first entry 1) from the diagonal on.
     columns: Vec<f64>,
-    /// `τ` of every reflection.
-    tau: Vec<f64>,
-    /// The diagonal of `R`.
-    diagonal: Vec<f64>,
+    /// Of every reflection, the diagonal entry of `R` that it leaves, and `τ`.
+    reflections: Vec<(f64, f64)>,
     /// The column of `A` at each place.
     order: Vec<usize>,
 }
@@ -30,8 +29,7 @@ impl Householder {
         let mut factor = Self {
             rows,
             columns,
-            tau: Vec::with_capacity(size),
-            diagonal: Vec::with_capacity(size),
+            reflections: Vec::with_capacity(size),
             order: (0..n).collect(),
         };
         let mut norms: Vec<Norm> = (0..n).map(|k| Norm::of(factor.column(k))).collect();
@@ -42,23 +40,19 @@ impl Householder {
         factor
     }
 
-    /// The column of `A` at each place of `R`.
-    pub fn order(&self) -> &[usize] {
-        &self.order
-    }
-
-    /// `R[i, k]`.
-    pub fn r(&self, i: usize, k: usize) -> f64 {
-        match i.cmp(&k) {
-            std::cmp::Ordering::Less => self.columns[k * self.rows + i],
-            std::cmp::Ordering::Equal => self.diagonal[i],
-            std::cmp::Ordering::Greater => 0.0,
-        }
+    /// `R` (`min(rows, n) × n`) with the column of `A` at each of its places.
+    pub fn triangle(&self) -> (Triangle, Vec<usize>) {
+        let entry = |i: usize, k: usize| match i == k {
+            true => self.reflections[i].0,
+            false => self.columns[k * self.rows + i],
+        };
+        let triangle = Triangle::from_fn(self.reflections.len(), self.order.len(), entry);
+        (triangle, self.order.clone())
     }
 
     /// Replaces `b` (`rows`) by `Qᵀ b`.
     pub fn rotate(&self, b: &mut [f64]) {
-        for (k, &tau) in self.tau.iter().enumerate() {
+        for (k, &(_, tau)) in self.reflections.iter().enumerate() {
             reflect(&self.column(k)[k..], tau, &mut b[k..]);
         }
     }
@@ -88,8 +82,7 @@ impl Householder {
             reflect(v, tau, &mut column[k..]);
             norm.without_first(&column[k..]);
         }
-        self.diagonal.push(diagonal);
-        self.tau.push(tau);
+        self.reflections.push((diagonal, tau));
     }
 }
 
@@ -153,7 +146,8 @@ mod tests {
             let small = Householder::new(columns, m, n);
             let large = a.col_piv_qr();
             let (forward, _) = large.P().arrays();
-            assert_eq!(small.order(), forward, "{m} {n}");
+            let (r, order) = small.triangle();
+            assert_eq!(order, forward, "{m} {n}");
             let b: Vec<f64> = (0..m).map(|i| 1.0 - 0.7 * i as f64).collect();
             let mut rotated = b.clone();
             small.rotate(&mut rotated);
@@ -161,8 +155,8 @@ mod tests {
             let size = norm(&b) + a.norm_l2();
             for i in 0..m.min(n) {
                 for k in 0..n {
-                    let difference = small.r(i, k).abs() - large.thin_R()[(i, k)].abs();
-                    let expected = if k < i { small.r(i, k) } else { difference };
+                    let difference = r.row(i)[k].abs() - large.thin_R()[(i, k)].abs();
+                    let expected = if k < i { r.row(i)[k] } else { difference };
                     assert!(expected.abs() < 1e-13 * size, "{m} {n}: R {i} {k}");
                 }
                 let difference = rotated[i].abs() - oracle[(i, 0)].abs();
@@ -176,7 +170,8 @@ mod tests {
         let x = [1.0, 2.0, 3.0];
         let columns = [[0.0; 3], x, x].concat();
         let factor = Householder::new(columns, 3, 3);
-        assert!((factor.r(0, 0).abs() - 14f64.sqrt()).abs() < 1e-15);
-        assert!(factor.r(1, 1).abs() < 1e-15 && factor.r(2, 2).abs() < 1e-15);
+        let (r, _) = factor.triangle();
+        assert!((r.diagonal(0).abs() - 14f64.sqrt()).abs() < 1e-15);
+        assert!(r.diagonal(1).abs() < 1e-15 && r.diagonal(2).abs() < 1e-15);
     }
 }
