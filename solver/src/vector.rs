@@ -4,20 +4,20 @@
 #[inline]
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let length = a.len().min(b.len());
-    let (a, b) = (&a[..length], &b[..length]);
-    let blocks = length - length % 4;
+    let (a, a_rest) = a[..length].as_chunks::<4>();
+    let (b, b_rest) = b[..length].as_chunks::<4>();
+    // Counted loops over slices known to be as long: iterators zipped cost as much again where
+    // vectors are this short.
+    let (b, b_rest) = (&b[..a.len()], &b_rest[..a_rest.len()]);
     let mut sums = [0.0; 4];
-    let mut i = 0;
-    while i < blocks {
+    for i in 0..a.len() {
         for k in 0..4 {
-            sums[k] += a[i + k] * b[i + k];
+            sums[k] += a[i][k] * b[i][k];
         }
-        i += 4;
     }
     let mut rest = 0.0;
-    while i < length {
-        rest += a[i] * b[i];
-        i += 1;
+    for i in 0..a_rest.len() {
+        rest += a_rest[i] * b_rest[i];
     }
     (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
 }

@@ -18,36 +18,34 @@ pub(crate) struct Householder {
     columns: Vec<f64>,
     /// Of every reflection, the diagonal entry of `R` that it leaves, and `τ`.
     reflections: Vec<(f64, f64)>,
-    /// The column of `A` at each place.
-    order: Vec<usize>,
 }
 
 impl Householder {
-    /// Factors the matrix of `n` columns of length `rows` that lie one after the other.
-    pub fn new(columns: Vec<f64>, rows: usize, n: usize) -> Self {
+    /// Factors the matrix of `n` columns of length `rows` that lie one after the other; with the
+    /// column of `A` at each place of `R`.
+    pub fn new(columns: Vec<f64>, rows: usize, n: usize) -> (Self, Vec<usize>) {
         let size = rows.min(n);
         let mut factor = Self {
             rows,
             columns,
             reflections: Vec::with_capacity(size),
-            order: (0..n).collect(),
         };
+        let mut order: Vec<usize> = (0..n).collect();
         let mut norms: Vec<Norm> = (0..n).map(|k| Norm::of(factor.column(k))).collect();
         for k in 0..size {
-            factor.bring_largest(k, &mut norms);
+            factor.bring_largest(k, &mut norms, &mut order);
             factor.eliminate(k, &mut norms);
         }
-        factor
+        (factor, order)
     }
 
-    /// `R` (`min(rows, n) × n`) with the column of `A` at each of its places.
-    pub fn triangle(&self) -> (Triangle, Vec<usize>) {
-        let entry = |i: usize, k: usize| match i == k {
+    /// `R` (`min(rows, n) × n`).
+    pub fn triangle(&self) -> Triangle {
+        let n = self.columns.len().checked_div(self.rows).unwrap_or(0);
+        Triangle::from_fn(self.reflections.len(), n, |i, k| match i == k {
             true => self.reflections[i].0,
             false => self.columns[k * self.rows + i],
-        };
-        let triangle = Triangle::from_fn(self.reflections.len(), self.order.len(), entry);
-        (triangle, self.order.clone())
+        })
     }
 
     /// Replaces `b` (`rows`) by `Qᵀ b`.
@@ -62,7 +60,7 @@ impl Householder {
     }
 
     /// Swaps the longest of the columns that are left into place `k`.
-    fn bring_largest(&mut self, k: usize, norms: &mut [Norm]) {
+    fn bring_largest(&mut self, k: usize, norms: &mut [Norm], order: &mut [usize]) {
         let longest = (k..norms.len()).max_by(|&a, &b| norms[a].now.total_cmp(&norms[b].now));
         let Some(pivot) = longest.filter(|&pivot| pivot > k) else {
             return;
@@ -70,7 +68,7 @@ impl Householder {
         let (before, after) = self.columns.split_at_mut(pivot * self.rows);
         before[k * self.rows..(k + 1) * self.rows].swap_with_slice(&mut after[..self.rows]);
         norms.swap(k, pivot);
-        self.order.swap(k, pivot);
+        order.swap(k, pivot);
     }
 
     /// Reflects column `k` onto the diagonal, and all columns after it.
@@ -143,10 +141,10 @@ mod tests {
         for (m, n) in [(1, 1), (7, 3), (9, 9), (3, 5), (40, 8)] {
             let a = Mat::from_fn(m, n, |i, k| ((i * 5 + k * 3 + i * i * k) % 11) as f64 - 4.3);
             let columns = (0..n).flat_map(|k| a.col_as_slice(k).to_vec()).collect();
-            let small = Householder::new(columns, m, n);
+            let (small, order) = Householder::new(columns, m, n);
             let large = a.col_piv_qr();
             let (forward, _) = large.P().arrays();
-            let (r, order) = small.triangle();
+            let r = small.triangle();
             assert_eq!(order, forward, "{m} {n}");
             let b: Vec<f64> = (0..m).map(|i| 1.0 - 0.7 * i as f64).collect();
             let mut rotated = b.clone();
@@ -169,8 +167,8 @@ mod tests {
     fn a_column_of_zeros_and_one_that_repeats_leave_zeros_on_the_diagonal() {
         let x = [1.0, 2.0, 3.0];
         let columns = [[0.0; 3], x, x].concat();
-        let factor = Householder::new(columns, 3, 3);
-        let (r, _) = factor.triangle();
+        let (factor, _) = Householder::new(columns, 3, 3);
+        let r = factor.triangle();
         assert!((r.diagonal(0).abs() - 14f64.sqrt()).abs() < 1e-15);
         assert!(r.diagonal(1).abs() < 1e-15 && r.diagonal(2).abs() < 1e-15);
     }

@@ -158,8 +158,8 @@ fn small(jacobian: MatRef<'_, f64>, scale: &[f64]) -> (Orthogonal, Triangle, Vec
     for (column, scale) in jacobian.col_iter().zip(scale) {
         columns.extend(column.iter().map(|value| value / scale));
     }
-    let qr = Householder::new(columns, m, n);
-    let (r, order) = qr.triangle();
+    let (qr, order) = Householder::new(columns, m, n);
+    let r = qr.triangle();
     (Orthogonal::Small(qr), r, order)
 }
 
