@@ -132,12 +132,23 @@ impl Columns {
     }
 
     /// Visits every pair once; whether one had to be rotated.
+    ///
+    /// In turns of pairs that share no column, so that the square roots of one need not wait for
+    /// those of the pair before.
     fn sweep(&mut self, squares: &mut [f64]) -> bool {
         let floor = ROUNDING * ROUNDING * squares.iter().sum::<f64>();
         let orthogonal = ORTHOGONAL * ORTHOGONAL * self.rows as f64;
         let mut rotated = false;
-        for k in 1..self.count {
-            for i in 0..k {
+        for turn in 0..self.count {
+            for i in 0..self.count {
+                let k = if i <= turn {
+                    turn - i
+                } else {
+                    self.count + turn - i
+                };
+                if i >= k {
+                    continue;
+                }
                 let (aa, bb) = (squares[i], squares[k]);
                 let ab = dot(self.column(i), self.column(k));
                 if aa.min(bb) <= floor || ab * ab <= orthogonal * aa * bb {
