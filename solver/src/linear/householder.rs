@@ -1,7 +1,7 @@
 //! Column-pivoted QR of small matrices, on slices.
 
 use super::Triangle;
-use crate::vector::{add_to, dot, norm};
+use crate::vector::{add_to, divide, dot, norm};
 
 /// Share of a column's norm, squared, below which the norm is measured again and not updated.
 const CANCELLED: f64 = 1.5e-8;
@@ -92,9 +92,7 @@ fn reflection(x: &mut [f64]) -> (f64, f64) {
         return (0.0, 0.0);
     }
     let d = -length.copysign(first);
-    for value in &mut x[1..] {
-        *value /= first - d;
-    }
+    divide(&mut x[1..], first - d);
     (d, (d - first) / d)
 }
 

@@ -12,7 +12,7 @@ use faer::linalg::solvers::{ColPivQr, SolveLstsqCore, Svd};
 use faer::{Conj, Mat, MatMut, MatRef, Par};
 
 use super::{Factor, Householder, Triangle, damped_triangle};
-use crate::vector::{dot, norm};
+use crate::vector::{divide, dot, norm};
 
 /// Most columns for which rotating the damping in is faster than a blocked QR.
 const ROTATED_COLUMNS: usize = 32;
@@ -155,8 +155,10 @@ impl Factor for QrFactor {
 fn small(jacobian: MatRef<'_, f64>, scale: &[f64]) -> (Orthogonal, Triangle, Vec<usize>) {
     let (m, n) = jacobian.shape();
     let mut columns = Vec::with_capacity(m * n);
-    for (column, scale) in jacobian.col_iter().zip(scale) {
-        columns.extend(column.iter().map(|value| value / scale));
+    for (column, &scale) in jacobian.col_iter().zip(scale) {
+        let first = columns.len();
+        columns.extend(column.iter());
+        divide(&mut columns[first..], scale);
     }
     let (qr, order) = Householder::new(columns, m, n);
     let r = qr.triangle();
