@@ -130,14 +130,9 @@ fn covariance(axes: MatRef<'_, f64>, s: &[f64]) -> Vec<Vec<f64>> {
         root.extend(s.iter().enumerate().map(|(k, s)| axes[(i, k)] / s));
     }
     let row = |i: usize| &root[i * s.len()..(i + 1) * s.len()];
-    let mut covariance: Vec<Vec<f64>> = (0..n).map(|_| vec![0.0; n]).collect();
-    for i in 0..n {
-        for k in 0..=i {
-            covariance[i][k] = dot(row(i), row(k));
-            covariance[k][i] = covariance[i][k];
-        }
-    }
-    covariance
+    (0..n)
+        .map(|i| (0..n).map(|k| dot(row(i), row(k))).collect())
+        .collect()
 }
 
 /// The `min(m, n)` singular values, descending.
