@@ -6,9 +6,10 @@ use faer::linalg::svd::{ComputeSvdVectors, svd, svd_scratch};
 use faer::{Mat, MatRef, Par};
 use serde::{Deserialize, Serialize};
 
-use crate::linear::singular;
+use crate::linear::{singular, singular_values};
 use crate::observability::{in_words, separate};
 use crate::scaling::unit_if_zero;
+use crate::vector::dot;
 
 /// Singular values below this fraction of the largest one count as zero.
 const RANK_TOLERANCE: f64 = 1e-10;
@@ -76,10 +77,7 @@ pub(crate) fn uncertainty_along(
 ) -> Uncertainty {
     let n = names.len();
     let triangle = triangle(jacobian);
-    let mut singular_values = right_vectors(triangle.as_ref())
-        .map(|(values, _)| values)
-        .unwrap_or_default();
-    singular_values.truncate(triangle.nrows());
+    let singular_values = values(triangle.as_ref()).unwrap_or_default();
     let reduced = match &directions {
         Some(directions) => triangle * directions,
         None => triangle,
@@ -100,11 +98,6 @@ pub(crate) fn uncertainty_along(
         Some(directions) => directions * unscaled,
         None => unscaled,
     };
-    let entry = |i: usize, j: usize| {
-        (0..rank)
-            .map(|k| axes[(i, k)] * axes[(j, k)] / (s[k] * s[k]))
-            .sum()
-    };
     let units: Vec<f64> = (0..n)
         .map(|k| unit_if_zero(jacobian.col(k).norm_l2()))
         .collect();
@@ -113,9 +106,7 @@ pub(crate) fn uncertainty_along(
         .collect();
     let unseen = separate(unseen, &units);
     Uncertainty {
-        covariance: (0..n)
-            .map(|i| (0..n).map(|j| entry(i, j)).collect())
-            .collect(),
+        covariance: covariance(axes.as_ref(), &s[..rank]),
         rank,
         condition: if rank == 0 {
             f64::INFINITY
@@ -129,6 +120,29 @@ pub(crate) fn uncertainty_along(
         singular_values,
         names,
     }
+}
+
+/// `A S⁻² Aᵀ` of as many columns of `A` (`n × …`) as there are singular values.
+fn covariance(axes: MatRef<'_, f64>, s: &[f64]) -> Vec<Vec<f64>> {
+    let n = axes.nrows();
+    let mut root = Vec::with_capacity(n * s.len());
+    for i in 0..n {
+        root.extend(s.iter().enumerate().map(|(k, s)| axes[(i, k)] / s));
+    }
+    let row = |i: usize| &root[i * s.len()..(i + 1) * s.len()];
+    (0..n)
+        .map(|i| (0..n).map(|k| dot(row(i), row(k))).collect())
+        .collect()
+}
+
+/// The `min(m, n)` singular values, descending.
+fn values(a: MatRef<'_, f64>) -> Option<Vec<f64>> {
+    if a.ncols() <= SMALL
+        && let Some(found) = singular_values(a)
+    {
+        return Some(found);
+    }
+    a.singular_values().ok()
 }
 
 /// Singular values, descending, and all right vectors `V` (`n × n`); the left ones cost as much again

@@ -16,6 +16,9 @@ use crate::system::{Counted, Evaluations, System};
 /// offset from falling (residuals near zero).
 const SMALL_STEP: f64 = 1e-8;
 
+/// Room for the trace of a usual run.
+const USUAL_STEPS: usize = 32;
+
 /// Most fits with re-estimated scale of the loss.
 const SCALE_ROUNDS: usize = 30;
 
@@ -55,7 +58,7 @@ pub(crate) fn minimise(
     }
     let system = Counted::new(system);
     let mut point = first_point(&system, start, name)?;
-    let mut iterations = Vec::new();
+    let mut iterations = Vec::with_capacity(USUAL_STEPS);
     let deadline = options
         .time_limit
         .and_then(|limit| Instant::now().checked_add(limit));

@@ -78,10 +78,10 @@ pub(crate) fn dual_jacobian(
             residuals.extend(rows.iter().map(|row| row.re));
             jacobian = Mat::zeros(rows.len(), free.len());
         }
-        for (row, value) in rows.iter().take(residuals.len()).enumerate() {
-            let slopes = derivatives(value);
-            for lane in 0..columns.len() {
-                jacobian[(row, first + lane)] = slopes[lane];
+        for lane in 0..columns.len() {
+            let column = jacobian.col_as_slice_mut(first + lane);
+            for (slope, value) in column.iter_mut().zip(&rows) {
+                *slope = derivatives(value)[lane];
             }
         }
         for &k in columns {

@@ -1,6 +1,6 @@
 //! A problem in its free parameters: what the loop works on.
 
-use std::cell::Cell;
+use std::cell::{Cell, Ref, RefCell};
 
 use serde::{Deserialize, Serialize};
 
@@ -34,8 +34,13 @@ pub(crate) trait System {
 /// A [`Problem`] with a dense Jacobian and some parameters held.
 pub(crate) struct Dense<'a> {
     problem: &'a dyn Problem,
-    full: Vec<f64>,
+    /// All parameters; the free ones as they were last asked for.
+    full: RefCell<Vec<f64>>,
+    /// A direction, zero where parameters are held.
+    direction: RefCell<Vec<f64>>,
     free: Vec<usize>,
+    /// The residuals of a step tried, of which only the cost is asked.
+    tried: RefCell<Vec<f64>>,
     /// Number of residuals seen last: room for the next ones.
     rows: Cell<usize>,
 }
@@ -45,8 +50,10 @@ impl<'a> Dense<'a> {
     pub fn new(problem: &'a dyn Problem, start: &Parameters, mask: &Mask) -> Self {
         Self {
             problem,
-            full: start.values().to_vec(),
+            full: RefCell::new(start.values().to_vec()),
+            direction: RefCell::new(vec![0.0; start.len()]),
             free: mask.free_indices(),
+            tried: RefCell::default(),
             rows: Cell::new(0),
         }
     }
@@ -61,15 +68,16 @@ impl<'a> Dense<'a> {
     }
 
     /// All parameters, the free ones at `z`.
-    pub fn embed(&self, z: &[f64]) -> Vec<f64> {
-        self.scatter(self.full.clone(), z)
+    pub fn embed(&self, z: &[f64]) -> Ref<'_, Vec<f64>> {
+        self.scatter(&self.full, z)
     }
 
-    fn scatter(&self, mut x: Vec<f64>, z: &[f64]) -> Vec<f64> {
+    /// Writes the free entries of a full vector.
+    fn scatter<'v>(&self, x: &'v RefCell<Vec<f64>>, z: &[f64]) -> Ref<'v, Vec<f64>> {
         for (&k, &value) in self.free.iter().zip(z) {
-            x[k] = value;
+            x.borrow_mut()[k] = value;
         }
-        x
+        x.borrow()
     }
 }
 
@@ -95,12 +103,18 @@ impl System for Dense<'_> {
     }
 
     fn second_derivative(&self, z: &[f64], v: &[f64]) -> Option<Vec<f64>> {
-        let direction = self.scatter(vec![0.0; self.full.len()], v);
         let mut out = self.room();
+        let direction = self.scatter(&self.direction, v);
         let offered = self
             .problem
             .second_derivative(&self.embed(z), &direction, &mut out);
         (offered && out.iter().all(|v| v.is_finite())).then_some(out)
+    }
+
+    fn cost(&self, z: &[f64]) -> f64 {
+        let mut tried = self.tried.borrow_mut();
+        self.problem.values(&self.embed(z), &mut tried);
+        self.cost_of(&tried)
     }
 }
 
@@ -160,5 +174,10 @@ impl System for Counted<'_> {
     fn second_derivative(&self, z: &[f64], v: &[f64]) -> Option<Vec<f64>> {
         self.add(|count| count.second_derivatives += 1);
         self.inner.second_derivative(z, v)
+    }
+
+    fn cost(&self, z: &[f64]) -> f64 {
+        self.add(|count| count.residuals += 1);
+        self.inner.cost(z)
     }
 }

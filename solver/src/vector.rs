@@ -1,18 +1,25 @@
 //! The few vector operations of the solver, on slices.
 
 /// `a · b`, in four sums that do not wait for each other.
+#[inline]
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let length = a.len().min(b.len());
     let (a, a_rest) = a[..length].as_chunks::<4>();
     let (b, b_rest) = b[..length].as_chunks::<4>();
+    // Counted loops over slices known to be as long: iterators zipped cost as much again where
+    // vectors are this short.
+    let (b, b_rest) = (&b[..a.len()], &b_rest[..a_rest.len()]);
     let mut sums = [0.0; 4];
-    for (a, b) in a.iter().zip(b) {
+    for i in 0..a.len() {
         for k in 0..4 {
-            sums[k] += a[k] * b[k];
+            sums[k] += a[i][k] * b[i][k];
         }
     }
-    let rest: f64 = a_rest.iter().zip(b_rest).map(|(a, b)| a * b).sum();
-    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
+    let mut rest = 0.0;
+    for i in 0..a_rest.len() {
+        rest += a_rest[i] * b_rest[i];
+    }
+    (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
 }
 
 /// `‖a‖`, without overflow for entries whose squares overflow.
@@ -47,9 +54,23 @@ pub(crate) fn add(a: &[f64], factor: f64, b: &[f64]) -> Vec<f64> {
 }
 
 /// Adds `factor · b` to `a`.
+#[inline]
 pub(crate) fn add_to(a: &mut [f64], factor: f64, b: &[f64]) {
-    for (a, b) in a.iter_mut().zip(b) {
-        *a += factor * b;
+    let length = a.len().min(b.len());
+    let (a, b) = (&mut a[..length], &b[..length]);
+    for i in 0..length {
+        a[i] += factor * b[i];
+    }
+}
+
+/// Divides `a` by a number: by its inverse, a fraction of the time, where that loses nothing.
+#[inline]
+pub(crate) fn divide(a: &mut [f64], by: f64) {
+    let inverse = 1.0 / by;
+    if inverse.is_normal() {
+        a.iter_mut().for_each(|value| *value *= inverse);
+    } else {
+        a.iter_mut().for_each(|value| *value /= by);
     }
 }
 

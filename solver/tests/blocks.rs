@@ -61,8 +61,10 @@ fn random_rows(rng: &mut ChaCha8Rng, own: usize) -> Rows {
 #[test]
 fn five_hundred_random_block_problems_agree_with_the_dense_solution() {
     let mut rng = ChaCha8Rng::seed_from_u64(3);
-    let mut checked = 0;
-    for trial in 0..500 {
+    let (mut checked, mut trial) = (0, 0);
+    while checked < 500 {
+        trial += 1;
+        assert!(trial < 1000, "only {checked} are well conditioned");
         let count = rng.random_range(2..7);
         let mut terms: Vec<(usize, Rows)> = (0..count)
             .map(|b| (b, random_rows(&mut rng, OWN)))
@@ -123,7 +125,6 @@ fn five_hundred_random_block_problems_agree_with_the_dense_solution() {
             }
         }
     }
-    assert!(checked > 400, "only {checked} of 500 well conditioned");
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Damped least squares on a triangle.
 
-use faer::MatRef;
+use super::Triangle;
+use crate::vector::dot;
 
 /// `argmin ‖R w + q‖² + λ ‖w‖²` for an upper trapezoid `R` (`rows × n`, `rows ≤ n`): rotates the
 /// diagonal `√λ I` into `R` row by row, then substitutes back.
@@ -8,16 +9,13 @@ use faer::MatRef;
 /// For the few columns of a usual problem this costs a fraction of a QR of the stacked matrix.
 ///
 /// Source: Moré, "The Levenberg-Marquardt algorithm: implementation and theory", 1978 (`qrsolv`).
-pub(crate) fn damped_triangle(r: MatRef<'_, f64>, q: &[f64], lambda: f64) -> Vec<f64> {
-    let n = r.ncols();
-    let mut rows = vec![0.0; n * n];
-    for k in 0..n {
-        for i in 0..r.nrows().min(k + 1) {
-            rows[i * n + k] = r[(i, k)];
-        }
-    }
+pub(crate) fn damped_triangle(r: &Triangle, q: &[f64], lambda: f64) -> Vec<f64> {
+    let n = r.columns();
+    let mut rows = Vec::with_capacity((n + 1) * n);
+    rows.extend_from_slice(r.entries());
+    rows.resize((n + 1) * n, 0.0);
+    let (rows, damping) = rows.split_at_mut(n * n);
     let mut w: Vec<f64> = (0..n).map(|i| q.get(i).map_or(0.0, |q| -q)).collect();
-    let mut damping = vec![0.0; n];
     for first in 0..n {
         damping[first..].fill(0.0);
         damping[first] = lambda.sqrt();
@@ -28,13 +26,14 @@ pub(crate) fn damped_triangle(r: MatRef<'_, f64>, q: &[f64], lambda: f64) -> Vec
         }
     }
     for i in (0..n).rev() {
-        let known: f64 = (i + 1..n).map(|k| rows[i * n + k] * w[k]).sum();
-        w[i] = (w[i] - known) / rows[i * n + i];
+        let row = &rows[i * n..(i + 1) * n];
+        w[i] = (w[i] - dot(&row[i + 1..], &w[i + 1..])) / row[i];
     }
     w
 }
 
 /// Rotates two equations `row · x = left` and `damping · x = right` so that `damping[0]` vanishes.
+#[inline]
 fn rotate_in(row: &mut [f64], left: &mut f64, damping: &mut [f64], right: &mut f64) {
     if damping[0] == 0.0 {
         return;
@@ -44,13 +43,15 @@ fn rotate_in(row: &mut [f64], left: &mut f64, damping: &mut [f64], right: &mut f
     let rotate = |a: &mut f64, b: &mut f64| {
         (*a, *b) = (cosine * *a + sine * *b, cosine * *b - sine * *a);
     };
-    for (a, b) in row.iter_mut().zip(damping) {
-        rotate(a, b);
+    let damping = &mut damping[..row.len()];
+    for k in 0..row.len() {
+        rotate(&mut row[k], &mut damping[k]);
     }
     rotate(left, right);
 }
 
 /// `√(a² + b²)`; the plain formula, three times as fast, where nothing under- or overflows.
+#[inline]
 fn hypotenuse(a: f64, b: f64) -> f64 {
     let square = a * a + b * b;
     if square.is_normal() {

@@ -1,6 +1,7 @@
 //! Column-pivoted QR of small matrices, on slices.
 
-use crate::vector::{add_to, dot, norm};
+use super::Triangle;
+use crate::vector::{add_to, divide, dot, norm};
 
 /// Share of a column's norm, squared, below which the norm is measured again and not updated.
 const CANCELLED: f64 = 1.5e-8;
@@ -15,50 +16,41 @@ pub(crate) struct Householder {
     rows: usize,
     /// Column after column: `R` above the diagonal, `v` (its first entry 1) from the diagonal on.
     columns: Vec<f64>,
-    /// `τ` of every reflection.
-    tau: Vec<f64>,
-    /// The diagonal of `R`.
-    diagonal: Vec<f64>,
-    /// The column of `A` at each place.
-    order: Vec<usize>,
+    /// Of every reflection, the diagonal entry of `R` that it leaves, and `τ`.
+    reflections: Vec<(f64, f64)>,
 }
 
 impl Householder {
-    /// Factors the matrix of `n` columns of length `rows` that lie one after the other.
-    pub fn new(columns: Vec<f64>, rows: usize, n: usize) -> Self {
+    /// Factors the matrix of `n` columns of length `rows` that lie one after the other; with the
+    /// column of `A` at each place of `R`.
+    pub fn new(columns: Vec<f64>, rows: usize, n: usize) -> (Self, Vec<usize>) {
         let size = rows.min(n);
         let mut factor = Self {
             rows,
             columns,
-            tau: Vec::with_capacity(size),
-            diagonal: Vec::with_capacity(size),
-            order: (0..n).collect(),
+            reflections: Vec::with_capacity(size),
         };
+        let mut order: Vec<usize> = (0..n).collect();
         let mut norms: Vec<Norm> = (0..n).map(|k| Norm::of(factor.column(k))).collect();
         for k in 0..size {
-            factor.bring_largest(k, &mut norms);
+            factor.bring_largest(k, &mut norms, &mut order);
             factor.eliminate(k, &mut norms);
         }
-        factor
+        (factor, order)
     }
 
-    /// The column of `A` at each place of `R`.
-    pub fn order(&self) -> &[usize] {
-        &self.order
-    }
-
-    /// `R[i, k]`.
-    pub fn r(&self, i: usize, k: usize) -> f64 {
-        match i.cmp(&k) {
-            std::cmp::Ordering::Less => self.columns[k * self.rows + i],
-            std::cmp::Ordering::Equal => self.diagonal[i],
-            std::cmp::Ordering::Greater => 0.0,
-        }
+    /// `R` (`min(rows, n) × n`).
+    pub fn triangle(&self) -> Triangle {
+        let n = self.columns.len().checked_div(self.rows).unwrap_or(0);
+        Triangle::from_fn(self.reflections.len(), n, |i, k| match i == k {
+            true => self.reflections[i].0,
+            false => self.columns[k * self.rows + i],
+        })
     }
 
     /// Replaces `b` (`rows`) by `Qᵀ b`.
     pub fn rotate(&self, b: &mut [f64]) {
-        for (k, &tau) in self.tau.iter().enumerate() {
+        for (k, &(_, tau)) in self.reflections.iter().enumerate() {
             reflect(&self.column(k)[k..], tau, &mut b[k..]);
         }
     }
@@ -68,7 +60,7 @@ impl Householder {
     }
 
     /// Swaps the longest of the columns that are left into place `k`.
-    fn bring_largest(&mut self, k: usize, norms: &mut [Norm]) {
+    fn bring_largest(&mut self, k: usize, norms: &mut [Norm], order: &mut [usize]) {
         let longest = (k..norms.len()).max_by(|&a, &b| norms[a].now.total_cmp(&norms[b].now));
         let Some(pivot) = longest.filter(|&pivot| pivot > k) else {
             return;
@@ -76,7 +68,7 @@ impl Householder {
         let (before, after) = self.columns.split_at_mut(pivot * self.rows);
         before[k * self.rows..(k + 1) * self.rows].swap_with_slice(&mut after[..self.rows]);
         norms.swap(k, pivot);
-        self.order.swap(k, pivot);
+        order.swap(k, pivot);
     }
 
     /// Reflects column `k` onto the diagonal, and all columns after it.
@@ -88,8 +80,7 @@ impl Householder {
             reflect(v, tau, &mut column[k..]);
             norm.without_first(&column[k..]);
         }
-        self.diagonal.push(diagonal);
-        self.tau.push(tau);
+        self.reflections.push((diagonal, tau));
     }
 }
 
@@ -101,9 +92,7 @@ fn reflection(x: &mut [f64]) -> (f64, f64) {
         return (0.0, 0.0);
     }
     let d = -length.copysign(first);
-    for value in &mut x[1..] {
-        *value /= first - d;
-    }
+    divide(&mut x[1..], first - d);
     (d, (d - first) / d)
 }
 
@@ -150,10 +139,11 @@ mod tests {
         for (m, n) in [(1, 1), (7, 3), (9, 9), (3, 5), (40, 8)] {
             let a = Mat::from_fn(m, n, |i, k| ((i * 5 + k * 3 + i * i * k) % 11) as f64 - 4.3);
             let columns = (0..n).flat_map(|k| a.col_as_slice(k).to_vec()).collect();
-            let small = Householder::new(columns, m, n);
+            let (small, order) = Householder::new(columns, m, n);
             let large = a.col_piv_qr();
             let (forward, _) = large.P().arrays();
-            assert_eq!(small.order(), forward, "{m} {n}");
+            let r = small.triangle();
+            assert_eq!(order, forward, "{m} {n}");
             let b: Vec<f64> = (0..m).map(|i| 1.0 - 0.7 * i as f64).collect();
             let mut rotated = b.clone();
             small.rotate(&mut rotated);
@@ -161,8 +151,8 @@ mod tests {
             let size = norm(&b) + a.norm_l2();
             for i in 0..m.min(n) {
                 for k in 0..n {
-                    let difference = small.r(i, k).abs() - large.thin_R()[(i, k)].abs();
-                    let expected = if k < i { small.r(i, k) } else { difference };
+                    let difference = r.row(i)[k].abs() - large.thin_R()[(i, k)].abs();
+                    let expected = if k < i { r.row(i)[k] } else { difference };
                     assert!(expected.abs() < 1e-13 * size, "{m} {n}: R {i} {k}");
                 }
                 let difference = rotated[i].abs() - oracle[(i, 0)].abs();
@@ -175,8 +165,9 @@ mod tests {
     fn a_column_of_zeros_and_one_that_repeats_leave_zeros_on_the_diagonal() {
         let x = [1.0, 2.0, 3.0];
         let columns = [[0.0; 3], x, x].concat();
-        let factor = Householder::new(columns, 3, 3);
-        assert!((factor.r(0, 0).abs() - 14f64.sqrt()).abs() < 1e-15);
-        assert!(factor.r(1, 1).abs() < 1e-15 && factor.r(2, 2).abs() < 1e-15);
+        let (factor, _) = Householder::new(columns, 3, 3);
+        let r = factor.triangle();
+        assert!((r.diagonal(0).abs() - 14f64.sqrt()).abs() < 1e-15);
+        assert!(r.diagonal(1).abs() < 1e-15 && r.diagonal(2).abs() < 1e-15);
     }
 }

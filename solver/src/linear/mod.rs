@@ -6,13 +6,15 @@ mod householder;
 mod jacobi;
 mod minimum_norm;
 mod qr;
+mod triangle;
 
 pub(crate) use cholesky::CholeskyFactor;
 use damped_triangle::damped_triangle;
 use householder::Householder;
-pub(crate) use jacobi::singular;
+pub(crate) use jacobi::{singular, singular_values};
 pub(crate) use minimum_norm::minimum_norm;
 pub(crate) use qr::QrFactor;
+use triangle::Triangle;
 
 use faer::{Mat, MatRef};
 use serde::{Deserialize, Serialize};

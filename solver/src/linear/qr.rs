@@ -1,6 +1,7 @@
 //! Damped least squares by column-pivoted QR.
 
-use std::cell::{OnceCell, RefCell};
+use std::borrow::Cow;
+use std::cell::OnceCell;
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::householder::{
@@ -10,8 +11,8 @@ use faer::linalg::householder::{
 use faer::linalg::solvers::{ColPivQr, SolveLstsqCore, Svd};
 use faer::{Conj, Mat, MatMut, MatRef, Par};
 
-use super::{Factor, Householder, damped_triangle};
-use crate::vector::norm;
+use super::{Factor, Householder, Triangle, damped_triangle};
+use crate::vector::{divide, dot, norm};
 
 /// Most columns for which rotating the damping in is faster than a blocked QR.
 const ROTATED_COLUMNS: usize = 32;
@@ -25,14 +26,14 @@ const SMALL: usize = 1 << 14;
 pub(crate) struct QrFactor {
     q: Orthogonal,
     /// `R`, its first `min(m, n)` rows.
-    r: Mat<f64>,
+    r: Triangle,
     /// The column of `J` at each place of `R`.
     order: Vec<usize>,
     scale: Vec<f64>,
     rank: usize,
     svd: OnceCell<Option<Svd<f64>>>,
-    /// The last right side and its rotation: the residual comes again for every damping.
-    last: RefCell<(Vec<f64>, Vec<f64>)>,
+    /// The first right side and its rotation: the residual comes again for every damping.
+    first: OnceCell<(Vec<f64>, Vec<f64>)>,
 }
 
 /// `Q` as reflections.
@@ -50,7 +51,7 @@ impl QrFactor {
         } else {
             large(jacobian, scale)
         };
-        let rank = numerical_rank(r.as_ref(), m);
+        let rank = numerical_rank(&r, m);
         Self {
             q,
             r,
@@ -58,31 +59,36 @@ impl QrFactor {
             scale: scale.to_vec(),
             rank,
             svd: OnceCell::new(),
-            last: RefCell::default(),
+            first: OnceCell::new(),
         }
     }
 
     /// `Qᵀ b`, its first `min(m, n)` entries.
-    fn rotated(&self, b: &[f64]) -> Vec<f64> {
-        let mut last = self.last.borrow_mut();
-        if last.0 != b {
-            let mut rotated = b.to_vec();
-            match &self.q {
-                Orthogonal::Small(qr) => qr.rotate(&mut rotated),
-                Orthogonal::Large(qr) => rotate(qr, &mut rotated),
-            }
-            rotated.truncate(self.r.nrows());
-            *last = (b.to_vec(), rotated);
+    fn rotated(&self, b: &[f64]) -> Cow<'_, [f64]> {
+        let (first, rotated) = self.first.get_or_init(|| (b.to_vec(), self.rotate(b)));
+        if first == b {
+            Cow::Borrowed(rotated)
+        } else {
+            Cow::Owned(self.rotate(b))
         }
-        last.1.clone()
+    }
+
+    fn rotate(&self, b: &[f64]) -> Vec<f64> {
+        let mut rotated = b.to_vec();
+        match &self.q {
+            Orthogonal::Small(qr) => qr.rotate(&mut rotated),
+            Orthogonal::Large(qr) => rotate(qr, &mut rotated),
+        }
+        rotated.truncate(self.r.rows());
+        rotated
     }
 
     /// `R Pᵀ D`: at most `n` rows with the `JᵀJ` of the Jacobian.
     pub fn root(&self) -> Mat<f64> {
-        let mut root = Mat::zeros(self.r.nrows(), self.r.ncols());
+        let mut root = Mat::zeros(self.r.rows(), self.r.columns());
         for (place, &column) in self.order.iter().enumerate() {
             for i in 0..root.nrows().min(place + 1) {
-                root[(i, column)] = self.r[(i, place)] * self.scale[column];
+                root[(i, column)] = self.r.row(i)[place] * self.scale[column];
             }
         }
         root
@@ -99,19 +105,21 @@ impl QrFactor {
 
     /// Back substitution where the rank is full.
     fn triangular(&self, q: &[f64]) -> Option<Vec<f64>> {
-        let r = &self.r;
         let n = self.scale.len();
         let mut w = vec![0.0; n];
         for i in (0..n).rev() {
-            let known: f64 = (i + 1..n).map(|k| r[(i, k)] * w[k]).sum();
-            w[i] = (-q[i] - known) / r[(i, i)];
+            let known = dot(&self.r.row(i)[i + 1..], &w[i + 1..]);
+            w[i] = (-q[i] - known) / self.r.diagonal(i);
         }
         self.restore(|k| w[k])
     }
 
     /// The truncated pseudoinverse of `R` where the rank is short.
     fn truncated(&self, q: &[f64]) -> Option<Vec<f64>> {
-        let svd = self.svd.get_or_init(|| self.r.thin_svd().ok()).as_ref()?;
+        let svd = self
+            .svd
+            .get_or_init(|| self.r.to_mat().thin_svd().ok())
+            .as_ref()?;
         let (u, s, v) = (svd.U(), svd.S().column_vector(), svd.V());
         let coefficient = |j: usize| -(0..q.len()).map(|i| u[(i, j)] * q[i]).sum::<f64>() / s[j];
         let c: Vec<f64> = (0..self.rank).map(coefficient).collect();
@@ -121,7 +129,7 @@ impl QrFactor {
 
 impl Factor for QrFactor {
     fn damped(&self, b: &[f64], lambda: f64) -> Option<Vec<f64>> {
-        let (r, q) = (self.r.as_ref(), self.rotated(b));
+        let (r, q) = (&self.r, self.rotated(b));
         let w = if self.scale.len() <= ROTATED_COLUMNS {
             damped_triangle(r, &q, lambda)
         } else {
@@ -144,22 +152,24 @@ impl Factor for QrFactor {
     }
 }
 
-fn small(jacobian: MatRef<'_, f64>, scale: &[f64]) -> (Orthogonal, Mat<f64>, Vec<usize>) {
+fn small(jacobian: MatRef<'_, f64>, scale: &[f64]) -> (Orthogonal, Triangle, Vec<usize>) {
     let (m, n) = jacobian.shape();
     let mut columns = Vec::with_capacity(m * n);
-    for (column, scale) in jacobian.col_iter().zip(scale) {
-        columns.extend(column.iter().map(|value| value / scale));
+    for (column, &scale) in jacobian.col_iter().zip(scale) {
+        let first = columns.len();
+        columns.extend(column.iter());
+        divide(&mut columns[first..], scale);
     }
-    let qr = Householder::new(columns, m, n);
-    let r = Mat::from_fn(m.min(n), n, |i, k| qr.r(i, k));
-    let order = qr.order().to_vec();
+    let (qr, order) = Householder::new(columns, m, n);
+    let r = qr.triangle();
     (Orthogonal::Small(qr), r, order)
 }
 
-fn large(jacobian: MatRef<'_, f64>, scale: &[f64]) -> (Orthogonal, Mat<f64>, Vec<usize>) {
+fn large(jacobian: MatRef<'_, f64>, scale: &[f64]) -> (Orthogonal, Triangle, Vec<usize>) {
     let (m, n) = jacobian.shape();
     let qr = Mat::from_fn(m, n, |i, k| jacobian[(i, k)] / scale[k]).col_piv_qr();
-    let r = qr.thin_R().to_owned();
+    let r = qr.thin_R();
+    let r = Triangle::from_fn(r.nrows(), n, |i, k| r[(i, k)]);
     let order = qr.P().arrays().0.to_vec();
     (Orthogonal::Large(qr), r, order)
 }
@@ -179,18 +189,13 @@ fn rotate(qr: &ColPivQr<f64>, b: &mut [f64]) {
 }
 
 /// `argmin ‖R w + q‖² + λ ‖w‖²` by a QR of `R` stacked on `√λ I`.
-fn damped_stack(r: MatRef<'_, f64>, q: &[f64], lambda: f64) -> Vec<f64> {
-    let (rows, n) = (r.nrows(), r.ncols());
+fn damped_stack(r: &Triangle, q: &[f64], lambda: f64) -> Vec<f64> {
+    let (rows, n) = (r.rows(), r.columns());
     let root = lambda.sqrt();
-    let stacked = Mat::from_fn(rows + n, n, |i, k| {
-        let (of_r, of_damping) = (i < rows && i <= k, i == rows + k);
-        if of_r {
-            r[(i, k)]
-        } else if of_damping {
-            root
-        } else {
-            0.0
-        }
+    let stacked = Mat::from_fn(rows + n, n, |i, k| match i < rows {
+        true => r.row(i)[k],
+        false if i == rows + k => root,
+        false => 0.0,
     });
     let mut w = Mat::from_fn(rows + n, 1, |i, _| if i < rows { -q[i] } else { 0.0 });
     stacked
@@ -200,14 +205,15 @@ fn damped_stack(r: MatRef<'_, f64>, q: &[f64], lambda: f64) -> Vec<f64> {
 }
 
 /// Number of diagonal entries of a pivoted `R` above rounding: `10 ε max(m, n) |R₁₁|`.
-fn numerical_rank(r: MatRef<'_, f64>, m: usize) -> usize {
-    let n = r.ncols();
-    let size = n.min(r.nrows());
+fn numerical_rank(r: &Triangle, m: usize) -> usize {
+    let size = r.rows();
     if size == 0 {
         return 0;
     }
-    let floor = 10.0 * f64::EPSILON * m.max(n) as f64 * r[(0, 0)].abs();
-    (0..size).take_while(|&k| r[(k, k)].abs() > floor).count()
+    let floor = 10.0 * f64::EPSILON * m.max(r.columns()) as f64 * r.diagonal(0).abs();
+    (0..size)
+        .take_while(|&k| r.diagonal(k).abs() > floor)
+        .count()
 }
 
 #[cfg(test)]
@@ -241,13 +247,13 @@ mod tests {
     #[test]
     fn rotating_the_damping_in_equals_the_qr_of_the_stack() {
         for (rows, n) in [(1, 1), (3, 3), (2, 5), (9, 9)] {
-            let r = Mat::from_fn(rows, n, |i, k| {
+            let r = Triangle::from_fn(rows, n, |i, k| {
                 ((i * 5 + k * 3 + i * i * k) % 11) as f64 - 4.0
             });
             let q: Vec<f64> = (0..rows).map(|i| 1.0 - 0.7 * i as f64).collect();
             for lambda in [1e-3, 0.3, 1e6] {
-                let fast = damped_triangle(r.as_ref(), &q, lambda);
-                let simple = damped_stack(r.as_ref(), &q, lambda);
+                let fast = damped_triangle(&r, &q, lambda);
+                let simple = damped_stack(&r, &q, lambda);
                 let size = norm(&simple);
                 for (a, b) in fast.iter().zip(&simple) {
                     // The condition is at most ‖R‖ / √λ < 3e3.
@@ -263,14 +269,14 @@ mod tests {
         let wave = |i: usize, k: usize| (0.37 * (i * (k + 1)) as f64 + k as f64).sin();
         let j = Mat::from_fn(m, n, wave);
         let (scale, b) = ([1.0, 2.0, 0.5, 4.0], wave_column(m));
-        let factor = |parts: (Orthogonal, Mat<f64>, Vec<usize>)| QrFactor {
+        let factor = |parts: (Orthogonal, Triangle, Vec<usize>)| QrFactor {
             rank: n,
             q: parts.0,
             r: parts.1,
             order: parts.2,
             scale: scale.to_vec(),
             svd: OnceCell::new(),
-            last: RefCell::default(),
+            first: OnceCell::new(),
         };
         let fast = factor(small(j.as_ref(), &scale));
         let simple = factor(large(j.as_ref(), &scale));
