@@ -7,6 +7,7 @@
 //! ```
 
 mod assemble;
+mod batches;
 mod checks;
 mod clock;
 mod decide;
@@ -19,7 +20,11 @@ mod lines;
 mod names;
 mod number;
 mod options;
+#[cfg(test)]
+mod oracle;
+mod pipeline;
 pub(crate) mod place;
+mod plain;
 mod rows;
 mod samples;
 mod sniff;

@@ -1,12 +1,18 @@
 //! Rows of a text into the columns of a table.
 
+use std::io::Read;
+use std::ops::Range;
+
 use nalgebra::Vector3;
 
+use super::batches::{Batch, Batches, Stop};
 use super::dialect::Cell;
-use super::lines::{Line, Lines};
-use super::number::{self, Dialects, Fault};
+use super::lines::{Line, end_of_line, lines};
+use super::number::{self, Dialects, Fault, LARGEST};
 use super::options::ReadOptions;
+use super::pipeline::parse_all;
 use super::place::{at_column, at_line, in_file, shown};
+use super::plain::{self, Block, Plain, Row, Stamps};
 use super::samples::{Pushed, Samples};
 use super::sniff::{Start, is_comment};
 use super::table::Table;
@@ -29,6 +35,8 @@ pub(super) struct Rows<'a> {
     options: &'a ReadOptions,
     cells: Vec<Cell>,
     spellings: Dialects,
+    /// Lines met.
+    lines: u64,
     rows: u64,
     skipped: usize,
     dropped: usize,
@@ -45,6 +53,7 @@ impl<'a> Rows<'a> {
             options,
             cells: Vec::new(),
             spellings: Dialects::default(),
+            lines: 0,
             rows: 0,
             skipped: 0,
             dropped: 0,
@@ -52,29 +61,139 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// Reads `lines` to their end.
-    pub fn read(mut self, mut lines: Lines<impl std::io::Read>) -> Result<(), Error> {
-        while let Some(line) = lines.next()? {
-            if line.number <= self.start.after || line.bytes.trim_ascii_start().is_empty() {
-                continue;
-            }
-            if is_comment(line.bytes) {
-                continue;
-            }
-            self.settle_pending()?;
-            match self.row(line) {
-                Ok(()) => self.rows += 1,
-                Err(Trouble::Missing(_)) if self.options.na_drop => self.dropped += 1,
-                Err(Trouble::Missing(error) | Trouble::Broken(error)) => self.pending = Some(error),
-                Err(Trouble::Refused(error)) => return Err(error),
-            }
-            if self.rows > self.options.max_rows {
-                let limit = self.options.max_rows;
-                let words = format!("more than {limit} rows; --max-rows raises the limit");
-                return Err(at_line(&self.table.name, line.number, words));
+    /// Reads `batches` to their end: line by line until the stamps are known, then by plain rows.
+    pub fn read(mut self, mut batches: Batches<impl Read + Send>) -> Result<(), Error> {
+        while let Some(batch) = batches.next(Vec::new()) {
+            if let Some((plain, after)) = self.until_plain(&batch)? {
+                self.take(&batch, &plain.parse(&batch, after))?;
+                parse_all(&mut batches, &plain, |batch, blocks| {
+                    self.take(batch, blocks)
+                })?;
             }
         }
-        self.finish()
+        self.end(batches.stop())
+    }
+
+    /// Reads `batches` to their end, line by line: what [`Rows::read`] is to agree with.
+    #[cfg(test)]
+    pub fn read_line_by_line(mut self, mut batches: Batches<impl Read>) -> Result<(), Error> {
+        while let Some(batch) = batches.next(Vec::new()) {
+            for line in lines(&batch.bytes, 0) {
+                self.line(&batch, line)?;
+            }
+        }
+        self.end(batches.stop())
+    }
+
+    fn end(self, stop: Stop) -> Result<(), Error> {
+        let name = &self.table.name;
+        match stop {
+            Stop::End => self.finish(),
+            Stop::Line(words) => Err(at_line(name, self.lines + 1, words)),
+            Stop::Text(words) => Err(in_file(name, words)),
+        }
+    }
+
+    /// Reads `batch` line by line until it is known what plain rows look like, and where the next
+    /// line begins.
+    fn until_plain(&mut self, batch: &Batch) -> Result<Option<(Plain, usize)>, Error> {
+        for line in lines(&batch.bytes, 0) {
+            let after = line.end + end_of_line(&batch.bytes[line.end..]);
+            self.line(batch, line)?;
+            if self.rows == 1
+                && let Some(plain) = self.plain()
+            {
+                return Ok(Some((plain, after)));
+            }
+        }
+        Ok(None)
+    }
+
+    /// What plain rows look like; `None` where stamps are no numbers.
+    fn plain(&self) -> Option<Plain> {
+        let Start {
+            dialect,
+            layout,
+            header,
+            ..
+        } = self.start;
+        let stamps = match layout.time {
+            Some(_) if self.options.rate.is_none() => self.table.clock.form()?,
+            _ => Stamps::Counted,
+        };
+        Plain::new(*dialect, layout, stamps, header.as_deref())
+    }
+
+    /// Takes a parsed batch over: its plain rows, and the lines between them one by one.
+    fn take(&mut self, batch: &Batch, blocks: &[Block]) -> Result<(), Error> {
+        for block in blocks {
+            let mut taken = 0;
+            for odd in &block.odd {
+                self.plain_rows(&block.rows[taken..odd.after])?;
+                self.line(batch, odd.line.clone())?;
+                taken = odd.after;
+            }
+            self.plain_rows(&block.rows[taken..])?;
+        }
+        Ok(())
+    }
+
+    fn plain_rows(&mut self, rows: &[Row]) -> Result<(), Error> {
+        let layout = &self.start.layout;
+        let triad =
+            |row: &Row, first: usize| Vector3::new(row[first], row[first + 1], row[first + 2]);
+        for row in rows {
+            self.settle_pending()?;
+            self.lines += 1;
+            let line = Line {
+                number: self.lines,
+                bytes: &[],
+            };
+            let t = match layout.time {
+                Some(_) if self.options.rate.is_none() => {
+                    self.table.clock.unwrapped(row[plain::STAMP], line.number)
+                }
+                _ => self.counted(),
+            };
+            let accel = layout.accel.map(|_| triad(row, plain::ACCEL));
+            let gyro = layout.gyro.map(|_| triad(row, plain::GYRO));
+            let temperature = layout.temperature.map(|_| row[plain::TEMPERATURE]);
+            let kept = self.keep(t, accel, gyro, temperature, line);
+            self.count(kept, line.number)?;
+        }
+        Ok(())
+    }
+
+    /// Any line, looked at with care.
+    fn line(&mut self, batch: &Batch, range: Range<usize>) -> Result<(), Error> {
+        self.lines += 1;
+        let number = self.lines;
+        if let Some(words) = batch.fault(&range) {
+            return Err(at_line(&self.table.name, number, words));
+        }
+        let bytes = &batch.bytes[range];
+        if number <= self.start.after || bytes.trim_ascii_start().is_empty() || is_comment(bytes) {
+            return Ok(());
+        }
+        self.settle_pending()?;
+        let kept = self.row(Line { number, bytes });
+        self.count(kept, number)
+    }
+
+    /// Counts a row in, or remembers what is wrong with it.
+    fn count(&mut self, kept: Result<(), Trouble>, line: u64) -> Result<(), Error> {
+        match kept {
+            Ok(()) => self.rows += 1,
+            Err(Trouble::Missing(_)) if self.options.na_drop => self.dropped += 1,
+            Err(Trouble::Missing(error) | Trouble::Broken(error)) => self.pending = Some(error),
+            Err(Trouble::Refused(error)) => return Err(error),
+        }
+        if self.rows > self.options.max_rows {
+            let limit = self.options.max_rows;
+            let words = format!("more than {limit} rows; --max-rows raises the limit");
+            return Err(at_line(&self.table.name, line, words));
+        }
+        Ok(())
     }
 
     /// A broken row with others after it is one of those allowed, or the end.
@@ -193,16 +312,19 @@ impl<'a> Rows<'a> {
     }
 
     fn stamp(&mut self, line: Line<'_>) -> Result<f64, Trouble> {
-        if let Some(rate) = self.options.rate {
-            return Ok(self.rows as f64 / rate);
-        }
-        let Some(column) = self.start.layout.time else {
-            return Ok(self.rows as f64);
+        let column = match self.start.layout.time {
+            Some(column) if self.options.rate.is_none() => column,
+            _ => return Ok(self.counted()),
         };
         let cell = &line.bytes[self.cells[column].clone()];
         let decimal_comma = self.start.dialect.decimal_comma;
         let stamp = self.table.clock.read(cell, decimal_comma, line.number);
         stamp.map_err(|fault| self.fault(line, column, fault))
+    }
+
+    /// The stamp of a row without one: rows so far, or their time at the given rate.
+    fn counted(&self) -> f64 {
+        self.rows as f64 / self.options.rate.unwrap_or(1.0)
     }
 
     /// The sample in three columns, `None` where all three are empty.
@@ -227,7 +349,7 @@ impl<'a> Rows<'a> {
     fn number(&mut self, line: Line<'_>, column: usize) -> Result<f64, Trouble> {
         let cell = &line.bytes[self.cells[column].clone()];
         match number::parse(cell, self.start.dialect.decimal_comma, &mut self.spellings) {
-            Ok(value) if value.abs() < 1e15 => Ok(value),
+            Ok(value) if value.abs() < LARGEST => Ok(value),
             Ok(_) => Err(self.fault(line, column, Fault::Absurd)),
             Err(fault) => Err(self.fault(line, column, fault)),
         }

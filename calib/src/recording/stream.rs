@@ -34,10 +34,12 @@ impl Stream {
     /// Where the samples are interrupted: every step longer than five times the 95th percentile of
     /// all steps. (Not of the median: stamps that come in bursts have tiny medians and no gaps.)
     pub fn gaps(&self) -> Vec<Gap> {
-        let mut steps = steps(&self.t);
-        if steps.is_empty() {
+        // Between steps as even as those of most recordings the percentile need not be looked for.
+        let even = |&(least, largest): &(f64, f64)| largest <= 5.0 * least;
+        if extreme_steps(&self.t).as_ref().is_none_or(even) {
             return Vec::new();
         }
+        let mut steps = steps(&self.t);
         let rank = (steps.len() - 1) * 19 / 20;
         let usual = *steps.select_nth_unstable_by(rank, f64::total_cmp).1;
         let pairs = self.t.windows(2).enumerate();
@@ -100,6 +102,17 @@ pub struct Gap {
 
 fn steps(t: &[f64]) -> Vec<f64> {
     t.windows(2).map(|w| w[1] - w[0]).collect()
+}
+
+/// The least and the largest difference of neighbours; `None` with fewer than two.
+pub(super) fn extreme_steps(t: &[f64]) -> Option<(f64, f64)> {
+    let none = (f64::INFINITY, f64::NEG_INFINITY);
+    let extremes = t.windows(2).fold(none, |(least, largest), pair| {
+        let step = pair[1] - pair[0];
+        let least = if step < least { step } else { least };
+        (least, if step > largest { step } else { largest })
+    });
+    (t.len() >= 2).then_some(extremes)
 }
 
 /// The median difference of neighbours; `None` with fewer than two.
