@@ -15,10 +15,10 @@ use crate::recording::{Recording, Stream};
 pub struct Survey<'a> {
     recording: &'a Recording,
     detector: Detector,
-    levels: [Option<Level>; 2],
+    levels: [Option<Level<'a>>; 2],
     gaps: Vec<Span>,
     whole: Span,
-    sums: Option<RunningSums>,
+    sums: Option<RunningSums<'a>>,
 }
 
 impl<'a> Survey<'a> {
@@ -62,7 +62,7 @@ impl<'a> Survey<'a> {
 
     /// The recording cut into rests and turns at a multiplier.
     pub fn segment(&self, multiplier: f64) -> Segmentation {
-        let level = |level: &Option<Level>| level.as_ref().map(|l| l.at_rest);
+        let level = |level: &Option<Level<'_>>| level.as_ref().map(|l| l.at_rest);
         Segmentation {
             level_at_rest: self.levels.each_ref().map(level),
             ..Segmentation::from_spans(self.recording, &self.rests(multiplier), multiplier)

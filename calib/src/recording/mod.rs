@@ -7,7 +7,7 @@
 //! ```
 
 mod assemble;
-mod batches;
+pub(crate) mod batches;
 mod checks;
 mod clock;
 mod decide;
@@ -22,9 +22,9 @@ mod number;
 mod options;
 #[cfg(test)]
 mod oracle;
-mod pipeline;
+pub(crate) mod pipeline;
 pub(crate) mod place;
-mod plain;
+pub(crate) mod plain;
 mod rows;
 mod samples;
 mod sniff;

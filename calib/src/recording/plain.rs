@@ -102,6 +102,21 @@ impl Plain {
         (!header.is_some_and(is_row)).then_some(plain)
     }
 
+    /// Comma-separated rows of `width` cells, the first `read` of which go to their own places.
+    pub fn in_first_columns(width: usize, read: usize) -> Self {
+        let slot = |column| match column < read.min(Row::default().len()) {
+            true => Slot::Number(column),
+            false => Slot::Nothing,
+        };
+        Self {
+            dialect: Dialect {
+                separator: Separator::Byte(b','),
+                decimal_comma: false,
+            },
+            slots: (0..width).map(slot).collect(),
+        }
+    }
+
     /// The blocks of `batch` from `start` on, in order.
     pub fn parse(&self, batch: &Batch, start: usize) -> Vec<Block> {
         if batch.is_binary() {
