@@ -150,7 +150,8 @@ impl<R: Read> Batches<R> {
         }
         let feed = memrchr(b'\n', bytes);
         // A CR in last place may be half of a CRLF.
-        let complete = &bytes[..bytes.len() - usize::from(bytes.ends_with(b"\r"))];
+        let half = self.stop.is_none() && bytes.ends_with(b"\r");
+        let complete = &bytes[..bytes.len() - usize::from(half)];
         let end = feed.or_else(|| memrchr2(b'\n', b'\r', complete));
         end.map(|at| at + 1)
     }

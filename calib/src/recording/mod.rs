@@ -1,10 +1,12 @@
 //! What a device recorded, in SI units, each sensor on its own clock.
 //!
 //! ```text
-//! source → decode → lines → sniff → table ─┐
-//!  (path)  (UTF-8)         (header) (rows) ├→ assemble → Recording
-//!                                   table ─┘  (seconds, SI units, checks)
+//! source → decode → batches → sniff → table ─┐
+//!  (path)  (UTF-8)   (lines) (header) (rows) ├→ assemble → Recording
+//!                                     table ─┘  (seconds, SI units, checks)
 //! ```
+//! Rows are read in a pipeline: plain numbers in parallel (`plain`), all else with care
+//! (`rows`).
 
 mod assemble;
 pub(crate) mod batches;

@@ -73,7 +73,7 @@ pub(crate) struct Odd {
 impl Plain {
     /// The plain rows of `layout`; `None` where a column is read twice, or where a row like `header`
     /// would be one.
-    pub fn new(
+    pub(super) fn new(
         dialect: Dialect,
         layout: &Layout,
         stamps: Stamps,
