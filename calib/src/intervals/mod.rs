@@ -12,6 +12,7 @@ mod saturation;
 mod sections;
 mod segmentation;
 mod spans;
+mod stamps;
 mod survey;
 
 pub use detector::{Detector, Level};

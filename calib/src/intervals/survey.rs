@@ -7,6 +7,7 @@ use super::detector::{Detector, Level, levels, motion};
 use super::running_sums::RunningSums;
 use super::segmentation::Segmentation;
 use super::spans::{Span, static_spans, union};
+use super::stamps::Stamps;
 use crate::error::Error;
 use crate::recording::{Recording, Stream};
 
@@ -18,6 +19,8 @@ pub struct Survey<'a> {
     levels: [Option<Level<'a>>; 2],
     gaps: Vec<Span>,
     whole: Span,
+    /// Of the accelerometer.
+    stamps: Stamps<'a>,
     sums: Option<RunningSums<'a>>,
 }
 
@@ -34,6 +37,7 @@ impl<'a> Survey<'a> {
             levels: levels(recording, detector)?,
             gaps: gaps(recording).collect(),
             whole: common(recording),
+            stamps: Stamps::of(accelerometer.map_or(&[], |stream| &stream.t)),
             sums: accelerometer.and_then(|stream| RunningSums::of(&stream.values)),
         })
     }
@@ -53,7 +57,7 @@ impl<'a> Survey<'a> {
     /// The accelerometer's mean over a rest, raw unit; `None` without samples.
     pub fn mean_force(&self, rest: Span) -> Option<Vector3<f64>> {
         let stream = self.recording.accelerometer.as_ref()?;
-        let samples = stream.between(rest.from, rest.to);
+        let samples = self.stamps.between(rest.from, rest.to);
         match &self.sums {
             Some(sums) => sums.mean(samples),
             None => Some(Moments::of(&stream.values[samples])?.mean),
