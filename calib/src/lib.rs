@@ -19,6 +19,7 @@ pub mod intervals;
 pub mod kernel;
 pub mod methods;
 pub mod noise;
+mod order_statistic;
 pub mod reckon;
 pub mod recording;
 pub mod residuals;

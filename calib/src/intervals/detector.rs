@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::spans::{Span, union};
 use crate::error::Error;
+use crate::order_statistic::nth_smallest;
 use crate::recording::{Recording, Stream};
 
 /// The share of windows that are taken to be at rest in any recording that can be calibrated.
@@ -56,8 +57,8 @@ impl Default for Detector {
 /// The detector's statistic of one sensor and its level at rest: computed once, asked for several
 /// multipliers.
 #[derive(Clone, Debug)]
-pub struct Level {
-    t: Vec<f64>,
+pub struct Level<'a> {
+    t: &'a [f64],
     statistic: Vec<f64>,
     /// Smallest and largest statistic of each [`BLOCK`] samples.
     blocks: Vec<(f64, f64)>,
@@ -65,12 +66,12 @@ pub struct Level {
     pub at_rest: f64,
 }
 
-impl Level {
+impl<'a> Level<'a> {
     /// Measures a stream.
     ///
     /// # Errors
     /// A stream without samples or shorter than the window.
-    pub fn measure(stream: &Stream, detector: &Detector) -> Result<Self, Error> {
+    pub fn measure(stream: &'a Stream, detector: &Detector) -> Result<Self, Error> {
         let (Some(&first), Some(&last)) = (stream.t.first(), stream.t.last()) else {
             return Err(Error::NotEnough("a sensor has no samples".into()));
         };
@@ -90,7 +91,8 @@ impl Level {
                 (step * MIN_SAMPLES).ceil()
             )));
         }
-        let statistic = statistic(stream, detector.window);
+        let extent = Extent::of(&stream.values);
+        let statistic = statistic(stream, detector.window, &extent.mean);
         let reference = match detector.initial_static {
             Some(length) => {
                 let initial = &stream.values[stream.between(first, first + length)];
@@ -99,12 +101,11 @@ impl Level {
             }
             None => quantile(&statistic, QUIET_SHARE),
         };
-        let floor = (SPREAD_FLOOR * range(&stream.values))
-            .powi(4)
-            .max(quantisation(stream));
+        let floor = (SPREAD_FLOOR * extent.range).powi(4);
+        let floor = floor.max(quantisation(stream));
         let blocks = statistic.chunks(BLOCK).map(range_of).collect();
         Ok(Self {
-            t: stream.t.clone(),
+            t: &stream.t,
             statistic,
             blocks,
             at_rest: reference.max(floor),
@@ -168,11 +169,11 @@ fn quantisation(stream: &Stream) -> f64 {
 }
 
 /// The levels of accelerometer and gyroscope.
-pub(super) fn levels(
-    recording: &Recording,
+pub(super) fn levels<'a>(
+    recording: &'a Recording,
     detector: &Detector,
-) -> Result<[Option<Level>; 2], Error> {
-    let measure = |stream: &Option<Stream>| {
+) -> Result<[Option<Level<'a>>; 2], Error> {
+    let measure = |stream: &'a Option<Stream>| {
         stream
             .as_ref()
             .map(|stream| Level::measure(stream, detector))
@@ -186,7 +187,7 @@ pub(super) fn levels(
 }
 
 /// The spans in which any of the sensors moves.
-pub(super) fn motion(levels: &[Option<Level>; 2], multiplier: f64) -> Vec<Span> {
+pub(super) fn motion(levels: &[Option<Level<'_>>; 2], multiplier: f64) -> Vec<Span> {
     union(
         levels
             .iter()
@@ -198,23 +199,25 @@ pub(super) fn motion(levels: &[Option<Level>; 2], multiplier: f64) -> Vec<Span> 
 
 /// `Σ over axes of var²` in a centred window of `window` seconds, at every sample.
 ///
-/// From running sums of the centred samples: one pass, whatever the length of the window.
-fn statistic(stream: &Stream, window: f64) -> Vec<f64> {
-    let sums = running_sums(&stream.values);
+/// From running sums of the samples about `centre` at both ends of the window: one pass, whatever its
+/// length.
+fn statistic(stream: &Stream, window: f64, centre: &Vector3<f64>) -> Vec<f64> {
     let (mut start, mut end) = (0, 0);
+    let (mut before, mut through) = (Sums::default(), Sums::default());
     let at = |&t: &f64| {
         while stream.t[start] < t - 0.5 * window {
+            before.add(&stream.values[start], centre);
             start += 1;
         }
         while end < stream.len() && stream.t[end] <= t + 0.5 * window {
+            through.add(&stream.values[end], centre);
             end += 1;
         }
         let share = ((end - start) as f64).recip();
-        let (from, to) = (&sums[start], &sums[end]);
         (0..3)
             .map(|axis| {
-                let mean = (to[axis] - from[axis]) * share;
-                let square = (to[3 + axis] - from[3 + axis]) * share;
+                let mean = (through.first[axis] - before.first[axis]) * share;
+                let square = (through.second[axis] - before.second[axis]) * share;
                 (square - mean * mean).max(0.0)
             })
             .map(|variance| variance * variance)
@@ -223,40 +226,53 @@ fn statistic(stream: &Stream, window: f64) -> Vec<f64> {
     stream.t.iter().map(at).collect()
 }
 
-/// Sums of the centred samples (3) and of their squares (3) before each sample and after the last.
-fn running_sums(values: &[Vector3<f64>]) -> Vec<[f64; 6]> {
-    let centre = values.iter().sum::<Vector3<f64>>() / values.len() as f64;
-    let mut sums = vec![[0.0; 6]; values.len() + 1];
-    let mut sum = [0.0; 6];
-    for (value, after) in values.iter().zip(&mut sums[1..]) {
+/// Sums of centred samples and of their squares, per axis.
+#[derive(Default)]
+struct Sums {
+    first: [f64; 3],
+    second: [f64; 3],
+}
+
+impl Sums {
+    fn add(&mut self, value: &Vector3<f64>, centre: &Vector3<f64>) {
         for axis in 0..3 {
             let d = value[axis] - centre[axis];
-            sum[axis] += d;
-            sum[3 + axis] += d * d;
+            self.first[axis] += d;
+            self.second[axis] += d * d;
         }
-        *after = sum;
     }
-    sums
 }
 
-/// The value below which the share `q` of `values` lies.
+/// The value below which the share `q` of `values` lies; 0 of none.
 fn quantile(values: &[f64], q: f64) -> f64 {
-    let mut sorted = values.to_vec();
-    let k = (q * (sorted.len() - 1) as f64) as usize;
-    *sorted.select_nth_unstable_by(k, f64::total_cmp).1
+    let rank = (q * values.len().saturating_sub(1) as f64) as usize;
+    nth_smallest(values.iter().copied(), rank).unwrap_or(0.0)
 }
 
-/// Largest minus smallest value over all axes.
-fn range(values: &[Vector3<f64>]) -> f64 {
-    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-    for value in values {
-        for axis in 0..3 {
-            low[axis] = low[axis].min(value[axis]);
-            high[axis] = high[axis].max(value[axis]);
+/// Where the samples of a sensor lie.
+struct Extent {
+    mean: Vector3<f64>,
+    /// Largest minus smallest value over all axes.
+    range: f64,
+}
+
+impl Extent {
+    fn of(values: &[Vector3<f64>]) -> Self {
+        let mut sum = Vector3::zeros();
+        let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for value in values {
+            sum += value;
+            for axis in 0..3 {
+                low[axis] = low[axis].min(value[axis]);
+                high[axis] = high[axis].max(value[axis]);
+            }
+        }
+        let (low, high) = (Vector3::from(low), Vector3::from(high));
+        Self {
+            mean: sum / values.len() as f64,
+            range: high.max() - low.min(),
         }
     }
-    let (low, high) = (Vector3::from(low), Vector3::from(high));
-    high.max() - low.min()
 }
 
 #[cfg(test)]
@@ -264,7 +280,7 @@ mod tests {
     use super::*;
 
     /// Sample by sample, as the definition has it.
-    fn one_by_one(level: &Level, multiplier: f64) -> Vec<Span> {
+    fn one_by_one(level: &Level<'_>, multiplier: f64) -> Vec<Span> {
         let threshold = multiplier * level.at_rest;
         let mut spans: Vec<Span> = Vec::new();
         let mut moving = false;

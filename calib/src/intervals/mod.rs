@@ -13,6 +13,7 @@ mod sections;
 mod segmentation;
 mod shaken;
 mod spans;
+mod stamps;
 mod survey;
 
 pub use detector::{Detector, Level};

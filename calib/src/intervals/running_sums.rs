@@ -4,42 +4,81 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
-/// Sums of the samples before each, from which the mean of a stretch follows in two look-ups.
+/// Samples between two sums that are kept.
+const STRIDE: usize = 64;
+
+/// Sums of the samples before every 64th, from which the mean of a stretch follows in two look-ups and
+/// a few additions.
 ///
 /// Taken about the first sample and with the rounding errors carried along (Neumaier 1974), so that a
 /// mean is good to the last digits however long the recording is.
 #[derive(Clone, Debug)]
-pub(super) struct RunningSums {
+pub(super) struct RunningSums<'a> {
+    values: &'a [Vector3<f64>],
     origin: Vector3<f64>,
-    /// Sum and what rounding took from it, before each sample and after the last.
-    sums: Vec<[Vector3<f64>; 2]>,
+    /// Before each sample whose index the stride divides.
+    sums: Vec<Sum>,
 }
 
-impl RunningSums {
-    /// Of samples that are all finite; `None` of others, which would spoil every mean after them.
-    pub fn of(values: &[Vector3<f64>]) -> Option<Self> {
-        let origin = values.first().copied().unwrap_or_default();
-        let mut sums = Vec::with_capacity(values.len() + 1);
-        let (mut sum, mut lost) = (Vector3::zeros(), Vector3::zeros());
-        sums.push([sum, lost]);
-        for value in values {
-            let d = value - origin;
-            let next = sum + d;
-            lost += rounding(&sum, &d, &next);
-            sum = next;
-            sums.push([sum, lost]);
+/// A sum and what rounding took from it.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sum {
+    sum: Vector3<f64>,
+    lost: Vector3<f64>,
+}
+
+impl Sum {
+    /// With `d` added.
+    fn plus(self, d: Vector3<f64>) -> Self {
+        let sum = self.sum + d;
+        Self {
+            sum,
+            lost: self.lost + rounding(&self.sum, &d, &sum),
         }
-        let finite = (sum + lost).iter().all(|v| v.is_finite());
-        finite.then_some(Self { origin, sums })
+    }
+}
+
+impl<'a> RunningSums<'a> {
+    /// Of samples that are all finite; `None` of others, which would spoil every mean after them.
+    pub fn of(values: &'a [Vector3<f64>]) -> Option<Self> {
+        let origin = values.first().copied().unwrap_or_default();
+        let mut sums = Vec::with_capacity(values.len() / STRIDE + 1);
+        let mut sum = Sum::default();
+        for block in values.chunks(STRIDE) {
+            sums.push(sum);
+            sum = block
+                .iter()
+                .fold(sum, |sum, value| sum.plus(value - origin));
+        }
+        if values.len().is_multiple_of(STRIDE) {
+            sums.push(sum);
+        }
+        let finite = (sum.sum + sum.lost).iter().all(|v| v.is_finite());
+        finite.then_some(Self {
+            values,
+            origin,
+            sums,
+        })
     }
 
     /// The mean of a stretch; `None` of an empty one.
     pub fn mean(&self, stretch: Range<usize>) -> Option<Vector3<f64>> {
         let count = stretch.len();
-        let ([from, from_lost], [to, to_lost]) =
-            (self.sums.get(stretch.start)?, self.sums.get(stretch.end)?);
-        let sum = (to - from) + (to_lost - from_lost);
+        let (from, to) = (self.before(stretch.start)?, self.before(stretch.end)?);
+        let sum = (to.sum - from.sum) + (to.lost - from.lost);
         (count > 0).then(|| self.origin + sum / count as f64)
+    }
+
+    /// The sum of the samples before `index`; `None` beyond the last.
+    fn before(&self, index: usize) -> Option<Sum> {
+        let kept = index / STRIDE;
+        let block = self.values.get(kept * STRIDE..index)?;
+        let sum = *self.sums.get(kept)?;
+        Some(
+            block
+                .iter()
+                .fold(sum, |sum, value| sum.plus(value - self.origin)),
+        )
     }
 }
 

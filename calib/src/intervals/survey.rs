@@ -8,6 +8,7 @@ use super::running_sums::RunningSums;
 use super::segmentation::Segmentation;
 use super::shaken::shaken;
 use super::spans::{Span, static_spans, union};
+use super::stamps::Stamps;
 use crate::error::Error;
 use crate::recording::{Recording, Stream};
 
@@ -16,10 +17,12 @@ use crate::recording::{Recording, Stream};
 pub struct Survey<'a> {
     recording: &'a Recording,
     detector: Detector,
-    levels: [Option<Level>; 2],
+    levels: [Option<Level<'a>>; 2],
     gaps: Vec<Span>,
     whole: Span,
-    sums: Option<RunningSums>,
+    /// Of the accelerometer.
+    stamps: Stamps<'a>,
+    sums: Option<RunningSums<'a>>,
 }
 
 impl<'a> Survey<'a> {
@@ -35,6 +38,7 @@ impl<'a> Survey<'a> {
             levels: levels(recording, detector)?,
             gaps: gaps(recording).collect(),
             whole: common(recording),
+            stamps: Stamps::of(accelerometer.map_or(&[], |stream| &stream.t)),
             sums: accelerometer.and_then(|stream| RunningSums::of(&stream.values)),
         })
     }
@@ -58,7 +62,7 @@ impl<'a> Survey<'a> {
     /// The accelerometer's mean over a rest, raw unit; `None` without samples.
     pub fn mean_force(&self, rest: Span) -> Option<Vector3<f64>> {
         let stream = self.recording.accelerometer.as_ref()?;
-        let samples = stream.between(rest.from, rest.to);
+        let samples = self.stamps.between(rest.from, rest.to);
         match &self.sums {
             Some(sums) => sums.mean(samples),
             None => Some(Moments::of(&stream.values[samples])?.mean),
@@ -77,7 +81,7 @@ impl<'a> Survey<'a> {
 
     /// The recording cut into rests and turns at a multiplier.
     pub fn segment(&self, multiplier: f64) -> Segmentation {
-        let level = |level: &Option<Level>| level.as_ref().map(|l| l.at_rest);
+        let level = |level: &Option<Level<'_>>| level.as_ref().map(|l| l.at_rest);
         let mut rests = self.rests(multiplier);
         if self.detector.shaken {
             rests.extend(self.shaken(multiplier, &rests));

@@ -10,6 +10,10 @@ const DECIMATION: usize = 4;
 /// Levels of the cascade: averaging factors up to `4096 · 4¹³`, more samples than fit on a disk.
 const LEVELS: usize = 14;
 
+/// Differences summed side by side: several vectors of any machine's width, so that one need not wait
+/// for the other.
+const LANES: usize = 16;
+
 /// Averaging factors per octave.
 const PER_OCTAVE: usize = 4;
 
@@ -231,18 +235,26 @@ impl Level {
     }
 }
 
-/// `Σ (new − 2 middle + old)²` over the length of `new`, in four lanes.
+/// `Σ (new − 2 middle + old)²` over the length of `new`, with the widest vectors there are and the
+/// same digits with any.
 fn sum_of_squares(old: &[f64], middle: &[f64], new: &[f64]) -> f64 {
-    let mut lanes = [0.0; 4];
-    let whole = new.len() / 4 * 4;
-    for k in (0..whole).step_by(4) {
-        let (a, b, c) = (&old[k..k + 4], &middle[k..k + 4], &new[k..k + 4]);
-        for lane in 0..4 {
+    pulp::Arch::new().dispatch(|| sum_in_lanes(old, middle, new))
+}
+
+#[inline(always)]
+fn sum_in_lanes(old: &[f64], middle: &[f64], new: &[f64]) -> f64 {
+    let (a, _) = old[..new.len()].as_chunks::<LANES>();
+    let (b, _) = middle[..new.len()].as_chunks::<LANES>();
+    let (c, rest) = new.as_chunks::<LANES>();
+    let mut lanes = [0.0; LANES];
+    for ((a, b), c) in a.iter().zip(b).zip(c) {
+        for lane in 0..LANES {
             let d = c[lane] - 2.0 * b[lane] + a[lane];
             lanes[lane] += d * d;
         }
     }
-    let rest = (whole..new.len()).map(|k| (new[k] - 2.0 * middle[k] + old[k]).powi(2));
+    let rest = new.len() - rest.len()..new.len();
+    let rest = rest.map(|k| (new[k] - 2.0 * middle[k] + old[k]).powi(2));
     lanes.iter().sum::<f64>() + rest.sum::<f64>()
 }
 

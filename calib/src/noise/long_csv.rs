@@ -4,17 +4,16 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use csv::{ByteRecord, ReaderBuilder};
 use nalgebra::Vector3;
 
-use super::curves::{RecordingAccumulator, RecordingCurves};
+use super::curves::{RecordingAccumulator, RecordingCurves, SensorAccumulator};
 use crate::intervals::Span;
+use crate::recording::batches::{Batch, Batches, Stop};
+use crate::recording::pipeline::parse_all;
+use crate::recording::plain::{ACCEL, Block, GYRO, Plain, Row, STAMP};
 
 /// The columns of the plain CSV recording.
 const COLUMNS: [&[u8]; 7] = [b"t", b"ax", b"ay", b"az", b"gx", b"gy", b"gz"];
-
-/// Bytes read at a time.
-const BUFFER: usize = 1 << 20;
 
 /// Bytes in which the header must be found, comments included.
 const HEAD: u64 = 1 << 16;
@@ -23,44 +22,96 @@ const HEAD: u64 = 1 << 16;
 /// guess.
 const GRAVITY: std::ops::Range<f64> = 7.0..13.0;
 
-/// Reads a plain CSV recording (`t,ax,ay,az,gx,gy,gz…`) row by row into curves, without keeping the
-/// samples: a day at 200 Hz needs hardly more memory than a minute. With `within` only that stretch
-/// goes into the curves.
+/// Reads a plain CSV recording (`t,ax,ay,az,gx,gy,gz…`) batch by batch into curves, without keeping
+/// the samples: a day at 200 Hz needs hardly more memory than a minute. With `within` only that
+/// stretch goes into the curves.
 ///
 /// `None` for anything else: no regular file, other columns, a row with a missing or unreadable
 /// number, time that does not ascend, a first reading that is no gravity in m/s². The reader of
 /// recordings then says what is wrong, or knows the format.
 pub fn curves_of_long_csv(path: &Path, within: Option<Span>) -> Option<RecordingCurves> {
-    if !begins_with_header(path)? {
-        return None;
-    }
-    let mut reader = ReaderBuilder::new()
-        .buffer_capacity(BUFFER)
-        .comment(Some(b'#'))
-        .flexible(true)
-        .from_path(path)
-        .ok()?;
-    let mut accumulator = RecordingAccumulator::default();
-    let wanted = |t: f64| within.is_none_or(|span| span.from <= t && t < span.to);
-    let mut last = f64::NEG_INFINITY;
-    let mut row = ByteRecord::new();
-    while reader.read_byte_record(&mut row).ok()? {
-        let [t, ax, ay, az, gx, gy, gz] = numbers(&row)?;
-        let first = last == f64::NEG_INFINITY;
-        if t <= last || (first && !GRAVITY.contains(&(ax * ax + ay * ay + az * az).sqrt())) {
-            return None;
-        }
-        last = t;
-        if wanted(t) {
-            accumulator.accelerometer.push(t, Vector3::new(ax, ay, az));
-            accumulator.gyroscope.push(t, Vector3::new(gx, gy, gz));
-        }
-    }
-    Some(accumulator.finish())
+    let plain = Plain::in_first_columns(width(path)?, COLUMNS.len());
+    let mut batches = Batches::new(File::open(path).ok()?, u64::MAX);
+    let mut feed = Feed {
+        accumulator: RecordingAccumulator::default(),
+        within,
+        last: f64::NEG_INFINITY,
+        header_met: false,
+        rows: Vec::new(),
+    };
+    let fed = parse_all(&mut batches, &plain, |batch, blocks| {
+        feed.take(batch, blocks).ok_or(())
+    });
+    let whole = fed.is_ok() && matches!(batches.stop(), Stop::End);
+    whole.then(|| feed.accumulator.finish())
 }
 
-/// Whether a regular file begins with the plain header, after comments.
-fn begins_with_header(path: &Path) -> Option<bool> {
+/// Rows on their way into the curves.
+struct Feed {
+    accumulator: RecordingAccumulator,
+    within: Option<Span>,
+    /// Stamp of the last row, s.
+    last: f64,
+    header_met: bool,
+    /// The rows of a batch.
+    rows: Vec<Row>,
+}
+
+impl Feed {
+    /// Takes in a batch; `None` for a row that the reader of recordings has to look at.
+    fn take(&mut self, batch: &Batch, blocks: &[Block]) -> Option<()> {
+        self.rows.clear();
+        for block in blocks {
+            let mut taken = 0;
+            for odd in &block.odd {
+                self.rows.extend_from_slice(&block.rows[taken..odd.after]);
+                taken = odd.after;
+                let line = &batch.bytes[odd.line.clone()];
+                if line.is_empty() || line.starts_with(b"#") {
+                    continue;
+                }
+                if !std::mem::replace(&mut self.header_met, true) {
+                    continue;
+                }
+                if batch.fault(&odd.line).is_some() {
+                    return None;
+                }
+                self.rows.push(numbers(line)?);
+            }
+            self.rows.extend_from_slice(&block.rows[taken..]);
+        }
+        self.check()?;
+        let wanted = |t: f64| self.within.is_none_or(|span| span.from <= t && t < span.to);
+        let push = |sensor: &mut SensorAccumulator, first: usize| {
+            for row in self.rows.iter().filter(|row| wanted(row[STAMP])) {
+                let value = Vector3::new(row[first], row[first + 1], row[first + 2]);
+                sensor.push(row[STAMP], value);
+            }
+        };
+        let RecordingAccumulator {
+            accelerometer,
+            gyroscope,
+        } = &mut self.accumulator;
+        rayon::join(|| push(accelerometer, ACCEL), || push(gyroscope, GYRO));
+        Some(())
+    }
+
+    /// `None` where time does not ascend or the first reading of all is no gravity.
+    fn check(&mut self) -> Option<()> {
+        for row in &self.rows {
+            let first = self.last == f64::NEG_INFINITY;
+            let force = Vector3::new(row[ACCEL], row[ACCEL + 1], row[ACCEL + 2]);
+            if row[STAMP] <= self.last || (first && !GRAVITY.contains(&force.norm())) {
+                return None;
+            }
+            self.last = row[STAMP];
+        }
+        Some(())
+    }
+}
+
+/// Number of columns of a regular file that begins with the plain header, after comments.
+fn width(path: &Path) -> Option<usize> {
     let file = File::open(path).ok()?;
     if !file.metadata().ok()?.is_file() {
         return None;
@@ -70,20 +121,25 @@ fn begins_with_header(path: &Path) -> Option<bool> {
     let header = head
         .split(|b| *b == b'\n')
         .find(|line| !line.starts_with(b"#"))?;
-    let mut names = header.trim_ascii().split(|b| *b == b',');
-    Some(COLUMNS.iter().all(|column| names.next() == Some(column)))
+    let names: Vec<&[u8]> = header.trim_ascii().split(|b| *b == b',').collect();
+    names.starts_with(&COLUMNS).then_some(names.len())
 }
 
 /// The first seven fields as finite numbers.
-fn numbers(row: &ByteRecord) -> Option<[f64; 7]> {
-    let mut numbers = [0.0_f64; 7];
-    for (k, number) in numbers.iter_mut().enumerate() {
-        *number = std::str::from_utf8(row.get(k)?).ok()?.trim().parse().ok()?;
+fn numbers(line: &[u8]) -> Option<Row> {
+    let mut row = Row::default();
+    let mut fields = line.split(|b| *b == b',');
+    for number in &mut row[..COLUMNS.len()] {
+        *number = std::str::from_utf8(fields.next()?)
+            .ok()?
+            .trim()
+            .parse()
+            .ok()?;
         if !number.is_finite() {
             return None;
         }
     }
-    Some(numbers)
+    Some(row)
 }
 
 #[cfg(test)]

@@ -77,31 +77,35 @@ pub(super) fn assemble(
 
 fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Result<(), Error> {
     recording.warnings.append(&mut table.warnings);
-    let name = table.name;
-    if !table.accel.t.is_empty() {
-        let stated = options.accel_unit.or(table.stated.accel);
-        let stream = finish(
-            &name,
-            Sensor::Accelerometer,
-            table.accel,
-            &mut recording.warnings,
-        )?;
-        let unit = decide::accel_unit(&name, &stream, stated, &mut recording.warnings)?;
-        recording.accelerometer = Some(scaled(stream, unit.scale()));
-    }
-    if !table.gyro.t.is_empty() {
-        let stated = options.gyro_unit.or(table.stated.gyro);
-        let stream = finish(
-            &name,
-            Sensor::Gyroscope,
-            table.gyro,
-            &mut recording.warnings,
-        )?;
-        let unit = decide::gyro_unit(&name, &stream, stated, &mut recording.warnings);
-        recording.gyroscope = Some(scaled(stream, unit.scale()));
+    let Table { name, stated, .. } = table;
+    let (accelerometer, gyroscope) = rayon::join(
+        || {
+            let stated = options.accel_unit.or(stated.accel);
+            finish(
+                &name,
+                Sensor::Accelerometer,
+                table.accel,
+                |stream, warnings| Ok(decide::accel_unit(&name, stream, stated, warnings)?.scale()),
+            )
+        },
+        || {
+            let stated = options.gyro_unit.or(stated.gyro);
+            finish(&name, Sensor::Gyroscope, table.gyro, |stream, warnings| {
+                Ok(decide::gyro_unit(&name, stream, stated, warnings).scale())
+            })
+        },
+    );
+    for (place, finished) in [
+        (&mut recording.accelerometer, accelerometer?),
+        (&mut recording.gyroscope, gyroscope?),
+    ] {
+        if let Some((stream, mut warnings)) = finished {
+            *place = Some(stream);
+            recording.warnings.append(&mut warnings);
+        }
     }
     if !table.temperature.is_empty() {
-        let unit = table.stated.temperature.unwrap_or(TemperatureUnit::Celsius);
+        let unit = stated.temperature.unwrap_or(TemperatureUnit::Celsius);
         let celsius: Vec<f64> = table.temperature.iter().map(|&r| unit.celsius(r)).collect();
         if checks::temperature(&name, &celsius, &mut recording.warnings) {
             recording.temperature = Some(Temperature {
@@ -113,28 +117,35 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
     Ok(())
 }
 
-/// The stream of one sensor, in the file's unit: checked, held values removed.
+/// The stream of one sensor, checked, held values removed, times the scale of its unit; and what was
+/// noticed. `None` without samples.
 fn finish(
     name: &str,
     sensor: Sensor,
     samples: Samples,
-    warnings: &mut Vec<String>,
-) -> Result<Stream, Error> {
+    scale: impl FnOnce(&Stream, &mut Vec<String>) -> Result<f64, Error>,
+) -> Result<Option<(Stream, Vec<String>)>, Error> {
+    if samples.t.is_empty() {
+        return Ok(None);
+    }
     if !samples.t.windows(2).all(|pair| pair[0] < pair[1]) {
         return Err(in_file(
             name,
             "time stamps too large to tell apart in seconds",
         ));
     }
-    values::check(name, sensor, &samples, warnings)?;
+    let mut warnings = Vec::new();
+    values::check(name, sensor, &samples, &mut warnings)?;
     let stream = Stream {
         t: samples.t,
         values: samples.values,
     };
-    let stream = held::without_held(name, sensor, stream, warnings);
-    checks::bursts(name, sensor, &stream, warnings);
-    checks::gaps(name, sensor, &stream, warnings);
-    Ok(stream)
+    let stream = held::without_held(name, sensor, stream, &mut warnings);
+    let gaps = stream.gaps();
+    checks::bursts(name, sensor, &stream, &gaps, &mut warnings);
+    checks::gaps(name, sensor, &gaps, &mut warnings);
+    let scale = scale(&stream, &mut warnings)?;
+    Ok(Some((scaled(stream, scale), warnings)))
 }
 
 fn scaled(mut stream: Stream, scale: f64) -> Stream {

@@ -2,9 +2,10 @@
 
 use sensor::Sensor;
 
-use super::Stream;
 use super::place::in_file;
 use super::samples::Samples;
+use super::stream::extreme_steps;
+use super::{Gap, Stream};
 use crate::Error;
 
 /// Repeated rows and equal stamps.
@@ -46,14 +47,22 @@ pub(super) fn order(
 }
 
 /// Stamps of arrival instead of sampling: most steps far shorter than the mean.
-pub(super) fn bursts(name: &str, sensor: Sensor, stream: &Stream, warnings: &mut Vec<String>) {
-    let (Some(median), [first, .., last]) = (stream.median_step(), &stream.t[..]) else {
+pub(super) fn bursts(
+    name: &str,
+    sensor: Sensor,
+    stream: &Stream,
+    gaps: &[Gap],
+    warnings: &mut Vec<String>,
+) {
+    let (Some((least, _)), [first, .., last]) = (extreme_steps(&stream.t), &stream.t[..]) else {
         return;
     };
-    let gaps = stream.gaps();
     let missing: f64 = gaps.iter().map(|gap| gap.t1 - gap.t0).sum();
     let mean = (last - first - missing) / (stream.len() - 1 - gaps.len()).max(1) as f64;
-    if median < mean / 2.0 {
+    let in_bursts = |step: &f64| *step < mean / 2.0;
+    // No median is below the least.
+    let median = Some(least).filter(in_bursts).and(stream.median_step());
+    if let Some(median) = median.filter(in_bursts) {
         warnings.push(format!(
             "{name}: stamps of the {} come in bursts (median step {median:.4} s, mean {mean:.4} s), as of arrival; --rate {:.1} reads the rows as evenly spaced",
             called(sensor),
@@ -63,8 +72,7 @@ pub(super) fn bursts(name: &str, sensor: Sensor, stream: &Stream, warnings: &mut
 }
 
 /// Interruptions.
-pub(super) fn gaps(name: &str, sensor: Sensor, stream: &Stream, warnings: &mut Vec<String>) {
-    let gaps = stream.gaps();
+pub(super) fn gaps(name: &str, sensor: Sensor, gaps: &[Gap], warnings: &mut Vec<String>) {
     let longest = gaps
         .iter()
         .max_by(|a, b| (a.t1 - a.t0).total_cmp(&(b.t1 - b.t0)));

@@ -1,6 +1,7 @@
 //! Time stamps as they are written: numbers, large epochs, dates, counters that wrap.
 
 use super::number::{self, Dialects, Fault};
+use super::plain::Stamps;
 
 /// Stamps from here on are epochs: the first is subtracted as an integer, because a double holds
 /// nanoseconds since 1970 only to 256 ns.
@@ -60,22 +61,7 @@ impl Clock {
         if self.origin == Some(0) {
             return parse(cell);
         }
-        let digits = cell.strip_prefix(b"-").unwrap_or(cell);
-        let split = digits
-            .iter()
-            .position(|b| !b.is_ascii_digit())
-            .unwrap_or(digits.len());
-        let whole = &cell[..cell.len() - digits.len() + split];
-        let rest = &cell[whole.len()..];
-        let whole = std::str::from_utf8(whole)
-            .ok()
-            .and_then(|text| text.parse::<i64>().ok());
-        let fraction = match rest {
-            [] => Some(0.0),
-            [b'.' | b',', ..] => parse(rest).ok(),
-            _ => None,
-        };
-        let (Some(whole), Some(fraction)) = (whole, fraction) else {
+        let Some((whole, fraction)) = split(cell, decimal_comma) else {
             let stamp = parse(cell)?;
             let origin = *self.origin.get_or_insert(large(stamp as i64));
             return Ok(stamp - origin as f64);
@@ -84,7 +70,17 @@ impl Clock {
         if origin == 0 {
             return parse(cell);
         }
-        Ok(whole.saturating_sub(origin) as f64 + fraction)
+        Ok(elapsed(origin, whole, fraction))
+    }
+
+    /// How the stamps that follow are written, where that is settled and nothing but a number.
+    pub fn form(&self) -> Option<Stamps> {
+        let numbers = self.count > 0 && !self.dates && self.pattern.is_none();
+        match self.origin? {
+            _ if !numbers => None,
+            0 => Some(Stamps::Numbers),
+            origin => Some(Stamps::Since(origin)),
+        }
     }
 
     fn date(&mut self, cell: &[u8]) -> Result<f64, Fault> {
@@ -109,7 +105,7 @@ impl Clock {
 
     /// A counter that jumps back by its modulus went on by one step: by its usual step, give or take
     /// ten lost samples.
-    fn unwrapped(&mut self, stamp: f64, line: u64) -> f64 {
+    pub fn unwrapped(&mut self, stamp: f64, line: u64) -> f64 {
         let mut stamp = stamp + self.offset;
         let first = *self.first.get_or_insert(stamp);
         if self.count >= 3 && stamp < self.last {
@@ -128,6 +124,34 @@ impl Clock {
         self.count += 1;
         stamp
     }
+}
+
+/// The time from `origin` to the stamp in `cell`, both whole numbers but for decimals behind a mark;
+/// `None` for any other spelling.
+pub(super) fn since(origin: i64, cell: &[u8], decimal_comma: bool) -> Option<f64> {
+    let (whole, fraction) = split(cell, decimal_comma)?;
+    Some(elapsed(origin, whole, fraction))
+}
+
+fn elapsed(origin: i64, whole: i64, fraction: f64) -> f64 {
+    whole.saturating_sub(origin) as f64 + fraction
+}
+
+/// The digits before the decimal mark, and the value of the mark and those behind it.
+fn split(cell: &[u8], decimal_comma: bool) -> Option<(i64, f64)> {
+    let digits = cell.strip_prefix(b"-").unwrap_or(cell);
+    let split = digits
+        .iter()
+        .position(|b| !b.is_ascii_digit())
+        .unwrap_or(digits.len());
+    let (whole, rest) = cell.split_at(cell.len() - digits.len() + split);
+    let whole = std::str::from_utf8(whole).ok()?.parse().ok()?;
+    let fraction = match rest {
+        [] => 0.0,
+        [b'.' | b',', ..] => number::parse(rest, decimal_comma, &mut Dialects::default()).ok()?,
+        _ => return None,
+    };
+    Some((whole, fraction))
 }
 
 fn large(stamp: i64) -> i64 {

@@ -4,6 +4,7 @@ use super::place::in_file;
 use super::units::{AccelUnit, GyroUnit};
 use super::{Stream, values};
 use crate::Error;
+use crate::order_statistic::nth_smallest;
 
 /// Rates beyond this are no hand-held motion in rad/s (29 turns per second): the unit is another.
 const FASTEST: f64 = 180.0;
@@ -81,10 +82,6 @@ pub(super) fn gyro_unit(
 }
 
 fn median_norm(stream: &Stream) -> f64 {
-    let mut norms: Vec<f64> = stream.values.iter().map(nalgebra::Vector3::norm).collect();
-    let middle = norms.len() / 2;
-    if norms.is_empty() {
-        return 0.0;
-    }
-    *norms.select_nth_unstable_by(middle, f64::total_cmp).1
+    let norms = stream.values.iter().map(nalgebra::Vector3::norm);
+    nth_smallest(norms, stream.len() / 2).unwrap_or(0.0)
 }

@@ -82,8 +82,8 @@ const SIGNATURES: &[Signature] = &[
 /// `reader` decompressed and in UTF-8 without byte order mark, and what was noticed.
 pub(super) fn text(
     name: &str,
-    reader: Box<dyn Read>,
-) -> Result<(Box<dyn Read>, Vec<String>), Error> {
+    reader: Box<dyn Read + Send>,
+) -> Result<(Box<dyn Read + Send>, Vec<String>), Error> {
     let mut warnings = Vec::new();
     let (head, reader) = look(name, reader)?;
     if head.is_empty() {
@@ -129,13 +129,16 @@ fn empty(name: &str) -> Error {
 }
 
 /// The first bytes, and a reader that still has them.
-fn look(name: &str, mut reader: Box<dyn Read>) -> Result<(Vec<u8>, Box<dyn Read>), Error> {
+fn look(
+    name: &str,
+    mut reader: Box<dyn Read + Send>,
+) -> Result<(Vec<u8>, Box<dyn Read + Send>), Error> {
     let head = take_head(name, &mut reader)?;
     let again = Cursor::new(head.clone()).chain(reader);
     Ok((head, Box::new(again)))
 }
 
-fn decompressed(head: &[u8], reader: Box<dyn Read>) -> Box<dyn Read> {
+fn decompressed(head: &[u8], reader: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
     if head.starts_with(b"\x1f\x8b") {
         return Box::new(flate2::read::MultiGzDecoder::new(reader));
     }
@@ -165,7 +168,7 @@ fn utf16_by_zeros(head: &[u8]) -> Option<&'static encoding_rs::Encoding> {
     }
 }
 
-type Bytes = BufReader<Box<dyn Read>>;
+type Bytes = BufReader<Box<dyn Read + Send>>;
 
 /// A zstd file, which can hold several frames one after the other.
 enum Zstd {

@@ -14,19 +14,21 @@ pub(super) fn without_held(
     stream: Stream,
     warnings: &mut Vec<String>,
 ) -> Stream {
-    let starts: Vec<usize> = (0..stream.len())
-        .filter(|&i| i == 0 || stream.values[i] != stream.values[i - 1])
-        .collect();
+    let changes = |&i: &usize| i == 0 || stream.values[i] != stream.values[i - 1];
+    let mean = stream.len() as f64 / (0..stream.len()).filter(changes).count() as f64;
+    if mean < 1.4 {
+        return stream;
+    }
+    let starts: Vec<usize> = (0..stream.len()).filter(changes).collect();
     if starts.len() < 20 {
         return stream;
     }
-    let mean = stream.len() as f64 / starts.len() as f64;
     let usual = [mean.floor() as usize, mean.ceil() as usize];
     let regular = starts
         .windows(2)
         .filter(|w| usual.contains(&(w[1] - w[0])))
         .count();
-    if mean < 1.4 || regular * 100 < (starts.len() - 1) * 98 {
+    if regular * 100 < (starts.len() - 1) * 98 {
         return stream;
     }
     warnings.push(format!(

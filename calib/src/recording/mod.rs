@@ -1,12 +1,15 @@
 //! What a device recorded, in SI units, each sensor on its own clock.
 //!
 //! ```text
-//! source → decode → lines → sniff → table ─┐
-//!  (path)  (UTF-8)         (header) (rows) ├→ assemble → Recording
-//!                                   table ─┘  (seconds, SI units, checks)
+//! source → decode → batches → sniff → table ─┐
+//!  (path)  (UTF-8)   (lines) (header) (rows) ├→ assemble → Recording
+//!                                     table ─┘  (seconds, SI units, checks)
 //! ```
+//! Rows are read in a pipeline: plain numbers in parallel (`plain`), all else with care
+//! (`rows`).
 
 mod assemble;
+pub(crate) mod batches;
 mod checks;
 mod clock;
 mod decide;
@@ -19,7 +22,11 @@ mod lines;
 mod names;
 mod number;
 mod options;
+#[cfg(test)]
+mod oracle;
+pub(crate) mod pipeline;
 pub(crate) mod place;
+pub(crate) mod plain;
 mod rows;
 mod samples;
 mod sniff;

@@ -2,6 +2,9 @@
 
 use std::borrow::Cow;
 
+/// Readings from here on are absurd, whatever the sensor and its unit.
+pub(super) const LARGEST: f64 = 1e15;
+
 /// Why a cell is no usable number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Fault {

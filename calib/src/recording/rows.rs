@@ -1,12 +1,20 @@
 //! Rows of a text into the columns of a table.
 
+mod careful;
+
+use std::io::Read;
+use std::ops::Range;
+
 use nalgebra::Vector3;
 
+use super::batches::{Batch, Batches, Stop};
 use super::dialect::Cell;
-use super::lines::{Line, Lines};
-use super::number::{self, Dialects, Fault};
+use super::lines::{Line, end_of_line, lines};
+use super::number::Dialects;
 use super::options::ReadOptions;
-use super::place::{at_column, at_line, in_file, shown};
+use super::pipeline::parse_all;
+use super::place::{at_column, at_line, in_file};
+use super::plain::{self, Block, Plain, Row, Stamps};
 use super::samples::{Pushed, Samples};
 use super::sniff::{Start, is_comment};
 use super::table::Table;
@@ -29,6 +37,8 @@ pub(super) struct Rows<'a> {
     options: &'a ReadOptions,
     cells: Vec<Cell>,
     spellings: Dialects,
+    /// Lines met.
+    lines: u64,
     rows: u64,
     skipped: usize,
     dropped: usize,
@@ -45,6 +55,7 @@ impl<'a> Rows<'a> {
             options,
             cells: Vec::new(),
             spellings: Dialects::default(),
+            lines: 0,
             rows: 0,
             skipped: 0,
             dropped: 0,
@@ -52,29 +63,139 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// Reads `lines` to their end.
-    pub fn read(mut self, mut lines: Lines<impl std::io::Read>) -> Result<(), Error> {
-        while let Some(line) = lines.next()? {
-            if line.number <= self.start.after || line.bytes.trim_ascii_start().is_empty() {
-                continue;
-            }
-            if is_comment(line.bytes) {
-                continue;
-            }
-            self.settle_pending()?;
-            match self.row(line) {
-                Ok(()) => self.rows += 1,
-                Err(Trouble::Missing(_)) if self.options.na_drop => self.dropped += 1,
-                Err(Trouble::Missing(error) | Trouble::Broken(error)) => self.pending = Some(error),
-                Err(Trouble::Refused(error)) => return Err(error),
-            }
-            if self.rows > self.options.max_rows {
-                let limit = self.options.max_rows;
-                let words = format!("more than {limit} rows; --max-rows raises the limit");
-                return Err(at_line(&self.table.name, line.number, words));
+    /// Reads `batches` to their end: line by line until the stamps are known, then by plain rows.
+    pub fn read(mut self, mut batches: Batches<impl Read + Send>) -> Result<(), Error> {
+        while let Some(batch) = batches.next(Vec::new()) {
+            if let Some((plain, after)) = self.until_plain(&batch)? {
+                self.take(&batch, &plain.parse(&batch, after))?;
+                parse_all(&mut batches, &plain, |batch, blocks| {
+                    self.take(batch, blocks)
+                })?;
             }
         }
-        self.finish()
+        self.end(batches.stop())
+    }
+
+    /// Reads `batches` to their end, line by line: what [`Rows::read`] is to agree with.
+    #[cfg(test)]
+    pub fn read_line_by_line(mut self, mut batches: Batches<impl Read>) -> Result<(), Error> {
+        while let Some(batch) = batches.next(Vec::new()) {
+            for line in lines(&batch.bytes, 0) {
+                self.line(&batch, line)?;
+            }
+        }
+        self.end(batches.stop())
+    }
+
+    fn end(self, stop: Stop) -> Result<(), Error> {
+        let name = &self.table.name;
+        match stop {
+            Stop::End => self.finish(),
+            Stop::Line(words) => Err(at_line(name, self.lines + 1, words)),
+            Stop::Text(words) => Err(in_file(name, words)),
+        }
+    }
+
+    /// Reads `batch` line by line until it is known what plain rows look like, and where the next
+    /// line begins.
+    fn until_plain(&mut self, batch: &Batch) -> Result<Option<(Plain, usize)>, Error> {
+        for line in lines(&batch.bytes, 0) {
+            let after = line.end + end_of_line(&batch.bytes[line.end..]);
+            self.line(batch, line)?;
+            if self.rows == 1
+                && let Some(plain) = self.plain()
+            {
+                return Ok(Some((plain, after)));
+            }
+        }
+        Ok(None)
+    }
+
+    /// What plain rows look like; `None` where stamps are no numbers.
+    fn plain(&self) -> Option<Plain> {
+        let Start {
+            dialect,
+            layout,
+            header,
+            ..
+        } = self.start;
+        let stamps = match layout.time {
+            Some(_) if self.options.rate.is_none() => self.table.clock.form()?,
+            _ => Stamps::Counted,
+        };
+        Plain::new(*dialect, layout, stamps, header.as_deref())
+    }
+
+    /// Takes a parsed batch over: its plain rows, and the lines between them one by one.
+    fn take(&mut self, batch: &Batch, blocks: &[Block]) -> Result<(), Error> {
+        for block in blocks {
+            let mut taken = 0;
+            for odd in &block.odd {
+                self.plain_rows(&block.rows[taken..odd.after])?;
+                self.line(batch, odd.line.clone())?;
+                taken = odd.after;
+            }
+            self.plain_rows(&block.rows[taken..])?;
+        }
+        Ok(())
+    }
+
+    fn plain_rows(&mut self, rows: &[Row]) -> Result<(), Error> {
+        let layout = &self.start.layout;
+        let triad =
+            |row: &Row, first: usize| Vector3::new(row[first], row[first + 1], row[first + 2]);
+        for row in rows {
+            self.settle_pending()?;
+            self.lines += 1;
+            let line = Line {
+                number: self.lines,
+                bytes: &[],
+            };
+            let t = match layout.time {
+                Some(_) if self.options.rate.is_none() => {
+                    self.table.clock.unwrapped(row[plain::STAMP], line.number)
+                }
+                _ => self.counted(),
+            };
+            let accel = layout.accel.map(|_| triad(row, plain::ACCEL));
+            let gyro = layout.gyro.map(|_| triad(row, plain::GYRO));
+            let temperature = layout.temperature.map(|_| row[plain::TEMPERATURE]);
+            let kept = self.keep(t, accel, gyro, temperature, line);
+            self.count(kept, line.number)?;
+        }
+        Ok(())
+    }
+
+    /// Any line, looked at with care.
+    fn line(&mut self, batch: &Batch, range: Range<usize>) -> Result<(), Error> {
+        self.lines += 1;
+        let number = self.lines;
+        if let Some(words) = batch.fault(&range) {
+            return Err(at_line(&self.table.name, number, words));
+        }
+        let bytes = &batch.bytes[range];
+        if number <= self.start.after || bytes.trim_ascii_start().is_empty() || is_comment(bytes) {
+            return Ok(());
+        }
+        self.settle_pending()?;
+        let kept = self.row(Line { number, bytes });
+        self.count(kept, number)
+    }
+
+    /// Counts a row in, or remembers what is wrong with it.
+    fn count(&mut self, kept: Result<(), Trouble>, line: u64) -> Result<(), Error> {
+        match kept {
+            Ok(()) => self.rows += 1,
+            Err(Trouble::Missing(_)) if self.options.na_drop => self.dropped += 1,
+            Err(Trouble::Missing(error) | Trouble::Broken(error)) => self.pending = Some(error),
+            Err(Trouble::Refused(error)) => return Err(error),
+        }
+        if self.rows > self.options.max_rows {
+            let limit = self.options.max_rows;
+            let words = format!("more than {limit} rows; --max-rows raises the limit");
+            return Err(at_line(&self.table.name, line, words));
+        }
+        Ok(())
     }
 
     /// A broken row with others after it is one of those allowed, or the end.
@@ -87,51 +208,6 @@ impl<'a> Rows<'a> {
             }
             Some(error) => Err(error),
         }
-    }
-
-    fn row(&mut self, line: Line<'_>) -> Result<(), Trouble> {
-        let layout = &self.start.layout;
-        if self.start.header.as_deref() == Some(line.bytes) {
-            return Err(Trouble::Refused(self.at(
-                line,
-                0,
-                format!(
-                    "the header of line {} again: two tables in one file; split it here",
-                    self.start.after
-                ),
-            )));
-        }
-        self.start
-            .dialect
-            .split(line.bytes, &mut self.cells)
-            .map_err(|at| {
-                Trouble::Broken(self.at(
-                    line,
-                    at,
-                    "a quote is opened here and never closed".to_owned(),
-                ))
-            })?;
-        if self.cells.len() == layout.width + 1 && self.cells.last().is_some_and(|c| c.is_empty()) {
-            self.cells.pop();
-        }
-        if self.cells.len() != layout.width {
-            return Err(Trouble::Broken(self.ragged(line)));
-        }
-        let accel = self.triad(line, layout.accel)?;
-        let gyro = self.triad(line, layout.gyro)?;
-        if accel.is_none() && gyro.is_none() {
-            let words = "every cell of the sensors is empty; --na drop leaves such rows out";
-            return Err(Trouble::Missing(self.at(line, 0, words.to_owned())));
-        }
-        let temperature = match layout
-            .temperature
-            .map(|column| (column, &line.bytes[self.cells[column].clone()]))
-        {
-            Some((column, cell)) if !cell.is_empty() => Some(self.number(line, column)?),
-            _ => None,
-        };
-        let t = self.stamp(line)?;
-        self.keep(t, accel, gyro, temperature, line)
     }
 
     fn keep(
@@ -192,69 +268,9 @@ impl<'a> Rows<'a> {
         }
     }
 
-    fn stamp(&mut self, line: Line<'_>) -> Result<f64, Trouble> {
-        if let Some(rate) = self.options.rate {
-            return Ok(self.rows as f64 / rate);
-        }
-        let Some(column) = self.start.layout.time else {
-            return Ok(self.rows as f64);
-        };
-        let cell = &line.bytes[self.cells[column].clone()];
-        let decimal_comma = self.start.dialect.decimal_comma;
-        let stamp = self.table.clock.read(cell, decimal_comma, line.number);
-        stamp.map_err(|fault| self.fault(line, column, fault))
-    }
-
-    /// The sample in three columns, `None` where all three are empty.
-    fn triad(
-        &mut self,
-        line: Line<'_>,
-        columns: Option<[usize; 3]>,
-    ) -> Result<Option<Vector3<f64>>, Trouble> {
-        let Some(columns @ [x, y, z]) = columns else {
-            return Ok(None);
-        };
-        if columns.iter().all(|&column| self.cells[column].is_empty()) {
-            return Ok(None);
-        }
-        Ok(Some(Vector3::new(
-            self.number(line, x)?,
-            self.number(line, y)?,
-            self.number(line, z)?,
-        )))
-    }
-
-    fn number(&mut self, line: Line<'_>, column: usize) -> Result<f64, Trouble> {
-        let cell = &line.bytes[self.cells[column].clone()];
-        match number::parse(cell, self.start.dialect.decimal_comma, &mut self.spellings) {
-            Ok(value) if value.abs() < 1e15 => Ok(value),
-            Ok(_) => Err(self.fault(line, column, Fault::Absurd)),
-            Err(fault) => Err(self.fault(line, column, fault)),
-        }
-    }
-
-    fn fault(&self, line: Line<'_>, column: usize, fault: Fault) -> Trouble {
-        let cell = self.cells[column].clone();
-        let content = shown(&String::from_utf8_lossy(&line.bytes[cell.clone()]));
-        let column = self.start.layout.column(column);
-        let error = self.at(
-            line,
-            cell.start,
-            format!("`{content}` in {column}: {}", fault.advice()),
-        );
-        match fault {
-            Fault::Missing | Fault::NotFinite => Trouble::Missing(error),
-            Fault::Text => Trouble::Broken(error),
-            _ => Trouble::Refused(error),
-        }
-    }
-
-    fn ragged(&self, line: Line<'_>) -> Error {
-        let (found, expected) = (self.cells.len(), self.start.layout.width);
-        let words = format!(
-            "{found} cells, {expected} expected; --skip-bad-rows N leaves up to N such rows out"
-        );
-        self.at(line, 0, words)
+    /// The stamp of a row without one: rows so far, or their time at the given rate.
+    fn counted(&self) -> f64 {
+        self.rows as f64 / self.options.rate.unwrap_or(1.0)
     }
 
     fn at(&self, line: Line<'_>, byte: usize, words: String) -> Error {

@@ -16,7 +16,7 @@ pub(super) enum Pushed {
 }
 
 /// Columns of one sensor in the file's units.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Samples {
     /// Stamps.
     pub t: Vec<f64>,

@@ -2,9 +2,10 @@
 
 use sensor::Sensor;
 
+use super::batches::Batch;
 use super::dialect::{Cell, Dialect, Separator};
 use super::header::{self, Layout};
-use super::lines::Lines;
+use super::lines::lines;
 use super::number::{self, Dialects, Fault};
 use super::options::{ReadOptions, Role};
 use super::place::{at_line, in_file};
@@ -43,7 +44,7 @@ pub(super) fn is_comment(line: &[u8]) -> bool {
 
 /// True if `head`, the beginning of a text, has a row of numbers before anything that could be a header.
 pub(super) fn starts_with_numbers(head: &[u8]) -> bool {
-    let Ok(kept) = sample("", head, head.len() as u64) else {
+    let Ok(kept) = sample("", head) else {
         return false;
     };
     let dialect = dialect_of(&kept);
@@ -62,7 +63,7 @@ impl Start {
         only: Option<Sensor>,
         options: &ReadOptions,
     ) -> Result<Self, Error> {
-        let kept = sample(name, head, options.max_bytes)?;
+        let kept = sample(name, head)?;
         let dialect = dialect_of(&kept);
         let Some(first) = kept.iter().find(|k| !k.comment) else {
             return Err(in_file(
@@ -201,19 +202,23 @@ impl Start {
 }
 
 /// The first lines of the text that are not blank.
-fn sample(name: &str, head: &[u8], max_bytes: u64) -> Result<Vec<Kept>, Error> {
-    let mut lines = Lines::new(name, head, max_bytes.max(head.len() as u64));
+fn sample(name: &str, head: &[u8]) -> Result<Vec<Kept>, Error> {
+    let head = Batch::of(head);
     let mut kept = Vec::new();
-    while kept.len() < SAMPLE
-        && let Some(line) = lines.next()?
-    {
-        if !line.bytes.trim_ascii().is_empty() {
-            let comment = is_comment(line.bytes);
+    for (number, range) in (1..).zip(lines(&head.bytes, 0)) {
+        if let Some(words) = head.fault(&range) {
+            return Err(at_line(name, number, words));
+        }
+        let line = &head.bytes[range];
+        if !line.trim_ascii().is_empty() {
             kept.push(Kept {
-                number: line.number,
-                comment,
-                bytes: line.bytes.to_vec(),
+                number,
+                comment: is_comment(line),
+                bytes: line.to_vec(),
             });
+        }
+        if kept.len() == SAMPLE {
+            break;
         }
     }
     Ok(kept)

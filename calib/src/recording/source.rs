@@ -19,7 +19,7 @@ pub struct Input {
     /// Its beginning.
     pub(super) head: Vec<u8>,
     /// What follows the beginning.
-    pub(super) rest: Box<dyn Read>,
+    pub(super) rest: Box<dyn Read + Send>,
     /// What was noticed on the way.
     pub(super) warnings: Vec<String>,
     /// The file as it was when it was opened.
@@ -71,11 +71,11 @@ impl Input {
             let words = "`-` is standard input, and that is a terminal: pipe a recording into it";
             return Err(Error::Usage(words.to_owned()));
         }
-        Self::from_reader("<stdin>".to_owned(), Box::new(io::stdin().lock()))
+        Self::from_reader("<stdin>".to_owned(), Box::new(io::stdin()))
     }
 
     /// Any stream of bytes, decompressed and as UTF-8.
-    pub(super) fn from_reader(name: String, reader: Box<dyn Read>) -> Result<Self, Error> {
+    pub(super) fn from_reader(name: String, reader: Box<dyn Read + Send>) -> Result<Self, Error> {
         let (mut reader, warnings) = decode::text(&name, reader)?;
         let head = take_head(&name, &mut reader)?;
         decode::refuse_other_formats(&name, &head)?;
@@ -89,7 +89,7 @@ impl Input {
     }
 
     /// The whole text.
-    pub(super) fn into_reader(self) -> Box<dyn Read> {
+    pub(super) fn into_reader(self) -> Box<dyn Read + Send> {
         Box::new(Cursor::new(self.head).chain(self.rest))
     }
 

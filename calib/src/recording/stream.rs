@@ -4,6 +4,8 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
+use crate::order_statistic::nth_smallest;
+
 /// Samples of a three-axis sensor with their own time stamps.
 ///
 /// `t` is strictly increasing and as long as `values`.
@@ -34,12 +36,15 @@ impl Stream {
     /// Where the samples are interrupted: every step longer than five times the 95th percentile of
     /// all steps. (Not of the median: stamps that come in bursts have tiny medians and no gaps.)
     pub fn gaps(&self) -> Vec<Gap> {
-        let mut steps = steps(&self.t);
-        if steps.is_empty() {
+        // Between steps as even as those of most recordings the percentile need not be looked for.
+        let even = |&(least, largest): &(f64, f64)| largest <= 5.0 * least;
+        if extreme_steps(&self.t).as_ref().is_none_or(even) {
             return Vec::new();
         }
-        let rank = (steps.len() - 1) * 19 / 20;
-        let usual = *steps.select_nth_unstable_by(rank, f64::total_cmp).1;
+        let rank = (self.t.len() - 2) * 19 / 20;
+        let Some(usual) = nth_smallest(steps(&self.t), rank) else {
+            return Vec::new();
+        };
         let pairs = self.t.windows(2).enumerate();
         pairs
             .filter(|(_, pair)| pair[1] - pair[0] > 5.0 * usual)
@@ -98,15 +103,23 @@ pub struct Gap {
     pub t1: f64,
 }
 
-fn steps(t: &[f64]) -> Vec<f64> {
-    t.windows(2).map(|w| w[1] - w[0]).collect()
+fn steps(t: &[f64]) -> impl Iterator<Item = f64> + Clone {
+    t.windows(2).map(|pair| pair[1] - pair[0])
+}
+
+/// The least and the largest difference of neighbours; `None` with fewer than two.
+pub(super) fn extreme_steps(t: &[f64]) -> Option<(f64, f64)> {
+    let none = (f64::INFINITY, f64::NEG_INFINITY);
+    let extremes = steps(t).fold(none, |(least, largest), step| {
+        let least = if step < least { step } else { least };
+        (least, if step > largest { step } else { largest })
+    });
+    (t.len() >= 2).then_some(extremes)
 }
 
 /// The median difference of neighbours; `None` with fewer than two.
 pub(super) fn median_step(t: &[f64]) -> Option<f64> {
-    let mut steps = steps(t);
-    let middle = steps.len() / 2;
-    (!steps.is_empty()).then(|| *steps.select_nth_unstable_by(middle, f64::total_cmp).1)
+    nth_smallest(steps(t), t.len().saturating_sub(1) / 2)
 }
 
 /// Temperature readings with their own time stamps.

@@ -2,8 +2,8 @@
 
 use sensor::Sensor;
 
+use super::batches::Batches;
 use super::clock::Clock;
-use super::lines::Lines;
 use super::options::ReadOptions;
 use super::place::in_file;
 use super::rows::Rows;
@@ -77,9 +77,8 @@ impl Table {
                 .map(|w| format!("{}: {w}", input.name)),
         );
         let unchanged = input.unchanged.take();
-        let name = input.name.clone();
-        let lines = Lines::new(&name, input.into_reader(), options.max_bytes);
-        Rows::new(&mut table, &start, options).read(lines)?;
+        let batches = Batches::new(input.into_reader(), options.max_bytes);
+        Rows::new(&mut table, &start, options).read(batches)?;
         unchanged.map_or(Ok(()), |file| file.check())?;
         Ok(table)
     }

@@ -26,10 +26,9 @@ pub(super) fn check(
     warnings: &mut Vec<String>,
 ) -> Result<(), Error> {
     let sixteen_bits = are_integers(samples.values.iter());
-    for axis in 0..3 {
-        let column = || samples.values.iter().map(move |value| value[axis]);
+    let ranges = ranges(&samples.values);
+    for (axis, (low, high)) in ranges.into_iter().enumerate() {
         let called = format!("{} {}", called(sensor), ["x", "y", "z"][axis]);
-        let (low, high) = column().fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
         if samples.t.len() >= ENOUGH && low == high {
             return Err(stuck(name, &called, samples, low));
         }
@@ -43,16 +42,30 @@ pub(super) fn check(
         if sixteen_bits {
             refuse_overflow(name, &called, samples, axis)?;
         }
-        let rails = [low, high].map(|rail| at_rail(column(), rail));
-        if let Some(rows) = rails.into_iter().max().filter(|&rows| rows > 0)
-            && is_full_scale(sensor, peak, sixteen_bits)
-        {
+        if !is_full_scale(sensor, peak, sixteen_bits) {
+            continue;
+        }
+        let column = || samples.values.iter().map(move |value| value[axis]);
+        let rows = [low, high].map(|rail| at_rail(column(), rail));
+        if let Some(rows) = rows.into_iter().max().filter(|&rows| rows > 0) {
             warnings.push(format!(
                 "{name}: {called} is saturated at {peak} in {rows} rows; the rates or forces there are larger"
             ));
         }
     }
     Ok(())
+}
+
+/// Smallest and largest value of each axis.
+fn ranges(values: &[Vector3<f64>]) -> [(f64, f64); 3] {
+    let mut ranges = [(f64::MAX, f64::MIN); 3];
+    for value in values {
+        for (&v, (low, high)) in value.iter().zip(&mut ranges) {
+            *low = if v < *low { v } else { *low };
+            *high = if v > *high { v } else { *high };
+        }
+    }
+    ranges
 }
 
 fn stuck(name: &str, called: &str, samples: &Samples, value: f64) -> Error {
