@@ -1,15 +1,19 @@
-//! The stages of a stepwise calibration, each timed on its own. A new stage is a line in [`run`].
+//! The stages of a calibration and of a discovery, each timed on its own. A new stage is a line in [`run`] or
+//! [`discovery`].
 
 use std::hint::black_box;
+use std::path::Path;
 use std::time::Instant;
 
 use calib::calibrate::{Request, calibrate, gyroscope_data};
+use calib::discover::{self, Extension, State, families, rank};
 use calib::intervals::segment;
 use calib::kernel::{Tier, TurnProblem};
 use calib::methods::{
     AccelerometerRequest, GyroscopeRequest, choose_multiplier, fit_accelerometer, fit_gyroscope,
     static_means,
 };
+use calib::recording::ReadOptions;
 use calib::residuals::{Integrator, PropagatedGravity};
 use calib::{Error, Recording};
 use comfy_table::{Table, presets::UTF8_FULL_CONDENSED};
@@ -141,10 +145,53 @@ pub fn run(recording: &Recording, gravity: f64, repeat: usize) -> Result<Vec<Sta
             }),
         ),
     ];
+    discovery(recording, gravity, repeat, |name, seconds| {
+        table.push(stage(name, samples, Some(MEMORY), false, seconds));
+    })?;
     kernel(&gyroscope, repeat, |name, floor, seconds| {
         table.push(stage(name, turning, floor, false, seconds));
     });
     Ok(table)
+}
+
+/// Times the reading of a recording's files; the first of the table of [`run`].
+///
+/// # Errors
+/// As [`Recording::read`].
+pub fn read(path: &Path, repeat: usize) -> Result<Stage, Error> {
+    let read = || Recording::read(path, &ReadOptions::default());
+    let samples = read()?.gyroscope.map_or(0, |s| s.len());
+    Ok(Stage {
+        name: "read",
+        seconds: median(repeat, read),
+        samples,
+        floor: None,
+        part: false,
+    })
+}
+
+/// The joint estimate, the tests of the whole catalogue against it, and all of `discover`.
+fn discovery(
+    recording: &Recording,
+    gravity: f64,
+    repeat: usize,
+    mut add: impl FnMut(&'static str, f64),
+) -> Result<(), Error> {
+    let request = discover::Request::new(gravity);
+    let recordings = std::slice::from_ref(recording);
+    let session = discover::Session::new(recordings, &request)?;
+    let nothing = Extension::default;
+    let base = State::fit(&session, nothing())?;
+    let fit = || State::fit(&session, nothing());
+    add("joint estimate", median(repeat, fit));
+    let tests = || {
+        let families = families(&base, &request.candidates());
+        rank(&base.projected, &families, base.walks, base.walks_given)
+    };
+    add("tests of the catalogue", median(repeat, tests));
+    let whole = || discover::discover(recordings, &request);
+    add("discover", median(repeat, whole));
+    Ok(())
 }
 
 /// One evaluation of the turns by each tier.

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use calib::Error;
 use calib::discover::{
-    EffectFinding, Extension, Request, Session, State, Verdict, discover, gap_of, held_out,
+    EffectFinding, Extension, Request, Session, State, Verdict, delay, discover, gap_of, held_out,
 };
 use calib::simulate::{Spec, Truth};
 use serde::{Deserialize, Serialize};
@@ -122,8 +122,14 @@ fn scaled(job: &Job, record: &mut Record) -> Result<Spec, Error> {
     for what in job.what() {
         let size = match job.row {
             Row::Invisible => 1.0,
-            // The earth turns as fast as it does; late stamps show in the moving accelerometer only.
-            _ if what == "earth_rate" || what == "time_offset" => 1.0,
+            // The earth turns as fast as it does.
+            _ if what == "earth_rate" => 1.0,
+            _ if what == "time_offset" => {
+                let late = lateness(job)?;
+                record.lambda.push(late.map(|_| job.row.lambda()));
+                spec.parameters.extend(late.map(|d| ("time_offset.d".into(), d)));
+                1.0
+            }
             // Two samples: lost ones move the stamps of all that follow, so that sessions cannot be compared.
             _ if what == "lost_samples" => 0.4,
             _ => {
@@ -165,6 +171,15 @@ fn scaled(job: &Job, record: &mut Record) -> Result<Spec, Error> {
         }
     }
     Ok(spec)
+}
+
+/// Late stamps show in the moving accelerometer only: so many of its standard errors that their square is the row's
+/// noncentrality. `None` where the moving accelerometer says nothing.
+fn lateness(job: &Job) -> Result<Option<f64>, Error> {
+    let recordings = [job.clean.run()?.recording];
+    let session = Session::new(&recordings, &Request::new(job.clean.gravity))?;
+    let base = State::fit(&session, Extension::default())?;
+    Ok(delay(&base).map(|found| job.row.lambda().sqrt() * found.std))
 }
 
 /// A range that the turns exceed, or steps four times the noise.
