@@ -127,7 +127,8 @@ fn scaled(job: &Job, record: &mut Record) -> Result<Spec, Error> {
             _ if what == "time_offset" => {
                 let late = lateness(job)?;
                 record.lambda.push(late.map(|_| job.row.lambda()));
-                spec.parameters.extend(late.map(|d| ("time_offset.d".into(), d)));
+                spec.parameters
+                    .extend(late.map(|d| ("time_offset.d".into(), d)));
                 1.0
             }
             // Two samples: lost ones move the stamps of all that follow, so that sessions cannot be compared.

@@ -1,14 +1,17 @@
 //! Naming what is missing, one thing after the other, until the rest is noise.
 
+mod pairs;
+mod review;
+
 use faer::Mat;
 use sensor::AnyEffect;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use super::discovery::LATE;
-use super::family::{Claim, Family, Hypothesis, families, with_companions};
-use super::rank::{Ranked, rank, shared};
-use super::request::{Request, Session};
-use super::state::{Extension, State};
+use crate::discover::discovery::LATE;
+use crate::discover::family::{Claim, Family, Hypothesis, families, with_companions};
+use crate::discover::rank::{Ranked, rank};
+use crate::discover::request::{Request, Session};
+use crate::discover::state::{Extension, State};
 use crate::error::Error;
 use crate::methods::joint::{Disturbance, Known};
 
@@ -27,7 +30,7 @@ const EARTH_LENGTH: f64 = 3.0;
 /// A rotation whose vertical part is fewer standard errors than this is not known to be the earth's.
 const EARTH_VERTICAL: f64 = 2.0;
 
-/// Families whose pairs are tried.
+/// Families whose pairs are tried, and that are shown in the first ranking.
 const PAIRED: usize = 10;
 
 /// Something named.
@@ -106,13 +109,6 @@ impl Held {
         matches!(self.claim, Claim::Disturbed(kind) if same(kind))
             && self.hypothesis.place == Some(known.place)
     }
-}
-
-/// What is left of the names after a second look.
-struct Reviewed {
-    names: Vec<Name>,
-    evidence: f64,
-    last: State,
 }
 
 /// Names what is missing.
@@ -232,180 +228,6 @@ impl Finder<'_> {
         let gain = top.statistic - lower.statistic;
         (lower.evidence > self.threshold && gain < law.inverse_cdf(HIGHER_ORDER)).then_some(lower)
     }
-
-    /// Each name against all others once more, everything else named being in the model: names that are no
-    /// longer evident go, and a name makes way for one that is more evident.
-    fn review(&self, base: &State, last: State, mut held: Vec<Held>) -> Result<Reviewed, Error> {
-        let mut last = last;
-        if held.len() == 2 && self.try_pairs(base, &mut held) {
-            last = self.state(&held)?;
-        }
-        for _ in 0..2 * MOST_NAMES {
-            let certain = self.certain(&last);
-            let mut names = Vec::new();
-            let mut changed = false;
-            for k in 0..held.len() {
-                if certain.iter().any(|(known, _)| held[k].is(known)) {
-                    continue;
-                }
-                let mut others = held.clone();
-                let own = others.remove(k);
-                let without = if others.is_empty() {
-                    base.clone()
-                } else {
-                    self.state(&others)?
-                };
-                let (families, ranked) = self.ranked(&without);
-                match self.judge(&own, &families, &ranked) {
-                    Verdict::Gone => {
-                        held.remove(k);
-                        changed = true;
-                    }
-                    Verdict::Other(better) => {
-                        held[k] = better;
-                        changed = true;
-                    }
-                    Verdict::Stays(ranked_own) => names.push(Name {
-                        claim: own.claim,
-                        hypothesis: own.hypothesis,
-                        ties: ties(&without, &families, &ranked, &ranked_own),
-                        predicted: predicted(&families, &ranked_own),
-                        ranked: ranked_own,
-                        without,
-                    }),
-                }
-                if changed {
-                    break;
-                }
-            }
-            if !changed {
-                names.sort_by(|a, b| b.ranked.evidence.total_cmp(&a.ranked.evidence));
-                let found: f64 = held.iter().map(|h| h.evidence).sum();
-                let beside: f64 = certain.iter().map(|(_, evidence)| evidence).sum();
-                let beside = names.iter().map(|n| n.ranked.evidence).sum::<f64>() + beside;
-                return Ok(Reviewed {
-                    names,
-                    evidence: found.max(beside),
-                    last,
-                });
-            }
-            last = if held.is_empty() {
-                base.clone()
-            } else {
-                self.state(&held)?
-            };
-        }
-        Ok(Reviewed {
-            names: Vec::new(),
-            evidence: 0.0,
-            last: base.clone(),
-        })
-    }
-
-    /// The disturbances of a model that are beyond doubt by their own parameters, with their evidence.
-    fn certain(&self, state: &State) -> Vec<(Known, f64)> {
-        let places = state.fit.data.chunks.len() + state.fit.data.turns.len();
-        let search = (places as f64).ln() + (2.0 * self.catalogue.len() as f64).ln();
-        let mut certain = state.disturbances();
-        for (_, evidence) in &mut certain {
-            *evidence = -*evidence - search;
-        }
-        certain.retain(|(_, evidence)| *evidence > self.threshold + APART);
-        certain
-    }
-
-    fn judge(&self, own: &Held, families: &[Family], ranked: &[Ranked]) -> Verdict {
-        let mine = ranked.iter().find(|r| {
-            let family = &families[r.family];
-            family.claim.name() == own.claim.name()
-                && (own.hypothesis.place.is_none()
-                    || family.hypotheses[r.hypothesis].place == own.hypothesis.place)
-        });
-        let Some(mine) = mine else {
-            return Verdict::Gone;
-        };
-        let Some(top) = ranked.first() else {
-            return Verdict::Gone;
-        };
-        if top.evidence > mine.evidence + APART && !self.is_simpler(families, top, mine) {
-            return Verdict::Other(held(families, top));
-        }
-        if mine.evidence <= self.threshold {
-            return Verdict::Gone;
-        }
-        let found = &families[mine.family].hypotheses[mine.hypothesis];
-        if found.shape != own.hypothesis.shape {
-            return Verdict::Other(held(families, mine));
-        }
-        Verdict::Stays(mine.clone())
-    }
-
-    /// Whether `one` is the first order of `top`.
-    fn is_simpler(&self, families: &[Family], top: &Ranked, one: &Ranked) -> bool {
-        match families[top.family].claim {
-            Claim::Effect(effect) => with_companions(effect, self.catalogue)
-                .skip(1)
-                .any(|c| c.name() == families[one.family].claim.name()),
-            _ => false,
-        }
-    }
-
-    /// Two effects found one after the other may stand for two others: all pairs of the best families at the
-    /// base model, the best of them instead where it is 20 to 1 better. Whether it was.
-    fn try_pairs(&self, base: &State, held: &mut Vec<Held>) -> bool {
-        let (families, ranked) = self.ranked(base);
-        let walks = base.walks;
-        let Some(whitened) = base.projected.at(walks) else {
-            return false;
-        };
-        let best: Vec<&Ranked> = ranked
-            .iter()
-            .filter(|r| matches!(families[r.family].claim, Claim::Effect(_)))
-            .take(PAIRED)
-            .collect();
-        let columns: Vec<Mat<f64>> = best
-            .iter()
-            .map(|r| {
-                let own = families[r.family].columns_of(r.hypothesis);
-                whitened.columns(&base.projected.columns(own))
-            })
-            .collect();
-        let evidence = |i: usize, j: usize| {
-            let both = super::family::beside(
-                &[columns[i].clone(), columns[j].clone()],
-                base.projected.dof(),
-            );
-            let score = super::score::score(both.as_ref(), &whitened.z);
-            let families = [&families[best[i].family], &families[best[j].family]];
-            let dof = score.dof as f64 + families.iter().map(|f| f.shape_dof).sum::<f64>();
-            let places: f64 = families.iter().map(|f| f.log_places).sum();
-            -super::score::log_tail(score.statistic, dof) - places
-        };
-        let place = |h: &Held| {
-            best.iter()
-                .position(|r| families[r.family].claim.name() == h.claim.name())
-        };
-        let (Some(a), Some(b)) = (place(&held[0]), place(&held[1])) else {
-            return false;
-        };
-        let now = evidence(a, b);
-        let mut top: Option<(f64, usize, usize)> = None;
-        for i in 0..best.len() {
-            for j in 0..i {
-                let e = evidence(i, j);
-                if e > now + APART && top.is_none_or(|(best, ..)| e > best) {
-                    top = Some((e, i, j));
-                }
-            }
-        }
-        if let Some((_, i, j)) = top {
-            *held = vec![
-                self::held(&families, best[i]),
-                self::held(&families, best[j]),
-            ];
-        }
-        top.is_some()
-    }
 }
 
 /// Whether what would be the earth's rotation has not its length, or no vertical part: a horizontal one alone is as well
@@ -422,12 +244,6 @@ fn turns_otherwise(family: &Family, ranked: &Ranked) -> bool {
         (rate.transpose() * &ranked.score.covariance * &rate)[(0, 0)] / (length * length);
     let vertical = rate[2].abs() / ranked.score.covariance[(2, 2)].sqrt();
     (length - 1.0).abs() > EARTH_LENGTH * variance.sqrt() || vertical < EARTH_VERTICAL
-}
-
-enum Verdict {
-    Stays(Ranked),
-    Gone,
-    Other(Held),
 }
 
 fn held(families: &[Family], ranked: &Ranked) -> Held {
@@ -454,25 +270,5 @@ fn silent(families: &[Family], ranked: &[Ranked]) -> Vec<String> {
         .filter(|(_, f)| matches!(f.claim, Claim::Effect(_)) && f.claim.name() != LATE)
         .filter(|(k, _)| ranked.iter().all(|r| r.family != *k))
         .map(|(_, f)| f.claim.name().into())
-        .collect()
-}
-
-/// `E β` of the estimate, white-whitened (`m × 1`).
-fn predicted(families: &[Family], ranked: &Ranked) -> Mat<f64> {
-    let columns = families[ranked.family].columns_of(ranked.hypothesis);
-    let change = Mat::from_fn(columns.ncols(), 1, |i, _| ranked.score.change[i]);
-    columns * change
-}
-
-/// The claims whose evidence is within 20 to 1 of the named one's.
-fn ties(state: &State, families: &[Family], ranked: &[Ranked], named: &Ranked) -> Vec<Tie> {
-    ranked
-        .iter()
-        .filter(|r| r.family != named.family && r.evidence > named.evidence - APART)
-        .map(|r| Tie {
-            claim: families[r.family].claim,
-            behind: named.evidence - r.evidence,
-            shared: shared(&state.projected, families, named, r).unwrap_or(0.0),
-        })
         .collect()
 }
