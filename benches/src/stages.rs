@@ -1,5 +1,5 @@
 //! The stages of a calibration and of a discovery, each timed on its own. A new stage is a line in [`run`] or
-//! [`discovery`].
+//! `discovery`.
 
 use std::hint::black_box;
 use std::path::Path;
