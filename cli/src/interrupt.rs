@@ -9,6 +9,7 @@ static PARTIAL_FILES: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// Catches the interrupt signal. Where that cannot be done the system's own handling stays.
 pub fn install() {
+    let_writes_fail();
     let _ = ctrlc::set_handler(|| {
         for path in partial_files().drain(..) {
             let _ = std::fs::remove_file(path);
@@ -17,6 +18,17 @@ pub fn install() {
         std::process::exit(i32::from(INTERRUPTED));
     });
 }
+
+/// Beyond a limit on the size of files a write fails, as on a full disk, instead of ending the process with what it
+/// has half written.
+#[cfg(unix)]
+fn let_writes_fail() {
+    let seen = std::sync::Arc::default();
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, seen);
+}
+
+#[cfg(not(unix))]
+fn let_writes_fail() {}
 
 /// Remembers a file to remove on an interrupt.
 pub fn remember(path: PathBuf) {

@@ -248,3 +248,40 @@ fn another_recording_of_the_device_shows_whether_the_name_holds() {
     // Another device: the name of this one does not hold there.
     assert!(validation["gap_after"].as_f64().unwrap() > 3.0);
 }
+
+#[test]
+fn recordings_of_two_devices_are_refused_by_discover_and_by_the_joint_method() {
+    let (_dir, folder) = folder("one", &Spec::hand_held(7));
+    let mut other = Spec::hand_held(9).run().unwrap().recording;
+    std::fs::write(folder.join("two.csv"), to_csv(&mut other)).unwrap();
+    for call in [
+        &["discover", "one.csv", "two.csv"][..],
+        &["calibrate", "one.csv", "two.csv", "--method", "joint"],
+    ] {
+        let refused = stillpoint(&folder, call);
+        assert_eq!(refused.status.code(), Some(3), "{}", stderr(&refused));
+        assert!(stderr(&refused).contains("recordings of different devices?"));
+    }
+}
+
+#[test]
+fn late_stamps_named_leave_the_gaps_of_all_channels_on_the_validation_recording() {
+    let late = Spec::hand_held(3).with_effect("time_offset", 3.0);
+    let (_dir, folder) = folder("late", &late);
+    let again = Spec { seed: 4, ..late };
+    let mut again = again.run().unwrap().recording;
+    std::fs::write(folder.join("again.csv"), to_csv(&mut again)).unwrap();
+    let output = stillpoint(
+        &folder,
+        &[
+            "discover",
+            "late.csv",
+            "--validation",
+            "again.csv",
+            "--json",
+        ],
+    );
+    let found: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(found["effects"][0]["name"], "time_offset");
+    assert_eq!(found["validation"].as_array().unwrap().len(), 3);
+}

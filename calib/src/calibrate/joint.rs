@@ -3,6 +3,7 @@
 use sensor::{BASE_PARAMETERS, Model, Sensor};
 
 use super::assemble::{effect_values, of_the_gyro_unit, of_the_unit, triad};
+use super::same_device::cut_from_one_device;
 use super::{Frame, Outcome, Request, checks, cut};
 use crate::calibration::{
     Calibration, RecordingBias, SCHEMA, Triad, effect_named, in_symmetric_frame,
@@ -38,6 +39,10 @@ pub(super) fn calibrate(
         .map(|(recording, choice)| crate::methods::static_means(recording, &choice.segmentation))
         .collect();
     checks::enough_rests(recordings, &choices, &means)?;
+    if !request.force_device {
+        let cut = recordings.iter().copied().zip(&choices);
+        cut_from_one_device(cut, request.gravity)?;
+    }
     let mut recordings = recordings.to_vec();
     let mut choices = choices;
     for recording in gyro_recordings {

@@ -7,7 +7,7 @@ pub(crate) mod joint;
 mod means_file;
 mod noise;
 mod rest_bias;
-mod same_device;
+pub(crate) mod same_device;
 
 pub use means_file::read_static_means;
 

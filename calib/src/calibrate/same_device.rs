@@ -3,7 +3,10 @@
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use crate::error::Error;
-use crate::methods::{AccelerometerFit, AccelerometerRequest, fit_accelerometer};
+use crate::methods::{
+    AccelerometerFit, AccelerometerRequest, Choice, fit_accelerometer, static_means,
+};
+use crate::recording::Recording;
 
 /// Devices are told apart where chance makes so much difference in one parameter this rarely.
 const LEVEL: f64 = 1e-7;
@@ -14,7 +17,7 @@ const SAME: f64 = 1e-3;
 
 /// Refuses recordings whose scale factors or misalignments differ by more than chance and misfit make,
 /// each fitted on its own; those too short for that are passed.
-pub(super) fn same_device(request: &AccelerometerRequest) -> Result<(), Error> {
+pub(crate) fn same_device(request: &AccelerometerRequest) -> Result<(), Error> {
     if request.recordings.len() < 2 {
         return Ok(());
     }
@@ -41,6 +44,25 @@ pub(super) fn same_device(request: &AccelerometerRequest) -> Result<(), Error> {
         }
     }
     Ok(())
+}
+
+/// The same of recordings that were cut.
+pub(crate) fn cut_from_one_device<'a>(
+    recordings: impl Iterator<Item = (&'a Recording, &'a Choice)>,
+    gravity: f64,
+) -> Result<(), Error> {
+    let (names, recordings) = recordings
+        .map(|(recording, choice)| {
+            let means = static_means(recording, &choice.segmentation);
+            (recording.name.clone(), means)
+        })
+        .unzip();
+    same_device(&AccelerometerRequest {
+        recordings,
+        names,
+        model: accelerometer::model(),
+        gravity,
+    })
 }
 
 fn spare(fit: &AccelerometerFit) -> f64 {

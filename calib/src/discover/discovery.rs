@@ -1,5 +1,6 @@
 //! The whole way from recordings to findings.
 
+use crate::calibrate::same_device::cut_from_one_device;
 use crate::calibrate::{Request as CalibrationRequest, joint::written_down};
 use crate::calibration::{Calibration, EffectParameter, EffectValues};
 use crate::error::Error;
@@ -53,6 +54,10 @@ pub struct Discovery {
 pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery, Error> {
     let session = Session::new(recordings, request)?;
     enough_rests(&session)?;
+    if !request.force_device {
+        let cut = session.recordings.iter().map(|(r, choice)| (*r, choice));
+        cut_from_one_device(cut, request.gravity)?;
+    }
     let base = State::fit(&session, super::Extension::default())?;
     enough_to_compare(&session, &base)?;
     let mut faults = integrity(&session, &base);

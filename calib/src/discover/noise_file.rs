@@ -8,6 +8,9 @@ use super::projected::Walks;
 use crate::error::Error;
 use crate::noise::{NOISE_SCHEMA, NoiseSummary, NoiseTerm, SensorNoise, TermValue};
 
+/// Larger densities are no sensor's, m/s²/√s and rad/s/√s: they would explain anything.
+const LARGEST: f64 = 1.0;
+
 /// Densities with what the user should know of them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenWalks {
@@ -51,6 +54,14 @@ pub fn walks_in(path: &Path) -> Result<GivenWalks, Error> {
             );
             at(path, &what)
         })?;
+        if density.value > LARGEST {
+            let what = format!(
+                " a random walk of {:.3e} per root second for the {name}: no inertial sensor wanders by more than \
+                 {LARGEST}",
+                density.value
+            );
+            return Err(at(path, &what));
+        }
         given.walks[place] = density.value;
         if density.bounded {
             given.notes.push(format!(
@@ -132,25 +143,29 @@ mod tests {
 
     #[test]
     fn a_density_is_the_root_mean_square_over_the_axes_and_a_bound_counts_in_full() {
-        let known = file([(3.0, 2.0, Some(4.0)); 3], NOISE_SCHEMA);
+        let known = file([(0.3, 0.2, Some(0.4)); 3], NOISE_SCHEMA);
         let given = walks_in(known.path()).unwrap();
-        assert_eq!((given.walks, given.notes.len()), ([3.0; 2], 0));
+        assert!(given.walks.iter().all(|w| (w - 0.3).abs() < 1e-12));
+        assert!(given.notes.is_empty());
         // (1 + 4 + 49)/3 = 18 = (3 √2)².
         let axes = [
-            (1.0, 0.5, Some(2.0)),
-            (2.0, 1.0, None),
-            (0.0, 0.0, Some(7.0)),
+            (0.1, 0.05, Some(0.2)),
+            (0.2, 0.1, None),
+            (0.0, 0.0, Some(0.7)),
         ];
         let given = walks_in(file(axes, NOISE_SCHEMA).path()).unwrap();
-        assert!((given.walks[1] - 18f64.sqrt()).abs() < 1e-12);
+        assert!((given.walks[1] - 0.1 * 18f64.sqrt()).abs() < 1e-12);
         assert_eq!(given.notes.len(), 2);
     }
 
     #[test]
-    fn a_walk_without_bound_and_another_schema_are_refused() {
+    fn a_walk_without_bound_or_beyond_all_sensors_and_another_schema_are_refused() {
         let unbounded = file([(0.0, 0.0, None); 3], NOISE_SCHEMA);
         let said = walks_in(unbounded.path()).unwrap_err().to_string();
         assert!(said.contains("not bounded"), "{said}");
+        let absurd = file([(1e300, 1e299, None); 3], NOISE_SCHEMA);
+        let said = walks_in(absurd.path()).unwrap_err().to_string();
+        assert!(said.contains("no inertial sensor wanders"), "{said}");
         let other = file([(1.0, 1.0, None); 3], "stillpoint.noise/9");
         let said = walks_in(other.path()).unwrap_err().to_string();
         assert!(said.contains("noise/9"), "{said}");

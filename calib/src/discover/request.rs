@@ -31,6 +31,8 @@ pub struct Request {
     pub detector: Detector,
     /// Whether the detector's multiplier is chosen by what the accelerometer's fit leaves.
     pub choose_multiplier: bool,
+    /// Whether recordings that look like those of different devices are taken for those of one.
+    pub force_device: bool,
     /// The effects that may be missing.
     pub catalogue: Vec<&'static dyn AnyEffect>,
 }
@@ -63,6 +65,7 @@ impl Request {
             latitude: None,
             detector: Detector::default(),
             choose_multiplier: true,
+            force_device: false,
             catalogue: accelerometer::EFFECTS
                 .iter()
                 .chain(gyroscope::EFFECTS)

@@ -43,9 +43,12 @@ pub fn validate(
     let before = missed(&session, &search.base, walks)?;
     let after = missed(&session, &search.last, walks)?;
     let named = &discovery.findings.effects;
+    let shows = |c: Channel| named.iter().any(|effect| effect.channel == c);
+    // Late stamps show in none of these channels.
+    let none = !Channel::ALL.into_iter().any(shows);
     Ok(Channel::ALL
         .into_iter()
-        .filter(|c| named.is_empty() || named.iter().any(|effect| effect.channel == *c))
+        .filter(|c| none || shows(*c))
         .map(|channel| (channel, before[channel as usize], after[channel as usize]))
         .filter(|(_, _, after)| after.dof > 0.0)
         .map(|(channel, before, after)| Validation {

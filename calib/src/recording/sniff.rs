@@ -12,7 +12,7 @@ use super::place::{at_line, in_file};
 use super::suggest::suggestion;
 use crate::Error;
 
-/// Lines looked at.
+/// Lines looked at, comments not counted.
 const SAMPLE: usize = 200;
 
 /// How to read the rows of a text.
@@ -204,20 +204,22 @@ impl Start {
 /// The first lines of the text that are not blank.
 fn sample(name: &str, head: &[u8]) -> Result<Vec<Kept>, Error> {
     let head = Batch::of(head);
-    let mut kept = Vec::new();
+    let (mut kept, mut rows) = (Vec::new(), 0);
     for (number, range) in (1..).zip(lines(&head.bytes, 0)) {
         if let Some(words) = head.fault(&range) {
             return Err(at_line(name, number, words));
         }
         let line = &head.bytes[range];
         if !line.trim_ascii().is_empty() {
+            let comment = is_comment(line);
+            rows += usize::from(!comment);
             kept.push(Kept {
                 number,
-                comment: is_comment(line),
+                comment,
                 bytes: line.to_vec(),
             });
         }
-        if kept.len() == SAMPLE {
+        if rows == SAMPLE {
             break;
         }
     }

@@ -229,6 +229,8 @@ fn row_20_comments_are_skipped_and_may_be_the_header() {
     lines.insert(50, "// a note, with, commas".to_owned());
     read_as_usual(file(&format!("# 2026\n#{HEADER}"), &lines), 200);
     read_as_usual(file(HEADER, &lines), 200);
+    let preface = "# a line of a log\n".repeat(300);
+    read_as_usual(file(&(preface + HEADER), &lines), 200);
 }
 
 #[test]

@@ -6,6 +6,9 @@ use serde::Serialize;
 use super::fit::JointFit;
 use super::marginal::{columns, orthonormal, without};
 
+/// What is left of a row when all others have had their say; below this they say nothing of it.
+const HELD_UP: f64 = 1e-8;
+
 /// The influence of one rest.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Influence {
@@ -66,7 +69,10 @@ impl JointFit {
         let gram = left.transpose() * &left;
         let gram = nalgebra::DMatrix::from_fn(rows.len(), rows.len(), |i, k| gram[(i, k)]);
         let r = nalgebra::DVector::from_fn(rows.len(), |i, _| self.residuals[rows[i]]);
-        let own = gram.cholesky().map(|c| c.solve(&r));
+        let own = gram
+            .cholesky()
+            .filter(|c| c.l_dirty().diagonal().iter().all(|l| l * l > HELD_UP))
+            .map(|c| c.solve(&r));
         let moved: Vec<f64> = (0..shared.len())
             .map(|a| match &own {
                 None => f64::INFINITY,

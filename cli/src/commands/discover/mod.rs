@@ -70,6 +70,9 @@ pub struct Args {
     /// File that defines effects as expressions (TOML): they join the catalogue of this run
     #[arg(long, value_name = "FILE.toml")]
     effect_file: Vec<PathBuf>,
+    /// Take recordings for those of one device even where their scale factors differ
+    #[arg(long)]
+    force_device: bool,
     /// Local gravity, m/s²; a wrong one is a common scale of the accelerometer and never shows
     #[arg(long, value_name = "M/S²", default_value_t = STANDARD_GRAVITY)]
     gravity: f64,
@@ -171,6 +174,7 @@ fn request(args: &Args) -> Result<Request, Failure> {
     let (detector, choose_multiplier) = args.detector.detector()?;
     let mut request = Request {
         alpha: args.alpha,
+        force_device: args.force_device,
         latitude: args.latitude,
         detector,
         choose_multiplier,
