@@ -1,31 +1,18 @@
 //! The command line as scripts meet it: exit statuses, files left whole, one JSON document.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod common;
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 use calib::recording::{stream_to_csv, to_csv};
 use calib::simulate::{HandHeld, Motion, Session, Spec};
 
-fn stillpoint(folder: &Path, args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_stillpoint"))
-        .current_dir(folder)
-        .args(args)
-        .stdin(Stdio::null())
-        .output()
-        .unwrap()
-}
+use common::{json, stderr, stillpoint};
 
 fn status(output: &Output) -> i32 {
     output.status.code().unwrap()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-fn json(output: &Output) -> serde_json::Value {
-    serde_json::from_slice(&output.stdout).unwrap()
 }
 
 fn session() -> Session {

@@ -1,30 +1,16 @@
 //! `discover` from the command line: what it finds, what it writes, what it refuses.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod common;
+
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
 
 use calib::recording::to_csv;
 use calib::simulate::Spec;
 
+use common::{stderr, stdout, stillpoint};
+
 const HIDDEN: &str = "gyro_g_sensitivity";
-
-fn stillpoint(folder: &Path, args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_stillpoint"))
-        .current_dir(folder)
-        .args(args)
-        .stdin(Stdio::null())
-        .output()
-        .unwrap()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stdout).into_owned()
-}
 
 /// A folder with the recording of `spec` in `NAME.csv`.
 fn folder(name: &str, spec: &Spec) -> (tempfile::TempDir, PathBuf) {

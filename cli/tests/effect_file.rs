@@ -1,8 +1,9 @@
 //! Effects that a user defines in a file: simulated, listed, calibrated, applied.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use std::path::Path;
-use std::process::{Command, Output};
+mod common;
+
+use common::{json, stillpoint};
 
 /// Rates about two axes leak into the third.
 const CROSS: &str = r#"
@@ -12,18 +13,6 @@ sensor = "gyroscope"
 x = "k * wy * wz"
 parameters = [{ name = "k", unit = "1/(rad/s)", typical = 1e-2 }]
 "#;
-
-fn stillpoint(folder: &Path, args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_stillpoint"))
-        .current_dir(folder)
-        .args(args)
-        .output()
-        .unwrap()
-}
-
-fn json(output: &Output) -> serde_json::Value {
-    serde_json::from_slice(&output.stdout).unwrap()
-}
 
 #[test]
 fn a_defined_effect_is_simulated_found_by_calibration_and_carried_in_its_file() {

@@ -1,12 +1,13 @@
 //! A formula for what no effect of the catalogue explains: shown, written as source, named once it is defined.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use std::path::Path;
-use std::process::{Command, Output, Stdio};
+mod common;
 
 use calib::recording::to_csv;
 use calib::simulate::Spec;
 use sensor::{Axis, Covariate, Formula, Sensor, Term, emit_effect};
+
+use common::{stderr, stillpoint};
 
 /// Specific force along two axes leaks into the rate about the third.
 const SWIRL: &str = r#"
@@ -16,19 +17,6 @@ sensor = "gyroscope"
 x = "k * fy * fz"
 parameters = [{ name = "k", unit = "rad/s/(m/s^2)^2", typical = 5e-6 }]
 "#;
-
-fn stillpoint(folder: &Path, args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_stillpoint"))
-        .current_dir(folder)
-        .args(args)
-        .stdin(Stdio::null())
-        .output()
-        .unwrap()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
 
 /// A folder with the effect's file and a session in which it is hidden.
 fn swirling() -> tempfile::TempDir {

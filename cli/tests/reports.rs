@@ -1,22 +1,12 @@
 //! What a report says, where it goes, and recordings that a command must refuse or mark.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod common;
+
 use std::fmt::Write as _;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
 
-fn stillpoint(folder: &Path, args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_stillpoint"))
-        .current_dir(folder)
-        .args(args)
-        .stdin(Stdio::null())
-        .output()
-        .unwrap()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
+use common::{stderr, stillpoint};
 
 /// A plain CSV at 50 Hz: rests of `rest` seconds with the given specific forces, shaken by hand for
 /// three seconds between.

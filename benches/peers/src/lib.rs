@@ -14,6 +14,10 @@
 #[path = "../../../tests/src/problems/nist/mod.rs"]
 pub mod nist;
 
+/// The accelerometer fit, as the benches of the workspace have it.
+#[path = "../../../tests/src/problems/accelerometer.rs"]
+mod calibration;
+
 mod peer;
 mod problems;
 

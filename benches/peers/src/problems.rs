@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use solver::{Parameters, Problem, Residual, Scalar, lit};
+use solver::{Parameters, Problem};
 
+use crate::calibration::{Accelerometer, placements};
 use crate::nist::Regression;
 
 /// A problem with its start.
@@ -16,40 +17,17 @@ pub struct Named {
     pub start: Parameters,
 }
 
-/// `‖T (m − b)‖ − g`: nine parameters from the means of static intervals.
-struct Accelerometer(Vec<[f64; 3]>);
-
-impl<D: Scalar> Residual<D> for Accelerometer {
-    fn residuals(&self, x: &[D], out: &mut Vec<D>) {
-        for m in &self.0 {
-            let [a, b, c] = [0, 1, 2].map(|k| -x[6 + k] + m[k]);
-            let f = [
-                x[0] * a + x[3] * b + x[4] * c,
-                x[1] * b + x[5] * c,
-                x[2] * c,
-            ];
-            out.push((f[0] * f[0] + f[1] * f[1] + f[2] * f[2]).sqrt() - lit::<D>(9.79));
-        }
-    }
-}
-
-/// Means of 23 placements on a spiral over the sphere, distorted and rounded.
-fn placements() -> Vec<[f64; 3]> {
-    let place = |i: usize| {
-        let z = 1.0 - (2.0 * i as f64 + 1.0) / 23.0;
-        let (angle, radius) = (2.4 * i as f64, (1.0 - z * z).sqrt());
-        [radius * angle.cos(), radius * angle.sin(), z]
-    };
-    let distort = |u: [f64; 3]| [9.8 * u[0] + 0.04, 9.79 * u[1] + 0.004, 9.81 * u[2] - 0.02];
+/// The means to a hundredth, as a person would note them: they lie on no sphere exactly.
+fn rounded() -> Vec<[f64; 3]> {
     let round = |m: [f64; 3]| m.map(|v| (v * 100.0).round() / 100.0);
-    (0..23).map(place).map(distort).map(round).collect()
+    placements().into_iter().map(round).collect()
 }
 
 /// The accelerometer fit.
 pub fn accelerometer() -> Named {
     Named {
         name: "accelerometer".into(),
-        problem: Box::new(Accelerometer(placements())),
+        problem: Box::new(Accelerometer(rounded())),
         start: Parameters::unnamed(&[1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]),
     }
 }

@@ -3,7 +3,7 @@
 use sensor::{BASE_PARAMETERS, Model, Sensor};
 
 use super::assemble::{effect_values, of_the_gyro_unit, of_the_unit, triad};
-use super::same_device::cut_from_one_device;
+use super::same_device::of_one_device;
 use super::{Frame, Outcome, Request, checks, cut};
 use crate::calibration::{
     Calibration, RecordingBias, SCHEMA, Triad, effect_named, in_symmetric_frame,
@@ -40,8 +40,7 @@ pub(super) fn calibrate(
         .collect();
     checks::enough_rests(recordings, &choices, &means)?;
     if !request.force_device {
-        let cut = recordings.iter().copied().zip(&choices);
-        cut_from_one_device(cut, request.gravity)?;
+        of_one_device(recordings.iter().copied().zip(means), request.gravity)?;
     }
     let mut recordings = recordings.to_vec();
     let mut choices = choices;

@@ -3,10 +3,9 @@
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use crate::error::Error;
-use crate::methods::{
-    AccelerometerFit, AccelerometerRequest, Choice, fit_accelerometer, static_means,
-};
+use crate::methods::{AccelerometerFit, AccelerometerRequest, fit_accelerometer};
 use crate::recording::Recording;
+use crate::residuals::StaticMean;
 
 /// Devices are told apart where chance makes so much difference in one parameter this rarely.
 const LEVEL: f64 = 1e-7;
@@ -17,7 +16,7 @@ const SAME: f64 = 1e-3;
 
 /// Refuses recordings whose scale factors or misalignments differ by more than chance and misfit make,
 /// each fitted on its own; those too short for that are passed.
-pub(crate) fn same_device(request: &AccelerometerRequest) -> Result<(), Error> {
+pub(super) fn same_device(request: &AccelerometerRequest) -> Result<(), Error> {
     if request.recordings.len() < 2 {
         return Ok(());
     }
@@ -46,16 +45,13 @@ pub(crate) fn same_device(request: &AccelerometerRequest) -> Result<(), Error> {
     Ok(())
 }
 
-/// The same of recordings that were cut.
-pub(crate) fn cut_from_one_device<'a>(
-    recordings: impl Iterator<Item = (&'a Recording, &'a Choice)>,
+/// The same of recordings with their static means.
+pub(crate) fn of_one_device<'a>(
+    recordings: impl Iterator<Item = (&'a Recording, Vec<StaticMean>)>,
     gravity: f64,
 ) -> Result<(), Error> {
     let (names, recordings) = recordings
-        .map(|(recording, choice)| {
-            let means = static_means(recording, &choice.segmentation);
-            (recording.name.clone(), means)
-        })
+        .map(|(recording, means)| (recording.name.clone(), means))
         .unzip();
     same_device(&AccelerometerRequest {
         recordings,

@@ -1,9 +1,10 @@
 //! The whole way from recordings to findings.
 
-use crate::calibrate::same_device::cut_from_one_device;
+use crate::calibrate::same_device::of_one_device;
 use crate::calibrate::{Request as CalibrationRequest, joint::written_down};
 use crate::calibration::{Calibration, EffectParameter, EffectValues};
 use crate::error::Error;
+use crate::methods::static_means;
 use crate::recording::Recording;
 
 use sensor::AnyEffect;
@@ -55,8 +56,11 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery
     let session = Session::new(recordings, request)?;
     enough_rests(&session)?;
     if !request.force_device {
-        let cut = session.recordings.iter().map(|(r, choice)| (*r, choice));
-        cut_from_one_device(cut, request.gravity)?;
+        let with_means = session
+            .recordings
+            .iter()
+            .map(|(r, choice)| (*r, static_means(r, &choice.segmentation)));
+        of_one_device(with_means, request.gravity)?;
     }
     let base = State::fit(&session, super::Extension::default())?;
     enough_to_compare(&session, &base)?;

@@ -45,7 +45,6 @@ pub use projected::{Projected, Walks, Whitened};
 pub use propose::{Proposal, Proposed, propose};
 pub use rank::{Ranked, rank, shared};
 pub use request::{Request, Session};
-pub use scatter::{Scatter, scatters};
 pub use score::{Score, log_tail, score};
 pub use search::{Name, Search, Tie, search};
 pub use shape::{Shape, shapes};

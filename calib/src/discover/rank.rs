@@ -44,7 +44,11 @@ pub(super) struct Level {
 ///
 /// `given` says that the densities are known: they are not profiled then.
 pub fn rank(projected: &Projected, families: &[Family], walks: Walks, given: bool) -> Vec<Ranked> {
-    let levels = levels(projected, walks, given);
+    rank_at(projected, families, &levels(projected, walks, given))
+}
+
+/// The same at settings of the densities that were worked out before.
+pub(super) fn rank_at(projected: &Projected, families: &[Family], levels: &[Level]) -> Vec<Ranked> {
     let Some(nothing) = levels.first().map(|l| l.whitened.log_likelihood()) else {
         return Vec::new();
     };
@@ -52,7 +56,7 @@ pub fn rank(projected: &Projected, families: &[Family], walks: Walks, given: boo
     let mut ranked: Vec<Ranked> = families
         .iter()
         .enumerate()
-        .filter_map(|(place, family)| best(place, family, projected, &levels, nothing, count))
+        .filter_map(|(place, family)| best(place, family, projected, levels, nothing, count))
         .collect();
     ranked.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
     ranked

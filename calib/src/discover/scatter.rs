@@ -3,7 +3,7 @@
 use faer::{Mat, Side};
 use sensor::Sensor;
 
-use super::rank::levels;
+use super::rank::Level;
 use super::score::log_tail;
 use super::state::State;
 
@@ -34,8 +34,7 @@ pub struct Scatter {
 /// ratio `2 max (LL(θ, k) − LL(0, k₀))`: the walk's density `k` is profiled under both, or it takes what wanders
 /// for a walk. Where nothing is missing, `θ` is at the edge of what it may be and the ratio is nothing in half of the
 /// cases and `χ²₁` in the others (Self & Liang 1987).
-pub fn scatters(state: &State) -> Vec<Scatter> {
-    let levels = levels(&state.projected, state.walks, state.walks_given);
+pub(super) fn scatters(state: &State, levels: &[Level]) -> Vec<Scatter> {
     let Some(nothing) = levels.first().map(|l| l.whitened.log_likelihood()) else {
         return Vec::new();
     };

@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::channel::{Channel, Misfit, Sequence};
 use super::family::{Claim, Family};
 use super::projected::Walks;
-use super::rank::{Ranked, rank};
+use super::rank::{Ranked, levels, rank_at};
 use super::scatter::scatters;
 use super::score::log_tail;
 use super::search::{APART, Search};
@@ -91,12 +91,17 @@ pub fn rest_of(state: &State, alpha: f64) -> Option<Unexplained> {
 
 /// The tests that say what the rest looks like.
 fn shaped(state: &State) -> Vec<Trial> {
-    let shapes = shapes(state);
-    let mut trials: Vec<Trial> = ranked(state, &shapes)
-        .iter()
-        .map(|(family, ranked)| of_shape(family, ranked))
-        .collect();
-    trials.extend(scatters(state).into_iter().map(|s| Trial {
+    let levels = levels(&state.projected, state.walks, state.walks_given);
+    let is_slow = |f: &Family| matches!(f.claim, Claim::Shape(Shape::SlowTime, _));
+    let (slow, others): (Vec<Family>, Vec<Family>) = shapes(state).into_iter().partition(is_slow);
+    // Slow changes are judged at the likeliest walk alone: with many coefficients they could stand for any walk.
+    let likeliest = &levels[..levels.len().min(1)];
+    let mut trials = Vec::new();
+    for (shapes, levels) in [(slow, likeliest), (others, &levels[..])] {
+        let ranked = rank_at(&state.projected, &shapes, levels);
+        trials.extend(ranked.iter().map(|r| of_shape(&shapes[r.family], r)));
+    }
+    trials.extend(scatters(state, &levels).into_iter().map(|s| Trial {
         log_p: s.log_p,
         words: format!(
             "{}: the bias of axis {} wanders from rest to rest, with a memory of about {:.0} s",
@@ -138,20 +143,6 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
         });
     }
     Some(trials)
-}
-
-/// The evidence for shapes. Slow changes are judged at the likeliest walk: with many coefficients they could
-/// stand for any walk.
-fn ranked<'a>(state: &State, shapes: &'a [Family]) -> Vec<(&'a Family, Ranked)> {
-    let slow = |f: &Family| matches!(f.claim, Claim::Shape(Shape::SlowTime, _));
-    let of = |walks_given: bool| {
-        let given = walks_given || state.walks_given;
-        rank(&state.projected, shapes, state.walks, given)
-            .into_iter()
-            .map(|r| (&shapes[r.family], r))
-            .filter(move |(f, _)| slow(f) == walks_given)
-    };
-    of(true).chain(of(false)).collect()
 }
 
 fn of_shape(family: &Family, ranked: &Ranked) -> Trial {

@@ -1,5 +1,6 @@
 //! Collections of least-squares problems with known minima, a file per collection.
 
+pub mod accelerometer;
 mod case;
 pub mod cutest;
 pub mod dennis_schnabel;

@@ -118,7 +118,7 @@ pub fn propose(
     rest: &Unexplained,
 ) -> Option<Proposed> {
     let products = dictionary(last);
-    let screened = screen(last, session.walks.is_some(), &products)?;
+    let screened = screen(last, &products)?;
     let frequencies = stability(last, &screened.whitened, &screened.bases, screened.floor);
     let mut stable: Vec<(usize, f64)> = screened
         .products
@@ -136,7 +136,7 @@ pub fn propose(
     let formula = Formula::new(sensor, found.terms.clone());
     let effect = formula.effect(name_of(sensor)).ok()?;
     let offered: usize = products.iter().map(|p| p.axes.len()).sum();
-    let ranked = evidence(session, last, effect, offered)?;
+    let ranked = evidence(last, effect, offered)?;
     if ranked.evidence <= request.threshold() {
         return None;
     }
@@ -165,16 +165,10 @@ pub fn name_of(sensor: Sensor) -> &'static str {
 }
 
 /// The evidence for a formula: there are `C(offered, terms)` of as many terms.
-fn evidence(
-    session: &Session<'_>,
-    last: &State,
-    effect: &'static dyn AnyEffect,
-    offered: usize,
-) -> Option<Ranked> {
+fn evidence(last: &State, effect: &'static dyn AnyEffect, offered: usize) -> Option<Ranked> {
     let mut family = effect_family(last, effect, &[]);
     family.log_places = ln_binomial(offered as u64, effect.params().len() as u64);
-    let given = session.walks.is_some();
-    rank(&last.projected, &[family], last.walks, given).pop()
+    rank(&last.projected, &[family], last.walks, last.walks_given).pop()
 }
 
 /// The held-out gap of the channel before and after, at the walks of the model after; `None` unless what is left

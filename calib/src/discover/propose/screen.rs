@@ -34,8 +34,8 @@ pub struct Screened {
 }
 
 /// The products with the best score of their own.
-pub fn screen(state: &State, given: bool, products: &[Product]) -> Option<Screened> {
-    let mut levels = levels(&state.projected, state.walks, given);
+pub fn screen(state: &State, products: &[Product]) -> Option<Screened> {
+    let mut levels = levels(&state.projected, state.walks, state.walks_given);
     let kept = best(products, &levels.first()?.whitened);
     let level = likeliest(products, &kept, &levels)?;
     let whitened = levels.swap_remove(level).whitened;

@@ -13,7 +13,7 @@ use crate::discover::rank::{Ranked, rank};
 use crate::discover::request::{Request, Session};
 use crate::discover::state::{Extension, State};
 use crate::error::Error;
-use crate::methods::joint::{Disturbance, Known};
+use crate::methods::joint::Known;
 
 /// Names at most; a device that seems to lack more is not understood.
 const MOST_NAMES: usize = 6;
@@ -105,8 +105,7 @@ struct Held {
 impl Held {
     /// Whether this is a known disturbance.
     fn is(&self, known: &Known) -> bool {
-        let same = |kind: Disturbance| kind == known.kind;
-        matches!(self.claim, Claim::Disturbed(kind) if same(kind))
+        matches!(self.claim, Claim::Disturbed(kind) if kind == known.kind)
             && self.hypothesis.place == Some(known.place)
     }
 }
@@ -191,8 +190,7 @@ impl Finder<'_> {
 
     fn ranked(&self, state: &State) -> (Vec<Family>, Vec<Ranked>) {
         let families = families(state, self.catalogue);
-        let given = state.walks_given;
-        let mut ranked = rank(&state.projected, &families, state.walks, given);
+        let mut ranked = rank(&state.projected, &families, state.walks, state.walks_given);
         for r in ranked
             .iter_mut()
             .filter(|r| turns_otherwise(&families[r.family], r))
