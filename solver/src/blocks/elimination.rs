@@ -1,9 +1,9 @@
 //! Elimination of the blocks by orthogonal transformations, one block after the other.
 
-use faer::{Mat, MatRef};
-
 use super::jacobian::BlockJacobian;
+use super::stack::Stack;
 use crate::linear::Factor;
+use crate::vector::dot;
 
 /// Smallest diagonal entry of a triangle, relative to its largest, that an undamped step divides by.
 const SINGULAR: f64 = 1e-14;
@@ -20,17 +20,19 @@ pub(crate) struct Elimination<'a> {
     first_term: Vec<usize>,
 }
 
-/// `R y_block + S y_next + T y_shared = d`, kept for back substitution.
-struct Eliminated {
-    rows: Mat<f64>,
-    next: usize,
-}
-
-/// The rows that are left after the last block, `(shared + 1)` columns wide, and the way back.
+/// The triangle that is left after the last block, and the way back.
 pub(crate) struct Reduced {
+    /// `[R S T d]` of every block, `R y_block + S y_next + T y_shared = d`, row after row.
+    rows: Vec<f64>,
     blocks: Vec<Eliminated>,
     /// Triangle of the shared parameters with the right side as last column.
-    pub shared: Mat<f64>,
+    pub shared: Stack,
+}
+
+/// Where the rows of an eliminated block lie.
+struct Eliminated {
+    first: usize,
+    next: usize,
 }
 
 impl<'a> Elimination<'a> {
@@ -52,80 +54,86 @@ impl<'a> Elimination<'a> {
     }
 
     /// Eliminates every block from `‖J D⁻¹ y + b‖² + λ ‖y‖²`.
-    pub fn reduce(&self, b: &[f64], lambda: f64) -> Option<Reduced> {
-        let s = self.jacobian.shared;
+    pub fn reduce(&self, b: &[f64], lambda: f64) -> Reduced {
+        let shared = self.jacobian.shared;
         let count = self.first_term.len() - 1;
-        let mut blocks = Vec::with_capacity(count);
-        let mut carry = Carry {
-            width: 0,
-            rows: Mat::zeros(0, s + 1),
+        let mut reduced = Reduced {
+            rows: Vec::new(),
+            blocks: Vec::with_capacity(count),
+            shared: Stack::default(),
         };
+        let (mut stack, mut passed_on) = (Stack::default(), Stack::default());
+        passed_on.clear(0, shared + 1);
         for block in 0..count {
-            let (eliminated, rest) = self.eliminate(block, &carry, b, lambda)?;
-            blocks.push(eliminated);
-            carry = rest;
+            let (own, next) = self.stack(block, &passed_on, b, lambda, &mut stack);
+            stack.triangularise();
+            reduced.blocks.push(Eliminated {
+                first: reduced.rows.len(),
+                next,
+            });
+            stack.copy_rows(own, &mut reduced.rows);
+            stack.copy_corner(own, &mut passed_on);
         }
-        let m = carry.rows.nrows();
-        let root = lambda.sqrt();
-        let stacked = Mat::from_fn(m + s, s + 1, |i, k| match i {
-            i if i < m => carry.rows[(i, k)],
-            i if i - m == k => root,
-            _ => 0.0,
-        });
-        Some(Reduced {
-            blocks,
-            shared: triangle(stacked.as_ref()),
-        })
+        let rest = passed_on.rows();
+        reduced.shared.clear(rest + shared, shared + 1);
+        for k in 0..=shared {
+            let column = reduced.shared.column_mut(k);
+            column[..rest].copy_from_slice(passed_on.column(k));
+            if k < shared {
+                column[rest + k] = lambda.sqrt();
+            }
+        }
+        reduced.shared.triangularise();
+        reduced
     }
 
-    fn eliminate(
+    /// Lays out what is left of the blocks before, the block's terms and its damping; returns how
+    /// many columns are the block's own and how many the next block's.
+    fn stack(
         &self,
         block: usize,
-        carry: &Carry,
+        passed_on: &Stack,
         b: &[f64],
         lambda: f64,
-    ) -> Option<(Eliminated, Carry)> {
+        stack: &mut Stack,
+    ) -> (usize, usize) {
         let j = self.jacobian;
         let terms = &j.terms[self.first_term[block]..self.first_term[block + 1]];
         let own = j.width(block);
         let coupled = terms.iter().any(|t| t.coupled);
         let next = if coupled { j.width(block + 1) } else { 0 };
-        let columns = own + next + j.shared + 1;
-        let rows = carry.rows.nrows() + terms.iter().map(|t| t.matrix.nrows()).sum::<usize>() + own;
-        let mut stacked = Mat::zeros(rows, columns);
-        let mut at = carry.copy_into(&mut stacked, own, next);
+        let last = own + next + j.shared;
+        let rows: usize = terms.iter().map(|t| t.rows).sum();
+        let mut at = passed_on.rows();
+        stack.clear(at + rows + own, last + 1);
+        // Without the columns of this block if nothing couples it to those before.
+        let width = passed_on.columns() - (j.shared + 1);
+        for k in 0..passed_on.columns() {
+            let place = if k < width { k } else { own + next + k - width };
+            stack.column_mut(place)[..at].copy_from_slice(passed_on.column(k));
+        }
         for term in terms {
-            for (k, column) in term.matrix.col_iter().enumerate() {
-                let (place, scale) = if k < j.shared {
-                    (own + next + k, self.scale[k])
-                } else {
-                    (k - j.shared, self.scale[j.column(term, k)])
+            let rows = at..at + term.rows;
+            for (k, column) in j.term_columns(term) {
+                let place = match k.checked_sub(j.offsets[block]) {
+                    Some(place) => place,
+                    None => own + next + k,
                 };
-                for (i, value) in column.iter().enumerate() {
-                    stacked[(at + i, place)] = value / scale;
+                let stacked = &mut stack.column_mut(place)[rows.clone()];
+                for (stacked, value) in stacked.iter_mut().zip(column) {
+                    *stacked = value / self.scale[k];
                 }
             }
-            for i in 0..term.matrix.nrows() {
-                stacked[(at + i, columns - 1)] = -b[term.first_row + i];
+            let right = &mut stack.column_mut(last)[rows.clone()];
+            for (stacked, value) in right.iter_mut().zip(&b[term.first_row..]) {
+                *stacked = -value;
             }
-            at += term.matrix.nrows();
+            at = rows.end;
         }
         for k in 0..own {
-            stacked[(at + k, k)] = lambda.sqrt();
+            stack.column_mut(k)[at + k] = lambda.sqrt();
         }
-        let r = triangle(stacked.as_ref());
-        if r.nrows() < own {
-            return None;
-        }
-        let rest = Mat::from_fn(r.nrows() - own, columns - own, |i, k| r[(own + i, own + k)]);
-        let kept = Mat::from_fn(own, columns, |i, k| r[(i, k)]);
-        Some((
-            Eliminated { rows: kept, next },
-            Carry {
-                width: next,
-                rows: rest,
-            },
-        ))
+        (own, next)
     }
 
     /// The step from the shared parameters back to the first block; `None` where a triangle is
@@ -133,24 +141,32 @@ impl<'a> Elimination<'a> {
     fn back(&self, reduced: &Reduced) -> Option<Vec<f64>> {
         let j = self.jacobian;
         let s = j.shared;
+        let mut rows = Vec::new();
+        reduced.shared.copy_rows(s, &mut rows);
         let mut y = vec![0.0; j.columns()];
-        let shared = back_substitute(reduced.shared.as_ref(), s, &[])?;
-        y[..s].copy_from_slice(&shared);
+        let (shared, blocks) = y.split_at_mut(s);
+        back_substitute(&rows, shared, &[], &[])?;
         for (block, eliminated) in reduced.blocks.iter().enumerate().rev() {
-            let (own, start) = (j.width(block), j.offsets[block]);
-            let mut known = y[start + own..start + own + eliminated.next].to_vec();
-            known.extend_from_slice(&shared);
-            let part = back_substitute(eliminated.rows.as_ref(), own, &known)?;
-            y[start..start + own].copy_from_slice(&part);
+            let start = j.offsets[block] - s;
+            let (before, after) = blocks.split_at_mut(start + j.width(block));
+            let rows = &reduced.rows[eliminated.first..];
+            back_substitute(
+                rows,
+                &mut before[start..],
+                &after[..eliminated.next],
+                shared,
+            )?;
         }
-        let p: Vec<f64> = y.iter().zip(&self.scale).map(|(y, s)| y / s).collect();
-        p.iter().all(|v| v.is_finite()).then_some(p)
+        for (y, scale) in y.iter_mut().zip(&self.scale) {
+            *y /= scale;
+        }
+        y.iter().all(|v| v.is_finite()).then_some(y)
     }
 }
 
 impl Factor for Elimination<'_> {
     fn damped(&self, b: &[f64], lambda: f64) -> Option<Vec<f64>> {
-        self.back(&self.reduce(b, lambda)?)
+        self.back(&self.reduce(b, lambda))
     }
 
     fn undamped(&self, b: &[f64]) -> Option<Vec<f64>> {
@@ -158,78 +174,38 @@ impl Factor for Elimination<'_> {
     }
 
     fn tangential(&self, b: &[f64]) -> f64 {
-        let Some(reduced) = self.reduce(b, 0.0) else {
-            return f64::INFINITY;
-        };
-        let square = |rows: MatRef<'_, f64>, n: usize| -> f64 {
-            let last = rows.ncols() - 1;
-            (0..n.min(rows.nrows()))
-                .map(|i| rows[(i, last)].powi(2))
-                .sum()
-        };
-        let blocks: f64 = reduced
-            .blocks
-            .iter()
-            .map(|e| square(e.rows.as_ref(), e.rows.nrows()))
-            .sum();
-        (blocks + square(reduced.shared.as_ref(), self.jacobian.shared)).sqrt()
-    }
-}
-
-/// Rows passed on to the next block: its columns (`width`, none if not coupled), shared, right side.
-struct Carry {
-    width: usize,
-    rows: Mat<f64>,
-}
-
-impl Carry {
-    /// Writes the rows on top of the next block's and returns how many there are.
-    fn copy_into(&self, stacked: &mut Mat<f64>, own: usize, next: usize) -> usize {
-        for k in 0..self.rows.ncols() {
-            let place = if k < self.width {
-                k
-            } else {
-                own + next + k - self.width
-            };
-            for i in 0..self.rows.nrows() {
-                stacked[(i, place)] = self.rows[(i, k)];
-            }
+        let j = self.jacobian;
+        let reduced = self.reduce(b, 0.0);
+        let last = reduced.shared.column(j.shared);
+        let mut square: f64 = last.iter().take(j.shared).map(|d| d * d).sum();
+        for (block, eliminated) in reduced.blocks.iter().enumerate() {
+            let columns = j.width(block) + eliminated.next + j.shared + 1;
+            let rows = reduced.rows[eliminated.first..].chunks_exact(columns);
+            square += rows
+                .take(j.width(block))
+                .map(|row| row[columns - 1].powi(2))
+                .sum::<f64>();
         }
-        self.rows.nrows()
+        square.sqrt()
     }
 }
 
-/// The upper triangle of a QR, zeros below.
-fn triangle(a: MatRef<'_, f64>) -> Mat<f64> {
-    let qr = a.qr();
-    let r = qr.thin_R();
-    Mat::from_fn(
-        r.nrows(),
-        r.ncols(),
-        |i, k| if i <= k { r[(i, k)] } else { 0.0 },
-    )
-}
-
-/// Solves `R y + S known = d` for the first `n` unknowns of rows `[R S d]`.
-fn back_substitute(rows: MatRef<'_, f64>, n: usize, known: &[f64]) -> Option<Vec<f64>> {
-    if rows.nrows() < n {
-        return None;
-    }
-    let last = rows.ncols() - 1;
-    let largest = (0..n).map(|i| rows[(i, i)].abs()).fold(0.0, f64::max);
-    let mut y = vec![0.0; n];
+/// Solves `R y + S next + T shared = d` for `y`, given the rows `[R S T d]` one after the other;
+/// `None` where `R` is singular.
+fn back_substitute(rows: &[f64], y: &mut [f64], next: &[f64], shared: &[f64]) -> Option<()> {
+    let n = y.len();
+    let columns = n + next.len() + shared.len() + 1;
+    let row = |i: usize| &rows[i * columns..(i + 1) * columns];
+    let largest = (0..n).map(|i| row(i)[i].abs()).fold(0.0, f64::max);
     for i in (0..n).rev() {
-        let pivot = rows[(i, i)].abs();
+        let (own, others) = row(i).split_at(n);
+        let (of_next, others) = others.split_at(next.len());
+        let pivot = own[i].abs();
         if pivot <= SINGULAR * largest || pivot.is_nan() {
             return None;
         }
-        let own: f64 = (i + 1..n).map(|k| rows[(i, k)] * y[k]).sum();
-        let others: f64 = known
-            .iter()
-            .enumerate()
-            .map(|(k, v)| rows[(i, n + k)] * v)
-            .sum();
-        y[i] = (rows[(i, last)] - own - others) / rows[(i, i)];
+        let known = dot(&own[i + 1..], &y[i + 1..]) + dot(of_next, next) + dot(others, shared);
+        y[i] = (others[shared.len()] - known) / own[i];
     }
-    Some(y)
+    Some(())
 }

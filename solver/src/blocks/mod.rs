@@ -4,6 +4,7 @@ mod elimination;
 mod jacobian;
 mod problem;
 mod solve;
+mod stack;
 mod system;
 
 pub(crate) use jacobian::BlockJacobian;

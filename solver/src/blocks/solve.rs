@@ -102,15 +102,12 @@ fn marginal(jacobian: &Jacobian, shared: usize, names: Vec<String>) -> Uncertain
         .into_iter()
         .map(unit_if_zero)
         .collect();
-    let rows: usize = blocks.terms.iter().map(|t| t.matrix.nrows()).sum();
-    match blocks.eliminate(&scale).reduce(&vec![0.0; rows], 0.0) {
-        Some(reduced) => {
-            let r = &reduced.shared;
-            uncertainty(
-                &Mat::from_fn(r.nrows().min(shared), shared, |i, k| r[(i, k)] * scale[k]),
-                names,
-            )
-        }
-        None => uncertainty(&Mat::zeros(0, shared), names),
-    }
+    let reduced = blocks
+        .eliminate(&scale)
+        .reduce(&vec![0.0; blocks.rows()], 0.0);
+    let triangle = &reduced.shared;
+    let root = Mat::from_fn(triangle.rows().min(shared), shared, |i, k| {
+        triangle.column(k)[i] * scale[k]
+    });
+    uncertainty(&root, names)
 }

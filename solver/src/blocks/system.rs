@@ -1,6 +1,6 @@
 //! A block problem in its free parameters.
 
-use super::jacobian::{BlockJacobian, TermJacobian};
+use super::jacobian::BlockJacobian;
 use super::problem::{BlockProblem, Term};
 use crate::linear::{Jacobian, Linearization};
 use crate::parameters::Mask;
@@ -89,31 +89,18 @@ impl System for BlockSystem<'_> {
     fn linearize(&self, z: &[f64]) -> Linearization {
         let shared = self.shared(self.problem.shared.values().to_vec(), z);
         let (mut residuals, mut own_residuals) = (Vec::new(), Vec::new());
-        let mut terms = Vec::with_capacity(self.order.len());
+        let mut jacobian =
+            BlockJacobian::new(self.free.len(), self.offsets.clone(), self.order.len());
+        let mut free = self.free.clone();
         for term in self.terms() {
             let x = self.own(term, &shared, z);
-            let free: Vec<usize> = self
-                .free
-                .iter()
-                .copied()
-                .chain(shared.len()..x.len())
-                .collect();
+            free.truncate(self.free.len());
+            free.extend(shared.len()..x.len());
             let matrix = term.problem.linearize(&x, &free, &mut own_residuals);
-            let (block, coupled) = (term.block, term.coupled);
-            terms.push(TermJacobian {
-                block,
-                coupled,
-                first_row: residuals.len(),
-                matrix,
-            });
+            jacobian.push(term.block, term.coupled, matrix.as_ref());
             residuals.extend_from_slice(&own_residuals);
         }
         let cost = half_square(&residuals);
-        let jacobian = BlockJacobian {
-            shared: self.free.len(),
-            offsets: self.offsets.clone(),
-            terms,
-        };
         Linearization {
             residuals,
             cost,

@@ -1,4 +1,4 @@
-//! Column-pivoted QR of small matrices, on slices.
+//! QR of small matrices, on slices.
 
 use super::Triangle;
 use crate::vector::{add_to, divide, dot, norm};
@@ -102,6 +102,22 @@ fn reflect(v: &[f64], tau: f64, c: &mut [f64]) {
     add_to(c, -along, v);
 }
 
+/// Replaces a matrix of columns of length `rows`, one after the other, by the `R` of its QR without
+/// pivoting, zeros below the diagonal.
+pub(crate) fn triangularise(columns: &mut [f64], rows: usize) {
+    let n = columns.len().checked_div(rows).unwrap_or(0);
+    for k in 0..rows.min(n) {
+        let (before, after) = columns.split_at_mut((k + 1) * rows);
+        let v = &mut before[k * rows + k..];
+        let (diagonal, tau) = reflection(v);
+        for column in after.chunks_exact_mut(rows) {
+            reflect(v, tau, &mut column[k..]);
+        }
+        v.fill(0.0);
+        v[0] = diagonal;
+    }
+}
+
 /// The norm of what is left of a column.
 #[derive(Clone, Copy)]
 struct Norm {
@@ -157,6 +173,27 @@ mod tests {
                 }
                 let difference = rotated[i].abs() - oracle[(i, 0)].abs();
                 assert!(difference.abs() < 1e-13 * size, "{m} {n}: Qᵀb {i}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_triangle_without_pivoting_is_that_of_faer_up_to_signs() {
+        for (m, n) in [(0, 2), (1, 1), (7, 3), (9, 9), (3, 5)] {
+            let a = Mat::from_fn(m, n, |i, k| ((i * 5 + k * 3 + i * i * k) % 11) as f64 - 4.3);
+            let mut columns: Vec<f64> = (0..n).flat_map(|k| a.col_as_slice(k).to_vec()).collect();
+            triangularise(&mut columns, m);
+            let qr = a.qr();
+            let oracle = qr.thin_R();
+            for k in 0..n {
+                for i in 0..m {
+                    let expected = if i <= k { oracle[(i, k)].abs() } else { 0.0 };
+                    let found = columns[k * m + i].abs();
+                    assert!(
+                        (found - expected).abs() < 1e-13 * a.norm_l2(),
+                        "{m} {n}: {i} {k}"
+                    );
+                }
             }
         }
     }

@@ -11,6 +11,7 @@ mod triangle;
 pub(crate) use cholesky::CholeskyFactor;
 use damped_triangle::damped_triangle;
 use householder::Householder;
+pub(crate) use householder::triangularise;
 pub(crate) use jacobi::{singular, singular_values};
 pub(crate) use minimum_norm::minimum_norm;
 pub(crate) use qr::QrFactor;
