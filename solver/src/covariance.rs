@@ -6,7 +6,7 @@ use faer::linalg::svd::{ComputeSvdVectors, svd, svd_scratch};
 use faer::{Mat, MatRef, Par};
 use serde::{Deserialize, Serialize};
 
-use crate::linear::{singular, singular_values};
+use crate::linear::singular;
 use crate::observability::{in_words, separate};
 use crate::scaling::unit_if_zero;
 use crate::vector::dot;
@@ -30,7 +30,8 @@ pub struct Uncertainty {
     /// Largest over smallest singular value (of those that count) of the Jacobian with unit columns.
     #[serde(with = "crate::infinite")]
     pub condition: f64,
-    /// Singular values of the Jacobian as it stands, descending.
+    /// Singular values of the Jacobian with unit columns, along active constraints, descending: what
+    /// rank and condition are judged by.
     pub singular_values: Vec<f64>,
     /// Combinations of parameters that the data cannot see, in words.
     pub unobservable: Vec<String>,
@@ -48,14 +49,14 @@ impl Uncertainty {
     }
 
     /// Nothing known: no rank, no finite covariance.
-    pub(crate) fn unknown(names: Vec<String>, singular_values: Vec<f64>) -> Self {
+    pub(crate) fn unknown(names: Vec<String>) -> Self {
         let n = names.len();
         Self {
             covariance: vec![vec![f64::NAN; n]; n],
             rank: 0,
             condition: f64::INFINITY,
             unobservable: names.clone(),
-            singular_values,
+            singular_values: Vec::new(),
             names,
         }
     }
@@ -77,7 +78,6 @@ pub(crate) fn uncertainty_along(
 ) -> Uncertainty {
     let n = names.len();
     let triangle = triangle(jacobian);
-    let singular_values = values(triangle.as_ref()).unwrap_or_default();
     let reduced = match &directions {
         Some(directions) => triangle * directions,
         None => triangle,
@@ -88,7 +88,7 @@ pub(crate) fn uncertainty_along(
         .collect();
     let scaled = Mat::from_fn(reduced.nrows(), d, |i, k| reduced[(i, k)] / norms[k]);
     let Some((s, v)) = right_vectors(scaled.as_ref()) else {
-        return Uncertainty::unknown(names, singular_values);
+        return Uncertainty::unknown(names);
     };
     let largest = s.first().copied().unwrap_or(0.0);
     let rank = s.iter().filter(|&&v| v > RANK_TOLERANCE * largest).count();
@@ -117,7 +117,7 @@ pub(crate) fn uncertainty_along(
             .iter()
             .map(|direction| in_words(direction, &units, &names))
             .collect(),
-        singular_values,
+        singular_values: s,
         names,
     }
 }
@@ -133,16 +133,6 @@ fn covariance(axes: MatRef<'_, f64>, s: &[f64]) -> Vec<Vec<f64>> {
     (0..n)
         .map(|i| (0..n).map(|k| dot(row(i), row(k))).collect())
         .collect()
-}
-
-/// The `min(m, n)` singular values, descending.
-fn values(a: MatRef<'_, f64>) -> Option<Vec<f64>> {
-    if a.ncols() <= SMALL
-        && let Some(found) = singular_values(a)
-    {
-        return Some(found);
-    }
-    a.singular_values().ok()
 }
 
 /// Singular values, descending, and all right vectors `V` (`n × n`); the left ones cost as much again

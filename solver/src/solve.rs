@@ -109,7 +109,7 @@ impl Solution {
                 Some(factor) => uncertainty_along(factor.root().as_ref(), directions, names),
                 None => uncertainty_along(j.as_ref(), directions, names),
             },
-            Jacobian::Blocks(_) => Uncertainty::unknown(names, Vec::new()),
+            Jacobian::Blocks(_) => Uncertainty::unknown(names),
         };
         self.into_report(parameters, uncertainty, polytope, options)
     }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 use sensor::{Sensor, inverse};
-use solver::{Options, solve};
+use solver::{Options, Uncertainty, solve};
 
 use super::static_means;
 use crate::calibration::{BiasUpdate, Calibration, apply};
@@ -155,10 +155,8 @@ pub fn update_accelerometer(
             recording.name
         )));
     }
-    // The three share a unit: columns as they are, for one of nearly nothing is a blind axis.
-    let sizes = &report.uncertainty.singular_values;
-    let condition = sizes.first().unwrap_or(&0.0) / sizes.last().unwrap_or(&0.0);
-    if condition.is_nan() || condition > WORST_CONDITION {
+    let condition = condition(&report.uncertainty);
+    if condition > WORST_CONDITION {
         return Err(Error::NotEnough(format!(
             "{}: the rests do not tell the three axes apart (condition {condition:.0}): turn the \
              device further",
@@ -215,6 +213,17 @@ fn shifted(
         bias,
     });
     Ok(updated)
+}
+
+/// Longest over shortest axis of the three biases' error ellipsoid: the condition of their columns as
+/// they are, for the three share a unit and a column of nearly nothing is a blind axis.
+fn condition(biases: &Uncertainty) -> f64 {
+    if biases.rank < 3 {
+        return f64::INFINITY;
+    }
+    let covariance = Matrix3::from_fn(|i, k| biases.covariance[i][k]);
+    let axes = covariance.symmetric_eigenvalues();
+    (axes.max() / axes.min().max(0.0)).sqrt()
 }
 
 /// Mean of the values and its standard error from the scatter of `batches` means in a row, which

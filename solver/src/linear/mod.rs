@@ -12,7 +12,7 @@ pub(crate) use cholesky::CholeskyFactor;
 use damped_triangle::damped_triangle;
 use householder::Householder;
 pub(crate) use householder::triangularise;
-pub(crate) use jacobi::{singular, singular_values};
+pub(crate) use jacobi::singular;
 pub(crate) use minimum_norm::minimum_norm;
 pub(crate) use qr::QrFactor;
 use triangle::Triangle;
