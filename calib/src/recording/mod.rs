@@ -44,7 +44,8 @@ use std::path::Path;
 pub use options::{ColumnMap, ReadOptions, Role};
 use sensor::Sensor;
 pub use source::Input;
-pub use stream::{Gap, Stream, Temperature};
+pub(crate) use stream::is_before;
+pub use stream::{Gap, INSTANT, Stream, Temperature};
 pub use units::{AccelUnit, GyroUnit, TemperatureUnit, TimeUnit};
 pub use write::{stream_to_csv, to_csv};
 
