@@ -83,11 +83,15 @@ fn faults(findings: &Findings) -> String {
 }
 
 fn unexplained(rest: &Unexplained) -> String {
+    // A shape in a few rows shows where the channel as a whole is within its noise.
+    let gap = if rest.size > 1.0 {
+        format!("gap {:.2} of the {}, ", rest.size, rest.channel.words())
+    } else {
+        String::new()
+    };
     format!(
-        "something remains that no effect of the catalogue explains: {} (gap {:.2} of the {}, p = {})",
+        "something remains that no effect of the catalogue explains: {} ({gap}p = {})",
         rest.shape,
-        rest.size,
-        rest.channel.words(),
         chance(rest.p_value)
     )
 }
