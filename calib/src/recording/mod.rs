@@ -15,6 +15,7 @@ mod clock;
 mod decide;
 mod decode;
 mod dialect;
+mod even_clock;
 pub mod formats;
 mod header;
 mod held;
@@ -41,6 +42,7 @@ mod write;
 
 use std::path::Path;
 
+pub(crate) use even_clock::evened;
 pub use options::{ColumnMap, ReadOptions, Role};
 use sensor::Sensor;
 pub use source::Input;

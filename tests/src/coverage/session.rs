@@ -6,7 +6,7 @@ use calib::calibration::Calibration;
 use calib::intervals::{Segmentation, Span};
 use calib::methods::Fitted;
 use calib::methods::joint::{Chunk, JointFit, JointRequest, fit_joint};
-use calib::simulate::{Fault, Grade, HandHeld, Motion, Session, Simulation, Spec};
+use calib::simulate::{Clock, Fault, Grade, HandHeld, Motion, Session, Simulation, Spec};
 use nalgebra::{DMatrix, DVector, Vector3};
 use sensor::{PLACES, Sensor, base_names};
 
@@ -36,6 +36,9 @@ pub enum Row {
     TacticalWalk,
     /// Consumer grade as 16-bit counts around 32768.
     Counts,
+    /// Consumer grade on other clocks: 25 to 400 samples per second, each sensor with its own rate, phase
+    /// and jitter, stamps rounded.
+    Clocks,
     /// Consumer grade with one slip, one touch and one gap.
     Disturbed,
     /// Seven placements in one plane.
@@ -62,6 +65,7 @@ impl Row {
                 spec.gyroscope.counts = true;
                 spec.gyroscope.step = 1.1e-3;
             }
+            Self::Clocks => clocks(&mut spec, seed),
             Self::Coplanar => {
                 spec.motion = Motion::HandHeld(HandHeld {
                     placements: Some(7),
@@ -82,6 +86,23 @@ impl Row {
             _ => None,
         }
     }
+}
+
+/// Rates that sensors have, samples per second.
+const RATES: [f64; 5] = [25.0, 50.0, 104.0, 200.0, 400.0];
+
+/// Clocks of their own for both sensors.
+fn clocks(spec: &mut Spec, seed: u64) {
+    let rate = |k: u64| RATES[(k % RATES.len() as u64) as usize];
+    let clock = |rate: f64, phase: f64| Clock {
+        rate: Some(rate),
+        phase: phase / rate,
+        jitter: 0.02 / rate,
+        resolution: if rate <= 100.0 { 1e-3 } else { 1e-4 },
+        ..Clock::default()
+    };
+    spec.accelerometer.clock = clock(rate(seed), 0.3);
+    spec.gyroscope.clock = clock(rate(seed / RATES.len() as u64), 0.0);
 }
 
 /// The errors of one method in one session.

@@ -13,7 +13,7 @@ use super::trim::quiet_part;
 use super::turn::MARGIN;
 use crate::intervals::{Segmentation, Span, TurnFault};
 use crate::methods::RawUnit;
-use crate::recording::{INSTANT, Recording, Stream};
+use crate::recording::{INSTANT, Recording, Stream, evened};
 
 /// Rests are cut into chunks of about this length, s: they anchor random walk, drift and warm-up.
 const CHUNK: f64 = 8.0;
@@ -162,7 +162,7 @@ impl Data {
     pub fn add(&mut self, cut: &Cut<'_>) {
         let place = self.sources.len();
         let force = near_si(cut.recording.accelerometer.as_ref(), cut.force_unit);
-        let rate = near_si(cut.recording.gyroscope.as_ref(), cut.rate_unit);
+        let rate = near_si(cut.recording.gyroscope.as_ref(), cut.rate_unit).map(on_an_even_clock);
         let spans: Vec<Span> = cut
             .segmentation
             .statics
@@ -327,6 +327,14 @@ fn near_si(stream: Option<&Stream>, unit: &RawUnit) -> Option<Stream> {
         t: stream.t.clone(),
         values: stream.values.iter().map(|v| unit.to_si(v)).collect(),
     })
+}
+
+/// With the stamps of an even clock, where its own scatter about one.
+fn on_an_even_clock(stream: Stream) -> Stream {
+    match evened(&stream.t) {
+        Some(t) => Stream { t, ..stream },
+        None => stream,
+    }
 }
 
 /// The span in equal parts of about `length`; none of an empty one.
