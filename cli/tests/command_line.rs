@@ -167,11 +167,19 @@ fn a_file_claimed_by_another_run_is_refused_with_its_process() {
 #[test]
 fn wrong_calls_say_what_is_wrong() {
     let (_dir, folder) = folder();
-    let cases: [(&[&str], &str); 6] = [
+    let cases: [(&[&str], &str); 8] = [
         (&["calibrate"], "no recording"),
         (
             &["calibrate", "good.csv", "--gravity", "98.1"],
             "--gravity 98.1",
+        ),
+        (
+            &["calibrate", "good.csv", "--gravity", "1e300"],
+            "--gravity 1e300:",
+        ),
+        (
+            &["segment", "good.csv", "--columns", "ax=2,ay=2"],
+            "both ax and ay",
         ),
         (
             &["calibrate", "good.csv", "--effects", "gyro_gsens"],
@@ -271,6 +279,26 @@ fn a_flipped_gyroscope_axis_fails_the_gate_and_marks_the_result() {
     assert!(stderr(&run).contains("y is flipped"), "{}", stderr(&run));
     let text = std::fs::read_to_string(folder.join("cal.json")).unwrap();
     assert!(text.contains("failed_gates"));
+}
+
+#[test]
+fn a_time_base_that_is_wrong_by_two_fails_the_gate() {
+    let (_dir, folder) = folder();
+    for factor in [0.5, 2.0] {
+        let mut recording = session().recording;
+        for stream in [&mut recording.accelerometer, &mut recording.gyroscope] {
+            stream
+                .as_mut()
+                .unwrap()
+                .t
+                .iter_mut()
+                .for_each(|t| *t *= factor);
+        }
+        std::fs::write(folder.join("slow.csv"), to_csv(&mut recording)).unwrap();
+        let run = stillpoint(&folder, &["calibrate", "slow.csv"]);
+        assert_eq!(status(&run), 1, "{factor}: {}", stderr(&run));
+        assert!(stderr(&run).contains("time base"), "{}", stderr(&run));
+    }
 }
 
 #[test]
