@@ -224,6 +224,12 @@ fn a_calibration_that_cannot_be_used_is_refused_by_entry() {
     let cases = [
         ("{".to_owned(), "cal.json:1:"),
         ("{}".to_owned(), "schema"),
+        ("t,ax,ay,az\n0,0,0,9.8\n".to_owned(), "swapped"),
+        (broken(&|v| v["gravity"] = (-5).into()), "gravity: -5 found"),
+        (
+            broken(&|v| v["covariance"] = serde_json::json!([[1]])),
+            "covariance: 1 rows",
+        ),
         (
             broken(&|v| v["schema"] = "stillpoint.calibration/9".into()),
             "calibration/9",

@@ -103,7 +103,11 @@ impl Clock {
                 }),
             None => iso(text),
         };
-        let nanoseconds = stamp.ok_or(Fault::Date)?.as_nanosecond();
+        let fault = self
+            .pattern
+            .as_ref()
+            .map_or(Fault::Date, |_| Fault::OtherDate);
+        let nanoseconds = stamp.ok_or(fault)?.as_nanosecond();
         let nanoseconds = i64::try_from(nanoseconds).map_err(|_| Fault::Date)?;
         self.dates = true;
         let origin = *self.origin.get_or_insert(nanoseconds);

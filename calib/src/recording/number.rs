@@ -23,8 +23,10 @@ pub(super) enum Fault {
     Hexadecimal,
     /// Too large for any sensor or clock in any unit.
     Absurd,
-    /// A date that is neither ISO 8601 nor of the given pattern.
+    /// A date that is not ISO 8601.
     Date,
+    /// A date that is not of the pattern that was given.
+    OtherDate,
     /// Anything else.
     Text,
 }
@@ -44,6 +46,7 @@ impl Fault {
             Self::Date => {
                 "not an ISO 8601 date (2026-11-21T03:04:05.123Z); say the pattern, as in --time-format '%d.%m.%Y %H:%M:%S%.f'"
             }
+            Self::OtherDate => "not of the pattern in --time-format",
             Self::Text => "not a number; --skip-bad-rows N leaves up to N such rows out",
         }
     }

@@ -137,6 +137,11 @@ impl FromStr for ColumnMap {
                 return Err(format!("`{}` is given twice", role.name()));
             }
             let column = column.trim().to_owned();
+            if column.is_empty() {
+                return Err(format!(
+                    "`{entry}` names no column, as ax=acc_x or ax=2 does"
+                ));
+            }
             if let Some((other, _)) = map.iter().find(|(_, given)| *given == column) {
                 return Err(format!(
                     "column `{column}` is given for both {} and {}; each has a column of its own",

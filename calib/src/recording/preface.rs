@@ -103,12 +103,13 @@ impl Finder<'_> {
             Some(row) => self.header(before, &kept[row]),
             None => kept.iter().find(|k| !k.comment),
         };
-        let below = |header: &Kept| before.iter().find(|k| k.number > header.number);
-        let units = header.and_then(below);
-        Preface {
-            header,
-            units: units.filter(|line| unit_row::holds_units(&words(&line.bytes, self.dialect))),
-        }
+        let units = header.and_then(|header| {
+            let below = before.iter().find(|k| k.number > header.number)?;
+            let cells = words(&below.bytes, self.dialect);
+            let as_wide = cells.len() == words(&header.bytes, self.dialect).len();
+            (as_wide && unit_row::holds_units(&cells)).then_some(below)
+        });
+        Preface { header, units }
     }
 
     /// The line that names the columns of `row`: the text line before it, or a comment with as many

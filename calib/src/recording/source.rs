@@ -55,11 +55,11 @@ impl Input {
             return Err(in_file(
                 &name,
                 format!(
-                    "{:.1} GB, about {:.0} million rows that need {:.1} GB of memory; the limit is {:.1} GB; --max-bytes {} raises it",
-                    metadata.len() as f64 / 1e9,
+                    "{}, about {:.2} million rows that need {} of memory; the limit is {}; --max-bytes {} raises it",
+                    bytes(metadata.len() as f64),
                     metadata.len() as f64 / 70e6,
-                    metadata.len() as f64 / 70e9 * 64.0,
-                    options.max_bytes as f64 / 1e9,
+                    bytes(metadata.len() as f64 / 70.0 * 64.0),
+                    bytes(options.max_bytes as f64),
                     metadata.len()
                 ),
             ));
@@ -112,6 +112,16 @@ impl Input {
             ));
         }
     }
+}
+
+/// A number of bytes for people.
+fn bytes(count: f64) -> String {
+    let units = [(1e9, "GB"), (1e6, "MB"), (1e3, "kB")];
+    let unit = units.into_iter().find(|(size, _)| count >= *size);
+    unit.map_or_else(
+        || format!("{count:.0} bytes"),
+        |(size, name)| format!("{:.1} {name}", count / size),
+    )
 }
 
 /// Up to `HEAD` bytes from the front of `reader`.

@@ -94,6 +94,8 @@ fn one_column_for_two_roles_is_a_wrong_call() {
         error.contains("`2`") && error.contains("ax and ay"),
         "{error}"
     );
+    let empty = "t=,ax=2".parse::<calib::recording::ColumnMap>();
+    assert!(empty.unwrap_err().contains("`t=` names no column"));
     let columns = "ax=2,ay=ax,az=4".parse().unwrap();
     let options = ReadOptions {
         columns,

@@ -226,6 +226,11 @@ fn row_68_dates_are_iso_or_by_pattern() {
         ..ReadOptions::default()
     };
     assert_eq!(read(&text, &options).unwrap().accelerometer.unwrap().t, t);
+    let other = ReadOptions {
+        time_format: Some("%Y".to_owned()),
+        ..ReadOptions::default()
+    };
+    refused_with(&text, &other, "2:1", &["not of the pattern"]);
 }
 
 #[test]

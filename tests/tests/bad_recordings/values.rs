@@ -59,6 +59,8 @@ fn row_80_a_row_of_units_under_the_header_is_used() {
     ] {
         read_as_usual(file(&format!("{header}\n{units}"), &rows), 200);
     }
+    // A comment is no row of units for holding one.
+    read_as_usual(file(&format!("{HEADER}\n# g"), &rows), 200);
     let degrees = units.replace("rad", "deg");
     let recording = read(
         file(&format!("{HEADER}\n{degrees}"), &rows),
