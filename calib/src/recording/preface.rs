@@ -124,7 +124,7 @@ impl Finder<'_> {
         if let Some(text) = before.iter().rfind(|k| !k.comment) {
             return match self.names_sensors(text) {
                 true => Some(text),
-                false => above(text).or_else(|| self.unnamed(before, row)),
+                false => above(text).or_else(|| self.unnamed(before)),
             };
         }
         let comment = before.last()?;
@@ -137,25 +137,24 @@ impl Finder<'_> {
         named.or(Some(comment).filter(|_| is_header))
     }
 
-    /// What to take for the header where no line as wide as `row` names sensors: the last text before
-    /// it that is no broken row, or the one where a cell over two lines begins.
-    fn unnamed<'k>(&self, before: &'k [Kept], row: &Kept) -> Option<&'k Kept> {
-        let width = words(&row.bytes, self.dialect).len();
+    /// What to take for the header where no line as wide as the rows names sensors: the last text before
+    /// them that is no broken row, or the one where a cell over two lines begins.
+    fn unnamed<'k>(&self, before: &'k [Kept]) -> Option<&'k Kept> {
         let texts = || before.iter().filter(|k| !k.comment);
-        let header = texts().rfind(|k| !self.is_broken_row(k, width))?;
+        let header = texts().rfind(|k| !self.is_broken_row(k))?;
         let is_open = |k: &&Kept| self.dialect.split(&k.bytes, &mut Vec::new()).is_err();
         let begin = texts().rfind(|k| k.number < header.number && is_open(k));
         Some(begin.filter(|_| is_open(&header)).unwrap_or(header))
     }
 
-    /// True if most of its `width` cells begin like numbers.
-    fn is_broken_row(&self, line: &Kept, width: usize) -> bool {
+    /// True if most of its cells begin like numbers.
+    fn is_broken_row(&self, line: &Kept) -> bool {
         let words = words(&line.bytes, self.dialect);
         let is_begun = |word: &&String| {
             let digits = word.trim_start_matches(['+', '-', '.']);
             digits.starts_with(|c: char| c.is_ascii_digit())
         };
-        words.len() == width && 2 * words.iter().filter(is_begun).count() >= width
+        2 * words.iter().filter(is_begun).count() > words.len()
     }
 
     fn names_sensors(&self, line: &Kept) -> bool {

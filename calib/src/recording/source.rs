@@ -55,9 +55,9 @@ impl Input {
             return Err(in_file(
                 &name,
                 format!(
-                    "{}, about {:.2} million rows that need {} of memory; the limit is {}; --max-bytes {} raises it",
+                    "{}, about {:.0} rows that need {} of memory; the limit is {}; --max-bytes {} raises it",
                     bytes(metadata.len() as f64),
-                    metadata.len() as f64 / 70e6,
+                    metadata.len() as f64 / 70.0,
                     bytes(metadata.len() as f64 / 70.0 * 64.0),
                     bytes(options.max_bytes as f64),
                     metadata.len()

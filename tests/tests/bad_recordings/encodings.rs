@@ -373,6 +373,11 @@ fn row_23_text_in_the_first_row_is_no_header() {
     let words = ["`1x` in column 2", "not a number"];
     refused(file(HEADER, &lines), "2:3", &words);
     refused(lines.join("\n"), "1:3", &words);
+    refused(
+        format!("1,2x,3x\n{}", rows(200).join("\n")),
+        "1:1",
+        &["3 cells"],
+    );
     refused(file("#nothing\nt,ax", &lines), "2", &["2 names", "7 cells"]);
 }
 
