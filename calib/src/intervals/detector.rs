@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::spans::{Span, union};
 use crate::error::Error;
 use crate::order_statistic::nth_smallest;
-use crate::recording::{Recording, Stream, figure};
+use crate::recording::{Recording, Stream, figure, is_before};
 
 /// The share of windows that are taken to be at rest in any recording that can be calibrated.
 const QUIET_SHARE: f64 = 0.1;
@@ -205,11 +205,11 @@ fn statistic(stream: &Stream, window: f64, centre: &Vector3<f64>) -> Vec<f64> {
     let (mut start, mut end) = (0, 0);
     let (mut before, mut through) = (Sums::default(), Sums::default());
     let at = |&t: &f64| {
-        while stream.t[start] < t - 0.5 * window {
+        while is_before(stream.t[start], t - 0.5 * window) {
             before.add(&stream.values[start], centre);
             start += 1;
         }
-        while end < stream.len() && stream.t[end] <= t + 0.5 * window {
+        while end < stream.len() && !is_before(t + 0.5 * window, stream.t[end]) {
             through.add(&stream.values[end], centre);
             end += 1;
         }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::moments::Moments;
 use super::saturation::Rails;
 use super::spans::Span;
-use crate::recording::{Recording, Stream};
+use crate::recording::{INSTANT, Recording, Stream};
 
 /// A step between gyroscope samples longer than this many median steps is a gap: the rotation in it
 /// is unknown.
@@ -148,7 +148,7 @@ fn fault(
     let widest = stamps
         .windows(2)
         .max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))?;
-    if widest[1] - widest[0] > GAP_STEPS * step {
+    if widest[1] - widest[0] > GAP_STEPS * step + INSTANT {
         return Some(TurnFault::Gap(Span {
             from: widest[0],
             to: widest[1],

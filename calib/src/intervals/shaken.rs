@@ -25,8 +25,7 @@ pub(super) fn shaken(accelerometer: &Stream, turned: &[Span], quiet: &[Span]) ->
 }
 
 fn is_steady(stream: &Stream, span: Span) -> bool {
-    let count = (span.length() / STRETCH).floor();
-    let stretches: Vec<Moments> = (0..count as usize)
+    let stretches: Vec<Moments> = (0..span.stretches(STRETCH))
         .filter_map(|k| {
             let from = span.from + STRETCH * k as f64;
             Moments::of(&stream.values[stream.between(from, from + STRETCH)])

@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::recording::INSTANT;
+
 /// A stretch of time, s; `from <= to`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Span {
@@ -17,6 +19,16 @@ impl Span {
     /// Its length, s.
     pub fn length(&self) -> f64 {
         self.to - self.from
+    }
+
+    /// Whether it lasts at least `length`, up to what rounding does to a stamp.
+    pub fn lasts(&self, length: f64) -> bool {
+        self.length() > length - INSTANT
+    }
+
+    /// How many stretches of `length` fit in one after the other.
+    pub fn stretches(&self, length: f64) -> usize {
+        ((self.length() + INSTANT) / length).floor() as usize
     }
 
     /// Whether the two share an instant.
@@ -64,11 +76,11 @@ pub fn static_spans(whole: Span, dynamic: &[Span], min_dynamic: f64, min_static:
     let long: Vec<Span> = dynamic
         .iter()
         .copied()
-        .filter(|d| d.length() >= min_dynamic)
+        .filter(|d| d.lasts(min_dynamic))
         .collect();
     complement(whole, &long)
         .into_iter()
-        .filter(|s| s.length() >= min_static)
+        .filter(|s| s.lasts(min_static))
         .collect()
 }
 

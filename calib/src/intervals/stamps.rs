@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use crate::recording::is_before;
+
 /// Stamps between two that are looked at first.
 const STRIDE: usize = 64;
 
@@ -21,18 +23,18 @@ impl<'a> Stamps<'a> {
         Self { all, index }
     }
 
-    /// The samples with `from <= t < to`.
+    /// The samples with `from <= t < to`, as [`Stream::between`](crate::recording::Stream::between).
     pub fn between(&self, from: f64, to: f64) -> Range<usize> {
         let start = self.first_at_or_after(from);
         start..self.first_at_or_after(to).max(start)
     }
 
     fn first_at_or_after(&self, time: f64) -> usize {
-        let above = self.index.partition_point(|&t| t < time);
+        let above = self.index.partition_point(|&t| is_before(t, time));
         let from = above.saturating_sub(1) * STRIDE;
         let until = self.all.len().min(above * STRIDE);
         let block = self.all.get(from..until).unwrap_or_default();
-        from + block.partition_point(|&t| t < time)
+        from + block.partition_point(|&t| is_before(t, time))
     }
 }
 

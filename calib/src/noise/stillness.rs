@@ -55,7 +55,7 @@ impl Block {
     }
 
     fn is_full(&self) -> bool {
-        self.count >= FEWEST && self.span.length() >= BLOCK
+        self.count >= FEWEST && self.span.lasts(BLOCK)
     }
 
     /// Standard deviation over the three axes together.

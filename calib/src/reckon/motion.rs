@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::intervals::{Detector, Span, segment};
-use crate::recording::{Recording, Stream};
+use crate::recording::{INSTANT, Recording, Stream};
 
 /// Half a second sees the start of a push; 256 is four standard deviations to the fourth power.
 const DETECTOR: Detector = Detector {
@@ -50,7 +50,7 @@ impl Motion {
             }
         });
         candidates
-            .filter(|motion| motion.span.length() >= DETECTOR.min_dynamic)
+            .filter(|motion| motion.span.lasts(DETECTOR.min_dynamic))
             .max_by(|a, b| a.span.length().total_cmp(&b.span.length()))
             .ok_or_else(|| {
                 Error::NotEnough(format!(
@@ -70,7 +70,7 @@ impl Motion {
             from: start,
             to: span.from,
         };
-        if !(span.length() > 0.0 && before.length() >= SHORTEST_REST && span.from < end) {
+        if !(span.length() > 0.0 && before.lasts(SHORTEST_REST) && span.from < end) {
             return Err(Error::Usage(format!(
                 "motion from {} to {} s: the recording runs from {start:.2} to {end:.2} s and must \
                  be at rest for at least {SHORTEST_REST} s before the motion",
@@ -81,7 +81,7 @@ impl Motion {
             from: span.to,
             to: end,
         };
-        let after = (after.length() >= SHORTEST_REST).then_some(after);
+        let after = (after.lasts(SHORTEST_REST)).then_some(after);
         Ok(Self {
             before,
             span,
@@ -95,7 +95,7 @@ const GAP_STEPS: f64 = 5.0;
 
 /// The longest gap of a stream within a motion: what happened in it is a guess.
 pub fn gap_in(stream: &Stream, motion: Span) -> Option<Span> {
-    let limit = GAP_STEPS * stream.median_step()?;
+    let limit = GAP_STEPS * stream.median_step()? + INSTANT;
     let steps = stream.t[stream.between(motion.from, motion.to)].windows(2);
     steps
         .map(|step| Span {

@@ -50,7 +50,8 @@ pub use options::{ColumnMap, ReadOptions, Role};
 pub use place::figure;
 use sensor::Sensor;
 pub use source::Input;
-pub use stream::{Gap, Stream, Temperature};
+pub(crate) use stream::is_before;
+pub use stream::{Gap, INSTANT, Stream, Temperature};
 pub use units::{AccelUnit, GyroUnit, TemperatureUnit, TimeUnit};
 pub use write::{stream_to_csv, to_csv};
 

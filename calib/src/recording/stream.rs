@@ -6,6 +6,16 @@ use nalgebra::Vector3;
 
 use crate::order_statistic::nth_smallest;
 
+/// Stamps closer than this are one instant, s: more than rounding does to a stamp, less than any
+/// sampling step. Windows of whole steps begin and end at stamps; without this, rounding would decide
+/// which of them hold a sample more, and a clock that starts elsewhere would give another result.
+pub const INSTANT: f64 = 1e-6;
+
+/// Whether stamp `t` is before the instant `time`.
+pub(crate) fn is_before(t: f64, time: f64) -> bool {
+    t < time - INSTANT
+}
+
 /// Samples of a three-axis sensor with their own time stamps.
 ///
 /// `t` is strictly increasing and as long as `values`.
@@ -37,7 +47,7 @@ impl Stream {
     /// all steps. (Not of the median: stamps that come in bursts have tiny medians and no gaps.)
     pub fn gaps(&self) -> Vec<Gap> {
         // Between steps as even as those of most recordings the percentile need not be looked for.
-        let even = |&(least, largest): &(f64, f64)| largest <= 5.0 * least;
+        let even = |&(least, largest): &(f64, f64)| largest <= 5.0 * least + INSTANT;
         if extreme_steps(&self.t).as_ref().is_none_or(even) {
             return Vec::new();
         }
@@ -47,7 +57,7 @@ impl Stream {
         };
         let pairs = self.t.windows(2).enumerate();
         pairs
-            .filter(|(_, pair)| pair[1] - pair[0] > 5.0 * usual)
+            .filter(|(_, pair)| pair[1] - pair[0] > 5.0 * usual + INSTANT)
             .map(|(after, pair)| Gap {
                 after,
                 t0: pair[0],
@@ -84,10 +94,10 @@ impl Stream {
         least
     }
 
-    /// The samples with `from <= t < to`.
+    /// The samples with `from <= t < to`, up to what rounding does to a stamp.
     pub fn between(&self, from: f64, to: f64) -> Range<usize> {
-        let start = self.t.partition_point(|&t| t < from);
-        let end = self.t.partition_point(|&t| t < to);
+        let start = self.t.partition_point(|&t| is_before(t, from));
+        let end = self.t.partition_point(|&t| is_before(t, to));
         start..end.max(start)
     }
 }
@@ -148,8 +158,8 @@ impl Temperature {
 
     /// The mean of the readings from `from` to `to`; between the readings about it where it holds none.
     pub fn mean(&self, from: f64, to: f64) -> Option<f64> {
-        let first = self.t.partition_point(|&s| s < from);
-        let end = self.t.partition_point(|&s| s <= to);
+        let first = self.t.partition_point(|&s| is_before(s, from));
+        let end = self.t.partition_point(|&s| !is_before(to, s));
         match self.celsius.get(first..end) {
             Some(readings) if !readings.is_empty() => {
                 Some(readings.iter().sum::<f64>() / readings.len() as f64)

@@ -45,7 +45,7 @@ enum State {
 /// The part of a turn in which the device rested and was touched, if there is one; `bias` is the rate in
 /// the rest before.
 pub fn touched(pair: &Pair<'_>, turn: Span, bias: &Vector3<f64>) -> Option<Span> {
-    let count = (turn.length() / WINDOW).floor() as usize;
+    let count = turn.stretches(WINDOW);
     let window = |k: usize| Span {
         from: turn.from + k as f64 * WINDOW,
         to: turn.from + (k + 1) as f64 * WINDOW,

@@ -13,7 +13,7 @@ use super::trim::quiet_part;
 use super::turn::MARGIN;
 use crate::intervals::{Segmentation, Span, TurnFault};
 use crate::methods::RawUnit;
-use crate::recording::{Recording, Stream};
+use crate::recording::{INSTANT, Recording, Stream};
 
 /// Rests are cut into chunks of about this length, s: they anchor random walk, drift and warm-up.
 const CHUNK: f64 = 8.0;
@@ -334,10 +334,10 @@ fn parts(span: Span, length: f64) -> Vec<Span> {
     if span.length() <= 0.0 {
         return Vec::new();
     }
-    let count = if span.length() < WHOLE * length {
+    let count = if !span.lasts(WHOLE * length) {
         1
     } else {
-        (span.length() / length).round() as usize
+        ((span.length() + INSTANT) / length).round() as usize
     };
     let edge = |k: usize| span.from + span.length() * k as f64 / count as f64;
     (0..count)

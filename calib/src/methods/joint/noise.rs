@@ -5,7 +5,7 @@ use std::ops::Range;
 use nalgebra::Vector3;
 
 use super::data::Mean;
-use crate::recording::Stream;
+use crate::recording::{INSTANT, Stream};
 
 /// Length of the batches whose means show noise that does not average out, s.
 const BATCH: f64 = 0.5;
@@ -49,7 +49,7 @@ impl SensorNoise {
     /// `None` without a stretch of two samples.
     pub fn measure(stream: &Stream, rests: &[Range<usize>]) -> Option<Self> {
         let interval = stream.median_step()?;
-        let batch = ((BATCH / interval).round() as usize).max(1);
+        let batch = (((BATCH + INSTANT) / interval).round() as usize).max(1);
         let axes = [0, 1, 2].map(|axis| {
             let parts = rests
                 .iter()

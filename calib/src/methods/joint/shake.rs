@@ -5,7 +5,7 @@ use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::noise::{FLOOR, median};
 use crate::intervals::Span;
-use crate::recording::Stream;
+use crate::recording::{INSTANT, Stream};
 
 /// Length of a window, s.
 const WINDOW: f64 = 0.25;
@@ -36,7 +36,7 @@ pub fn shakes(stream: &Stream, stretches: &[Span]) -> Vec<Shake> {
     let Some(step) = stream.median_step().filter(|s| *s > 0.0) else {
         return Vec::new();
     };
-    let count = ((WINDOW / step).round() as usize).max(4);
+    let count = (((WINDOW + INSTANT) / step).round() as usize).max(4);
     let windows: Vec<Window> = stretches
         .iter()
         .enumerate()
@@ -110,7 +110,7 @@ pub fn gaps(stream: &Stream, rests: &[Span]) -> Vec<Vec<Span>> {
     let of = |rest: &Span| {
         stream.t[stream.between(rest.from, rest.to)]
             .windows(2)
-            .filter(|w| w[1] - w[0] > GAP_STEPS * step)
+            .filter(|w| w[1] - w[0] > GAP_STEPS * step + INSTANT)
             .map(|w| Span {
                 from: w[0],
                 to: w[1],

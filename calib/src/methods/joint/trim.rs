@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::intervals::Span;
-use crate::recording::Stream;
+use crate::recording::{Stream, is_before};
 
 /// Length of the means that are compared with those of the middle, s.
 const BATCH: f64 = 0.1;
@@ -33,10 +33,11 @@ pub fn quiet_part<'a>(streams: impl Iterator<Item = &'a Stream>, rest: Span) -> 
 
 fn quiet_in(stream: &Stream, rest: Span) -> Span {
     let ends = ENDS.min(SHARE * rest.length());
+    let (first, last) = (rest.from + ends, rest.to - ends);
     let means = batches(stream, rest);
     let middle: Vec<_> = means
         .iter()
-        .filter(|b| b.0.from >= rest.from + ends && b.0.to <= rest.to - ends)
+        .filter(|b| !is_before(b.0.from, first) && !is_before(last, b.0.to))
         .collect();
     let count = middle.len() as f64;
     let mean = middle.iter().map(|b| b.1).sum::<Vector3<f64>>() / count;
@@ -47,9 +48,11 @@ fn quiet_in(stream: &Stream, rest: Span) -> Span {
         / (count - 1.0);
     let limit = variance.zip_map(&mean, |v, m| OFF * v.sqrt() + ROUNDING * (1.0 + m.abs()));
     let moves = |b: &&(Span, Vector3<f64>)| (0..3).any(|i| (b.1 - mean)[i].abs() > limit[i]);
-    let (first, last) = (rest.from + ends, rest.to - ends);
-    let from = means.iter().filter(|b| b.0.from < first).rfind(moves);
-    let to = means.iter().filter(|b| b.0.to > last).find(moves);
+    let from = means
+        .iter()
+        .filter(|b| is_before(b.0.from, first))
+        .rfind(moves);
+    let to = means.iter().filter(|b| is_before(last, b.0.to)).find(moves);
     Span {
         from: from.map_or(rest.from, |b| b.0.to) + GUARD,
         to: to.map_or(rest.to, |b| b.0.from) - GUARD,
@@ -58,8 +61,7 @@ fn quiet_in(stream: &Stream, rest: Span) -> Span {
 
 /// Means of the samples of neighbouring stretches.
 fn batches(stream: &Stream, rest: Span) -> Vec<(Span, Vector3<f64>)> {
-    let count = (rest.length() / BATCH).floor() as usize;
-    (0..count)
+    (0..rest.stretches(BATCH))
         .filter_map(|k| {
             let span = Span {
                 from: rest.from + k as f64 * BATCH,

@@ -6,7 +6,7 @@ use calib::calibration::EffectParameter;
 use calib::discover::{Discovery, EffectFinding, Findings, Proposal, Validation};
 use comfy_table::CellAlignment;
 
-use super::words::{chance, next_recordings, proposed, verdict};
+use super::words::{self, chance, next_recordings, proposed, verdict};
 use crate::show;
 
 /// A gap that is above this share of what it was has not shrunk.
@@ -27,23 +27,25 @@ pub fn gaps(findings: &Findings) -> Rows<5> {
     let mut rows = Vec::new();
     for effect in &findings.effects {
         for (place, before, after) in places(findings, effect) {
+            let [before, after] = words::gaps(before, after);
             rows.push([
                 effect.name.clone(),
                 effect.channel.words().into(),
                 place,
-                format!("{before:.2}"),
-                format!("{after:.2}"),
+                before,
+                after,
             ]);
         }
     }
     if findings.effects.is_empty() {
         rows.extend(findings.validation.iter().map(|v| {
+            let [before, after] = words::gaps(v.gap_before, v.gap_after);
             [
                 "base models".into(),
                 v.channel.words().into(),
                 show::printable(&v.recording),
-                format!("{:.2}", v.gap_before),
-                format!("{:.2}", v.gap_after),
+                before,
+                after,
             ]
         }));
     }

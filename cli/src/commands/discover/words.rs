@@ -36,12 +36,10 @@ fn named(effects: &[EffectFinding]) -> String {
         .iter()
         .map(|e| {
             format!(
-                "the gap of the {} from {:.2} to {:.2} (left out: {:.2} to {:.2})",
+                "the gap of the {} from {} (left out: {})",
                 e.channel.words(),
-                e.gap_before,
-                e.gap_after,
-                e.held_out_gap_before,
-                e.held_out_gap_after
+                gaps(e.gap_before, e.gap_after).join(" to "),
+                gaps(e.held_out_gap_before, e.held_out_gap_after).join(" to "),
             )
         })
         .collect();
@@ -85,11 +83,15 @@ fn faults(findings: &Findings) -> String {
 }
 
 fn unexplained(rest: &Unexplained) -> String {
+    // A shape in a few rows shows where the channel as a whole is within its noise.
+    let gap = if rest.size > 1.0 {
+        format!("gap {:.2} of the {}, ", rest.size, rest.channel.words())
+    } else {
+        String::new()
+    };
     format!(
-        "something remains that no effect of the catalogue explains: {} (gap {:.2} of the {}, p = {})",
+        "something remains that no effect of the catalogue explains: {} ({gap}p = {})",
         rest.shape,
-        rest.size,
-        rest.channel.words(),
         chance(rest.p_value)
     )
 }
@@ -101,15 +103,24 @@ pub fn proposed(proposal: &Proposal) -> String {
         all => format!("these recordings cannot tell it from {}", all.join(" or ")),
     };
     format!(
-        "Proposed: {} takes the gap of the {} on intervals left out from {:.2} to {:.2} (p = {} among all formulas of \
+        "Proposed: {} takes the gap of the {} on intervals left out from {} (p = {} among all formulas of \
          as many terms; selected by {:.0} % of the halves of the recording). It is no name: {instead}.",
         proposal.equation,
         proposal.channel.words(),
-        proposal.held_out_gap_before,
-        proposal.held_out_gap_after,
+        gaps(proposal.held_out_gap_before, proposal.held_out_gap_after).join(" to "),
         chance(proposal.adjusted_p_value),
         100.0 * proposal.stability
     )
+}
+
+/// Two gaps with two decimals, or as many as tell them apart, five at most.
+pub fn gaps(before: f64, after: f64) -> [String; 2] {
+    let written = |decimals: usize| [before, after].map(|gap| format!("{gap:.decimals$}"));
+    let differ = |pair: &[String; 2]| pair[0] != pair[1];
+    (2..5)
+        .map(written)
+        .find(differ)
+        .unwrap_or_else(|| written(5))
 }
 
 /// A chance: `3e-11`, `0.004`.
@@ -202,6 +213,13 @@ pub fn next_recordings(findings: &Findings) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn two_gaps_have_the_decimals_that_tell_them_apart() {
+        assert_eq!(gaps(1.28, 0.96), ["1.28", "0.96"]);
+        assert_eq!(gaps(1.0021, 1.0004), ["1.002", "1.000"]);
+        assert_eq!(gaps(1.0, 1.0), ["1.00000", "1.00000"]);
+    }
 
     #[test]
     fn a_chance_has_one_figure_where_it_is_small_and_never_reads_zero() {

@@ -1,0 +1,141 @@
+//! How the rows are believed: levels of noise, and the disturbances that they accuse.
+
+use super::analysis::{Analysis, walks};
+use super::data::MOST_DISTURBED;
+use super::disturbance::{Suspect, pushed_chunk, suspects};
+use super::problem::Rows;
+use super::request::Known;
+use super::run::{Point, Run};
+use super::weights::{Component, NoiseLevel, White, Whitening};
+
+/// How rows are believed.
+pub(super) struct Weights {
+    /// Sizes of the components.
+    pub levels: Vec<NoiseLevel>,
+    /// The disturbances.
+    pub accused: Vec<Suspect>,
+    /// Kinds of noise beside the white one, as covariances of the rows.
+    pub components: Vec<Component>,
+    /// What makes the rows white.
+    pub whitening: Whitening,
+}
+
+impl Weights {
+    /// The columns of the disturbances.
+    pub fn columns(&self) -> Vec<Vec<f64>> {
+        let of = |s: &Suspect| s.columns.clone();
+        self.accused.iter().flat_map(of).collect()
+    }
+}
+
+impl Run<'_> {
+    /// White noise at the start, and the walks where they are given.
+    pub(super) fn first_weights(&self) -> Weights {
+        let rows = self.rows(&[]);
+        let parameters = self.first_values(&rows);
+        let x = parameters.values();
+        let noise = rows.noise(x);
+        let white = White::new(&noise, rows.first_turn_row());
+        let components = walks(&noise, &white);
+        let levels = self.request.walk.map(NoiseLevel::walks).unwrap_or_default();
+        Weights {
+            whitening: Whitening::new(white, &components, &levels),
+            components,
+            levels,
+            accused: Vec::new(),
+        }
+    }
+
+    /// Levels of noise and disturbances at a point.
+    pub(super) fn judge(&self, point: &Point) -> Weights {
+        let rows = self.rows(&[]);
+        let x = point.plain_values();
+        let mut free = point.mask.free_indices();
+        free.retain(|&k| k < point.plain);
+        let mut analysis = Analysis::new(&rows, &point.undisturbed(), &rows.noise(x), &free);
+        let (levels, accused) = if self.request.disturbances {
+            self.accuse(&rows, x, &mut analysis)
+        } else {
+            let known = self.known(&rows, x);
+            let levels = self.measured(&analysis, &known.iter().collect::<Vec<_>>());
+            (levels, known)
+        };
+        Weights {
+            whitening: analysis.whitening(&levels),
+            components: analysis.components,
+            levels,
+            accused,
+        }
+    }
+
+    fn measured(&self, analysis: &Analysis, known: &[&Suspect]) -> Vec<NoiseLevel> {
+        match self.request.walk {
+            Some(walk) => NoiseLevel::walks(walk),
+            None => analysis.levels(known, self.request.biases_walk),
+        }
+    }
+
+    /// What the request knows to be disturbed.
+    fn known(&self, rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
+        if self.request.known.is_empty() {
+            return Vec::new();
+        }
+        let is_known = |s: &Suspect| {
+            let same = |k: &Known| k.kind == s.kind && k.place == s.place;
+            self.request.known.iter().any(same)
+        };
+        suspects(rows, x).into_iter().filter(is_known).collect()
+    }
+
+    /// Levels of noise and disturbances: what was seen to shake, then what the rows accuse.
+    fn accuse(
+        &self,
+        rows: &Rows<'_>,
+        x: &[f64],
+        analysis: &mut Analysis,
+    ) -> (Vec<NoiseLevel>, Vec<Suspect>) {
+        let mut candidates = suspects(rows, x);
+        let touched = self.touched(rows, x);
+        let given: Vec<usize> = (candidates.len()..candidates.len() + touched.len()).collect();
+        candidates.extend(touched);
+        let most = given.len() + (MOST_DISTURBED * self.data.rests.len() as f64).ceil() as usize;
+        let all = |places: &[usize]| places.iter().map(|&k| &candidates[k]).collect::<Vec<_>>();
+        let misfit = analysis.allow_scatter_where_misfit(rows, &all(&given));
+        let columns = analysis.columns(&candidates);
+        let mut found = given.clone();
+        if !misfit {
+            let trial = analysis.trial(&candidates, &columns, &[]);
+            found = trial.accuse(&given, most).unwrap_or(given.clone());
+        }
+        let mut levels = self.measured(analysis, &all(&found));
+        for _ in 0..3 {
+            let trial = analysis.trial(&candidates, &columns, &levels);
+            let mut doubtful = found.clone();
+            doubtful.retain(|k| !given.contains(k));
+            let mut kept = given.clone();
+            kept.extend(trial.confirm(&found, &doubtful));
+            let next = trial.accuse(&kept, most).unwrap_or(kept);
+            if next == found {
+                break;
+            }
+            found = next;
+            levels = self.measured(analysis, &all(&found));
+        }
+        found.sort_unstable();
+        let found = found.iter().map(|&k| candidates[k].clone()).collect();
+        (levels, found)
+    }
+
+    /// The chunks that were seen to shake: their force may be off and the device may have moved. None where
+    /// shaking is how the recording is: the rows are believed by their own noise then.
+    fn touched(&self, rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
+        if self.data.shakes_throughout().is_some() {
+            return Vec::new();
+        }
+        self.data
+            .shaken
+            .iter()
+            .filter_map(|(chunk, shake)| pushed_chunk(rows, x, *chunk, shake))
+            .collect()
+    }
+}
