@@ -167,11 +167,19 @@ fn a_file_claimed_by_another_run_is_refused_with_its_process() {
 #[test]
 fn wrong_calls_say_what_is_wrong() {
     let (_dir, folder) = folder();
-    let cases: [(&[&str], &str); 6] = [
+    let cases: [(&[&str], &str); 8] = [
         (&["calibrate"], "no recording"),
         (
             &["calibrate", "good.csv", "--gravity", "98.1"],
             "--gravity 98.1",
+        ),
+        (
+            &["calibrate", "good.csv", "--gravity", "1e300"],
+            "--gravity 1e300:",
+        ),
+        (
+            &["segment", "good.csv", "--columns", "ax=2,ay=2"],
+            "both ax and ay",
         ),
         (
             &["calibrate", "good.csv", "--effects", "gyro_gsens"],
@@ -216,6 +224,12 @@ fn a_calibration_that_cannot_be_used_is_refused_by_entry() {
     let cases = [
         ("{".to_owned(), "cal.json:1:"),
         ("{}".to_owned(), "schema"),
+        ("t,ax,ay,az\n0,0,0,9.8\n".to_owned(), "swapped"),
+        (broken(&|v| v["gravity"] = (-5).into()), "gravity: -5 found"),
+        (
+            broken(&|v| v["covariance"] = serde_json::json!([[1]])),
+            "covariance: 1 rows",
+        ),
         (
             broken(&|v| v["schema"] = "stillpoint.calibration/9".into()),
             "calibration/9",
@@ -271,6 +285,26 @@ fn a_flipped_gyroscope_axis_fails_the_gate_and_marks_the_result() {
     assert!(stderr(&run).contains("y is flipped"), "{}", stderr(&run));
     let text = std::fs::read_to_string(folder.join("cal.json")).unwrap();
     assert!(text.contains("failed_gates"));
+}
+
+#[test]
+fn a_time_base_that_is_wrong_by_two_fails_the_gate() {
+    let (_dir, folder) = folder();
+    for factor in [0.5, 2.0] {
+        let mut recording = session().recording;
+        for stream in [&mut recording.accelerometer, &mut recording.gyroscope] {
+            stream
+                .as_mut()
+                .unwrap()
+                .t
+                .iter_mut()
+                .for_each(|t| *t *= factor);
+        }
+        std::fs::write(folder.join("slow.csv"), to_csv(&mut recording)).unwrap();
+        let run = stillpoint(&folder, &["calibrate", "slow.csv"]);
+        assert_eq!(status(&run), 1, "{factor}: {}", stderr(&run));
+        assert!(stderr(&run).contains("time base"), "{}", stderr(&run));
+    }
 }
 
 #[test]

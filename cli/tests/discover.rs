@@ -271,3 +271,30 @@ fn late_stamps_named_leave_the_gaps_of_all_channels_on_the_validation_recording(
     assert_eq!(found["effects"][0]["name"], "time_offset");
     assert_eq!(found["validation"].as_array().unwrap().len(), 3);
 }
+
+#[test]
+fn a_validation_that_the_fit_has_seen_is_refused_by_path_and_by_content() {
+    let (_dir, folder) = hidden();
+    let text = std::fs::read_to_string(folder.join("hidden.csv")).unwrap();
+    std::fs::write(folder.join("copy.csv"), format!("# a copy\n{text}")).unwrap();
+    std::fs::hard_link(folder.join("hidden.csv"), folder.join("link.csv")).unwrap();
+    for twin in ["hidden.csv", "link.csv", "copy.csv"] {
+        let args = [
+            "discover",
+            "hidden.csv",
+            "--validation",
+            twin,
+            "-o",
+            "f.json",
+        ];
+        let run = stillpoint(&folder, &args);
+        assert_eq!(run.status.code(), Some(2), "{}", stderr(&run));
+        let words = [twin, "the same data as hidden.csv", "no proof"];
+        assert!(
+            words.iter().all(|w| stderr(&run).contains(w)),
+            "{}",
+            stderr(&run)
+        );
+    }
+    assert_eq!(names(&folder), ["copy.csv", "hidden.csv", "link.csv"]);
+}

@@ -49,5 +49,8 @@ pub fn read_static_means(path: &Path) -> Result<Vec<Vector3<f64>>, Error> {
         }
         means.push(mean);
     }
+    if means.is_empty() {
+        return Err(fail(1, "header found, no rows of static means".to_owned()));
+    }
     Ok(means)
 }

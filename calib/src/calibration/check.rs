@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::{Calibration, SCHEMA};
 use crate::error::Error;
+use crate::recording::figure;
 
 /// Reads a calibration file.
 ///
@@ -20,8 +21,15 @@ pub fn load(path: &Path) -> Result<Calibration, Error> {
 
 /// The calibration in `text`; the error begins with its place.
 fn parse(text: &str) -> Result<Calibration, String> {
-    let any: serde_json::Value = serde_json::from_str(text)
-        .map_err(|e| format!("{}:{}: no JSON: {e}", e.line(), e.column()))?;
+    let any: serde_json::Value = serde_json::from_str(text).map_err(|e| {
+        let other = !text.trim_start().starts_with('{');
+        let swapped = if other {
+            "; is this a recording, the two files swapped?"
+        } else {
+            ""
+        };
+        format!("{}:{}: no JSON: {e}{swapped}", e.line(), e.column())
+    })?;
     match any.get("schema").and_then(|s| s.as_str()) {
         Some(SCHEMA) => {}
         Some(other) => {
@@ -62,6 +70,21 @@ fn check(calibration: &Calibration) -> Result<(), String> {
                 " {name}.T: the matrix has no inverse; calibrate again"
             ));
         }
+    }
+    let gravity = calibration.gravity;
+    if !(1.0..100.0).contains(&gravity) {
+        let found = figure(gravity);
+        return Err(format!(
+            " gravity: {found} found, m/s² expected, such as 9.80665"
+        ));
+    }
+    let (names, rows) = (calibration.parameters.len(), &calibration.covariance);
+    let is_square = rows.len() == names && rows.iter().all(|row| row.len() == names);
+    if !is_square && !rows.is_empty() {
+        return Err(format!(
+            " covariance: {} rows found, {names} × {names} numbers expected, as many as parameters",
+            rows.len()
+        ));
     }
     for values in &calibration.effects {
         let effect = values

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::spans::{Span, union};
 use crate::error::Error;
 use crate::order_statistic::nth_smallest;
-use crate::recording::{Recording, Stream, is_before};
+use crate::recording::{Recording, Stream, figure, is_before};
 
 /// The share of windows that are taken to be at rest in any recording that can be calibrated.
 const QUIET_SHARE: f64 = 0.1;
@@ -79,7 +79,7 @@ impl<'a> Level<'a> {
             return Err(Error::NotEnough(format!(
                 "{:.2} s of samples: the detector looks at windows of {} s; record longer",
                 last - first,
-                detector.window
+                figure(detector.window)
             )));
         }
         let step = stream.median_step().unwrap_or(0.0);
@@ -87,7 +87,7 @@ impl<'a> Level<'a> {
             return Err(Error::NotEnough(format!(
                 "a sample every {step:.3} s: the detector's window of {} s holds fewer than \
                  {MIN_SAMPLES}; record faster or use --window {:.0}",
-                detector.window,
+                figure(detector.window),
                 (step * MIN_SAMPLES).ceil()
             )));
         }

@@ -9,6 +9,7 @@ use nalgebra::Vector3;
 use super::curves::{RecordingAccumulator, RecordingCurves, SensorAccumulator};
 use crate::intervals::Span;
 use crate::recording::batches::{Batch, Batches, Stop};
+use crate::recording::cut::{is_cut, usual_tail};
 use crate::recording::pipeline::parse_all;
 use crate::recording::plain::{ACCEL, Block, GYRO, Plain, Row, STAMP};
 
@@ -30,11 +31,13 @@ const GRAVITY: std::ops::Range<f64> = 7.0..13.0;
 /// number, time that does not ascend, a first reading that is no gravity in m/s². The reader of
 /// recordings then says what is wrong, or knows the format.
 pub fn curves_of_long_csv(path: &Path, within: Option<Span>) -> Option<RecordingCurves> {
-    let plain = Plain::in_first_columns(width(path)?, COLUMNS.len());
+    let Look { width, tail } = look(path)?;
+    let plain = Plain::in_first_columns(width, COLUMNS.len());
     let mut batches = Batches::new(File::open(path).ok()?, u64::MAX);
     let mut feed = Feed {
         accumulator: RecordingAccumulator::default(),
         within,
+        tail,
         last: f64::NEG_INFINITY,
         header_met: false,
         rows: Vec::new(),
@@ -50,6 +53,8 @@ pub fn curves_of_long_csv(path: &Path, within: Option<Span>) -> Option<Recording
 struct Feed {
     accumulator: RecordingAccumulator,
     within: Option<Span>,
+    /// What [`usual_tail`] says of the last column.
+    tail: Option<usize>,
     /// Stamp of the last row, s.
     last: f64,
     header_met: bool,
@@ -74,6 +79,14 @@ impl Feed {
                     continue;
                 }
                 if batch.fault(&odd.line).is_some() {
+                    return None;
+                }
+                let unended = odd.line.end == batch.bytes.len();
+                if unended
+                    && self
+                        .tail
+                        .is_some_and(|tail| is_cut(last_cell(line), b'.', tail))
+                {
                     return None;
                 }
                 self.rows.push(numbers(line)?);
@@ -110,19 +123,39 @@ impl Feed {
     }
 }
 
-/// Number of columns of a regular file that begins with the plain header, after comments.
-fn width(path: &Path) -> Option<usize> {
+/// What the beginning of a file shows.
+struct Look {
+    /// Number of columns.
+    width: usize,
+    /// What [`usual_tail`] says of the last column, if it is read.
+    tail: Option<usize>,
+}
+
+/// The beginning of a regular file with the plain header, after comments.
+fn look(path: &Path) -> Option<Look> {
     let file = File::open(path).ok()?;
     if !file.metadata().ok()?.is_file() {
         return None;
     }
     let mut head = Vec::new();
     file.take(HEAD).read_to_end(&mut head).ok()?;
-    let header = head
+    let mut lines = head
         .split(|b| *b == b'\n')
-        .find(|line| !line.starts_with(b"#"))?;
-    let names: Vec<&[u8]> = header.trim_ascii().split(|b| *b == b',').collect();
-    names.starts_with(&COLUMNS).then_some(names.len())
+        .filter(|line| !line.starts_with(b"#"));
+    let names: Vec<&[u8]> = lines.next()?.trim_ascii().split(|b| *b == b',').collect();
+    let rows: Vec<&[u8]> = lines.collect();
+    let (_, rows) = rows.split_last()?;
+    let tail = usual_tail(rows.iter().map(|row| last_cell(row)), b'.');
+    names.starts_with(&COLUMNS).then_some(Look {
+        width: names.len(),
+        tail: tail.filter(|_| names.len() == COLUMNS.len()),
+    })
+}
+
+fn last_cell(row: &[u8]) -> &[u8] {
+    let row = row.trim_ascii();
+    let start = memchr::memrchr(b',', row).map_or(0, |at| at + 1);
+    row[start..].trim_ascii()
 }
 
 /// The first seven fields as finite numbers.
@@ -205,5 +238,21 @@ mod tests {
             assert_eq!(curves_of_long_csv(&path, None), None);
         }
         assert_eq!(curves_of_long_csv(folder.path(), None), None);
+        let row = |k: usize| {
+            format!(
+                "{:.2},0.10,0.20,9.80,0.01,0.02,{:.2}\n",
+                k as f64,
+                value(k, 0)
+            )
+        };
+        let fixed: String = (0..100).map(row).collect();
+        for (last, is_whole) in [("100.00,0.10,0.20,9.80,0.01,0.02,0.5", false), ("", true)] {
+            std::fs::write(&path, format!("t,ax,ay,az,gx,gy,gz\n{fixed}{last}")).unwrap();
+            assert_eq!(
+                curves_of_long_csv(&path, None).is_some(),
+                is_whole,
+                "{last}"
+            );
+        }
     }
 }

@@ -5,13 +5,13 @@ use std::collections::HashSet;
 use sensor::Sensor;
 
 use super::options::ReadOptions;
-use super::place::in_file;
+use super::place::{figure, in_file};
 use super::samples::Samples;
 use super::table::Table;
 use super::time;
-use super::units::TemperatureUnit;
+use super::units::{AccelUnit, GyroUnit, Stated, TemperatureUnit, TimeUnit};
 use super::{Recording, Stream, Temperature};
-use super::{checks, decide, held, values};
+use super::{checks, decide, held, sort, values};
 use crate::Error;
 
 /// The recording called `name` that `tables`, on one clock, hold.
@@ -24,14 +24,14 @@ pub(super) fn assemble(
         name,
         ..Recording::default()
     };
+    if options.sort_time {
+        sort::by_time(&mut tables);
+    }
     for Table {
         name, accel, gyro, ..
-    } in &mut tables
+    } in &tables
     {
         for samples in [accel, gyro] {
-            if options.sort_time {
-                *samples = std::mem::take(samples).sort();
-            }
             checks::order(name, samples, &mut recording.warnings)?;
         }
     }
@@ -78,6 +78,9 @@ pub(super) fn assemble(
 fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Result<(), Error> {
     recording.warnings.append(&mut table.warnings);
     let Table { name, stated, .. } = table;
+    recording
+        .warnings
+        .extend(overridden(&name, stated, options));
     let (accelerometer, gyroscope) = rayon::join(
         || {
             let stated = options.accel_unit.or(stated.accel);
@@ -115,6 +118,24 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
         }
     }
     Ok(())
+}
+
+/// What is said where an option contradicts the unit in the file.
+fn overridden(name: &str, stated: Stated, options: &ReadOptions) -> impl Iterator<Item = String> {
+    let time = options.time_unit.map(TimeUnit::name);
+    let accel = options.accel_unit.map(AccelUnit::name);
+    let gyro = options.gyro_unit.map(GyroUnit::name);
+    let units = [
+        ("--time-unit", time, stated.time.map(TimeUnit::name)),
+        ("--accel-unit", accel, stated.accel.map(AccelUnit::name)),
+        ("--gyro-unit", gyro, stated.gyro.map(GyroUnit::name)),
+    ];
+    units.into_iter().filter_map(move |(option, given, said)| {
+        let (given, said) = given.zip(said).filter(|(given, said)| given != said)?;
+        Some(format!(
+            "{name}: {option} {given} is used, though the file says {said}"
+        ))
+    })
 }
 
 /// The stream of one sensor, checked, held values removed, times the scale of its unit; and what was
@@ -165,7 +186,11 @@ fn overlap(recording: &Recording) -> Result<(), Error> {
         (Some((a0, a1)), Some((g0, g1))) if a1 < g0 || g1 < a0 => Err(in_file(
             &recording.name,
             format!(
-                "the accelerometer was on from {a0} to {a1} s, the gyroscope from {g0} to {g1} s: they never overlap; are both stamps of one clock, in one unit?"
+                "the accelerometer was on from {} to {} s, the gyroscope from {} to {} s: they never overlap; are both stamps of one clock, in one unit?",
+                figure(a0),
+                figure(a1),
+                figure(g0),
+                figure(g1)
             ),
         )),
         _ => Ok(()),

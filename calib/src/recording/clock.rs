@@ -1,6 +1,7 @@
 //! Time stamps as they are written: numbers, large epochs, dates, counters that wrap.
 
-use super::number::{self, Dialects, Fault};
+use super::number::{self, Dialects, Fault, LATEST};
+use super::options::ReadOptions;
 use super::plain::Stamps;
 
 /// Stamps from here on are epochs: the first is subtracted as an integer, because a double holds
@@ -8,7 +9,7 @@ use super::plain::Stamps;
 const EPOCH: i64 = 1_000_000_000;
 
 /// Where counters start again: 16 and 32 bits, also written as seconds of ms and µs.
-const MODULI: [f64; 5] = [
+pub(super) const MODULI: [f64; 5] = [
     65_536.0,
     4_294_967_296.0,
     65.536,
@@ -26,6 +27,8 @@ pub(super) struct Clock {
     /// Lines at which the counter started again.
     pub wraps: Vec<u64>,
     pattern: Option<String>,
+    /// Stamps are sorted when all are read: a jump back says nothing yet.
+    unsorted: bool,
     offset: f64,
     first: Option<f64>,
     last: f64,
@@ -33,12 +36,12 @@ pub(super) struct Clock {
 }
 
 impl Clock {
-    /// A clock that counts from `origin`, or finds its own; `pattern` is for dates that are not ISO
-    /// 8601.
-    pub fn new(origin: Option<i64>, pattern: Option<&str>) -> Self {
+    /// A clock that counts from `origin`, or finds its own.
+    pub fn new(origin: Option<i64>, options: &ReadOptions) -> Self {
         Self {
             origin,
-            pattern: pattern.map(str::to_owned),
+            pattern: options.time_format.clone(),
+            unsorted: options.sort_time,
             ..Self::default()
         }
     }
@@ -57,7 +60,11 @@ impl Clock {
     }
 
     fn number(&mut self, cell: &[u8], decimal_comma: bool) -> Result<f64, Fault> {
-        let parse = |cell| number::parse(cell, decimal_comma, &mut Dialects::default());
+        let parse = |cell| {
+            let stamp = number::parse(cell, decimal_comma, &mut Dialects::default())?;
+            let possible = stamp.abs() < LATEST;
+            possible.then_some(stamp).ok_or(Fault::Absurd)
+        };
         if self.origin == Some(0) {
             return parse(cell);
         }
@@ -96,7 +103,11 @@ impl Clock {
                 }),
             None => iso(text),
         };
-        let nanoseconds = stamp.ok_or(Fault::Date)?.as_nanosecond();
+        let fault = self
+            .pattern
+            .as_ref()
+            .map_or(Fault::Date, |_| Fault::OtherDate);
+        let nanoseconds = stamp.ok_or(fault)?.as_nanosecond();
         let nanoseconds = i64::try_from(nanoseconds).map_err(|_| Fault::Date)?;
         self.dates = true;
         let origin = *self.origin.get_or_insert(nanoseconds);
@@ -108,7 +119,7 @@ impl Clock {
     pub fn unwrapped(&mut self, stamp: f64, line: u64) -> f64 {
         let mut stamp = stamp + self.offset;
         let first = *self.first.get_or_insert(stamp);
-        if self.count >= 3 && stamp < self.last {
+        if self.count >= 3 && stamp < self.last && !self.unsorted {
             let step = (self.last - first) / (self.count - 1) as f64;
             let jump = |modulus: &&f64| {
                 let forward = stamp + **modulus - self.last;
@@ -140,18 +151,42 @@ fn elapsed(origin: i64, whole: i64, fraction: f64) -> f64 {
 /// The digits before the decimal mark, and the value of the mark and those behind it.
 fn split(cell: &[u8], decimal_comma: bool) -> Option<(i64, f64)> {
     let digits = cell.strip_prefix(b"-").unwrap_or(cell);
-    let split = digits
+    let end = digits
         .iter()
         .position(|b| !b.is_ascii_digit())
         .unwrap_or(digits.len());
-    let (whole, rest) = cell.split_at(cell.len() - digits.len() + split);
-    let whole = std::str::from_utf8(whole).ok()?.parse().ok()?;
+    let (whole, rest) = cell.split_at(cell.len() - digits.len() + end);
     let fraction = match rest {
         [] => 0.0,
-        [b'.' | b',', ..] => number::parse(rest, decimal_comma, &mut Dialects::default()).ok()?,
-        _ => return None,
+        [b'.' | b',', decimals @ ..] if decimals.iter().all(u8::is_ascii_digit) => {
+            number::parse(rest, decimal_comma, &mut Dialects::default()).ok()?
+        }
+        _ => return split(&without_exponent(cell)?, decimal_comma),
     };
+    let whole = std::str::from_utf8(whole).ok()?.parse().ok()?;
     Some((whole, fraction))
+}
+
+/// `1.7000000005e9` as `1700000000.5`: the same digits, the mark moved to the right; `None` for any
+/// other spelling.
+fn without_exponent(cell: &[u8]) -> Option<Vec<u8>> {
+    let at = cell.iter().position(|byte| matches!(byte, b'e' | b'E'))?;
+    let exponent = std::str::from_utf8(&cell[at + 1..]).ok()?;
+    let exponent: usize = exponent.parse().ok().filter(|places| *places < 19)?;
+    let mark = |byte: &u8| matches!(byte, b'.' | b',');
+    let (whole, decimals) = match cell[..at].iter().position(mark) {
+        Some(mark) => (&cell[..mark], &cell[mark + 1..at]),
+        None => (&cell[..at], &[][..]),
+    };
+    whole.last().filter(|byte| byte.is_ascii_digit())?;
+    let (moved, left) = decimals.split_at(exponent.min(decimals.len()));
+    let mut plain = [whole, moved].concat();
+    plain.resize(whole.len() + exponent, b'0');
+    if let Some(mark) = cell.get(whole.len()).filter(|_| !left.is_empty()) {
+        plain.push(*mark);
+        plain.extend_from_slice(left);
+    }
+    Some(plain)
 }
 
 fn large(stamp: i64) -> i64 {
@@ -198,6 +233,21 @@ mod tests {
             stamps(&["1700000000.25", "1700000001.123456789"]),
             [0.25, 1.123456789]
         );
+    }
+
+    #[test]
+    fn epochs_with_an_exponent_are_those_without() {
+        let plain = ["1700000000.25", "1700000001.123456789", "1700000002"];
+        let exponents = [
+            "1.70000000025e9",
+            "1.700000001123456789E+09",
+            "1700000002e0",
+        ];
+        assert_eq!(stamps(&exponents), stamps(&plain));
+        let read = stamps(&["1.700000000000000001e18", "1.700000000005000003e+18"]);
+        assert_eq!(read, [0.0, 5_000_002.0]);
+        assert_eq!(stamps(&["1.5e3", "1.6e3"]), [1500.0, 1600.0]);
+        assert_eq!(split(b"e9", false).or(split(b"-.e9", false)), None);
     }
 
     #[test]

@@ -58,6 +58,11 @@ const DIALECTS: [Dialect; 7] = [
 ];
 
 impl Dialect {
+    /// The decimal mark.
+    pub fn mark(self) -> u8 {
+        if self.decimal_comma { b',' } else { b'.' }
+    }
+
     /// The dialect in which most of `lines` are rows of numbers; without any, the one whose separator
     /// they hold most of.
     pub fn of(lines: &[&[u8]]) -> Self {

@@ -102,11 +102,16 @@ impl Layout {
         self.stated = stated;
     }
 
+    /// True for a column that has a role.
+    pub fn is_read(&self, column: usize) -> bool {
+        let triads = self.accel.iter().chain(&self.gyro).flatten().copied();
+        let mut read = triads.chain(self.time).chain(self.temperature);
+        read.any(|read| read == column)
+    }
+
     /// Names of the columns that have no role.
     pub fn unused(&self) -> Vec<String> {
-        let triads = self.accel.iter().chain(&self.gyro).flatten().copied();
-        let used: Vec<usize> = triads.chain(self.time).chain(self.temperature).collect();
-        let unused = (0..self.names.len()).filter(|i| !used.contains(i));
+        let unused = (0..self.names.len()).filter(|&i| !self.is_read(i));
         unused
             .map(|i| shown(&self.names[i]))
             .filter(|name| !name.is_empty())
@@ -130,7 +135,8 @@ fn roles_by_name(
 ) -> Result<(), String> {
     let given = roles.len();
     for (index, name) in names.iter().enumerate() {
-        let Some(role) = role_of(name, only) else {
+        let said = roles[..given].iter().any(|(_, column)| *column == index);
+        let Some(role) = role_of(name, only).filter(|_| !said) else {
             continue;
         };
         match roles.iter().position(|(r, _)| *r == role) {
@@ -150,6 +156,29 @@ fn roles_by_name(
                     other + 1
                 ));
             }
+        }
+    }
+    Ok(())
+}
+
+/// Refuses one column for two roles.
+///
+/// # Errors
+/// Both, in words.
+pub(super) fn refuse_twins(names: &[String], map: &ColumnMap) -> Result<(), String> {
+    // A column that is not there is for another to refuse.
+    let roles = roles_by_map(names, map).unwrap_or_default();
+    for (i, (role, column)) in roles.iter().enumerate() {
+        if let Some(other) = roles[..i].iter().position(|(_, other)| other == column) {
+            let given = |i: usize| format!("{}={}", map.0[i].0.name(), shown(&map.0[i].1));
+            return Err(format!(
+                "--columns {},{}: column {} for both {} and {}; each has a column of its own",
+                given(other),
+                given(i),
+                column + 1,
+                roles[other].0.name(),
+                role.name()
+            ));
         }
     }
     Ok(())

@@ -15,6 +15,10 @@ pub(super) struct Line<'a> {
     pub number: u64,
     /// Content.
     pub bytes: &'a [u8],
+    /// What follows it, as far as that has been read; nothing behind the last line of a text.
+    pub below: &'a [u8],
+    /// It has a line end.
+    pub ended: bool,
 }
 
 /// Where the lines of `text` lie, without their ends, from `start` on; the last one may lack its end.

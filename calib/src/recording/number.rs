@@ -5,6 +5,9 @@ use std::borrow::Cow;
 /// Readings from here on are absurd, whatever the sensor and its unit.
 pub(super) const LARGEST: f64 = 1e15;
 
+/// Stamps from here on are of no clock: nanoseconds since 1970 have 19 digits.
+pub(super) const LATEST: f64 = 1e19;
+
 /// Why a cell is no usable number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Fault {
@@ -18,10 +21,12 @@ pub(super) enum Fault {
     DecimalComma,
     /// `0x1p3`.
     Hexadecimal,
-    /// Too large for any sensor in any unit.
+    /// Too large for any sensor or clock in any unit.
     Absurd,
-    /// A date that is neither ISO 8601 nor of the given pattern.
+    /// A date that is not ISO 8601.
     Date,
+    /// A date that is not of the pattern that was given.
+    OtherDate,
     /// Anything else.
     Text,
 }
@@ -37,10 +42,11 @@ impl Fault {
                 "a comma as decimal mark in a file of points; export with one decimal mark"
             }
             Self::Hexadecimal => "hexadecimal; export in decimal notation",
-            Self::Absurd => "no sensor reads that; wrong column, or wrong unit?",
+            Self::Absurd => "no sensor and no clock reads that; wrong column, or wrong unit?",
             Self::Date => {
                 "not an ISO 8601 date (2026-11-21T03:04:05.123Z); say the pattern, as in --time-format '%d.%m.%Y %H:%M:%S%.f'"
             }
+            Self::OtherDate => "not of the pattern in --time-format",
             Self::Text => "not a number; --skip-bad-rows N leaves up to N such rows out",
         }
     }
@@ -130,11 +136,18 @@ fn fault(text: &str) -> Fault {
         let (points, commas) = (bare.matches('.').count(), bare.matches(',').count());
         return match (points, commas) {
             (0, 1) => Fault::DecimalComma,
-            (1.., 1..) | (2.., 0) | (0, 2..) => Fault::Thousands,
+            (1.., 1..) => Fault::Thousands,
+            (2.., 0) | (0, 2..) if are_groups(bare) => Fault::Thousands,
             _ => Fault::Text,
         };
     }
     Fault::Text
+}
+
+/// True if three digits follow every mark: `1.234.567`.
+fn are_groups(digits: &str) -> bool {
+    let mut groups = digits.split(['.', ',']).skip(1);
+    groups.all(|group| group.len() == 3)
 }
 
 #[cfg(test)]
@@ -166,6 +179,7 @@ mod tests {
             ("1e400", Fault::NotFinite),
             ("1,234.5", Fault::Thousands),
             ("1.234.567", Fault::Thousands),
+            ("1.2.3", Fault::Text),
             ("1,5", Fault::DecimalComma),
             ("0x1p3", Fault::Hexadecimal),
             ("1e5m", Fault::Text),

@@ -3,6 +3,7 @@
 use std::str::FromStr;
 
 use super::formats::Format;
+use super::place::figure;
 use super::units::{AccelUnit, GyroUnit, TimeUnit};
 use crate::Error;
 
@@ -62,7 +63,8 @@ impl ReadOptions {
     pub(super) fn check(&self) -> Result<(), Error> {
         match self.rate {
             Some(rate) if !(1e-3..=1e7).contains(&rate) => Err(Error::Usage(format!(
-                "--rate {rate}: a sampling rate is from 0.001 to 1e7 Hz, such as --rate 100"
+                "--rate {}: a sampling rate is from 0.001 to 1e7 Hz, such as --rate 100",
+                figure(rate)
             ))),
             _ => Ok(()),
         }
@@ -120,7 +122,7 @@ impl FromStr for ColumnMap {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let mut map = Vec::new();
+        let mut map: Vec<(Role, String)> = Vec::new();
         for entry in text.split(',') {
             let (role, column) = entry.split_once('=').ok_or_else(|| {
                 format!("`{entry}` is not of the form ROLE=COLUMN, such as ax=acc_x")
@@ -134,7 +136,20 @@ impl FromStr for ColumnMap {
             if map.iter().any(|(other, _)| *other == role) {
                 return Err(format!("`{}` is given twice", role.name()));
             }
-            map.push((role, column.trim().to_owned()));
+            let column = column.trim().to_owned();
+            if column.is_empty() {
+                return Err(format!(
+                    "`{entry}` names no column, as ax=acc_x or ax=2 does"
+                ));
+            }
+            if let Some((other, _)) = map.iter().find(|(_, given)| *given == column) {
+                return Err(format!(
+                    "column `{column}` is given for both {} and {}; each has a column of its own",
+                    other.name(),
+                    role.name()
+                ));
+            }
+            map.push((role, column));
         }
         Ok(Self(map))
     }

@@ -23,7 +23,7 @@ fn table(text: &[u8], options: &ReadOptions, way: Way, batch: usize) -> Result<T
     let start = Start::look("text", head, None, options).map_err(|e| e.to_string())?;
     let mut table = Table {
         name: "text".to_owned(),
-        clock: Clock::new(None, options.time_format.as_deref()),
+        clock: Clock::new(None, options),
         ..Table::default()
     };
     let rows = Rows::new(&mut table, &start, options);

@@ -7,9 +7,18 @@ use crate::Error;
 
 /// A name from outside, safe to print: control characters escaped, at most 200 characters.
 pub(crate) fn shown(name: &str) -> String {
+    shown_to(name, 200)
+}
+
+/// What stands in a cell, safe to print, at most 40 characters of it.
+pub(super) fn shown_cell(cell: &[u8]) -> String {
+    shown_to(&String::from_utf8_lossy(cell), 40)
+}
+
+fn shown_to(name: &str, limit: usize) -> String {
     let mut out = String::new();
     for (count, c) in name.chars().enumerate() {
-        if count == 200 {
+        if count == limit {
             out.push('…');
             break;
         }
@@ -20,6 +29,16 @@ pub(crate) fn shown(name: &str) -> String {
         }
     }
     out
+}
+
+/// A number in the fewest digits that tell it from its neighbours, with an exponent where it is long.
+pub fn figure(value: f64) -> String {
+    let is_short = value == 0.0 || !value.is_finite() || (1e-4..1e9).contains(&value.abs());
+    if is_short {
+        format!("{value}")
+    } else {
+        format!("{value:e}")
+    }
 }
 
 /// A path, safe to print.
@@ -40,4 +59,23 @@ pub(super) fn at_line(name: &str, line: u64, words: impl AsRef<str>) -> Error {
 /// An input error at `file:line:column: `, the column counted in bytes from 1.
 pub(super) fn at_column(name: &str, line: u64, column: usize, words: impl AsRef<str>) -> Error {
     Error::Input(format!("{name}:{line}:{column}: {}", words.as_ref()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::figure;
+
+    #[test]
+    fn no_number_is_longer_than_a_double_needs() {
+        let cases = [
+            (98.1, "98.1"),
+            (0.0, "0"),
+            (1e300, "1e300"),
+            (-2.5e-7, "-2.5e-7"),
+        ];
+        for (value, text) in cases {
+            assert_eq!(figure(value), text);
+        }
+        assert!(figure(-f64::MIN_POSITIVE).len() <= 24);
+    }
 }

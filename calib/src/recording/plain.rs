@@ -13,7 +13,7 @@ use super::clock::since;
 use super::dialect::{Dialect, Separator};
 use super::header::Layout;
 use super::lines::{end_of_line, lines};
-use super::number::LARGEST;
+use super::number::{LARGEST, LATEST};
 
 /// The numbers of a row, in the file's units, by place; those without a column are 0.
 pub(crate) type Row = [f64; 8];
@@ -98,7 +98,10 @@ impl Plain {
             _ => {}
         }
         let plain = Self { dialect, slots };
-        let is_row = |header: &[u8]| !plain.block(header, 0..header.len()).rows.is_empty();
+        let is_row = |header: &[u8]| {
+            let line = [header, b"\n"].concat();
+            !plain.block(&line, 0..line.len()).rows.is_empty()
+        };
         (!header.is_some_and(is_row)).then_some(plain)
     }
 
@@ -206,8 +209,9 @@ impl Plain {
         {
             rest = self.without_blanks(behind);
         }
+        // A row without an end may be cut short.
         let end = end_of_line(rest);
-        (end > 0 || rest.is_empty()).then(|| text.len() - rest.len() + end)
+        (end > 0).then(|| text.len() - rest.len() + end)
     }
 
     /// The text from the next cell on, where `rest` begins behind a cell.
@@ -247,7 +251,7 @@ impl Plain {
 /// True for a number that can stand at `place` without a question.
 #[inline]
 fn is_possible(number: f64, place: usize) -> bool {
-    number.abs() < LARGEST || (place == STAMP && number.is_finite())
+    number.abs() < if place == STAMP { LATEST } else { LARGEST }
 }
 
 impl Block {

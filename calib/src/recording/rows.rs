@@ -13,10 +13,11 @@ use super::lines::{Line, end_of_line, lines};
 use super::number::Dialects;
 use super::options::ReadOptions;
 use super::pipeline::parse_all;
-use super::place::{at_column, at_line, in_file};
+use super::place::{at_column, at_line, figure, in_file};
 use super::plain::{self, Block, Plain, Row, Stamps};
+use super::preface::is_comment;
 use super::samples::{Pushed, Samples};
-use super::sniff::{Start, is_comment};
+use super::sniff::Start;
 use super::table::Table;
 use crate::Error;
 
@@ -150,6 +151,8 @@ impl<'a> Rows<'a> {
             let line = Line {
                 number: self.lines,
                 bytes: &[],
+                below: &[],
+                ended: true,
             };
             let t = match layout.time {
                 Some(_) if self.options.rate.is_none() => {
@@ -173,12 +176,19 @@ impl<'a> Rows<'a> {
         if let Some(words) = batch.fault(&range) {
             return Err(at_line(&self.table.name, number, words));
         }
+        let behind = &batch.bytes[range.end..];
+        let end = end_of_line(behind);
         let bytes = &batch.bytes[range];
         if number <= self.start.after || bytes.trim_ascii_start().is_empty() || is_comment(bytes) {
             return Ok(());
         }
         self.settle_pending()?;
-        let kept = self.row(Line { number, bytes });
+        let kept = self.row(Line {
+            number,
+            bytes,
+            below: &behind[end..],
+            ended: end > 0,
+        });
         self.count(kept, number)
     }
 
@@ -239,7 +249,8 @@ impl<'a> Rows<'a> {
             self.in_order(pushed, t, line)?;
         }
         if let Some(temperature) = temperature
-            && self.table.temperature_t.last().is_none_or(|&last| t > last)
+            && (self.options.sort_time
+                || self.table.temperature_t.last().is_none_or(|&last| t > last))
         {
             self.table.temperature_t.push(t);
             self.table.temperature.push(temperature);
@@ -256,7 +267,9 @@ impl<'a> Rows<'a> {
                     Some(origin) => format!(" (counted from {origin})"),
                 };
                 let words = format!(
-                    "time goes back from {last} to {t}{origin}; --sort-time sorts the rows, or split the file here"
+                    "time goes back from {} to {}{origin}; --sort-time sorts the rows, or split the file here",
+                    figure(last),
+                    figure(t)
                 );
                 Err(Trouble::Refused(self.at(line, 0, words)))
             }

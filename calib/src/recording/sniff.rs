@@ -3,17 +3,26 @@
 use sensor::Sensor;
 
 use super::batches::Batch;
+use super::cut::usual_tail;
 use super::dialect::{Cell, Dialect, Separator};
 use super::header::{self, Layout};
 use super::lines::lines;
-use super::number::{self, Dialects, Fault};
+use super::number::{self, Dialects};
 use super::options::{ReadOptions, Role};
-use super::place::{at_line, in_file};
+use super::place::{at_column, at_line, in_file};
+use super::preface::{
+    Finder, Kept, Preface, cells, decode, is_comment, is_row, without_comment_mark, words,
+};
+use super::quotes::open_quote;
 use super::suggest::suggestion;
+use super::unit_row;
 use crate::Error;
 
-/// Lines looked at, comments not counted.
+/// Rows looked at.
 const SAMPLE: usize = 200;
+
+/// Comments that are looked at for a header.
+const COMMENTS: usize = 1000;
 
 /// How to read the rows of a text.
 #[derive(Clone, Debug)]
@@ -24,22 +33,14 @@ pub(super) struct Start {
     pub layout: Layout,
     /// The header as it is written, to know it again.
     pub header: Option<Vec<u8>>,
+    /// Its line.
+    pub header_line: u64,
+    /// Bytes from the decimal mark on that the last number of every row has, if they are as many.
+    pub tail: Option<usize>,
     /// Rows come after this line.
     pub after: u64,
     /// What was decided that a person should know.
     pub warnings: Vec<String>,
-}
-
-/// A line kept for looking at it again.
-struct Kept {
-    number: u64,
-    comment: bool,
-    bytes: Vec<u8>,
-}
-
-/// True for lines that are no rows: comments of the usual kinds.
-pub(super) fn is_comment(line: &[u8]) -> bool {
-    line.starts_with(b"#") || line.starts_with(b"%") || line.starts_with(b"//")
 }
 
 /// True if `head`, the beginning of a text, has a row of numbers before anything that could be a header.
@@ -48,10 +49,13 @@ pub(super) fn starts_with_numbers(head: &[u8]) -> bool {
         return false;
     };
     let dialect = dialect_of(&kept);
-    let first_row = kept
-        .iter()
-        .position(|k| !k.comment && is_row(&k.bytes, dialect));
-    first_row.is_some_and(|row| header_before(&kept, row, dialect).is_none())
+    let first_row = first_row(&kept, dialect);
+    let finder = Finder {
+        dialect,
+        only: None,
+        options: &ReadOptions::default(),
+    };
+    first_row.is_some_and(|row| finder.preface(&kept, Some(row)).header.is_none())
 }
 
 impl Start {
@@ -65,24 +69,27 @@ impl Start {
     ) -> Result<Self, Error> {
         let kept = sample(name, head)?;
         let dialect = dialect_of(&kept);
-        let Some(first) = kept.iter().find(|k| !k.comment) else {
+        if kept.iter().all(|k| k.comment) {
             return Err(in_file(
                 name,
                 "no data: nothing but blank and comment lines",
             ));
+        }
+        let row = first_row(&kept, dialect);
+        let finder = Finder {
+            dialect,
+            only,
+            options,
         };
-        let row = kept
-            .iter()
-            .position(|k| !k.comment && is_row(&k.bytes, dialect));
-        let header = match row {
-            Some(row) => header_before(&kept, row, dialect),
-            None => Some(first),
-        };
+        let preface = finder.preface(&kept, row);
+        let last = preface.units.or(preface.header);
         let mut start = Self {
             dialect,
             layout: Layout::default(),
-            header: header.map(|kept| kept.bytes.clone()),
-            after: header.map_or(0, |kept| kept.number),
+            header: preface.header.map(|kept| kept.bytes.clone()),
+            header_line: preface.header.map_or(0, |kept| kept.number),
+            tail: None,
+            after: last.map_or(0, |kept| kept.number),
             warnings: Vec::new(),
         };
         if dialect.decimal_comma {
@@ -94,11 +101,56 @@ impl Start {
             .iter()
             .filter(|k| !k.comment && k.number > start.after)
             .collect();
-        match header {
+        if let Some(open) = preface
+            .header
+            .and_then(|h| start.open_quote(name, h, &kept))
+        {
+            return Err(open);
+        }
+        match preface.header {
             Some(header) => start.read_header(name, header, &rows, only, options)?,
             None => start.without_header(name, &rows, only, options)?,
         }
+        start.read_units(name, preface, options)?;
+        start.tail = start.usual_tail(&rows);
         Ok(start)
+    }
+
+    /// What is wrong with the quotes of the header.
+    fn open_quote(&self, name: &str, header: &Kept, kept: &[Kept]) -> Option<Error> {
+        let bytes = without_comment_mark(&header.bytes);
+        let at = self.dialect.split(bytes, &mut Vec::new()).err()?;
+        let below = kept.iter().filter(|k| k.number > header.number);
+        let words = open_quote(below.map(|k| (k.number, &k.bytes[..])));
+        let column = header.bytes.len() - bytes.len() + at + 1;
+        Some(at_column(name, header.number, column, words))
+    }
+
+    /// Takes over the units that stand below the names.
+    fn read_units(
+        &mut self,
+        name: &str,
+        preface: Preface<'_>,
+        options: &ReadOptions,
+    ) -> Result<(), Error> {
+        let Some(line) = preface.units else {
+            return Ok(());
+        };
+        let cells = words(&line.bytes, self.dialect);
+        let stated = unit_row::stated(&self.layout, &cells, options);
+        self.layout.stated = stated.map_err(|words| at_line(name, line.number, words))?;
+        Ok(())
+    }
+
+    /// How the last numbers of `rows` end; the very last is not asked.
+    fn usual_tail(&self, rows: &[&Kept]) -> Option<usize> {
+        let column = self.layout.width.checked_sub(1)?;
+        let (_, rows) = rows.split_last().filter(|_| self.layout.is_read(column))?;
+        let last = rows.iter().filter_map(|row| {
+            let cell = cells(&row.bytes, self.dialect).get(column)?.clone();
+            Some(&row.bytes[cell])
+        });
+        usual_tail(last, self.dialect.mark())
     }
 
     fn read_header(
@@ -110,18 +162,15 @@ impl Start {
         options: &ReadOptions,
     ) -> Result<(), Error> {
         let refuse = |words: String| at_line(name, header.number, words);
-        let mut cells = Vec::new();
         let bytes = without_comment_mark(&header.bytes);
-        self.dialect.split(bytes, &mut cells).map_err(|at| {
-            refuse(format!(
-                "a quote is opened at column {} and never closed",
-                at + 1
-            ))
-        })?;
-        let mut names: Vec<String> = cells
-            .iter()
-            .map(|c| self.decode(&bytes[c.clone()]))
-            .collect();
+        let cells = cells(bytes, self.dialect);
+        if std::str::from_utf8(bytes).is_err() {
+            let warning = "header is not UTF-8, read as Latin-1";
+            self.warnings.push(warning.to_owned());
+        }
+        let cell = |cell: &Cell| decode(&bytes[cell.clone()]);
+        let mut names: Vec<String> = cells.iter().map(cell).collect();
+        header::refuse_twins(&names, &options.columns).map_err(Error::Usage)?;
         let width = usual_width(rows, self.dialect).unwrap_or(names.len());
         if rows.is_empty() {
             // A wrong header is the better news.
@@ -151,18 +200,6 @@ impl Start {
         }
         self.layout = Layout::of_names(names, &options.columns, only).map_err(refuse)?;
         Ok(())
-    }
-
-    /// Bytes of a header cell as text, by Latin-1 where they are no UTF-8.
-    fn decode(&mut self, bytes: &[u8]) -> String {
-        if let Ok(text) = std::str::from_utf8(bytes) {
-            return text.to_owned();
-        }
-        let warning = "header is not UTF-8, read as Latin-1";
-        if !self.warnings.iter().any(|w| w == warning) {
-            self.warnings.push(warning.to_owned());
-        }
-        bytes.iter().map(|&b| char::from(b)).collect()
     }
 
     fn without_header(
@@ -195,6 +232,7 @@ impl Start {
             }
             roles
         } else {
+            header::refuse_twins(&names, &options.columns).map_err(Error::Usage)?;
             header::roles_by_map(&names, &options.columns).map_err(refuse)?
         };
         self.layout.assign(&roles).map_err(refuse)
@@ -212,7 +250,10 @@ fn sample(name: &str, head: &[u8]) -> Result<Vec<Kept>, Error> {
         let line = &head.bytes[range];
         if !line.trim_ascii().is_empty() {
             let comment = is_comment(line);
-            rows += usize::from(!comment);
+            if rows == 0 && kept.len() == 2 * COMMENTS {
+                kept.drain(..COMMENTS);
+            }
+            rows += usize::from(!comment && begins_like_a_row(line));
             kept.push(Kept {
                 number,
                 comment,
@@ -226,6 +267,13 @@ fn sample(name: &str, head: &[u8]) -> Result<Vec<Kept>, Error> {
     Ok(kept)
 }
 
+/// True for a line that begins with a number: a preface of text does not.
+fn begins_like_a_row(line: &[u8]) -> bool {
+    let mark = |byte: &u8| !matches!(byte, b' ' | b'\t' | b'"' | b'+' | b'-' | b'.' | b',' | b';');
+    let first = line.iter().find(|byte| mark(byte));
+    first.is_none_or(u8::is_ascii_digit)
+}
+
 fn dialect_of(kept: &[Kept]) -> Dialect {
     let lines: Vec<&[u8]> = kept
         .iter()
@@ -235,53 +283,17 @@ fn dialect_of(kept: &[Kept]) -> Dialect {
     Dialect::of(&lines)
 }
 
-fn without_comment_mark(line: &[u8]) -> &[u8] {
-    let marks = line
+/// The first row that is as wide as most are: a line of a preface may hold numbers too.
+fn first_row(kept: &[Kept], dialect: Dialect) -> Option<usize> {
+    let rows = kept
         .iter()
-        .take_while(|b| matches!(b, b'#' | b'%' | b'/' | b' '))
-        .count();
-    if is_comment(line) {
-        &line[marks..]
-    } else {
-        line
-    }
-}
-
-fn cells(line: &[u8], dialect: Dialect) -> Vec<Cell> {
-    let mut cells = Vec::new();
-    let _ = dialect.split(line, &mut cells);
-    cells
-}
-
-/// True if at least half of the cells are numbers.
-fn is_row(line: &[u8], dialect: Dialect) -> bool {
-    let cells = cells(line, dialect);
-    let number = |cell: &Cell| {
-        let value = number::parse(
-            &line[cell.clone()],
-            dialect.decimal_comma,
-            &mut Dialects::default(),
-        );
-        matches!(
-            value,
-            Ok(_) | Err(Fault::NotFinite | Fault::Thousands | Fault::DecimalComma)
-        )
-    };
-    let numbers = cells.iter().filter(|cell| number(cell)).count();
-    numbers >= 1 && 2 * numbers >= cells.len()
-}
-
-/// The line that names the columns of `row`: the text line before it, or a comment with as many cells.
-fn header_before(kept: &[Kept], row: usize, dialect: Dialect) -> Option<&Kept> {
-    let before = &kept[..row];
-    if let Some(text) = before.iter().rfind(|k| !k.comment) {
-        return Some(text);
-    }
-    let comment = before.last()?;
-    let bytes = without_comment_mark(&comment.bytes);
-    let same = cells(bytes, dialect).len() == cells(&kept[row].bytes, dialect).len();
-    (same && bytes.iter().any(u8::is_ascii_alphabetic) && !is_row(bytes, dialect))
-        .then_some(comment)
+        .filter(|k| !k.comment && is_row(&k.bytes, dialect));
+    let rows: Vec<&Kept> = rows.collect();
+    let width = usual_width(&rows, dialect)?;
+    let first = rows
+        .iter()
+        .find(|k| cells(&k.bytes, dialect).len() == width)?;
+    kept.iter().position(|k| k.number == first.number)
 }
 
 /// The number of cells that most rows have.

@@ -4,13 +4,18 @@ use std::fs::{File, Metadata};
 use std::io::{self, Cursor, IsTerminal, Read};
 use std::path::{Path, PathBuf};
 
+use super::batches::is_too_long;
 use super::decode;
+use super::lines::{end_of_line, lines};
 use super::options::ReadOptions;
 use super::place::{in_file, shown, shown_path};
+use super::preface::is_comment;
 use crate::Error;
 
-/// Bytes of a text that are looked at before it is read.
+/// Bytes of a text that are looked at before it is read, comments at its beginning not counted.
 const HEAD: u64 = 64 << 10;
+/// No comments are longer.
+const LONGEST_PREFACE: usize = 64 << 20;
 
 /// A text that is about to be read.
 pub struct Input {
@@ -50,11 +55,11 @@ impl Input {
             return Err(in_file(
                 &name,
                 format!(
-                    "{:.1} GB, about {:.0} million rows that need {:.1} GB of memory; the limit is {:.1} GB; --max-bytes {} raises it",
-                    metadata.len() as f64 / 1e9,
-                    metadata.len() as f64 / 70e6,
-                    metadata.len() as f64 / 70e9 * 64.0,
-                    options.max_bytes as f64 / 1e9,
+                    "{}, about {:.0} rows that need {} of memory; the limit is {}; --max-bytes {} raises it",
+                    bytes(metadata.len() as f64),
+                    metadata.len() as f64 / 70.0,
+                    bytes(metadata.len() as f64 / 70.0 * 64.0),
+                    bytes(options.max_bytes as f64),
                     metadata.len()
                 ),
             ));
@@ -77,8 +82,9 @@ impl Input {
     /// Any stream of bytes, decompressed and as UTF-8.
     pub(super) fn from_reader(name: String, reader: Box<dyn Read + Send>) -> Result<Self, Error> {
         let (mut reader, warnings) = decode::text(&name, reader)?;
-        let head = take_head(&name, &mut reader)?;
+        let mut head = take_head(&name, &mut reader)?;
         decode::refuse_other_formats(&name, &head)?;
+        take_preface(&name, &mut reader, &mut head)?;
         Ok(Self {
             name,
             head,
@@ -108,12 +114,57 @@ impl Input {
     }
 }
 
+/// A number of bytes for people.
+fn bytes(count: f64) -> String {
+    let units = [(1e9, "GB"), (1e6, "MB"), (1e3, "kB")];
+    let unit = units.into_iter().find(|(size, _)| count >= *size);
+    unit.map_or_else(
+        || format!("{count:.0} bytes"),
+        |(size, name)| format!("{:.1} {name}", count / size),
+    )
+}
+
 /// Up to `HEAD` bytes from the front of `reader`.
 pub(super) fn take_head(name: &str, reader: &mut dyn Read) -> Result<Vec<u8>, Error> {
     let mut head = Vec::new();
     let read = reader.take(HEAD).read_to_end(&mut head);
     read.map_err(|error| in_file(name, format!("reading stopped: {error}")))?;
     Ok(head)
+}
+
+/// Reads on while `head` holds nothing but comments and the text goes on.
+fn take_preface(name: &str, reader: &mut dyn Read, head: &mut Vec<u8>) -> Result<(), Error> {
+    // Up to here there are nothing but whole lines of comment.
+    let mut comments = 0;
+    let mut length = head.len() as u64;
+    while length == HEAD {
+        for line in lines(head, comments) {
+            let end = end_of_line(&head[line.end..]);
+            if end == 0 || !is_skipped(&head[line.clone()]) {
+                break;
+            }
+            comments = line.end + end;
+        }
+        let behind = head.len() - comments;
+        let is_text = |line: std::ops::Range<usize>| !is_skipped(&head[line]);
+        let met = lines(head, comments).next().is_some_and(is_text);
+        if met && behind >= HEAD as usize || is_too_long(behind) {
+            break;
+        }
+        if head.len() > LONGEST_PREFACE {
+            let words = "64 MiB of comments and no row: delete them, or is this no recording?";
+            return Err(in_file(name, words));
+        }
+        let more = take_head(name, reader)?;
+        length = more.len() as u64;
+        head.extend(more);
+    }
+    Ok(())
+}
+
+/// True for lines that are neither names nor rows.
+fn is_skipped(line: &[u8]) -> bool {
+    is_comment(line) || line.trim_ascii().is_empty()
 }
 
 /// A file's size and time of change, to be compared when it has been read.

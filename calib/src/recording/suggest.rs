@@ -56,7 +56,12 @@ fn most_like(
         let like = |s: &&str| strsim::jaro_winkler(&s.replace('?', axis), &name);
         spellings.iter().map(like).fold(0.0, f64::max)
     };
-    let fits = |name: &String| !name.is_empty() && name.to_lowercase().contains(axis);
+    // `acc_x`, `AccX [g]`, `ax_raw`, but not `zeit`.
+    let ends = |word: &str| !word.is_empty() && word.ends_with(axis);
+    let fits = |name: &String| {
+        let name = name.to_lowercase();
+        name.split(|c: char| !c.is_alphanumeric()).any(ends)
+    };
     let free = (0..names.len()).filter(|i| !taken.contains(i) && fits(&names[*i]));
     let best = free.max_by(|&a, &b| likeness(&names[a]).total_cmp(&likeness(&names[b])))?;
     if likeness(&names[best]) < 0.6 {

@@ -66,7 +66,7 @@ impl Table {
                 .time
                 .and_then(|i| start.layout.names.get(i))
                 .is_some_and(|n| n == "t"),
-            clock: Clock::new(origin, options.time_format.as_deref()),
+            clock: Clock::new(origin, options),
             warnings: std::mem::take(&mut input.warnings),
             ..Self::default()
         };

@@ -1,7 +1,7 @@
 //! From stamps in the file's unit to seconds.
 
 use super::options::ReadOptions;
-use super::place::in_file;
+use super::place::{figure, in_file};
 use super::table::Table;
 use super::units::TimeUnit;
 use crate::Error;
@@ -83,7 +83,10 @@ fn unit(
         [] if table.plain_time => Ok(TimeUnit::Seconds),
         _ => Err(in_file(
             &table.name,
-            format!("the usual step between stamps is {step}: say the unit, as in --time-unit ms"),
+            format!(
+                "the usual step between stamps is {}: say the unit, as in --time-unit ms",
+                figure(step)
+            ),
         )),
     }
 }

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use sensor::Sensor;
 
 use super::checks::called;
-use super::place::{at_line, in_file};
+use super::place::{at_line, figure, in_file};
 use super::samples::Samples;
 use crate::Error;
 
@@ -49,7 +49,8 @@ pub(super) fn check(
         let rows = [low, high].map(|rail| at_rail(column(), rail));
         if let Some(rows) = rows.into_iter().max().filter(|&rows| rows > 0) {
             warnings.push(format!(
-                "{name}: {called} is saturated at {peak} in {rows} rows; the rates or forces there are larger"
+                "{name}: {called} is saturated at {} in {rows} rows; the rates or forces there are larger",
+                figure(peak)
             ));
         }
     }
@@ -79,7 +80,8 @@ fn stuck(name: &str, called: &str, samples: &Samples, value: f64) -> Error {
         name,
         samples.line(0),
         format!(
-            "{called} is {value} in every row up to line {last}: {why} Record again, or leave the sensor out"
+            "{called} is {} in every row up to line {last}: {why} Record again, or leave the sensor out",
+            figure(value)
         ),
     )
 }

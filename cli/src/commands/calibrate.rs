@@ -10,6 +10,7 @@ use calib::calibrate::{
 };
 use calib::effect_file::catalogue_with;
 use calib::intervals::{Span, read_sections};
+use calib::recording::figure;
 use calib::residuals::Integrator;
 use calib::{Calibration, Recording};
 use clap::ValueEnum;
@@ -247,7 +248,7 @@ fn request(args: &Args) -> Result<Request, Failure> {
         Some(rate) => {
             return Err(Failure::new(
                 USAGE,
-                format!("--nominal-rate {rate}: a positive rate expected"),
+                format!("--nominal-rate {}: a positive rate expected", figure(rate)),
             ));
         }
         None => None,

@@ -6,6 +6,7 @@ use std::time::Duration;
 use calib::calibration::check_units;
 use calib::effect_file::{catalogue_with, read_effects};
 use calib::intervals::Detector;
+use calib::recording::figure;
 use calib::{Calibration, Recording};
 use indicatif::ProgressBar;
 use sensor::AnyEffect;
@@ -60,8 +61,9 @@ pub fn check_gravity(gravity: f64) -> Result<(), Failure> {
     Err(Failure::new(
         crate::exit::USAGE,
         format!(
-            "--gravity {gravity}: on the earth it lies between {} and {} m/s²; an error of 0.01 changes \
+            "--gravity {}: on the earth it lies between {} and {} m/s²; an error of 0.01 changes \
              every scale factor by 0.1 %",
+            figure(gravity),
             GRAVITY.start(),
             GRAVITY.end()
         ),
@@ -74,7 +76,10 @@ pub fn check_latitude(latitude: Option<f64>) -> Result<(), Failure> {
         None => Ok(()),
         Some(latitude) => Err(Failure::new(
             crate::exit::USAGE,
-            format!("--latitude {latitude}: it lies between -90 and 90 degrees"),
+            format!(
+                "--latitude {}: it lies between -90 and 90 degrees",
+                figure(latitude)
+            ),
         )),
     }
 }

@@ -87,6 +87,41 @@ fn columns_that_are_said_win_and_the_others_go_by_name() {
 }
 
 #[test]
+fn one_column_for_two_roles_is_a_wrong_call() {
+    let twins = "ax=2,ay=2".parse::<calib::recording::ColumnMap>();
+    let error = twins.unwrap_err();
+    assert!(
+        error.contains("`2`") && error.contains("ax and ay"),
+        "{error}"
+    );
+    let empty = "t=,ax=2".parse::<calib::recording::ColumnMap>();
+    assert!(empty.unwrap_err().contains("`t=` names no column"));
+    let columns = "ax=2,ay=ax,az=4".parse().unwrap();
+    let options = ReadOptions {
+        columns,
+        ..ReadOptions::default()
+    };
+    let error = read(file(HEADER, &rows(50)), &options).unwrap_err();
+    assert!(
+        matches!(&error, Error::Usage(words) if words.contains("ax=2,ay=ax: column 2")),
+        "{error}"
+    );
+    // A column that is said to be one thing is not another by its name.
+    let columns = "ax=gx,ay=gy,az=gz".parse().unwrap();
+    let options = ReadOptions {
+        columns,
+        ..ReadOptions::default()
+    };
+    let swapped = rows(200).into_iter().map(|row| {
+        let c: Vec<_> = row.split(',').collect();
+        [c[0], c[4], c[5], c[6], c[1], c[2], c[3]].join(",")
+    });
+    let recording = read(file(HEADER, &swapped.collect::<Vec<_>>()), &options).unwrap();
+    assert!(recording.gyroscope.is_none());
+    assert_eq!(recording.accelerometer.unwrap().values[0].x, 9.8);
+}
+
+#[test]
 fn rows_6_and_7_marks_and_line_ends_do_not_matter() {
     let text = file(HEADER, &rows(200));
     read_as_usual(format!("\u{feff}{text}"), 200);
@@ -199,6 +234,34 @@ fn row_17_an_open_quote_is_refused_where_it_opens() {
 }
 
 #[test]
+fn row_17_a_cell_with_a_line_break_is_told_from_an_open_quote() {
+    let noted = |row: &String| format!("{row},\"a, b\"");
+    let mut lines: Vec<_> = rows(200).iter().map(noted).collect();
+    lines[3] = rows(200)[3].clone() + ",\"first\nsecond\"";
+    let text = file(&format!("{HEADER},note"), &lines);
+    let column = rows(200)[3].len() + 2;
+    refused(
+        &text,
+        &format!("5:{column}"),
+        &["opened here and closed in line 6", "line break"],
+    );
+    let skip = ReadOptions {
+        skip_bad_rows: 2,
+        ..ReadOptions::default()
+    };
+    let recording = warned_with(&text, &skip, &["2 broken rows"]);
+    assert_eq!(recording.accelerometer.unwrap().len(), 199);
+    let names = HEADER.replace("ay", "\"ay\n(up)\"");
+    refused(file(&names, &rows(50)), "1:6", &["closed in line 2"]);
+    // Where every cell is quoted the next quote opens another.
+    let quoted = |row: &String| format!("\"{}\"", row.replace(',', "\",\""));
+    let mut lines: Vec<_> = rows(50).iter().map(quoted).collect();
+    lines[3].pop();
+    let at = format!("5:{}", lines[3].rfind('"').unwrap() + 1);
+    refused(file(HEADER, &lines), &at, &["never closed"]);
+}
+
+#[test]
 fn row_18_ragged_rows_are_refused_or_left_out_when_allowed() {
     let mut rows = rows(200);
     rows[3] = "0.03,1,2,3".to_owned();
@@ -223,14 +286,36 @@ fn row_19_a_last_row_cut_short_is_left_out() {
 }
 
 #[test]
+fn row_19_a_last_row_cut_within_its_last_number_is_left_out() {
+    let text = file(HEADER, &rows(200)) + &row(2.0, 200);
+    read_as_usual(&text, 201);
+    for cut in 1..=7 {
+        let text = &text[..text.len() - cut];
+        assert_same_samples(&warned(text, &["last row left out", "r.csv:202:"]), 200);
+        read(format!("{text}\n"), &ReadOptions::default()).unwrap();
+    }
+    // Numbers in their shortest form differ in length anyway.
+    let shortest = |row: &String| row.trim_end_matches('0').to_owned();
+    let lines: Vec<_> = rows(200).iter().map(shortest).collect();
+    let text = file(HEADER, &lines);
+    let recording = read(text.trim_end().to_owned() + "1", &ReadOptions::default()).unwrap();
+    assert_eq!(recording.warnings, Vec::<String>::new());
+}
+
+#[test]
 fn row_20_comments_are_skipped_and_may_be_the_header() {
     let mut lines = rows(200);
     lines.insert(100, "% half way".to_owned());
     lines.insert(50, "// a note, with, commas".to_owned());
     read_as_usual(file(&format!("# 2026\n#{HEADER}"), &lines), 200);
     read_as_usual(file(HEADER, &lines), 200);
-    let preface = "# a line of a log\n".repeat(300);
-    read_as_usual(file(&(preface + HEADER), &lines), 200);
+    let text = "key: value\nother: 5 mm, 7\n".repeat(150);
+    read_as_usual(file(&(text + HEADER), &lines), 200);
+    for repeats in [300, 100_000] {
+        let preface = "# a line of a log\n".repeat(repeats);
+        read_as_usual(file(&(preface + HEADER), &lines), 200);
+    }
+    refused("#\n".repeat(33 << 20), "", &["64 MiB of comments"]);
 }
 
 #[test]
@@ -279,6 +364,21 @@ fn rows_23_and_24_what_is_no_number_is_refused_or_dropped_and_counted() {
         "5:8",
         &["not a number"],
     );
+}
+
+#[test]
+fn row_23_text_in_the_first_row_is_no_header() {
+    let mut lines = rows(200);
+    lines[0] = "0,1x,2x,3x,4x,5x,6x".to_owned();
+    let words = ["`1x` in column 2", "not a number"];
+    refused(file(HEADER, &lines), "2:3", &words);
+    refused(lines.join("\n"), "1:3", &words);
+    refused(
+        format!("1,2x,3x\n{}", rows(200).join("\n")),
+        "1:1",
+        &["3 cells"],
+    );
+    refused(file("#nothing\nt,ax", &lines), "2", &["2 names", "7 cells"]);
 }
 
 #[test]

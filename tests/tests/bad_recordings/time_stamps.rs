@@ -29,6 +29,83 @@ fn row_61_time_that_goes_back_is_refused_or_sorted() {
     assert_same_samples(&read(&text, &sort).unwrap(), 200);
 }
 
+/// `text` with its rows shuffled, and how that is to be read.
+fn shuffled(text: &str, seed: u64) -> (String, ReadOptions) {
+    let (header, rows) = text.trim_end().split_once('\n').unwrap();
+    let mut rows: Vec<String> = rows.lines().map(str::to_owned).collect();
+    let mut state = seed;
+    for i in (1..rows.len()).rev() {
+        // Knuth's MMIX generator.
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        rows.swap(i, (state >> 33) as usize % (i + 1));
+    }
+    let sort = ReadOptions {
+        sort_time: true,
+        ..ReadOptions::default()
+    };
+    (file(header, &rows), sort)
+}
+
+#[test]
+fn row_61_shuffled_rows_are_sorted_to_what_they_were() {
+    let with_temperature = |step: f64, origin: u64, count: usize| {
+        let cells = |i: usize| {
+            let t = origin as f64 + step * i as f64;
+            format!("{t:.2}{},{:.2}", &row(0.0, i)[6..], 20.0 + 0.01 * i as f64)
+        };
+        file(
+            &format!("{HEADER},temp"),
+            &(0..count).map(cells).collect::<Vec<_>>(),
+        )
+    };
+    // 60 s and 80 s of seconds, 60 s of milliseconds, a day of this century: next to where counters of
+    // 16 bits start again, and far from it.
+    for (step, origin, count) in [
+        (0.01, 0, 6000),
+        (0.01, 0, 8000),
+        (10.0, 0, 6000),
+        (0.25, 1_700_000_000, 6000),
+    ] {
+        let text = with_temperature(step, origin, count);
+        let sorted = read(&text, &ReadOptions::default()).unwrap();
+        for seed in 0..5 {
+            let (text, sort) = shuffled(&text, seed);
+            let read = read(text, &sort).unwrap();
+            assert_eq!(read.warnings.len(), sorted.warnings.len());
+            assert_eq!(read.accelerometer, sorted.accelerometer);
+            assert_eq!(read.gyroscope, sorted.gyroscope);
+            let (read, sorted) = (
+                read.temperature.unwrap(),
+                sorted.temperature.as_ref().unwrap(),
+            );
+            assert_eq!((read.t, &read.celsius), (sorted.t.clone(), &sorted.celsius));
+        }
+    }
+}
+
+#[test]
+fn rows_61_and_70_a_counter_that_wraps_is_counted_on_before_it_is_sorted() {
+    let mut stamps: Vec<u64> = (0..20_000).map(|i| (40_000 + 10 * i) % 65_536).collect();
+    for i in [100, 2553, 2554, 9000] {
+        stamps.swap(i, i + 1);
+    }
+    let text = stamped(stamps.iter().map(u64::to_string));
+    let (_, sort) = shuffled(&text, 0);
+    let recording = read(&text, &sort).unwrap();
+    assert!(
+        recording
+            .warnings
+            .iter()
+            .any(|w| w.contains("counter starts again")),
+        "{:?}",
+        recording.warnings
+    );
+    let t = recording.accelerometer.unwrap().t;
+    assert!(t.windows(2).all(|w| (w[1] - w[0] - 0.01).abs() < 1e-9));
+}
+
 #[test]
 fn row_61_rows_repeated_out_of_order_say_nothing_new() {
     let mut lines = rows(200);
@@ -117,6 +194,25 @@ fn row_66_nanosecond_epochs_keep_their_digits() {
 }
 
 #[test]
+fn row_66_epochs_with_an_exponent_start_at_zero_too() {
+    let plain = stamps(&stamped(
+        (0..200).map(|i| format!("17000000{:05.2}", 0.01 * f64::from(i))),
+    ));
+    let exponent = |i: u32| format!("1.7000000{:04}e9", i);
+    assert_eq!(plain[..2], [0.0, 0.01]);
+    assert_eq!(stamps(&stamped((0..200).map(exponent))), plain);
+}
+
+#[test]
+fn no_clock_shows_more_than_nineteen_digits() {
+    refused(
+        stamped(["0", "1e300"].into_iter().map(str::to_owned)),
+        "3:1",
+        &["`1e300` in column 1 (`t`)", "wrong unit"],
+    );
+}
+
+#[test]
 fn row_68_dates_are_iso_or_by_pattern() {
     let iso = (0..200).map(|i| format!("2026-11-21T03:04:{:06.3}Z", 0.01 * f64::from(i)));
     let t = stamps(&stamped(iso));
@@ -130,6 +226,11 @@ fn row_68_dates_are_iso_or_by_pattern() {
         ..ReadOptions::default()
     };
     assert_eq!(read(&text, &options).unwrap().accelerometer.unwrap().t, t);
+    let other = ReadOptions {
+        time_format: Some("%Y".to_owned()),
+        ..ReadOptions::default()
+    };
+    refused_with(&text, &other, "2:1", &["not of the pattern"]);
 }
 
 #[test]

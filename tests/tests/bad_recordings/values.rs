@@ -48,6 +48,59 @@ fn row_80_units_of_the_header_are_converted_and_g_is_recognised() {
 }
 
 #[test]
+fn row_80_a_row_of_units_under_the_header_is_used() {
+    let rows = rows(200);
+    let units = "s,m/s^2,m/s^2,m/s^2,rad/s,rad/s,rad/s";
+    for (header, units) in [
+        (HEADER, units),
+        (HEADER, "[s],[m/s²],[m/s²],[m/s²],(rad/s),(rad/s),(rad/s)"),
+        (HEADER, ",-,-,-,rad/s,rad/s,rad/s"),
+        ("# a log\n#t,ax,ay,az,gx,gy,gz", &format!("#{units}")),
+    ] {
+        read_as_usual(file(&format!("{header}\n{units}"), &rows), 200);
+    }
+    // A comment is no row of units for holding one.
+    read_as_usual(file(&format!("{HEADER}\n# g"), &rows), 200);
+    let degrees = units.replace("rad", "deg");
+    let recording = read(
+        file(&format!("{HEADER}\n{degrees}"), &rows),
+        &ReadOptions::default(),
+    );
+    let z = recording.unwrap().gyroscope.unwrap().values[0].z;
+    assert_eq!(z, 2f64.to_radians());
+    // Line numbers hold, the header is known again.
+    let mut repeated = rows.clone();
+    repeated[9] = HEADER.to_owned();
+    refused(
+        file(&format!("{HEADER}\n{units}"), &repeated),
+        "12:1",
+        &["header of line 1 again"],
+    );
+}
+
+#[test]
+fn row_80_a_row_of_units_that_contradicts_is_refused_or_overruled() {
+    let text = |units: &str| file(&format!("{HEADER}\n{units}"), &rows(200));
+    for units in [
+        "s,m/s^2,g,m/s^2,rad/s,rad/s,rad/s",
+        "s,ft/s^2,ft/s^2,ft/s^2,rad/s,rad/s,rad/s",
+        "s,rad/s,m/s^2,m/s^2,rad/s,rad/s,rad/s",
+    ] {
+        refused(text(units), "2", &["a row of units", "--accel-unit"]);
+    }
+    let options = ReadOptions {
+        accel_unit: Some("m/s^2".parse().unwrap()),
+        ..ReadOptions::default()
+    };
+    let overruled = "s,g,g,g,rad/s,rad/s,rad/s";
+    let words = ["--accel-unit m/s^2 is used", "says g"];
+    assert_same_samples(&warned_with(text(overruled), &options, &words), 200);
+    let unknown = "s,ft/s^2,ft/s^2,ft/s^2,rad/s,rad/s,rad/s";
+    let recording = read(text(unknown), &options).unwrap();
+    assert_eq!(recording.warnings, Vec::<String>::new());
+}
+
+#[test]
 fn row_81_degrees_are_converted_when_stated_or_when_a_hand_cannot_turn_so_fast() {
     let degrees = scaled(
         "t,ax,ay,az,gx [deg/s],gy [deg/s],gz [deg/s]",
@@ -93,6 +146,10 @@ fn rows_82_and_83_columns_go_by_name() {
 
 #[test]
 fn row_89_absurd_sizes_are_refused() {
+    let mut lines = rows(50);
+    lines[3] = format!("0.03,1{},0,0,0,0,0", "0".repeat(300));
+    let error = read(file(HEADER, &lines), &ReadOptions::default()).unwrap_err();
+    assert!(error.to_string().len() < 200, "{error}");
     let mut lines = rows(200);
     lines[5] = "0.05,1e300,0,0,0,0,0".to_owned();
     refused(file(HEADER, &lines), "7:6", &["`1e300`", "unit"]);

@@ -13,6 +13,8 @@ const TURNED: f64 = 0.26;
 
 /// A scale this far from one on all axes of readings in SI units is a unit or a time base.
 const COMMON_SCALE: f64 = 0.03;
+/// The same to a factor of two, the commonest of wrong rates, and the sensor's own errors on top.
+const COMMON_SCALES: std::ops::RangeInclusive<f64> = 0.45..=2.2;
 
 /// Reasons not to use a gyroscope's fit as it stands.
 pub(in crate::calibrate) fn gyroscope_gates(fit: &RateEvidence<'_>, si: bool) -> Vec<String> {
@@ -33,7 +35,7 @@ pub(in crate::calibrate) fn gyroscope_gates(fit: &RateEvidence<'_>, si: bool) ->
         ));
     }
     let ratio = base.t.trace() / 3.0;
-    if si && fit.rms <= LOST && (0.5..=2.1).contains(&ratio) && all_off(&base.t) {
+    if si && fit.rms <= LOST && COMMON_SCALES.contains(&ratio) && all_off(&base.t) {
         failed.push(format!(
             "the gyroscope's scale is {ratio:.3} on all axes: a wrong time base (nominal rate) or \
              unit rather than a sensor error"

@@ -2,9 +2,11 @@
 
 use nalgebra::Vector3;
 
-use super::super::lines::Line;
+use super::super::cut::is_cut;
+use super::super::lines::{Line, lines};
 use super::super::number::{self, Fault, LARGEST};
-use super::super::place::shown;
+use super::super::place::shown_cell;
+use super::super::quotes::open_quote;
 use super::{Rows, Trouble};
 use crate::Error;
 
@@ -18,7 +20,7 @@ impl Rows<'_> {
                 0,
                 format!(
                     "the header of line {} again: two tables in one file; split it here",
-                    self.start.after
+                    self.start.header_line
                 ),
             )));
         }
@@ -26,11 +28,9 @@ impl Rows<'_> {
             .dialect
             .split(line.bytes, &mut self.cells)
             .map_err(|at| {
-                Trouble::Broken(self.at(
-                    line,
-                    at,
-                    "a quote is opened here and never closed".to_owned(),
-                ))
+                let below = (line.number + 1..).zip(lines(line.below, 0));
+                let below = below.map(|(number, range)| (number, &line.below[range]));
+                Trouble::Broken(self.at(line, at, open_quote(below)))
             })?;
         if self.cells.len() == layout.width + 1 && self.cells.last().is_some_and(|c| c.is_empty()) {
             self.cells.pop();
@@ -38,6 +38,7 @@ impl Rows<'_> {
         if self.cells.len() != layout.width {
             return Err(Trouble::Broken(self.ragged(line)));
         }
+        self.whole(line)?;
         let accel = self.triad(line, layout.accel)?;
         let gyro = self.triad(line, layout.gyro)?;
         if accel.is_none() && gyro.is_none() {
@@ -53,6 +54,25 @@ impl Rows<'_> {
         };
         let t = self.stamp(line)?;
         self.keep(t, accel, gyro, temperature, line)
+    }
+
+    /// Refuses a last row that ends within its last number.
+    fn whole(&self, line: Line<'_>) -> Result<(), Trouble> {
+        let (Some(usual), false, Some(cell)) = (self.start.tail, line.ended, self.cells.last())
+        else {
+            return Ok(());
+        };
+        let content = &line.bytes[cell.clone()];
+        if !is_cut(content, self.start.dialect.mark(), usual) {
+            return Ok(());
+        }
+        let words = format!(
+            "`{}` in {}: the text ends here, within a number that has {} characters from its decimal mark on in every other row",
+            shown_cell(content),
+            self.start.layout.column(self.start.layout.width - 1),
+            usual
+        );
+        Err(Trouble::Broken(self.at(line, cell.start, words)))
     }
 
     fn stamp(&mut self, line: Line<'_>) -> Result<f64, Trouble> {
@@ -96,7 +116,7 @@ impl Rows<'_> {
 
     fn fault(&self, line: Line<'_>, column: usize, fault: Fault) -> Trouble {
         let cell = self.cells[column].clone();
-        let content = shown(&String::from_utf8_lossy(&line.bytes[cell.clone()]));
+        let content = shown_cell(&line.bytes[cell.clone()]);
         let column = self.start.layout.column(column);
         let error = self.at(
             line,

@@ -1,6 +1,7 @@
 //! `discover`: where simulation and data disagree, and the name of what is missing.
 
 mod emit;
+mod held_out;
 mod page;
 mod plots;
 mod tables;
@@ -11,6 +12,7 @@ use std::path::PathBuf;
 use calib::Recording;
 use calib::calibrate::STANDARD_GRAVITY;
 use calib::discover::{Discovery, Findings, Request, discover, validate, walks_in};
+use calib::recording::figure;
 
 use emit::Emit;
 pub use page::page;
@@ -110,6 +112,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     }
     let files = args.validation.iter().chain(&args.noise);
     inputs.extend(files.chain(&args.effect_file).cloned());
+    held_out::refuse_same_path(args.validation.as_deref(), &args.recordings.paths())?;
     let mut request = request(args)?;
     let output = match &args.output {
         Some(path) => Some(Output::claim(path, args.force, &as_paths(&inputs))?),
@@ -136,6 +139,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     for recording in recordings.iter().chain(&validation) {
         recording.warnings.iter().for_each(|w| show::warn(w));
     }
+    held_out::refuse_same_data(validation.as_ref(), &recordings)?;
     let discovery = look(&recordings, validation.as_ref(), &request)?;
     let findings = &discovery.findings;
     findings
@@ -167,7 +171,7 @@ fn request(args: &Args) -> Result<Request, Failure> {
             format!(
                 "--alpha {}: a chance above 0 and at most 0.5 expected; 0.01 is one false claim in a hundred \
                  recordings",
-                args.alpha
+                figure(args.alpha)
             ),
         ));
     }
