@@ -141,6 +141,10 @@ impl System for Robust<'_> {
         at
     }
 
+    fn culprit(&self, z: &[f64], row: usize) -> Option<usize> {
+        self.inner.culprit(z, row)
+    }
+
     fn second_derivative(&self, z: &[f64], v: &[f64]) -> Option<Vec<f64>> {
         // To leading order; the change of the weights along v is left out.
         let residuals = self.inner.residuals(z);

@@ -185,11 +185,11 @@ fn first_point(
             free,
         });
     }
-    let point = Point::new(system, z).map_err(|place| match place {
+    let point = Point::new(system, z.clone()).map_err(|place| match place {
         NotFinite::Residual { row, value } => Error::NotFinite { row, value },
         NotFinite::Derivative { row, column } => Error::DerivativeNotFinite {
             row,
-            parameter: name(column),
+            parameter: name(system.culprit(&z, row).unwrap_or(column)),
         },
     })?;
     if point.at.residuals.is_empty() {

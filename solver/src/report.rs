@@ -130,6 +130,9 @@ pub struct Report {
     pub infeasibility: f64,
     /// Covariance, rank and condition at the solution.
     pub uncertainty: Uncertainty,
+    /// Number of parameters that the data determine: the rank of the whole Jacobian, with the
+    /// blocks of a block problem, of which `uncertainty` does not speak.
+    pub rank: usize,
 }
 
 impl Report {
@@ -140,7 +143,7 @@ impl Report {
 
     /// `2 cost / (m − rank)`, or `None` without a spare residual.
     pub fn reduced_chi2(&self) -> Option<f64> {
-        let dof = self.residuals.len().checked_sub(self.uncertainty.rank)?;
+        let dof = self.residuals.len().checked_sub(self.rank)?;
         (dof > 0).then(|| 2.0 * self.cost / dof as f64)
     }
 }

@@ -111,14 +111,16 @@ impl Solution {
             },
             Jacobian::Blocks(_) => Uncertainty::unknown(names),
         };
-        self.into_report(parameters, uncertainty, polytope, options)
+        let rank = uncertainty.rank;
+        self.into_report(parameters, uncertainty, rank, polytope, options)
     }
 
-    /// The report with an uncertainty found elsewhere.
+    /// The report with an uncertainty and the rank of the whole found elsewhere.
     pub fn into_report(
         self,
         parameters: Parameters,
         uncertainty: Uncertainty,
+        rank: usize,
         polytope: Option<&Polytope>,
         options: &Options,
     ) -> Report {
@@ -141,6 +143,7 @@ impl Solution {
             relative_offset: self.verdict.offset,
             relative_step: self.verdict.relative_step,
             uncertainty,
+            rank,
         }
     }
 }

@@ -25,6 +25,9 @@ pub(crate) trait System {
     /// `d²/dt² r(z + t·v)` at `t = 0`, where the problem offers it.
     fn second_derivative(&self, z: &[f64], v: &[f64]) -> Option<Vec<f64>>;
 
+    /// The column to blame for a derivative of residual `row` that is not finite; see [`culprit`].
+    fn culprit(&self, z: &[f64], row: usize) -> Option<usize>;
+
     /// What is minimised, at `z`.
     fn cost(&self, z: &[f64]) -> f64 {
         self.cost_of(&self.residuals(z))
@@ -111,11 +114,32 @@ impl System for Dense<'_> {
         (offered && out.iter().all(|v| v.is_finite())).then_some(out)
     }
 
+    fn culprit(&self, z: &[f64], row: usize) -> Option<usize> {
+        culprit(self.problem, &self.embed(z), &self.free, row)
+    }
+
     fn cost(&self, z: &[f64]) -> f64 {
         let mut tried = self.tried.borrow_mut();
         self.problem.values(&self.embed(z), &mut tried);
         self.cost_of(&tried)
     }
+}
+
+/// The first of the parameters `free` by which the derivative of residual `row` is not finite.
+///
+/// Asked for one at a time: where several derivatives are carried along together, an infinite one
+/// turns the others, as `∞ · 0`, into what is not a number.
+pub(crate) fn culprit(
+    problem: &dyn Problem,
+    x: &[f64],
+    free: &[usize],
+    row: usize,
+) -> Option<usize> {
+    let mut residuals = Vec::new();
+    free.iter().position(|&k| {
+        let column = problem.linearize(x, &[k], &mut residuals);
+        row < column.nrows() && column.ncols() == 1 && !column[(row, 0)].is_finite()
+    })
 }
 
 /// How often the problem was evaluated.
@@ -174,6 +198,10 @@ impl System for Counted<'_> {
     fn second_derivative(&self, z: &[f64], v: &[f64]) -> Option<Vec<f64>> {
         self.add(|count| count.second_derivatives += 1);
         self.inner.second_derivative(z, v)
+    }
+
+    fn culprit(&self, z: &[f64], row: usize) -> Option<usize> {
+        self.inner.culprit(z, row)
     }
 
     fn cost(&self, z: &[f64]) -> f64 {

@@ -46,14 +46,14 @@ fn a_start_that_is_not_finite_names_the_row() {
 fn a_derivative_that_is_not_finite_names_row_and_parameter() {
     let problem = from_fn(|x: &[Jet], out: &mut Vec<Jet>| {
         out.push(x[1]);
-        out.push(x[0].sqrt() + x[1]);
+        out.push(x[1].sqrt() + x[0]);
     });
-    let error = fit(&problem, &[0.0, 1.0], &Options::default()).unwrap_err();
+    let error = fit(&problem, &[1.0, 0.0], &Options::default()).unwrap_err();
     assert_eq!(
         error,
         Error::DerivativeNotFinite {
             row: 1,
-            parameter: "x0".into()
+            parameter: "x1".into()
         }
     );
 }
