@@ -1,5 +1,7 @@
 //! What can be wrong with a problem.
 
+use crate::report::Termination;
+
 /// A problem that cannot be solved as it stands. A fit that stopped early is not an error: see
 /// [`Termination`](crate::Termination).
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -82,6 +84,18 @@ pub enum Error {
     LossScale {
         /// The scale.
         value: f64,
+    },
+    /// A profile interval of a size that is not a positive number.
+    #[error("a profile interval of {z} standard errors: must be positive")]
+    ProfileLevel {
+        /// The size asked for.
+        z: f64,
+    },
+    /// A refit for a profile interval that was stopped before its minimum.
+    #[error("a refit of the profile ended early: {termination}")]
+    Refit {
+        /// Why.
+        termination: Termination,
     },
     /// A term of a block problem that speaks of a block that is not there.
     #[error("a term speaks of block {block}, there are {blocks}")]

@@ -133,15 +133,27 @@ pub struct Report {
     /// Number of parameters that the data determine: the rank of the whole Jacobian, with the
     /// blocks of a block problem, of which `uncertainty` does not speak.
     pub rank: usize,
+    /// Variance that the covariance is to be multiplied by: the reduced `χ²` or, under a robust
+    /// loss, what Huber's formula gives, in which outliers do not count in full. `None` without a
+    /// spare residual.
+    pub variance: Option<f64>,
 }
 
 impl Report {
+    /// Standard error of free parameter `k` (as in `uncertainty.names`), with the noise as the
+    /// residuals show it; `None` without a spare residual or such a parameter.
+    pub fn standard_error(&self, k: usize) -> Option<f64> {
+        let sigma = self.variance?.sqrt();
+        (k < self.uncertainty.names.len()).then(|| self.uncertainty.standard_error(k, sigma))
+    }
+
     /// Root mean square of the residuals.
     pub fn rms(&self) -> f64 {
         (self.residuals.iter().map(|r| r * r).sum::<f64>() / self.residuals.len() as f64).sqrt()
     }
 
-    /// `2 cost / (m − rank)`, or `None` without a spare residual.
+    /// `2 cost / (m − rank)`, or `None` without a spare residual. Under a robust loss the variance
+    /// of the parameters follows from [`Report::variance`] instead.
     pub fn reduced_chi2(&self) -> Option<f64> {
         let dof = self.residuals.len().checked_sub(self.rank)?;
         (dof > 0).then(|| 2.0 * self.cost / dof as f64)

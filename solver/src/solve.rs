@@ -128,7 +128,12 @@ impl Solution {
             self.loss_scale
                 .map_or(1.0, |scale| options.loss.weight(r, scale))
         };
+        let variance = match self.loss_scale {
+            None => options.loss.variance(&self.residuals, 1.0, rank),
+            Some(scale) => options.loss.variance(&self.residuals, scale, rank),
+        };
         Report {
+            variance,
             weights: self.residuals.iter().map(weigh).collect(),
             active: active(&self.point, &self.verdict, polytope),
             infeasibility: polytope.map_or(0.0, |p| p.violation(&self.point.z)),
