@@ -62,15 +62,19 @@ impl Uncertainty {
     }
 }
 
-/// Measures a Jacobian (`m × n`).
-pub fn uncertainty(jacobian: &Mat<f64>, names: Vec<String>) -> Uncertainty {
+/// Measures a Jacobian (`m × n`) with the names of its columns; a column beyond the names is called
+/// by its number.
+pub fn uncertainty(jacobian: &Mat<f64>, mut names: Vec<String>) -> Uncertainty {
+    names.truncate(jacobian.ncols());
+    names.extend((names.len()..jacobian.ncols()).map(|k| format!("x{k}")));
     uncertainty_along(jacobian.as_ref(), None, names)
 }
 
 /// Measures a Jacobian (`m × n`) along `directions` (`n × d`), all of them if `None`.
 ///
 /// By the singular value decomposition `U S Vᵀ` of the triangle of the Jacobian with unit
-/// columns (scaling columns leaves `Q` as it is, so one triangle serves): the covariance is `B V S⁻² Vᵀ Bᵀ`; the normal equations are never formed.
+/// columns (scaling columns leaves `Q` as it is, so one triangle serves): the covariance is
+/// `B V S⁻² Vᵀ Bᵀ`; the normal equations are never formed.
 pub(crate) fn uncertainty_along(
     jacobian: MatRef<'_, f64>,
     directions: Option<Mat<f64>>,

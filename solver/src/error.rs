@@ -79,8 +79,8 @@ pub enum Error {
         /// What it cannot do.
         what: &'static str,
     },
-    /// A scale of a loss that is not a positive number.
-    #[error("scale of the loss is {value}, must be positive")]
+    /// A scale of a loss that is not a positive number, or whose square is not.
+    #[error("scale of the loss is {value}, must be positive and neither huge nor tiny")]
     LossScale {
         /// The scale.
         value: f64,

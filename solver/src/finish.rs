@@ -163,7 +163,7 @@ fn improved(
 ) -> Option<(Point, Verdict)> {
     let mut z = add(&point.z, 1.0, step);
     if let Some(polytope) = polytope {
-        polytope.settle(&mut z);
+        polytope.settle(&mut z, step);
         if !polytope.contains(&z) {
             return None;
         }

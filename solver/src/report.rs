@@ -92,6 +92,7 @@ pub struct Iteration {
     /// Size of the step: the damping, the trust radius or the fraction of the full step.
     pub lambda: f64,
     /// Length of the scaled step.
+    #[serde(with = "crate::infinite")]
     pub step: f64,
     /// Whether the step was taken.
     pub accepted: bool,
@@ -103,6 +104,7 @@ pub struct Report {
     /// The best parameters found.
     pub parameters: Parameters,
     /// What was minimised, there: `½ ‖r‖²`, or half the sum of the losses.
+    #[serde(with = "crate::infinite")]
     pub cost: f64,
     /// The residuals there, as the problem gives them.
     pub residuals: Vec<f64>,

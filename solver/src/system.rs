@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::linear::{Jacobian, Linearization};
 use crate::parameters::{Mask, Parameters};
-use crate::residual::Problem;
+use crate::residual::{Problem, of_shape};
 use crate::vector::half_square;
 
 /// Residuals, linearisation and curvature at free parameters `z` (`n`).
@@ -61,6 +61,11 @@ impl<'a> Dense<'a> {
         }
     }
 
+    /// Whether there are more residuals, or fewer, than there were: costs cannot be compared.
+    fn is_other_length(&self, rows: usize) -> bool {
+        self.rows.get() != 0 && rows != self.rows.get()
+    }
+
     fn room(&self) -> Vec<f64> {
         Vec::with_capacity(self.rows.get())
     }
@@ -96,7 +101,12 @@ impl System for Dense<'_> {
         let jacobian = self
             .problem
             .linearize(&self.embed(z), &self.free, &mut residuals);
-        self.rows.set(residuals.len());
+        let jacobian = of_shape(jacobian, residuals.len(), self.free.len());
+        if self.is_other_length(residuals.len()) {
+            residuals.fill(f64::NAN);
+        } else {
+            self.rows.set(residuals.len());
+        }
         let cost = half_square(&residuals);
         Linearization {
             residuals,
@@ -111,6 +121,7 @@ impl System for Dense<'_> {
         let offered = self
             .problem
             .second_derivative(&self.embed(z), &direction, &mut out);
+        let offered = offered && !self.is_other_length(out.len());
         (offered && out.iter().all(|v| v.is_finite())).then_some(out)
     }
 
@@ -121,6 +132,9 @@ impl System for Dense<'_> {
     fn cost(&self, z: &[f64]) -> f64 {
         let mut tried = self.tried.borrow_mut();
         self.problem.values(&self.embed(z), &mut tried);
+        if self.is_other_length(tried.len()) {
+            return f64::INFINITY;
+        }
         self.cost_of(&tried)
     }
 }

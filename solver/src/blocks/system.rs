@@ -4,6 +4,7 @@ use super::jacobian::BlockJacobian;
 use super::problem::{BlockProblem, Term};
 use crate::linear::{Jacobian, Linearization};
 use crate::parameters::Mask;
+use crate::residual::of_shape;
 use crate::system::{System, culprit};
 use crate::vector::half_square;
 
@@ -112,6 +113,7 @@ impl System for BlockSystem<'_> {
             free.truncate(self.free.len());
             free.extend(shared.len()..x.len());
             let matrix = term.problem.linearize(&x, &free, &mut own_residuals);
+            let matrix = of_shape(matrix, own_residuals.len(), free.len());
             jacobian.push(term.block, term.coupled, matrix.as_ref());
             residuals.extend_from_slice(&own_residuals);
         }
