@@ -80,7 +80,7 @@ pub enum Error {
         what: &'static str,
     },
     /// A scale of a loss that is not a positive number, or whose square is not.
-    #[error("scale of the loss is {value}, must be positive and neither huge nor tiny")]
+    #[error("scale of the loss is {value:e}, must be positive and neither huge nor tiny")]
     LossScale {
         /// The scale.
         value: f64,

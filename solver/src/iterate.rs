@@ -186,12 +186,7 @@ impl<'a> Run<'a> {
         if let (Some(polytope), Jacobian::Dense(jacobian)) =
             (self.polytope, &local.point.at.jacobian)
         {
-            let face = Face::at(
-                polytope,
-                &local.point.z,
-                &local.point.gradient(),
-                local.scale,
-            );
+            let face = Face::at(polytope, local.point, local.scale);
             if !face.active().is_empty() {
                 return face.factor(jacobian.as_ref()).tangential(residuals);
             }
@@ -280,7 +275,8 @@ impl<'a> Run<'a> {
     fn landing(&self, point: &Point, step: &Step) -> Vec<f64> {
         let mut z = add(&point.z, 1.0, &step.p);
         if let Some(polytope) = self.polytope {
-            polytope.settle(&mut z, &step.p);
+            let length = norm(&point.at.residuals);
+            polytope.settle(&mut z, &step.p, self.scaling.diagonal(), length);
         }
         z
     }

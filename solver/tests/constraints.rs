@@ -212,3 +212,29 @@ fn bounds_a_rounding_apart_hold_the_parameter() {
     assert!((report.parameters.values()[1] - held.parameters.values()[1]).abs() < 1e-12);
     assert!((report.active[0].multiplier - held.active[0].multiplier).abs() < 1e-12);
 }
+
+#[test]
+fn constraints_that_meet_at_zero_are_seen_to_be_active() {
+    // Towards the origin from inside: what is left of the steps is rounding, of which the
+    // constraints' own size says nothing there.
+    for i in 0..60 {
+        let turn = 0.1 * f64::from(i);
+        let cone = Constraints::new()
+            .linear(&[("x0", 3.0), ("x1", -1.0)], 0.0, f64::INFINITY)
+            .linear(&[("x0", -1.0), ("x1", 2.0)], 0.0, f64::INFINITY)
+            .linear(&[("x0", 1.0), ("x1", 1.0)], 0.0, f64::INFINITY);
+        let report = bowl(
+            -2.0 - turn,
+            -1.0 - 0.3 * turn,
+            [1.0, 1.1 + 0.01 * turn],
+            cone,
+        );
+        assert!(
+            report.termination.converged(),
+            "{i}: {}",
+            report.termination
+        );
+        assert!(report.parameters.values().iter().all(|x| x.abs() < 1e-14));
+        assert!(report.active.len() >= 2 && report.active.iter().all(|a| a.multiplier >= 0.0));
+    }
+}

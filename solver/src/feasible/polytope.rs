@@ -3,7 +3,7 @@
 use crate::constraints::{Constraint, Constraints};
 use crate::error::Error;
 use crate::parameters::{Mask, Parameters};
-use crate::vector::{add, dot};
+use crate::vector::{add, dot, norm};
 
 /// Relative rounding of `a · z` within which a constraint counts as met or as active.
 const ROUNDING: f64 = 1e-12;
@@ -118,9 +118,12 @@ impl Row {
         value >= self.lower - tolerance && value <= self.upper + tolerance
     }
 
-    /// The limit that `z` touches.
-    fn touched(&self, z: &[f64]) -> Option<Side> {
-        let (value, tolerance) = (dot(&self.a, z), ROUNDING * self.size(z));
+    /// The limit that `z` touches, to rounding of `z` and of steps `‖D p‖ ≤ length`.
+    fn touched(&self, z: &[f64], scale: &[f64], length: f64) -> Option<Side> {
+        let scaled: Vec<f64> = self.a.iter().zip(scale).map(|(a, s)| a / s).collect();
+        let reach = norm(&scaled) * length;
+        let value = dot(&self.a, z);
+        let tolerance = ROUNDING * self.size(z) + STEP_ROUNDING * reach;
         if self.upper - self.lower <= tolerance {
             Some(Side::Both)
         } else if value - self.lower <= tolerance {
@@ -183,11 +186,15 @@ impl Polytope {
         })
     }
 
-    /// The constraints that `z` touches.
-    pub fn touching(&self, z: &[f64]) -> Vec<Active> {
+    /// The constraints that `z` touches, to rounding of `z` and of steps `‖D p‖ ≤ length`: of `z`
+    /// alone nothing is left next to a limit of zero.
+    pub fn touching(&self, z: &[f64], scale: &[f64], length: f64) -> Vec<Active> {
         let rows = self.rows.iter().enumerate();
-        rows.filter_map(|(row, r)| r.touched(z).map(|side| Active { row, side }))
-            .collect()
+        rows.filter_map(|(row, r)| {
+            let side = r.touched(z, scale, length)?;
+            Some(Active { row, side })
+        })
+        .collect()
     }
 
     /// Largest amount by which a constraint is not met.
@@ -199,12 +206,13 @@ impl Polytope {
         each.fold(0.0, f64::max)
     }
 
-    /// Puts parameters that a step `p` led within rounding of a bound of their own exactly on it.
-    pub fn settle(&self, z: &mut [f64], p: &[f64]) {
+    /// Puts parameters within rounding of a bound of their own exactly on it: the rounding of the
+    /// bound, of the step `p` that led here and of steps `‖D p‖ ≤ length`.
+    pub fn settle(&self, z: &mut [f64], p: &[f64], scale: &[f64], length: f64) {
         for row in &self.rows {
             let Some(k) = row.single else { continue };
             let (lower, upper) = row.interval(k);
-            let rounding = STEP_ROUNDING * p[k].abs();
+            let rounding = STEP_ROUNDING * (p[k].abs() + length / scale[k]);
             let near = |bound: f64| {
                 bound.is_finite() && (z[k] - bound).abs() <= ROUNDING * bound.abs() + rounding
             };

@@ -28,7 +28,7 @@ pub(crate) fn nearest(polytope: &Polytope, z: &[f64]) -> Result<Vec<f64>, Error>
         match polytope.violated(z, &step) {
             None => {
                 let mut moved = add(z, 1.0, &step);
-                polytope.settle(&mut moved, &step);
+                polytope.settle(&mut moved, &step, &scale, 0.0);
                 return Ok(moved);
             }
             Some(more) if active.contains(&more) => break,
