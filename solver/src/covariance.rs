@@ -23,7 +23,8 @@ pub struct Uncertainty {
     /// Names of the free parameters, in the order of the covariance.
     pub names: Vec<String>,
     /// `(JᵀJ)⁺` for residuals of unit variance (`n × n`), minimum norm where the rank is short and
-    /// zero across active constraints.
+    /// zero across active constraints; with the curvatures of a robust loss on the rows. Times
+    /// [`Report::variance`](crate::Report::variance) it is the covariance that the residuals show.
     pub covariance: Vec<Vec<f64>>,
     /// Rank of the Jacobian with unit columns, along active constraints.
     pub rank: usize,
@@ -38,7 +39,8 @@ pub struct Uncertainty {
 }
 
 impl Uncertainty {
-    /// Standard error of free parameter `k` for residuals of standard deviation `sigma`.
+    /// Standard error of free parameter `k` (an index into `names`) for residuals of standard
+    /// deviation `sigma`.
     pub fn standard_error(&self, k: usize, sigma: f64) -> f64 {
         sigma * self.covariance[k][k].max(0.0).sqrt()
     }

@@ -17,7 +17,8 @@ pub enum Error {
         /// What it was.
         value: f64,
     },
-    /// A Jacobian entry is not finite at the start.
+    /// A Jacobian entry is not finite at the start, or the Jacobian has not the shape of residuals
+    /// by free parameters.
     #[error("the derivative of residual {row} by {parameter} is not finite at the start")]
     DerivativeNotFinite {
         /// Row of the residual.

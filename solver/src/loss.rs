@@ -28,7 +28,7 @@ pub enum LossScale {
     /// In the unit of the residuals.
     Given(f64),
     /// This many robust standard deviations, `1.4826 · median |r|`, estimated along with the
-    /// parameters. For 95 % efficiency on Gaussian residuals: Huber 1.345, Cauchy 2.385,
+    /// parameters in at most 30 rounds. For 95 % efficiency on Gaussian residuals: Huber 1.345, Cauchy 2.385,
     /// Tukey 4.685.
     Estimated(f64),
 }

@@ -18,7 +18,8 @@ pub enum Termination {
     Gradient,
     /// The step no longer changes the parameters.
     Step,
-    /// The cost no longer falls.
+    /// The cost no longer falls; for a caller that knows its rounding, the solver itself says
+    /// [`Termination::Stalled`].
     Cost,
     /// The step limit was reached.
     IterationLimit,
@@ -33,8 +34,9 @@ pub enum Termination {
     NotFinite {
         /// Row of the residual.
         row: usize,
-        /// Free parameter whose derivative it is, counted among the free ones; `None` if the
-        /// residual itself is not finite.
+        /// Free parameter whose derivative it is, an index into `uncertainty.names` (in a block
+        /// problem followed by the parameters of the blocks); `None` if the residual itself is not
+        /// finite.
         parameter: Option<usize>,
     },
 }
