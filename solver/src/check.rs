@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::closure::central_differences;
 use crate::parameters::Parameters;
-use crate::residual::Problem;
+use crate::residual::{Problem, of_shape};
 
 /// A derivative that differs from the central difference.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -21,7 +21,8 @@ pub struct Mismatch {
 
 /// Compares the problem's Jacobian at `parameters` with central differences and returns the entries
 /// that differ by more than `tolerance` relative to the largest entry of their column; 1e-6 suits
-/// smooth residuals of ordinary size. Entries that are not finite are always returned.
+/// smooth residuals of ordinary size. Entries that are not finite are always returned, and all of
+/// a matrix that has not the shape `m × n`.
 ///
 /// ```
 /// # use stillpoint_solver as solver;
@@ -45,7 +46,8 @@ pub fn check_derivatives(
     let all: Vec<usize> = (0..x.len()).collect();
     let mut residuals = Vec::new();
     let jacobian = problem.linearize(x, &all, &mut residuals);
-    let m = residuals.len().min(jacobian.nrows());
+    let m = residuals.len();
+    let jacobian = of_shape(jacobian, m, x.len());
     let differences = central_differences(problem, x, &all, m);
     let mut found = Vec::new();
     for k in all {

@@ -4,6 +4,7 @@ use faer::Mat;
 
 use crate::residual::{Problem, dual_jacobian};
 use crate::scalar::Jet;
+use crate::vector::{add, norm};
 
 /// A problem from a closure over [`Jet`]: exact derivatives, no second derivatives.
 ///
@@ -67,7 +68,15 @@ impl<F: Fn(&[f64], &mut Vec<f64>)> Problem for Numeric<F> {
     }
 }
 
-/// `(r(x + h eₖ) − r(x − h eₖ)) / 2h` with `h = ∛ε max(1, |xₖ|)` (`m × free.len()`).
+/// Relative step of a central difference, `∛ε`: where truncation and rounding weigh the same.
+const STEP: f64 = 6.055_454_452_393_343e-6;
+
+/// Change of the residuals, relative to them, that rounding leaves no digits of.
+const UNRESOLVED: f64 = 1e-10;
+
+/// `(r(x + h eₖ) − r(x − h eₖ)) / 2h` with `h = ∛ε |xₖ|` (`m × free.len()`), so that it does not
+/// depend on the units; with `h = ∛ε max(1, |xₖ|)` where that changes too little. Where one side is
+/// not finite, as next to a logarithm's zero, from the other: `(4 r(x + h) − 3 r(x) − r(x + 2h)) / 2h`.
 pub(crate) fn central_differences(
     problem: &dyn Problem,
     x: &[f64],
@@ -75,20 +84,54 @@ pub(crate) fn central_differences(
     m: usize,
 ) -> Mat<f64> {
     let mut jacobian = Mat::zeros(m, free.len());
-    let (mut above, mut below) = (Vec::new(), Vec::new());
     for (column, &k) in free.iter().enumerate() {
-        let h = f64::EPSILON.cbrt() * x[k].abs().max(1.0);
-        problem.values(&with(x, k, x[k] + h), &mut above);
-        problem.values(&with(x, k, x[k] - h), &mut below);
-        for row in 0..m.min(above.len()).min(below.len()) {
-            jacobian[(row, column)] = (above[row] - below[row]) / (2.0 * h);
+        let (near, far) = (STEP * x[k].abs(), STEP * x[k].abs().max(1.0));
+        let differences = Some(near)
+            .filter(|h| *h > 0.0)
+            .and_then(|h| column_differences(problem, x, k, h, true))
+            .or_else(|| column_differences(problem, x, k, far, false))
+            .or_else(|| column_differences(problem, x, k, near, false))
+            .unwrap_or_else(|| vec![f64::NAN; m]);
+        for (row, value) in differences.into_iter().take(m).enumerate() {
+            jacobian[(row, column)] = value;
         }
     }
     jacobian
 }
 
-fn with(x: &[f64], k: usize, value: f64) -> Vec<f64> {
-    let mut moved = x.to_vec();
-    moved[k] = value;
-    moved
+/// The differences by parameter `k` with step `h`; `None` where they are not finite or, if asked to
+/// be `resolved`, next to nothing.
+fn column_differences(
+    problem: &dyn Problem,
+    x: &[f64],
+    k: usize,
+    h: f64,
+    resolved: bool,
+) -> Option<Vec<f64>> {
+    let at = |steps: f64| {
+        let mut moved = x.to_vec();
+        moved[k] += steps * h;
+        let mut out = Vec::new();
+        problem.values(&moved, &mut out);
+        out.iter().all(|v| v.is_finite()).then_some(out)
+    };
+    let one_sided = |side: f64| {
+        let (here, near, far) = (at(0.0)?, at(side)?, at(2.0 * side)?);
+        let each = here.iter().zip(&near).zip(&far);
+        let slope = |((here, near), far): ((&f64, &f64), &f64)| 4.0 * near - 3.0 * here - far;
+        Some(each.map(|v| side * slope(v)).collect::<Vec<f64>>())
+    };
+    let twice = match (at(1.0), at(-1.0)) {
+        (Some(above), Some(below)) => {
+            let change = add(&above, -1.0, &below);
+            if resolved && norm(&change) <= UNRESOLVED * norm(&above) {
+                return None;
+            }
+            change
+        }
+        (Some(_), None) => one_sided(1.0)?,
+        (None, Some(_)) => one_sided(-1.0)?,
+        (None, None) => return None,
+    };
+    Some(twice.iter().map(|v| v / (2.0 * h)).collect())
 }

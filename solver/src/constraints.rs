@@ -28,8 +28,10 @@ pub struct Constraint {
     /// Names and coefficients.
     pub terms: Vec<(String, f64)>,
     /// Least value, `-∞` where there is none.
+    #[serde(with = "crate::infinite::below")]
     pub lower: f64,
     /// Greatest value, `∞` where there is none.
+    #[serde(with = "crate::infinite")]
     pub upper: f64,
 }
 
@@ -91,7 +93,7 @@ impl Constraints {
     /// Bounds `lower[k] ≤ xₖ ≤ upper[k]` for all parameters in order.
     pub fn bounds(mut self, parameters: &Parameters, lower: &[f64], upper: &[f64]) -> Self {
         for (name, (&lower, &upper)) in parameters.names().iter().zip(lower.iter().zip(upper)) {
-            if lower > f64::NEG_INFINITY || upper < f64::INFINITY {
+            if lower != f64::NEG_INFINITY || upper != f64::INFINITY {
                 self = self.bound(name, lower, upper);
             }
         }

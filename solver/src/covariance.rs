@@ -23,7 +23,8 @@ pub struct Uncertainty {
     /// Names of the free parameters, in the order of the covariance.
     pub names: Vec<String>,
     /// `(JᵀJ)⁺` for residuals of unit variance (`n × n`), minimum norm where the rank is short and
-    /// zero across active constraints.
+    /// zero across active constraints; with the curvatures of a robust loss on the rows. Times
+    /// [`Report::variance`](crate::Report::variance) it is the covariance that the residuals show.
     pub covariance: Vec<Vec<f64>>,
     /// Rank of the Jacobian with unit columns, along active constraints.
     pub rank: usize,
@@ -38,7 +39,8 @@ pub struct Uncertainty {
 }
 
 impl Uncertainty {
-    /// Standard error of free parameter `k` for residuals of standard deviation `sigma`.
+    /// Standard error of free parameter `k` (an index into `names`) for residuals of standard
+    /// deviation `sigma`.
     pub fn standard_error(&self, k: usize, sigma: f64) -> f64 {
         sigma * self.covariance[k][k].max(0.0).sqrt()
     }
@@ -62,15 +64,19 @@ impl Uncertainty {
     }
 }
 
-/// Measures a Jacobian (`m × n`).
-pub fn uncertainty(jacobian: &Mat<f64>, names: Vec<String>) -> Uncertainty {
+/// Measures a Jacobian (`m × n`) with the names of its columns; a column beyond the names is called
+/// by its number.
+pub fn uncertainty(jacobian: &Mat<f64>, mut names: Vec<String>) -> Uncertainty {
+    names.truncate(jacobian.ncols());
+    names.extend((names.len()..jacobian.ncols()).map(|k| format!("x{k}")));
     uncertainty_along(jacobian.as_ref(), None, names)
 }
 
 /// Measures a Jacobian (`m × n`) along `directions` (`n × d`), all of them if `None`.
 ///
 /// By the singular value decomposition `U S Vᵀ` of the triangle of the Jacobian with unit
-/// columns (scaling columns leaves `Q` as it is, so one triangle serves): the covariance is `B V S⁻² Vᵀ Bᵀ`; the normal equations are never formed.
+/// columns (scaling columns leaves `Q` as it is, so one triangle serves): the covariance is
+/// `B V S⁻² Vᵀ Bᵀ`; the normal equations are never formed.
 pub(crate) fn uncertainty_along(
     jacobian: MatRef<'_, f64>,
     directions: Option<Mat<f64>>,

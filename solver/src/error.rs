@@ -1,5 +1,7 @@
 //! What can be wrong with a problem.
 
+use crate::report::Termination;
+
 /// A problem that cannot be solved as it stands. A fit that stopped early is not an error: see
 /// [`Termination`](crate::Termination).
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -15,7 +17,8 @@ pub enum Error {
         /// What it was.
         value: f64,
     },
-    /// A Jacobian entry is not finite at the start.
+    /// A Jacobian entry is not finite at the start, or the Jacobian has not the shape of residuals
+    /// by free parameters.
     #[error("the derivative of residual {row} by {parameter} is not finite at the start")]
     DerivativeNotFinite {
         /// Row of the residual.
@@ -77,11 +80,23 @@ pub enum Error {
         /// What it cannot do.
         what: &'static str,
     },
-    /// A scale of a loss that is not a positive number.
-    #[error("scale of the loss is {value}, must be positive")]
+    /// A scale of a loss that is not a positive number, or whose square is not.
+    #[error("scale of the loss is {value:e}, must be positive and neither huge nor tiny")]
     LossScale {
         /// The scale.
         value: f64,
+    },
+    /// A profile interval of a size that is not a positive number.
+    #[error("a profile interval of {z} standard errors: must be positive")]
+    ProfileLevel {
+        /// The size asked for.
+        z: f64,
+    },
+    /// A refit for a profile interval that was stopped before its minimum.
+    #[error("a refit of the profile ended early: {termination}")]
+    Refit {
+        /// Why.
+        termination: Termination,
     },
     /// A term of a block problem that speaks of a block that is not there.
     #[error("a term speaks of block {block}, there are {blocks}")]

@@ -52,7 +52,7 @@ impl Verdict {
             .into_iter()
             .map(unit_if_zero)
             .collect();
-        let face = polytope.map(|p| Face::at(p, &point.z, &point.gradient(), &scale));
+        let face = polytope.map(|p| Face::at(p, point, &scale));
         let residuals = &point.at.residuals;
         let mut whole = None;
         let (tangential, step) = match (&face, &point.at.jacobian) {
@@ -163,7 +163,8 @@ fn improved(
 ) -> Option<(Point, Verdict)> {
     let mut z = add(&point.z, 1.0, step);
     if let Some(polytope) = polytope {
-        polytope.settle(&mut z);
+        let length = norm(&point.at.residuals);
+        polytope.settle(&mut z, step, &before.scale, length);
         if !polytope.contains(&z) {
             return None;
         }

@@ -66,6 +66,8 @@ pub(crate) struct Run<'a> {
     flat: usize,
     taken: usize,
     not_finite: Option<NotFinite>,
+    /// Where the last step led, if its cost is infinite.
+    lost: Option<Vec<f64>>,
     cancelled: bool,
 }
 
@@ -97,6 +99,7 @@ impl<'a> Run<'a> {
             flat: 0,
             taken: 0,
             not_finite: None,
+            lost: None,
             cancelled: false,
         }
     }
@@ -117,6 +120,9 @@ impl<'a> Run<'a> {
 
     /// Tries ever smaller steps until one is taken.
     fn next_point(&mut self, point: &Point) -> Result<Point, Stop> {
+        if self.cancelled {
+            return Err(Stop::Cancelled);
+        }
         let scale = self.scaling.diagonal().to_vec();
         let factor = point.at.jacobian.factor(&scale, self.options.linear_solver);
         let mut local = Local {
@@ -131,7 +137,7 @@ impl<'a> Run<'a> {
             return Err(Stop::Near);
         }
         local.offset = tangential / size;
-        self.not_finite = None;
+        (self.not_finite, self.lost) = (None, None);
         let hessian = self.missing_hessian(&local);
         loop {
             self.limits()?;
@@ -140,9 +146,23 @@ impl<'a> Run<'a> {
                 return Ok(next);
             }
             if self.search.exhausted() {
-                return Err(self.not_finite.map_or(Stop::Stalled, Stop::NotFinite));
+                return Err(self.given_up(Stop::Stalled));
             }
         }
+    }
+
+    /// The reason to take no shorter step: where even the last one led to what is not finite, that.
+    fn given_up(&self, otherwise: Stop) -> Stop {
+        let residual = || {
+            let residuals = self.system.residuals(self.lost.as_ref()?);
+            let row = residuals.iter().position(|v| !v.is_finite())?;
+            Some(NotFinite::Residual {
+                row,
+                value: residuals[row],
+            })
+        };
+        let place = self.not_finite.or_else(residual);
+        place.map_or(otherwise, Stop::NotFinite)
     }
 
     /// In a slow run of a variant that uses second derivatives, the part of the Hessian that
@@ -166,12 +186,7 @@ impl<'a> Run<'a> {
         if let (Some(polytope), Jacobian::Dense(jacobian)) =
             (self.polytope, &local.point.at.jacobian)
         {
-            let face = Face::at(
-                polytope,
-                &local.point.z,
-                &local.point.gradient(),
-                local.scale,
-            );
+            let face = Face::at(polytope, local.point, local.scale);
             if !face.active().is_empty() {
                 return face.factor(jacobian.as_ref()).tangential(residuals);
             }
@@ -204,9 +219,10 @@ impl<'a> Run<'a> {
         };
         let length = scaled_norm(&step.p, local.scale);
         if length <= self.options.step_tolerance * scaled_norm(&local.point.z, local.scale) {
-            return Err(Stop::Step);
+            return Err(self.given_up(Stop::Step));
         }
         let z = self.landing(local.point, &step);
+        (self.not_finite, self.lost) = (None, cost.is_infinite().then(|| z.clone()));
         let fall = local.point.at.cost - cost;
         let next = if fall > 0.0 { self.linearize(z) } else { None };
         let trial = Trial {
@@ -259,7 +275,8 @@ impl<'a> Run<'a> {
     fn landing(&self, point: &Point, step: &Step) -> Vec<f64> {
         let mut z = add(&point.z, 1.0, &step.p);
         if let Some(polytope) = self.polytope {
-            polytope.settle(&mut z);
+            let length = norm(&point.at.residuals);
+            polytope.settle(&mut z, &step.p, self.scaling.diagonal(), length);
         }
         z
     }

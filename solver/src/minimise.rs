@@ -16,6 +16,9 @@ use crate::system::{Counted, Evaluations, System};
 /// offset from falling (residuals near zero).
 const SMALL_STEP: f64 = 1e-8;
 
+/// The same where a limit cut the run short, so that a shorter step may only be a matter of time.
+const ROUNDING_STEP: f64 = 1e-14;
+
 /// Room for the trace of a usual run.
 const USUAL_STEPS: usize = 32;
 
@@ -122,17 +125,17 @@ fn with_scale(
     let sigma = |z: &[f64]| match scale {
         LossScale::Given(value) => value,
         LossScale::Estimated(factor) => {
+            // A perfect fit has no scale; any will do whose square is a number.
             let sigma = factor * robust_sigma(&system.residuals(z));
-            // A perfect fit has no scale; any will do.
-            if sigma == 0.0 {
-                f64::MIN_POSITIVE.sqrt()
-            } else {
-                sigma
-            }
+            sigma.max(f64::MIN_POSITIVE.sqrt())
         }
     };
+    let (LossScale::Given(value) | LossScale::Estimated(value)) = scale;
+    if value.is_nan() || value <= 0.0 {
+        return Err(Error::LossScale { value });
+    }
     let mut current = sigma(&point.z);
-    if !(current > 0.0 && current.is_finite()) {
+    if !(current * current).is_normal() {
         return Err(Error::LossScale { value: current });
     }
     for round in 1.. {
@@ -185,11 +188,11 @@ fn first_point(
             free,
         });
     }
-    let point = Point::new(system, z).map_err(|place| match place {
+    let point = Point::new(system, z.clone()).map_err(|place| match place {
         NotFinite::Residual { row, value } => Error::NotFinite { row, value },
         NotFinite::Derivative { row, column } => Error::DerivativeNotFinite {
             row,
-            parameter: name(column),
+            parameter: name(system.culprit(&z, row).unwrap_or(column)),
         },
     })?;
     if point.at.residuals.is_empty() {
@@ -206,7 +209,8 @@ fn termination(stop: Stop, verdict: &Verdict, options: &Options) -> Termination 
     if verdict.offset <= options.gradient_tolerance {
         return Termination::Gradient;
     }
-    if verdict.relative_step <= SMALL_STEP {
+    let limited = matches!(stop, Stop::IterationLimit | Stop::TimeLimit);
+    if verdict.relative_step <= if limited { ROUNDING_STEP } else { SMALL_STEP } {
         return Termination::Step;
     }
     match stop {

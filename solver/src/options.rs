@@ -123,8 +123,9 @@ impl Variant {
     }
 }
 
-/// How to solve and when to stop.
-#[derive(Clone, Debug)]
+/// How to solve and when to stop. What is missing where it is read is as in the default.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Options {
     /// The variant; the default is the best on problems in general.
     pub variant: Variant,
@@ -146,7 +147,8 @@ pub struct Options {
     pub loss: Loss,
     /// Longest time to spend; looked at before every step.
     pub time_limit: Option<Duration>,
-    /// Set from another thread, it stops the run before its next step.
+    /// Set from another thread, it stops the run before its next step. Not written.
+    #[serde(skip)]
     pub cancel: Option<Arc<AtomicBool>>,
 }
 

@@ -4,10 +4,40 @@ use serde::{Deserialize, Serialize};
 
 /// Values with names and units, in the order of the residual's `x`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Written")]
 pub struct Parameters {
     names: Vec<String>,
     units: Vec<String>,
     values: Vec<f64>,
+}
+
+/// Parameters as they are written, lengths unchecked.
+#[derive(Deserialize)]
+struct Written {
+    names: Vec<String>,
+    units: Vec<String>,
+    values: Vec<f64>,
+}
+
+impl TryFrom<Written> for Parameters {
+    type Error = String;
+
+    fn try_from(written: Written) -> Result<Self, String> {
+        let Written {
+            names,
+            units,
+            values,
+        } = written;
+        let (n, u, v) = (names.len(), units.len(), values.len());
+        if n != v || u != v {
+            return Err(format!("{n} names and {u} units for {v} values"));
+        }
+        Ok(Self {
+            names,
+            units,
+            values,
+        })
+    }
 }
 
 impl Parameters {
@@ -104,9 +134,9 @@ impl Mask {
         self.free.is_empty()
     }
 
-    /// Whether parameter `k` is free.
+    /// Whether parameter `k` is free; `false` where there is none.
     pub fn is_free(&self, k: usize) -> bool {
-        self.free[k]
+        self.free.get(k).is_some_and(|&free| free)
     }
 
     /// The same with parameter `k` held.

@@ -18,7 +18,8 @@ pub enum Termination {
     Gradient,
     /// The step no longer changes the parameters.
     Step,
-    /// The cost no longer falls.
+    /// The cost no longer falls; for a caller that knows its rounding, the solver itself says
+    /// [`Termination::Stalled`].
     Cost,
     /// The step limit was reached.
     IterationLimit,
@@ -33,8 +34,9 @@ pub enum Termination {
     NotFinite {
         /// Row of the residual.
         row: usize,
-        /// Free parameter whose derivative it is, counted among the free ones; `None` if the
-        /// residual itself is not finite.
+        /// Free parameter whose derivative it is, an index into `uncertainty.names` (in a block
+        /// problem followed by the parameters of the blocks); `None` if the residual itself is not
+        /// finite.
         parameter: Option<usize>,
     },
 }
@@ -92,6 +94,7 @@ pub struct Iteration {
     /// Size of the step: the damping, the trust radius or the fraction of the full step.
     pub lambda: f64,
     /// Length of the scaled step.
+    #[serde(with = "crate::infinite")]
     pub step: f64,
     /// Whether the step was taken.
     pub accepted: bool,
@@ -103,6 +106,7 @@ pub struct Report {
     /// The best parameters found.
     pub parameters: Parameters,
     /// What was minimised, there: `½ ‖r‖²`, or half the sum of the losses.
+    #[serde(with = "crate::infinite")]
     pub cost: f64,
     /// The residuals there, as the problem gives them.
     pub residuals: Vec<f64>,
@@ -130,17 +134,32 @@ pub struct Report {
     pub infeasibility: f64,
     /// Covariance, rank and condition at the solution.
     pub uncertainty: Uncertainty,
+    /// Number of parameters that the data determine: the rank of the whole Jacobian, with the
+    /// blocks of a block problem, of which `uncertainty` does not speak.
+    pub rank: usize,
+    /// Variance that the covariance is to be multiplied by: the reduced `χ²` or, under a robust
+    /// loss, what Huber's formula gives, in which outliers do not count in full. `None` without a
+    /// spare residual.
+    pub variance: Option<f64>,
 }
 
 impl Report {
+    /// Standard error of free parameter `k` (as in `uncertainty.names`), with the noise as the
+    /// residuals show it; `None` without a spare residual or such a parameter.
+    pub fn standard_error(&self, k: usize) -> Option<f64> {
+        let sigma = self.variance?.sqrt();
+        (k < self.uncertainty.names.len()).then(|| self.uncertainty.standard_error(k, sigma))
+    }
+
     /// Root mean square of the residuals.
     pub fn rms(&self) -> f64 {
         (self.residuals.iter().map(|r| r * r).sum::<f64>() / self.residuals.len() as f64).sqrt()
     }
 
-    /// `2 cost / (m − rank)`, or `None` without a spare residual.
+    /// `2 cost / (m − rank)`, or `None` without a spare residual. Under a robust loss the variance
+    /// of the parameters follows from [`Report::variance`] instead.
     pub fn reduced_chi2(&self) -> Option<f64> {
-        let dof = self.residuals.len().checked_sub(self.uncertainty.rank)?;
+        let dof = self.residuals.len().checked_sub(self.rank)?;
         (dof > 0).then(|| 2.0 * self.cost / dof as f64)
     }
 }

@@ -9,7 +9,7 @@ use crate::scalar::{Jet, Jet2, LANES, Scalar, along, derivatives, second_derivat
 /// Implement it generically, `impl<D: Scalar> Residual<D> for Mine`; the [`Problem`] that the
 /// solver works on follows from it.
 pub trait Residual<D: Scalar> {
-    /// Appends the `m` residuals at `x` to `out`, which arrives empty.
+    /// Appends the `m` residuals at `x` to `out`, which arrives empty; as many at every `x`.
     fn residuals(&self, x: &[D], out: &mut Vec<D>);
 }
 
@@ -22,7 +22,8 @@ pub trait Problem {
     fn values(&self, x: &[f64], out: &mut Vec<f64>);
 
     /// Replaces `residuals` by those at `x` and returns `∂r/∂x` (`m × free.len()`) for the
-    /// parameters listed in `free`. A parameter that is not listed costs nothing.
+    /// parameters listed in `free`. A parameter that is not listed costs nothing. The number of
+    /// residuals is the same at every `x`; a matrix of another shape counts as not finite.
     fn linearize(&self, x: &[f64], free: &[usize], residuals: &mut Vec<f64>) -> Mat<f64>;
 
     /// Replaces `out` by `d²/dt² r(x + t·v)` at `t = 0` and returns `true`; returns `false` where
@@ -51,6 +52,15 @@ where
         out.clear();
         out.extend(rows.iter().map(second_derivative));
         true
+    }
+}
+
+/// A Jacobian (`m × n`) as it is where its shape is right, without a finite entry elsewhere.
+pub(crate) fn of_shape(jacobian: Mat<f64>, m: usize, n: usize) -> Mat<f64> {
+    if jacobian.shape() == (m, n) {
+        jacobian
+    } else {
+        Mat::from_fn(m, n, |_, _| f64::NAN)
     }
 }
 

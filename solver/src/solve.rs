@@ -111,14 +111,16 @@ impl Solution {
             },
             Jacobian::Blocks(_) => Uncertainty::unknown(names),
         };
-        self.into_report(parameters, uncertainty, polytope, options)
+        let rank = uncertainty.rank;
+        self.into_report(parameters, uncertainty, rank, polytope, options)
     }
 
-    /// The report with an uncertainty found elsewhere.
+    /// The report with an uncertainty and the rank of the whole found elsewhere.
     pub fn into_report(
         self,
         parameters: Parameters,
         uncertainty: Uncertainty,
+        rank: usize,
         polytope: Option<&Polytope>,
         options: &Options,
     ) -> Report {
@@ -126,7 +128,12 @@ impl Solution {
             self.loss_scale
                 .map_or(1.0, |scale| options.loss.weight(r, scale))
         };
+        let variance = match self.loss_scale {
+            None => options.loss.variance(&self.residuals, 1.0, rank),
+            Some(scale) => options.loss.variance(&self.residuals, scale, rank),
+        };
         Report {
+            variance,
             weights: self.residuals.iter().map(weigh).collect(),
             active: active(&self.point, &self.verdict, polytope),
             infeasibility: polytope.map_or(0.0, |p| p.violation(&self.point.z)),
@@ -141,6 +148,7 @@ impl Solution {
             relative_offset: self.verdict.offset,
             relative_step: self.verdict.relative_step,
             uncertainty,
+            rank,
         }
     }
 }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::linear::{Jacobian, Linearization};
 use crate::parameters::{Mask, Parameters};
-use crate::residual::Problem;
+use crate::residual::{Problem, of_shape};
 use crate::vector::half_square;
 
 /// Residuals, linearisation and curvature at free parameters `z` (`n`).
@@ -24,6 +24,9 @@ pub(crate) trait System {
 
     /// `d²/dt² r(z + t·v)` at `t = 0`, where the problem offers it.
     fn second_derivative(&self, z: &[f64], v: &[f64]) -> Option<Vec<f64>>;
+
+    /// The column to blame for a derivative of residual `row` that is not finite; see [`culprit`].
+    fn culprit(&self, z: &[f64], row: usize) -> Option<usize>;
 
     /// What is minimised, at `z`.
     fn cost(&self, z: &[f64]) -> f64 {
@@ -56,6 +59,11 @@ impl<'a> Dense<'a> {
             tried: RefCell::default(),
             rows: Cell::new(0),
         }
+    }
+
+    /// Whether there are more residuals, or fewer, than there were: costs cannot be compared.
+    fn is_other_length(&self, rows: usize) -> bool {
+        self.rows.get() != 0 && rows != self.rows.get()
     }
 
     fn room(&self) -> Vec<f64> {
@@ -93,7 +101,12 @@ impl System for Dense<'_> {
         let jacobian = self
             .problem
             .linearize(&self.embed(z), &self.free, &mut residuals);
-        self.rows.set(residuals.len());
+        let jacobian = of_shape(jacobian, residuals.len(), self.free.len());
+        if self.is_other_length(residuals.len()) {
+            residuals.fill(f64::NAN);
+        } else {
+            self.rows.set(residuals.len());
+        }
         let cost = half_square(&residuals);
         Linearization {
             residuals,
@@ -108,14 +121,39 @@ impl System for Dense<'_> {
         let offered = self
             .problem
             .second_derivative(&self.embed(z), &direction, &mut out);
+        let offered = offered && !self.is_other_length(out.len());
         (offered && out.iter().all(|v| v.is_finite())).then_some(out)
+    }
+
+    fn culprit(&self, z: &[f64], row: usize) -> Option<usize> {
+        culprit(self.problem, &self.embed(z), &self.free, row)
     }
 
     fn cost(&self, z: &[f64]) -> f64 {
         let mut tried = self.tried.borrow_mut();
         self.problem.values(&self.embed(z), &mut tried);
+        if self.is_other_length(tried.len()) {
+            return f64::INFINITY;
+        }
         self.cost_of(&tried)
     }
+}
+
+/// The first of the parameters `free` by which the derivative of residual `row` is not finite.
+///
+/// Asked for one at a time: where several derivatives are carried along together, an infinite one
+/// turns the others, as `∞ · 0`, into what is not a number.
+pub(crate) fn culprit(
+    problem: &dyn Problem,
+    x: &[f64],
+    free: &[usize],
+    row: usize,
+) -> Option<usize> {
+    let mut residuals = Vec::new();
+    free.iter().position(|&k| {
+        let column = problem.linearize(x, &[k], &mut residuals);
+        row < column.nrows() && column.ncols() == 1 && !column[(row, 0)].is_finite()
+    })
 }
 
 /// How often the problem was evaluated.
@@ -174,6 +212,10 @@ impl System for Counted<'_> {
     fn second_derivative(&self, z: &[f64], v: &[f64]) -> Option<Vec<f64>> {
         self.add(|count| count.second_derivatives += 1);
         self.inner.second_derivative(z, v)
+    }
+
+    fn culprit(&self, z: &[f64], row: usize) -> Option<usize> {
+        self.inner.culprit(z, row)
     }
 
     fn cost(&self, z: &[f64]) -> f64 {

@@ -139,3 +139,148 @@ fn a_masked_shared_parameter_stays_and_a_missing_block_is_an_error() {
     problem.add_coupled_term(0, random_rows(&mut rng, 2 * OWN));
     assert!(solve_blocks(&problem, &mask, &Options::default()).is_err());
 }
+
+/// `y = x₀ t + x₁ + x₂ + …` at `t = 0 … 3`; parameters beyond `used` are not looked at.
+#[derive(Clone)]
+struct Group {
+    offset: f64,
+    used: usize,
+}
+
+impl<D: Scalar> Residual<D> for Group {
+    fn residuals(&self, x: &[D], out: &mut Vec<D>) {
+        for i in 0..4 {
+            let t = f64::from(i);
+            let y = 2.0 * t + self.offset + 0.1 * (5.0 * t * t + self.offset).sin();
+            let sum = x[1..self.used].iter().fold(x[0] * t, |sum, &x| sum + x);
+            out.push(sum - lit::<D>(y));
+        }
+    }
+}
+
+/// Three groups of a common slope, each with a block of its own.
+fn groups(start: &[f64], used: usize) -> BlockProblem<'static> {
+    let mut shared = Parameters::new();
+    shared.push("slope", "", 0.0);
+    let mut problem = BlockProblem::new(shared);
+    for offset in [1.0, 5.0, 7.0] {
+        let block = problem.add_block(start);
+        problem.add_term(block, Group { offset, used });
+    }
+    problem
+}
+
+#[test]
+fn what_the_rows_of_a_block_do_not_determine_takes_nothing_from_the_shared_parameters() {
+    let (mask, options) = (Mask::all(1), Options::default());
+    let plain = solve_blocks(&groups(&[0.0], 2), &mask, &options).unwrap();
+    let mut idle = groups(&[0.0], 2);
+    idle.add_block(&[3.0, 4.0]);
+    let cases = [
+        ("a block without a term", idle),
+        ("a parameter not used", groups(&[0.0, 9.0], 2)),
+        ("two that act alike", groups(&[0.0, 0.0], 3)),
+    ];
+    for (name, problem) in cases {
+        let report = solve_blocks(&problem, &mask, &options).unwrap();
+        let (found, wanted) = (&report.shared, &plain.shared);
+        assert!(
+            found.termination.converged(),
+            "{name}: {}",
+            found.termination
+        );
+        let slope = |r: &stillpoint_solver::Report| r.parameters.values()[0];
+        assert!((slope(found) - slope(wanted)).abs() < 1e-12, "{name}");
+        let variance = |r: &stillpoint_solver::Report| r.uncertainty.covariance[0][0];
+        assert!(
+            (variance(found) - variance(wanted)).abs() < 1e-14,
+            "{name}: {}",
+            variance(found)
+        );
+        assert_eq!((found.uncertainty.rank, found.rank), (1, 4), "{name}");
+    }
+}
+
+#[test]
+fn parameters_of_blocks_count_as_fitted() {
+    let report = solve_blocks(&groups(&[0.0], 2), &Mask::all(1), &Options::default()).unwrap();
+    // Twelve residuals, one slope and three offsets.
+    let wanted = 2.0 * report.shared.cost / (12.0 - 4.0);
+    assert!((report.shared.reduced_chi2().unwrap() / wanted - 1.0).abs() < 1e-14);
+}
+
+#[test]
+fn a_shared_parameter_that_acts_like_those_of_the_blocks_is_named() {
+    /// An offset common to all groups on top of each group's own.
+    struct Shifted(f64);
+    impl<D: Scalar> Residual<D> for Shifted {
+        fn residuals(&self, x: &[D], out: &mut Vec<D>) {
+            out.extend((0..4).map(|i| x[0] * f64::from(i) + x[1] + x[2] - lit::<D>(self.0)));
+        }
+    }
+    let mut shared = Parameters::new();
+    shared.push("slope", "", 0.3);
+    shared.push("shift", "", 0.0);
+    let mut problem = BlockProblem::new(shared);
+    for offset in [1.0, 5.0] {
+        let block = problem.add_block(&[0.0]);
+        problem.add_term(block, Shifted(offset));
+    }
+    let report = solve_blocks(&problem, &Mask::all(2), &Options::default()).unwrap();
+    assert!(report.shared.termination.converged());
+    assert_eq!(report.shared.uncertainty.unobservable, ["shift"]);
+}
+
+#[test]
+fn a_chain_that_floats_converges() {
+    /// The difference of two consecutive blocks.
+    struct Difference(f64);
+    impl<D: Scalar> Residual<D> for Difference {
+        fn residuals(&self, x: &[D], out: &mut Vec<D>) {
+            let difference = x[2] - x[1];
+            out.push(difference - x[0] - lit::<D>(self.0));
+            out.push(difference * 0.5 + x[0] - lit::<D>(0.3));
+        }
+    }
+    let mut problem = BlockProblem::new(Parameters::unnamed(&[0.0]));
+    for block in 0..40 {
+        problem.add_block(&[0.0]);
+        if block < 39 {
+            problem.add_coupled_term(block, Difference(f64::from(block as u32 % 3)));
+        }
+    }
+    let report = solve_blocks(&problem, &Mask::all(1), &Options::default()).unwrap();
+    assert!(
+        report.shared.termination.converged(),
+        "{}",
+        report.shared.termination
+    );
+    // 39 differences and the shared parameter; the place of the whole is free.
+    assert_eq!(report.shared.rank, 40);
+}
+
+#[test]
+fn a_start_that_is_not_finite_names_the_block() {
+    struct Root;
+    impl<D: Scalar> Residual<D> for Root {
+        fn residuals(&self, x: &[D], out: &mut Vec<D>) {
+            out.push(x[0] + x[1] + x[2].sqrt());
+        }
+    }
+    let mut problem = BlockProblem::new(Parameters::unnamed(&[0.0]));
+    for start in [1.0, 0.0] {
+        let block = problem.add_block(&[7.0, start]);
+        problem.add_term(block, Root);
+    }
+    let error = solve_blocks(&problem, &Mask::all(1), &Options::default()).unwrap_err();
+    assert!(
+        error.to_string().contains("parameter 1 of block 1"),
+        "{error}"
+    );
+    problem.add_coupled_term(usize::MAX, Root);
+    let error = solve_blocks(&problem, &Mask::all(1), &Options::default()).unwrap_err();
+    assert!(matches!(
+        error,
+        stillpoint_solver::Error::UnknownBlock { .. }
+    ));
+}

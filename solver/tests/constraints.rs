@@ -155,3 +155,86 @@ proptest! {
         }
     }
 }
+
+/// `(x₀ − a, 2 (x₁ − b), x₀ x₁ / 10)`.
+struct Bowl(f64, f64);
+
+impl<D: Scalar> Residual<D> for Bowl {
+    fn residuals(&self, x: &[D], out: &mut Vec<D>) {
+        out.push(x[0] - lit::<D>(self.0));
+        out.push((x[1] - lit::<D>(self.1)) * 2.0);
+        out.push(x[0] * x[1] * 0.1);
+    }
+}
+
+fn bowl(a: f64, b: f64, start: [f64; 2], constraints: Constraints) -> Report {
+    let options = Options {
+        constraints,
+        ..Options::default()
+    };
+    let start = Parameters::unnamed(&start);
+    solve(&Bowl(a, b), &start, &Mask::all(2), &options).unwrap()
+}
+
+#[test]
+fn bounds_of_zero_are_reached_from_anywhere_without_a_step_refused() {
+    for i in 0..200 {
+        let start = 1e-3 * 1.07f64.powi(i);
+        let positive =
+            Constraints::new()
+                .bound("x0", 0.0, f64::INFINITY)
+                .bound("x1", 0.0, f64::INFINITY);
+        let report = bowl(-3.0, -1.0, [start, 0.9 * start], positive);
+        assert_eq!(report.parameters.values(), [0.0, 0.0], "{start}");
+        assert!(report.termination.converged());
+        // The product bends the way only where it is large.
+        if start < 3.0 {
+            assert!(
+                report.iterations.len() <= 3,
+                "{start}: {}",
+                report.iterations.len()
+            );
+        }
+    }
+}
+
+#[test]
+fn bounds_a_rounding_apart_hold_the_parameter() {
+    let narrow = Constraints::new().bound("x0", 1.0, 1.0 + 1e-15);
+    let report = bowl(3.0, -1.0, [1.0, 0.5], narrow);
+    let held = bowl(
+        3.0,
+        -1.0,
+        [1.0, 0.5],
+        Constraints::new().bound("x0", 1.0, 1.0),
+    );
+    assert!(report.termination.converged(), "{}", report.termination);
+    assert!((report.parameters.values()[1] - held.parameters.values()[1]).abs() < 1e-12);
+    assert!((report.active[0].multiplier - held.active[0].multiplier).abs() < 1e-12);
+}
+
+#[test]
+fn constraints_that_meet_at_zero_are_seen_to_be_active() {
+    // Towards the origin from inside: what is left of the steps is rounding, of which the
+    // constraints' own size says nothing there.
+    for i in 0..60 {
+        let turn = 0.1 * f64::from(i);
+        let cone = Constraints::new()
+            .linear(&[("x0", 3.0), ("x1", -1.0)], 0.0, f64::INFINITY)
+            .linear(&[("x0", -1.0), ("x1", 2.0)], 0.0, f64::INFINITY)
+            .linear(&[("x0", 1.0), ("x1", 1.0)], 0.0, f64::INFINITY);
+        let report = bowl(
+            -2.0 - turn,
+            -1.0 - 0.3 * turn,
+            [1.0, 1.1 + 0.01 * turn],
+            cone,
+        );
+        assert!(
+            report.termination.converged(),
+            "{i}: {}",
+            report.termination
+        );
+        assert!(report.parameters.values().iter().all(|x| x.abs() < 1e-14));
+        assert!(report.active.len() >= 2 && report.active.iter().all(|a| a.multiplier >= 0.0));
+    }
+}

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 
 use faer::Mat;
+use serde::{Deserialize, Serialize};
 
 use super::problem::BlockProblem;
 use super::system::BlockSystem;
@@ -16,7 +17,7 @@ use crate::report::Report;
 use crate::scaling::unit_if_zero;
 
 /// The result of [`solve_blocks`].
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BlockReport {
     /// The report, with the shared parameters and their marginal uncertainty (all blocks free);
     /// residuals in the order of the blocks.
@@ -41,7 +42,7 @@ pub fn solve_blocks(
     let free = mask.free_indices();
     let name = |column: usize| match free.get(column) {
         Some(&k) => problem.shared.names()[k].clone(),
-        None => format!("column {} of the blocks", column - free.len()),
+        None => system.name(column),
     };
     let solution = minimise(
         &system,
@@ -58,9 +59,9 @@ pub fn solve_blocks(
         .iter()
         .map(|&k| problem.shared.names()[k].clone())
         .collect();
-    let uncertainty = marginal(&solution.point.at.jacobian, free.len(), names);
+    let (uncertainty, rank) = marginal(&solution.point.at.jacobian, free.len(), names);
     Ok(BlockReport {
-        shared: solution.into_report(parameters, uncertainty, None, options),
+        shared: solution.into_report(parameters, uncertainty, rank, None, options),
         blocks,
     })
 }
@@ -80,7 +81,7 @@ fn check(problem: &BlockProblem<'_>, mask: &Mask, options: &Options) -> Result<(
     }
     let blocks = problem.blocks.len();
     for term in &problem.terms {
-        let last = term.block + usize::from(term.coupled);
+        let last = term.block.saturating_add(usize::from(term.coupled));
         if last >= blocks {
             return Err(Error::UnknownBlock {
                 block: last,
@@ -92,10 +93,10 @@ fn check(problem: &BlockProblem<'_>, mask: &Mask, options: &Options) -> Result<(
 }
 
 /// Uncertainty of the shared parameters with all blocks free, from the triangle that the
-/// elimination leaves.
-fn marginal(jacobian: &Jacobian, shared: usize, names: Vec<String>) -> Uncertainty {
+/// elimination leaves, and the rank of the whole.
+fn marginal(jacobian: &Jacobian, shared: usize, names: Vec<String>) -> (Uncertainty, usize) {
     let Jacobian::Blocks(blocks) = jacobian else {
-        return uncertainty(&Mat::zeros(0, shared), names);
+        return (uncertainty(&Mat::zeros(0, shared), names), 0);
     };
     let scale: Vec<f64> = blocks
         .column_norms()
@@ -109,5 +110,7 @@ fn marginal(jacobian: &Jacobian, shared: usize, names: Vec<String>) -> Uncertain
     let root = Mat::from_fn(triangle.rows().min(shared), shared, |i, k| {
         triangle.column(k)[i] * scale[k]
     });
-    uncertainty(&root, names)
+    let uncertainty = uncertainty(&root, names);
+    let rank = uncertainty.rank + reduced.rank_of_blocks();
+    (uncertainty, rank)
 }

@@ -1,5 +1,7 @@
 //! A few rows that are brought to triangular form, in memory that is used again.
 
+use std::ops::Range;
+
 use crate::linear::triangularise;
 
 /// A matrix, column after column.
@@ -38,25 +40,25 @@ impl Stack {
         &mut self.entries[k * self.rows..(k + 1) * self.rows]
     }
 
-    /// Replaces it by the `R` of its QR, zeros below the diagonal.
-    pub fn triangularise(&mut self) {
-        triangularise(&mut self.entries, self.rows);
+    /// Replaces it by the `R` of its QR in echelon form; `pivots` become the columns in which its
+    /// rows begin. A column of which no more than its floor is left begins none.
+    pub fn triangularise(&mut self, floors: &[f64], pivots: &mut Vec<usize>) {
+        triangularise(&mut self.entries, self.rows, floors, pivots);
     }
 
-    /// Appends its first rows to `out`, row after row; zeros where it has fewer.
+    /// Appends its first rows to `out`, row after row.
     pub fn copy_rows(&self, count: usize, out: &mut Vec<f64>) {
         for i in 0..count {
-            out.extend((0..self.columns).map(|k| self.column(k).get(i).copied().unwrap_or(0.0)));
+            out.extend((0..self.columns).map(|k| self.column(k)[i]));
         }
     }
 
-    /// Copies what a triangle has below and to the right of its first `n` rows and columns.
-    pub fn copy_corner(&self, n: usize, out: &mut Self) {
-        let rows = self.rows.min(self.columns).saturating_sub(n);
-        out.clear(rows, self.columns - n);
-        for k in n..self.columns {
-            out.column_mut(k - n)
-                .copy_from_slice(&self.column(k)[n..n + rows]);
+    /// Copies the given rows of the columns from `first` on.
+    pub fn copy_corner(&self, rows: Range<usize>, first: usize, out: &mut Self) {
+        out.clear(rows.len(), self.columns - first);
+        for k in first..self.columns {
+            out.column_mut(k - first)
+                .copy_from_slice(&self.column(k)[rows.clone()]);
         }
     }
 }

@@ -4,7 +4,8 @@ use super::jacobian::BlockJacobian;
 use super::problem::{BlockProblem, Term};
 use crate::linear::{Jacobian, Linearization};
 use crate::parameters::Mask;
-use crate::system::System;
+use crate::residual::of_shape;
+use crate::system::{System, culprit};
 use crate::vector::half_square;
 
 /// Shared parameters under a mask, then all blocks.
@@ -42,6 +43,15 @@ impl<'a> BlockSystem<'a> {
             .collect()
     }
 
+    /// The name of a column that belongs to a block.
+    pub fn name(&self, column: usize) -> String {
+        let block = self.offsets.partition_point(|&first| first <= column) - 1;
+        format!(
+            "parameter {} of block {block}",
+            column - self.offsets[block]
+        )
+    }
+
     /// All shared parameters and every block at `z`.
     pub fn split(&self, z: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
         let blocks = self
@@ -68,6 +78,12 @@ impl<'a> BlockSystem<'a> {
         let mut x = shared.to_vec();
         x.extend_from_slice(&z[self.offsets[term.block]..self.offsets[last]]);
         x
+    }
+
+    /// The free ones among the parameters of a term.
+    fn free_of(&self, x: &[f64]) -> Vec<usize> {
+        let own = self.problem.shared.len()..x.len();
+        self.free.iter().copied().chain(own).collect()
     }
 
     fn terms(&self) -> impl Iterator<Item = &Term<'a>> {
@@ -97,6 +113,7 @@ impl System for BlockSystem<'_> {
             free.truncate(self.free.len());
             free.extend(shared.len()..x.len());
             let matrix = term.problem.linearize(&x, &free, &mut own_residuals);
+            let matrix = of_shape(matrix, own_residuals.len(), free.len());
             jacobian.push(term.block, term.coupled, matrix.as_ref());
             residuals.extend_from_slice(&own_residuals);
         }
@@ -106,6 +123,25 @@ impl System for BlockSystem<'_> {
             cost,
             jacobian: Jacobian::Blocks(jacobian),
         }
+    }
+
+    fn culprit(&self, z: &[f64], row: usize) -> Option<usize> {
+        let shared = self.shared(self.problem.shared.values().to_vec(), z);
+        let (mut first, mut residuals) = (0, Vec::new());
+        for term in self.terms() {
+            let x = self.own(term, &shared, z);
+            term.problem.values(&x, &mut residuals);
+            if row < first + residuals.len() {
+                let free = self.free_of(&x);
+                let own = culprit(term.problem.as_ref(), &x, &free, row - first)?;
+                return Some(match own.checked_sub(self.free.len()) {
+                    Some(place) => self.offsets[term.block] + place,
+                    None => own,
+                });
+            }
+            first += residuals.len();
+        }
+        None
     }
 
     fn second_derivative(&self, z: &[f64], v: &[f64]) -> Option<Vec<f64>> {

@@ -39,7 +39,7 @@ impl Constrained {
         for _ in 0..REPAIRS {
             let face = Face::new(&self.polytope, active.clone(), local.scale);
             let step = self.along(local, &face, lambda)?;
-            match self.polytope.violated(&add(&local.point.z, 1.0, &step.p)) {
+            match self.polytope.violated(&local.point.z, &step.p) {
                 None => return Some(step),
                 Some(more) if active.contains(&more) => return None,
                 Some(more) => active.push(more),
@@ -85,6 +85,6 @@ impl Constrained {
     }
 
     fn stays_inside(&self, local: &Local<'_>, p: &[f64]) -> bool {
-        self.polytope.contains(&add(&local.point.z, 1.0, p))
+        self.polytope.violated(&local.point.z, p).is_none()
     }
 }

@@ -4,6 +4,7 @@ use faer::{Mat, MatRef};
 
 use super::{Active, Polytope, Side};
 use crate::linear::{Factor, QrFactor, multiply};
+use crate::point::Point;
 use crate::vector::{dot, norm};
 
 /// Diagonal of a pivoted `R` (of unit rows) below which constraints count as dependent.
@@ -54,11 +55,14 @@ impl Face {
         }
     }
 
-    /// The face at `z` that a minimum of the linearised cost would stay on: the constraints that
-    /// `z` touches, without those that the gradient pulls away from.
-    pub fn at(polytope: &Polytope, z: &[f64], gradient: &[f64], scale: &[f64]) -> Self {
-        let mut face = Self::new(polytope, polytope.touching(z), scale);
-        while let Some(j) = face.wrong_sign(gradient) {
+    /// The face at a point that a minimum of the linearised cost would stay on: the constraints that
+    /// it touches, without those that the gradient pulls away from.
+    pub fn at(polytope: &Polytope, point: &Point, scale: &[f64]) -> Self {
+        let gradient = point.gradient();
+        // No step that lowers the cost is longer than a few residuals.
+        let length = norm(&point.at.residuals);
+        let mut face = Self::new(polytope, polytope.touching(&point.z, scale, length), scale);
+        while let Some(j) = face.wrong_sign(&gradient) {
             let mut fewer = face.active.clone();
             fewer.remove(j);
             face = Self::new(polytope, fewer, scale);

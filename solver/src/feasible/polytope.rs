@@ -3,10 +3,13 @@
 use crate::constraints::{Constraint, Constraints};
 use crate::error::Error;
 use crate::parameters::{Mask, Parameters};
-use crate::vector::dot;
+use crate::vector::{add, dot, norm};
 
 /// Relative rounding of `a · z` within which a constraint counts as met or as active.
 const ROUNDING: f64 = 1e-12;
+
+/// Relative rounding of a step onto a limit, which is all that is left of it at a limit of zero.
+const STEP_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// `lower ≤ A z ≤ upper` over the free parameters, the fixed ones moved to the limits.
 #[derive(Clone, Debug)]
@@ -53,7 +56,9 @@ pub(crate) struct Active {
 
 impl Row {
     fn new(source: &Constraint, start: &Parameters, mask: &Mask) -> Result<Self, Error> {
-        let ordered = source.lower <= source.upper;
+        let ordered = source.lower <= source.upper
+            && source.lower < f64::INFINITY
+            && source.upper > f64::NEG_INFINITY;
         if !ordered || source.terms.iter().any(|(_, c)| !c.is_finite()) {
             return Err(source.empty());
         }
@@ -98,14 +103,28 @@ impl Row {
     }
 
     fn is_met(&self, z: &[f64]) -> bool {
-        let (value, tolerance) = (dot(&self.a, z), ROUNDING * self.size(z));
+        self.is_met_within(z, ROUNDING * self.size(z))
+    }
+
+    /// Whether the end `z` of a step `p` meets it; near a limit of zero the rounding is that of
+    /// where the step came from.
+    fn is_met_after(&self, z: &[f64], p: &[f64]) -> bool {
+        let rounding = STEP_ROUNDING * self.size(p);
+        self.is_met_within(z, ROUNDING * self.size(z) + rounding)
+    }
+
+    fn is_met_within(&self, z: &[f64], tolerance: f64) -> bool {
+        let value = dot(&self.a, z);
         value >= self.lower - tolerance && value <= self.upper + tolerance
     }
 
-    /// The limit that `z` touches.
-    fn touched(&self, z: &[f64]) -> Option<Side> {
-        let (value, tolerance) = (dot(&self.a, z), ROUNDING * self.size(z));
-        if self.lower == self.upper {
+    /// The limit that `z` touches, to rounding of `z` and of steps `‖D p‖ ≤ length`.
+    fn touched(&self, z: &[f64], scale: &[f64], length: f64) -> Option<Side> {
+        let scaled: Vec<f64> = self.a.iter().zip(scale).map(|(a, s)| a / s).collect();
+        let reach = norm(&scaled) * length;
+        let value = dot(&self.a, z);
+        let tolerance = ROUNDING * self.size(z) + STEP_ROUNDING * reach;
+        if self.upper - self.lower <= tolerance {
             Some(Side::Both)
         } else if value - self.lower <= tolerance {
             Some(Side::Lower)
@@ -155,21 +174,27 @@ impl Polytope {
         self.rows.iter().all(|row| row.is_met(z))
     }
 
-    /// The first constraint that `z` does not meet, and the limit it passes.
-    pub fn violated(&self, z: &[f64]) -> Option<Active> {
-        let row = self.rows.iter().position(|row| !row.is_met(z))?;
-        let below = dot(&self.rows[row].a, z) < self.rows[row].lower;
+    /// The first constraint that the end of a step `p` from `z` does not meet, and the limit it
+    /// passes.
+    pub fn violated(&self, z: &[f64], p: &[f64]) -> Option<Active> {
+        let z = add(z, 1.0, p);
+        let row = self.rows.iter().position(|row| !row.is_met_after(&z, p))?;
+        let below = dot(&self.rows[row].a, &z) < self.rows[row].lower;
         Some(Active {
             row,
             side: if below { Side::Lower } else { Side::Upper },
         })
     }
 
-    /// The constraints that `z` touches.
-    pub fn touching(&self, z: &[f64]) -> Vec<Active> {
+    /// The constraints that `z` touches, to rounding of `z` and of steps `‖D p‖ ≤ length`: of `z`
+    /// alone nothing is left next to a limit of zero.
+    pub fn touching(&self, z: &[f64], scale: &[f64], length: f64) -> Vec<Active> {
         let rows = self.rows.iter().enumerate();
-        rows.filter_map(|(row, r)| r.touched(z).map(|side| Active { row, side }))
-            .collect()
+        rows.filter_map(|(row, r)| {
+            let side = r.touched(z, scale, length)?;
+            Some(Active { row, side })
+        })
+        .collect()
     }
 
     /// Largest amount by which a constraint is not met.
@@ -181,13 +206,16 @@ impl Polytope {
         each.fold(0.0, f64::max)
     }
 
-    /// Puts parameters that are within rounding of a bound of their own exactly on it.
-    pub fn settle(&self, z: &mut [f64]) {
+    /// Puts parameters within rounding of a bound of their own exactly on it: the rounding of the
+    /// bound, of the step `p` that led here and of steps `‖D p‖ ≤ length`.
+    pub fn settle(&self, z: &mut [f64], p: &[f64], scale: &[f64], length: f64) {
         for row in &self.rows {
             let Some(k) = row.single else { continue };
             let (lower, upper) = row.interval(k);
-            let near =
-                |bound: f64| bound.is_finite() && (z[k] - bound).abs() <= ROUNDING * bound.abs();
+            let rounding = STEP_ROUNDING * (p[k].abs() + length / scale[k]);
+            let near = |bound: f64| {
+                bound.is_finite() && (z[k] - bound).abs() <= ROUNDING * bound.abs() + rounding
+            };
             let value = if near(lower) {
                 lower
             } else if near(upper) {

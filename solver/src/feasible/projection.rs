@@ -24,10 +24,13 @@ pub(crate) fn nearest(polytope: &Polytope, z: &[f64]) -> Result<Vec<f64>, Error>
     let mut active = program.unwrap_or_default();
     for _ in 0..REPAIRS {
         let face = Face::new(polytope, active.clone(), &scale);
-        let mut moved = add(z, 1.0, &face.onto(polytope, z));
-        polytope.settle(&mut moved);
-        match polytope.violated(&moved) {
-            None => return Ok(moved),
+        let step = face.onto(polytope, z);
+        match polytope.violated(z, &step) {
+            None => {
+                let mut moved = add(z, 1.0, &step);
+                polytope.settle(&mut moved, &step, &scale, 0.0);
+                return Ok(moved);
+            }
             Some(more) if active.contains(&more) => break,
             Some(more) => active.push(more),
         }
