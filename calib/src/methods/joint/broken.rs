@@ -14,6 +14,9 @@ const WINDOW: f64 = 0.2;
 /// A window with more than this many times the usual variance is not quiet.
 const QUIET: f64 = 2.5;
 
+/// Standard deviations of a window's variance, as a cube root, that few samples may be off by chance.
+const CHANCE: f64 = 3.29;
+
 /// Standard deviations that a window's mean rate may be off.
 const OFF: f64 = 5.0;
 
@@ -77,19 +80,28 @@ fn state(pair: &Pair<'_>, window: Span, bias: &Vector3<f64>) -> State {
     let noise = pair.rate.1.white;
     let limit = OFF / count.sqrt();
     let turns = (0..3).any(|i| {
-        (rate[i] - bias[i]).abs() > limit * noise[i] || rate_square[i] > QUIET * noise[i].powi(2)
+        (rate[i] - bias[i]).abs() > limit * noise[i]
+            || rate_square[i] > most(count) * noise[i].powi(2)
     });
     if turns {
         return State::Turns;
     }
     match moments(pair.force.0, window) {
-        Some((_, square, _))
-            if (0..3).all(|i| square[i] <= QUIET * pair.force.1.white[i].powi(2)) =>
+        Some((_, square, count))
+            if (0..3).all(|i| square[i] <= most(count) * pair.force.1.white[i].powi(2)) =>
         {
             State::Quiet
         }
         _ => State::Shakes,
     }
+}
+
+/// The variance, over the usual, of a quiet window of `count` samples: [`QUIET`], or what one in two
+/// thousand windows has by chance where they hold few samples (Wilson and Hilferty 1931).
+fn most(count: f64) -> f64 {
+    let spread = 2.0 / (9.0 * (count - 1.0));
+    let by_chance = (1.0 - spread + CHANCE * spread.sqrt()).powi(3);
+    by_chance.max(QUIET)
 }
 
 /// Mean, variance and number of the samples in a window.
@@ -144,6 +156,17 @@ fn longest(states: &[State], passes: impl Fn(State) -> bool) -> Range<usize> {
 mod tests {
     use super::*;
     use State::{Quiet, Shakes, Turns};
+
+    #[test]
+    fn the_limit_of_few_samples_is_what_one_window_in_two_thousand_has() {
+        use statrs::distribution::{ChiSquared, ContinuousCDF};
+        for count in [4.0, 6.0, 12.0] {
+            let law = ChiSquared::new(count - 1.0).unwrap();
+            let exact = law.inverse_cdf(1.0 - 5e-4) / (count - 1.0);
+            assert!((most(count) / exact - 1.0).abs() < 0.02, "{count}");
+        }
+        assert_eq!(most(50.0), QUIET);
+    }
 
     #[test]
     fn what_shakes_beside_a_turn_is_a_hand_and_what_shakes_apart_from_it_is_not() {
