@@ -163,7 +163,8 @@ mod tests {
         for count in [4.0, 6.0, 12.0] {
             let law = ChiSquared::new(count - 1.0).unwrap();
             let exact = law.inverse_cdf(1.0 - 5e-4) / (count - 1.0);
-            assert!((most(count) / exact - 1.0).abs() < 0.02, "{count}");
+            // The cube root of three squares is not quite normal so far out.
+            assert!((most(count) / exact - 1.0).abs() < 0.03, "{count}");
         }
         assert_eq!(most(50.0), QUIET);
     }
