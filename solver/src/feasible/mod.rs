@@ -1,6 +1,7 @@
 //! The set `{z : lower ≤ A z ≤ upper}` and steps within it.
 
 mod face;
+mod multipliers;
 mod polytope;
 mod projection;
 mod quadratic_program;

@@ -54,6 +54,13 @@ pub(crate) struct Active {
     pub side: Side,
 }
 
+impl Side {
+    /// `−1` where the set lies against the constraint's normal, 1 elsewhere.
+    pub fn sign(self) -> f64 {
+        if self == Self::Upper { -1.0 } else { 1.0 }
+    }
+}
+
 impl Row {
     fn new(source: &Constraint, start: &Parameters, mask: &Mask) -> Result<Self, Error> {
         let ordered = source.lower <= source.upper
