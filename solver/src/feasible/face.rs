@@ -6,7 +6,7 @@ use super::multipliers::nonnegative;
 use super::{Active, Polytope, Side};
 use crate::linear::{Factor, QrFactor, multiply};
 use crate::point::Point;
-use crate::vector::{dot, norm};
+use crate::vector::{add, dot, norm};
 
 /// Diagonal of a pivoted `R` (of unit rows) below which constraints count as dependent.
 const DEPENDENT: f64 = 1e-12;
@@ -87,24 +87,45 @@ impl Face {
     /// lower limits and `μ ≤ 0` at upper ones; what is left is the steepest scaled descent, reversed,
     /// that no held constraint forbids.
     pub fn multipliers(&self, gradient: &[f64]) -> Vec<f64> {
-        let scaled: Vec<f64> = gradient
+        self.unit_multipliers(&self.scaled(gradient))
+            .iter()
+            .zip(self.active.iter().zip(&self.norms))
+            .map(|(m, (active, norm))| {
+                if *norm > 0.0 {
+                    active.side.sign() * m / norm
+                } else {
+                    0.0
+                }
+            })
+            .collect()
+    }
+
+    /// `‖D⁻¹ (gradient − Aᵀ μ)‖` with these multipliers: zero at a minimum.
+    pub fn unbalanced(&self, gradient: &[f64]) -> f64 {
+        let scaled = self.scaled(gradient);
+        let balance = multiply(self.inward().as_ref(), &self.unit_multipliers(&scaled));
+        norm(&add(&scaled, -1.0, &balance))
+    }
+
+    /// Multipliers of the inward unit normals.
+    fn unit_multipliers(&self, scaled: &[f64]) -> Vec<f64> {
+        let free: Vec<bool> = self.active.iter().map(|a| a.side == Side::Both).collect();
+        nonnegative(self.inward().as_ref(), scaled, &free)
+    }
+
+    /// The normals, turned to where the set is.
+    fn inward(&self) -> Mat<f64> {
+        Mat::from_fn(self.normals.nrows(), self.normals.ncols(), |i, j| {
+            self.active[j].side.sign() * self.normals[(i, j)]
+        })
+    }
+
+    /// `D⁻¹ g`.
+    fn scaled(&self, gradient: &[f64]) -> Vec<f64> {
+        gradient
             .iter()
             .zip(&self.scale)
             .map(|(g, s)| g / s)
-            .collect();
-        let sign: Vec<f64> = self
-            .active
-            .iter()
-            .map(|active| active.side.sign())
-            .collect();
-        let inward = Mat::from_fn(self.normals.nrows(), sign.len(), |i, j| {
-            sign[j] * self.normals[(i, j)]
-        });
-        let free: Vec<bool> = self.active.iter().map(|a| a.side == Side::Both).collect();
-        nonnegative(inward.as_ref(), &scaled, &free)
-            .iter()
-            .zip(sign.iter().zip(&self.norms))
-            .map(|(m, (sign, norm))| if *norm > 0.0 { sign * m / norm } else { 0.0 })
             .collect()
     }
 
