@@ -270,6 +270,33 @@ fn complaints(seeds: u64) -> Vec<String> {
 
 #[test]
 fn the_minimum_is_found_where_more_constraints_meet_than_there_are_dimensions() {
-    let complaints = complaints(300);
+    let complaints = complaints(
+        std::env::var("SEEDS")
+            .ok()
+            .and_then(|s| s.parse().ok())
+            .unwrap_or(300),
+    );
     assert!(complaints.is_empty(), "{complaints:#?}");
+}
+
+#[test]
+fn the_nearest_point_is_found_where_more_constraints_meet_than_there_are_dimensions() {
+    for seed in 0..600 {
+        let mut cone = Cone::new(seed);
+        let away: [f64; N] = vector(&mut ChaCha8Rng::seed_from_u64(10_000 + seed));
+        let mut z: [f64; N] = cone.vertex;
+        let objective = &mut cone.objective;
+        (objective.jacobian, objective.y) = ([[0.0; N]; M], [0.0; M]);
+        for k in 0..N {
+            z[k] += 3.0 * away[k];
+            let weight = 1.0 / z[k].abs().max(1.0);
+            (objective.jacobian[k][k], objective.y[k]) = (weight, weight * z[k]);
+        }
+        let mut moved = Parameters::unnamed(&z);
+        let projected = cone.constraints().project(&mut moved, &Mask::all(N));
+        projected.unwrap();
+        let (cost, least) = (cone.objective.cost(moved.values()), cone.least());
+        assert!((cost - least).abs() < 1e-10, "{seed}: {cost} {least}");
+        assert!(cone.contains(moved.values()), "{seed}");
+    }
 }

@@ -12,4 +12,3 @@ pub(crate) use face::Face;
 pub(crate) use model::Model;
 pub(crate) use polytope::{Active, Polytope, Side};
 pub(crate) use projection::nearest;
-pub(crate) use quadratic_program::active_at_minimum;

@@ -3,7 +3,8 @@
 use faer::MatRef;
 
 use super::least_distance::least_distance;
-use super::{Active, Face, Polytope, active_at_minimum};
+use super::quadratic_program::active_at_minimum;
+use super::{Active, Face, Polytope};
 use crate::linear::{Factor, multiply, transpose_multiply};
 use crate::vector::{add, norm};
 
