@@ -5,8 +5,9 @@ use faer::{Mat, MatRef};
 use crate::linear::{Factor, QrFactor, multiply, transpose_multiply};
 use crate::vector::{add, norm};
 
-/// Pull of a column on what is left of the target, relative to the target, that is rounding.
-const PULL: f64 = 1e-13;
+/// Pull of a column on what is left of the target that is rounding, relative to the terms of which
+/// it is left. More would leave out columns next to others, whose pull is short of their use.
+const PULL: f64 = 8.0 * f64::EPSILON;
 
 /// `argmin ‖b − A x‖` with `xⱼ ≥ 0`, except where `free[j]`.
 ///
@@ -58,7 +59,8 @@ impl<'a> Passive<'a> {
     fn most_pulling(&self) -> Option<usize> {
         let left = add(self.b, -1.0, &multiply(self.a, &self.x));
         let pull = transpose_multiply(self.a, &left);
-        let floor = PULL * norm(self.b);
+        let terms = norm(self.b) + self.x.iter().map(|x| x.abs()).sum::<f64>();
+        let floor = PULL * terms;
         (0..pull.len())
             .filter(|j| !self.columns.contains(j) && !self.refused.contains(j) && pull[*j] > floor)
             .max_by(|&i, &j| pull[i].total_cmp(&pull[j]))
