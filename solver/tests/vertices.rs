@@ -69,9 +69,9 @@ fn vector<const K: usize>(random: &mut ChaCha8Rng) -> [f64; K] {
     std::array::from_fn(|_| random.random_range(-1.0..1.0))
 }
 
-/// A normal of its own, or one that depends on those before.
+/// A normal of its own, or one that depends, exactly or nearly, on those before.
 fn normal(random: &mut ChaCha8Rng, before: &[[f64; N]]) -> [f64; N] {
-    let (kind, count) = (random.random_range(0..4), before.len());
+    let (kind, count) = (random.random_range(0..5), before.len());
     if count < 2 || kind < 2 {
         return vector(random);
     }
@@ -81,6 +81,7 @@ fn normal(random: &mut ChaCha8Rng, before: &[[f64; N]]) -> [f64; N] {
     );
     match kind {
         2 => a.map(|a| 3.0 * a),
+        3 => a.map(|a| 3.0 * a + 1e-7 * random.random_range(-1.0..1.0)),
         _ => std::array::from_fn(|k| a[k] + 0.5 * b[k]),
     }
 }
@@ -183,7 +184,7 @@ impl Cone {
     fn contains(&self, x: &[f64]) -> bool {
         self.normals.iter().all(|a| {
             let size = dot(&a.map(f64::abs), &self.vertex.map(|v| 1.0 + v.abs()));
-            dot(a, x) >= dot(a, &self.vertex) - 1e-10 * size
+            dot(a, x) >= dot(a, &self.vertex) - 1e-12 * size
         })
     }
 
@@ -270,12 +271,7 @@ fn complaints(seeds: u64) -> Vec<String> {
 
 #[test]
 fn the_minimum_is_found_where_more_constraints_meet_than_there_are_dimensions() {
-    let complaints = complaints(
-        std::env::var("SEEDS")
-            .ok()
-            .and_then(|s| s.parse().ok())
-            .unwrap_or(300),
-    );
+    let complaints = complaints(300);
     assert!(complaints.is_empty(), "{complaints:#?}");
 }
 

@@ -2,12 +2,15 @@
 
 use faer::{Mat, MatRef};
 
-use crate::linear::{Factor, QrFactor, multiply, transpose_multiply};
-use crate::vector::{add, norm};
+use crate::linear::{Factor, QrFactor, multiply};
+use crate::vector::{add, dot, norm};
 
 /// Pull of a column on what is left of the target that is rounding, relative to the terms of which
-/// it is left. More would leave out columns next to others, whose pull is short of their use.
+/// it is left.
 const PULL: f64 = 8.0 * f64::EPSILON;
+
+/// Length of a unit column off the span of those in use below which it depends on them.
+const DEPENDENT: f64 = 1e-12;
 
 /// `argmin ‖b − A x‖` with `xⱼ ≥ 0`, except where `free[j]`.
 ///
@@ -55,15 +58,31 @@ impl<'a> Passive<'a> {
         state
     }
 
-    /// The unused column along which the residual falls fastest.
+    /// The unused column whose part off the span of those in use points most along the residual.
+    ///
+    /// The whole column's pull is lost in rounding where it lies close to the span.
     fn most_pulling(&self) -> Option<usize> {
         let left = add(self.b, -1.0, &multiply(self.a, &self.x));
-        let pull = transpose_multiply(self.a, &left);
         let terms = norm(self.b) + self.x.iter().map(|x| x.abs()).sum::<f64>();
-        let floor = PULL * terms;
-        (0..pull.len())
-            .filter(|j| !self.columns.contains(j) && !self.refused.contains(j) && pull[*j] > floor)
-            .max_by(|&i, &j| pull[i].total_cmp(&pull[j]))
+        let pull = |j: usize| {
+            let part = self.off_span(j)?;
+            let size = norm(&part);
+            let pull = dot(&part, &left) / size;
+            let floor = PULL * (terms + norm(&left) / size);
+            (size > DEPENDENT && pull > floor).then_some((j, pull))
+        };
+        (0..self.x.len())
+            .filter(|j| !self.columns.contains(j) && !self.refused.contains(j))
+            .filter_map(pull)
+            .max_by(|a, b| a.1.total_cmp(&b.1))
+            .map(|(j, _)| j)
+    }
+
+    /// The part of a column off the span of those in use.
+    fn off_span(&self, j: usize) -> Option<Vec<f64>> {
+        let column: Vec<f64> = self.a.col(j).iter().copied().collect();
+        let within = multiply(self.a, &self.least_squares(&column)?);
+        Some(add(&column, -1.0, &within))
     }
 
     /// Takes a column in, and out what it makes negative.
@@ -111,8 +130,13 @@ impl<'a> Passive<'a> {
         self.columns.retain(|&j| free[j] || x[j] > 0.0);
     }
 
-    /// Least squares on the columns in use.
+    /// The target's best coefficients on the columns in use.
     fn unrestricted(&self) -> Option<Vec<f64>> {
+        self.least_squares(self.b)
+    }
+
+    /// `argmin ‖b − A x‖` on the columns in use.
+    fn least_squares(&self, b: &[f64]) -> Option<Vec<f64>> {
         let mut x = vec![0.0; self.a.ncols()];
         if self.columns.is_empty() {
             return Some(x);
@@ -120,7 +144,7 @@ impl<'a> Passive<'a> {
         let used = Mat::from_fn(self.a.nrows(), self.columns.len(), |i, k| {
             self.a[(i, self.columns[k])]
         });
-        let opposite: Vec<f64> = self.b.iter().map(|b| -b).collect();
+        let opposite: Vec<f64> = b.iter().map(|b| -b).collect();
         let factor = QrFactor::new(used.as_ref(), &vec![1.0; self.columns.len()]);
         for (&j, value) in self.columns.iter().zip(factor.undamped(&opposite)?) {
             x[j] = value;
