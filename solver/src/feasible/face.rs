@@ -66,7 +66,7 @@ impl Face {
     }
 
     /// The face without the constraints that a gradient does not press on.
-    pub fn holding(self, polytope: &Polytope, gradient: &[f64]) -> Self {
+    fn holding(self, polytope: &Polytope, gradient: &[f64]) -> Self {
         let pressed = self.multipliers(gradient);
         let held = |(active, m): (&Active, &f64)| {
             (active.side == Side::Both || *m != 0.0).then_some(*active)

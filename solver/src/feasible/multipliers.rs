@@ -64,8 +64,9 @@ impl<'a> Passive<'a> {
     fn most_pulling(&self) -> Option<usize> {
         let left = add(self.b, -1.0, &multiply(self.a, &self.x));
         let terms = norm(self.b) + self.x.iter().map(|x| x.abs()).sum::<f64>();
+        let factor = self.factor();
         let pull = |j: usize| {
-            let part = self.off_span(j)?;
+            let part = self.off_span(j, factor.as_ref())?;
             let size = norm(&part);
             let pull = dot(&part, &left) / size;
             let floor = PULL * (terms + norm(&left) / size);
@@ -79,9 +80,9 @@ impl<'a> Passive<'a> {
     }
 
     /// The part of a column off the span of those in use.
-    fn off_span(&self, j: usize) -> Option<Vec<f64>> {
+    fn off_span(&self, j: usize, factor: Option<&QrFactor>) -> Option<Vec<f64>> {
         let column: Vec<f64> = self.a.col(j).iter().copied().collect();
-        let within = multiply(self.a, &self.least_squares(&column)?);
+        let within = multiply(self.a, &self.least_squares(factor, &column)?);
         Some(add(&column, -1.0, &within))
     }
 
@@ -132,20 +133,23 @@ impl<'a> Passive<'a> {
 
     /// The target's best coefficients on the columns in use.
     fn unrestricted(&self) -> Option<Vec<f64>> {
-        self.least_squares(self.b)
+        self.least_squares(self.factor().as_ref(), self.b)
     }
 
-    /// `argmin ‖b − A x‖` on the columns in use.
-    fn least_squares(&self, b: &[f64]) -> Option<Vec<f64>> {
-        let mut x = vec![0.0; self.a.ncols()];
-        if self.columns.is_empty() {
-            return Some(x);
-        }
+    /// The columns in use factored, if there are any.
+    fn factor(&self) -> Option<QrFactor> {
         let used = Mat::from_fn(self.a.nrows(), self.columns.len(), |i, k| {
             self.a[(i, self.columns[k])]
         });
+        let factored = || QrFactor::new(used.as_ref(), &vec![1.0; self.columns.len()]);
+        (!self.columns.is_empty()).then(factored)
+    }
+
+    /// `argmin ‖b − A x‖` on the columns in use.
+    fn least_squares(&self, factor: Option<&QrFactor>, b: &[f64]) -> Option<Vec<f64>> {
+        let mut x = vec![0.0; self.a.ncols()];
+        let Some(factor) = factor else { return Some(x) };
         let opposite: Vec<f64> = b.iter().map(|b| -b).collect();
-        let factor = QrFactor::new(used.as_ref(), &vec![1.0; self.columns.len()]);
         for (&j, value) in self.columns.iter().zip(factor.undamped(&opposite)?) {
             x[j] = value;
         }
