@@ -100,7 +100,7 @@ fn inside(point: &Point, polytope: Option<&Polytope>, scale: &[f64], step: Vec<f
     let (Some(polytope), Jacobian::Dense(jacobian)) = (polytope, &point.at.jacobian) else {
         return step;
     };
-    if polytope.violated(&point.z, &step).is_none() {
+    if polytope.violated(&point.z, &step, scale).is_none() {
         return step;
     }
     let model = Model {
@@ -183,7 +183,7 @@ fn improved(
 ) -> Option<(Point, Verdict)> {
     let mut z = add(&point.z, 1.0, step);
     if let Some(polytope) = polytope {
-        if polytope.violated(&point.z, step).is_some() {
+        if polytope.violated(&point.z, step, &before.scale).is_some() {
             return None;
         }
         let length = norm(&point.at.residuals);

@@ -54,6 +54,8 @@ impl Constrained {
     }
 
     fn stays_inside(&self, local: &Local<'_>, p: &[f64]) -> bool {
-        self.polytope.violated(&local.point.z, p).is_none()
+        self.polytope
+            .violated(&local.point.z, p, local.scale)
+            .is_none()
     }
 }

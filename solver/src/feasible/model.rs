@@ -67,7 +67,7 @@ impl Model<'_> {
         for _ in 0..REPAIRS {
             let face = Face::new(self.polytope, active.clone(), self.scale);
             let p = self.along(&face)?;
-            match self.polytope.violated(self.z, &p) {
+            match self.polytope.violated(self.z, &p, self.scale) {
                 None => return Some((face, p)),
                 Some(more) if active.contains(&more) => return None,
                 Some(more) => active.push(more),
@@ -112,5 +112,62 @@ impl Model<'_> {
     fn scaled_length(&self, gradient: &[f64]) -> f64 {
         let scaled = gradient.iter().zip(self.scale).map(|(g, s)| g / s);
         norm(&scaled.collect::<Vec<_>>())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::constraints::Constraints;
+    use crate::parameters::{Mask, Parameters};
+    use faer::Mat;
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
+    /// An equality, two-sided constraints and dependent ones, all of which meet at the origin.
+    fn meeting() -> Constraints {
+        let all = f64::INFINITY;
+        Constraints::new()
+            .tie("x0", "x3")
+            .linear(&[("x0", 2.0), ("x3", -2.0)], 0.0, 0.0)
+            .bound("x0", 0.0, 1.0)
+            .bound("x1", -0.5, 0.0)
+            .order("x1", "x2")
+            .linear(&[("x0", 1.0), ("x2", 3.0)], 0.0, all)
+            .linear(&[("x1", 1.0), ("x2", -1.0)], -all, 0.0)
+            .linear(&[("x0", 1.0), ("x1", -1.0), ("x2", 1.0)], 0.0, 2.0)
+    }
+
+    #[test]
+    fn least_distance_alone_finds_the_minimum_among_dependent_constraints() {
+        let start = Parameters::unnamed(&[0.0; 4]);
+        let polytope = Polytope::new(&meeting(), &start, &Mask::all(4));
+        let polytope = polytope.unwrap().unwrap();
+        let mut held = [0; 6];
+        for seed in 0..500 {
+            let random = &mut ChaCha8Rng::seed_from_u64(seed);
+            let jacobian = Mat::from_fn(6, 4, |_, _| random.random_range(-1.0..1.0));
+            let residuals: Vec<f64> = (0..6).map(|_| random.random_range(-1.0..1.0)).collect();
+            let scale: Vec<f64> = (0..4).map(|_| random.random_range(0.1..10.0)).collect();
+            let model = Model {
+                polytope: &polytope,
+                z: start.values(),
+                jacobian: jacobian.as_ref(),
+                residuals: &residuals,
+                scale: &scale,
+                lambda: [0.0, 1e-6, 1.0][seed as usize % 3],
+            };
+            let active = least_distance(&model).unwrap();
+            let face = Face::new(&polytope, active.clone(), &scale);
+            let p = model.along(&face).unwrap();
+            assert!(
+                polytope.violated(start.values(), &p, &scale).is_none(),
+                "{seed}"
+            );
+            assert!(model.is_minimum(&p), "{seed}");
+            held[active.len()] += 1;
+        }
+        // From the equalities alone to a vertex.
+        assert!(held[2..].iter().all(|count| *count > 10), "{held:?}");
     }
 }
