@@ -2,7 +2,7 @@
 
 use faer::Mat;
 
-use crate::feasible::{Face, Polytope};
+use crate::feasible::{Face, Model, Polytope};
 use crate::linear::{Factor, Jacobian, QrFactor};
 use crate::newton;
 use crate::point::Point;
@@ -43,7 +43,7 @@ pub(crate) struct Verdict {
 
 impl Verdict {
     /// Solves for the undamped step by pivoted QR of the Jacobian with unit columns, along the
-    /// active constraints.
+    /// active constraints and no farther than the others.
     pub fn of(point: &Point, polytope: Option<&Polytope>) -> Self {
         let scale: Vec<f64> = point
             .at
@@ -64,6 +64,7 @@ impl Verdict {
             }
             (_, Jacobian::Blocks(j)) => solved(&j.eliminate(&scale), residuals),
         };
+        let step = step.map(|p| inside(point, polytope, &scale, p));
         let length = step
             .as_ref()
             .map_or(f64::INFINITY, |p| scaled_norm(p, &scale));
@@ -92,6 +93,25 @@ impl Verdict {
             }),
         }
     }
+}
+
+/// A step that would leave the feasible set, replaced by the minimum of the model within it.
+fn inside(point: &Point, polytope: Option<&Polytope>, scale: &[f64], step: Vec<f64>) -> Vec<f64> {
+    let (Some(polytope), Jacobian::Dense(jacobian)) = (polytope, &point.at.jacobian) else {
+        return step;
+    };
+    if polytope.violated(&point.z, &step, scale).is_none() {
+        return step;
+    }
+    let model = Model {
+        polytope,
+        z: &point.z,
+        jacobian: jacobian.as_ref(),
+        residuals: &point.at.residuals,
+        scale,
+        lambda: 0.0,
+    };
+    model.minimum().map_or(step, |(_, p)| p)
 }
 
 fn solved(factor: &dyn Factor, residuals: &[f64]) -> (f64, Option<Vec<f64>>) {
@@ -163,11 +183,11 @@ fn improved(
 ) -> Option<(Point, Verdict)> {
     let mut z = add(&point.z, 1.0, step);
     if let Some(polytope) = polytope {
-        let length = norm(&point.at.residuals);
-        polytope.settle(&mut z, step, &before.scale, length);
-        if !polytope.contains(&z) {
+        if polytope.violated(&point.z, step, &before.scale).is_some() {
             return None;
         }
+        let length = norm(&point.at.residuals);
+        polytope.settle(&mut z, step, &before.scale, length);
     }
     let next = Point::new(system, z).ok()?;
     let after = Verdict::of(&next, polytope);

@@ -2,10 +2,11 @@
 
 use faer::{Mat, MatRef};
 
+use super::multipliers::nonnegative;
 use super::{Active, Polytope, Side};
 use crate::linear::{Factor, QrFactor, multiply};
 use crate::point::Point;
-use crate::vector::{dot, norm};
+use crate::vector::{add, dot, norm};
 
 /// Diagonal of a pivoted `R` (of unit rows) below which constraints count as dependent.
 const DEPENDENT: f64 = 1e-12;
@@ -55,19 +56,26 @@ impl Face {
         }
     }
 
-    /// The face at a point that a minimum of the linearised cost would stay on: the constraints that
-    /// it touches, without those that the gradient pulls away from.
+    /// The face at a point that the cost falls along, or rests on: of the constraints that it touches
+    /// those that hold back the steepest scaled descent, and all equalities.
     pub fn at(polytope: &Polytope, point: &Point, scale: &[f64]) -> Self {
-        let gradient = point.gradient();
         // No step that lowers the cost is longer than a few residuals.
         let length = norm(&point.at.residuals);
-        let mut face = Self::new(polytope, polytope.touching(&point.z, scale, length), scale);
-        while let Some(j) = face.wrong_sign(&gradient) {
-            let mut fewer = face.active.clone();
-            fewer.remove(j);
-            face = Self::new(polytope, fewer, scale);
+        let touching = polytope.touching(&point.z, scale, length);
+        Self::new(polytope, touching, scale).holding(polytope, &point.gradient())
+    }
+
+    /// The face without the constraints that a gradient does not press on.
+    fn holding(self, polytope: &Polytope, gradient: &[f64]) -> Self {
+        let pressed = self.multipliers(gradient);
+        let held = |(active, m): (&Active, &f64)| {
+            (active.side == Side::Both || *m != 0.0).then_some(*active)
+        };
+        let active: Vec<Active> = self.active.iter().zip(&pressed).filter_map(held).collect();
+        if active.len() == self.active.len() {
+            return self;
         }
-        face
+        Self::new(polytope, active, &self.scale)
     }
 
     /// The constraints held.
@@ -75,45 +83,50 @@ impl Face {
         &self.active
     }
 
-    /// `∂cost/∂limit` of every held constraint: `Aᵀ μ = gradient` in the least-squares sense.
+    /// `∂cost/∂limit` of every held constraint: `argmin ‖D⁻¹ (gradient − Aᵀ μ)‖` with `μ ≥ 0` at
+    /// lower limits and `μ ≤ 0` at upper ones; what is left is the steepest scaled descent, reversed,
+    /// that no held constraint forbids.
     pub fn multipliers(&self, gradient: &[f64]) -> Vec<f64> {
-        if self.active.is_empty() {
-            return Vec::new();
-        }
-        let scaled: Vec<f64> = gradient
+        self.unit_multipliers(&self.scaled(gradient))
             .iter()
-            .zip(&self.scale)
-            .map(|(g, s)| -g / s)
-            .collect();
-        let factor = QrFactor::new(self.normals.as_ref(), &vec![1.0; self.active.len()]);
-        let unit = factor
-            .undamped(&scaled)
-            .unwrap_or_else(|| vec![0.0; self.active.len()]);
-        unit.iter()
-            .zip(&self.norms)
-            .map(|(m, norm)| if *norm > 0.0 { m / norm } else { 0.0 })
+            .zip(self.active.iter().zip(&self.norms))
+            .map(|(m, (active, norm))| {
+                if *norm > 0.0 {
+                    active.side.sign() * m / norm
+                } else {
+                    0.0
+                }
+            })
             .collect()
     }
 
-    /// The held constraint whose multiplier is most wrong in sign.
-    fn wrong_sign(&self, gradient: &[f64]) -> Option<usize> {
-        let wrong = |(j, m): (usize, f64)| {
-            let amount = match self.active[j].side {
-                Side::Lower => -m,
-                Side::Upper => m,
-                Side::Both => 0.0,
-            };
-            (j, amount * self.norms[j])
-        };
-        let worst = self
-            .multipliers(gradient)
-            .into_iter()
-            .enumerate()
-            .map(wrong);
-        worst
-            .filter(|&(_, amount)| amount > 0.0)
-            .max_by(|a, b| a.1.total_cmp(&b.1))
-            .map(|(j, _)| j)
+    /// `‖D⁻¹ (gradient − Aᵀ μ)‖` with these multipliers: zero at a minimum.
+    pub fn unbalanced(&self, gradient: &[f64]) -> f64 {
+        let scaled = self.scaled(gradient);
+        let balance = multiply(self.inward().as_ref(), &self.unit_multipliers(&scaled));
+        norm(&add(&scaled, -1.0, &balance))
+    }
+
+    /// Multipliers of the inward unit normals.
+    fn unit_multipliers(&self, scaled: &[f64]) -> Vec<f64> {
+        let free: Vec<bool> = self.active.iter().map(|a| a.side == Side::Both).collect();
+        nonnegative(self.inward().as_ref(), scaled, &free)
+    }
+
+    /// The normals, turned to where the set is.
+    fn inward(&self) -> Mat<f64> {
+        Mat::from_fn(self.normals.nrows(), self.normals.ncols(), |i, j| {
+            self.active[j].side.sign() * self.normals[(i, j)]
+        })
+    }
+
+    /// `D⁻¹ g`.
+    fn scaled(&self, gradient: &[f64]) -> Vec<f64> {
+        gradient
+            .iter()
+            .zip(&self.scale)
+            .map(|(g, s)| g / s)
+            .collect()
     }
 
     /// The shortest scaled step that puts `z` on the face.

@@ -1,11 +1,14 @@
 //! The set `{z : lower ≤ A z ≤ upper}` and steps within it.
 
 mod face;
+mod least_distance;
+mod model;
+mod multipliers;
 mod polytope;
 mod projection;
 mod quadratic_program;
 
 pub(crate) use face::Face;
+pub(crate) use model::Model;
 pub(crate) use polytope::{Active, Polytope, Side};
 pub(crate) use projection::nearest;
-pub(crate) use quadratic_program::active_at_minimum;

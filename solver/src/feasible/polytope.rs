@@ -3,7 +3,7 @@
 use crate::constraints::{Constraint, Constraints};
 use crate::error::Error;
 use crate::parameters::{Mask, Parameters};
-use crate::vector::{add, dot, norm};
+use crate::vector::{add, dot, norm, scaled_norm};
 
 /// Relative rounding of `a · z` within which a constraint counts as met or as active.
 const ROUNDING: f64 = 1e-12;
@@ -52,6 +52,13 @@ pub(crate) struct Active {
     pub row: usize,
     /// At which limit.
     pub side: Side,
+}
+
+impl Side {
+    /// `−1` where the set lies against the constraint's normal, 1 elsewhere.
+    pub fn sign(self) -> f64 {
+        if self == Self::Upper { -1.0 } else { 1.0 }
+    }
 }
 
 impl Row {
@@ -106,11 +113,17 @@ impl Row {
         self.is_met_within(z, ROUNDING * self.size(z))
     }
 
-    /// Whether the end `z` of a step `p` meets it; near a limit of zero the rounding is that of
-    /// where the step came from.
-    fn is_met_after(&self, z: &[f64], p: &[f64]) -> bool {
-        let rounding = STEP_ROUNDING * self.size(p);
+    /// Whether the end `z` of a step of scaled length `‖D p‖` meets it; near a limit of zero the
+    /// rounding is that of the step, all of whose entries may have gone into each.
+    fn is_met_after(&self, z: &[f64], scale: &[f64], length: f64) -> bool {
+        let rounding = STEP_ROUNDING * self.reach(scale, length);
         self.is_met_within(z, ROUNDING * self.size(z) + rounding)
+    }
+
+    /// Most by which `a · z` changes over steps `‖D p‖ ≤ length`.
+    fn reach(&self, scale: &[f64], length: f64) -> f64 {
+        let scaled: Vec<f64> = self.a.iter().zip(scale).map(|(a, s)| a / s).collect();
+        norm(&scaled) * length
     }
 
     fn is_met_within(&self, z: &[f64], tolerance: f64) -> bool {
@@ -120,10 +133,8 @@ impl Row {
 
     /// The limit that `z` touches, to rounding of `z` and of steps `‖D p‖ ≤ length`.
     fn touched(&self, z: &[f64], scale: &[f64], length: f64) -> Option<Side> {
-        let scaled: Vec<f64> = self.a.iter().zip(scale).map(|(a, s)| a / s).collect();
-        let reach = norm(&scaled) * length;
         let value = dot(&self.a, z);
-        let tolerance = ROUNDING * self.size(z) + STEP_ROUNDING * reach;
+        let tolerance = ROUNDING * self.size(z) + STEP_ROUNDING * self.reach(scale, length);
         if self.upper - self.lower <= tolerance {
             Some(Side::Both)
         } else if value - self.lower <= tolerance {
@@ -174,11 +185,14 @@ impl Polytope {
         self.rows.iter().all(|row| row.is_met(z))
     }
 
-    /// The first constraint that the end of a step `p` from `z` does not meet, and the limit it
-    /// passes.
-    pub fn violated(&self, z: &[f64], p: &[f64]) -> Option<Active> {
-        let z = add(z, 1.0, p);
-        let row = self.rows.iter().position(|row| !row.is_met_after(&z, p))?;
+    /// The first constraint that the end of a step `p` from `z` does not meet, to rounding of `z` and
+    /// of `D p`, and the limit it passes.
+    pub fn violated(&self, z: &[f64], p: &[f64], scale: &[f64]) -> Option<Active> {
+        let (z, length) = (add(z, 1.0, p), scaled_norm(p, scale));
+        let row = self
+            .rows
+            .iter()
+            .position(|row| !row.is_met_after(&z, scale, length))?;
         let below = dot(&self.rows[row].a, &z) < self.rows[row].lower;
         Some(Active {
             row,

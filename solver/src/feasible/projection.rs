@@ -2,12 +2,9 @@
 
 use faer::Mat;
 
-use super::{Face, Polytope, active_at_minimum};
+use super::{Model, Polytope};
 use crate::error::Error;
 use crate::vector::add;
-
-/// Most constraints added one by one after the quadratic program.
-const REPAIRS: usize = 20;
 
 /// The point of the set with the least `Σ ((zₖ' − zₖ) / max(1, |zₖ|))²`.
 pub(crate) fn nearest(polytope: &Polytope, z: &[f64]) -> Result<Vec<f64>, Error> {
@@ -20,20 +17,18 @@ pub(crate) fn nearest(polytope: &Polytope, z: &[f64]) -> Result<Vec<f64>, Error>
     // length for the program's units, so it gets a row that no parameter touches.
     let distance = Mat::from_fn(n + 1, n, |i, k| if i == k { scale[k] } else { 0.0 });
     let residuals: Vec<f64> = (0..=n).map(|i| if i == n { 1.0 } else { 0.0 }).collect();
-    let program = active_at_minimum(polytope, z, distance.as_ref(), &residuals, &scale, 0.0);
-    let mut active = program.unwrap_or_default();
-    for _ in 0..REPAIRS {
-        let face = Face::new(polytope, active.clone(), &scale);
-        let step = face.onto(polytope, z);
-        match polytope.violated(z, &step) {
-            None => {
-                let mut moved = add(z, 1.0, &step);
-                polytope.settle(&mut moved, &step, &scale, 0.0);
-                return Ok(moved);
-            }
-            Some(more) if active.contains(&more) => break,
-            Some(more) => active.push(more),
-        }
-    }
-    polytope.check(z).map(|()| z.to_vec())
+    let model = Model {
+        polytope,
+        z,
+        jacobian: distance.as_ref(),
+        residuals: &residuals,
+        scale: &scale,
+        lambda: 0.0,
+    };
+    let Some((_, step)) = model.minimum() else {
+        return polytope.check(z).map(|()| z.to_vec());
+    };
+    let mut moved = add(z, 1.0, &step);
+    polytope.settle(&mut moved, &step, &scale, 0.0);
+    Ok(moved)
 }

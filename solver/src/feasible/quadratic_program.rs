@@ -62,14 +62,17 @@ pub(crate) fn active_at_minimum(
 }
 
 /// `a · y ≤ room`.
-struct OneSided {
-    a: Vec<f64>,
-    room: f64,
-    active: Active,
+pub(super) struct OneSided {
+    /// Unit row of `A D⁻¹`, outward (`n`).
+    pub a: Vec<f64>,
+    /// Way to the limit; not negative at a feasible point.
+    pub room: f64,
+    /// The constraint and its limit.
+    pub active: Active,
 }
 
-/// The constraints with unit rows, equalities first.
-fn one_sided(polytope: &Polytope, z: &[f64], scale: &[f64], unit: f64) -> Vec<OneSided> {
+/// The constraints with unit rows, equalities first, `y` in units of `unit`.
+pub(super) fn one_sided(polytope: &Polytope, z: &[f64], scale: &[f64], unit: f64) -> Vec<OneSided> {
     let mut sides = Vec::new();
     for (row, constraint) in polytope.rows().iter().enumerate() {
         let a: Vec<f64> = constraint.a.iter().zip(scale).map(|(a, s)| a / s).collect();
