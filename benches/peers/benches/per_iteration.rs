@@ -33,7 +33,7 @@ fn compare(c: &mut Criterion, name: &str, problems: &[Named]) {
         let mut group = c.benchmark_group(format!("{what}, {name}"));
         group.sample_size(20);
         group.measurement_time(Duration::from_secs(2));
-        group.warm_up_time(Duration::from_millis(500));
+        group.warm_up_time(Duration::from_secs(2));
         for solver in Solver::ALL {
             group.bench_function(solver.name(), |b| match whole {
                 true => b.iter(|| fit_all(problems, solver)),
