@@ -48,6 +48,11 @@ pub(crate) fn scaled_norm(a: &[f64], scale: &[f64]) -> f64 {
         .sqrt()
 }
 
+/// `D⁻¹ a` for a diagonal `D`.
+pub(crate) fn unscaled(a: &[f64], scale: &[f64]) -> Vec<f64> {
+    a.iter().zip(scale).map(|(a, s)| a / s).collect()
+}
+
 /// `a + factor · b`.
 pub(crate) fn add(a: &[f64], factor: f64, b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a + factor * b).collect()

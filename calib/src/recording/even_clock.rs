@@ -31,9 +31,11 @@ pub(crate) fn evened(t: &[f64]) -> Option<Vec<f64>> {
         (count > 0).then(|| sum / f64::from(count))
     };
     let single = scatter(1)?;
-    let is_scatter = SCATTER.contains(&(single.sqrt() / step));
+    if !SCATTER.contains(&(single.sqrt() / step)) {
+        return None;
+    }
     let bounded = scatter(REACH)? < ADDS_UP * REACH as f64 * single;
-    (is_scatter && bounded).then(|| runs.iter().flat_map(Run::evened).collect())
+    bounded.then(|| runs.iter().flat_map(Run::evened).collect())
 }
 
 /// Samples without an interruption.

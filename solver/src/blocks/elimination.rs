@@ -1,5 +1,6 @@
 //! Elimination of the blocks by orthogonal transformations, one block after the other.
 
+use std::cell::OnceCell;
 use std::ops::Range;
 
 use super::jacobian::BlockJacobian;
@@ -24,6 +25,8 @@ pub(crate) struct Elimination<'a> {
     first_term: Vec<usize>,
     /// Length of every column of `J D⁻¹` below which it counts as dependent.
     floors: Vec<f64>,
+    /// The first right side without damping, eliminated: its length and its step are asked together.
+    undamped: OnceCell<(Vec<f64>, Reduced)>,
 }
 
 /// The triangle that is left after the last block, and the way back.
@@ -71,6 +74,7 @@ impl<'a> Elimination<'a> {
             scale: scale.to_vec(),
             first_term,
             floors: floors.collect(),
+            undamped: OnceCell::new(),
         }
     }
 
@@ -205,22 +209,21 @@ impl<'a> Elimination<'a> {
         }
         y.iter().all(|v| v.is_finite()).then_some(y)
     }
-}
 
-impl Factor for Elimination<'_> {
-    fn damped(&self, b: &[f64], lambda: f64) -> Option<Vec<f64>> {
-        self.back(&self.reduce(b, lambda))
+    /// What is asked of the undamped elimination of a right side.
+    fn without_damping<T>(&self, b: &[f64], ask: impl Fn(&Reduced) -> T) -> T {
+        let eliminated = || (b.to_vec(), self.reduce(b, 0.0));
+        let (first, reduced) = self.undamped.get_or_init(eliminated);
+        if first == b {
+            ask(reduced)
+        } else {
+            ask(&self.reduce(b, 0.0))
+        }
     }
 
-    /// Where the rank is short, not the shortest but the one that leaves the parameters that depend
-    /// on others where they are.
-    fn undamped(&self, b: &[f64]) -> Option<Vec<f64>> {
-        self.damped(b, 0.0)
-    }
-
-    fn tangential(&self, b: &[f64]) -> f64 {
+    /// Length of the rotated right side in the rows that begin in a parameter.
+    fn length_within(&self, reduced: &Reduced) -> f64 {
         let j = self.jacobian;
-        let reduced = self.reduce(b, 0.0);
         let last = reduced.shared.column(j.shared);
         let mut rotated = last[..reduced.shared_pivots.len()].to_vec();
         for (block, eliminated) in reduced.blocks.iter().enumerate() {
@@ -232,6 +235,22 @@ impl Factor for Elimination<'_> {
             );
         }
         norm(&rotated)
+    }
+}
+
+impl Factor for Elimination<'_> {
+    fn damped(&self, b: &[f64], lambda: f64) -> Option<Vec<f64>> {
+        self.back(&self.reduce(b, lambda))
+    }
+
+    /// Where the rank is short, not the shortest but the one that leaves the parameters that depend
+    /// on others where they are.
+    fn undamped(&self, b: &[f64]) -> Option<Vec<f64>> {
+        self.without_damping(b, |reduced| self.back(reduced))
+    }
+
+    fn tangential(&self, b: &[f64]) -> f64 {
+        self.without_damping(b, |reduced| self.length_within(reduced))
     }
 }
 

@@ -6,7 +6,7 @@ use super::multipliers::nonnegative;
 use super::{Active, Polytope, Side};
 use crate::linear::{Factor, QrFactor, multiply};
 use crate::point::Point;
-use crate::vector::{add, dot, norm};
+use crate::vector::{add, dot, norm, unscaled};
 
 /// Diagonal of a pivoted `R` (of unit rows) below which constraints count as dependent.
 const DEPENDENT: f64 = 1e-12;
@@ -87,7 +87,7 @@ impl Face {
     /// lower limits and `μ ≤ 0` at upper ones; what is left is the steepest scaled descent, reversed,
     /// that no held constraint forbids.
     pub fn multipliers(&self, gradient: &[f64]) -> Vec<f64> {
-        self.unit_multipliers(&self.scaled(gradient))
+        self.unit_multipliers(&unscaled(gradient, &self.scale))
             .iter()
             .zip(self.active.iter().zip(&self.norms))
             .map(|(m, (active, norm))| {
@@ -102,7 +102,7 @@ impl Face {
 
     /// `‖D⁻¹ (gradient − Aᵀ μ)‖` with these multipliers: zero at a minimum.
     pub fn unbalanced(&self, gradient: &[f64]) -> f64 {
-        let scaled = self.scaled(gradient);
+        let scaled = unscaled(gradient, &self.scale);
         let balance = multiply(self.inward().as_ref(), &self.unit_multipliers(&scaled));
         norm(&add(&scaled, -1.0, &balance))
     }
@@ -118,15 +118,6 @@ impl Face {
         Mat::from_fn(self.normals.nrows(), self.normals.ncols(), |i, j| {
             self.active[j].side.sign() * self.normals[(i, j)]
         })
-    }
-
-    /// `D⁻¹ g`.
-    fn scaled(&self, gradient: &[f64]) -> Vec<f64> {
-        gradient
-            .iter()
-            .zip(&self.scale)
-            .map(|(g, s)| g / s)
-            .collect()
     }
 
     /// The shortest scaled step that puts `z` on the face.
@@ -149,7 +140,7 @@ impl Face {
         let gaps: Vec<f64> = (0..self.active.len()).map(|j| -gap(j)).collect();
         let w = QrFactor::new(system.as_ref(), &vec![1.0; rank]).undamped(&gaps);
         let y = multiply(self.range.as_ref(), &w.unwrap_or_else(|| vec![0.0; rank]));
-        y.iter().zip(&self.scale).map(|(y, s)| y / s).collect()
+        unscaled(&y, &self.scale)
     }
 
     /// The Jacobian along the face, factored.
@@ -184,7 +175,7 @@ pub(crate) struct FaceFactor<'a> {
 impl FaceFactor<'_> {
     fn expand(&self, u: &[f64]) -> Vec<f64> {
         let y = multiply(self.face.kernel.as_ref(), u);
-        y.iter().zip(&self.face.scale).map(|(y, s)| y / s).collect()
+        unscaled(&y, &self.face.scale)
     }
 }
 

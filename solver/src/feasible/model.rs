@@ -6,7 +6,7 @@ use super::least_distance::least_distance;
 use super::quadratic_program::active_at_minimum;
 use super::{Active, Face, Polytope};
 use crate::linear::{Factor, multiply, transpose_multiply};
-use crate::vector::{add, norm};
+use crate::vector::{add, norm, unscaled};
 
 /// Most constraints added one by one after the quadratic program.
 const REPAIRS: usize = 20;
@@ -104,14 +104,11 @@ impl Model<'_> {
         let touching = self.polytope.touching(&end, self.scale, length);
         let face = Face::new(self.polytope, touching, self.scale);
         let left = face.unbalanced(&gradient);
-        let before = self.scaled_length(&transpose_multiply(self.jacobian, self.residuals));
+        let before = norm(&unscaled(
+            &transpose_multiply(self.jacobian, self.residuals),
+            self.scale,
+        ));
         left <= STATIONARY * before + ROUNDING * length
-    }
-
-    /// `‖D⁻¹ g‖`.
-    fn scaled_length(&self, gradient: &[f64]) -> f64 {
-        let scaled = gradient.iter().zip(self.scale).map(|(g, s)| g / s);
-        norm(&scaled.collect::<Vec<_>>())
     }
 }
 

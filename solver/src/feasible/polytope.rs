@@ -3,7 +3,7 @@
 use crate::constraints::{Constraint, Constraints};
 use crate::error::Error;
 use crate::parameters::{Mask, Parameters};
-use crate::vector::{add, dot, norm, scaled_norm};
+use crate::vector::{add, dot, norm, scaled_norm, unscaled};
 
 /// Relative rounding of `a · z` within which a constraint counts as met or as active.
 const ROUNDING: f64 = 1e-12;
@@ -122,8 +122,7 @@ impl Row {
 
     /// Most by which `a · z` changes over steps `‖D p‖ ≤ length`.
     fn reach(&self, scale: &[f64], length: f64) -> f64 {
-        let scaled: Vec<f64> = self.a.iter().zip(scale).map(|(a, s)| a / s).collect();
-        norm(&scaled) * length
+        norm(&unscaled(&self.a, scale)) * length
     }
 
     fn is_met_within(&self, z: &[f64], tolerance: f64) -> bool {

@@ -8,7 +8,7 @@ use faer::{Mat, MatRef};
 
 use super::{Active, Polytope, Side};
 use crate::linear::transpose_multiply;
-use crate::vector::{dot, norm};
+use crate::vector::{dot, norm, unscaled};
 
 /// The constraints that hold with equality at the minimum of `½ ‖J p + r‖² + ½ λ ‖D p‖²` over
 /// `lower ≤ A (z + p) ≤ upper`; `None` where the interior point fails.
@@ -75,7 +75,7 @@ pub(super) struct OneSided {
 pub(super) fn one_sided(polytope: &Polytope, z: &[f64], scale: &[f64], unit: f64) -> Vec<OneSided> {
     let mut sides = Vec::new();
     for (row, constraint) in polytope.rows().iter().enumerate() {
-        let a: Vec<f64> = constraint.a.iter().zip(scale).map(|(a, s)| a / s).collect();
+        let a = unscaled(&constraint.a, scale);
         let size = norm(&a);
         if size == 0.0 {
             continue;
