@@ -2,6 +2,7 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+pub mod conditions;
 pub mod coverage;
 pub mod leave_one_out;
 pub mod noise_source;

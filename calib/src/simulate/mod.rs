@@ -10,40 +10,35 @@
 //! The simulation shares the sensor models with the estimator, and nothing else: motion is a formula
 //! here, where the estimator integrates.
 
-mod clock;
 mod device;
 mod drift;
 mod effects;
-mod environment;
-mod fault;
 mod hidden;
 mod motion;
 mod noise;
 mod random;
-mod readout;
 mod samples;
+mod sampling;
 mod simulation;
 mod spec;
+mod surroundings;
 mod truth;
-mod vibration;
 mod world;
 mod write;
 
-pub use clock::{Clock, Stamp};
 pub use device::Grade;
 pub use effects::{Effects, SIZE, catalogue};
-pub use environment::Temperature;
-pub use fault::Fault;
 pub use hidden::{
     Heading, Hidden, HiddenTruth, Pattern, Periodic, Relaxation, SizeEffect, Telegraph,
 };
 pub use motion::{Cart, HandHeld, SixPosition, Still, Walking};
-pub use noise::Noise;
+pub use noise::{Distribution, Noise, Spikes};
 pub use samples::{Sample, Samples};
+pub use sampling::{Between, Clock, Resampled, Sampling, Stamp};
 pub use simulation::{MOST_SAMPLES, Session, Simulation};
 pub use spec::{EARTH_RATE, EXAMPLE, Motion, SensorSpec, Spec};
+pub use surroundings::{Fault, Temperature, Unsteady, Vibration};
 pub use truth::{StaticInterval, TRUTH_SCHEMA, Truth};
-pub use vibration::Vibration;
 pub use write::FILES;
 
 pub(crate) use spec::complaint::hint;

@@ -34,6 +34,20 @@ pub(crate) enum Purpose {
     Instability(Sensor),
     /// Jitter of the time stamps.
     Clock(Sensor),
+    /// Unevenness of the sampling.
+    Sampling(Sensor),
+    /// Samples that are missing.
+    Lost(Sensor),
+    /// Spikes.
+    Spikes(Sensor),
+    /// Direction of a thermal drift.
+    Thermal(Sensor),
+    /// Rocking of the table.
+    Rocking,
+    /// What moves during the placement with this place in the session.
+    Unsteady(usize),
+    /// Knocks during turns.
+    Knocks,
     /// Coefficients of the effect with this place in the sensor's catalogue.
     Effect(Sensor, usize),
     /// The hidden disturbance with this place in the list.
@@ -56,8 +70,15 @@ impl Purpose {
             Self::Walk(sensor) => of(12, sensor),
             Self::Instability(sensor) => of(13, sensor),
             Self::Clock(sensor) => of(14, sensor),
+            Self::Rocking => 5,
+            Self::Knocks => 7,
+            Self::Sampling(sensor) => of(15, sensor),
+            Self::Lost(sensor) => of(16, sensor),
+            Self::Spikes(sensor) => of(17, sensor),
+            Self::Thermal(sensor) => of(18, sensor),
             Self::Effect(sensor, place) => of(1000 + place as u64, sensor),
             Self::Hidden(place) => (1 << 34) + place as u64,
+            Self::Unsteady(place) => (1 << 35) + place as u64,
             Self::Fault(place) => (1 << 33) + place as u64,
         }
     }

@@ -9,13 +9,13 @@ use solver::Parameters;
 use super::device::Device;
 use super::drift::DriftMeans;
 use super::effects::draw_device;
-use super::fault::Fault;
 use super::hidden::{HiddenTruth, Placed};
 use super::motion::{Motion, Rest, Segment};
 use super::random::{Purpose, Random};
-use super::readout::ZERO_COUNT;
-use super::samples::Samples;
+use super::samples::{Samples, clock_changes};
+use super::sampling::{ClockChange, ZERO_COUNT};
 use super::spec::Spec;
+use super::surroundings::Fault;
 use super::truth::{StaticInterval, TRUTH_SCHEMA, Truth};
 use super::world::{Delays, World};
 use crate::Error;
@@ -117,11 +117,13 @@ impl Simulation {
         let mut random = Random::new(self.spec.seed, Purpose::Thermometer);
         let count = (self.duration() * temperature.rate).floor() as usize + 1;
         let fast = 1.0 + self.spec.clock_rate_error();
+        let changes = clock_changes(&self.spec.faults);
         let (t, celsius) = (0..count)
             .map(|k| {
                 let t = k as f64 / temperature.rate;
                 let celsius = temperature.at(t) + temperature.noise * random.normal();
-                (t * fast, celsius)
+                let late = |change: &ClockChange| (t - change.start).max(0.0) * change.rate_error;
+                (t * fast + changes.iter().map(late).sum::<f64>(), celsius)
             })
             .unzip();
         Some(Temperature { t, celsius })

@@ -5,9 +5,9 @@ use sensor::attitude::Attitude;
 use sensor::{Kinematics, REFERENCE_TEMPERATURE, Sensor};
 
 use super::device::Device;
-use super::environment::Temperature;
 use super::hidden::{Instant, Placed};
 use super::motion::{Motion, mean_over};
+use super::surroundings::Temperature;
 
 /// The true motion of the device and what surrounds it.
 #[derive(Clone, Debug)]

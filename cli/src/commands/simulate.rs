@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use calib::simulate::{Simulation, Spec};
+use calib::simulate::{EXAMPLE, Simulation, Spec};
 
 use super::inputs::spinner;
 use crate::exit::{Failure, INPUT};
@@ -22,14 +22,36 @@ Example of a SPEC.toml:
   size = 1.0
 
   stillpoint simulate SPEC.toml -o session/
-  stillpoint calibrate session/")]
+  stillpoint calibrate session/
+
+Conditions and their keys (--example prints all keys with units):
+  uneven sampling, stamps right      [gyroscope.clock] sampling_jitter
+  noise and rounding of stamps       [gyroscope.clock] jitter, resolution
+  two clocks                         [gyroscope.clock] rate, offset, rate_error
+  a clock that changes               [[faults]] clock_change
+  lost samples                       [gyroscope.clock] lost, [[faults]] gap, lost
+  held or interpolated samples       [gyroscope] resampled
+  noise that is not white            [gyroscope] low_pass, correlation
+  Laplace noise, spikes              [gyroscope] distribution, spikes
+  flicker, walk, thermal drift       [gyroscope] instability, random_walk,
+                                     thermal_drift
+  coarse steps, dead zone, range     [gyroscope] step, dead_zone, range
+  hand: tremor, sway                 [unsteady] tremor, sway
+  constant yaw, settling             [unsteady] yaw, settling
+  a table that vibrates              [vibration] rms, frequency, rocking
+  knocks, sampling at an instant     [motion.hand_held] shock, knocks; sampling
+  short, few, slow                   [motion.hand_held] rest, placements, turn
+  the earth's rotation               latitude")]
 pub struct Args {
     /// What to simulate (TOML)
-    #[arg(value_name = "SPEC.toml")]
-    spec: PathBuf,
+    #[arg(value_name = "SPEC.toml", required_unless_present = "example")]
+    spec: Option<PathBuf>,
     /// Folder to write to
-    #[arg(short, value_name = "DIR")]
-    output: PathBuf,
+    #[arg(short, value_name = "DIR", required_unless_present = "example")]
+    output: Option<PathBuf>,
+    /// Print a specification with every key, its unit and its meaning
+    #[arg(long)]
+    example: bool,
     /// Replace existing files
     #[arg(long)]
     force: bool,
@@ -37,16 +59,20 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
-    let name = args.spec.display().to_string();
-    let text = std::fs::read_to_string(&args.spec)
-        .map_err(|e| Failure::new(INPUT, format!("{name}: {e}")))?;
+    let (Some(spec), Some(output), false) = (&args.spec, &args.output, args.example) else {
+        show::print(EXAMPLE.trim_end())?;
+        return Ok(());
+    };
+    let name = spec.display().to_string();
+    let text =
+        std::fs::read_to_string(spec).map_err(|e| Failure::new(INPUT, format!("{name}: {e}")))?;
     let simulation = Simulation::new(&Spec::from_toml(&text, &name)?)?;
     let progress = spinner("simulating");
-    let truth = simulation.write(&args.output, args.force)?;
+    let truth = simulation.write(output, args.force)?;
     progress.finish_and_clear();
     show::print(&format!(
         "{}: {:.0} s, {} placements, seed {}, effects: {}",
-        args.output.display(),
+        output.display(),
         simulation.duration(),
         truth.static_intervals.len(),
         truth.spec.seed,

@@ -1,108 +1,130 @@
-//! Coverage, consistency and efficiency of the joint method, the stepwise method beside it.
+//! Coverage, consistency, silent lies and false alarms under each condition, both methods.
 //!
 //! ```text
-//! cargo run --release -p stillpoint-tests --bin coverage-study -- --sessions 500 --row consumer --row tactical
+//! cargo run -p stillpoint-tests --bin coverage-study -- --sessions 150 --out study.jsonl
+//! cargo run -p stillpoint-tests --bin coverage-study -- --row stamps-1.5 --sessions 20
 //! ```
 //!
-//! Sessions have the seeds `0..N`; the result does not depend on the number of threads.
+//! Sessions have the seeds `0..N`; the result does not depend on the number of threads. With `--out`, what is
+//! in the file is not run again, so that a study can be interrupted, and one of another commit needs another
+//! file.
 
+use std::path::PathBuf;
 use std::process::ExitCode;
+use std::time::{Duration, Instant};
 
-use clap::{Parser, ValueEnum};
-use indicatif::ProgressBar;
+use clap::Parser;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use stillpoint_tests::coverage::{Row, SessionResult, Summary, Tally, run, summarise};
+use stillpoint_tests::conditions::{
+    CONDITIONS, Condition, HEADING, Record, Stored, condition, read, row, run,
+};
 
-/// Simulated sessions calibrated both ways, against their truth
+/// Simulated sessions under each condition, calibrated by both methods, against their truth
 #[derive(Debug, Parser)]
 struct Args {
     /// Sessions per row
-    #[arg(long, default_value_t = 500)]
+    #[arg(long, default_value_t = 150)]
     sessions: u64,
-    /// First seed
-    #[arg(long, default_value_t = 0)]
-    first_seed: u64,
     /// Rows of the table; all without
-    #[arg(long, value_enum)]
-    row: Vec<Row>,
-    /// Print one JSON line per session and one per row
     #[arg(long)]
-    json: bool,
+    row: Vec<String>,
+    /// JSON lines to read and to go on writing
+    #[arg(long, value_name = "FILE.jsonl")]
+    out: Option<PathBuf>,
+    /// Threads; as many as there are cores without
+    #[arg(long, default_value_t = 0)]
+    jobs: usize,
+    /// Begin no more sessions after so many seconds
+    #[arg(long, value_name = "SECONDS")]
+    seconds: Option<u64>,
+    /// Names of the rows, and nothing else
+    #[arg(long)]
+    list: bool,
+    /// Print the words of each session too
+    #[arg(long)]
+    words: bool,
 }
 
 fn main() -> ExitCode {
-    let args = Args::parse();
-    let rows = if args.row.is_empty() {
-        Row::value_variants().to_vec()
-    } else {
-        args.row.clone()
+    match study(&Args::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn study(args: &Args) -> Result<(), Box<dyn std::error::Error>> {
+    if args.list {
+        for c in CONDITIONS.iter().copied().flatten() {
+            println!("{:20} {}", c.name, c.about);
+        }
+        return Ok(());
+    }
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(args.jobs)
+        .build_global()?;
+    let rows = rows(&args.row)?;
+    let end = args
+        .seconds
+        .map(|s| Instant::now() + Duration::from_secs(s));
+    let mut stored = args.out.as_deref().map(Stored::open).transpose()?;
+    println!("{HEADING}");
+    for condition in rows {
+        let mut records = Vec::new();
+        let has = |seed: &u64| {
+            stored
+                .as_ref()
+                .is_some_and(|s| s.has(condition.name, *seed))
+        };
+        let missing: Vec<u64> = (0..args.sessions).filter(|seed| !has(seed)).collect();
+        // Some at a time, so that an interruption costs little.
+        for seeds in missing.chunks(16) {
+            if end.is_some_and(|end| Instant::now() > end) {
+                break;
+            }
+            let new: Vec<Record> = seeds
+                .into_par_iter()
+                .map(|&seed| run(condition, seed))
+                .collect::<Result<_, _>>()
+                .map_err(|e| format!("{}: {e}", condition.name))?;
+            if let Some(stored) = &mut stored {
+                new.iter().try_for_each(|record| stored.add(record))?;
+            }
+            records.extend(new);
+        }
+        if let Some(path) = &args.out {
+            records = read(path)?;
+        }
+        records.retain(|r| r.row == condition.name && r.seed < args.sessions);
+        if records.is_empty() {
+            continue;
+        }
+        println!("{}", row(condition, &records));
+        if args.words {
+            print_words(&records);
+        }
+    }
+    Ok(())
+}
+
+fn rows(names: &[String]) -> Result<Vec<&'static Condition>, String> {
+    if names.is_empty() {
+        return Ok(CONDITIONS.iter().copied().flatten().collect());
+    }
+    let of = |name: &String| {
+        condition(name).ok_or(format!("there is no row `{name}`: --list has their names"))
     };
-    for row in rows {
-        match sessions(&args, row) {
-            Ok(results) => print(row, &results, args.json),
-            Err(error) => {
-                eprintln!("{error}");
-                return ExitCode::FAILURE;
+    names.iter().map(of).collect()
+}
+
+fn print_words(records: &[Record]) {
+    for record in records {
+        for (method, outcome) in [("joint", &record.joint), ("stepwise", &record.stepwise)] {
+            for words in &outcome.words {
+                println!("  {} {method}: {words}", record.seed);
             }
         }
     }
-    ExitCode::SUCCESS
-}
-
-fn sessions(args: &Args, row: Row) -> Result<Vec<SessionResult>, calib::Error> {
-    let bar = ProgressBar::new(args.sessions);
-    let results = (args.first_seed..args.first_seed + args.sessions)
-        .into_par_iter()
-        .map(|seed| run(row, seed))
-        .inspect(|_| bar.inc(1))
-        .collect();
-    bar.finish_and_clear();
-    results
-}
-
-fn print(row: Row, results: &[SessionResult], json: bool) {
-    let summary = summarise(results);
-    if json {
-        for result in results {
-            println!("{}", serde_json::json!({ "row": row, "session": result }));
-        }
-        println!("{}", serde_json::json!({ "row": row, "summary": summary }));
-        return;
-    }
-    let name = row
-        .to_possible_value()
-        .map_or_else(String::new, |v| v.get_name().to_owned());
-    println!(
-        "{name}: {} sessions, {:.3} s per joint fit",
-        summary.sessions, summary.seconds
-    );
-    print_tally("joint", summary.joint.as_ref());
-    print_tally("stepwise", summary.stepwise.as_ref());
-    print_names(&summary);
-    for result in results.iter().filter(|r| !r.words.is_empty()).take(10) {
-        println!("  seed {}: {}", result.seed, result.words.join("\n    "));
-    }
-}
-
-fn print_tally(name: &str, tally: Option<&Tally>) {
-    let Some(t) = tally else { return };
-    println!(
-        "  {name:8} coverage {:.1} % (each {:.1} to {:.1} %)  NEES/dof {:.3}  rms/CRB {:.3}  largest {:.1e} {:.1e}",
-        100.0 * t.coverage,
-        100.0 * t.coverage_each[0],
-        100.0 * t.coverage_each[1],
-        t.nees,
-        t.efficiency,
-        t.largest[0],
-        t.largest[1],
-    );
-}
-
-fn print_names(summary: &Summary) {
-    let [slip, touch, gap] = summary.named.map(|share| 100.0 * share);
-    println!(
-        "  named: slips {slip:.1} %, touches {touch:.1} %, gaps {gap:.1} %; false alarms in {} sessions; \
-         {} refused or warned",
-        summary.false_alarms, summary.warned
-    );
 }

@@ -31,6 +31,11 @@ pub struct HandHeld {
     pub tremor: f64,
     /// Peak acceleration when the device touches the table, m/s²; 0 for none.
     pub shock: f64,
+    /// Short knocks in each turn, the last at touch-down: they turn the device by nothing in the end, and
+    /// a sensor without a filter cannot follow them.
+    pub knocks: usize,
+    /// Peak angular rate of a knock, rad/s; half to one and a half of it.
+    pub knock_rate: f64,
     /// Only orientations whose up direction lies in one plane of the body: such a session does not
     /// determine all parameters.
     pub coplanar: bool,
@@ -47,6 +52,8 @@ impl Default for HandHeld {
             lift: 0.12,
             tremor: 1.0,
             shock: 0.0,
+            knocks: 0,
+            knock_rate: 2.0,
             coplanar: false,
         }
     }
@@ -75,6 +82,8 @@ impl HandHeld {
             lift: self.lift,
             tremor: self.tremor,
             shock: self.shock,
+            knocks: self.knocks,
+            knock_rate: self.knock_rate,
         };
         path_through(&placements, &hand, around, &mut random)
     }

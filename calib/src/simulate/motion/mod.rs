@@ -14,6 +14,7 @@ mod segment;
 mod six_position;
 mod still;
 mod turn;
+mod unsteady;
 mod walking;
 
 use nalgebra::Vector3;
@@ -103,6 +104,7 @@ mod tests {
             seed: 11,
             gravity: 9.8,
             vibration: None,
+            unsteady: None,
             faults: &[],
         };
         let hand = HandHeld {

@@ -6,10 +6,10 @@ use super::path::Path;
 use super::profile::Profile;
 use super::segment::{Move, Rest, Twist};
 use super::turn::{Hand, turn_to};
+use super::unsteady::unsteady;
 use crate::covariates::last_change;
-use crate::simulate::fault::Fault;
 use crate::simulate::random::{Purpose, Random};
-use crate::simulate::vibration::Vibration;
+use crate::simulate::surroundings::{Fault, Unsteady, Vibration};
 
 /// One placement and the turn that leads to it.
 #[derive(Clone, Debug)]
@@ -33,6 +33,8 @@ pub(crate) struct Surroundings<'a> {
     pub gravity: f64,
     /// Table that vibrates.
     pub vibration: Option<&'a Vibration>,
+    /// What moves while the device should be at rest.
+    pub unsteady: Option<&'a Unsteady>,
     /// What goes wrong.
     pub faults: &'a [Fault],
 }
@@ -49,6 +51,7 @@ pub(crate) fn path_through(
         .map_or_else(UnitQuaternion::identity, |p| p.attitude);
     let mut path = Path::starting_at(first);
     let mut shocks = Random::new(around.seed, Purpose::Shock);
+    let mut knocks = Random::new(around.seed, Purpose::Knocks);
     let mut table = Random::new(around.seed, Purpose::Table);
     let mut change = Vector3::zeros();
     let mut before: Option<Vector3<f64>> = None;
@@ -60,7 +63,7 @@ pub(crate) fn path_through(
                 placement.turn,
                 hand,
                 random,
-                &mut shocks,
+                [&mut shocks, &mut knocks],
             );
         }
         let force = placement.attitude.inverse() * (Vector3::z() * around.gravity);
@@ -86,8 +89,12 @@ const TOUCH_FREQUENCY: f64 = 5.0;
 
 /// Appends a rest, disturbed by the faults that name interval `k`.
 pub(crate) fn place(path: &mut Path, k: usize, length: f64, mut rest: Rest, around: &Surroundings) {
+    let mut held = Random::new(around.seed, Purpose::Unsteady(k));
     let (start, end) = (path.end(), path.end() + length);
-    let (mut twists, mut moves) = (Vec::new(), Vec::new());
+    let (mut twists, mut moves) = match around.unsteady {
+        Some(spec) => unsteady(spec, path, length, &mut held),
+        None => (Vec::new(), Vec::new()),
+    };
     for (place, fault) in around.faults.iter().enumerate() {
         let mut random = Random::new(around.seed, Purpose::Fault(place));
         match *fault {

@@ -30,6 +30,28 @@ pub(crate) enum Profile {
         /// rad.
         phase: f64,
     },
+    /// A rate of 1 with smooth begin and end of length `ramp`: from 0 to `end − start − ramp`.
+    Constant {
+        /// Begin, s.
+        start: f64,
+        /// End, s.
+        end: f64,
+        /// s.
+        ramp: f64,
+    },
+    /// A sine that begins and ends smoothly within `ramp`.
+    Sway {
+        /// Begin, s.
+        start: f64,
+        /// End, s.
+        end: f64,
+        /// s.
+        ramp: f64,
+        /// Hz.
+        frequency: f64,
+        /// rad.
+        phase: f64,
+    },
     /// A knock with second derivative `(6u − 6u² + u³)e^{−u}`, `u = (t − start)/decay`: its peak is 1.009.
     Knock {
         /// Begin, s.
@@ -58,7 +80,9 @@ impl Profile {
         match *self {
             Self::Blend { start, end }
             | Self::Bump { start, end }
-            | Self::Tremor { start, end, .. } => (start, end),
+            | Self::Tremor { start, end, .. }
+            | Self::Constant { start, end, .. }
+            | Self::Sway { start, end, .. } => (start, end),
             Self::Knock { start, decay } => (start, start + KNOCK_LENGTH * decay),
         }
     }
@@ -71,6 +95,7 @@ impl Profile {
             Self::Knock { decay, .. } => (1..60)
                 .map(|k| start + 0.5 * decay * f64::from(k))
                 .collect(),
+            Self::Constant { ramp, .. } | Self::Sway { ramp, .. } => vec![start + ramp, end - ramp],
             _ => Vec::new(),
         };
         [vec![start, end], within].concat()
@@ -83,10 +108,10 @@ impl Profile {
             return Jets::default();
         }
         if t >= end {
-            let value = if matches!(self, Self::Blend { .. }) {
-                1.0
-            } else {
-                0.0
+            let value = match *self {
+                Self::Blend { .. } => 1.0,
+                Self::Constant { ramp, .. } => end - start - ramp,
+                _ => 0.0,
             };
             return Jets {
                 value,
@@ -101,6 +126,16 @@ impl Profile {
             Self::Tremor {
                 frequency, phase, ..
             } => product(bump(u, length), sine(t - start, frequency, phase)),
+            Self::Constant { ramp, .. } => constant(t - start, end - start, ramp),
+            Self::Sway {
+                ramp,
+                frequency,
+                phase,
+                ..
+            } => product(
+                ramps(t - start, end - start, ramp),
+                sine(t - start, frequency, phase),
+            ),
             Self::Knock { decay, .. } => knock((t - start) / decay, decay),
         }
     }
@@ -144,6 +179,42 @@ fn knock(u: f64, decay: f64) -> Jets {
     }
 }
 
+/// 1 with a smooth begin and end.
+fn ramps(t: f64, length: f64, ramp: f64) -> Jets {
+    if t < ramp {
+        return blend(t / ramp, ramp);
+    }
+    if t > length - ramp {
+        let down = blend((length - t) / ramp, ramp);
+        return Jets {
+            first: -down.first,
+            ..down
+        };
+    }
+    Jets {
+        value: 1.0,
+        ..Jets::default()
+    }
+}
+
+/// The integral of [`ramps`]; that of a blend is `7u⁵ − 14u⁶ + 10u⁷ − 2.5u⁸`.
+fn constant(t: f64, length: f64, ramp: f64) -> Jets {
+    let rate = ramps(t, length, ramp);
+    let under = |u: f64| ramp * u.powi(5) * (7.0 + u * (-14.0 + u * (10.0 - 2.5 * u)));
+    let value = if t < ramp {
+        under(t / ramp)
+    } else if t > length - ramp {
+        length - ramp - under((length - t) / ramp)
+    } else {
+        t - 0.5 * ramp
+    };
+    Jets {
+        value,
+        first: rate.value,
+        second: rate.first,
+    }
+}
+
 fn product(a: Jets, b: Jets) -> Jets {
     Jets {
         value: a.value * b.value,
@@ -156,7 +227,7 @@ fn product(a: Jets, b: Jets) -> Jets {
 mod tests {
     use super::*;
 
-    const PROFILES: [Profile; 4] = [
+    const PROFILES: [Profile; 6] = [
         Profile::Blend {
             start: 0.5,
             end: 2.5,
@@ -169,6 +240,18 @@ mod tests {
             start: 0.5,
             end: 2.5,
             frequency: 3.0,
+            phase: 0.4,
+        },
+        Profile::Constant {
+            start: 0.5,
+            end: 2.5,
+            ramp: 0.3,
+        },
+        Profile::Sway {
+            start: 0.5,
+            end: 2.5,
+            ramp: 0.3,
+            frequency: 1.0,
             phase: 0.4,
         },
         Profile::Knock {

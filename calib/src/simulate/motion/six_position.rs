@@ -46,7 +46,7 @@ impl SixPosition {
         let hand = Hand {
             lift: 0.1,
             tremor: 1.0,
-            shock: 0.0,
+            ..Hand::default()
         };
         path_through(&placements, &hand, around, &mut random)
     }

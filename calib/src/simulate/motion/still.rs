@@ -39,11 +39,7 @@ impl Still {
             rest: self.duration,
             turn: 0.0,
         };
-        let hand = Hand {
-            lift: 0.0,
-            tremor: 0.0,
-            shock: 0.0,
-        };
+        let hand = Hand::default();
         path_through(
             &[placement],
             &hand,

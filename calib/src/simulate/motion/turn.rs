@@ -17,7 +17,7 @@ const KNOCK_DECAY: f64 = 0.008;
 const KNOCK_SPIN: f64 = 2.0;
 
 /// How a hand turns.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Hand {
     /// How far it lifts, m.
     pub lift: f64,
@@ -25,6 +25,10 @@ pub(crate) struct Hand {
     pub tremor: f64,
     /// Peak acceleration when the device touches the table, m/s²; 0 for none.
     pub shock: f64,
+    /// Short knocks in each turn.
+    pub knocks: usize,
+    /// Peak angular rate of a knock, rad/s.
+    pub knock_rate: f64,
 }
 
 /// Appends a turn of `length` seconds that ends in `target`.
@@ -37,7 +41,7 @@ pub(crate) fn turn_to(
     length: f64,
     hand: &Hand,
     random: &mut Random,
-    shocks: &mut Random,
+    [shocks, knocks]: [&mut Random; 2],
 ) {
     let (start, end) = (path.end(), path.end() + length);
     let mut twists = two_rotations(&(path.attitude().inverse() * target), start, end, random);
@@ -47,6 +51,10 @@ pub(crate) fn turn_to(
     }
     if hand.shock > 0.0 {
         knock(hand.shock, end, shocks, &mut twists, &mut moves);
+    }
+    for k in 0..hand.knocks {
+        let last = k + 1 == hand.knocks;
+        twists.push(quick_knock(hand.knock_rate, start, end, last, knocks));
     }
     path.movement(length, twists, moves);
 }
@@ -145,4 +153,50 @@ fn knock(peak: f64, end: f64, random: &mut Random, twists: &mut Vec<Twist>, move
         displacement,
         profile,
     });
+}
+
+/// Time constant of a quick knock, s: half of it is over within 10 ms.
+const QUICK: f64 = 0.002;
+/// Largest first derivative of [`Profile::Knock`] over its time constant, at `u = 3 − √3`.
+const STEEPEST: f64 = 0.783_706;
+
+/// A knock somewhere in the turn, or at its end.
+fn quick_knock(rate: f64, start: f64, end: f64, last: bool, random: &mut Random) -> Twist {
+    let mut profile = Profile::Knock {
+        start: 0.0,
+        decay: QUICK,
+    };
+    let (_, length) = profile.span();
+    let at = random.uniform(start + 0.1 * (end - start)..end - length);
+    if let Profile::Knock { start, .. } = &mut profile {
+        *start = if last { end - length } else { at };
+    }
+    let peak = rate * random.uniform(0.5..1.5);
+    Twist {
+        rotation: random.direction() * (peak / (STEEPEST * QUICK)),
+        profile,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simulate::random::Purpose;
+
+    #[test]
+    fn a_quick_knock_reaches_its_rate_and_turns_by_nothing() {
+        let mut random = Random::new(1, Purpose::Knocks);
+        for _ in 0..50 {
+            let twist = quick_knock(2.0, 10.0, 12.0, false, &mut random);
+            let (from, to) = twist.profile.span();
+            let at = |k: i32| twist.profile.at(from + (to - from) * f64::from(k) / 1e4);
+            let size = twist.rotation.norm();
+            let peak = (0..=10_000)
+                .map(|k| at(k).first.abs() * size)
+                .fold(0.0, f64::max);
+            assert!((1.0..3.001).contains(&peak), "{peak}");
+            assert!(at(9_999).value.abs() * size < 1e-12);
+            assert!(from >= 10.0 && to <= 12.0 + 1e-12);
+        }
+    }
 }

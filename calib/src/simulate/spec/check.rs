@@ -3,8 +3,7 @@
 use super::complaint::{Complaint, number};
 use super::{Motion, SensorSpec, Spec};
 use crate::Error;
-use crate::simulate::environment::Temperature;
-use crate::simulate::fault::Fault;
+use crate::simulate::surroundings::{Fault, Temperature, Unsteady, Vibration};
 
 /// Longest recording, s: 30 days.
 const LONGEST: f64 = 30.0 * 86400.0;
@@ -43,8 +42,10 @@ impl Spec {
             temperature.check()?;
         }
         if let Some(vibration) = &self.vibration {
-            number("vibration.rms", vibration.rms, 0.0..=LARGE)?;
-            number("vibration.share", vibration.share, 0.0..=1.0)?;
+            vibration.check()?;
+        }
+        if let Some(unsteady) = &self.unsteady {
+            unsteady.check()?;
         }
         self.faults
             .iter()
@@ -70,7 +71,9 @@ impl Spec {
                 number(&key("scatter"), m.scatter, 0.0..=1.0)?;
                 number(&key("lift"), m.lift, 0.0..=10.0)?;
                 number(&key("tremor"), m.tremor, 0.0..=100.0)?;
-                number(&key("shock"), m.shock, 0.0..=LARGE)
+                number(&key("shock"), m.shock, 0.0..=LARGE)?;
+                number(&key("knocks"), m.knocks as f64, 0.0..=1000.0)?;
+                number(&key("knock_rate"), m.knock_rate, 0.0..=1000.0)
             }
             Motion::SixPosition(m) => {
                 number("motion.six_position.rest", m.rest, 0.1..=LONGEST / 6.0)?;
@@ -107,7 +110,7 @@ impl Spec {
                 | Fault::Touch { interval, .. }
                 | Fault::Disturbed { interval, .. } => ("interval", interval, placements),
                 Fault::Lost { turn, .. } => ("turn", turn, turns),
-                Fault::Gap { .. } => continue,
+                Fault::Gap { .. } | Fault::ClockChange { .. } => continue,
             };
             if place >= count {
                 let kind = if key == "turn" { "turns" } else { "placements" };
@@ -126,6 +129,18 @@ impl SensorSpec {
         number(&key("random_walk"), self.random_walk, 0.0..=LARGE)?;
         number(&key("instability"), self.instability, 0.0..=LARGE)?;
         number(&key("step"), self.step, 0.0..=LARGE)?;
+        number(
+            &key("low_pass"),
+            self.low_pass.unwrap_or(1e-3),
+            1e-3..=LARGE,
+        )?;
+        number(&key("correlation"), self.correlation, -0.999..=0.999)?;
+        if let Some(spikes) = self.spikes {
+            number(&key("spikes.share"), spikes.share, 0.0..=1.0)?;
+            number(&key("spikes.size"), spikes.size, -LARGE..=LARGE)?;
+        }
+        number(&key("thermal_drift"), self.thermal_drift, 0.0..=LARGE)?;
+        number(&key("dead_zone"), self.dead_zone, 0.0..=LARGE)?;
         number(&key("range"), self.range.unwrap_or(1.0), 1e-9..=1e12)?;
         if self.counts && self.step == 0.0 {
             return Err(Complaint::new(
@@ -140,8 +155,26 @@ impl SensorSpec {
         number(&key("clock.offset"), clock.offset, -LARGE..=LARGE)?;
         number(&key("clock.rate_error"), clock.rate_error, -0.5..=0.5)?;
         number(&key("clock.jitter"), clock.jitter, 0.0..=LARGE)?;
-        // Jitter brings two stamps to a fifth of a step; a coarser clock would make them equal.
-        let finest = own_rate.recip() * if clock.jitter > 0.0 { 0.1 } else { 0.5 };
+        number(
+            &key("clock.sampling_jitter"),
+            clock.sampling_jitter,
+            0.0..=LARGE,
+        )?;
+        number(&key("clock.lost"), clock.lost, 0.0..=0.9)?;
+        if let Some(resampled) = self.resampled {
+            number(&key("resampled.rate"), resampled.rate, 0.01..=100_000.0)?;
+        }
+        let effective = self.resampled.map_or(own_rate, |r| r.rate);
+        if self
+            .low_pass
+            .is_some_and(|corner| corner >= 0.5 * effective)
+        {
+            let what = "is above half the sampling rate: the noise would not change";
+            return Err(Complaint::new(key("low_pass"), what));
+        }
+        // Jitter brings two stamps to a tenth of a step; a coarser clock would make them equal.
+        let jitters = clock.jitter > 0.0 || clock.sampling_jitter > 0.0;
+        let finest = own_rate.recip() * if jitters { 0.1 } else { 0.5 };
         number(&key("clock.resolution"), clock.resolution, 0.0..=finest)
     }
 }
@@ -160,6 +193,26 @@ impl Temperature {
     }
 }
 
+impl Vibration {
+    fn check(&self) -> Result<(), Complaint> {
+        number("vibration.rms", self.rms, 0.0..=LARGE)?;
+        number("vibration.share", self.share, 0.0..=1.0)?;
+        let frequency = self.frequency.unwrap_or(1.0);
+        number("vibration.frequency", frequency, 1e-3..=LARGE)?;
+        number("vibration.rocking", self.rocking, 0.0..=LARGE)
+    }
+}
+
+impl Unsteady {
+    fn check(&self) -> Result<(), Complaint> {
+        number("unsteady.tremor", self.tremor, 0.0..=100.0)?;
+        number("unsteady.sway", self.sway, 0.0..=1.0)?;
+        number("unsteady.yaw", self.yaw, -100.0..=100.0)?;
+        number("unsteady.settling", self.settling, 0.0..=1.0)?;
+        number("unsteady.share", self.share, 0.0..=1.0)
+    }
+}
+
 impl Fault {
     fn check(&self, place: usize) -> Result<(), Complaint> {
         let key = |name: &str| format!("faults.{place}.{name}");
@@ -171,6 +224,10 @@ impl Fault {
             Self::Gap { start, length } => {
                 number(&key("gap.start"), start, 0.0..=LONGEST)?;
                 number(&key("gap.length"), length, 0.0..=LONGEST)
+            }
+            Self::ClockChange { start, rate_error } => {
+                number(&key("clock_change.start"), start, 0.0..=LONGEST)?;
+                number(&key("clock_change.rate_error"), rate_error, -0.5..=0.5)
             }
         }
     }

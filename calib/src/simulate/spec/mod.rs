@@ -16,17 +16,14 @@ use serde::{Deserialize, Serialize};
 
 use crate::Error;
 use crate::effect_file::effects_of;
-use crate::simulate::clock::{Clock, Stamp};
 use crate::simulate::device::Grade;
 use crate::simulate::effects::{Effects, SIZE, catalogue};
-use crate::simulate::environment::Temperature;
-use crate::simulate::fault::Fault;
 use crate::simulate::hidden::Hidden;
 use crate::simulate::motion::{Cart, HandHeld, Path, SixPosition, Still, Surroundings, Walking};
-use crate::simulate::noise::Noise;
-use crate::simulate::readout::Readout;
+use crate::simulate::noise::{Distribution, Noise, Spikes};
+use crate::simulate::sampling::{Clock, Readout, Resampled, Sampling, Stamp};
 use crate::simulate::simulation::{Session, Simulation};
-use crate::simulate::vibration::Vibration;
+use crate::simulate::surroundings::{Fault, Temperature, Unsteady, Vibration};
 
 /// Rate of the earth's rotation, rad/s (WGS 84).
 pub const EARTH_RATE: f64 = 7.292_115e-5;
@@ -49,6 +46,8 @@ pub struct Spec {
     pub rate: f64,
     /// Where in a sample's window its time stamp lies.
     pub stamp: Stamp,
+    /// Whether samples are averages over their window or values at an instant.
+    pub sampling: Sampling,
     /// Modulus of gravity, m/s².
     pub gravity: f64,
     /// Latitude, degrees north: switches the earth's rotation on.
@@ -71,6 +70,8 @@ pub struct Spec {
     pub temperature: Option<Temperature>,
     /// Vibration of the table at rest.
     pub vibration: Option<Vibration>,
+    /// What moves while the device should be at rest.
+    pub unsteady: Option<Unsteady>,
     /// Effects beside the catalogue, as expressions; `effects` switches them on.
     pub definitions: Vec<Definition>,
     /// What goes wrong.
@@ -85,6 +86,7 @@ impl Default for Spec {
             seed: 0,
             rate: 100.0,
             stamp: Stamp::Centre,
+            sampling: Sampling::Average,
             gravity: 9.80665,
             latitude: None,
             lever_arm: [0.02, -0.01, 0.015],
@@ -96,6 +98,7 @@ impl Default for Spec {
             gyroscope: SensorSpec::default(),
             temperature: None,
             vibration: None,
+            unsteady: None,
             definitions: Vec::new(),
             faults: Vec::new(),
             hidden: Vec::new(),
@@ -145,8 +148,20 @@ pub struct SensorSpec {
     pub white: Option<f64>,
     /// Bias random walk density, u/√s.
     pub random_walk: f64,
-    /// Bias instability, u.
+    /// Bias instability (flicker, 1/f), u.
     pub instability: f64,
+    /// How single samples of white noise are distributed.
+    pub distribution: Distribution,
+    /// Corner of a low pass of second order that the white noise goes through, Hz.
+    pub low_pass: Option<f64>,
+    /// Correlation of neighbouring samples of the white noise, which keeps its density at low frequency.
+    pub correlation: f64,
+    /// Single readings that are far off.
+    pub spikes: Option<Spikes>,
+    /// How far the bias moves from the begin to the end (norm), fast at first, u.
+    pub thermal_drift: f64,
+    /// Readings closer to zero than this are zero, u.
+    pub dead_zone: f64,
     /// Least significant bit, u; 0 for none.
     pub step: f64,
     /// Write 16-bit counts around 32768 instead of units.
@@ -155,6 +170,8 @@ pub struct SensorSpec {
     pub range: Option<f64>,
     /// The sensor's clock.
     pub clock: Clock,
+    /// The sensor's own rate where the recording has another: samples are held or interpolated.
+    pub resampled: Option<Resampled>,
 }
 
 impl SensorSpec {
@@ -163,6 +180,7 @@ impl SensorSpec {
             range: self.range,
             step: self.step,
             counts: self.counts,
+            dead_zone: self.dead_zone,
         }
     }
 
@@ -305,6 +323,7 @@ impl Spec {
             seed: self.seed,
             gravity: self.true_gravity(),
             vibration: self.vibration.as_ref(),
+            unsteady: self.unsteady.as_ref(),
             faults: &self.faults,
         }
     }

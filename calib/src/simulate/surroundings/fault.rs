@@ -42,4 +42,11 @@ pub enum Fault {
         /// Time that is lost, s.
         length: f64,
     },
+    /// The clock of the device runs fast from a moment on.
+    ClockChange {
+        /// True time, s.
+        start: f64,
+        /// By this share.
+        rate_error: f64,
+    },
 }

@@ -1,10 +1,23 @@
 //! Noise of one sensor from its densities.
 
+mod colour;
+mod distribution;
+mod flicker;
+mod spikes;
+mod thermal;
+
 use nalgebra::Vector3;
 use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 
 use super::random::{Purpose, Random};
+use super::spec::SensorSpec;
+use colour::Colour;
+use flicker::Flicker;
+use thermal::Thermal;
+
+pub use distribution::Distribution;
+pub use spikes::Spikes;
 
 /// Noise densities of one sensor, equal on its three axes; the unit `u` is m/s² or rad/s.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -25,7 +38,7 @@ pub struct Noise {
 pub(crate) struct Draw {
     /// White noise and drift.
     pub total: Vector3<f64>,
-    /// Random walk and instability: the bias less its value at the first sample.
+    /// Random walk, instability and thermal drift: the bias less its value at the first sample.
     pub drift: Vector3<f64>,
 }
 
@@ -38,6 +51,10 @@ pub(crate) struct NoiseSource {
     walk: Random,
     walked: Vector3<f64>,
     flicker: Flicker,
+    distribution: Distribution,
+    colour: Colour,
+    spikes: Option<(Spikes, Random)>,
+    thermal: Option<Thermal>,
 }
 
 impl NoiseSource {
@@ -50,69 +67,60 @@ impl NoiseSource {
             walk: Random::new(seed, Purpose::Walk(sensor)),
             walked: Vector3::zeros(),
             flicker: Flicker::new(noise.instability, rate, seed, sensor),
+            distribution: Distribution::default(),
+            colour: Colour::default(),
+            spikes: None,
+            thermal: None,
         }
+    }
+
+    /// With the colour, the distribution, the spikes and the thermal drift that `spec` asks for in a recording
+    /// of `length` seconds.
+    #[must_use]
+    pub fn shaped(
+        mut self,
+        spec: &SensorSpec,
+        rate: f64,
+        length: f64,
+        seed: u64,
+        sensor: Sensor,
+    ) -> Self {
+        self.distribution = spec.distribution;
+        self.colour = Colour::new(spec.low_pass, spec.correlation, rate);
+        let spikes = spec.spikes.filter(|s| s.share > 0.0);
+        self.spikes = spikes.map(|s| (s, Random::new(seed, Purpose::Spikes(sensor))));
+        let moved = spec.thermal_drift;
+        self.thermal = (moved > 0.0).then(|| Thermal::new(moved, length * rate, seed, sensor));
+        for _ in 0..self.colour.warm_up() {
+            self.white();
+        }
+        self
+    }
+
+    fn white(&mut self) -> Vector3<f64> {
+        let white = self.distribution.draw3(&mut self.white) * self.white_sigma;
+        self.colour.filter(white)
     }
 
     /// The noise of the next sample.
     pub fn draw(&mut self) -> Draw {
-        let drift = self.walked + self.flicker.value();
+        let mut drift = self.walked + self.flicker.value();
+        if let Some(thermal) = &mut self.thermal {
+            drift += thermal.value();
+            thermal.step();
+        }
         let mut total = drift;
         if self.white_sigma > 0.0 {
-            total += self.white.normal3() * self.white_sigma;
+            total += self.white();
+        }
+        if let Some((spikes, random)) = &mut self.spikes {
+            total += spikes.draw(random);
         }
         if self.walk_sigma > 0.0 {
             self.walked += self.walk.normal3() * self.walk_sigma;
         }
         self.flicker.step();
         Draw { total, drift }
-    }
-}
-
-/// Time constants of the Gauss–Markov processes: from 0.1 s, each four times the one before, to 30 h.
-const FLICKER_TAU: f64 = 0.1;
-const FLICKER_RATIO: f64 = 4.0;
-const FLICKER_COUNT: i32 = 11;
-
-/// Flicker noise as a sum of Gauss–Markov processes with time constants evenly spaced in `ln τ`.
-///
-/// One process of variance `σ²` has the two-sided density `2σ²τ/(1 + (2πfτ)²)`. Summed over `ln τ` in
-/// steps of `δ` that makes `σ²/(2fδ)`, so that `σ² = B²δ/π` gives `B²/(2πf)`.
-#[derive(Clone, Debug)]
-struct Flicker {
-    /// Per process: decay per sample, drive per sample, state.
-    processes: Vec<(f64, f64, Vector3<f64>)>,
-    at_first: Vector3<f64>,
-    random: Random,
-}
-
-impl Flicker {
-    fn new(instability: f64, rate: f64, seed: u64, sensor: Sensor) -> Self {
-        let mut random = Random::new(seed, Purpose::Instability(sensor));
-        let sigma = instability * (FLICKER_RATIO.ln() / std::f64::consts::PI).sqrt();
-        let count = if instability > 0.0 { FLICKER_COUNT } else { 0 };
-        let processes: Vec<_> = (0..count)
-            .map(|k| {
-                let steps = FLICKER_TAU * FLICKER_RATIO.powi(k) * rate;
-                let drive = sigma * (-(-2.0 / steps).exp_m1()).sqrt();
-                ((-1.0 / steps).exp(), drive, random.normal3() * sigma)
-            })
-            .collect();
-        let at_first = processes.iter().map(|p| p.2).sum();
-        Self {
-            processes,
-            at_first,
-            random,
-        }
-    }
-
-    fn value(&self) -> Vector3<f64> {
-        self.processes.iter().map(|p| p.2).sum::<Vector3<f64>>() - self.at_first
-    }
-
-    fn step(&mut self) {
-        for (decay, drive, state) in &mut self.processes {
-            *state = *state * *decay + self.random.normal3() * *drive;
-        }
     }
 }
 
@@ -176,28 +184,6 @@ mod tests {
             let ratio = sum / seeds as f64 / (density * density * s as f64);
             // Standard error √(2/6000) = 1.8 %; four of them.
             assert!((ratio - 1.0).abs() < 0.073, "{ratio}");
-        }
-    }
-
-    #[test]
-    fn the_processes_of_the_flicker_add_up_to_its_spectrum() {
-        let (rate, instability) = (1000.0, 1.0);
-        let flicker = Flicker::new(instability, rate, 1, Sensor::Gyroscope);
-        for f in [1e-4, 1e-3, 1e-2, 0.1] {
-            let density: f64 = (flicker.processes.iter())
-                .map(|(decay, drive, _)| {
-                    let tau = -1.0 / (rate * decay.ln());
-                    let variance = drive * drive / (1.0 - decay * decay);
-                    2.0 * variance * tau / (1.0 + (std::f64::consts::TAU * f * tau).powi(2))
-                })
-                .sum();
-            let wanted = instability * instability / (std::f64::consts::TAU * f);
-            // Ripple of the sum, and its ends at 0.1 s and 30 h.
-            assert!(
-                (density / wanted - 1.0).abs() < 0.05,
-                "{f}: {}",
-                density / wanted
-            );
         }
     }
 

@@ -1,0 +1,152 @@
+//! The rows of the study.
+
+mod clocks;
+mod devices;
+mod faults;
+mod motions;
+mod noises;
+
+use calib::calibrate::Request;
+use calib::simulate::{Clock, Grade, HandHeld, Motion, Spec};
+
+use super::kind::Kind;
+
+/// Whether the error of the best estimate is known: even clocks or true stamps, white noise, nothing else.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bound {
+    /// That of the same device and motion on a good day.
+    Known,
+    /// Not known.
+    Unknown,
+}
+
+/// A condition that recordings are made under.
+#[derive(Clone, Copy, Debug)]
+pub struct Condition {
+    /// Name of the row.
+    pub name: &'static str,
+    /// In words.
+    pub about: &'static str,
+    /// Whether the model of the estimate can hold.
+    pub holds: bool,
+    /// Whether the best error is known.
+    pub bound: Bound,
+    /// What the user says beside the recording.
+    pub ask: fn(&Spec, &mut Request),
+    grade: Grade,
+    build: fn(&mut Spec),
+    right: &'static [Kind],
+}
+
+/// A row at consumer grade that the model holds for, of unknown bound, under which no cause is right.
+const fn row(name: &'static str, about: &'static str, build: fn(&mut Spec)) -> Condition {
+    Condition {
+        name,
+        about,
+        holds: true,
+        bound: Bound::Unknown,
+        ask: |_, _| {},
+        grade: Grade::Consumer,
+        build,
+        right: &[],
+    }
+}
+
+impl Condition {
+    const fn tactical(mut self) -> Self {
+        self.grade = Grade::Tactical;
+        self
+    }
+
+    const fn bounded(mut self) -> Self {
+        self.bound = Bound::Known;
+        self
+    }
+
+    const fn beyond_the_model(mut self) -> Self {
+        self.holds = false;
+        self
+    }
+
+    const fn right(mut self, kinds: &'static [Kind]) -> Self {
+        self.right = kinds;
+        self
+    }
+
+    const fn ask(mut self, ask: fn(&Spec, &mut Request)) -> Self {
+        self.ask = ask;
+        self
+    }
+
+    /// What is simulated.
+    pub fn spec(&self, seed: u64) -> Spec {
+        let mut spec = Spec::hand_held(seed);
+        spec.grade = self.grade;
+        (self.build)(&mut spec);
+        spec
+    }
+
+    /// The same device and motion with even clocks and right stamps.
+    pub fn good_day(&self, seed: u64) -> Spec {
+        let mut spec = self.spec(seed);
+        for sensor in [&mut spec.accelerometer, &mut spec.gyroscope] {
+            sensor.clock = Clock {
+                rate: sensor.clock.rate,
+                ..Clock::default()
+            };
+        }
+        spec
+    }
+
+    /// Whether words of this kind are no false alarm here.
+    pub fn is_right(&self, kind: Kind) -> bool {
+        kind.names_nothing() || self.tells(kind)
+    }
+
+    /// Whether words of this kind name the condition or its visible consequence.
+    pub fn tells(&self, kind: Kind) -> bool {
+        self.right.contains(&kind)
+    }
+}
+
+/// All rows.
+pub static CONDITIONS: &[&[Condition]] = &[
+    devices::ROWS,
+    clocks::ROWS,
+    noises::ROWS,
+    motions::ROWS,
+    faults::ROWS,
+];
+
+/// The row of this name.
+pub fn condition(name: &str) -> Option<&'static Condition> {
+    CONDITIONS
+        .iter()
+        .copied()
+        .flatten()
+        .find(|c| c.name == name)
+}
+
+/// Changes the hand-held motion.
+fn by_hand(spec: &mut Spec, change: impl FnOnce(&mut HandHeld)) {
+    let mut hand = HandHeld::default();
+    change(&mut hand);
+    spec.motion = Motion::HandHeld(hand);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_row_can_be_simulated_and_has_a_name_of_its_own() {
+        let all: Vec<&Condition> = CONDITIONS.iter().copied().flatten().collect();
+        for (k, condition) in all.iter().enumerate() {
+            let first = all.iter().position(|c| c.name == condition.name);
+            assert_eq!(first, Some(k), "{}", condition.name);
+            if let Err(error) = calib::simulate::Simulation::new(&condition.spec(3)) {
+                panic!("{}: {error}", condition.name);
+            }
+        }
+    }
+}
