@@ -172,6 +172,7 @@ fn the_model_with_the_true_parameters_explains_every_effect_at_rest() {
             spec.vibration = spec.vibration.map(|_| Vibration {
                 rms: 1e-10,
                 share: 1.0,
+                ..Vibration::default()
             });
             let session = spec.run().unwrap();
             let model = Model::base(sensor).with(*effect);
