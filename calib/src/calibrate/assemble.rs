@@ -102,6 +102,7 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         parameters: table.names,
         covariance: table.covariance,
         warnings,
+        clocks: Vec::new(),
         history: Vec::new(),
         failed_gates,
     };

@@ -4,9 +4,9 @@ use sensor::{BASE_PARAMETERS, Model, Sensor};
 
 use super::assemble::{effect_values, of_the_gyro_unit, of_the_unit, triad};
 use super::same_device::of_one_device;
-use super::{Frame, Outcome, Request, checks, cut};
+use super::{Frame, Outcome, Request, checks, clocks, cut};
 use crate::calibration::{
-    Calibration, RecordingBias, SCHEMA, Triad, effect_named, in_symmetric_frame,
+    Calibration, RecordingBias, RecordingClock, SCHEMA, Triad, effect_named, in_symmetric_frame,
 };
 use crate::error::Error;
 use crate::methods::joint::{Channel, Disturbance, JointFit, JointRequest, fit_joint};
@@ -65,6 +65,7 @@ pub(super) fn calibrate(
         accelerometer,
         gyroscope,
         held,
+        clock: request.clock,
         ..JointRequest::new(
             recordings
                 .iter()
@@ -126,6 +127,7 @@ pub(crate) fn written_down(
     if rate.is_some() {
         warnings.extend(of_the_gyro_unit(&fit.rate_unit, fit.force_unit.is_si()));
     }
+    warnings.extend(clocks::doubts(fit));
     disturbances(fit, warnings);
     influences(fit, warnings);
     // The earth's rotation is no error of the sensor: corrected rates keep it.
@@ -146,6 +148,7 @@ pub(crate) fn written_down(
         parameters: all.free,
         covariance: all.covariance,
         warnings: Vec::new(),
+        clocks: RecordingClock::of(fit),
         history: Vec::new(),
         failed_gates,
     };

@@ -2,6 +2,7 @@
 
 mod assemble;
 mod checks;
+mod clocks;
 mod gyro_data;
 pub(crate) mod joint;
 mod means_file;
@@ -14,10 +15,10 @@ pub use means_file::read_static_means;
 use nalgebra::Vector3;
 use sensor::{AnyEffect, Model};
 
-use crate::calibration::Calibration;
+use crate::calibration::{Calibration, RecordingClock};
 use crate::error::Error;
 use crate::intervals::{Detector, Segmentation, Span};
-use crate::methods::joint::JointFit;
+use crate::methods::joint::{ClockMode, JointFit};
 use crate::methods::{
     self, AccelerometerFit, AccelerometerRequest, Choice, GyroscopeData, GyroscopeFit,
     GyroscopeRequest, fit_accelerometer, fit_gyroscope, static_means,
@@ -86,6 +87,9 @@ pub struct Request {
     pub latitude: Option<f64>,
     /// Take the recordings to be of one device even where they disagree.
     pub force_device: bool,
+    /// By which clock the turns are integrated. What is left to the data are the stamps in the stepwise method, as
+    /// published.
+    pub clock: ClockMode,
     /// Means to use for the accelerometer instead of those of the recordings.
     pub static_means: Vec<Vector3<f64>>,
 }
@@ -105,6 +109,7 @@ impl Default for Request {
             effects: Vec::new(),
             latitude: None,
             force_device: false,
+            clock: ClockMode::default(),
             static_means: Vec::new(),
         }
     }
@@ -132,6 +137,19 @@ pub struct Outcome {
 /// Recordings that cannot be cut, too few orientations, a parameter that the data do not determine,
 /// a fit that does not converge.
 pub fn calibrate(
+    recordings: &[Recording],
+    gyro_recordings: &[Recording],
+    request: &Request,
+) -> Result<Outcome, Error> {
+    if request.clock == ClockMode::Even && request.method == Method::Stepwise {
+        let [recordings, others] = [recordings, gyro_recordings].map(clocks::on_even_clocks);
+        return by_stamps(&recordings, &others, request);
+    }
+    by_stamps(recordings, gyro_recordings, request)
+}
+
+/// Calibrates by the stamps of the recordings, but for what the joint method makes of them.
+fn by_stamps(
     recordings: &[Recording],
     gyro_recordings: &[Recording],
     request: &Request,
@@ -174,6 +192,13 @@ pub fn calibrate(
         request,
         &mut warnings,
     )?;
+    let even = request.clock == ClockMode::Even;
+    let clocks = turning
+        .iter()
+        .filter(|(recording, _)| recording.gyroscope.is_some());
+    let clocks = clocks
+        .map(|(recording, _)| RecordingClock::given(&recording.name, even))
+        .collect();
     let calibration = assemble::calibration(assemble::Parts {
         recordings: &recordings,
         turning: &turning,
@@ -184,7 +209,10 @@ pub fn calibrate(
         warnings,
     })?;
     Ok(Outcome {
-        calibration,
+        calibration: Calibration {
+            clocks,
+            ..calibration
+        },
         choices,
         accelerometer,
         gyroscope,

@@ -2,11 +2,13 @@
 
 mod apply;
 mod check;
+mod clock;
 mod frame;
 mod units;
 
 pub use apply::apply;
 pub use check::load;
+pub use clock::{BetweenSamples, RecordingClock};
 pub use frame::in_symmetric_frame;
 pub use units::check_units;
 
@@ -44,6 +46,9 @@ pub struct Calibration {
     /// Reasons not to use the calibration as it stands.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub failed_gates: Vec<String>,
+    /// By which clock the turns of each recording were integrated.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub clocks: Vec<RecordingClock>,
     /// Biases estimated again since, oldest first.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub history: Vec<BiasUpdate>,

@@ -14,7 +14,7 @@ use super::enough::{enough_rests, enough_to_compare};
 use super::family::{Claim, TIME_CONSTANT, TIME_CONSTANTS};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
 use super::held_out::{gap_of, held_out};
-use super::integrity::{disturbed, integrity};
+use super::integrity::{disturbed, integrity, undersampled};
 use super::localise::disagreements;
 use super::projected::Walks;
 use super::propose::{Proposal, propose};
@@ -102,6 +102,7 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery
         effects.push(late_finding(&late, request, &mut calibration));
     }
     faults.extend(disturbed(&search.last));
+    faults.extend(undersampled(&search.last));
     let named = !effects.is_empty() || !faults.is_empty();
     let verdict = match (named, rest.is_some()) {
         (false, false) => Verdict::Nothing,

@@ -25,7 +25,7 @@ const REGULAR: f64 = 0.2;
 /// A fault of the recording.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Integrity {
-    /// `saturation`, `quantisation`, `lost_samples`, `mount_slip` or `disturbed_interval`.
+    /// `saturation`, `quantisation`, `lost_samples`, `undersampled_motion`, `mount_slip` or `disturbed_interval`.
     pub name: &'static str,
     /// The recording.
     pub recording: String,
@@ -109,6 +109,47 @@ pub fn disturbed(state: &State) -> Vec<Integrity> {
             }
         })
         .collect()
+}
+
+/// Turns shown of a recording that is sampled too slowly for its shocks.
+const SHOWN: usize = 6;
+
+/// Recordings whose rate jumps between samples, where that explains what the turns miss better than a scatter that
+/// is the same for all.
+pub fn undersampled(state: &State) -> Vec<Integrity> {
+    let evident = state
+        .fit
+        .undersampled()
+        .into_iter()
+        .filter(|u| u.is_evident);
+    let found = evident.filter_map(|found| {
+        let turns: Vec<String> = found
+            .turns
+            .iter()
+            .take(SHOWN)
+            .map(|(turn, _, angle)| format!("{} ({:.2}°)", turn + 1, angle.to_degrees()))
+            .collect();
+        let spans = found.turns.iter().map(|(_, span, _)| *span);
+        let first = spans.clone().min_by(|a, b| a.from.total_cmp(&b.from))?;
+        let last = spans.max_by(|a, b| a.to.total_cmp(&b.to))?;
+        let [low, high] = found.share.between;
+        Some(Integrity {
+            name: "undersampled_motion",
+            recording: state.fit.data.sources[found.recording].name.clone(),
+            interval: None,
+            t0: first.from,
+            t1: last.to,
+            detail: format!(
+                "the rate jumps between samples and {:.2} ({low:.2} to {high:.2}) of each jump is missing in the \
+                 angle: {:.2}° rms per turn, most in turns {}. Place the device gently, sample faster, or filter before \
+                 sampling",
+                found.share.value,
+                found.rms.to_degrees(),
+                turns.join(", ")
+            ),
+        })
+    });
+    found.collect()
 }
 
 /// One sensor of one recording.

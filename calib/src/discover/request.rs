@@ -7,7 +7,7 @@ use super::projected::Walks;
 use super::state::Extension;
 use crate::error::Error;
 use crate::intervals::Detector;
-use crate::methods::joint::JointRequest;
+use crate::methods::joint::{ClockMode, JointRequest};
 use crate::methods::{Choice, cut};
 use crate::recording::Recording;
 use crate::simulate::EARTH_RATE;
@@ -27,6 +27,8 @@ pub struct Request {
     pub walks: Option<Walks>,
     /// Latitude, degrees north: the earth's rotation is then part of the base model.
     pub latitude: Option<f64>,
+    /// By which clock the turns are integrated.
+    pub clock: ClockMode,
     /// The detector of motion.
     pub detector: Detector,
     /// Whether the detector's multiplier is chosen by what the accelerometer's fit leaves.
@@ -63,6 +65,7 @@ impl Request {
             alpha: 0.01,
             walks: None,
             latitude: None,
+            clock: ClockMode::default(),
             detector: Detector::default(),
             choose_multiplier: true,
             force_device: false,
@@ -92,6 +95,8 @@ pub struct Session<'a> {
     pub walks: Option<Walks>,
     /// Latitude, degrees north.
     pub latitude: Option<f64>,
+    /// By which clock the turns are integrated.
+    pub clock: ClockMode,
 }
 
 impl<'a> Session<'a> {
@@ -121,6 +126,7 @@ impl<'a> Session<'a> {
             gravity: request.gravity,
             walks: request.walks,
             latitude: request.latitude,
+            clock: request.clock,
         })
     }
 
@@ -160,6 +166,7 @@ impl<'a> Session<'a> {
             known: extension.disturbed.clone(),
             held,
             starts,
+            clock: self.clock,
             covariates: true,
             ..JointRequest::new(
                 self.recordings

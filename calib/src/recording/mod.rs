@@ -47,7 +47,7 @@ mod write;
 
 use std::path::Path;
 
-pub(crate) use even_clock::evened;
+pub(crate) use even_clock::{EvenClock, Stamps, even_clock};
 pub use options::{ColumnMap, ReadOptions, Role};
 pub use place::figure;
 use sensor::Sensor;

@@ -18,8 +18,8 @@ use nalgebra::Vector3;
 use sensor::AnyEffect;
 
 use super::inputs::{
-    DetectorArgs, RecordingArgs, as_paths, check_gravity, check_latitude, own_effects, read,
-    spinner,
+    ClockArg, DetectorArgs, RecordingArgs, as_paths, check_gravity, check_latitude, own_effects,
+    read, spinner,
 };
 use super::pictures::{PictureArgs, Pictures};
 use super::six_position;
@@ -73,6 +73,9 @@ pub struct Args {
     /// figures)
     #[arg(long, value_name = "HZ")]
     nominal_rate: Option<f64>,
+    /// By which clock the turns are integrated
+    #[arg(long, value_enum, default_value_t = ClockArg::Auto)]
+    clock: ClockArg,
     /// Table of static intervals picked by hand, for each recording in turn (columns `t0,t1` or
     /// `start,stop`)
     #[arg(long, value_name = "FILE")]
@@ -283,6 +286,7 @@ fn request(args: &Args) -> Result<Request, Failure> {
         effects,
         latitude: args.latitude,
         force_device: args.force_device,
+        clock: args.clock.mode(),
         static_means,
     })
 }

@@ -6,6 +6,7 @@ use std::time::Duration;
 use calib::calibration::check_units;
 use calib::effect_file::{catalogue_with, read_effects};
 use calib::intervals::Detector;
+use calib::methods::joint::ClockMode;
 use calib::recording::figure;
 use calib::{Calibration, Recording};
 use indicatif::ProgressBar;
@@ -81,6 +82,29 @@ pub fn check_latitude(latitude: Option<f64>) -> Result<(), Failure> {
                 figure(latitude)
             ),
         )),
+    }
+}
+
+/// By which clock the turns are integrated.
+#[derive(Clone, Copy, Debug, Default, clap::ValueEnum)]
+pub enum ClockArg {
+    /// What the data say: the stamps, an even clock behind them, or between (`--method stepwise`: the stamps)
+    #[default]
+    Auto,
+    /// The stamps as they are
+    Stamps,
+    /// An even clock, where the stamps scatter about one
+    Even,
+}
+
+impl ClockArg {
+    /// The same for the library.
+    pub fn mode(self) -> ClockMode {
+        match self {
+            Self::Auto => ClockMode::Auto,
+            Self::Stamps => ClockMode::Stamps,
+            Self::Even => ClockMode::Even,
+        }
     }
 }
 

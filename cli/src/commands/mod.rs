@@ -4,6 +4,7 @@ mod allan;
 mod apply;
 mod bias;
 mod calibrate;
+mod clocks;
 mod demo;
 mod discover;
 mod effects;

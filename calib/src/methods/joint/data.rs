@@ -6,14 +6,16 @@ use nalgebra::Vector3;
 use sensor::Kinematics;
 
 use super::broken::{Pair, touched};
+use super::clock::{ClockMode, SourceClock, TurnClock, clocks_behind, window};
 use super::knowledge::known_at_rests;
 use super::noise::SensorNoise;
+use super::sampling::shocks;
 use super::shake::{Shake, gaps, shakes};
 use super::trim::quiet_part;
 use super::turn::MARGIN;
 use crate::intervals::{Segmentation, Span, TurnFault};
 use crate::methods::RawUnit;
-use crate::recording::{INSTANT, Recording, Stream, evened};
+use crate::recording::{INSTANT, Recording, Stream};
 
 /// Rests are cut into chunks of about this length, s: they anchor random walk, drift and warm-up.
 const CHUNK: f64 = 8.0;
@@ -91,6 +93,13 @@ pub struct TurnSamples {
     pub readings: Vec<Vector3<f64>>,
     /// What effects ask for at the samples; empty without effects.
     pub known: Vec<Kinematics<f64>>,
+    /// The clocks behind stamps that scatter; empty where there is nothing to choose.
+    pub clocks: Vec<TurnClock>,
+    /// The one of them that `t` and `lengths` go by.
+    pub base: usize,
+    /// How far the inner samples are from where their neighbours have them, less what noise explains, rad/s; empty where
+    /// that does not matter.
+    pub shocks: Vec<Vector3<f64>>,
 }
 
 /// A turn that is not used.
@@ -118,6 +127,10 @@ pub struct Source {
     /// The time that walks of the biases are counted from while the noise is judged, s: the edge of a chunk
     /// near the middle. The biases of a fit are means over the rests.
     pub reference: f64,
+    /// The clock of the gyroscope in turns.
+    pub clock: SourceClock,
+    /// Variance of the times of its samples about that clock, s².
+    pub timing: f64,
 }
 
 /// All recordings.
@@ -152,6 +165,8 @@ pub struct Cut<'a> {
     pub force_unit: &'a RawUnit,
     /// The unit of the gyroscope.
     pub rate_unit: &'a RawUnit,
+    /// Which clock the turns are integrated by.
+    pub clock: ClockMode,
 }
 
 impl Data {
@@ -162,7 +177,7 @@ impl Data {
     pub fn add(&mut self, cut: &Cut<'_>) {
         let place = self.sources.len();
         let force = near_si(cut.recording.accelerometer.as_ref(), cut.force_unit);
-        let rate = near_si(cut.recording.gyroscope.as_ref(), cut.rate_unit).map(on_an_even_clock);
+        let rate = near_si(cut.recording.gyroscope.as_ref(), cut.rate_unit);
         let spans: Vec<Span> = cut
             .segmentation
             .statics
@@ -207,14 +222,17 @@ impl Data {
             self.look_for_touches(&pair, &spans, first);
         }
         self.look_for_shakes(force.iter().chain(&rate), first);
-        if let Some(rate) = &rate {
-            self.add_turns(cut, rate, &spans, first);
-        }
+        let clock = match &rate {
+            Some(rate) => self.add_turns(cut, rate, of_rate.as_ref(), &spans, first),
+            None => SourceClock::default(),
+        };
         self.sources.push(Source {
             name: cut.recording.name.clone(),
             accelerometer: of_force,
             gyroscope: of_rate,
             reference: middle_edge(&spans),
+            clock,
+            timing: 0.0,
         });
     }
 
@@ -284,8 +302,16 @@ impl Data {
         self.shaken.sort_by_key(|(chunk, _)| *chunk);
     }
 
-    fn add_turns(&mut self, cut: &Cut<'_>, rate: &Stream, spans: &[Span], first: usize) {
+    fn add_turns(
+        &mut self,
+        cut: &Cut<'_>,
+        rate: &Stream,
+        noise: Option<&SensorNoise>,
+        spans: &[Span],
+        first: usize,
+    ) -> SourceClock {
         let recording = self.sources.len();
+        let (clock, behind) = clocks_behind(rate, cut.clock);
         for turn in &cut.segmentation.turns {
             let span = Span {
                 from: spans[turn.from].to,
@@ -307,6 +333,8 @@ impl Data {
                 continue;
             }
             let range = inner.start - MARGIN..inner.end + MARGIN;
+            let own = &rate.values[range.clone()];
+            let of = |even: &Vec<f64>| TurnClock::of(&rate.t, even, range.clone());
             self.turns.push(TurnSamples {
                 recording,
                 turn: turn.from,
@@ -314,10 +342,14 @@ impl Data {
                 span,
                 t: rate.t[range.clone()].to_vec(),
                 lengths: range.clone().map(|k| window(&rate.t, k)).collect(),
-                readings: rate.values[range].to_vec(),
+                readings: own.to_vec(),
                 known: Vec::new(),
+                clocks: behind.iter().map(of).collect(),
+                base: 0,
+                shocks: noise.map_or(Vec::new(), |noise| shocks(own, &noise.white)),
             });
         }
+        clock
     }
 }
 
@@ -327,14 +359,6 @@ fn near_si(stream: Option<&Stream>, unit: &RawUnit) -> Option<Stream> {
         t: stream.t.clone(),
         values: stream.values.iter().map(|v| unit.to_si(v)).collect(),
     })
-}
-
-/// With the stamps of an even clock, where its own scatter about one.
-fn on_an_even_clock(stream: Stream) -> Stream {
-    match evened(&stream.t) {
-        Some(t) => Stream { t, ..stream },
-        None => stream,
-    }
 }
 
 /// The span in equal parts of about `length`; none of an empty one.
@@ -382,17 +406,6 @@ fn mean_over(stream: &Stream, part: Span) -> Option<Mean> {
         slope: moment / spread,
         spread,
     })
-}
-
-/// Length of the window of sample `k`: half the way to either neighbour.
-fn window(t: &[f64], k: usize) -> f64 {
-    let after = t.get(k + 1).map(|next| next - t[k]);
-    let before = k.checked_sub(1).map(|j| t[k] - t[j]);
-    match (before, after) {
-        (Some(a), Some(b)) => 0.5 * (a + b),
-        (Some(a), None) | (None, Some(a)) => a,
-        (None, None) => 0.0,
-    }
 }
 
 /// The end of a rest that lies nearest the middle of all.

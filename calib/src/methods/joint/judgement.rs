@@ -33,7 +33,12 @@ impl Run<'_> {
     pub(super) fn first_weights(&self) -> Weights {
         let rows = self.rows(&[]);
         let parameters = self.first_values(&rows);
-        let x = parameters.values();
+        self.weights_at(parameters.values())
+    }
+
+    /// The same at any point.
+    pub(super) fn weights_at(&self, x: &[f64]) -> Weights {
+        let rows = self.rows(&[]);
         let noise = rows.noise(x);
         let white = White::new(&noise, rows.first_turn_row());
         let components = walks(&noise, &white);

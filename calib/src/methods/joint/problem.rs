@@ -1,7 +1,7 @@
 //! The rows of the joint problem and their Jacobian.
 
 use faer::Mat;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Vector2, Vector3};
 use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, PLACES, Sensor, inverse};
 
 use super::chart::Chart;
@@ -219,7 +219,7 @@ impl<'a> Rows<'a> {
         let residual = across * (foretold - self.direction(x, turn.from + 1));
         // ∂(Rᵀ u) = (Rᵀ u) × δ
         let by_rotation = across * foretold.cross_matrix();
-        let mut set = |column: usize, value: nalgebra::Vector2<f64>| {
+        let mut set = |column: usize, value: Vector2<f64>| {
             for i in 0..2 {
                 out.jacobian[(row + i, column)] = value[i];
             }
@@ -241,6 +241,24 @@ impl<'a> Rows<'a> {
         }
         out.residuals[row] = residual[0];
         out.residuals[row + 1] = residual[1];
+    }
+
+    /// `∂r/∂λ` of the two rows of a turn by the share of the scatter that its clock has: a window's angle grows by
+    /// `ω_k` times what the scatter adds to its length.
+    pub(super) fn by_clock(&self, x: &[f64], turn: &TurnSamples) -> Vector2<f64> {
+        let Some(clock) = turn.clocks.get(turn.base) else {
+            return Vector2::zeros();
+        };
+        let p = self.local(x, Sensor::Gyroscope, turn.recording);
+        let (carried, _) = self.carried(turn, &p);
+        let predicted = carried.rotation * self.direction(x, turn.from);
+        let windows = clock.slack.iter().zip(&turn.lengths);
+        let rates = self.rates(turn, &p);
+        let moved: Vector3<f64> = windows
+            .zip(carried.gains.iter().zip(&rates))
+            .map(|((slack, length), (gain, rate))| gain * rate * (slack / length))
+            .sum();
+        self.charts[turn.from + 1].across.transpose() * predicted.cross_matrix() * moved
     }
 
     /// The rotation over a turn, and the derivative of the corrected rate by the base's `T (W − b)` per

@@ -2,6 +2,7 @@
 
 use sensor::Model;
 
+use super::clock::ClockMode;
 use super::disturbance::Disturbance;
 use crate::intervals::{Segmentation, Span};
 use crate::recording::Recording;
@@ -36,6 +37,8 @@ pub struct JointRequest<'a> {
     /// Whether what effects ask for is worked out at the samples of turns even where no effect of the
     /// models asks for it: time, temperature, specific force, angular acceleration.
     pub covariates: bool,
+    /// Which clock the turns are integrated by.
+    pub clock: ClockMode,
 }
 
 impl<'a> JointRequest<'a> {
@@ -53,6 +56,7 @@ impl<'a> JointRequest<'a> {
             held: Vec::new(),
             starts: Vec::new(),
             covariates: false,
+            clock: ClockMode::default(),
         }
     }
 }

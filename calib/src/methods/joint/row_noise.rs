@@ -1,8 +1,9 @@
 //! What the noise of the recordings makes of the rows.
 
-use nalgebra::Matrix2x3;
+use nalgebra::{Matrix2, Matrix2x3, Vector3};
 use sensor::{Base, Sensor};
 
+use super::clock::outer;
 use super::data::TurnSamples;
 use super::exposure::{Exposure, white};
 use super::problem::Rows;
@@ -17,6 +18,8 @@ pub struct RowNoise {
     pub with_before: Vec<f64>,
     /// How the rows of accelerometer and gyroscope feel a walk of the bias.
     pub exposures: [Vec<Exposure>; 2],
+    /// Per turn: the covariance that a sampling share of one adds.
+    pub by_share: Vec<Matrix2<f64>>,
 }
 
 impl Rows<'_> {
@@ -27,6 +30,7 @@ impl Rows<'_> {
             variance: vec![0.0; m],
             with_before: vec![0.0; m],
             exposures: [Vec::new(), Vec::new()],
+            by_share: Vec::with_capacity(self.data.turns.len()),
         };
         let mut row = 0;
         for (place, sensor) in [Sensor::Accelerometer, Sensor::Gyroscope]
@@ -64,7 +68,10 @@ impl Rows<'_> {
 
     fn turn_noise(&self, x: &[f64], turn: &TurnSamples, row: usize, noise: &mut RowNoise) {
         let source = &self.data.sources[turn.recording];
-        let Some(own) = source.gyroscope else { return };
+        let Some(own) = source.gyroscope else {
+            noise.by_share.push(Matrix2::zeros());
+            return;
+        };
         let p = self.local(x, Sensor::Gyroscope, turn.recording);
         let base = Base::from_parameters(&p);
         let (carried, _) = self.carried(turn, &p);
@@ -75,7 +82,16 @@ impl Rows<'_> {
             .iter()
             .map(|gain| across * gain * base.t)
             .collect();
-        let covariance = white(&gains, &own.variance_in_sum());
+        let shocks = turn.shocks.iter().zip(&gains);
+        let by_share: Matrix2<f64> = shocks.map(|(e, gain)| outer(&(gain * e))).sum();
+        let covariance = white(&gains, &own.variance_in_sum())
+            + by_share * source.clock.sampling.value.powi(2)
+            + if source.timing > 0.0 {
+                by_timing(turn, &gains) * source.timing
+            } else {
+                Matrix2::zeros()
+            };
+        noise.by_share.push(by_share);
         noise.variance[row] = covariance[(0, 0)];
         noise.variance[row + 1] = covariance[(1, 1)];
         noise.with_before[row + 1] = covariance[(1, 0)];
@@ -87,4 +103,15 @@ impl Rows<'_> {
             source.reference,
         ));
     }
+}
+
+/// The covariance of the rows that sampling times off by a second each, independently, would have:
+/// `Σ (J_k ω̇_k)(J_k ω̇_k)ᵀ`.
+fn by_timing(turn: &TurnSamples, gains: &[Matrix2x3<f64>]) -> Matrix2<f64> {
+    let slope = |k: usize| -> Vector3<f64> {
+        (turn.readings[k + 1] - turn.readings[k - 1]) / (turn.t[k + 1] - turn.t[k - 1])
+    };
+    let inner = MARGIN..turn.t.len() - MARGIN;
+    let steps = inner.zip(gains);
+    steps.map(|(k, gain)| outer(&(gain * slope(k)))).sum()
 }

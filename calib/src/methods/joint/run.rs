@@ -6,6 +6,7 @@ use solver::{Mask, Options, Parameters, Variant, solve};
 
 use super::approach::{Weighted, approach};
 use super::chart::Chart;
+use super::clock_fit::settle_clock;
 use super::data::{Cut, Data};
 use super::fit::JointFit;
 use super::judgement::Weights;
@@ -37,6 +38,7 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
             segmentation,
             force_unit: &start.force_unit,
             rate_unit: &start.rate_unit,
+            clock: request.clock,
         })
         .collect();
     let mut data = Data::default();
@@ -44,21 +46,18 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
         data.add(cut);
     }
     let covariates = request.covariates || !request.gyroscope.effects().is_empty();
-    if covariates {
-        for (k, p) in start.accelerometer.iter().enumerate() {
-            data.know_turns(k, &cuts[k], &request.accelerometer, p);
-        }
+    for k in data.with_scatter() {
+        data.set_clock(k, 0, 0.0);
     }
     let charts = charts(&data, &request.accelerometer, &start)?;
+    let known = |data: &mut Data| know(request, data, &cuts, &charts, &start);
     if covariates {
-        let first = Run {
-            request,
-            data: &data,
-            charts: &charts,
-            start: &start,
-        };
-        let attitudes = first.attitudes()?;
-        data.know_attitudes(&attitudes);
+        known(&mut data)?;
+    }
+    let point = settle_clock(request, &mut data, &charts, &start)?;
+    // What effects ask for is asked for at the samples' times.
+    if covariates && point.is_some() {
+        known(&mut data)?;
     }
     Run {
         request,
@@ -66,7 +65,29 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
         charts: &charts,
         start: &start,
     }
-    .run()
+    .run(point)
+}
+
+/// Works out what effects ask for at the samples of turns, then the attitudes.
+fn know(
+    request: &JointRequest<'_>,
+    data: &mut Data,
+    cuts: &[Cut<'_>],
+    charts: &[Chart],
+    start: &Start,
+) -> Result<(), Error> {
+    for (k, p) in start.accelerometer.iter().enumerate() {
+        data.know_turns(k, &cuts[k], &request.accelerometer, p);
+    }
+    let first = Run {
+        request,
+        data,
+        charts,
+        start,
+    };
+    let attitudes = first.attitudes()?;
+    data.know_attitudes(&attitudes);
+    Ok(())
 }
 
 /// What stays the same over all rounds.
@@ -125,9 +146,12 @@ impl Run<'_> {
         Ok(self.rows(&[]).attitudes(point.parameters.values()))
     }
 
-    fn run(&self) -> Result<JointFit, Error> {
-        let mut weights = self.first_weights();
-        let mut point = self.approach(&weights, None)?;
+    fn run(&self, before: Option<Point>) -> Result<JointFit, Error> {
+        let mut weights = match &before {
+            Some(point) => self.weights_at(point.plain_values()),
+            None => self.first_weights(),
+        };
+        let mut point = self.approach(&weights, before.as_ref())?;
         for _ in 0..ROUNDS {
             weights = self.judge(&point);
             let next = self.approach(&weights, Some(&point))?;
@@ -142,7 +166,7 @@ impl Run<'_> {
 
     /// The minimum under these weights: by plain Gauss–Newton steps, and by the solver where those do not
     /// lead there.
-    fn approach(&self, weights: &Weights, before: Option<&Point>) -> Result<Point, Error> {
+    pub fn approach(&self, weights: &Weights, before: Option<&Point>) -> Result<Point, Error> {
         let columns = weights.columns();
         let rows = self.rows(&columns);
         let mut parameters = self.first_values(&rows);

@@ -223,6 +223,7 @@ mod tests {
             variance: vec![4.0, 9.0, 0.25],
             with_before: vec![0.0, 3.0, 0.0],
             exposures: [Vec::new(), Vec::new()],
+            by_share: Vec::new(),
         };
         let white = White::new(&noise, 3);
         let before = Mat::from_fn(3, 2, |i, k| (i + 3 * k) as f64 - 1.5);

@@ -203,6 +203,7 @@ impl SixPosition {
             covariance,
             warnings: self.warnings.clone(),
             failed_gates: self.failed_gates(),
+            clocks: Vec::new(),
             history: Vec::new(),
         })
     }

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use calib::calibrate::Outcome;
 use calib::calibration::Triad;
 
-use crate::commands::joint;
+use crate::commands::{clocks, joint};
 use crate::show;
 
 /// Units of the readings of accelerometer and gyroscope.
@@ -89,6 +89,7 @@ pub fn text(outcome: &Outcome) -> String {
     if let Some(fit) = &outcome.joint {
         text.push_str(&joint::text(fit));
     }
+    text.push_str(&clocks::text(calibration));
     for effect in &calibration.effects {
         let mut table = show::table(&[&effect.name, "value", "std error", "unit"]);
         for p in &effect.parameters {

@@ -22,8 +22,8 @@ pub use words::verdict;
 
 use super::calibrate::gate;
 use super::inputs::{
-    DetectorArgs, RecordingArgs, as_paths, check_gravity, check_latitude, own_effects, read,
-    spinner,
+    ClockArg, DetectorArgs, RecordingArgs, as_paths, check_gravity, check_latitude, own_effects,
+    read, spinner,
 };
 use super::pictures::PictureArgs;
 use crate::exit::{BUG, Failure, USAGE};
@@ -84,6 +84,9 @@ pub struct Args {
     /// Latitude, degrees, north positive: the earth's rotation is then part of the base models
     #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
     latitude: Option<f64>,
+    /// By which clock the turns are integrated
+    #[arg(long, value_enum, default_value_t = ClockArg::Auto)]
+    clock: ClockArg,
     /// Write the findings here
     #[arg(short, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -180,6 +183,7 @@ fn request(args: &Args) -> Result<Request, Failure> {
         alpha: args.alpha,
         force_device: args.force_device,
         latitude: args.latitude,
+        clock: args.clock.mode(),
         detector,
         choose_multiplier,
         ..Request::new(args.gravity)

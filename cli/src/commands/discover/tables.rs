@@ -7,6 +7,7 @@ use calib::discover::{Discovery, EffectFinding, Findings, Proposal, Validation};
 use comfy_table::CellAlignment;
 
 use super::words::{self, chance, next_recordings, proposed, verdict};
+use crate::commands::clocks;
 use crate::show;
 
 /// A gap that is above this share of what it was has not shrunk.
@@ -244,6 +245,7 @@ pub fn text(discovery: &Discovery) -> String {
         let _ = writeln!(text, "{}\n\n{table}", proposed(proposal));
     }
     push(&mut text, faults(findings), 5);
+    text.push_str(&clocks::text(&findings.calibration));
     push(&mut text, disagreement(findings), 1);
     if findings.effects.is_empty() {
         push(&mut text, ranking(findings), 1);

@@ -1,0 +1,318 @@
+//! The share of the scatter that belongs to the samples, and what is missing between them, from the turns.
+//!
+//! ```text
+//! fit ─► what it leaves of the turns ─► sampling share c, clock share λ ─► weights, windows ─► fit …
+//!                                                       └─► 0 or 1 where χ² allows it
+//! ```
+
+use faer::Mat;
+use nalgebra::{DMatrix, DVector, Matrix2, Vector2};
+
+use super::chart::Chart;
+use super::clock::{ClockMode, ClockState};
+use super::data::Data;
+use super::marginal::orthonormal;
+use super::request::JointRequest;
+use super::run::{Point, Run};
+use super::sampling::{Evidence, likeliest, root_of_spare};
+use super::start::Start;
+use super::weights::White;
+use crate::error::Error;
+
+/// Rounds at most, for one clock.
+const ROUNDS: usize = 5;
+
+/// A share that moves by less than this, and by less than a fifth of its standard error, is found.
+const SETTLED: f64 = 0.02;
+const SETTLED_ERRORS: f64 = 0.2;
+
+/// A sampling share that changes by less than this part of itself is found.
+const STEADY: f64 = 0.06;
+
+/// `χ²` that 0 or 1 may cost over the fitted share.
+const ALLOWED: f64 = 4.0;
+
+/// Turns that miss by more than this `χ²` per degree of freedom do not know the share well enough to say that it is 0
+/// or 1.
+const MISFIT: f64 = 2.0;
+
+/// A share with a larger standard error says nothing.
+const UNKNOWN: f64 = 0.35;
+
+/// The median of `χ²` of two degrees of freedom.
+const MEDIAN_OF_TWO: f64 = 1.386_294_361_119_890_6;
+
+/// Fits the clocks of the recordings, writes them into the data, and returns the point that was reached; `None` where
+/// there is nothing to fit.
+///
+/// # Errors
+/// What the solver refuses.
+pub(super) fn settle_clock(
+    request: &JointRequest<'_>,
+    data: &mut Data,
+    charts: &[Chart],
+    start: &Start,
+) -> Result<Option<Point>, Error> {
+    let open = match request.clock {
+        ClockMode::Auto => data.with_scatter(),
+        ClockMode::Stamps | ClockMode::Even => Vec::new(),
+    };
+    let shocks = data.turns.iter().any(|turn| !turn.shocks.is_empty());
+    if open.is_empty() && !shocks {
+        return Ok(None);
+    }
+    let mut fit = ClockFit {
+        request,
+        charts,
+        start,
+        open,
+        point: None,
+    };
+    let mut left = fit.rounds(data)?;
+    for k in fit.open.clone() {
+        if data.bases(k) < 2 {
+            continue;
+        }
+        let before = (data.sources[k].clock, left.misfit(data, k));
+        data.set_clock(k, 1, before.0.share);
+        left = fit.rounds(data)?;
+        if left.misfit(data, k) >= before.1 {
+            data.set_clock(k, 0, before.0.share);
+            left = fit.rounds(data)?;
+        }
+    }
+    fit.decide(data, &left);
+    Ok(fit.point)
+}
+
+/// A fit on its way.
+struct ClockFit<'a> {
+    request: &'a JointRequest<'a>,
+    charts: &'a [Chart],
+    start: &'a Start,
+    /// The recordings whose share is fitted.
+    open: Vec<usize>,
+    point: Option<Point>,
+}
+
+/// What a fit leaves of the turns, and what the shares would do to it.
+struct Left {
+    turns: Vec<Evidence>,
+    /// What the fit leaves of all rows, whitened (`m`).
+    residuals: Vec<f64>,
+    /// Of them, what a clock's share moves, for each open recording (`m`).
+    by_share: Vec<Vec<f64>>,
+    /// First row of the turns.
+    first: usize,
+}
+
+impl ClockFit<'_> {
+    /// Fits until the shares stand still.
+    fn rounds(&mut self, data: &mut Data) -> Result<Left, Error> {
+        let mut left = self.fit(data)?;
+        for _ in 0..ROUNDS {
+            let moved = self.sampling(data, &left) | self.shares(data, &left);
+            if !moved {
+                break;
+            }
+            left = self.fit(data)?;
+        }
+        Ok(left)
+    }
+
+    /// The minimum with the shares as they are.
+    fn fit(&mut self, data: &Data) -> Result<Left, Error> {
+        let run = Run {
+            request: self.request,
+            data,
+            charts: self.charts,
+            start: self.start,
+        };
+        let weights = match &self.point {
+            Some(point) => run.weights_at(point.plain_values()),
+            None => run.first_weights(),
+        };
+        let point = run.approach(&weights, self.point.as_ref())?;
+        let left = self.left(&run, &point, &weights.whitening.white);
+        self.point = Some(point);
+        Ok(left)
+    }
+
+    fn left(&self, run: &Run<'_>, point: &Point, white: &White) -> Left {
+        let rows = run.rows(&[]);
+        let (x, free) = (point.plain_values(), point.mask.free_indices());
+        let (r, jacobian) = point.linear.whitened(&free, |a| white.apply(a));
+        let (m, first) = (r.len(), rows.first_turn_row());
+        let mut all = Mat::<f64>::zeros(m, 1 + self.open.len());
+        for (k, turn) in run.data.turns.iter().enumerate() {
+            if let Some(place) = self.open.iter().position(|&o| o == turn.recording) {
+                let moved = rows.by_clock(x, turn);
+                all[(first + 2 * k, 1 + place)] = moved[0];
+                all[(first + 2 * k + 1, 1 + place)] = moved[1];
+            }
+        }
+        white.apply(all.as_mut());
+        for (i, value) in r.iter().enumerate() {
+            all[(i, 0)] = *value;
+        }
+        let basis = orthonormal(&jacobian);
+        let all = &all - &basis * (basis.transpose() * &all);
+        let noise = rows.noise(x);
+        let turns = noise.by_share.iter().enumerate().map(|(k, by_share)| {
+            let row = first + 2 * k;
+            let hat = Matrix2::from_fn(|i, j| {
+                let (a, b) = (basis.row(row + i), basis.row(row + j));
+                a.iter().zip(b.iter()).map(|(a, b)| a * b).sum()
+            });
+            Evidence {
+                left: Vector2::new(all[(row, 0)], all[(row + 1, 0)]),
+                spare: root_of_spare(&hat),
+                by_share: both_sides(white, row, by_share),
+                by_floor: both_sides(white, row, &Matrix2::identity()),
+            }
+        });
+        Left {
+            turns: turns.collect(),
+            residuals: all.col(0).iter().copied().collect(),
+            by_share: (0..self.open.len())
+                .map(|k| all.col(1 + k).iter().copied().collect())
+                .collect(),
+            first,
+        }
+    }
+
+    /// The likeliest sampling share of every recording; whether any moved.
+    fn sampling(&self, data: &mut Data, left: &Left) -> bool {
+        let mut moved = false;
+        for k in 0..data.sources.len() {
+            let own = |turn: &&super::data::TurnSamples| turn.recording == k;
+            if data.turns.iter().filter(own).all(|t| t.shocks.is_empty()) {
+                continue;
+            }
+            let before = data.sources[k].clock.sampling.value;
+            let share = likeliest(&left.of(data, k), before);
+            data.sources[k].clock.sampling = share;
+            moved |= (share.value - before).abs() > STEADY * share.value.max(before);
+        }
+        moved
+    }
+
+    /// The likeliest shares of the clocks; whether any moved.
+    fn shares(&self, data: &mut Data, left: &Left) -> bool {
+        let Some((steps, errors)) = left.steps(data) else {
+            return false;
+        };
+        let mut moved = false;
+        for (place, &k) in self.open.iter().enumerate() {
+            let clock = data.sources[k].clock;
+            let share = clock.share + steps[place];
+            data.sources[k].clock.fitted = Some((share, errors[place]));
+            let inside = share.clamp(0.0, 1.0);
+            let change = (inside - clock.share).abs();
+            if change > SETTLED && change > SETTLED_ERRORS * errors[place] {
+                let base = data.base(k);
+                data.set_clock(k, base, inside);
+                moved = true;
+            }
+        }
+        moved
+    }
+
+    /// Takes 0 or 1 where `χ²` allows it.
+    fn decide(&self, data: &mut Data, left: &Left) {
+        for k in 0..data.sources.len() {
+            if data.turns.iter().any(|turn| turn.recording == k) {
+                data.sources[k].clock.misfit = Some(left.misfit(data, k));
+            }
+        }
+        for &k in &self.open {
+            let clock = data.sources[k].clock;
+            let (Some((share, error)), Some(misfit)) = (clock.fitted, clock.misfit) else {
+                continue;
+            };
+            let allows = |value: f64| ((share - value) / error).powi(2) <= ALLOWED;
+            let nearer = if share < 0.5 { 0.0 } else { 1.0 };
+            let (state, chosen) = if error.is_nan() || error > UNKNOWN {
+                // Steps that add up are those of samples taken when the host has time.
+                let adds = data.bases(k) > 1;
+                (ClockState::Undecided, if adds { 1.0 } else { 0.0 })
+            } else if misfit <= MISFIT && allows(nearer) {
+                (ClockState::Snapped, nearer)
+            } else if misfit <= MISFIT && allows(1.0 - nearer) {
+                (ClockState::Snapped, 1.0 - nearer)
+            } else {
+                (ClockState::Fitted, share.clamp(0.0, 1.0))
+            };
+            let base = data.base(k);
+            data.set_clock(k, base, chosen);
+            data.sources[k].clock.state = state;
+        }
+    }
+}
+
+impl Left {
+    /// What is known of the turns of a recording.
+    fn of(&self, data: &Data, recording: usize) -> Vec<Evidence> {
+        let turns = data.turns.iter().zip(&self.turns);
+        turns
+            .filter(|(turn, _)| turn.recording == recording)
+            .map(|(_, evidence)| *evidence)
+            .collect()
+    }
+
+    /// By how much the turns miss usually, as `χ²` per degree of freedom: its median, so that turns that something
+    /// else is wrong with do not count.
+    fn misfit(&self, data: &Data, recording: usize) -> f64 {
+        let mut ratios: Vec<f64> = self
+            .of(data, recording)
+            .iter()
+            .filter_map(|turn| {
+                let dof = (turn.spare * turn.spare).trace();
+                (dof > 0.2).then(|| 2.0 * turn.left.norm_squared() / dof)
+            })
+            .collect();
+        ratios.sort_by(f64::total_cmp);
+        let middle = ratios.get(ratios.len() / 2).copied();
+        middle.map_or(1.0, |middle| middle / MEDIAN_OF_TWO)
+    }
+
+    /// The Gauss–Newton steps of the clocks' shares and their standard errors, turns that something else is wrong with
+    /// apart; `None` where a share moves nothing.
+    fn steps(&self, data: &Data) -> Option<(Vec<f64>, Vec<f64>)> {
+        let count = self.by_share.len();
+        if count == 0 {
+            return None;
+        }
+        let misfits: Vec<f64> = (0..data.sources.len())
+            .map(|k| self.misfit(data, k).max(1.0))
+            .collect();
+        let mut weights = vec![1.0; self.residuals.len()];
+        for (k, (turn, evidence)) in data.turns.iter().zip(&self.turns).enumerate() {
+            let misfit = misfits[turn.recording];
+            let weight = evidence.sound(misfit) / misfit;
+            weights[self.first + 2 * k] = weight;
+            weights[self.first + 2 * k + 1] = weight;
+        }
+        let product = |a: &[f64], b: &[f64]| -> f64 {
+            let terms = a.iter().zip(b).zip(&weights);
+            terms.map(|((a, b), w)| a * b * w).sum()
+        };
+        let normal = DMatrix::from_fn(count, count, |i, j| {
+            product(&self.by_share[i], &self.by_share[j])
+        });
+        let right = DVector::from_fn(count, |i, _| -product(&self.by_share[i], &self.residuals));
+        let inverse = normal.try_inverse()?;
+        let steps = &inverse * right;
+        let errors = (0..count).map(|k| inverse[(k, k)].max(0.0).sqrt());
+        Some((steps.iter().copied().collect(), errors.collect()))
+    }
+}
+
+/// `L⁻¹ C L⁻ᵀ` of the two rows from `row` on.
+fn both_sides(white: &White, row: usize, c: &Matrix2<f64>) -> Matrix2<f64> {
+    let mut half = DMatrix::from_fn(2, 2, |i, j| c[(i, j)]);
+    white.apply_block(row, &mut half);
+    half.transpose_mut();
+    white.apply_block(row, &mut half);
+    Matrix2::from_fn(|i, j| half[(i, j)])
+}
