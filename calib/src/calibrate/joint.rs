@@ -45,7 +45,9 @@ pub(super) fn calibrate(
     let mut recordings = recordings.to_vec();
     let mut choices = choices;
     for recording in gyro_recordings {
-        choices.push(cut(recording, request, None)?);
+        let choice = cut(recording, request, None)?;
+        warnings.extend(checks::of_the_detector(recording, &choice));
+        choices.push(choice);
         recordings.push(recording);
     }
     let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());

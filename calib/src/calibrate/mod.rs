@@ -161,6 +161,9 @@ fn by_stamps(
         .enumerate()
         .map(|(k, recording)| cut(recording, request, Some(k)))
         .collect::<Result<Vec<_>, _>>()?;
+    for (recording, choice) in recordings.iter().zip(&choices) {
+        warnings.extend(checks::of_the_detector(recording, choice));
+    }
     if request.method == Method::Joint {
         return joint::calibrate(&recordings, gyro_recordings, choices, request, warnings);
     }
@@ -174,7 +177,11 @@ fn by_stamps(
     let accelerometer = accelerometer(&recordings, &choices, request, &mut warnings)?;
     let separate = gyro_recordings
         .iter()
-        .map(|recording| Ok((recording, cut(recording, request, None)?.segmentation)))
+        .map(|recording| {
+            let choice = cut(recording, request, None)?;
+            warnings.extend(checks::of_the_detector(recording, &choice));
+            Ok((recording, choice.segmentation))
+        })
         .collect::<Result<Vec<_>, Error>>()?;
     let turning: Vec<(&Recording, &Segmentation)> = if separate.is_empty() {
         recordings
@@ -234,10 +241,15 @@ fn cut(recording: &Recording, request: &Request, k: Option<usize>) -> Result<Cho
         return Ok(Choice {
             segmentation,
             trials: Vec::new(),
+            shortened: None,
         });
     }
     let (choose, gravity) = (request.choose_multiplier, request.gravity);
-    methods::cut(recording, &request.detector, choose, gravity).map_err(named)
+    let detector = Detector {
+        creeping: request.method == Method::Joint,
+        ..request.detector
+    };
+    methods::cut(recording, &detector, choose, gravity).map_err(named)
 }
 
 /// The accelerometer's fit; `None` where no recording has one.

@@ -107,6 +107,7 @@ impl<'a> Session<'a> {
     pub fn new(recordings: &'a [Recording], request: &Request) -> Result<Self, Error> {
         let detector = Detector {
             shaken: true,
+            creeping: true,
             ..request.detector
         };
         let recordings = recordings

@@ -39,6 +39,12 @@ pub struct Detector {
     pub initial_static: Option<f64>,
     /// Whether a rest on a table that vibrates is a rest: what it tells is less certain than a quiet one.
     pub shaken: bool,
+    /// Whether a quiet stretch in which the device tilts steadily counts as a static interval: where its creep
+    /// is fitted.
+    pub creeping: bool,
+    /// Whether shorter static intervals, in a shorter window, may be taken where those asked for make no
+    /// calibration.
+    pub may_shorten: bool,
 }
 
 impl Default for Detector {
@@ -50,6 +56,8 @@ impl Default for Detector {
             min_static: 3.0,
             initial_static: None,
             shaken: false,
+            creeping: false,
+            may_shorten: true,
         }
     }
 }

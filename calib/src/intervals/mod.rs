@@ -6,7 +6,9 @@
 //! ```
 
 mod detector;
+mod ends;
 mod moments;
+mod rejected;
 mod running_sums;
 mod saturation;
 mod sections;
@@ -14,10 +16,14 @@ mod segmentation;
 mod shaken;
 mod spans;
 mod stamps;
+mod stillness;
 mod survey;
+mod tilt;
+mod unexplained_turn;
 
 pub use detector::{Detector, Level};
 pub use moments::Moments;
+pub use rejected::{Reason, Rejected};
 pub use saturation::Rails;
 pub use sections::read_sections;
 pub use segmentation::{Segmentation, StaticInterval, Turn, TurnFault};

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::moments::Moments;
+use super::rejected::Rejected;
 use super::saturation::Rails;
 use super::spans::Span;
 use crate::recording::{INSTANT, Recording, Stream};
@@ -70,6 +71,8 @@ pub struct Segmentation {
     pub statics: Vec<StaticInterval>,
     /// The motions between neighbouring rests.
     pub turns: Vec<Turn>,
+    /// Quiet stretches in which the device turned or tilted.
+    pub rejected: Vec<Rejected>,
     /// The multiplier used.
     pub multiplier: f64,
     /// The detector's level at rest of accelerometer and gyroscope, raw unit⁴; `None` where the
@@ -113,6 +116,7 @@ impl Segmentation {
         Self {
             statics,
             turns,
+            rejected: Vec::new(),
             multiplier,
             level_at_rest: [None; 2],
         }

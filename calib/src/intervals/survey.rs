@@ -1,16 +1,27 @@
 //! What of a recording does not depend on the detector's multiplier, found once.
 
 use nalgebra::Vector3;
+use sensor::Base;
 
 use super::Moments;
 use super::detector::{Detector, Level, levels, motion};
+use super::ends::Ends;
 use super::running_sums::RunningSums;
 use super::segmentation::Segmentation;
 use super::shaken::shaken;
 use super::spans::{Span, static_spans, union};
 use super::stamps::Stamps;
+use super::stillness::static_and_rejected;
 use crate::error::Error;
+use crate::order_statistic::nth_smallest;
 use crate::recording::{Recording, Stream};
+
+/// A median norm of specific force in m/s² lies here.
+const SI_NORM: std::ops::Range<f64> = 4.0..16.0;
+/// Faster turns than this are degrees per second or counts, rad/s.
+const FASTEST: f64 = 40.0;
+/// A hundredth of the samples of a recording turned by hand are faster than about this, rad/s.
+const BY_HAND: f64 = 3.0;
 
 /// A recording that can be cut at one multiplier after another without a look at its samples.
 #[derive(Debug)]
@@ -23,6 +34,9 @@ pub struct Survey<'a> {
     /// Of the accelerometer.
     stamps: Stamps<'a>,
     sums: Option<RunningSums<'a>>,
+    ends: Option<Ends<'a>>,
+    /// rad/s per unit of the gyroscope, roughly.
+    rate_scale: f64,
 }
 
 impl<'a> Survey<'a> {
@@ -32,7 +46,11 @@ impl<'a> Survey<'a> {
     /// A sensor without samples or a recording shorter than the window.
     pub fn of(recording: &'a Recording, detector: &Detector) -> Result<Self, Error> {
         let accelerometer = recording.accelerometer.as_ref();
+        let rate_scale = rate_scale(recording);
+        let gyroscope = recording.gyroscope.as_ref();
         Ok(Self {
+            ends: gyroscope.map(|stream| Ends::of(stream, rate_scale)),
+            rate_scale,
             recording,
             detector: *detector,
             levels: levels(recording, detector)?,
@@ -43,20 +61,51 @@ impl<'a> Survey<'a> {
         })
     }
 
-    /// The rests at a multiplier, those on a table that vibrates not among them.
+    /// The quiet stretches at a multiplier without the turns at their ends; those on a table that vibrates
+    /// are not among them.
     pub fn rests(&self, multiplier: f64) -> Vec<Span> {
-        self.without(motion(&self.levels, multiplier))
+        let quiet = self.without(motion(&self.levels, multiplier));
+        let Some(ends) = &self.ends else {
+            return quiet;
+        };
+        let trimmed = quiet.into_iter().map(|span| ends.trimmed(span));
+        let min_static = self.detector.min_static;
+        trimmed.filter(|span| span.lasts(min_static)).collect()
     }
 
     /// What is left between motions and gaps.
-    fn without(&self, mut moving: Vec<Span>) -> Vec<Span> {
+    fn without(&self, moving: Vec<Span>) -> Vec<Span> {
+        self.lasting(moving, self.detector.min_static)
+    }
+
+    fn lasting(&self, mut moving: Vec<Span>, min_static: f64) -> Vec<Span> {
         moving.extend_from_slice(&self.gaps);
-        let Detector {
-            min_dynamic,
-            min_static,
-            ..
-        } = self.detector;
+        let min_dynamic = self.detector.min_dynamic;
         static_spans(self.whole, &union(moving), min_dynamic, min_static)
+    }
+
+    /// Number of the static intervals at a multiplier that last at least `length`, s.
+    pub fn count_lasting(&self, multiplier: f64, length: f64) -> usize {
+        self.lasting(motion(&self.levels, multiplier), length).len()
+    }
+
+    /// The detector it was made with.
+    pub fn detector(&self) -> &Detector {
+        &self.detector
+    }
+
+    /// Standard deviation of an axis of the accelerometer's mean over spans, root mean square, by the
+    /// spread within the quietest windows; raw unit.
+    pub fn noise_of_means(&self, spans: &[Span]) -> f64 {
+        let Some(level) = &self.levels[0] else {
+            return 0.0;
+        };
+        let counts = spans
+            .iter()
+            .map(|s| self.stamps.between(s.from, s.to).len());
+        let share: f64 = counts.map(|n| (n.max(1) as f64).recip()).sum();
+        let variance = (level.at_rest / 3.0).sqrt();
+        (variance * share / spans.len().max(1) as f64).sqrt()
     }
 
     /// The accelerometer's mean over a rest, raw unit; `None` without samples.
@@ -79,17 +128,24 @@ impl<'a> Survey<'a> {
         accelerometer.map_or_else(Vec::new, |stream| shaken(stream, &turned, quiet))
     }
 
-    /// The recording cut into rests and turns at a multiplier.
-    pub fn segment(&self, multiplier: f64) -> Segmentation {
+    /// The recording cut into static intervals and turns at a multiplier. `base` is the accelerometer as far
+    /// as it is known: without it the readings give the direction of gravity.
+    pub fn segment(&self, multiplier: f64, base: Option<&Base<f64>>) -> Segmentation {
         let level = |level: &Option<Level<'_>>| level.as_ref().map(|l| l.at_rest);
         let mut rests = self.rests(multiplier);
         if self.detector.shaken {
             rests.extend(self.shaken(multiplier, &rests));
             rests.sort_by(|a, b| a.from.total_cmp(&b.from));
         }
+        let perfect = Base::identity();
+        let base = base.unwrap_or(&perfect);
+        let no_tilt = !self.detector.creeping;
+        let (statics, rejected) =
+            static_and_rejected(self.recording, rests, base, self.rate_scale, no_tilt);
         Segmentation {
             level_at_rest: self.levels.each_ref().map(level),
-            ..Segmentation::from_spans(self.recording, &rests, multiplier)
+            rejected,
+            ..Segmentation::from_spans(self.recording, &statics, multiplier)
         }
     }
 }
@@ -99,7 +155,23 @@ impl<'a> Survey<'a> {
 /// # Errors
 /// As [`Survey::of`].
 pub fn segment(recording: &Recording, detector: &Detector) -> Result<Segmentation, Error> {
-    Ok(Survey::of(recording, detector)?.segment(detector.multiplier))
+    Ok(Survey::of(recording, detector)?.segment(detector.multiplier, None))
+}
+
+/// What brings the gyroscope's readings near rad/s: one where both sensors' readings can be SI units, else
+/// what makes the fast turns of the recording those of a hand.
+fn rate_scale(recording: &Recording) -> f64 {
+    let size = |stream: &Stream, q: f64| {
+        let rank = (q * stream.len().saturating_sub(1) as f64) as usize;
+        nth_smallest(stream.values.iter().map(|v| v.norm()), rank)
+    };
+    let force = recording.accelerometer.as_ref().and_then(|s| size(s, 0.5));
+    let fast = recording.gyroscope.as_ref().and_then(|s| size(s, 0.99));
+    let si = force.is_none_or(|f| SI_NORM.contains(&f)) && fast.is_none_or(|w| w < FASTEST);
+    match fast {
+        Some(fast) if !si && fast > 0.0 => BY_HAND / fast,
+        _ => 1.0,
+    }
 }
 
 /// The interruptions of either sensor: what the device did in them is not known.

@@ -14,6 +14,9 @@ use crate::residuals::{GravityNorm, OwnBias, StaticMean};
 /// Recordings get biases of their own where a common one is refuted at this level.
 const OWN_BIAS_LEVEL: f64 = 0.01;
 
+/// Steps that a fit may take: placements that determine the parameters need ten.
+const MOST_STEPS: usize = 200;
+
 /// A rest is called an outlier where chance makes one in so many sessions.
 const OUTLIER_LEVEL: f64 = 1e-4;
 
@@ -126,7 +129,11 @@ fn step_one(
     let problem = problem(request, near_si, own_bias);
     let start = problem.parameters(&request.model.parameters(), &request.names);
     let mask = start.free_where(accelerometer::is_free_in_triangular_frame);
-    Ok(solve(&problem, &start, &mask, &Options::default())?)
+    let options = Options {
+        max_iterations: MOST_STEPS,
+        ..Options::default()
+    };
+    Ok(solve(&problem, &start, &mask, &options)?)
 }
 
 fn step_two(
@@ -143,6 +150,7 @@ fn step_two(
     let mask = start.free_where(|name| base.iter().any(|free| free == name));
     let options = Options {
         variant: Variant::GaussNewtonMinimumNorm,
+        max_iterations: MOST_STEPS,
         ..Options::default()
     };
     Ok(solve(&problem, &start, &mask, &options)?)

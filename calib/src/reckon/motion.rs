@@ -12,6 +12,8 @@ const DETECTOR: Detector = Detector {
     min_static: 1.0,
     initial_static: None,
     shaken: false,
+    creeping: true,
+    may_shorten: false,
 };
 
 /// A rest shorter than this says too little of where up is, s.

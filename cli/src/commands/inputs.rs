@@ -115,15 +115,15 @@ pub struct DetectorArgs {
     /// Threshold as a multiple of the level at rest [default: chosen by the accelerometer's fit]
     #[arg(long, value_name = "FACTOR")]
     multiplier: Option<f64>,
-    /// Shortest rest, s
-    #[arg(long, value_name = "SECONDS", default_value_t = 3.0)]
-    min_static: f64,
+    /// Shortest static interval, s [default: 3, or down to 0.6 where only that makes a calibration]
+    #[arg(long, value_name = "SECONDS")]
+    min_static: Option<f64>,
     /// Shortest motion, s
     #[arg(long, value_name = "SECONDS", default_value_t = 0.5)]
     min_dynamic: f64,
-    /// Window in which the spread is measured, s
-    #[arg(long, value_name = "SECONDS", default_value_t = 1.0)]
-    window: f64,
+    /// Window in which the spread is measured, s [default: 1, shorter for shorter static intervals]
+    #[arg(long, value_name = "SECONDS")]
+    window: Option<f64>,
     /// Length of the rest at the start that gives the level at rest, s [default: the quietest tenth
     /// of the recording]
     #[arg(long, value_name = "SECONDS")]
@@ -135,9 +135,9 @@ impl DetectorArgs {
     pub fn detector(&self) -> Result<(Detector, bool), Failure> {
         let positive = [
             ("--multiplier", self.multiplier),
-            ("--min-static", Some(self.min_static)),
+            ("--min-static", self.min_static),
             ("--min-dynamic", Some(self.min_dynamic)),
-            ("--window", Some(self.window)),
+            ("--window", self.window),
             ("--initial-static", self.initial_static),
         ];
         for (name, value) in positive {
@@ -150,11 +150,12 @@ impl DetectorArgs {
         }
         let default = Detector::default();
         let detector = Detector {
-            window: self.window,
+            window: self.window.unwrap_or(default.window),
             multiplier: self.multiplier.unwrap_or(default.multiplier),
             min_dynamic: self.min_dynamic,
-            min_static: self.min_static,
+            min_static: self.min_static.unwrap_or(default.min_static),
             initial_static: self.initial_static,
+            may_shorten: self.min_static.is_none() && self.window.is_none(),
             ..default
         };
         Ok((detector, self.multiplier.is_none()))

@@ -68,6 +68,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         show::warn(warning);
     }
     let choice = cut(&recording, &detector, choose, args.gravity)?;
+    for remark in choice.remarks() {
+        show::warn(&remark);
+    }
     let document = document(&recording, &choice);
     let mut json = serde_json::to_string_pretty(&document)
         .map_err(|e| Failure::new(crate::exit::BUG, e.to_string()))?;
@@ -126,6 +129,8 @@ fn document(recording: &Recording, choice: &Choice) -> serde_json::Value {
             })
         })
         .collect();
+    let remarks = choice.remarks();
+    let warnings: Vec<&String> = recording.warnings.iter().chain(&remarks).collect();
     json!({
         "schema": "stillpoint.segments/1",
         "recording": recording.name,
@@ -137,7 +142,7 @@ fn document(recording: &Recording, choice: &Choice) -> serde_json::Value {
         "static": statics,
         "dynamic": turns,
         "multipliers_tried": choice.trials,
-        "warnings": recording.warnings,
+        "warnings": warnings,
     })
 }
 

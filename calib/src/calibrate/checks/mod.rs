@@ -44,6 +44,12 @@ pub(super) fn without_repeats<'a>(
     kept
 }
 
+/// What a user should know of how a recording was cut.
+pub(super) fn of_the_detector(recording: &Recording, choice: &Choice) -> Vec<String> {
+    let named = |remark| format!("{}: {remark}", recording.name);
+    choice.remarks().into_iter().map(named).collect()
+}
+
 /// A mean of which nothing else is known.
 pub(super) fn bare_mean(raw: Vector3<f64>) -> StaticMean {
     StaticMean {
@@ -60,7 +66,16 @@ pub(super) fn enough_rests(
     means: &[Vec<StaticMean>],
 ) -> Result<(), Error> {
     let names: Vec<&str> = recordings.iter().map(|r| r.name.as_str()).collect();
-    match means.iter().map(Vec::len).sum::<usize>() {
+    let rejected = choices.iter().flat_map(|c| &c.segmentation.rejected);
+    let found = means.iter().map(Vec::len).sum::<usize>();
+    if let Some(first) = rejected.clone().next().filter(|_| found < 2) {
+        return Err(Error::NotEnough(format!(
+            "{}: {found} static intervals; {} quiet stretches are none, the first: {first}",
+            names.join(", "),
+            rejected.count()
+        )));
+    }
+    match found {
         0 => Err(Error::NotEnough(format!(
             "{}: no static interval: the device is never still for long enough; lay it down for 5 s \
              between the turns, or lower --min-static or raise --multiplier",

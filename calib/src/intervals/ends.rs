@@ -1,0 +1,168 @@
+//! The ends of a static interval, moved to where the gyroscope sees no turn yet.
+
+use nalgebra::Vector3;
+
+use super::spans::Span;
+use super::stamps::Stamps;
+use crate::recording::Stream;
+
+/// Rotation that may remain at an end, rad (0.04°): that of a direction after a good turn.
+const REMAINDER: f64 = 7e-4;
+
+/// Length of the stretches whose rotation by noise and tremor is taken as usual, s.
+const STRETCH: f64 = 1.0;
+
+/// An end turns where it turns so many times as far as the stretches usually do.
+const BEYOND_USUAL: f64 = 3.0;
+
+/// How far an end reaches into the interval, s.
+const REACH: f64 = 2.0;
+
+/// Fewest samples whose middle can be told from their ends.
+const FEWEST: usize = 12;
+
+/// Pieces whose median rate is that of the middle, whatever the ends do.
+const PIECES: usize = 9;
+
+/// A gyroscope with what is looked up for each interval.
+#[derive(Clone, Debug)]
+pub(super) struct Ends<'a> {
+    stream: &'a Stream,
+    stamps: Stamps<'a>,
+    step: f64,
+    /// SI units per raw unit, roughly.
+    scale: f64,
+}
+
+impl<'a> Ends<'a> {
+    /// Of a gyroscope whose readings are rad/s when multiplied with `scale`.
+    pub fn of(stream: &'a Stream, scale: f64) -> Self {
+        Self {
+            stream,
+            stamps: Stamps::of(&stream.t),
+            step: stream.median_step().unwrap_or(0.0),
+            scale,
+        }
+    }
+
+    /// The interval without the turns at its ends: from where the integrated rate, less that of the
+    /// interval's middle, stays within [`REMAINDER`] or three times what the middle's own stretches do.
+    pub fn trimmed(&self, span: Span) -> Span {
+        let samples = self.stamps.between(span.from, span.to);
+        let values = &self.stream.values[samples.clone()];
+        let n = values.len();
+        if n < FEWEST || self.step <= 0.0 {
+            return span;
+        }
+        let factor = self.step * self.scale;
+        let bias = middle_rate(values);
+        let per_stretch = ((STRETCH / self.step) as usize).clamp(3, n / 3);
+        let usual = usual_turn(values, &bias, per_stretch) * factor;
+        let limit = REMAINDER.max(BEYOND_USUAL * usual) / factor;
+        let reach = ((REACH / self.step) as usize).min(n / 2);
+        let after = turned(values[..reach].iter().rev(), &bias, limit);
+        let before = turned(values[n - reach..].iter(), &bias, limit);
+        let t = &self.stream.t[samples];
+        Span {
+            from: if after > 0 { t[after] } else { span.from },
+            to: if before > 0 { t[n - before] } else { span.to },
+        }
+    }
+}
+
+/// The median over pieces of the mean rate, by axis.
+fn middle_rate(values: &[Vector3<f64>]) -> Vector3<f64> {
+    let length = values.len().div_ceil(PIECES);
+    let means: Vec<Vector3<f64>> = values
+        .chunks(length)
+        .map(|piece| piece.iter().sum::<Vector3<f64>>() / piece.len() as f64)
+        .collect();
+    Vector3::from_fn(|axis, _| {
+        let mut of_axis: Vec<f64> = means.iter().map(|m| m[axis]).collect();
+        median(&mut of_axis)
+    })
+}
+
+/// The median over stretches of the farthest that the sum of the rate gets from its start.
+fn usual_turn(values: &[Vector3<f64>], bias: &Vector3<f64>, length: usize) -> f64 {
+    let farthest = |stretch: &[Vector3<f64>]| {
+        let mut sum = Vector3::zeros();
+        let squares = stretch.iter().map(|w| {
+            sum += w - bias;
+            sum.norm_squared()
+        });
+        squares.fold(0.0, f64::max).sqrt()
+    };
+    let mut all: Vec<f64> = values.chunks_exact(length).map(farthest).collect();
+    median(&mut all)
+}
+
+/// Number of the last samples whose summed rate lies beyond the limit.
+fn turned<'a>(
+    values: impl Iterator<Item = &'a Vector3<f64>>,
+    bias: &Vector3<f64>,
+    limit: f64,
+) -> usize {
+    let mut sum = Vector3::zeros();
+    let mut beyond = 0;
+    for value in values {
+        sum += value - bias;
+        beyond = if sum.norm() > limit { beyond + 1 } else { 0 };
+    }
+    beyond
+}
+
+fn median(values: &mut [f64]) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 100 Hz for ten seconds with a turn that begins at 9.5 s, and noise of `noise` rad/s.
+    fn stream(noise: f64) -> Stream {
+        let t: Vec<f64> = (0..1000).map(|k| 0.01 * f64::from(k)).collect();
+        let value = |(k, &t): (usize, &f64)| {
+            let jitter = ((k * k % 997) as f64 / 498.0 - 1.0) * noise;
+            Vector3::new(0.02 + jitter, -jitter, (t - 9.5).max(0.0))
+        };
+        let values = t.iter().enumerate().map(value).collect();
+        Stream { t, values }
+    }
+
+    #[test]
+    fn a_turn_that_begins_is_cut_off_where_it_has_turned_by_its_limit() {
+        let whole = Span {
+            from: 0.0,
+            to: 10.0,
+        };
+        let stream = stream(1e-3);
+        let cut = Ends::of(&stream, 1.0).trimmed(whole);
+        // (t − 9.5)²/2 = 7e-4 at 9.537 s.
+        assert_eq!(cut.from, 0.0);
+        assert!((cut.to - 9.54).abs() < 0.03, "{cut:?}");
+    }
+
+    #[test]
+    fn noise_and_a_constant_bias_leave_an_interval_whole() {
+        let quiet = Span { from: 0.0, to: 9.0 };
+        for noise in [0.0, 1e-3, 2e-2] {
+            let stream = stream(noise);
+            assert_eq!(Ends::of(&stream, 1.0).trimmed(quiet), quiet);
+        }
+    }
+
+    #[test]
+    fn counts_are_cut_as_radians_per_second_are() {
+        let whole = Span {
+            from: 0.0,
+            to: 10.0,
+        };
+        let mut counts = stream(1e-3);
+        counts.values.iter_mut().for_each(|v| *v *= 1000.0);
+        let cut = Ends::of(&counts, 1e-3).trimmed(whole);
+        assert_eq!(cut, Ends::of(&stream(1e-3), 1.0).trimmed(whole));
+    }
+}

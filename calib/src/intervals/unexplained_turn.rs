@@ -1,0 +1,186 @@
+//! A mean rate within a static interval that no bias explains.
+//!
+//! A device that turns about the vertical looks still to an accelerometer, and a constant turn has no
+//! spread either. What betrays it is that the rate points along the vertical wherever that lies in the
+//! device, while a bias stays with the device's axes.
+
+use nalgebra::{Matrix3, Vector3};
+
+/// Turns about the vertical below this are left to bias and its drift, rad/s (0.06 °/s).
+const LEAST: f64 = 1.05e-3;
+
+/// A rate along the vertical is no bias where it exceeds so many times what is left across it, and its
+/// own standard error.
+const BEYOND: f64 = 6.0;
+
+/// Of the intervals that deviate, so many do along the vertical and ...
+const MOST: f64 = 0.6;
+/// ... by this much more along it than across: else it is a step, or a sensitivity to acceleration.
+const ALONG: f64 = 2.5;
+
+/// A turn at more than this is one whatever else deviates, rad/s (1 °/s).
+const CERTAIN: f64 = 1.7e-2;
+
+/// Directions in which the intervals' own know the bias to less than this share of the best.
+const UNSEEN: f64 = 0.05;
+
+/// Rounds of weights.
+const ROUNDS: usize = 8;
+
+/// The mean rate of a static interval.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct MeanRate {
+    /// rad/s (3).
+    pub mean: Vector3<f64>,
+    /// Standard error of an axis, rad/s.
+    pub error: f64,
+    /// Direction of specific force (3), unit length.
+    pub up: Vector3<f64>,
+}
+
+/// The turn about the vertical of each interval that turns, rad/s; `None` of the others.
+pub(super) fn turning(rates: &[MeanRate]) -> Vec<Option<f64>> {
+    let bias = bias(rates);
+    let split = |rate: &MeanRate| {
+        let deviation = rate.mean - bias;
+        let along = deviation.dot(&rate.up);
+        (along, (deviation - rate.up * along).norm())
+    };
+    let parts: Vec<(f64, f64)> = rates.iter().map(split).collect();
+    let mut across: Vec<f64> = parts.iter().map(|p| p.1).collect();
+    let usual = middle(&mut across);
+    let limit = |rate: &MeanRate| LEAST.max(BEYOND * usual.max(rate.error));
+    let deviates =
+        |(rate, &(along, across)): (&MeanRate, &(f64, f64))| along.hypot(across) > limit(rate);
+    let turns = |(rate, &(along, across)): (&MeanRate, &(f64, f64))| {
+        along.abs() > limit(rate) && along.abs() > ALONG * across
+    };
+    let pairs = || rates.iter().zip(&parts);
+    let deviating = pairs().filter(|&p| deviates(p)).count();
+    let vertical = pairs().filter(|&p| turns(p)).count();
+    let agreed = vertical as f64 >= MOST * deviating as f64;
+    pairs()
+        .map(|p| {
+            let along = p.1.0;
+            (turns(p) && (agreed || along.abs() > CERTAIN)).then_some(along)
+        })
+        .collect()
+}
+
+/// The bias from what lies across the vertical, where no turn about it reaches; the median rate along
+/// directions in which the orientations do not tell. Weights of Cauchy keep an outlier from counting.
+fn bias(rates: &[MeanRate]) -> Vector3<f64> {
+    let median = Vector3::from_fn(|axis, _| {
+        let mut of_axis: Vec<f64> = rates.iter().map(|r| r.mean[axis]).collect();
+        middle(&mut of_axis)
+    });
+    let across = |rate: &MeanRate| Matrix3::identity() - rate.up * rate.up.transpose();
+    let mut weights = vec![1.0; rates.len()];
+    let mut bias = median;
+    for _ in 0..ROUNDS {
+        let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
+        for (rate, &weight) in rates.iter().zip(&weights) {
+            let across: Matrix3<f64> = across(rate) * weight;
+            normal += across;
+            right += across * (rate.mean - median);
+        }
+        let eigen = normal.symmetric_eigen();
+        let least = UNSEEN * eigen.eigenvalues.max();
+        let mut step = Vector3::zeros();
+        for (k, &value) in eigen.eigenvalues.iter().enumerate() {
+            if value > least {
+                let v = eigen.eigenvectors.column(k);
+                step += v * (v.dot(&right) / value);
+            }
+        }
+        bias = median + step;
+        let left: Vec<f64> = rates
+            .iter()
+            .map(|rate| (across(rate) * (rate.mean - bias)).norm())
+            .collect();
+        let usual = middle(&mut left.clone());
+        if usual <= 0.0 {
+            break;
+        }
+        for (weight, left) in weights.iter_mut().zip(left) {
+            *weight = (1.0 + (left / usual).powi(2)).recip();
+        }
+    }
+    bias
+}
+
+/// The median.
+fn middle(values: &mut [f64]) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BIAS: Vector3<f64> = Vector3::new(0.02, -0.01, 0.005);
+
+    /// Twelve orientations with the rate that `rate` of place and vertical adds to the bias.
+    fn rates(rate: impl Fn(usize, &Vector3<f64>) -> Vector3<f64>) -> Vec<MeanRate> {
+        let of = |k: usize| {
+            let phase = k as f64;
+            let up = Vector3::new(phase.sin(), (2.3 * phase).cos(), (3.1 * phase).sin() + 0.2);
+            let up = up.normalize();
+            let noise = 1e-4 * Vector3::new((7.0 * phase).sin(), (5.0 * phase).cos(), phase.cos());
+            MeanRate {
+                mean: BIAS + noise + rate(k, &up),
+                error: 1e-4,
+                up,
+            }
+        };
+        (0..12).map(of).collect()
+    }
+
+    fn degrees(rate: f64) -> f64 {
+        rate.to_radians()
+    }
+
+    #[test]
+    fn a_turn_about_the_vertical_in_some_or_all_intervals_is_seen() {
+        for size in [0.1, 1.0, 10.0, 60.0].map(degrees) {
+            for share in [1, 3, 12] {
+                let found = turning(&rates(
+                    |k, up| if k % 12 < share { up * size } else { up * 0.0 },
+                ));
+                for (k, rate) in found.iter().enumerate() {
+                    assert_eq!(rate.is_some(), k < share, "{size} {share} {k}");
+                    assert!(rate.is_none_or(|r| (r / size - 1.0).abs() < 0.3));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn turns_of_another_rate_and_sense_in_each_interval_are_seen() {
+        let found = turning(&rates(|k, up| {
+            let sense = if k % 2 == 0 { 3.0 } else { -0.4 };
+            up * degrees(sense * (k + 1) as f64)
+        }));
+        assert!(found.iter().all(Option::is_some));
+    }
+
+    #[test]
+    fn a_bias_a_step_and_a_sensitivity_to_acceleration_are_no_turns() {
+        let constant = Vector3::new(0.3, 0.2, -0.1);
+        let step = Vector3::new(0.004, 0.0, 0.0);
+        let matrix = Matrix3::new(2e-3, -1e-3, 5e-4, 1e-3, -1e-3, 2e-3, 0.0, 1e-3, 1.5e-3);
+        let none = |rates: &[MeanRate]| turning(rates).iter().all(Option::is_none);
+        assert!(none(&rates(|_, _| constant)));
+        assert!(none(&rates(|k, _| step * f64::from(u8::from(k > 6)))));
+        assert!(none(&rates(|_, up| matrix * up)));
+        assert!(none(&rates(|_, _| Vector3::zeros())));
+    }
+
+    #[test]
+    fn one_orientation_leaves_everything_to_the_bias() {
+        let mut all = rates(|_, _| Vector3::new(0.5, 0.0, 0.0));
+        all.iter_mut().for_each(|rate| rate.up = Vector3::x());
+        assert!(turning(&all).iter().all(Option::is_none));
+    }
+}
