@@ -124,11 +124,15 @@ mod tests {
     /// 100 Hz for ten seconds with a turn that begins at 9.5 s, and noise of `noise` rad/s.
     fn stream(noise: f64) -> Stream {
         let t: Vec<f64> = (0..1000).map(|k| 0.01 * f64::from(k)).collect();
-        let value = |(k, &t): (usize, &f64)| {
-            let jitter = ((k * k % 997) as f64 / 498.0 - 1.0) * noise;
-            Vector3::new(0.02 + jitter, -jitter, (t - 9.5).max(0.0))
+        let mut state = 1u64;
+        let mut jitter = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
+            ((state >> 40) as f64 / (1u64 << 23) as f64 - 1.0) * noise
         };
-        let values = t.iter().enumerate().map(value).collect();
+        let mut value = |t: f64| Vector3::new(0.02 + jitter(), jitter(), (t - 9.5).max(0.0));
+        let values = t.iter().map(|&t| value(t)).collect();
         Stream { t, values }
     }
 
