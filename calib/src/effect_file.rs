@@ -24,6 +24,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::calibration::catalogue;
 use crate::error::Error;
+use crate::recording::place::shown_path;
 use crate::toml_place::{explain, key_position, place};
 
 /// What an effect file holds.
@@ -39,11 +40,8 @@ struct EffectFile {
 /// [`Error::Io`] where it cannot be read, [`Error::Input`] as `file:line:column: key: …` for what is
 /// not TOML, an unknown key, an expression that cannot be read, a name that is taken.
 pub fn read_effects(path: &Path) -> Result<Vec<&'static dyn AnyEffect>, Error> {
-    let text = std::fs::read_to_string(path).map_err(|source| Error::Io {
-        path: path.to_owned(),
-        source,
-    })?;
-    parse_effects(&text, &path.display().to_string())
+    let text = crate::read_text(path)?;
+    parse_effects(&text, &shown_path(path))
 }
 
 /// The effects in `text`; `name` is what messages call the file.

@@ -21,7 +21,7 @@ pub enum Error {
         source: std::io::Error,
     },
     /// A file cannot be written.
-    #[error("{path}: cannot be written: {source}", path = path.display())]
+    #[error("{path}: cannot be written: {source}", path = shown_path(path))]
     Output {
         /// The file.
         path: PathBuf,

@@ -24,9 +24,11 @@ pub mod reckon;
 pub mod recording;
 pub mod residuals;
 pub mod simulate;
+mod text_file;
 mod toml_place;
 
 pub use calibration::Calibration;
 pub use error::Error;
 pub use evaluate::{Evaluation, Misfit, Misfits, evaluate, misfits};
 pub use recording::Recording;
+pub use text_file::read_text;

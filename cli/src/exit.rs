@@ -1,6 +1,9 @@
 //! Exit statuses and the messages that go with them.
 
 use calib::Error;
+use serde_json::{Value, json};
+
+use crate::show;
 
 /// Done, but a quality gate failed.
 pub const GATE: u8 = 1;
@@ -19,22 +22,52 @@ pub const BUG: u8 = 7;
 /// Interrupted.
 pub const INTERRUPTED: u8 = 130;
 
-/// Why the program ends with a status other than 0.
+/// Why the program ends early or with a status other than 0.
 #[derive(Debug)]
 pub struct Failure {
     /// Exit status.
     pub code: u8,
+    /// The kind of failure, for programs.
+    pub kind: &'static str,
     /// What is said on standard error.
     pub message: String,
+    /// The file that the message is about, where that is known.
+    pub file: Option<String>,
 }
 
 impl Failure {
     /// With a status and a message.
     pub fn new(code: u8, message: impl Into<String>) -> Self {
+        let kind = match code {
+            0 => "nothing_to_do",
+            GATE => "gate",
+            USAGE => "usage",
+            INPUT => "input",
+            NOT_ENOUGH => "not_enough_information",
+            NOT_CONVERGED => "not_converged",
+            OUTPUT => "output",
+            INTERRUPTED => "interrupted",
+            _ => "bug",
+        };
         Self {
             code,
+            kind,
             message: message.into(),
+            file: None,
         }
+    }
+
+    /// An output is there already.
+    pub fn exists(message: impl Into<String>) -> Self {
+        Self {
+            kind: "output_exists",
+            ..Self::new(OUTPUT, message)
+        }
+    }
+
+    /// Nothing is left to do: status 0.
+    pub fn nothing_to_do(message: impl Into<String>) -> Self {
+        Self::new(0, message)
     }
 
     /// After a panic, whose own message is on standard error already.
@@ -44,6 +77,130 @@ impl Failure {
             "this is a bug of ours: please report the message above and the command",
         )
     }
+
+    /// The document that `--json` prints: kind, status, message, place and next step.
+    pub fn document(&self) -> Value {
+        let message = show::shortened(&self.message);
+        if self.code == 0 {
+            return json!({"nothing_to_do": message});
+        }
+        let place = Place::of(&message);
+        let named = |file: &&str| std::path::Path::new(file).exists() || was_given(file);
+        let before = message.split_once(": ").map(|(file, _)| file);
+        let file = self.file.as_deref();
+        let file = file.or(place.map(|p| p.file)).or(before.filter(named));
+        json!({"error": {
+            "kind": self.kind,
+            "exit": self.code,
+            "message": message,
+            "file": file,
+            "line": place.map(|p| p.line),
+            "column": place.and_then(|p| p.column),
+            "next": self.next(&message),
+        }})
+    }
+
+    /// What to do about it: the advice in the message, else where help is.
+    fn next<'a>(&self, message: &'a str) -> &'a str {
+        let advice = message.rsplit_once("; ").map(|(_, advice)| advice.trim());
+        let first =
+            |advice: &&str| ADVICE.contains(&advice.split([' ', ',', ':']).next().unwrap_or(""));
+        let advice = advice.filter(first);
+        match (advice, self.code) {
+            (Some(advice), _) => advice,
+            (None, USAGE) => "see stillpoint COMMAND --help",
+            (None, INPUT) => "correct the input at the place named, or export it again",
+            (None, NOT_ENOUGH) => "record more, as the message says",
+            (None, NOT_CONVERGED) => "look at the static intervals with stillpoint segment",
+            (None, OUTPUT) => "choose another output",
+            (None, INTERRUPTED) => "run the command again",
+            (None, GATE) => "do not use the result",
+            (None, _) => "report the command and its message",
+        }
+    }
+}
+
+/// Words that advice begins with.
+const ADVICE: [&str; 39] = [
+    "add",
+    "allow",
+    "calibrate",
+    "check",
+    "choose",
+    "cut",
+    "delete",
+    "did",
+    "download",
+    "export",
+    "fetch",
+    "give",
+    "leave",
+    "make",
+    "name",
+    "nearest",
+    "pipe",
+    "raise",
+    "record",
+    "remove",
+    "rotate",
+    "run",
+    "save",
+    "say",
+    "see",
+    "set",
+    "split",
+    "take",
+    "turn",
+    "try",
+    "unpack",
+    "use",
+    "wait",
+    "write",
+    "--max-rows",
+    "--max-bytes",
+    "--na",
+    "--skip-bad-rows",
+    "--sort-time",
+];
+
+/// `file:line:column` at the beginning of a message.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Place<'a> {
+    file: &'a str,
+    line: u64,
+    column: Option<u64>,
+}
+
+impl<'a> Place<'a> {
+    fn of(message: &'a str) -> Option<Self> {
+        let colons = message.match_indices(':');
+        colons.filter(|(at, _)| *at > 0).find_map(|(at, _)| {
+            if message[..at].contains(": ") {
+                return None;
+            }
+            let (line, rest) = number(&message[at + 1..])?;
+            let rest = rest.strip_prefix(':')?;
+            let column = number(rest).filter(|(_, rest)| rest.starts_with(": "));
+            (column.is_some() || rest.starts_with(' ')).then(|| Self {
+                file: &message[..at],
+                line,
+                column: column.map(|(column, _)| column),
+            })
+        })
+    }
+}
+
+/// The whole number that `text` begins with, and what follows it.
+fn number(text: &str) -> Option<(u64, &str)> {
+    let end = text
+        .find(|c: char| !c.is_ascii_digit())
+        .unwrap_or(text.len());
+    Some((text[..end].parse().ok()?, &text[end..]))
+}
+
+/// Whether the call has this as an argument.
+fn was_given(word: &str) -> bool {
+    std::env::args_os().any(|arg| show::printable(&arg.to_string_lossy()) == word)
 }
 
 impl From<Error> for Failure {
@@ -55,6 +212,47 @@ impl From<Error> for Failure {
             Error::NotConverged(_) | Error::Solver(_) => NOT_CONVERGED,
             _ => INPUT,
         };
-        Self::new(code, error.to_string())
+        let file = match &error {
+            Error::Io { path, .. } | Error::Output { path, .. } => Some(show::path(path)),
+            _ => None,
+        };
+        Self {
+            file,
+            ..Self::new(code, error.to_string())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_place_is_what_a_message_begins_with() {
+        let place = |file, line, column| Some(Place { file, line, column });
+        assert_eq!(
+            Place::of("a.csv:2:7: `x` found"),
+            place("a.csv", 2, Some(7))
+        );
+        assert_eq!(Place::of("a.csv:2: more than"), place("a.csv", 2, None));
+        assert_eq!(
+            Place::of("C:\\a:b.csv:2:7: x"),
+            place("C:\\a:b.csv", 2, Some(7))
+        );
+        assert_eq!(Place::of("a.csv: at 12:30:00 and"), None);
+        assert_eq!(Place::of("no place"), None);
+    }
+
+    #[test]
+    fn the_document_has_every_entry() {
+        let failure = Failure::new(INPUT, "no.csv:3:1: 5 cells, 7 expected; split it here");
+        let error = &failure.document()["error"];
+        assert_eq!(error["kind"], "input");
+        assert_eq!(error["exit"], 3);
+        assert_eq!(error["file"], "no.csv");
+        assert_eq!((&error["line"], &error["column"]), (&json!(3), &json!(1)));
+        assert_eq!(error["next"], "split it here");
+        let error = &Failure::new(NOT_ENOUGH, "all static").document()["error"];
+        assert!(error["file"].is_null() && error["line"].is_null());
     }
 }

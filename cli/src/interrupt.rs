@@ -1,45 +1,91 @@
-//! Ctrl-C: the half-written file goes, the old one stays, exit 130.
+//! Interrupts: what is half written goes, what had been there stays, exit 130.
 
 use std::path::PathBuf;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use crate::exit::INTERRUPTED;
+use crate::exit::{Failure, INTERRUPTED};
+use crate::show;
 
-static PARTIAL_FILES: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
-
-/// Catches the interrupt signal. Where that cannot be done the system's own handling stays.
-pub fn install() {
-    let_writes_fail();
-    let _ = ctrlc::set_handler(|| {
-        for path in partial_files().drain(..) {
-            let _ = std::fs::remove_file(path);
-        }
-        eprintln!("stillpoint: interrupted");
-        std::process::exit(i32::from(INTERRUPTED));
-    });
+/// What an interrupted run would leave behind.
+#[derive(Debug)]
+pub struct Leftovers {
+    /// Partial files.
+    pub files: Vec<PathBuf>,
+    /// Folders made for outputs, each after the one it lies in.
+    pub folders: Vec<PathBuf>,
 }
 
-/// Beyond a limit on the size of files a write fails, as on a full disk, instead of ending the process with what it
-/// has half written.
+static LEFTOVERS: Mutex<Leftovers> = Mutex::new(Leftovers {
+    files: Vec::new(),
+    folders: Vec::new(),
+});
+
+/// The leftovers. While they are held no interrupt ends the process, so that what is made or renamed
+/// meanwhile is never forgotten.
+pub fn hold() -> MutexGuard<'static, Leftovers> {
+    LEFTOVERS.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Catches what asks the process to end. Where that cannot be done the system's own handling stays.
+pub fn install() {
+    system::install();
+}
+
+fn end() -> ! {
+    // Held until the end: nothing is made any more.
+    let mut leftovers = hold();
+    for path in leftovers.files.drain(..) {
+        let _ = std::fs::remove_file(path);
+    }
+    for path in leftovers.folders.drain(..).rev() {
+        let _ = std::fs::remove_dir(path);
+    }
+    show::failure(&Failure::new(INTERRUPTED, "interrupted"));
+    std::process::exit(i32::from(INTERRUPTED));
+}
+
 #[cfg(unix)]
-fn let_writes_fail() {
-    let seen = std::sync::Arc::default();
-    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, seen);
+mod system {
+    use std::sync::mpsc;
+    use std::thread;
+
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
+    use signal_hook::iterator::Signals;
+
+    pub fn install() {
+        // Beyond a limit on the size of files a write fails, as on a full disk.
+        let _ = signal_hook::flag::register(SIGXFSZ, std::sync::Arc::default());
+        let (installed, ready) = mpsc::channel();
+        let wait = move || {
+            let wanted = [SIGINT, SIGTERM, SIGHUP]
+                .into_iter()
+                .filter(|s| !is_ignored(*s));
+            let signals = Signals::new(wanted);
+            let _ = installed.send(());
+            if let Ok(mut signals) = signals
+                && signals.forever().next().is_some()
+            {
+                super::end();
+            }
+        };
+        let thread = thread::Builder::new().name("interrupt".into());
+        if thread.stack_size(256 << 10).spawn(wait).is_ok() {
+            let _ = ready.recv();
+        }
+    }
+
+    /// Whether the process was started with the signal ignored, as `nohup` does.
+    fn is_ignored(signal: i32) -> bool {
+        let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+        let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+        let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+        mask.is_some_and(|mask| mask >> (signal - 1) & 1 == 1)
+    }
 }
 
 #[cfg(not(unix))]
-fn let_writes_fail() {}
-
-/// Remembers a file to remove on an interrupt.
-pub fn remember(path: PathBuf) {
-    partial_files().push(path);
-}
-
-/// Forgets it: it is removed or in its place.
-pub fn forget(path: &std::path::Path) {
-    partial_files().retain(|p| p != path);
-}
-
-fn partial_files() -> std::sync::MutexGuard<'static, Vec<PathBuf>> {
-    PARTIAL_FILES.lock().unwrap_or_else(PoisonError::into_inner)
+mod system {
+    pub fn install() {
+        let _ = ctrlc::set_handler(|| super::end());
+    }
 }

@@ -9,13 +9,14 @@ mod output;
 mod read_args;
 mod report;
 mod show;
+mod threads;
 
 use std::panic::AssertUnwindSafe;
 use std::process::ExitCode;
 
 use clap::Parser;
 
-use exit::Failure;
+use exit::{Failure, USAGE};
 
 /// Calibrates an accelerometer and a gyroscope from a recording made by hand: hold the device
 /// still, turn it, hold it still again.
@@ -36,16 +37,29 @@ struct Cli {
 }
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
     interrupt::install();
-    let result = std::panic::catch_unwind(AssertUnwindSafe(|| commands::run(cli.command)));
-    let failure = match result {
-        Ok(Ok(())) => return ExitCode::SUCCESS,
-        Ok(Err(failure)) => failure,
-        Err(_) => Failure::bug(),
+    threads::install();
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) if !error.use_stderr() => error.exit(),
+        Err(error) => return ended(&wrong_call(&error)),
     };
-    if !failure.message.is_empty() {
-        eprintln!("stillpoint: {}", show::printable(&failure.message));
+    let result = std::panic::catch_unwind(AssertUnwindSafe(|| commands::run(cli.command)));
+    match result {
+        Ok(Ok(())) => ExitCode::SUCCESS,
+        Ok(Err(failure)) => ended(&failure),
+        Err(_) => ended(&Failure::bug()),
     }
+}
+
+fn ended(failure: &Failure) -> ExitCode {
+    show::failure(failure);
     ExitCode::from(failure.code)
+}
+
+/// What the parser of arguments refuses.
+fn wrong_call(error: &clap::Error) -> Failure {
+    let message = error.render().to_string();
+    let message = message.trim().trim_start_matches("error: ");
+    Failure::new(USAGE, message)
 }

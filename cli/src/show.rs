@@ -1,11 +1,17 @@
 //! Tables and numbers for people.
 
+use std::borrow::Cow;
+use std::fmt::Write as _;
 use std::io::Write;
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use comfy_table::presets::NOTHING;
 use comfy_table::{CellAlignment, LineStyle, Table};
 
-use crate::exit::{Failure, OUTPUT};
+use serde::Serialize;
+
+use crate::exit::{BUG, Failure, OUTPUT};
 
 /// A table whose columns after the first are aligned right.
 pub fn table(header: &[&str]) -> Table {
@@ -18,13 +24,17 @@ pub fn table(header: &[&str]) -> Table {
     table
 }
 
+/// Whether something is or is about to be on standard output.
+static PRINTED: AtomicBool = AtomicBool::new(false);
+
 /// Prints a result. A reader that has closed the pipe (`| head`) is no error.
 ///
 /// # Errors
 /// Status 6 where standard output cannot be written, such as a file on a full disk.
 pub fn print(text: &str) -> Result<(), Failure> {
+    PRINTED.store(true, Ordering::SeqCst);
     let mut out = std::io::stdout().lock();
-    match writeln!(out, "{}", text.trim_end()).and_then(|()| out.flush()) {
+    match writeln!(out, "{}", printable(text.trim_end())).and_then(|()| out.flush()) {
         Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::new(
             OUTPUT,
             format!("standard output cannot be written: {e}"),
@@ -33,22 +43,139 @@ pub fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
+/// A document for `-o` and `--json`, with a line end.
+///
+/// Characters that a terminal may obey are escaped: they stand in strings, where JSON has a way to write them.
+///
+/// # Errors
+/// Status 7: the document holds what JSON cannot.
+pub fn json(document: &impl Serialize) -> Result<String, Failure> {
+    let text = serde_json::to_string_pretty(document);
+    let mut text = text.map_err(|e| Failure::new(BUG, e.to_string()))?;
+    text.push('\n');
+    if !text.chars().any(is_obeyed) {
+        return Ok(text);
+    }
+    let mut escaped = String::with_capacity(text.len());
+    for c in text.chars() {
+        if is_obeyed(c) {
+            let _ = write!(escaped, "\\u{:04x}", u32::from(c));
+        } else {
+            escaped.push(c);
+        }
+    }
+    Ok(escaped)
+}
+
 /// A note or a warning.
 pub fn warn(text: &str) {
-    eprintln!("warning: {}", printable(text));
+    say(&format!("warning: {}", shortened(text)));
+}
+
+/// A line on standard error; one that is closed is no error.
+pub fn say(text: &str) {
+    let _ = writeln!(std::io::stderr(), "{}", printable(text));
+}
+
+/// Says why the program ends, and with `--json` prints it, unless something is printed already.
+pub fn failure(failure: &Failure) {
+    if failure.message.is_empty() {
+        return;
+    }
+    say(&format!("stillpoint: {}", shortened(&failure.message)));
+    let asked = std::env::args_os()
+        .take_while(|arg| arg != "--")
+        .any(|arg| arg == "--json");
+    if asked
+        && !PRINTED.swap(true, Ordering::SeqCst)
+        && let Ok(document) = json(&failure.document())
+    {
+        let mut out = std::io::stdout().lock();
+        let _ = out
+            .write_all(document.as_bytes())
+            .and_then(|()| out.flush());
+    }
+}
+
+/// True for characters that a terminal or a reader's eye may obey: controls but line ends, marks of writing
+/// direction, separators of lines and paragraphs.
+fn is_obeyed(c: char) -> bool {
+    let marks = matches!(c, '\u{200e}' | '\u{200f}' | '\u{061c}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    marks || c.is_control() && c != '\n'
 }
 
 /// The text with control characters shown instead of obeyed: a file name may hold any.
-pub fn printable(text: &str) -> String {
-    text.chars()
-        .map(|c| {
-            if c.is_control() && c != '\n' {
-                c.escape_default().to_string()
-            } else {
-                c.into()
-            }
-        })
-        .collect()
+pub fn printable(text: &str) -> Cow<'_, str> {
+    if !text.chars().any(is_obeyed) {
+        return text.into();
+    }
+    let mut shown = String::with_capacity(text.len());
+    for c in text.chars() {
+        if is_obeyed(c) {
+            shown.extend(c.escape_default());
+        } else {
+            shown.push(c);
+        }
+    }
+    shown.into()
+}
+
+/// A path in a message or a title: in one line, at most 200 characters of it.
+pub fn path(path: &Path) -> String {
+    name(&path.to_string_lossy())
+}
+
+/// A name from outside in a message or a title, as [`path`].
+pub fn name(name: &str) -> String {
+    let shown = printable(name).replace('\n', "\\n");
+    match shown.char_indices().nth(QUOTED) {
+        Some((end, _)) => format!("{}…", &shown[..end]),
+        None => shown,
+    }
+}
+
+/// Characters of anything that a message quotes.
+const QUOTED: usize = 200;
+/// Characters at the end of a long word that are kept: `…:12:7:`.
+const WORD_END: usize = 24;
+/// Characters of a message.
+const MESSAGE: usize = 4000;
+
+/// The message with what it quotes cut to 200 characters, and in all to a length that a person can read.
+pub fn shortened(message: &str) -> Cow<'_, str> {
+    if message.len() <= QUOTED {
+        return message.into();
+    }
+    let quotes = message.split('`').count();
+    let mut short = String::new();
+    for (k, part) in message.split('`').enumerate() {
+        if k > 0 {
+            short.push('`');
+        }
+        // A quote has a mark on either side.
+        if k % 2 == 1 && k + 1 < quotes {
+            short.push_str(&cut(part, QUOTED, 0));
+            continue;
+        }
+        for word in part.split_inclusive(char::is_whitespace) {
+            short.push_str(&cut(word, QUOTED, WORD_END));
+        }
+    }
+    cut(&short, MESSAGE, QUOTED).into_owned().into()
+}
+
+/// The first `begin` and the last `end` characters of `text`; all of it where that is hardly more.
+fn cut(text: &str, begin: usize, end: usize) -> Cow<'_, str> {
+    let count = if text.len() <= begin + end {
+        0
+    } else {
+        text.chars().count()
+    };
+    if count <= begin + end + 1 {
+        return text.into();
+    }
+    let place = |k: usize| text.char_indices().nth(k).map_or(text.len(), |(at, _)| at);
+    format!("{}…{}", &text[..place(begin)], &text[place(count - end)..]).into()
 }
 
 /// A number with as many decimals as its standard error warrants (two significant figures of it).
@@ -66,5 +193,37 @@ pub fn error(std: Option<f64>) -> String {
         None => "fixed".into(),
         Some(s) if s > 0.0 && s.is_finite() => value(s, Some(s)),
         Some(s) => format!("{s}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_terminal_would_obey_is_shown() {
+        assert_eq!(printable("a\u{1b}[2J\u{9b}b\nc"), "a\\u{1b}[2J\\u{9b}b\nc");
+        assert_eq!(name("a\n\u{202e}b"), "a\\n\\u{202e}b");
+        assert!(matches!(printable("plain °/√h"), Cow::Borrowed(_)));
+        let document = json(&["\u{9b}31m\u{7f}\u{1b}"]).unwrap();
+        assert!(!document.chars().any(is_obeyed), "{document}");
+        let back: Vec<String> = serde_json::from_str(&document).unwrap();
+        assert_eq!(back, ["\u{9b}31m\u{7f}\u{1b}"]);
+    }
+
+    #[test]
+    fn no_message_quotes_more_than_200_characters_of_anything() {
+        let long = "x".repeat(100_000);
+        let message =
+            shortened(&format!("a.csv:7:1: `{long} y` found and {long}:3:4: z")).into_owned();
+        assert!(message.starts_with("a.csv:7:1: `xxx") && message.ends_with("x:3:4: z"));
+        assert_eq!(
+            message.matches('x').count(),
+            200 + 200 + 24 - ":3:4: ".len()
+        );
+        let names = vec!["name"; 50_000].join(", ");
+        assert!(shortened(&names).chars().count() <= MESSAGE + QUOTED + 1);
+        assert!(shortened(&format!("it's {long}")).chars().count() < 300);
+        assert_eq!(shortened("short"), "short");
     }
 }

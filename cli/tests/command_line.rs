@@ -149,22 +149,6 @@ fn a_folder_or_a_device_is_no_output() {
 }
 
 #[test]
-fn a_file_claimed_by_another_run_is_refused_with_its_process() {
-    let (_dir, folder) = folder();
-    let partial = std::fs::File::create(folder.join(".cal.json.partial")).unwrap();
-    std::io::Write::write_all(&mut &partial, b"4711").unwrap();
-    partial.lock().unwrap();
-    let run = stillpoint(&folder, &["calibrate", "good.csv", "-o", "cal.json"]);
-    assert_eq!(status(&run), 6);
-    assert!(stderr(&run).contains("4711"), "{}", stderr(&run));
-    // What a killed run left is not locked: the next one takes it over.
-    partial.unlock().unwrap();
-    let run = stillpoint(&folder, &["calibrate", "good.csv", "-o", "cal.json"]);
-    assert_eq!(status(&run), 0, "{}", stderr(&run));
-    assert_eq!(files(&folder), ["cal.json", "good.csv"]);
-}
-
-#[test]
 fn wrong_calls_say_what_is_wrong() {
     let (_dir, folder) = folder();
     let cases: [(&[&str], &str); 8] = [

@@ -5,18 +5,21 @@ use std::path::Path;
 use nalgebra::Vector3;
 
 use crate::error::Error;
+use crate::read_text;
+use crate::recording::place::shown_path;
 
 /// Reads the columns `ax,ay,az` of a CSV table of static means.
 ///
 /// # Errors
 /// An unreadable table or a cell that is no number; the message names file, line and column.
 pub fn read_static_means(path: &Path) -> Result<Vec<Vector3<f64>>, Error> {
-    let fail = |line: u64, what: String| Error::Input(format!("{}:{line}: {what}", path.display()));
+    let fail =
+        |line: u64, what: String| Error::Input(format!("{}:{line}: {what}", shown_path(path)));
+    let text = read_text(path)?;
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(b'#'))
         .trim(csv::Trim::All)
-        .from_path(path)
-        .map_err(|e| Error::Input(format!("{}: {e}", path.display())))?;
+        .from_reader(text.as_bytes());
     let header = reader
         .headers()
         .map_err(|e| fail(1, e.to_string()))?

@@ -7,6 +7,7 @@ mod gyro_data;
 pub(crate) mod joint;
 mod means_file;
 mod noise;
+pub(crate) mod own_effects;
 mod rest_bias;
 pub(crate) mod same_device;
 
@@ -141,11 +142,15 @@ pub fn calibrate(
     gyro_recordings: &[Recording],
     request: &Request,
 ) -> Result<Outcome, Error> {
-    if request.clock == ClockMode::Even && request.method == Method::Stepwise {
+    own_effects::grant_steps(&request.effects, recordings.iter().chain(gyro_recordings));
+    let even = request.clock == ClockMode::Even && request.method == Method::Stepwise;
+    let outcome = if even {
         let [recordings, others] = [recordings, gyro_recordings].map(clocks::on_even_clocks);
-        return by_stamps(&recordings, &others, request);
-    }
-    by_stamps(recordings, gyro_recordings, request)
+        by_stamps(&recordings, &others, request)
+    } else {
+        by_stamps(recordings, gyro_recordings, request)
+    };
+    own_effects::blamed(&request.effects, outcome)
 }
 
 /// Calibrates by the stamps of the recordings, but for what the joint method makes of them.

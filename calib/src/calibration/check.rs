@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::{Calibration, SCHEMA};
 use crate::error::Error;
-use crate::recording::figure;
+use crate::recording::{figure, place::shown_path};
 
 /// Reads a calibration file.
 ///
@@ -12,11 +12,8 @@ use crate::recording::figure;
 /// An unreadable file, one that is no calibration of this schema, and one whose numbers cannot be
 /// used (a matrix without inverse, an unknown effect); the message names the entry.
 pub fn load(path: &Path) -> Result<Calibration, Error> {
-    let text = std::fs::read_to_string(path).map_err(|source| Error::Io {
-        path: path.to_owned(),
-        source,
-    })?;
-    parse(&text).map_err(|what| Error::Input(format!("{}:{what}", path.display())))
+    let text = crate::read_text(path)?;
+    parse(&text).map_err(|what| Error::Input(format!("{}:{what}", shown_path(path))))
 }
 
 /// The calibration in `text`; the error begins with its place.

@@ -1,5 +1,6 @@
 //! The whole way from recordings to findings.
 
+use crate::calibrate::own_effects;
 use crate::calibrate::same_device::of_one_device;
 use crate::calibrate::{Request as CalibrationRequest, joint::written_down};
 use crate::calibration::{Calibration, EffectParameter, EffectValues};
@@ -53,6 +54,14 @@ pub struct Discovery {
 /// # Errors
 /// Recordings that cannot be cut or have too few rests, a fit that fails, a calibration that the data do not determine.
 pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery, Error> {
+    own_effects::grant_steps(&request.catalogue, recordings.iter());
+    let mut discovery = discover_all(recordings, request)?;
+    let warnings = &mut discovery.findings.calibration.warnings;
+    warnings.extend(own_effects::left_out(&request.catalogue));
+    Ok(discovery)
+}
+
+fn discover_all(recordings: &[Recording], request: &Request) -> Result<Discovery, Error> {
     let session = Session::new(recordings, request)?;
     enough_rests(&session)?;
     if !request.force_device {

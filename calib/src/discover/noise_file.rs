@@ -7,6 +7,7 @@ use sensor::Sensor;
 use super::projected::Walks;
 use crate::error::Error;
 use crate::noise::{NOISE_SCHEMA, NoiseSummary, NoiseTerm, SensorNoise, TermValue};
+use crate::recording::place::shown_path;
 
 /// Larger densities are no sensor's, m/s²/√s and rad/s/√s: they would explain anything.
 const LARGEST: f64 = 1.0;
@@ -28,10 +29,7 @@ pub struct GivenWalks {
 /// # Errors
 /// An unreadable file, another schema, and a walk that the file does not bound.
 pub fn walks_in(path: &Path) -> Result<GivenWalks, Error> {
-    let text = std::fs::read_to_string(path).map_err(|source| Error::Io {
-        path: path.to_owned(),
-        source,
-    })?;
+    let text = crate::read_text(path)?;
     let summary = parse(&text).map_err(|what| at(path, &what))?;
     let mut given = GivenWalks {
         walks: [0.0; 2],
@@ -67,7 +65,7 @@ pub fn walks_in(path: &Path) -> Result<GivenWalks, Error> {
             given.notes.push(format!(
                 "{}: the random walk of the {name} is only bounded there; its bound is used, which may hide a \
                  small effect",
-                path.display()
+                shown_path(path)
             ));
         }
     }
@@ -75,7 +73,7 @@ pub fn walks_in(path: &Path) -> Result<GivenWalks, Error> {
 }
 
 fn at(path: &Path, what: &str) -> Error {
-    Error::Input(format!("{}:{what}", path.display()))
+    Error::Input(format!("{}:{what}", shown_path(path)))
 }
 
 fn word(sensor: Sensor) -> &'static str {

@@ -4,6 +4,8 @@ use std::path::Path;
 
 use super::spans::Span;
 use crate::error::Error;
+use crate::read_text;
+use crate::recording::place::shown_path;
 use crate::recording::{Recording, Stream};
 
 /// How the table gives its rows.
@@ -21,12 +23,13 @@ enum Unit {
 /// # Errors
 /// An unreadable table, or rows that do not fit the recording; the message names file and line.
 pub fn read_sections(path: &Path, recording: &Recording) -> Result<Vec<Span>, Error> {
-    let fail = |line: u64, what: String| Error::Input(format!("{}:{line}: {what}", path.display()));
+    let fail =
+        |line: u64, what: String| Error::Input(format!("{}:{line}: {what}", shown_path(path)));
+    let text = read_text(path)?;
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(b'#'))
         .trim(csv::Trim::All)
-        .from_path(path)
-        .map_err(|e| Error::Input(format!("{}: {e}", path.display())))?;
+        .from_reader(text.as_bytes());
     let header = reader
         .headers()
         .map_err(|e| fail(1, e.to_string()))?

@@ -133,10 +133,11 @@ struct Look {
 
 /// The beginning of a regular file with the plain header, after comments.
 fn look(path: &Path) -> Option<Look> {
-    let file = File::open(path).ok()?;
-    if !file.metadata().ok()?.is_file() {
+    // Asked of the path: what is opened and left of a pipe is lost.
+    if !std::fs::metadata(path).ok()?.is_file() {
         return None;
     }
+    let file = File::open(path).ok()?;
     let mut head = Vec::new();
     file.take(HEAD).read_to_end(&mut head).ok()?;
     let mut lines = head

@@ -4,7 +4,7 @@ use sensor::Sensor;
 
 use super::names::{role_of, take_apart};
 use super::options::{ColumnMap, Role};
-use super::place::shown;
+use super::place::{shown, shown_list};
 use super::suggest::{nearest, suggestion};
 use super::units::Stated;
 
@@ -77,10 +77,9 @@ impl Layout {
         self.gyro = triad([0, 1, 2].map(Role::Gyro))?;
         self.temperature = column(Role::Temperature);
         if self.accel.is_none() && self.gyro.is_none() {
-            let found: Vec<_> = self.names.iter().map(|name| shown(name)).collect();
             return Err(format!(
-                "no accelerometer and no gyroscope columns among `{}`; expected t,ax,ay,az,gx,gy,gz[,temp]; {}",
-                found.join("`, `"),
+                "no accelerometer and no gyroscope columns among {}; expected t,ax,ay,az,gx,gy,gz[,temp]; {}",
+                shown_list(self.names.iter()),
                 suggestion(&self.names)
             ));
         }
@@ -113,7 +112,7 @@ impl Layout {
     pub fn unused(&self) -> Vec<String> {
         let unused = (0..self.names.len()).filter(|&i| !self.is_read(i));
         unused
-            .map(|i| shown(&self.names[i]))
+            .map(|i| self.names[i].clone())
             .filter(|name| !name.is_empty())
             .collect()
     }

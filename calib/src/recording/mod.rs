@@ -52,6 +52,7 @@ pub use options::{ColumnMap, ReadOptions, Role};
 pub use place::figure;
 use sensor::Sensor;
 pub use source::Input;
+pub(crate) use source::explained;
 pub(crate) use stream::is_before;
 pub use stream::{Gap, INSTANT, Stream, Temperature};
 pub use units::{AccelUnit, GyroUnit, TemperatureUnit, TimeUnit};

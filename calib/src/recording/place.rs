@@ -15,6 +15,22 @@ pub(super) fn shown_cell(cell: &[u8]) -> String {
     shown_to(&String::from_utf8_lossy(cell), 40)
 }
 
+/// Names from outside in a list, safe to print: as many as go into 200 characters, and how many more.
+pub(super) fn shown_list<'a>(names: impl Iterator<Item = &'a String>) -> String {
+    let mut out = String::new();
+    let mut names = names.peekable();
+    while let Some(name) = names.next() {
+        let mark = if out.is_empty() { "" } else { ", " };
+        let _ = write!(out, "{mark}`{}`", shown_to(name, 60));
+        let more = names.peek().is_some() && out.chars().count() > 150;
+        if more {
+            let _ = write!(out, " and {} more", names.count());
+            break;
+        }
+    }
+    out
+}
+
 fn shown_to(name: &str, limit: usize) -> String {
     let mut out = String::new();
     for (count, c) in name.chars().enumerate() {
@@ -47,7 +63,7 @@ pub(crate) fn shown_path(path: &Path) -> String {
 }
 
 /// An input error at `file: `.
-pub(super) fn in_file(name: &str, words: impl AsRef<str>) -> Error {
+pub(crate) fn in_file(name: &str, words: impl AsRef<str>) -> Error {
     Error::Input(format!("{name}: {}", words.as_ref()))
 }
 
@@ -63,7 +79,16 @@ pub(super) fn at_column(name: &str, line: u64, column: usize, words: impl AsRef<
 
 #[cfg(test)]
 mod tests {
-    use super::figure;
+    use super::{figure, shown_list};
+
+    #[test]
+    fn a_list_of_names_is_cut_and_says_so() {
+        let names = |count| (0..count).map(|k| format!("name{k}")).collect::<Vec<_>>();
+        assert_eq!(shown_list(names(2).iter()), "`name0`, `name1`");
+        let list = shown_list(names(100_000).iter());
+        assert!(list.len() < 200 && list.ends_with(" more"), "{list}");
+        assert!(shown_list(["x".repeat(100_000)].iter()).chars().count() < 70);
+    }
 
     #[test]
     fn no_number_is_longer_than_a_double_needs() {

@@ -198,7 +198,7 @@ impl Unchanged {
 }
 
 /// The system's error, and what is there instead of a file that is not.
-pub(super) fn explained(path: &Path, error: io::Error) -> Error {
+pub(crate) fn explained(path: &Path, error: io::Error) -> Error {
     let source = if error.kind() == io::ErrorKind::NotFound {
         let mut words = error.to_string();
         if path.is_relative()

@@ -39,6 +39,6 @@ pub use simulation::{MOST_SAMPLES, Session, Simulation};
 pub use spec::{EARTH_RATE, EXAMPLE, Motion, SensorSpec, Spec};
 pub use surroundings::{Fault, Temperature, Unsteady, Vibration};
 pub use truth::{StaticInterval, TRUTH_SCHEMA, Truth};
-pub use write::FILES;
+pub use write::{FILES, Files};
 
 pub(crate) use spec::complaint::hint;

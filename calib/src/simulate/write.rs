@@ -6,6 +6,7 @@ use std::path::Path;
 use sensor::Sensor;
 use tempfile::NamedTempFile;
 
+use super::drift::DriftMeans;
 use super::simulation::Simulation;
 use super::truth::Truth;
 use crate::Error;
@@ -14,9 +15,47 @@ use crate::recording::Temperature;
 /// The files of a simulated recording.
 pub const FILES: [&str; 3] = ["acc.csv", "gyro.csv", "truth.json"];
 
+/// The files of a simulated recording, into any writer, in constant memory.
+#[derive(Debug)]
+pub struct Files<'a> {
+    simulation: &'a Simulation,
+    drift: DriftMeans,
+}
+
+impl Files<'_> {
+    /// What `acc.csv` (`t,ax,ay,az`, and `temp` where there is a thermometer) or `gyro.csv` (`t,gx,gy,gz`) holds.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn readings(&mut self, sensor: Sensor, out: &mut dyn Write) -> std::io::Result<()> {
+        let (columns, temperature) = match sensor {
+            Sensor::Accelerometer => ("t,ax,ay,az", self.simulation.thermometer()),
+            Sensor::Gyroscope => ("t,gx,gy,gz", None),
+        };
+        header(out, columns, temperature.as_ref())?;
+        for sample in self.simulation.samples(sensor) {
+            self.drift.add(sensor, &sample);
+            row(out, sample.t, sample.value.as_slice(), temperature.as_ref())?;
+        }
+        Ok(())
+    }
+
+    /// What `truth.json` holds. The means of drifting biases are those of the readings that were written.
+    pub fn truth(&self) -> Truth {
+        self.simulation.truth(&self.drift)
+    }
+}
+
 impl Simulation {
-    /// Runs it into `dir`, in constant memory: `acc.csv` (`t,ax,ay,az`, and `temp` where there is a
-    /// thermometer), `gyro.csv` (`t,gx,gy,gz`), `truth.json`.
+    /// Its files, none of them written yet.
+    pub fn files(&self) -> Files<'_> {
+        Files {
+            simulation: self,
+            drift: self.drift_means(),
+        }
+    }
+
+    /// Runs it into `dir`, in constant memory: the [`FILES`].
     ///
     /// Every file is written whole or not at all, the truth last.
     ///
@@ -31,25 +70,13 @@ impl Simulation {
         if let Some(name) = FILES.iter().find(|name| !force && dir.join(name).exists()) {
             return Err(refuse(name, std::io::ErrorKind::AlreadyExists.into()));
         }
-        let mut drift = self.drift_means();
-        let mut write = |name: &str, sensor: Sensor, columns: &str| {
-            let temperature = match sensor {
-                Sensor::Accelerometer => self.thermometer(),
-                Sensor::Gyroscope => None,
-            };
-            into_new_file(dir, |out| {
-                header(out, columns, temperature.as_ref())?;
-                for sample in self.samples(sensor) {
-                    drift.add(sensor, &sample);
-                    row(out, sample.t, sample.value.as_slice(), temperature.as_ref())?;
-                }
-                Ok(())
-            })
-            .map_err(|e| refuse(name, e))
+        let mut files = self.files();
+        let mut write = |name: &str, sensor: Sensor| {
+            into_new_file(dir, |out| files.readings(sensor, out)).map_err(|e| refuse(name, e))
         };
-        let acc = write(FILES[0], Sensor::Accelerometer, "t,ax,ay,az")?;
-        let gyro = write(FILES[1], Sensor::Gyroscope, "t,gx,gy,gz")?;
-        let truth = self.truth(&drift);
+        let acc = write(FILES[0], Sensor::Accelerometer)?;
+        let gyro = write(FILES[1], Sensor::Gyroscope)?;
+        let truth = files.truth();
         let json = into_new_file(dir, |out| {
             serde_json::to_writer_pretty(&mut *out, &truth)?;
             out.write_all(b"\n")
@@ -63,7 +90,7 @@ impl Simulation {
 }
 
 fn header(
-    out: &mut impl Write,
+    out: &mut dyn Write,
     columns: &str,
     temperature: Option<&Temperature>,
 ) -> std::io::Result<()> {
@@ -76,7 +103,7 @@ fn header(
 
 /// Numbers in the fewest digits that give back the same bits.
 fn row(
-    out: &mut impl Write,
+    out: &mut dyn Write,
     t: f64,
     values: &[f64],
     temperature: Option<&Temperature>,

@@ -11,8 +11,8 @@ use sensor::Sensor;
 
 use super::inputs::numbers;
 use super::pictures::PictureArgs;
-use crate::exit::{BUG, Failure, USAGE};
-use crate::output::Output;
+use crate::exit::{Failure, USAGE};
+use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;
 use crate::report::{Axis, Plot, Report, ReportTable, Series};
 use crate::show;
@@ -42,9 +42,8 @@ pub struct Args {
     /// Write the noise terms and the curves here (JSON, SI units)
     #[arg(short, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Replace existing files
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    replace: Replace,
     /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
@@ -58,19 +57,19 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<(), Failure> {
     let inputs: [&Path; 1] = [&args.recording];
     let output = match &args.output {
-        Some(path) => Some(Output::claim(path, args.force, &inputs)?),
+        Some(path) => Some(Output::claim(path, args.replace, &inputs)?),
         None => None,
     };
-    let pictures = args.pictures.claim(&PLOTS, args.force, &inputs)?;
+    let pictures = args.pictures.claim(&PLOTS, args.replace, &inputs)?;
+    args.replace.end_if_all_exist()?;
     let summary = summary(args)?;
     summary
         .warnings
         .iter()
         .for_each(|warning| show::warn(warning));
-    let json =
-        serde_json::to_string_pretty(&summary).map_err(|e| Failure::new(BUG, e.to_string()))?;
+    let json = show::json(&summary)?;
     if let Some(output) = output {
-        output.write(format!("{json}\n").as_bytes())?;
+        output.write(json.as_bytes())?;
     }
     if pictures.wanted() {
         let plots: Vec<Plot> = sensors(&summary)
@@ -272,7 +271,7 @@ fn plot(sensor: Sensor, noise: &SensorNoise) -> Plot {
 }
 
 fn report(summary: &NoiseSummary, recording: &Path, plots: &[Plot]) -> Result<Report, Failure> {
-    let title = format!("Noise of {}", show::printable(&recording.to_string_lossy()));
+    let title = format!("Noise of {}", show::path(recording));
     let mut report = Report::new(title).warnings(&summary.warnings);
     for ((name, sensor, noise), plot) in sensors(summary).zip(plots) {
         let mut table = ReportTable::new(HEADER);

@@ -7,8 +7,8 @@ use calib::calibration::{apply, load};
 use calib::recording::{stream_to_csv, to_csv};
 
 use super::inputs::{DeviceArgs, read};
-use crate::exit::{Failure, OUTPUT};
-use crate::output::Output;
+use crate::exit::Failure;
+use crate::output::{Filled, Folder, Output, Replace};
 use crate::read_args::ReadArgs;
 use crate::show;
 
@@ -28,9 +28,8 @@ pub struct Args {
     /// a name without extension becomes a folder that keeps each sensor's own clock
     #[arg(short, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Replace an existing file
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    replace: Replace,
     #[command(flatten)]
     device: DeviceArgs,
     #[command(flatten)]
@@ -41,9 +40,10 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<(), Failure> {
     let inputs: [&Path; 2] = [&args.calibration, &args.recording];
     let target = match &args.output {
-        Some(path) => Target::claim(path, args.force, &inputs)?,
+        Some(path) => Target::claim(path, args.replace, &inputs)?,
         None => Target::Stdout,
     };
+    args.replace.end_if_all_exist()?;
     let calibration = load(&args.calibration)?;
     let recording = read(&args.recording, &args.read)?;
     args.device.check(&calibration, &[&recording])?;
@@ -60,20 +60,20 @@ enum Target {
     Stdout,
     File(Output),
     /// `acc.csv` and `gyro.csv` of a folder, each sensor on its own clock.
-    Folder(Output, Output),
+    Folder(Output, Output, Folder),
 }
 
 impl Target {
     /// A name without an extension is a folder.
-    fn claim(path: &Path, force: bool, inputs: &[&Path]) -> Result<Self, Failure> {
+    fn claim(path: &Path, replace: Replace, inputs: &[&Path]) -> Result<Self, Failure> {
         if path.extension().is_some() {
-            return Ok(Self::File(Output::claim(path, force, inputs)?));
+            return Ok(Self::File(Output::claim(path, replace, inputs)?));
         }
-        std::fs::create_dir_all(path)
-            .map_err(|e| Failure::new(OUTPUT, format!("{}: {e}", path.display())))?;
+        let folder = Folder::make(path)?;
         Ok(Self::Folder(
-            Output::claim(&path.join("acc.csv"), force, inputs)?,
-            Output::claim(&path.join("gyro.csv"), force, inputs)?,
+            Output::claim(&path.join("acc.csv"), replace, inputs)?,
+            Output::claim(&path.join("gyro.csv"), replace, inputs)?,
+            folder,
         ))
     }
 
@@ -84,16 +84,18 @@ impl Target {
                 Ok(())
             }
             Self::File(output) => output.write(to_csv(corrected).as_bytes()),
-            Self::Folder(acc, gyro) => {
+            Self::Folder(acc, gyro, _folder) => {
+                let mut filled = Vec::new();
                 for (output, stream, names) in [
                     (acc, &corrected.accelerometer, "t,ax,ay,az"),
                     (gyro, &corrected.gyroscope, "t,gx,gy,gz"),
                 ] {
                     if let Some(stream) = stream {
-                        output.write(stream_to_csv(stream, names).as_bytes())?;
+                        let text = stream_to_csv(stream, names);
+                        filled.push(output.fill(|out| out.write_all(text.as_bytes()))?);
                     }
                 }
-                Ok(())
+                filled.into_iter().try_for_each(Filled::publish)
             }
         }
     }

@@ -13,8 +13,8 @@ use calib::methods::online_bias::{
 
 use super::inputs::{DetectorArgs, DeviceArgs, read};
 use super::pictures::PictureArgs;
-use crate::exit::{BUG, Failure};
-use crate::output::Output;
+use crate::exit::Failure;
+use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;
 use crate::show;
 
@@ -42,9 +42,8 @@ pub struct Args {
     /// Write the new calibration here
     #[arg(short, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Replace an existing file
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    replace: Replace,
     /// Print the new calibration as JSON instead of tables
     #[arg(long)]
     json: bool,
@@ -62,11 +61,12 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<(), Failure> {
     let inputs: [&Path; 2] = [&args.calibration, &args.recording];
     let output = match &args.output {
-        Some(path) => Some(Output::claim(path, args.force, &inputs)?),
+        Some(path) => Some(Output::claim(path, args.replace, &inputs)?),
         None => None,
     };
     let names: &[&str] = if args.no_gyroscope { &[] } else { &["rates"] };
-    let pictures = args.pictures.claim(names, args.force, &inputs)?;
+    let pictures = args.pictures.claim(names, args.replace, &inputs)?;
+    args.replace.end_if_all_exist()?;
     let old = load(&args.calibration)?;
     let recording = read(&args.recording, &args.read)?;
     recording
@@ -85,13 +85,13 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     if args.accelerometer {
         new = update_accelerometer(&new, &recording, &segmentation)?;
     }
-    let json = serde_json::to_string_pretty(&new).map_err(|e| Failure::new(BUG, e.to_string()))?;
+    let json = show::json(&new)?;
     if let Some(output) = output {
-        output.write(format!("{json}\n").as_bytes())?;
+        output.write(json.as_bytes())?;
     }
     if pictures.wanted() {
         let plot = (!stretches.is_empty()).then(|| page::plot(&stretches));
-        let name = show::printable(&recording.name);
+        let name = show::name(&recording.name);
         let page = page::page(&name, &recording.warnings, &new, plot.as_ref())?;
         pictures.write(plot.as_slice(), &page)?;
     }

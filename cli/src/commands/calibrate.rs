@@ -24,7 +24,7 @@ use super::inputs::{
 use super::pictures::{PictureArgs, Pictures};
 use super::six_position;
 use crate::exit::{Failure, GATE, USAGE};
-use crate::output::Output;
+use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;
 use crate::show;
 
@@ -89,9 +89,8 @@ pub struct Args {
     /// Write the calibration here
     #[arg(short, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Replace an existing file
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    replace: Replace,
     /// Print the calibration as JSON instead of tables
     #[arg(long)]
     json: bool,
@@ -139,6 +138,9 @@ enum GyroBiasArg {
     Initial,
 }
 
+/// Sampling rates of sensors, Hz.
+const RATES: std::ops::RangeInclusive<f64> = 0.1..=1e5;
+
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
     let mut inputs = args.recordings.paths();
@@ -152,14 +154,15 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     }
     let mut request = request(args)?;
     let output = match &args.output {
-        Some(path) => Some(Output::claim(path, args.force, &as_paths(&inputs))?),
+        Some(path) => Some(Output::claim(path, args.replace, &as_paths(&inputs))?),
         None => None,
     };
     let names = plot_names(args);
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let pictures = args
         .pictures
-        .claim(&names, args.force, &as_paths(&inputs))?;
+        .claim(&names, args.replace, &as_paths(&inputs))?;
+    args.replace.end_if_all_exist()?;
     let recordings = args.recordings.read(&args.read)?;
     if let Method::SixPosition = args.method {
         let (detector, gravity) = (request.detector, request.gravity);
@@ -225,7 +228,60 @@ fn draw(pictures: Pictures, recordings: &[Recording], outcome: &Outcome) -> Resu
     pictures.write(&plots, &page)
 }
 
+/// Refuses options that the method would ignore.
+fn check_method(args: &Args) -> Result<(), Failure> {
+    let six = matches!(args.method, Method::SixPosition);
+    let joint = matches!(args.method, Method::Joint);
+    let senseless = [
+        (
+            "--first-order",
+            args.first_order && !six,
+            "--method six-position",
+        ),
+        (
+            "--sections",
+            !args.sections.is_empty() && six,
+            "--method stepwise or joint",
+        ),
+        (
+            "--static-means",
+            args.static_means.is_some() && (six || joint),
+            "--method stepwise",
+        ),
+        (
+            "--effects",
+            !args.effects.is_empty() && six,
+            "--method stepwise or joint",
+        ),
+        (
+            "--gyro-recording",
+            !args.gyro_recording.is_empty() && six,
+            "--method stepwise or joint",
+        ),
+        (
+            "--nominal-rate",
+            args.nominal_rate.is_some() && six,
+            "--method stepwise",
+        ),
+        (
+            "--latitude",
+            args.latitude.is_some() && six,
+            "--method joint",
+        ),
+    ];
+    for (option, given, method) in senseless {
+        if given {
+            let why = format!(
+                "{option} means nothing with this method; use it with {method}, or leave it out"
+            );
+            return Err(Failure::new(USAGE, why));
+        }
+    }
+    Ok(())
+}
+
 fn request(args: &Args) -> Result<Request, Failure> {
+    check_method(args)?;
     check_gravity(args.gravity)?;
     check_latitude(args.latitude)?;
     let (detector, choose_multiplier) = args.detector.detector()?;
@@ -247,11 +303,16 @@ fn request(args: &Args) -> Result<Request, Failure> {
         })
         .collect::<Result<Vec<_>, _>>()?;
     let nominal_step = match args.nominal_rate {
-        Some(rate) if rate > 0.0 && rate.is_finite() => Some(rate.recip()),
+        Some(rate) if RATES.contains(&rate) => Some(rate.recip()),
         Some(rate) => {
             return Err(Failure::new(
                 USAGE,
-                format!("--nominal-rate {}: a positive rate expected", figure(rate)),
+                format!(
+                    "--nominal-rate {}: a rate from {} to {} Hz expected",
+                    figure(rate),
+                    figure(*RATES.start()),
+                    figure(*RATES.end())
+                ),
             ));
         }
         None => None,
@@ -321,9 +382,7 @@ fn sections(args: &Args, recordings: &[Recording]) -> Result<Vec<Vec<Span>>, Fai
 
 fn finish(args: &Args, output: Option<Output>, outcome: &Outcome) -> Result<(), Failure> {
     let calibration = &outcome.calibration;
-    let mut json = serde_json::to_string_pretty(calibration)
-        .map_err(|e| Failure::new(crate::exit::BUG, e.to_string()))?;
-    json.push('\n');
+    let json = show::json(&calibration)?;
     for warning in &calibration.warnings {
         show::warn(warning);
     }

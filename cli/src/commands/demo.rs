@@ -9,8 +9,8 @@ use calib::simulate::{Session, Spec};
 
 use super::discover::{json, look, page, plots, verdict};
 use super::inputs::spinner;
-use crate::exit::{BUG, Failure};
-use crate::output::Output;
+use crate::exit::Failure;
+use crate::output::{Filled, Folder, Output, Replace};
 use crate::show;
 
 /// The demonstration is the same for everybody.
@@ -29,9 +29,8 @@ pub struct Args {
     /// Write the recording, its calibration, the findings and the report into this folder
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Replace existing files
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    replace: Replace,
 }
 
 /// The files of the demonstration.
@@ -40,38 +39,46 @@ struct Files {
     calibration: Output,
     findings: Output,
     report: Output,
+    /// After the files, so that it is empty when it goes.
+    _folder: Folder,
 }
 
 impl Files {
-    fn claim(dir: &Path, force: bool) -> Result<Self, Failure> {
-        std::fs::create_dir_all(dir)
-            .map_err(|e| Failure::new(crate::exit::OUTPUT, format!("{}: {e}", dir.display())))?;
-        let claim = |name: &str| Output::claim(&dir.join(name), force, &[]);
+    fn claim(dir: &Path, replace: Replace) -> Result<Self, Failure> {
+        let folder = Folder::make(dir)?;
+        let claim = |name: &str| Output::claim(&dir.join(name), replace, &[]);
         Ok(Self {
             recording: claim("recording.csv")?,
             calibration: claim("cal.json")?,
             findings: claim("findings.json")?,
             report: claim("report.html")?,
+            _folder: folder,
         })
     }
 
     fn write(self, session: &mut Session, discovery: &Discovery) -> Result<(), Failure> {
-        let calibration = serde_json::to_string_pretty(&discovery.findings.calibration)
-            .map_err(|e| Failure::new(BUG, e.to_string()))?;
+        let calibration = show::json(&discovery.findings.calibration)?;
         let page = page(discovery, &plots(discovery))?.html()?;
         let csv = calib::recording::to_csv(&mut session.recording);
-        self.recording.write(csv.as_bytes())?;
-        self.calibration
-            .write(format!("{calibration}\n").as_bytes())?;
-        self.findings.write(json(&discovery.findings)?.as_bytes())?;
-        self.report.write(page.as_bytes())
+        let findings = json(&discovery.findings)?;
+        let mut filled = Vec::new();
+        for (output, contents) in [
+            (self.recording, csv),
+            (self.calibration, calibration),
+            (self.findings, findings),
+            (self.report, page),
+        ] {
+            filled.push(output.fill(|out| out.write_all(contents.as_bytes()))?);
+        }
+        filled.into_iter().try_for_each(Filled::publish)
     }
 }
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
     let dir = args.out.as_deref();
-    let files = dir.map(|dir| Files::claim(dir, args.force)).transpose()?;
+    let files = dir.map(|dir| Files::claim(dir, args.replace)).transpose()?;
+    args.replace.end_if_all_exist()?;
     let progress = spinner("simulating");
     let mut session = Spec::hand_held(SEED)
         .with_effect(HIDDEN_EFFECT, 1.0)
@@ -94,11 +101,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     text.push_str(&compared(&session, &discovery));
     if let Some(dir) = dir {
         let report = dir.join("report.html");
-        let _ = writeln!(
-            text,
-            "The report is in {}.",
-            show::printable(&report.to_string_lossy())
-        );
+        let _ = writeln!(text, "The report is in {}.", show::path(&report));
     }
     show::print(&text)
 }

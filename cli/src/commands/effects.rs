@@ -7,7 +7,7 @@ use sensor::Sensor;
 use serde_json::json;
 
 use super::inputs::own_effects;
-use crate::exit::{BUG, Failure};
+use crate::exit::Failure;
 use crate::show;
 
 /// Lists every effect with its equation, parameters and units.
@@ -47,8 +47,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
                 })
             })
             .collect();
-        let text =
-            serde_json::to_string_pretty(&effects).map_err(|e| Failure::new(BUG, e.to_string()))?;
+        let text = show::json(&effects)?;
         show::print(&text)?;
         return Ok(());
     }

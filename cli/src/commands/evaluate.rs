@@ -8,8 +8,8 @@ use calib::methods::cut;
 use calib::{Evaluation, evaluate};
 use serde_json::json;
 
-use super::inputs::{DetectorArgs, DeviceArgs, read};
-use crate::exit::{BUG, Failure, USAGE};
+use super::inputs::{DetectorArgs, DeviceArgs, check_gravity, read};
+use crate::exit::{Failure, USAGE};
 use crate::read_args::ReadArgs;
 use crate::show;
 
@@ -49,6 +49,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         })?;
         calibrations.push((name.to_owned(), load(path.as_ref())?));
     }
+    check_gravity(args.gravity)?;
     let (detector, choose) = args.detector.detector()?;
     let recording = read(&args.recording, &args.read)?;
     for warning in &recording.warnings {
@@ -70,8 +71,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             .iter()
             .map(|(name, e)| json!({"name": name, "misfit": e}))
             .collect();
-        let text =
-            serde_json::to_string_pretty(&rows).map_err(|e| Failure::new(BUG, e.to_string()))?;
+        let text = show::json(&rows)?;
         show::print(&text)?;
     } else {
         show::print(&table(&rows).to_string())?;
@@ -91,7 +91,7 @@ fn table(rows: &[(String, Evaluation)]) -> comfy_table::Table {
         |value: Option<f64>, digits: usize| value.map_or("-".into(), |v| format!("{v:.digits$}"));
     for (name, e) in rows {
         table.add_row([
-            show::printable(name),
+            show::name(name),
             e.static_intervals.to_string(),
             number(e.modulus_rms.map(|v| 1e3 * v), 2),
             e.turns.to_string(),

@@ -164,10 +164,7 @@ impl DetectorArgs {
 
 /// Reads a recording and shows its warnings.
 pub fn read(path: &Path, args: &ReadArgs) -> Result<Recording, Failure> {
-    let spinner = spinner(&format!(
-        "reading {}",
-        show::printable(&path.to_string_lossy())
-    ));
+    let spinner = spinner(&format!("reading {}", show::path(path)));
     let recording = Recording::read(path, &args.clone().into())?;
     spinner.finish_and_clear();
     Ok(recording)
@@ -237,7 +234,7 @@ pub fn own_effects(files: &[PathBuf]) -> Result<Vec<&'static dyn AnyEffect>, Fai
             if catalogue_with(&own).any(|other| other.name() == name) {
                 let message = format!(
                     "--effect-file {}: `{name}` is defined in another of the files too",
-                    path.display()
+                    show::path(path)
                 );
                 return Err(Failure::new(USAGE, message));
             }

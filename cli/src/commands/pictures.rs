@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::exit::{Failure, OUTPUT};
-use crate::output::Output;
+use crate::exit::Failure;
+use crate::output::{Filled, Folder, Output, Replace};
 use crate::report::{Plot, Report, Theme};
 
 /// Options of commands that draw.
@@ -23,6 +23,8 @@ pub struct PictureArgs {
 pub struct Pictures {
     report: Option<Output>,
     plots: Vec<PlotFiles>,
+    /// After the files, so that it is empty when it goes.
+    _folder: Option<Folder>,
 }
 
 /// The files of one plot.
@@ -38,15 +40,15 @@ impl PictureArgs {
     pub fn claim(
         &self,
         names: &[&str],
-        force: bool,
+        replace: Replace,
         inputs: &[&Path],
     ) -> Result<Pictures, Failure> {
-        let claim = |path: &Path| Output::claim(path, force, inputs);
+        let claim = |path: &Path| Output::claim(path, replace, inputs);
         let report = self.report.as_deref().map(claim).transpose()?;
         let mut plots = Vec::new();
+        let mut made = None;
         if let Some(folder) = &self.plots {
-            std::fs::create_dir_all(folder)
-                .map_err(|e| Failure::new(OUTPUT, format!("{}: {e}", folder.display())))?;
+            made = Some(Folder::make(folder)?);
             for name in names {
                 let file = |ending: &str| claim(&folder.join(format!("{name}{ending}")));
                 plots.push(PlotFiles {
@@ -56,7 +58,11 @@ impl PictureArgs {
                 });
             }
         }
-        Ok(Pictures { report, plots })
+        Ok(Pictures {
+            report,
+            plots,
+            _folder: made,
+        })
     }
 }
 
@@ -68,14 +74,20 @@ impl Pictures {
 
     /// Writes the plots, in the order of the names claimed, and the report.
     pub fn write(self, plots: &[Plot], report: &Report) -> Result<(), Failure> {
+        let mut filled = Vec::new();
+        let mut fill = |output: Output, contents: &[u8]| {
+            filled.push(output.fill(|out| out.write_all(contents))?);
+            Ok::<(), Failure>(())
+        };
         for (files, plot) in self.plots.into_iter().zip(plots) {
-            files.light.write(plot.svg(Theme::Light)?.as_bytes())?;
-            files.dark.write(plot.svg(Theme::Dark)?.as_bytes())?;
-            files.png.write(&plot.png()?)?;
+            fill(files.light, plot.svg(Theme::Light)?.as_bytes())?;
+            fill(files.dark, plot.svg(Theme::Dark)?.as_bytes())?;
+            fill(files.png, &plot.png()?)?;
         }
-        match self.report {
-            Some(output) => output.write(report.html()?.as_bytes()),
-            None => Ok(()),
+        if let Some(output) = self.report {
+            fill(output, report.html()?.as_bytes())?;
         }
+        // Nothing is put in place before all of it is on the disk.
+        filled.into_iter().try_for_each(Filled::publish)
     }
 }

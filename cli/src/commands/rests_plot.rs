@@ -30,7 +30,7 @@ pub fn rests_plot(recording: &Recording, segmentation: &Segmentation, units: [&s
         .filter_map(|rest| Some((rest.span.from, rest.span.to, mean(rest)?)))
         .collect();
     Plot::new(
-        format!("Rests of {}", show::printable(&recording.name)),
+        format!("Rests of {}", show::name(&recording.name)),
         Axis::linear("time, s"),
         Axis::linear(format!("modulus of the readings, {unit}")),
     )

@@ -9,11 +9,11 @@ use calib::intervals::{Moments, Span};
 use calib::methods::{Choice, cut};
 use serde_json::json;
 
-use super::inputs::{DetectorArgs, as_paths, read};
+use super::inputs::{DetectorArgs, as_paths, check_gravity, read};
 use super::pictures::PictureArgs;
 use super::rests_plot::rests_plot;
 use crate::exit::Failure;
-use crate::output::Output;
+use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;
 use crate::report::{Plot, Report, ReportTable};
 use crate::show;
@@ -33,9 +33,8 @@ pub struct Args {
     /// Write the intervals here (JSON)
     #[arg(short, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Replace an existing file
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    replace: Replace,
     /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
@@ -49,20 +48,22 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
+    check_gravity(args.gravity)?;
     let (detector, choose) = args.detector.detector()?;
     let output = match &args.output {
         Some(path) => Some(Output::claim(
             path,
-            args.force,
+            args.replace,
             &as_paths(std::slice::from_ref(&args.recording)),
         )?),
         None => None,
     };
     let pictures = args.pictures.claim(
         &["rests"],
-        args.force,
+        args.replace,
         &as_paths(std::slice::from_ref(&args.recording)),
     )?;
+    args.replace.end_if_all_exist()?;
     let recording = read(&args.recording, &args.read)?;
     for warning in &recording.warnings {
         show::warn(warning);
@@ -72,9 +73,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         show::warn(&remark);
     }
     let document = document(&recording, &choice);
-    let mut json = serde_json::to_string_pretty(&document)
-        .map_err(|e| Failure::new(crate::exit::BUG, e.to_string()))?;
-    json.push('\n');
+    let json = show::json(&document)?;
     if let Some(output) = output {
         output.write(json.as_bytes())?;
     }
@@ -182,7 +181,7 @@ fn report(recording: &Recording, choice: &Choice, plot: &Plot) -> Result<Report,
     }
     Ok(Report::new(format!(
         "Rests and turns of {}",
-        show::printable(&recording.name)
+        show::name(&recording.name)
     ))
     .warnings(&recording.warnings)
     .section("Rests")
@@ -248,7 +247,7 @@ fn text(recording: &Recording, choice: &Choice) -> String {
         text,
         "{}: {} static intervals, {} turns; motion where Σ var² of a window reaches {} times its level \
          at rest",
-        show::printable(&recording.name),
+        show::name(&recording.name),
         segmentation.statics.len(),
         segmentation.turns.len(),
         segmentation.multiplier

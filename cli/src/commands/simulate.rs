@@ -2,10 +2,12 @@
 
 use std::path::PathBuf;
 
-use calib::simulate::{EXAMPLE, Simulation, Spec};
+use calib::simulate::{EXAMPLE, FILES, Simulation, Spec};
+use sensor::Sensor;
 
 use super::inputs::spinner;
-use crate::exit::{Failure, INPUT};
+use crate::exit::{Failure, USAGE};
+use crate::output::{Folder, Output, Replace};
 use crate::show;
 
 /// Simulates a recording with known truth: motion, sensor errors, noise, effects, faults.
@@ -52,27 +54,40 @@ pub struct Args {
     /// Print a specification with every key, its unit and its meaning
     #[arg(long)]
     example: bool,
-    /// Replace existing files
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    replace: Replace,
 }
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
-    let (Some(spec), Some(output), false) = (&args.spec, &args.output, args.example) else {
-        show::print(EXAMPLE.trim_end())?;
-        return Ok(());
+    let (Some(spec), Some(folder), false) = (&args.spec, &args.output, args.example) else {
+        return show::print(EXAMPLE.trim_end());
     };
-    let name = spec.display().to_string();
-    let text =
-        std::fs::read_to_string(spec).map_err(|e| Failure::new(INPUT, format!("{name}: {e}")))?;
-    let simulation = Simulation::new(&Spec::from_toml(&text, &name)?)?;
+    let text = calib::read_text(spec)?;
+    let read = Spec::from_toml(&text, &show::path(spec)).map_err(wrong_call)?;
+    let simulation = Simulation::new(&read).map_err(wrong_call)?;
+    let _folder = Folder::make(folder)?;
+    let claim = |name: &str| {
+        let inputs = [spec.as_path()];
+        Output::claim(&folder.join(name), args.replace, &inputs)
+    };
+    let [acc, gyro, json] = FILES.map(claim);
+    let (acc, gyro, json) = (acc?, gyro?, json?);
+    args.replace.end_if_all_exist()?;
     let progress = spinner("simulating");
-    let truth = simulation.write(output, args.force)?;
+    let mut files = simulation.files();
+    let acc = acc.fill(|out| files.readings(Sensor::Accelerometer, out))?;
+    let gyro = gyro.fill(|out| files.readings(Sensor::Gyroscope, out))?;
+    let truth = files.truth();
+    let document = show::json(&truth)?;
+    let json = json.fill(|out| out.write_all(document.as_bytes()))?;
+    for filled in [acc, gyro, json] {
+        filled.publish()?;
+    }
     progress.finish_and_clear();
     show::print(&format!(
         "{}: {:.0} s, {} placements, seed {}, effects: {}",
-        output.display(),
+        show::path(folder),
         simulation.duration(),
         truth.static_intervals.len(),
         truth.spec.seed,
@@ -83,4 +98,13 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         }
     ))?;
     Ok(())
+}
+
+/// A spec is part of the call, as a configuration is: what is wrong with it is status 2.
+fn wrong_call(error: calib::Error) -> Failure {
+    Failure {
+        code: USAGE,
+        kind: "usage",
+        ..Failure::from(error)
+    }
 }

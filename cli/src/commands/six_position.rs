@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 
 use super::calibrate::gate;
 use super::pictures::Pictures;
-use crate::exit::{BUG, Failure};
+use crate::exit::Failure;
 use crate::output::Output;
 use crate::report::{Axis, Plot, Report, ReportTable, Series};
 use crate::show;
@@ -51,10 +51,9 @@ pub fn run(call: Call<'_>) -> Result<(), Failure> {
         .warnings
         .iter()
         .for_each(|warning| show::warn(warning));
-    let json =
-        serde_json::to_string_pretty(&calibration).map_err(|e| Failure::new(BUG, e.to_string()))?;
+    let json = show::json(&calibration)?;
     if let Some(output) = call.output {
-        output.write(format!("{json}\n").as_bytes())?;
+        output.write(json.as_bytes())?;
     }
     if call.pictures.wanted() {
         let plot = plot(&solution);
@@ -148,7 +147,7 @@ fn faces(solution: &SixPosition, labels: &[String; 6]) -> ([&'static str; 5], Ve
     let header = ["face", "mean x, m/s²", "mean y", "mean z", "from"];
     let row = |(k, face): (usize, &Face)| {
         let mean = |axis: usize| format!("{:.6}", solution.means[(axis, k)]);
-        let from = show::printable(&labels[k]);
+        let from = show::name(&labels[k]);
         [face.name().into(), mean(0), mean(1), mean(2), from]
     };
     (header, Face::ALL.iter().enumerate().map(row).collect())

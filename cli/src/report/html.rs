@@ -5,6 +5,7 @@ use askama::Template;
 use super::plot::Plot;
 use super::theme::Theme;
 use crate::exit::{BUG, Failure};
+use crate::show;
 
 /// A report: a title, warnings, and sections of text, tables and plots.
 ///
@@ -50,14 +51,15 @@ impl ReportTable {
     /// Without rows yet.
     pub fn new<S: Into<String>>(header: impl IntoIterator<Item = S>) -> Self {
         Self {
-            header: header.into_iter().map(Into::into).collect(),
+            header: header.into_iter().map(|cell| safe(cell.into())).collect(),
             rows: Vec::new(),
         }
     }
 
     /// Appends a row.
     pub fn row<S: Into<String>>(&mut self, cells: impl IntoIterator<Item = S>) {
-        self.rows.push(cells.into_iter().map(Into::into).collect());
+        let safe = cells.into_iter().map(|cell| safe(cell.into()));
+        self.rows.push(safe.collect());
     }
 }
 
@@ -65,7 +67,7 @@ impl Report {
     /// An empty report.
     pub fn new(title: impl Into<String>) -> Self {
         Self {
-            title: title.into(),
+            title: safe(title.into()),
             by: concat!("stillpoint ", env!("CARGO_PKG_VERSION")),
             warnings: Vec::new(),
             sections: Vec::new(),
@@ -75,7 +77,8 @@ impl Report {
     /// With warnings at the top.
     #[must_use]
     pub fn warnings(mut self, warnings: &[String]) -> Self {
-        self.warnings.extend_from_slice(warnings);
+        let safe = warnings.iter().map(|w| safe(show::shortened(w)));
+        self.warnings.extend(safe);
         self
     }
 
@@ -83,7 +86,7 @@ impl Report {
     #[must_use]
     pub fn section(mut self, heading: impl Into<String>) -> Self {
         self.sections.push(Section {
-            heading: heading.into(),
+            heading: safe(heading.into()),
             blocks: Vec::new(),
         });
         self
@@ -92,7 +95,7 @@ impl Report {
     /// With a paragraph.
     #[must_use]
     pub fn text(self, text: impl Into<String>) -> Self {
-        self.block(Block::Text(text.into()))
+        self.block(Block::Text(safe(text.into())))
     }
 
     /// With a table.
@@ -132,6 +135,11 @@ impl Report {
         }
         self
     }
+}
+
+/// The text without characters that would turn the direction of writing or end a line.
+fn safe<'a>(text: impl Into<std::borrow::Cow<'a, str>>) -> String {
+    show::printable(&text.into()).into_owned()
 }
 
 #[cfg(test)]

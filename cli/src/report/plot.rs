@@ -1,6 +1,7 @@
 //! What is plotted; how it is drawn is `draw`'s affair.
 
 use super::axis::Axis;
+use crate::show;
 
 /// More points than this in a line are thinned: the page is a thousand dots wide.
 const DENSEST: usize = 1500;
@@ -44,7 +45,7 @@ impl Series {
     /// A line; `colour` counts through the palette.
     pub fn line(name: impl Into<String>, colour: usize, points: Vec<(f64, f64)>) -> Self {
         Self {
-            name: name.into(),
+            name: show::printable(&name.into()).into_owned(),
             colour,
             mark: Mark::Line {
                 points: thin(points),
@@ -56,7 +57,7 @@ impl Series {
     /// A broken line, for what is computed rather than measured.
     pub fn dashed(name: impl Into<String>, colour: usize, points: Vec<(f64, f64)>) -> Self {
         Self {
-            name: name.into(),
+            name: show::printable(&name.into()).into_owned(),
             colour,
             mark: Mark::Line {
                 points: thin(points),
@@ -68,7 +69,7 @@ impl Series {
     /// Dots with intervals `(x, y, low, high)`.
     pub fn bars(name: impl Into<String>, colour: usize, points: Vec<(f64, f64, f64, f64)>) -> Self {
         Self {
-            name: name.into(),
+            name: show::printable(&name.into()).into_owned(),
             colour,
             mark: Mark::Bars(points),
         }
@@ -117,7 +118,7 @@ impl Plot {
     /// An empty plot.
     pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
         Self {
-            title: title.into(),
+            title: show::printable(&title.into()).into_owned(),
             x,
             y,
             series: Vec::new(),

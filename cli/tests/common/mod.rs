@@ -1,8 +1,11 @@
 //! Running the program as a person or a script would.
 #![allow(dead_code, clippy::unwrap_used)]
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+
+use calib::recording::to_csv;
+use calib::simulate::{HandHeld, Motion, Spec};
 
 /// Runs `stillpoint` in a folder, with nothing on its standard input.
 pub fn stillpoint(folder: &Path, args: &[&str]) -> Output {
@@ -27,4 +30,34 @@ pub fn stdout(output: &Output) -> String {
 /// The one document that it printed.
 pub fn json(output: &Output) -> serde_json::Value {
     serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// A folder with `good.csv`, a simulated session of 14 placements.
+pub fn folder() -> (tempfile::TempDir, PathBuf) {
+    let dir = tempfile::tempdir().unwrap();
+    let mut spec = Spec::hand_held(11);
+    let motion = HandHeld {
+        placements: Some(14),
+        initial_rest: Some(20.0),
+        ..HandHeld::default()
+    };
+    spec.motion = Motion::HandHeld(motion);
+    let path = dir.path().to_owned();
+    let mut session = spec.run().unwrap();
+    std::fs::write(path.join("good.csv"), to_csv(&mut session.recording)).unwrap();
+    (dir, path)
+}
+
+/// The names in a folder, in order.
+pub fn files(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).unwrap();
+    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let mut names: Vec<String> = names.collect();
+    names.sort();
+    names
+}
+
+/// The exit status.
+pub fn status(output: &Output) -> i32 {
+    output.status.code().unwrap()
 }

@@ -2,6 +2,8 @@
 
 use std::sync::{Mutex, PoisonError};
 
+use crate::budget::Budget;
+
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 use solver::{Jet, Jet2, Scalar};
@@ -136,7 +138,6 @@ impl Definition {
     /// that cannot be read (with the column), a number that makes no sense, an effect that is not
     /// silent at its nominal parameters.
     pub fn effect(&self) -> Result<&'static dyn AnyEffect, DefinitionError> {
-        static DEFINED: Mutex<Vec<&'static Defined>> = Mutex::new(Vec::new());
         let mut defined = DEFINED.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(known) = defined.iter().find(|known| known.definition == *self) {
             return Ok(*known);
@@ -165,6 +166,19 @@ impl Definition {
             let what = "no expression on any axis: write one of x, y, z";
             return Err(DefinitionError::new("x", what));
         }
+        let cost: u64 = axes.iter().flatten().map(Expression::cost).sum();
+        if cost > COSTLIEST {
+            let what = format!(
+                "the three expressions take {cost} steps, at most {COSTLIEST} may be: a function counts {} and an operation 1 \
+                 or 2; write it with fewer, or as a compiled effect",
+                crate::expression::CALL
+            );
+            let longest = Axis::ALL
+                .into_iter()
+                .max_by_key(|axis| axes[axis.index()].as_ref().map_or(0, Expression::cost));
+            let key = longest.map_or("x", Axis::letter);
+            return Err(DefinitionError::new(key, what));
+        }
         let params: Vec<Param> = self.parameters.iter().map(parameter).collect();
         let defined = Defined {
             definition: self.clone(),
@@ -173,6 +187,7 @@ impl Definition {
             params,
             covariates,
             axes,
+            budget: Budget::new(cost),
         };
         defined.check_silent()?;
         Ok(defined)
@@ -259,6 +274,38 @@ struct Defined {
     params: Vec<Param>,
     covariates: Vec<Covariate>,
     axes: [Option<Expression>; 3],
+    budget: Budget,
+}
+
+/// Every definition that was read, once.
+static DEFINED: Mutex<Vec<&'static Defined>> = Mutex::new(Vec::new());
+
+/// Steps that the expressions of an effect may take together: a second for a hundred thousand readings and a dozen
+/// evaluations of each with derivatives.
+const COSTLIEST: u64 = 160;
+
+/// The definition behind an effect; `None` for a compiled one.
+fn defined(effect: &dyn AnyEffect) -> Option<&'static Defined> {
+    let definition = effect.definition()?;
+    let defined = DEFINED.lock().unwrap_or_else(PoisonError::into_inner);
+    defined
+        .iter()
+        .copied()
+        .find(|known| known.definition == *definition)
+}
+
+/// Grants a defined effect as many steps as fits of `samples` readings need, from now on. Compiled effects are not
+/// counted.
+pub fn grant_steps(effect: &dyn AnyEffect, samples: usize) {
+    if let Some(defined) = defined(effect) {
+        defined.budget.grant(samples);
+    }
+}
+
+/// What went wrong with a defined effect since [`grant_steps`], in words: its steps are spent, or it was no number
+/// somewhere.
+pub fn fault_of(effect: &dyn AnyEffect) -> Option<String> {
+    defined(effect)?.budget.fault()
 }
 
 impl Defined {
@@ -268,10 +315,18 @@ impl Defined {
             Some(covariate) => covariate.value(truth),
             None => p[k - count],
         };
-        Vector3::from_fn(|i, _| {
+        if !self.budget.spend::<D>() {
+            return Vector3::from_element(D::from(f64::NAN));
+        }
+        let error = Vector3::from_fn(|i, _| {
             let axis = self.axes[i].as_ref();
             axis.map_or_else(|| D::from(0.0), |axis| axis.eval(&variable))
-        })
+        });
+        if !error.iter().all(|e| e.re().is_finite()) {
+            let parameters: Vec<f64> = p.iter().map(|p| p.re()).collect();
+            self.budget.note_no_number(truth, &parameters);
+        }
+        error
     }
 
     /// Silent at the nominal parameters, and a number at the typical ones, in some motion or other.
@@ -411,6 +466,51 @@ mod tests {
         let mut other = swirl();
         other.equation = "something".into();
         assert!(!std::ptr::addr_eq(one, other.effect().unwrap()));
+    }
+
+    #[test]
+    fn a_costly_expression_is_refused_and_spent_steps_are_said() {
+        let nested = format!("k*{}fx{}", "sin(".repeat(40), ")".repeat(40));
+        let message = refused(|d| d.y = nested);
+        assert!(
+            message.starts_with("y: the three expressions take 6"),
+            "{message}"
+        );
+        let mut own = swirl();
+        own.name = "gyro_swirl_counted".into();
+        let effect = own.effect().unwrap();
+        let truth = Kinematics::at_rest(Vector3::new(0.0, 2.0, 0.0));
+        let p = [0.1, 1.0, 60.0];
+        grant_steps(effect, 1);
+        assert_eq!(fault_of(effect), None);
+        let evaluations = (0..1_000_000).take_while(|_| effect.error_f64(&truth, &p).x.is_finite());
+        assert!((1000..100_000).contains(&evaluations.count()));
+        assert!(fault_of(effect).unwrap().contains("more steps"));
+        grant_steps(effect, 1);
+        assert_eq!(fault_of(effect), None);
+    }
+
+    #[test]
+    fn where_an_expression_is_no_number_is_remembered() {
+        let mut own = swirl();
+        own.name = "gyro_swirl_rooted".into();
+        own.x = "k * sqrt(8.5 - fx)".into();
+        let effect = own.effect().unwrap();
+        grant_steps(effect, 100);
+        let at = |x: f64| {
+            effect.error_f64(
+                &Kinematics::at_rest(Vector3::new(x, 0.0, 0.0)),
+                &[0.1, 1.0, 60.0],
+            )
+        };
+        assert!(at(8.0).x.is_finite());
+        assert_eq!(fault_of(effect), None);
+        assert!(at(9.0).x.is_nan());
+        let fault = fault_of(effect).unwrap();
+        assert!(
+            fault.starts_with("is no number at a specific force of 9.000, 0.000"),
+            "{fault}"
+        );
     }
 
     #[test]

@@ -10,6 +10,7 @@
 pub mod attitude;
 mod axis;
 mod base;
+mod budget;
 mod covariate;
 mod definition;
 mod effect;
@@ -24,7 +25,7 @@ mod param;
 pub use axis::Axis;
 pub use base::{BASE_PARAMETERS, Base, PLACES, base_names, inverse};
 pub use covariate::Covariate;
-pub use definition::{DefinedParam, Definition, DefinitionError};
+pub use definition::{DefinedParam, Definition, DefinitionError, fault_of, grant_steps};
 pub use effect::{AnyEffect, Effect, ModelScalar, mat3};
 pub use emit::emit_effect;
 pub use formula::{Factor, Formula, Term};

@@ -128,7 +128,7 @@ fn residuals(
         plot = plot.with(Series::dots("raw", GREY, raw));
     }
     for (colour, part) in parts.iter().enumerate() {
-        let name = show::printable(&part.recording.name);
+        let name = show::name(&part.recording.name);
         // The palette ends in the grey of the raw readings.
         plot = plot.with(Series::dots(
             name,

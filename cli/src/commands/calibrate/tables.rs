@@ -182,7 +182,7 @@ pub fn parameters(triad: &Triad, unit: &str, prefix: &str) -> Vec<[String; 4]> {
     for own in &triad.recordings {
         biases(
             &mut rows,
-            &format!(" in {}", show::printable(&own.recording)),
+            &format!(" in {}", show::name(&own.recording)),
             &own.bias,
             &own.bias_std,
         );

@@ -6,7 +6,7 @@ use calib::discover::Findings;
 use sensor::{AnyEffect, Axis, Covariate, Formula, Sensor, Term, emit_effect};
 
 use crate::exit::{BUG, Failure, USAGE};
-use crate::output::Output;
+use crate::output::{Output, Replace};
 use crate::show;
 
 /// A claim on the file of an effect that bears the file's name.
@@ -24,7 +24,7 @@ impl Emit {
     /// Status 2 for a file name that is not `some_name.rs` or the name of another effect; as [`Output::claim`].
     pub fn claim(
         path: &Path,
-        force: bool,
+        replace: Replace,
         inputs: &[&Path],
         catalogue: &[&'static dyn AnyEffect],
     ) -> Result<Self, Failure> {
@@ -37,7 +37,7 @@ impl Emit {
                 &format!("`{name}` is another effect already"),
             ));
         }
-        let output = Output::claim(path, force, inputs)?;
+        let output = Output::claim(path, replace, inputs)?;
         Ok(Self {
             path: path.to_owned(),
             name,
@@ -53,7 +53,7 @@ impl Emit {
         let Some(proposal) = &findings.proposed else {
             show::warn(&format!(
                 "--emit-effect {}: not written: {}",
-                self.path.display(),
+                show::path(&self.path),
                 why_none(findings)
             ));
             return Ok(());
@@ -75,7 +75,7 @@ fn why_none(findings: &Findings) -> &'static str {
 }
 
 fn refused(path: &Path, what: &str) -> Failure {
-    Failure::new(USAGE, format!("--emit-effect {}: {what}", path.display()))
+    Failure::new(USAGE, format!("--emit-effect {}: {what}", show::path(path)))
 }
 
 /// The name of the effect, where the file's is one.

@@ -4,21 +4,19 @@ use std::path::{Path, PathBuf};
 
 use calib::Recording;
 use calib::recording::Stream;
-use same_file::is_same_file;
 
 use crate::exit::{Failure, USAGE};
+use crate::output::is_same_file;
+use crate::show;
 
 /// Refuses a validation recording that is one of the inputs by its path, through links too.
 pub fn refuse_same_path(validation: Option<&Path>, inputs: &[PathBuf]) -> Result<(), Failure> {
     let Some(validation) = validation else {
         return Ok(());
     };
-    let same = |input: &&PathBuf| is_same_file(input, validation).unwrap_or(false);
+    let same = |input: &&PathBuf| is_same_file(input, validation);
     inputs.iter().find(same).map_or(Ok(()), |input| {
-        Err(seen(
-            &validation.display().to_string(),
-            &input.display().to_string(),
-        ))
+        Err(seen(&show::path(validation), &show::path(input)))
     })
 }
 

@@ -26,8 +26,8 @@ use super::inputs::{
     read, spinner,
 };
 use super::pictures::PictureArgs;
-use crate::exit::{BUG, Failure, USAGE};
-use crate::output::Output;
+use crate::exit::{Failure, USAGE};
+use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;
 use crate::show;
 
@@ -90,9 +90,8 @@ pub struct Args {
     /// Write the findings here
     #[arg(short, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Replace existing files
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    replace: Replace,
     /// Print the findings as JSON instead of tables
     #[arg(long)]
     json: bool,
@@ -118,19 +117,20 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     held_out::refuse_same_path(args.validation.as_deref(), &args.recordings.paths())?;
     let mut request = request(args)?;
     let output = match &args.output {
-        Some(path) => Some(Output::claim(path, args.force, &as_paths(&inputs))?),
+        Some(path) => Some(Output::claim(path, args.replace, &as_paths(&inputs))?),
         None => None,
     };
     let emit = match &args.emit_effect {
         Some(path) => {
             let taken = &request.catalogue;
-            Some(Emit::claim(path, args.force, &as_paths(&inputs), taken)?)
+            Some(Emit::claim(path, args.replace, &as_paths(&inputs), taken)?)
         }
         None => None,
     };
     let pictures = args
         .pictures
-        .claim(&PLOTS, args.force, &as_paths(&inputs))?;
+        .claim(&PLOTS, args.replace, &as_paths(&inputs))?;
+    args.replace.end_if_all_exist()?;
     if let Some(path) = &args.noise {
         let given = walks_in(path)?;
         given.notes.iter().for_each(|note| show::warn(note));
@@ -210,7 +210,5 @@ pub fn look(
 
 /// The document that `-o` and `--json` give.
 pub fn json(findings: &Findings) -> Result<String, Failure> {
-    let text =
-        serde_json::to_string_pretty(findings).map_err(|e| Failure::new(BUG, e.to_string()))?;
-    Ok(format!("{text}\n"))
+    show::json(findings)
 }

@@ -107,7 +107,7 @@ fn gap(findings: &Findings) -> Plot {
 fn residual_plots(picture: &Picture) -> Vec<Plot> {
     let (measured, unit, factor) = measured(picture.channel);
     let label = format!("{measured}, {unit}");
-    let effect = show::printable(&picture.effect);
+    let effect = show::name(&picture.effect);
     let foretold = against(
         Plot::new(
             format!("{effect}: what it foretells, and what was measured"),

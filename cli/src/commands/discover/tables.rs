@@ -44,7 +44,7 @@ pub fn gaps(findings: &Findings) -> Rows<5> {
             [
                 "base models".into(),
                 v.channel.words().into(),
-                show::printable(&v.recording),
+                show::name(&v.recording),
                 before,
                 after,
             ]
@@ -66,7 +66,7 @@ pub fn places(findings: &Findings, effect: &EffectFinding) -> Vec<(String, f64, 
     let own = findings.validation.iter();
     places.extend(
         own.filter(|v| v.channel == effect.channel)
-            .map(|v| (show::printable(&v.recording), v.gap_before, v.gap_after)),
+            .map(|v| (show::name(&v.recording), v.gap_before, v.gap_after)),
     );
     places
 }
@@ -138,7 +138,7 @@ pub fn disagreement(findings: &Findings) -> Rows<4> {
         [
             d.channel.words().into(),
             format!("{:.2}", d.size),
-            show::printable(&d.place),
+            show::name(&d.place),
             d.covariate.clone(),
         ]
     });
@@ -151,7 +151,7 @@ pub fn faults(findings: &Findings) -> Rows<5> {
     let rows = findings.integrity.iter().map(|fault| {
         [
             fault.name.into(),
-            show::printable(&fault.recording),
+            show::name(&fault.recording),
             fault.interval.map_or("all".into(), |k| k.to_string()),
             format!("{:.2} to {:.2}", fault.t0, fault.t1),
             fault.detail.clone(),
@@ -180,7 +180,7 @@ pub fn validated(findings: &Findings) -> Vec<String> {
     let of = |v: &Validation| {
         // Of a complete model chi² per degree of freedom is 1 within two of these.
         let spread = 2.0 * (2.0 / v.dof.max(1.0)).sqrt();
-        let (name, channel) = (show::printable(&v.recording), v.channel.words());
+        let (name, channel) = (show::name(&v.recording), v.channel.words());
         let explained = |gap: f64| gap.powi(2) <= 1.0 + spread;
         if !findings.effects.is_empty() && explained(v.gap_before) && explained(v.gap_after) {
             format!(

@@ -14,8 +14,8 @@ use nalgebra::Vector3;
 
 use super::inputs::{as_paths, numbers, read};
 use super::pictures::PictureArgs;
-use crate::exit::{BUG, Failure, USAGE};
-use crate::output::Output;
+use crate::exit::{Failure, USAGE};
+use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;
 use crate::show;
 use solve::{Known, Named, Run};
@@ -62,9 +62,8 @@ pub struct Args {
     /// Write the results here (JSON)
     #[arg(short, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Replace existing files
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    replace: Replace,
     /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
@@ -136,14 +135,21 @@ enum AxisArg {
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
-    let inputs = as_paths(&args.recordings);
+    let files = args
+        .calibration
+        .iter()
+        .filter_map(|named| named.split_once('='));
+    let mut inputs = args.recordings.clone();
+    inputs.extend(files.map(|(_, file)| PathBuf::from(file)));
+    let inputs = as_paths(&inputs);
     let output = match &args.output {
-        Some(path) => Some(Output::claim(path, args.force, &inputs)?),
+        Some(path) => Some(Output::claim(path, args.replace, &inputs)?),
         None => None,
     };
     let names = show_runs::plot_names(&args.recordings);
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let pictures = args.pictures.claim(&names, args.force, &inputs)?;
+    let pictures = args.pictures.claim(&names, args.replace, &inputs)?;
+    args.replace.end_if_all_exist()?;
     let calibrations = calibrations(args)?;
     let mut runs = Vec::new();
     for (k, path) in args.recordings.iter().enumerate() {
@@ -157,9 +163,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     runs.iter()
         .flat_map(|run| &run.warnings)
         .for_each(|warning| show::warn(warning));
-    let json = serde_json::to_string_pretty(&runs).map_err(|e| Failure::new(BUG, e.to_string()))?;
+    let json = show::json(&runs)?;
     if let Some(output) = output {
-        output.write(format!("{json}\n").as_bytes())?;
+        output.write(json.as_bytes())?;
     }
     if pictures.wanted() {
         let plots = show_runs::plots(&runs);

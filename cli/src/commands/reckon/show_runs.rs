@@ -42,7 +42,7 @@ pub(super) fn plots(runs: &[Run]) -> Vec<Plot> {
         let mut plot = Plot::new(
             format!(
                 "{}: position along {}",
-                show::printable(&run.recording),
+                show::name(&run.recording),
                 AXES[axis]
             ),
             Axis::linear("time since the start of the motion, s"),
@@ -50,7 +50,7 @@ pub(super) fn plots(runs: &[Run]) -> Vec<Plot> {
         );
         for (k, outcome) in run.results.iter().enumerate() {
             let line = outcome.path.iter().map(|(t, p)| (*t, p[axis])).collect();
-            plot = plot.with(Series::line(show::printable(&outcome.calibration), k, line));
+            plot = plot.with(Series::line(show::name(&outcome.calibration), k, line));
         }
         let first = run.results.first();
         if let Some((outcome, error)) = first.and_then(|o| Some((o, o.error?))) {
@@ -100,7 +100,7 @@ fn table(run: &Run) -> (Vec<&'static str>, Vec<Vec<String>>) {
     let mut header = vec!["calibration"];
     header.extend(used.iter().map(|(name, _)| *name));
     let rows = run.results.iter().map(|outcome| {
-        let mut row = vec![show::printable(&outcome.calibration)];
+        let mut row = vec![show::name(&outcome.calibration)];
         row.extend(
             used.iter()
                 .map(|(_, cell)| cell(outcome).unwrap_or_default()),
@@ -125,7 +125,7 @@ fn means(runs: &[Run]) -> Vec<(String, f64)> {
     };
     let named = first.results.iter().enumerate();
     named
-        .filter_map(|(k, o)| Some((show::printable(&o.calibration), mean(k)?)))
+        .filter_map(|(k, o)| Some((show::name(&o.calibration), mean(k)?)))
         .collect()
 }
 
@@ -135,7 +135,7 @@ fn heading(run: &Run) -> String {
         .map(|m| format!(", motion from {:.2} to {:.2} s", m.from, m.to));
     format!(
         "{}{}",
-        show::printable(&run.recording),
+        show::name(&run.recording),
         motion.unwrap_or_default()
     )
 }

@@ -26,6 +26,11 @@ impl Expression {
         parse::parse(text, names).map(|root| Self { root })
     }
 
+    /// What an evaluation takes, in steps about as long as an addition.
+    pub fn cost(&self) -> u64 {
+        self.root.cost()
+    }
+
     /// Its value where variable `k` is `variable(k)`.
     pub fn eval<D: Scalar>(&self, variable: &impl Fn(usize) -> D) -> D {
         self.root.eval(variable)
@@ -37,6 +42,9 @@ pub const FUNCTIONS: [&str; 15] = [
     "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "ln", "sqrt",
     "abs", "sign", "step",
 ];
+
+/// Steps of a call of a function.
+pub(crate) const CALL: u64 = 15;
 
 /// One operation on what is below it.
 #[derive(Clone, Debug, PartialEq)]
@@ -86,6 +94,19 @@ impl Node {
             Self::Power(x, n) => value(x).powi(*n),
             Self::RealPower(x, r) => value(x).powf(*r),
             Self::Call(function, x) => function.of(value(x)),
+        }
+    }
+
+    fn cost(&self) -> u64 {
+        match self {
+            Self::Constant(_) | Self::Variable(_) => 0,
+            Self::Negative(x) => 1 + x.cost(),
+            Self::Sum(a, b) | Self::Difference(a, b) | Self::Product(a, b) => {
+                1 + a.cost() + b.cost()
+            }
+            Self::Quotient(a, b) => 2 + a.cost() + b.cost(),
+            Self::Power(x, _) => 2 + x.cost(),
+            Self::RealPower(x, _) | Self::Call(_, x) => CALL + x.cost(),
         }
     }
 
