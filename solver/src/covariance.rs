@@ -143,7 +143,7 @@ fn covariance(axes: MatRef<'_, f64>, s: &[f64]) -> Vec<Vec<f64>> {
 
 /// Singular values, descending, and all right vectors `V` (`n × n`); the left ones cost as much again
 /// and nobody asks for them.
-fn right_vectors(a: MatRef<'_, f64>) -> Option<(Vec<f64>, Mat<f64>)> {
+pub(crate) fn right_vectors(a: MatRef<'_, f64>) -> Option<(Vec<f64>, Mat<f64>)> {
     let (m, n) = a.shape();
     if n <= SMALL
         && let Some(found) = singular(a)
@@ -169,7 +169,7 @@ fn right_vectors(a: MatRef<'_, f64>) -> Option<(Vec<f64>, Mat<f64>)> {
 }
 
 /// A matrix of as many columns and few rows with the same singular values and right vectors.
-fn triangle(a: MatRef<'_, f64>) -> Mat<f64> {
+pub(crate) fn triangle(a: MatRef<'_, f64>) -> Mat<f64> {
     if a.nrows() <= 2 * a.ncols() || a.ncols() == 0 {
         return a.to_owned();
     }

@@ -106,4 +106,38 @@ pub enum Error {
         /// How many blocks there are.
         blocks: usize,
     },
+    /// A block of a graph whose start has not the length that its manifold stores, or is not finite.
+    #[error("block {block} starts with {found} values, {numbers} finite ones needed")]
+    BlockStart {
+        /// Name of the block.
+        block: String,
+        /// How many values were given.
+        found: usize,
+        /// How many the manifold stores.
+        numbers: usize,
+    },
+    /// A factor that reads a block twice.
+    #[error("factor {factor} reads block {block} twice: add it once")]
+    RepeatedBlock {
+        /// Number of the factor, from 0.
+        factor: usize,
+        /// Name of the block.
+        block: String,
+    },
+    /// A factor whose residuals or Jacobian have not the length they had.
+    #[error("factor {factor}: {found} entries of its residuals or Jacobian, {expected} expected")]
+    FactorLength {
+        /// Number of the factor, from 0.
+        factor: usize,
+        /// How many there are.
+        found: usize,
+        /// How many there should be.
+        expected: usize,
+    },
+    /// A factorisation that needs more memory, or longer indices, than there are.
+    #[error("the factorisation of the graph is too large: {unknowns} unknowns")]
+    TooLarge {
+        /// Number of free coordinates.
+        unknowns: usize,
+    },
 }

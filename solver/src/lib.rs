@@ -16,6 +16,7 @@
 //! | choose a variant, limit steps or time, cancel | [`Options`] |
 //! | watch the steps | [`solve_observed`] |
 //! | know what the data say | [`Uncertainty`], [`profile_interval`] |
+//! | solve a graph: named blocks, manifolds, sparse | [`Graph`], [`Manifold`], [`solve_graph`] |
 //! | fit many small blocks with shared parameters | [`BlockProblem`] |
 //!
 //! How a run goes: `iterate` steps from point to point by a *descent* (where to) and a *search* (how
@@ -33,6 +34,7 @@ mod descent;
 mod error;
 mod feasible;
 mod finish;
+mod graph;
 mod infinite;
 mod iterate;
 mod linear;
@@ -59,6 +61,11 @@ pub use closure::{from_fn, from_fn_numeric};
 pub use constraints::{ActiveConstraint, Constraint, Constraints};
 pub use covariance::{Uncertainty, uncertainty};
 pub use error::Error;
+pub use graph::{
+    Block, Direction, Euclidean, Factor, Graph, GraphOptions, GraphReport, Manifold, Method,
+    NullVector, PlanarMotion, Products, RigidMotion, Rotation, check_manifold, quaternion,
+    solve_graph,
+};
 pub use linear::LinearSolver;
 pub use loss::{Loss, LossScale};
 pub use options::{Damping, Options, Variant};
@@ -66,7 +73,7 @@ pub use parameters::{Mask, Parameters};
 pub use profile::{ProfileInterval, profile_interval};
 pub use report::{Iteration, Report, Termination};
 pub use residual::{Problem, Residual};
-pub use scalar::{DualNum, Jet, Jet2, LANES, Scalar, lit};
+pub use scalar::{DualNum, Jet, Jet2, LANES, Scalar, Wide, lit};
 pub use solve::{solve, solve_observed};
 pub use system::Evaluations;
 

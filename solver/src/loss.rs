@@ -73,6 +73,26 @@ impl Loss {
         if cost.is_nan() { f64::INFINITY } else { cost }
     }
 
+    /// `½ σ² ρ(s)` of a factor of `‖r‖²`, `s = ‖r‖² / σ²`, for a scale that is given; without one `½ ‖r‖²`.
+    pub(crate) fn cost_of_square(self, square: f64) -> f64 {
+        let variance = self.given_variance();
+        0.5 * variance * self.at(square / variance)[0]
+    }
+
+    /// `ρ′(s)` and `ρ″(s) / σ²`, `s = ‖r‖² / σ²`.
+    pub(crate) fn slope_and_bend(self, square: f64) -> (f64, f64) {
+        let variance = self.given_variance();
+        let [_, first, second] = self.at(square / variance);
+        (first, second / variance)
+    }
+
+    fn given_variance(self) -> f64 {
+        match self.scale() {
+            Some(LossScale::Given(scale) | LossScale::Estimated(scale)) => scale * scale,
+            None => 1.0,
+        }
+    }
+
     /// The same loss with a scale that is known.
     pub(crate) fn with_scale(self, scale: f64) -> Self {
         let given = LossScale::Given(scale);

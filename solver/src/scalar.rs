@@ -53,3 +53,21 @@ pub fn along(value: f64, direction: f64) -> Jet2 {
 pub fn second_derivative(x: &Jet2) -> f64 {
     x.v2
 }
+
+/// A value with `N` first derivatives: what the factors of a graph are evaluated on.
+pub type Wide<const N: usize> = DualSVec64<N>;
+
+/// A [`Wide`] from its value and derivatives.
+#[inline]
+pub(crate) fn seeded<const N: usize>(value: f64, derivatives: [f64; N]) -> Wide<N> {
+    Wide::new(value, Derivative::some(derivatives.into()))
+}
+
+/// The derivatives of a [`Wide`], zero where it carries none.
+#[inline]
+pub(crate) fn slopes<const N: usize>(x: &Wide<N>) -> [f64; N] {
+    match x.eps.0 {
+        Some(column) => column.into(),
+        None => [0.0; N],
+    }
+}

@@ -1,0 +1,104 @@
+//! What a user of a graph may choose, and what comes out.
+
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+
+use super::eliminate::Method;
+use super::problem::{Block, Graph};
+use crate::options::Damping;
+use crate::report::{Iteration, Termination};
+use crate::system::Evaluations;
+
+/// How to solve a graph and when to stop. What is missing where it is read is as in the default.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(default)]
+pub struct GraphOptions {
+    /// How the damping moves.
+    pub damping: Damping,
+    /// The first damping, relative to the squared column norms.
+    pub first_damping: f64,
+    /// Most steps tried.
+    pub max_iterations: usize,
+    /// Relative offset `‖P r‖ / ‖r‖` at which a point counts as a minimum; the cost is `offset²` of
+    /// itself above the minimum, by the linearised problem.
+    pub gradient_tolerance: f64,
+    /// Smallest step `‖D p‖` relative to `‖D x‖`.
+    pub step_tolerance: f64,
+    /// Whether to go on from there, undamped, to what double precision allows; `false` ends with the
+    /// step that reaches `gradient_tolerance`.
+    pub last_digits: bool,
+    /// Threads that evaluate factors; the result is the same to the last bit. 1 starts none.
+    pub threads: usize,
+    /// Longest time to spend; looked at before every step.
+    pub time_limit: Option<Duration>,
+    /// Set from another thread, it stops the run before its next step. Not written.
+    #[serde(skip)]
+    pub cancel: Option<Arc<AtomicBool>>,
+}
+
+impl Default for GraphOptions {
+    fn default() -> Self {
+        Self {
+            damping: Damping::Nielsen,
+            first_damping: 1e-4,
+            max_iterations: 500,
+            gradient_tolerance: 1e-8,
+            step_tolerance: 1e-15,
+            last_digits: true,
+            threads: 1,
+            time_limit: None,
+            cancel: None,
+        }
+    }
+}
+
+/// The result of [`solve_graph`](super::solve_graph).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GraphReport {
+    /// Stored values of all blocks, one after the other: a start for
+    /// [`Graph::start_at`](super::Graph::start_at).
+    pub values: Vec<f64>,
+    /// First value of every block, and the number of values.
+    pub(crate) first: Vec<usize>,
+    /// What was minimised, there: `½ ‖r‖²`, or half the sum of the losses.
+    #[serde(with = "crate::infinite")]
+    pub cost: f64,
+    /// Number of residuals.
+    pub residuals: usize,
+    /// Number of free coordinates.
+    pub unknowns: usize,
+    /// Why the solver stopped.
+    pub termination: Termination,
+    /// The steps.
+    pub iterations: Vec<Iteration>,
+    /// Number of all evaluations of the graph.
+    pub evaluations: Evaluations,
+    /// `‖P r‖ / ‖r‖`, where `P` projects on the columns of the Jacobian.
+    pub relative_offset: f64,
+    /// Length of the Gauss–Newton step that is left, relative to the values, both scaled by the
+    /// column norms.
+    #[serde(with = "crate::infinite")]
+    pub relative_step: f64,
+    /// How the linear equations were solved.
+    pub method: Method,
+}
+
+impl GraphReport {
+    /// Stored values of a block; none where there is no such block.
+    pub fn value(&self, block: Block) -> &[f64] {
+        let number = block.number();
+        match (self.first.get(number), self.first.get(number + 1)) {
+            (Some(&from), Some(&to)) => &self.values[from..to],
+            _ => &[],
+        }
+    }
+
+    pub(crate) fn first(graph: &Graph<'_>) -> Vec<usize> {
+        let mut first: Vec<usize> = graph.variables.iter().map(|v| v.first).collect();
+        first.push(graph.values.len());
+        first
+    }
+}

@@ -1,0 +1,386 @@
+//! From a graph and its start to a report: Levenberg–Marquardt over sparse normal equations.
+
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+use std::time::Instant;
+
+use super::damping::Lambda;
+use super::eliminate::Factored;
+use super::normal::{Equations, Failure, Normal};
+use super::options::{GraphOptions, GraphReport};
+use super::problem::Graph;
+use super::structure::Structure;
+use crate::error::Error;
+use crate::report::{Iteration, Termination};
+use crate::scaling::Scaling;
+use crate::system::Evaluations;
+use crate::vector::{dot, scaled_norm};
+
+/// Relative offset below which the cost no longer tells two points apart and the last steps are
+/// judged by the gradient.
+const NEAR: f64 = 1e-5;
+
+/// Damping of the last steps: what is not determined stays where it is.
+const LAST: f64 = 1e-11;
+
+/// Damping up to which the damped step tells the offset.
+const TELLING: f64 = 1e-3;
+
+/// Most last steps, and the largest damping of one.
+const MOST_LAST: usize = 100;
+const MOST_DAMPING: f64 = 1e4;
+
+/// Falls of the cost in a row, each below rounding, after which it counts as flat.
+const FLAT_STEPS: usize = 3;
+
+/// Relative rise of the cost that rounding may explain.
+const ROUNDING: f64 = 1e-9;
+
+/// Relative offset per `√m` below which it is rounding.
+const RESOLVED: f64 = 4.0 * f64::EPSILON;
+
+/// A last step that shortens the tangential residual by less than this was too long or too short.
+const SLOW: f64 = 0.5;
+
+/// Relative step that counts as none.
+const SMALL_STEP: f64 = 1e-7;
+
+/// Minimises `½ Σ ‖r_f‖²` (or half the sum of the losses) over the free blocks of a graph, from the
+/// start that its blocks were given.
+///
+/// # Errors
+/// A factor that reads a block that is not there or one twice, a start at which something is not
+/// finite, nothing free, a loss of estimated scale, and a factorisation that does not fit in memory.
+pub fn solve_graph(graph: &Graph<'_>, options: &GraphOptions) -> Result<GraphReport, Error> {
+    graph.check()?;
+    let structure = Arc::new(Structure::new(graph)?);
+    let equations = Equations::new(graph, &structure, options.threads);
+    if structure.unknowns() == 0 || equations.rows() == 0 {
+        return Err(Error::Empty {
+            residuals: equations.rows(),
+            free: structure.unknowns(),
+        });
+    }
+    let mut run = Run::new(&equations, Factored::new(&structure)?, options)?;
+    let stop = run.descend();
+    let stop = if options.last_digits && matches!(stop, Stop::Near | Stop::Ended) {
+        run.last_steps();
+        Stop::Ended
+    } else {
+        stop
+    };
+    Ok(run.report(stop))
+}
+
+/// Why a phase was left.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Stop {
+    Near,
+    Ended,
+    Limit(Termination),
+}
+
+struct Run<'a> {
+    equations: &'a Equations<'a>,
+    options: &'a GraphOptions,
+    factored: Factored,
+    normal: Normal,
+    values: Vec<f64>,
+    scaling: Scaling,
+    lambda: Lambda,
+    iterations: Vec<Iteration>,
+    evaluations: Evaluations,
+    deadline: Option<Instant>,
+    offset: f64,
+    relative_step: f64,
+    more: Vec<f64>,
+    step: Vec<f64>,
+}
+
+impl<'a> Run<'a> {
+    fn new(
+        equations: &'a Equations<'a>,
+        factored: Factored,
+        options: &'a GraphOptions,
+    ) -> Result<Self, Error> {
+        let unknowns = equations.structure.unknowns();
+        let mut run = Self {
+            equations,
+            options,
+            factored,
+            normal: Normal::default(),
+            values: equations.graph.values.clone(),
+            scaling: Scaling::new(unknowns),
+            lambda: Lambda::new(options.damping, options.first_damping),
+            iterations: Vec::new(),
+            evaluations: Evaluations::default(),
+            deadline: options
+                .time_limit
+                .and_then(|limit| Instant::now().checked_add(limit)),
+            offset: f64::INFINITY,
+            relative_step: f64::INFINITY,
+            more: vec![0.0; unknowns],
+            step: vec![0.0; unknowns],
+        };
+        run.linearize()
+            .map_err(|failure| equations.error(failure, &run.values))?;
+        Ok(run)
+    }
+
+    fn linearize(&mut self) -> Result<(), Failure> {
+        self.evaluations.jacobians += 1;
+        self.equations.linearize(&self.values, &mut self.normal)?;
+        let norms = self.equations.structure.column_norms(&self.normal.h);
+        self.scaling.update(&norms);
+        Ok(())
+    }
+
+    /// The damped step into `self.step`; `false` where the equations are not positive definite.
+    /// Updates offset and relative step.
+    fn solve(&mut self, lambda: f64) -> bool {
+        let scale = self.scaling.diagonal();
+        for (more, d) in self.more.iter_mut().zip(scale) {
+            *more = lambda * d * d;
+        }
+        for (p, g) in self.step.iter_mut().zip(&self.normal.gradient) {
+            *p = -g;
+        }
+        if !self
+            .factored
+            .factor_and_solve(&self.normal.h, &self.more, &mut self.step)
+        {
+            return false;
+        }
+        let decrement = -dot(&self.normal.gradient, &self.step);
+        self.offset = if decrement > 0.0 {
+            (decrement / self.normal.square).sqrt()
+        } else {
+            0.0
+        };
+        let length = scaled_norm(&self.step, scale);
+        let size = self.size();
+        self.relative_step = if length > 0.0 { length / size } else { 0.0 };
+        true
+    }
+
+    /// `‖D x‖`, where a coordinate of a curved block counts as 1.
+    fn size(&self) -> f64 {
+        let structure = self.equations.structure;
+        let scale = self.scaling.diagonal();
+        let mut sum = 0.0;
+        for (position, &block) in structure.order.iter().enumerate() {
+            let variable = &self.equations.graph.variables[block as usize];
+            let first = structure.first[position];
+            for (k, coordinate) in variable.free_coordinates().enumerate() {
+                let x = if variable.manifold.is_flat() {
+                    self.values[variable.first + coordinate]
+                } else {
+                    1.0
+                };
+                sum += (scale[first + k] * x).powi(2);
+            }
+        }
+        sum.sqrt()
+    }
+
+    /// Damped steps until the offset is small.
+    fn descend(&mut self) -> Stop {
+        let near = if self.options.last_digits {
+            NEAR.max(self.options.gradient_tolerance)
+        } else {
+            self.options.gradient_tolerance
+        };
+        let mut flat = 0;
+        loop {
+            if let Some(limit) = self.limit() {
+                return Stop::Limit(limit);
+            }
+            let lambda = self.lambda.value;
+            if !self.solve(lambda) {
+                self.record(f64::INFINITY, lambda, 0.0, false);
+                self.lambda.rejected();
+                if self.lambda.exhausted() {
+                    return Stop::Ended;
+                }
+                continue;
+            }
+            if self.offset <= near {
+                if lambda > TELLING {
+                    self.lambda.value = TELLING * TELLING * lambda;
+                    continue;
+                }
+                if !self.options.last_digits {
+                    self.take_if_lower();
+                }
+                return Stop::Near;
+            }
+            if self.relative_step <= self.options.step_tolerance {
+                return Stop::Ended;
+            }
+            match self.try_step(lambda) {
+                Some(fall) if fall <= f64::EPSILON * self.normal.cost => flat += 1,
+                Some(_) => flat = 0,
+                None if self.lambda.exhausted() => return Stop::Ended,
+                None => {}
+            }
+            if flat >= FLAT_STEPS {
+                return Stop::Ended;
+            }
+        }
+    }
+
+    /// Takes the step if the cost falls, and tells by how much.
+    fn try_step(&mut self, lambda: f64) -> Option<f64> {
+        let scale = self.scaling.diagonal();
+        let length = scaled_norm(&self.step, scale);
+        let decrement = -dot(&self.normal.gradient, &self.step);
+        // ‖r‖² less ‖r + J p‖², halved: with (H + λD²) p = −g no product by J is needed.
+        let predicted = 0.5 * (decrement + lambda * length * length);
+        let next = self.equations.stepped(&self.values, &self.step);
+        self.evaluations.residuals += 1;
+        let cost = self.equations.cost(&next);
+        let fall = self.normal.cost - cost;
+        if fall > 0.0 {
+            let before = std::mem::replace(&mut self.values, next);
+            if self.linearize().is_ok() {
+                self.record(cost, lambda, length, true);
+                self.lambda.accepted(fall / predicted);
+                return Some(fall);
+            }
+            self.values = before;
+            // The point before was finite.
+            let _ = self.linearize();
+        }
+        self.record(cost, lambda, length, false);
+        self.lambda.rejected();
+        None
+    }
+
+    /// The step at hand, if the cost does not rise.
+    fn take_if_lower(&mut self) {
+        let next = self.equations.stepped(&self.values, &self.step);
+        self.evaluations.residuals += 1;
+        let cost = self.equations.cost(&next);
+        if cost <= self.normal.cost {
+            self.values = next;
+            self.normal.cost = cost;
+        }
+    }
+
+    /// Steps while they shorten the tangential part of the residual: undamped, and damped where those
+    /// go too far.
+    fn last_steps(&mut self) {
+        let mut damping = LAST;
+        while !self.solve(damping) {
+            damping *= 100.0;
+            if damping > 1.0 {
+                return;
+            }
+        }
+        let least = damping;
+        let rounding = RESOLVED * (self.equations.rows() as f64).sqrt();
+        for _ in 0..MOST_LAST {
+            if self.offset <= rounding
+                || self.relative_step <= 2.0 * f64::EPSILON
+                || self.limit().is_some()
+            {
+                break;
+            }
+            let (offset, step) = (self.offset, self.step.clone());
+            if self.last_step(damping) {
+                let slow = self.offset > SLOW * offset;
+                if slow && dot(&step, &self.step) < 0.0 {
+                    damping = (4.0 * damping).max(TELLING);
+                } else if slow && damping > least {
+                    damping = (0.25 * damping).max(least);
+                } else {
+                    continue;
+                }
+                if !self.solve(damping) {
+                    break;
+                }
+                continue;
+            }
+            // At a minimum of large residuals undamped steps go back and forth.
+            let unknown = self.offset > self.options.gradient_tolerance;
+            damping = (4.0 * damping).max(self.lambda.value).max(TELLING);
+            if !unknown || damping > MOST_DAMPING || !self.solve(damping) {
+                break;
+            }
+        }
+        if damping > least && !self.solve(least) {
+            self.offset = f64::INFINITY;
+        }
+    }
+
+    /// One of the last steps; `false`, and back where it was, if it shortened nothing.
+    fn last_step(&mut self, damping: f64) -> bool {
+        let (offset, relative_step) = (self.offset, self.relative_step);
+        let (cost, square) = (self.normal.cost, self.normal.square);
+        let next = self.equations.stepped(&self.values, &self.step);
+        let before = std::mem::replace(&mut self.values, next);
+        let length = relative_step * self.size();
+        let better = self.linearize().is_ok()
+            && self.normal.cost <= cost * (1.0 + ROUNDING)
+            && self.solve(damping)
+            && self.offset * self.normal.square.sqrt() < offset * square.sqrt();
+        self.record(self.normal.cost, damping, length, better);
+        if !better {
+            self.values = before;
+            if offset > self.options.gradient_tolerance {
+                // The point before was finite.
+                let _ = self.linearize();
+            }
+            self.normal.cost = cost;
+            (self.offset, self.relative_step) = (offset, relative_step);
+        }
+        better
+    }
+
+    fn record(&mut self, cost: f64, lambda: f64, step: f64, accepted: bool) {
+        self.iterations.push(Iteration {
+            cost,
+            lambda,
+            step,
+            accepted,
+        });
+    }
+
+    fn limit(&self) -> Option<Termination> {
+        if self.iterations.len() >= self.options.max_iterations {
+            return Some(Termination::IterationLimit);
+        }
+        if self
+            .deadline
+            .is_some_and(|deadline| Instant::now() >= deadline)
+        {
+            return Some(Termination::TimeLimit);
+        }
+        let flag = self.options.cancel.as_ref();
+        flag.is_some_and(|flag| flag.load(Ordering::Relaxed))
+            .then_some(Termination::Cancelled)
+    }
+
+    fn report(self, stop: Stop) -> GraphReport {
+        let termination = match stop {
+            Stop::Limit(Termination::Cancelled) => Termination::Cancelled,
+            _ if self.offset <= self.options.gradient_tolerance => Termination::Gradient,
+            Stop::Limit(limit) => limit,
+            _ if self.relative_step <= SMALL_STEP => Termination::Step,
+            _ => Termination::Stalled,
+        };
+        GraphReport {
+            first: GraphReport::first(self.equations.graph),
+            values: self.values,
+            cost: self.normal.cost,
+            residuals: self.equations.rows(),
+            unknowns: self.equations.structure.unknowns(),
+            termination,
+            iterations: self.iterations,
+            evaluations: self.evaluations,
+            relative_offset: self.offset,
+            relative_step: self.relative_step,
+            method: self.factored.method(),
+        }
+    }
+}
