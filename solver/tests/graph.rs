@@ -57,7 +57,7 @@ struct Random {
 impl Random {
     fn new(rng: &mut ChaCha8Rng, kind: usize) -> Self {
         let shared = 1 + kind % 3;
-        let count = rng.random_range(2..30) + if kind % 2 == 0 { 60 } else { 0 };
+        let count = rng.random_range(2..30) + if kind.is_multiple_of(2) { 60 } else { 0 };
         let mut widths: Vec<usize> = (0..shared).map(|_| rng.random_range(2..7)).collect();
         widths.extend((0..count).map(|_| rng.random_range(1..4)));
         let mut factors = Vec::new();
@@ -285,15 +285,15 @@ fn a_direction_fitted_to_vectors_is_their_sum_at_unit_length() {
         let report = solve_graph(&graph, &GraphOptions::default()).unwrap();
         let sum: [f64; 3] = std::array::from_fn(|k| seen.iter().map(|s| s[k]).sum());
         let length = sum.iter().map(|v| v * v).sum::<f64>().sqrt();
-        for k in 0..3 {
-            assert!((report.value(u)[k] - sum[k] / length).abs() < 1e-13);
+        for (found, sum) in report.value(u).iter().zip(sum) {
+            assert!((found - sum / length).abs() < 1e-13);
         }
     }
 }
 
-/// A user's own manifold: a point on a circle of given radius, stored as two numbers.
+/// A user's own manifold: a point on the circle through it about the origin, stored as two numbers.
 #[derive(Debug)]
-struct Circle(f64);
+struct Circle;
 
 impl Manifold for Circle {
     fn numbers(&self) -> usize {
@@ -330,13 +330,13 @@ impl<D: Scalar> Residual<D> for From2 {
 
 #[test]
 fn the_nearest_point_of_a_circle_is_found_on_a_users_own_manifold() {
-    let circle = Circle(2.0);
+    let circle = Circle;
     for step in [0.0, 1e-8, 0.4, -2.0] {
         let worst = stillpoint_solver::check_manifold(&circle, &[0.0, 2.0], &[step]);
         assert!(worst < 2e-9, "{step}: {worst:e}");
     }
     let mut graph = Graph::new();
-    let p = graph.add("p", Circle(2.0), &[2.0, 0.0]).unwrap();
+    let p = graph.add("p", Circle, &[2.0, 0.0]).unwrap();
     graph.add_factor(&[p], From2([-3.0, 4.0]));
     let report = solve_graph(&graph, &GraphOptions::default()).unwrap();
     assert!((report.value(p)[0] + 1.2).abs() < 1e-12, "{report:?}");
