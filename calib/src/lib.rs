@@ -15,6 +15,7 @@ pub mod discover;
 pub mod effect_file;
 mod error;
 mod evaluate;
+pub mod gravity;
 pub mod intervals;
 pub mod kernel;
 pub mod methods;

@@ -95,6 +95,7 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         schema: SCHEMA.into(),
         created_by: concat!("stillpoint ", env!("CARGO_PKG_VERSION")).into(),
         gravity: request.gravity,
+        gravity_source: request.gravity_source,
         method: "stepwise".into(),
         accelerometer: accelerometer_triad,
         gyroscope: gyroscope_triad,

@@ -79,11 +79,13 @@ pub(super) fn calibrate(
     })?;
     let chosen: Vec<&Choice> = choices.iter().collect();
     let calibration = written_down(&fit, &recordings, &chosen, request, &mut warnings)?;
+    let mut calibration = Calibration {
+        warnings,
+        ..calibration
+    };
+    calibration.carry_gravity(request.gravity_source);
     Ok(Outcome {
-        calibration: Calibration {
-            warnings,
-            ..calibration
-        },
+        calibration,
         choices,
         accelerometer: None,
         gyroscope: None,
@@ -143,6 +145,7 @@ pub(crate) fn written_down(
         schema: SCHEMA.into(),
         created_by: concat!("stillpoint ", env!("CARGO_PKG_VERSION")).into(),
         gravity: request.gravity,
+        gravity_source: request.gravity_source,
         method: "joint".into(),
         accelerometer: Some(force_triad(fit, &force, recordings)),
         gyroscope: rate.as_ref().map(|rate| rate_triad(fit, rate, recordings)),

@@ -18,6 +18,7 @@ use sensor::{AnyEffect, Model};
 
 use crate::calibration::{Calibration, RecordingClock};
 use crate::error::Error;
+use crate::gravity::GravitySource;
 use crate::intervals::{Detector, Segmentation, Span};
 use crate::methods::joint::{ClockMode, JointFit};
 use crate::methods::{
@@ -27,8 +28,7 @@ use crate::methods::{
 use crate::recording::Recording;
 use crate::residuals::Integrator;
 
-/// Standard gravity, m/s².
-pub const STANDARD_GRAVITY: f64 = 9.80665;
+pub use crate::gravity::STANDARD_GRAVITY;
 
 /// The frame that the accelerometer's matrix is reported in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -67,6 +67,8 @@ pub struct Request {
     pub method: Method,
     /// Local gravity, m/s².
     pub gravity: f64,
+    /// Where that comes from: what it leaves unknown is in the errors of the scale factors.
+    pub gravity_source: GravitySource,
     /// The detector of motion.
     pub detector: Detector,
     /// Whether the detector's multiplier is chosen by the fit.
@@ -100,6 +102,7 @@ impl Default for Request {
         Self {
             method: Method::default(),
             gravity: STANDARD_GRAVITY,
+            gravity_source: GravitySource::Given,
             detector: Detector::default(),
             choose_multiplier: true,
             sections: Vec::new(),
@@ -172,13 +175,6 @@ fn by_stamps(
     if request.method == Method::Joint {
         return joint::calibrate(&recordings, gyro_recordings, choices, request, warnings);
     }
-    if request.latitude.is_some() {
-        return Err(Error::Usage(
-            "the earth's rotation needs the attitude in every rest, which only the joint method works \
-             out: use --method joint with --latitude"
-                .into(),
-        ));
-    }
     let accelerometer = accelerometer(&recordings, &choices, request, &mut warnings)?;
     let separate = gyro_recordings
         .iter()
@@ -211,7 +207,7 @@ fn by_stamps(
     let clocks = clocks
         .map(|(recording, _)| RecordingClock::given(&recording.name, even))
         .collect();
-    let calibration = assemble::calibration(assemble::Parts {
+    let mut calibration = assemble::calibration(assemble::Parts {
         recordings: &recordings,
         turning: &turning,
         choices: &choices,
@@ -220,6 +216,7 @@ fn by_stamps(
         request,
         warnings,
     })?;
+    calibration.carry_gravity(request.gravity_source);
     Ok(Outcome {
         calibration: Calibration {
             clocks,

@@ -4,6 +4,7 @@ mod apply;
 mod check;
 mod clock;
 mod frame;
+mod gravity;
 mod units;
 
 pub use apply::apply;
@@ -15,6 +16,8 @@ pub use units::check_units;
 use nalgebra::{Matrix3, Vector3};
 use sensor::{AnyEffect, Base, Definition, Model, Sensor};
 use serde::{Deserialize, Serialize};
+
+use crate::gravity::GravitySource;
 
 /// The schema this version writes.
 pub const SCHEMA: &str = "stillpoint.calibration/1";
@@ -29,6 +32,9 @@ pub struct Calibration {
     pub created_by: String,
     /// Local gravity used, m/s².
     pub gravity: f64,
+    /// Where that comes from.
+    #[serde(default)]
+    pub gravity_source: GravitySource,
     /// `stepwise`, `six-position` or `joint`.
     pub method: String,
     /// The accelerometer.

@@ -151,13 +151,16 @@ fn calibration(
     let mut warnings = Vec::new();
     let how = CalibrationRequest {
         gravity: request.gravity,
+        gravity_source: request.gravity_source,
         ..CalibrationRequest::default()
     };
     let calibration = written_down(&last.fit, &recordings, &choices, &how, &mut warnings)?;
-    Ok(Calibration {
+    let mut calibration = Calibration {
         warnings,
         ..calibration
-    })
+    };
+    calibration.carry_gravity(request.gravity_source);
+    Ok(calibration)
 }
 
 /// A formula for the rest, with its coefficients.

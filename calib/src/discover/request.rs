@@ -6,6 +6,7 @@ use super::family::{TIME_CONSTANT, reference_of};
 use super::projected::Walks;
 use super::state::Extension;
 use crate::error::Error;
+use crate::gravity::GravitySource;
 use crate::intervals::Detector;
 use crate::methods::joint::{ClockMode, JointRequest};
 use crate::methods::{Choice, cut};
@@ -20,6 +21,8 @@ const EARTH: &str = "earth_rate";
 pub struct Request {
     /// Local gravity, m/s².
     pub gravity: f64,
+    /// Where that comes from.
+    pub gravity_source: GravitySource,
     /// Chance of any false claim about recordings of a device that lacks nothing: half of it for names, half
     /// for saying that something is unexplained.
     pub alpha: f64,
@@ -62,6 +65,7 @@ impl Request {
     pub fn new(gravity: f64) -> Self {
         Self {
             gravity,
+            gravity_source: GravitySource::Given,
             alpha: 0.01,
             walks: None,
             latitude: None,

@@ -5,10 +5,9 @@ pub(super) mod tables;
 
 use std::path::PathBuf;
 
-use calib::calibrate::{
-    Frame, GyroBias, Outcome, Request, STANDARD_GRAVITY, calibrate, read_static_means,
-};
+use calib::calibrate::{Frame, GyroBias, Outcome, Request, calibrate, read_static_means};
 use calib::effect_file::catalogue_with;
+use calib::gravity::Gravity;
 use calib::intervals::{Span, read_sections};
 use calib::recording::figure;
 use calib::residuals::Integrator;
@@ -18,8 +17,7 @@ use nalgebra::Vector3;
 use sensor::AnyEffect;
 
 use super::inputs::{
-    ClockArg, DetectorArgs, RecordingArgs, as_paths, check_gravity, check_latitude, own_effects,
-    read, spinner,
+    ClockArg, DetectorArgs, PlaceArgs, RecordingArgs, as_paths, own_effects, read, spinner,
 };
 use super::pictures::{PictureArgs, Pictures};
 use super::six_position;
@@ -39,12 +37,6 @@ Example:
 pub struct Args {
     #[command(flatten)]
     recordings: RecordingArgs,
-    /// Local gravity, m/s²; a wrong one goes into the accelerometer's scale factors in full
-    #[arg(long, value_name = "M/S²", default_value_t = STANDARD_GRAVITY)]
-    gravity: f64,
-    /// Take the earth's rotation off, known from the latitude (°, north positive); with `--method joint`
-    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
-    latitude: Option<f64>,
     /// How to calibrate
     #[arg(long, value_enum, default_value_t = Method::Stepwise)]
     method: Method,
@@ -96,6 +88,8 @@ pub struct Args {
     json: bool,
     #[command(flatten)]
     pictures: PictureArgs,
+    #[command(flatten)]
+    place: PlaceArgs,
     #[command(flatten)]
     detector: DetectorArgs,
     #[command(flatten)]
@@ -165,7 +159,13 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     args.replace.end_if_all_exist()?;
     let recordings = args.recordings.read(&args.read)?;
     if let Method::SixPosition = args.method {
-        let (detector, gravity) = (request.detector, request.gravity);
+        let (detector, gravity) = (
+            request.detector,
+            Gravity {
+                value: request.gravity,
+                source: request.gravity_source,
+            },
+        );
         let (first_order, json) = (args.first_order, args.json);
         let recordings = &recordings;
         return six_position::run(six_position::Call {
@@ -263,11 +263,6 @@ fn check_method(args: &Args) -> Result<(), Failure> {
             args.nominal_rate.is_some() && six,
             "--method stepwise",
         ),
-        (
-            "--latitude",
-            args.latitude.is_some() && six,
-            "--method joint",
-        ),
     ];
     for (option, given, method) in senseless {
         if given {
@@ -282,8 +277,7 @@ fn check_method(args: &Args) -> Result<(), Failure> {
 
 fn request(args: &Args) -> Result<Request, Failure> {
     check_method(args)?;
-    check_gravity(args.gravity)?;
-    check_latitude(args.latitude)?;
+    let gravity = args.place.gravity()?;
     let (detector, choose_multiplier) = args.detector.detector()?;
     let own = own_effects(&args.effect_file)?;
     let effects = args
@@ -326,7 +320,8 @@ fn request(args: &Args) -> Result<Request, Failure> {
             Method::Joint => calib::calibrate::Method::Joint,
             Method::Stepwise | Method::SixPosition => calib::calibrate::Method::Stepwise,
         },
-        gravity: args.gravity,
+        gravity: gravity.value,
+        gravity_source: gravity.source,
         detector,
         choose_multiplier,
         sections: Vec::new(),
@@ -345,7 +340,7 @@ fn request(args: &Args) -> Result<Request, Failure> {
         },
         nominal_step,
         effects,
-        latitude: args.latitude,
+        latitude: args.place.latitude,
         force_device: args.force_device,
         clock: args.clock.mode(),
         static_means,

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use calib::calibration::check_units;
 use calib::effect_file::{catalogue_with, read_effects};
+use calib::gravity::{Gravity, normal_gravity};
 use calib::intervals::Detector;
 use calib::methods::joint::ClockMode;
 use calib::recording::figure;
@@ -51,37 +52,79 @@ impl RecordingArgs {
     }
 }
 
-/// Gravity on the earth's surface lies between these, m/s².
+/// Gravity is refused beyond these, m/s².
 const GRAVITY: std::ops::RangeInclusive<f64> = 9.76..=9.84;
 
-/// Refuses a gravity that is nowhere on the earth.
-pub fn check_gravity(gravity: f64) -> Result<(), Failure> {
-    if GRAVITY.contains(&gravity) {
-        return Ok(());
-    }
-    Err(Failure::new(
-        crate::exit::USAGE,
-        format!(
-            "--gravity {}: on the earth it lies between {} and {} m/s²; an error of 0.01 changes \
-             every scale factor by 0.1 %",
-            figure(gravity),
-            GRAVITY.start(),
-            GRAVITY.end()
-        ),
-    ))
+/// A given gravity further from that of the given place than this is doubted, m/s²: five times the largest
+/// anomalies of the free air.
+const DOUBTFUL: f64 = 0.005;
+
+/// Where the recording was made.
+#[derive(Clone, Copy, Debug, clap::Args)]
+#[command(next_help_heading = "Place")]
+pub struct PlaceArgs {
+    /// Local gravity, m/s²; a wrong one goes into the accelerometer's scale factors in full [default: that of
+    /// --latitude and --altitude, else 9.80665 with errors that cover the whole earth]
+    #[arg(long, value_name = "M/S²")]
+    gravity: Option<f64>,
+    /// Latitude, degrees, north positive: gives gravity and, in the joint fit, the earth's rotation
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
+    pub latitude: Option<f64>,
+    /// Height above sea level, m
+    #[arg(
+        long,
+        value_name = "M",
+        requires = "latitude",
+        allow_negative_numbers = true
+    )]
+    altitude: Option<f64>,
 }
 
-/// Refuses a latitude beyond the poles.
-pub fn check_latitude(latitude: Option<f64>) -> Result<(), Failure> {
-    match latitude.filter(|l| !(-90.0..=90.0).contains(l)) {
-        None => Ok(()),
-        Some(latitude) => Err(Failure::new(
-            crate::exit::USAGE,
-            format!(
+impl PlaceArgs {
+    /// Local gravity: as given, else by the place, else assumed.
+    pub fn gravity(&self) -> Result<Gravity, Failure> {
+        let Self {
+            gravity,
+            latitude,
+            altitude,
+        } = *self;
+        let refuse = |message: String| Err(Failure::new(USAGE, message));
+        if let Some(latitude) = latitude.filter(|l| !(-90.0..=90.0).contains(l)) {
+            return refuse(format!(
                 "--latitude {}: it lies between -90 and 90 degrees",
                 figure(latitude)
-            ),
-        )),
+            ));
+        }
+        if let Some(altitude) = altitude.filter(|h| !(-500.0..=9000.0).contains(h)) {
+            return refuse(format!(
+                "--altitude {}: metres above sea level, -500 to 9000, expected",
+                figure(altitude)
+            ));
+        }
+        if let Some(gravity) = gravity.filter(|g| !GRAVITY.contains(g)) {
+            return refuse(format!(
+                "--gravity {}: on the earth it lies between {} and {} m/s²; an error of 0.01 changes \
+                 every scale factor by 0.1 %",
+                figure(gravity),
+                GRAVITY.start(),
+                GRAVITY.end()
+            ));
+        }
+        if let (Some(gravity), Some(latitude)) = (gravity, latitude) {
+            let there = normal_gravity(latitude, altitude.unwrap_or(0.0));
+            // Below 2 km the height explains so much.
+            let height = if altitude.is_some() { 0.0 } else { 0.006 };
+            if (gravity - there).abs() > DOUBTFUL + height {
+                show::warn(&format!(
+                    "--gravity {}: at the latitude {latitude}° it is {there:.4} m/s²; if that is right, every \
+                     scale factor of the accelerometer is {:.2} % too {}",
+                    figure(gravity),
+                    100.0 * (gravity / there - 1.0).abs(),
+                    if gravity > there { "large" } else { "small" }
+                ));
+            }
+        }
+        Ok(Gravity::of(gravity, latitude, altitude))
     }
 }
 

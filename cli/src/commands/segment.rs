@@ -4,12 +4,11 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 
 use calib::Recording;
-use calib::calibrate::STANDARD_GRAVITY;
 use calib::intervals::{Moments, Span};
 use calib::methods::{Choice, cut};
 use serde_json::json;
 
-use super::inputs::{DetectorArgs, as_paths, check_gravity, read};
+use super::inputs::{DetectorArgs, PlaceArgs, as_paths, read};
 use super::pictures::PictureArgs;
 use super::rests_plot::rests_plot;
 use crate::exit::Failure;
@@ -27,9 +26,6 @@ pub struct Args {
     /// File or folder; `-` reads standard input
     #[arg(value_name = "RECORDING")]
     recording: PathBuf,
-    /// Local gravity, m/s²
-    #[arg(long, value_name = "M/S²", default_value_t = STANDARD_GRAVITY)]
-    gravity: f64,
     /// Write the intervals here (JSON)
     #[arg(short, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -41,6 +37,8 @@ pub struct Args {
     #[command(flatten)]
     pictures: PictureArgs,
     #[command(flatten)]
+    place: PlaceArgs,
+    #[command(flatten)]
     detector: DetectorArgs,
     #[command(flatten)]
     read: ReadArgs,
@@ -48,7 +46,7 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
-    check_gravity(args.gravity)?;
+    let gravity = args.place.gravity()?.value;
     let (detector, choose) = args.detector.detector()?;
     let output = match &args.output {
         Some(path) => Some(Output::claim(
@@ -68,7 +66,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     for warning in &recording.warnings {
         show::warn(warning);
     }
-    let choice = cut(&recording, &detector, choose, args.gravity)?;
+    let choice = cut(&recording, &detector, choose, gravity)?;
     for remark in choice.remarks() {
         show::warn(&remark);
     }

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use calib::gravity::Gravity;
 use calib::intervals::Detector;
 use calib::methods::six_position::{EarthRate, Face, GyroscopePart, SixPosition, placements};
 use calib::{Calibration, Recording};
@@ -22,7 +23,7 @@ pub struct Call<'a> {
     /// The detector of motion.
     pub detector: Detector,
     /// Local gravity, m/s².
-    pub gravity: f64,
+    pub gravity: Gravity,
     /// Correct by `I − M` instead of the inverse, as the authors do.
     pub first_order: bool,
     /// Print JSON.
@@ -40,13 +41,15 @@ pub const PLOTS: [&str; 1] = ["modulus"];
 
 /// Runs the method.
 pub fn run(call: Call<'_>) -> Result<(), Failure> {
-    let six = placements(call.recordings, &call.detector, call.gravity)?;
+    let gravity = call.gravity;
+    let six = placements(call.recordings, &call.detector, gravity.value)?;
     let labels = six
         .placements()
         .each_ref()
         .map(|placement| placement.label.clone());
-    let solution = SixPosition::solve(&six, call.gravity);
-    let calibration = solution.calibration(call.first_order)?;
+    let solution = SixPosition::solve(&six, gravity.value);
+    let mut calibration = solution.calibration(call.first_order)?;
+    calibration.carry_gravity(gravity.source);
     calibration
         .warnings
         .iter()

@@ -15,6 +15,7 @@ use sensor::{Base, Sensor, base_names, inverse};
 
 use crate::calibration::{Calibration, SCHEMA, Triad};
 use crate::error::Error;
+use crate::gravity::GravitySource;
 
 /// Placements tilted by more than this cost more than a consumer sensor's own errors, rad (0.1°).
 const TILT_LIMIT: f64 = 0.1 * std::f64::consts::PI / 180.0;
@@ -195,6 +196,7 @@ impl SixPosition {
             schema: SCHEMA.into(),
             created_by: concat!("stillpoint ", env!("CARGO_PKG_VERSION")).into(),
             gravity: self.gravity,
+            gravity_source: GravitySource::Given,
             method: "six-position".into(),
             accelerometer: Some(triad),
             gyroscope: self.gyroscope.as_ref().map(GyroscopePart::triad),

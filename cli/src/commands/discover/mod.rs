@@ -10,7 +10,6 @@ mod words;
 use std::path::PathBuf;
 
 use calib::Recording;
-use calib::calibrate::STANDARD_GRAVITY;
 use calib::discover::{Discovery, Findings, Request, discover, validate, walks_in};
 use calib::recording::figure;
 
@@ -22,8 +21,7 @@ pub use words::verdict;
 
 use super::calibrate::gate;
 use super::inputs::{
-    ClockArg, DetectorArgs, RecordingArgs, as_paths, check_gravity, check_latitude, own_effects,
-    read, spinner,
+    ClockArg, DetectorArgs, PlaceArgs, RecordingArgs, as_paths, own_effects, read, spinner,
 };
 use super::pictures::PictureArgs;
 use crate::exit::{Failure, USAGE};
@@ -75,15 +73,9 @@ pub struct Args {
     /// Take recordings for those of one device even where their scale factors differ
     #[arg(long)]
     force_device: bool,
-    /// Local gravity, m/s²; a wrong one is a common scale of the accelerometer and never shows
-    #[arg(long, value_name = "M/S²", default_value_t = STANDARD_GRAVITY)]
-    gravity: f64,
     /// Write the proposed formula here, as the source of an effect that bears the file's name
     #[arg(long, value_name = "FILE.rs")]
     emit_effect: Option<PathBuf>,
-    /// Latitude, degrees, north positive: the earth's rotation is then part of the base models
-    #[arg(long, value_name = "DEG", allow_hyphen_values = true)]
-    latitude: Option<f64>,
     /// By which clock the turns are integrated
     #[arg(long, value_enum, default_value_t = ClockArg::Auto)]
     clock: ClockArg,
@@ -97,6 +89,8 @@ pub struct Args {
     json: bool,
     #[command(flatten)]
     pictures: PictureArgs,
+    #[command(flatten)]
+    place: PlaceArgs,
     #[command(flatten)]
     detector: DetectorArgs,
     #[command(flatten)]
@@ -166,8 +160,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 }
 
 fn request(args: &Args) -> Result<Request, Failure> {
-    check_gravity(args.gravity)?;
-    check_latitude(args.latitude)?;
+    let gravity = args.place.gravity()?;
     if !(args.alpha > 0.0 && args.alpha <= 0.5) {
         return Err(Failure::new(
             USAGE,
@@ -182,11 +175,12 @@ fn request(args: &Args) -> Result<Request, Failure> {
     let mut request = Request {
         alpha: args.alpha,
         force_device: args.force_device,
-        latitude: args.latitude,
+        latitude: args.place.latitude,
         clock: args.clock.mode(),
         detector,
         choose_multiplier,
-        ..Request::new(args.gravity)
+        gravity_source: gravity.source,
+        ..Request::new(gravity.value)
     };
     request.catalogue.extend(own_effects(&args.effect_file)?);
     Ok(request)
