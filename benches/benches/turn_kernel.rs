@@ -67,6 +67,7 @@ fn gyroscope_stage(criterion: &mut Criterion) {
         name: "turns".into(),
         turn_bias: vec![Vector3::new(0.02, -0.01, 0.05); turns.len()],
         turns,
+        moved: Vec::new(),
         statics: Vec::new(),
     };
     let request = GyroscopeRequest {

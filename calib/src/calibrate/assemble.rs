@@ -6,10 +6,12 @@ use sensor::{BASE_PARAMETERS, Base, Model, PLACES, Sensor, base_names};
 use super::rest_bias::rest_bias;
 use super::{Frame, Request, checks, noise};
 use crate::calibration::{
-    Calibration, EffectParameter, EffectValues, RecordingBias, SCHEMA, Triad,
+    Calibration, EffectParameter, EffectValues, RecordingBias, Remainder, SCHEMA, Triad,
+    WITHOUT_WALKS,
 };
 use crate::error::Error;
 use crate::intervals::Segmentation;
+use crate::methods::joint::Channel;
 use crate::methods::{AccelerometerFit, Choice, Fitted, GyroscopeFit, RawUnit};
 use crate::recording::Recording;
 
@@ -68,14 +70,27 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         }
         _ => resting_gyroscope(turning, &mut table),
     };
-    let residuals = [
-        ("gravity's modulus at rest", &accelerometer_triad),
-        ("gravity's direction after turns", &gyroscope_triad),
-    ];
-    for (what, triad) in residuals {
-        let chi2 = triad.as_ref().and_then(|t| t.reduced_chi2);
-        warnings.extend(checks::beyond_noise(what, chi2));
-    }
+    let remainders: Vec<Remainder> = [
+        accelerometer
+            .zip(accelerometer_triad.as_ref())
+            .and_then(|(fit, triad)| {
+                let spare = fit.first.residuals.len().checked_sub(fit.fitted.rank)?;
+                let (rms, chi2) = (triad.residual_rms, triad.reduced_chi2?);
+                Some(Remainder::new(Channel::Force, rms, chi2, spare as f64))
+            }),
+        gyroscope
+            .zip(gyroscope_triad.as_ref())
+            .and_then(|(fit, triad)| {
+                let dof =
+                    direction_freedom(fit, triad.residual_rms.to_radians(), triad.reduced_chi2?);
+                let (rms, chi2) = (triad.residual_rms.to_radians(), triad.reduced_chi2?);
+                Some(Remainder::new(Channel::Direction, rms, chi2, dof))
+            }),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    warnings.extend(remainders.iter().filter_map(|r| r.warning(WITHOUT_WALKS)));
     let mut effects = Vec::new();
     for fit in [
         accelerometer.map(|fit| (&fit.model, &fit.fitted)),
@@ -102,6 +117,7 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         effects,
         parameters: table.names,
         covariance: table.covariance,
+        misfit: remainders,
         warnings,
         clocks: Vec::new(),
         history: Vec::new(),
@@ -221,12 +237,34 @@ fn gyroscope_triad(
             .zip(&sigmas)
             .map(|(c, s)| (c / s).powi(2))
             .sum();
-        triad.reduced_chi2 = per_degree_of_freedom(sum, 2 * sigmas.len(), fit.fitted.rank);
+        let noise = sigmas.iter().map(|s| s * s).sum::<f64>() / sigmas.len() as f64;
+        let spare = (2 * sigmas.len()).saturating_sub(fit.fitted.rank).max(1) as f64;
+        // What the accelerometer's own errors make of the turns is no misfit of the gyroscope.
+        let explained = 1.0 + fit.carried.iter().sum::<f64>() / (noise * spare);
+        triad.reduced_chi2 =
+            per_degree_of_freedom(sum / explained, 2 * sigmas.len(), fit.fitted.rank);
     }
     if fit.model.effects().is_empty() {
         rest_biases(&mut triad, turning, table);
     }
     triad
+}
+
+/// Degrees of freedom of the turns' sum of squares (Satterthwaite 1946): the noise has many small shares in it, each
+/// combination of the accelerometer's errors one that may be large.
+fn direction_freedom(fit: &GyroscopeFit, rms: f64, reduced_chi2: f64) -> f64 {
+    let spare = (2 * fit.chords.len())
+        .saturating_sub(fit.fitted.rank)
+        .max(1) as f64;
+    let expected = rms * rms * fit.chords.len() as f64 / reduced_chi2.max(f64::MIN_POSITIVE);
+    let carried: f64 = fit.carried.iter().sum();
+    let noise = (expected - carried).max(0.0) / spare;
+    let squares = spare * noise * noise + fit.carried.iter().map(|c| c * c).sum::<f64>();
+    if squares > 0.0 {
+        (spare * noise + carried).powi(2) / squares
+    } else {
+        spare
+    }
 }
 
 /// A gyroscope without gravity to carry: its bias from the rests, and nothing else.

@@ -1,6 +1,6 @@
 //! One recording's turns, directions of gravity and static rates, for the gyroscope's fit.
 
-use nalgebra::Vector3;
+use nalgebra::{DMatrix, Vector3};
 use sensor::{Kinematics, Model};
 
 use super::{GyroBias, Request};
@@ -32,6 +32,42 @@ impl Source<'_> {
         model.correct(raw, rest, &p)
     }
 
+    /// The accelerometer's parameters for this recording moved by independent combinations of their errors, each with a
+    /// variance of one.
+    fn moved(&self) -> Vec<Vec<f64>> {
+        let fitted = &self.accelerometer.fitted;
+        let n = fitted.free.len();
+        let covariance = DMatrix::from_fn(n, n, |i, k| fitted.covariance[i][k]);
+        let Some(factor) = covariance.cholesky() else {
+            return Vec::new();
+        };
+        let lower = factor.l();
+        let shared = self.accelerometer.model.parameters().len();
+        let mode = |k: usize| {
+            let mut fitted = fitted.clone();
+            for (name, step) in fitted.free.clone().iter().zip(lower.column(k).iter()) {
+                if let Some(place) = fitted.parameters.index(name) {
+                    fitted.parameters.values_mut()[place] += step;
+                }
+            }
+            match self.place {
+                Some(k) => fitted.local(shared, k),
+                None => fitted.parameters.values()[..shared].to_vec(),
+            }
+        };
+        (0..n).map(mode).collect()
+    }
+
+    /// The direction of specific force in a rest by these parameters.
+    fn direction(&self, rest: &StaticInterval, p: &[f64]) -> Option<Vector3<f64>> {
+        let known = known_of(self.recording, rest, Vector3::zeros());
+        let force = self
+            .accelerometer
+            .model
+            .correct(&rest.accelerometer?.mean, &known, p);
+        Some(force.normalize())
+    }
+
     /// Corrected mean specific force of a rest, m/s².
     fn force_at_rest(&self, rest: &StaticInterval) -> Option<Vector3<f64>> {
         let known = known_of(self.recording, rest, Vector3::zeros());
@@ -54,6 +90,7 @@ pub(super) fn collect(
         name: recording.name.clone(),
         turns: Vec::new(),
         turn_bias: Vec::new(),
+        moved: Vec::new(),
         statics: Vec::new(),
     };
     for rest in &segmentation.statics {
@@ -67,6 +104,7 @@ pub(super) fn collect(
             white: gyroscope.white_of_mean(),
         });
     }
+    let moved = source.moved();
     for turn in &segmentation.turns {
         if let Some(fault) = &turn.fault {
             warnings.push(format!(
@@ -79,6 +117,13 @@ pub(super) fn collect(
             continue;
         }
         if let Some((samples, bias)) = one_turn(source, model, turn) {
+            let ends = [turn.from, turn.from + 1].map(|k| &segmentation.statics[k]);
+            let here = [samples.before, samples.after];
+            let by = |p: &Vec<f64>| -> Option<[Vector3<f64>; 2]> {
+                let [before, after] = ends.map(|rest| source.direction(rest, p));
+                Some([before? - here[0], after? - here[1]])
+            };
+            data.moved.push(moved.iter().filter_map(by).collect());
             data.turns.push(samples);
             data.turn_bias.push(bias);
         }

@@ -6,7 +6,8 @@ use super::assemble::{effect_values, of_the_gyro_unit, of_the_unit, triad};
 use super::same_device::of_one_device;
 use super::{Frame, Outcome, Request, checks, clocks, cut};
 use crate::calibration::{
-    Calibration, RecordingBias, RecordingClock, SCHEMA, Triad, effect_named, in_symmetric_frame,
+    Calibration, RecordingBias, RecordingClock, Remainder, SCHEMA, Triad, WITH_WALKS, effect_named,
+    in_symmetric_frame,
 };
 use crate::error::Error;
 use crate::methods::joint::{Channel, Disturbance, JointFit, JointRequest, fit_joint};
@@ -55,6 +56,9 @@ pub(super) fn calibrate(
         accelerometer = accelerometer.with(*effect);
         gyroscope = gyroscope.with(*effect);
     }
+    // Where nobody says the latitude and no effect estimates it, the earth's rotation is uncertainty.
+    let earth =
+        request.latitude.is_none() && request.effects.iter().all(|effect| effect.name() != EARTH);
     let held = match request.latitude {
         Some(latitude) => {
             gyroscope = with_earth_rate(gyroscope)?;
@@ -68,6 +72,7 @@ pub(super) fn calibrate(
         gyroscope,
         held,
         clock: request.clock,
+        earth,
         ..JointRequest::new(
             recordings
                 .iter()
@@ -133,6 +138,8 @@ pub(crate) fn written_down(
     }
     warnings.extend(clocks::doubts(fit));
     disturbances(fit, warnings);
+    let remainders: Vec<Remainder> = fit.misfits().iter().map(Remainder::of).collect();
+    warnings.extend(remainders.iter().filter_map(|r| r.warning(WITH_WALKS)));
     influences(fit, warnings);
     // The earth's rotation is no error of the sensor: corrected rates keep it.
     let of_the_earth = |name: &str| request.latitude.is_some() && name.starts_with(EARTH);
@@ -141,17 +148,28 @@ pub(crate) fn written_down(
         .chain(effect_values(&fit.models[1], &all))
         .filter(|effect| !of_the_earth(&effect.name))
         .collect();
+    let chi2 = |channel: Channel| {
+        let own = remainders.iter().find(|r| r.channel == channel);
+        own.map(|r| r.reduced_chi2)
+    };
     let calibration = Calibration {
         schema: SCHEMA.into(),
         created_by: concat!("stillpoint ", env!("CARGO_PKG_VERSION")).into(),
         gravity: request.gravity,
         gravity_source: request.gravity_source,
         method: "joint".into(),
-        accelerometer: Some(force_triad(fit, &force, recordings)),
-        gyroscope: rate.as_ref().map(|rate| rate_triad(fit, rate, recordings)),
+        accelerometer: Some(Triad {
+            reduced_chi2: chi2(Channel::Force),
+            ..force_triad(fit, &force, recordings)
+        }),
+        gyroscope: rate.as_ref().map(|rate| Triad {
+            reduced_chi2: chi2(Channel::Direction),
+            ..rate_triad(fit, rate, recordings)
+        }),
         effects,
         parameters: all.free,
         covariance: all.covariance,
+        misfit: remainders,
         warnings: Vec::new(),
         clocks: RecordingClock::of(fit),
         history: Vec::new(),
@@ -274,7 +292,6 @@ fn influences(fit: &JointFit, warnings: &mut Vec<String>) {
 fn force_triad(fit: &JointFit, fitted: &Fitted, recordings: &[&Recording]) -> Triad {
     let mut triad = triad(Sensor::Accelerometer, "a = T (A - b)", fitted);
     triad.residual_rms = root_mean_square(&fit.moduli);
-    triad.reduced_chi2 = fit.reduced_chi2(Channel::Force);
     triad.static_intervals = Some(fit.data.rests.len());
     let shared = fit.models[0].parameters().len();
     if fit.own_force_bias {
@@ -286,7 +303,6 @@ fn force_triad(fit: &JointFit, fitted: &Fitted, recordings: &[&Recording]) -> Tr
 fn rate_triad(fit: &JointFit, fitted: &Fitted, recordings: &[&Recording]) -> Triad {
     let mut triad = triad(Sensor::Gyroscope, "w = T (W - b)", fitted);
     triad.residual_rms = root_mean_square(&fit.chords).to_degrees();
-    triad.reduced_chi2 = fit.reduced_chi2(Channel::Direction);
     triad.dynamic_intervals = Some(fit.chords.len());
     let shared = fit.models[1].parameters().len();
     triad.recordings = own_biases(Sensor::Gyroscope, fitted, shared, recordings);

@@ -5,12 +5,14 @@ mod check;
 mod clock;
 mod frame;
 mod gravity;
+mod misfit;
 mod units;
 
 pub use apply::apply;
 pub use check::load;
 pub use clock::{BetweenSamples, RecordingClock};
 pub use frame::in_symmetric_frame;
+pub use misfit::{Remainder, WITH_WALKS, WITHOUT_WALKS};
 pub use units::check_units;
 
 use nalgebra::{Matrix3, Vector3};
@@ -47,6 +49,9 @@ pub struct Calibration {
     pub parameters: Vec<String>,
     /// Covariance of `parameters`.
     pub covariance: Vec<Vec<f64>>,
+    /// What the data leave, before any error is enlarged.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub misfit: Vec<Remainder>,
     /// What the user should know.
     pub warnings: Vec<String>,
     /// Reasons not to use the calibration as it stands.

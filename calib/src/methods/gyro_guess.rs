@@ -24,6 +24,9 @@ const COARSE_STEP: f64 = 1.03;
 const FEW_TURNS: usize = 8;
 const PROMISING: usize = 12;
 
+/// Samples averaged into one while many scales are tried.
+const AVERAGED: usize = 8;
+
 /// Where a gyroscope's fit starts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GyroGuess {
@@ -50,12 +53,16 @@ pub fn gyroscope_guess(turns: &[TurnData]) -> GyroGuess {
         return guess(1.0, named);
     }
     let all_axes = signed_permutations();
-    let mounted = least(all_axes.iter().map(|axes| (misfit(&all, 1.0, axes), *axes)));
+    // Readings in SI units turn the device by an angle that a hand makes; counts do not.
+    let in_si = (TURN_ANGLES.0..TURN_ANGLES.1).contains(&longest);
+    let tried = all_axes.iter().filter(|_| in_si);
+    let mounted = least(tried.map(|axes| (misfit(&all, 1.0, axes), *axes)));
     if let Some((_, axes)) = mounted.filter(|(value, _)| *value < FORETOLD) {
         return guess(1.0, axes);
     }
     let fine = scales(longest, SCALE_STEP);
-    let few = plain(&model, &turns[..turns.len().min(FEW_TURNS)]);
+    let thin: Vec<TurnData> = turns.iter().take(FEW_TURNS).map(thinned).collect();
+    let few = plain(&model, &thin);
     let scaled = least(promising(&few, &fine).map(|s| (misfit(&all, s, &named), s)));
     if let Some((_, scale)) = scaled.filter(|(value, _)| *value < FORETOLD) {
         return guess(scale, named);
@@ -70,6 +77,26 @@ pub fn gyroscope_guess(turns: &[TurnData]) -> GyroGuess {
         (Some((value, scale, axes)), Some((plain, _))) if value < 0.5 * plain => guess(scale, axes),
         (_, Some((_, scale))) => guess(scale, named),
         _ => guess(1.0, named),
+    }
+}
+
+/// A turn with its samples averaged some at a time: enough to look for a scale, at a fraction of the cost.
+fn thinned(turn: &TurnData) -> TurnData {
+    let blocks = turn.t.chunks(AVERAGED).zip(turn.readings.chunks(AVERAGED));
+    let (t, readings) = blocks
+        .map(|(t, w)| {
+            let count = t.len() as f64;
+            (
+                t.iter().sum::<f64>() / count,
+                w.iter().sum::<Vector3<f64>>() / count,
+            )
+        })
+        .unzip();
+    TurnData {
+        t,
+        readings,
+        rest: Vec::new(),
+        ..*turn
     }
 }
 

@@ -1,12 +1,14 @@
 //! The gyroscope by propagated gravity (Liu et al. 2021, section 2.2).
 
+use faer::Mat;
 use nalgebra::Vector3;
 use sensor::{Base, Model};
-use solver::{Options, Parameters, Report, solve};
+use solver::{Mask, Options, Parameters, Problem, Report, solve};
 
 use super::first_guess::RawUnit;
 use super::fitted::Fitted;
 use super::gyro_guess::{GyroGuess, gyroscope_guess, perfect_chords};
+use super::small_sample::widening;
 use crate::error::Error;
 use crate::kernel::TurnProblem;
 use crate::residuals::{
@@ -15,6 +17,9 @@ use crate::residuals::{
 
 /// Rounds in which the two kinds of rows are weighted by what the fit before left of them.
 const WEIGHT_ROUNDS: usize = 6;
+
+/// At least this share of the sum of squares counts as the turns' own, however much the accelerometer's errors explain.
+const LEAST_OWN_SHARE: f64 = 0.25;
 
 /// Independent numbers in the three rows of a turn: a direction has two.
 const NUMBERS_PER_TURN: usize = 2;
@@ -28,6 +33,9 @@ pub struct GyroscopeData {
     pub turns: Vec<TurnData>,
     /// The bias in each turn as the rests beside it show it.
     pub turn_bias: Vec<Vector3<f64>>,
+    /// How the directions before and after every turn move with the errors of the accelerometer, one entry per
+    /// independent combination of these with a variance of one; empty where they are taken for exact.
+    pub moved: Vec<Vec<[Vector3<f64>; 2]>>,
     /// Static means of the gyroscope with the corrected specific force.
     pub statics: Vec<StaticMean>,
 }
@@ -59,6 +67,9 @@ pub struct GyroscopeFit {
     pub chords: Vec<f64>,
     /// The same before the fit: unit scales, no misalignment.
     pub chords_before: Vec<f64>,
+    /// What the accelerometer's errors add to the sum of squares of the chords, rad², one entry per independent
+    /// combination of them.
+    pub carried: Vec<f64>,
 }
 
 impl GyroscopeFit {
@@ -122,12 +133,29 @@ fn published(
     let unit = guess.unit;
     let start = mounted(request.model.parameters(), guess);
     let mask = start.free_where(|name| !name.contains(".b_"));
-    let report = solve(&problem, &start, &mask, &Options::default())?;
-    let sigma = direction_scatter(&report, turns.len());
+    let mut report = solve(&problem, &start, &mask, &Options::default())?;
+    let spare = NUMBERS_PER_TURN * turns.len();
+    let spare = spare.saturating_sub(report.uncertainty.rank);
+    let carried = carried(request, &problem, &turns, &report, &mask);
+    let own = (2.0 * report.cost - carried.left.iter().sum::<f64>()).max(0.0);
+    // A residual that the accelerometer's errors explain still says little of the noise.
+    let least = 2.0 * report.cost * LEAST_OWN_SHARE;
+    let variance = own.max(least) / spare as f64 * widening(spare).powi(2);
+    for (row, carried) in report
+        .uncertainty
+        .covariance
+        .iter_mut()
+        .zip(&carried.covariance)
+    {
+        for (v, c) in row.iter_mut().zip(carried) {
+            *v = *v * variance + c;
+        }
+    }
     Ok(GyroscopeFit {
         model: request.model.clone(),
-        fitted: Fitted::in_raw_units(&report, &unit, start.len(), sigma),
+        fitted: Fitted::in_raw_units(&report, &unit, start.len(), 1.0),
         chords: chords(&report.residuals),
+        carried: carried.left,
         chords_before,
         report,
         unit,
@@ -197,7 +225,79 @@ fn with_effects(
         unit,
         chords,
         chords_before,
+        carried: Vec::new(),
     })
+}
+
+/// What the accelerometer's errors do to the gyroscope.
+#[derive(Default)]
+struct CarriedOver {
+    /// Covariance of the free parameters.
+    covariance: Vec<Vec<f64>>,
+    /// What is left in the chords, rad², per combination of errors.
+    left: Vec<f64>,
+}
+
+/// `∂p = −(JᵀJ)⁻¹ Jᵀ ∂r` with `∂r = R ∂u_before − ∂u_after` of every turn: a direction that the accelerometer has wrong
+/// is wrong in both turns beside it.
+fn carried(
+    request: &GyroscopeRequest,
+    problem: &TurnProblem<'_>,
+    turns: &[TurnData],
+    report: &Report,
+    mask: &Mask,
+) -> CarriedOver {
+    let x = report.parameters.values();
+    let free = mask.free_indices();
+    let moved: Vec<&Vec<[Vector3<f64>; 2]>> =
+        request.recordings.iter().flat_map(|r| &r.moved).collect();
+    let modes = moved.first().map_or(0, |m| m.len());
+    let n = free.len();
+    let mut out = CarriedOver {
+        covariance: vec![vec![0.0; n]; n],
+        left: Vec::new(),
+    };
+    if moved.len() != turns.len() || modes == 0 {
+        return out;
+    }
+    let mut residuals = Vec::new();
+    let jacobian = problem.linearize(x, &free, &mut residuals);
+    let mut change = Mat::<f64>::zeros(3 * turns.len(), modes);
+    for (k, (turn, moved)) in turns.iter().zip(moved).enumerate() {
+        let attitude = turn.attitude(&request.model, request.integrator, x);
+        for (mode, [before, after]) in moved.iter().enumerate() {
+            let by = attitude.into_body(before) - after;
+            for i in 0..3 {
+                change[(3 * k + i, mode)] = by[i];
+            }
+        }
+    }
+    let right = jacobian.transpose() * &change;
+    let inverse = &report.uncertainty.covariance;
+    for mode in 0..modes {
+        let step: Vec<f64> = inverse
+            .iter()
+            .map(|row| {
+                row.iter()
+                    .enumerate()
+                    .map(|(k, v)| v * right[(k, mode)])
+                    .sum()
+            })
+            .collect();
+        for (row, a) in out.covariance.iter_mut().zip(&step) {
+            for (v, b) in row.iter_mut().zip(&step) {
+                *v += a * b;
+            }
+        }
+        let taken: f64 = step
+            .iter()
+            .enumerate()
+            .map(|(k, s)| s * right[(k, mode)])
+            .sum();
+        out.left
+            .push((change.col(mode).squared_norm_l2() - taken).max(0.0));
+    }
+    out
 }
 
 /// Turns and rests of all recordings, each with a bias of its own.
@@ -237,15 +337,6 @@ fn split_rows(data: &[(Vec<TurnData>, Vec<StaticMean>)], rows: &[f64]) -> (Vec<f
         rest = after;
     }
     (turns, rests)
-}
-
-/// Standard deviation of an independent number of the turns' residual.
-fn direction_scatter(report: &Report, turns: usize) -> f64 {
-    let numbers = NUMBERS_PER_TURN * turns;
-    match numbers.checked_sub(report.uncertainty.rank) {
-        Some(spare) if spare > 0 => (2.0 * report.cost / spare as f64).sqrt(),
-        _ => f64::NAN,
-    }
 }
 
 /// The length of each turn's three rows.

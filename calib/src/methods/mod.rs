@@ -8,6 +8,7 @@ pub mod joint;
 pub mod online_bias;
 mod outliers;
 pub mod six_position;
+pub(crate) mod small_sample;
 mod stepwise;
 mod threshold;
 

@@ -8,6 +8,7 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 use super::first_guess::{RawUnit, accelerometer_unit};
 use super::fitted::Fitted;
 use super::outliers::{Outlier, outliers};
+use super::small_sample::residual_std;
 use crate::error::Error;
 use crate::residuals::{GravityNorm, OwnBias, StaticMean};
 
@@ -174,12 +175,13 @@ fn choose_bias(common: Report, own: Report) -> (Report, Option<f64>) {
     }
 }
 
-/// Standard deviation of a residual by the scatter around the fit, but not less than the white noise
-/// within the rests: with few spare rests the scatter may be small by chance.
+/// Standard deviation of a residual: the white noise within the rests, or the scatter around the fit where that says
+/// otherwise.
 fn scatter(report: &Report, means: &[Vec<StaticMean>]) -> f64 {
     let all: Vec<f64> = means.iter().flatten().map(|m| m.white * m.white).collect();
     let white = (all.iter().sum::<f64>() / all.len().max(1) as f64).sqrt();
-    report
-        .reduced_chi2()
-        .map_or(f64::NAN, |chi2| chi2.sqrt().max(white))
+    let spare = report.residuals.len().checked_sub(report.uncertainty.rank);
+    spare.filter(|spare| *spare > 0).map_or(f64::NAN, |spare| {
+        residual_std(2.0 * report.cost, spare, white)
+    })
 }

@@ -1,6 +1,7 @@
 //! Gravity carried through a turn by the gyroscope.
 
 use nalgebra::Vector3;
+use sensor::attitude::Attitude;
 use sensor::{Kinematics, Model, ModelScalar};
 use solver::{Residual, lit};
 
@@ -29,12 +30,22 @@ impl TurnData {
         integrator: Integrator,
         x: &[D],
     ) -> Vector3<D> {
+        let attitude = self.attitude(model, integrator, x);
+        attitude.into_body(&self.before.map(lit::<D>))
+    }
+
+    /// The attitude after the turn against the one before.
+    pub fn attitude<D: ModelScalar>(
+        &self,
+        model: &Model,
+        integrator: Integrator,
+        x: &[D],
+    ) -> Attitude<D> {
         let still = Kinematics::at_rest(self.before);
-        let attitude = attitude_of(integrator, &self.t, |k| {
+        attitude_of(integrator, &self.t, |k| {
             let rest = self.rest.get(k).unwrap_or(&still);
             model.correct(&self.readings[k].map(lit::<D>), &rest.lift(), x)
-        });
-        attitude.into_body(&self.before.map(lit::<D>))
+        })
     }
 }
 

@@ -3,6 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fmt::Write as _;
 
+use calib::calibration::Remainder;
 use calib::methods::joint::{ComponentKind, JointFit};
 use nalgebra::Vector3;
 use sensor::{Kinematics, Sensor};
@@ -21,6 +22,18 @@ pub fn text(fit: &JointFit) -> String {
             "{} turns, gravity foretold to {:.3}° rms",
             turns.len(),
             rms.to_degrees()
+        );
+    }
+    for misfit in fit.misfits() {
+        let left = Remainder::of(&misfit);
+        let _ = writeln!(
+            text,
+            "{}: {:.2} times the measured noise ({} rms, {:.0} degrees of freedom, p = {:.2})",
+            left.what(),
+            misfit.ratio(),
+            left.in_words(left.rms),
+            left.degrees_of_freedom,
+            left.p_value
         );
     }
     for level in fit.levels.iter().filter(|l| l.size > 0.0) {
@@ -75,6 +88,16 @@ fn level_in_words(kind: ComponentKind, size: f64) -> String {
         ),
         ComponentKind::RateScatter => format!(
             "the gyroscope scatters by {size:.1e} rad/s from rest to rest: more than its noise"
+        ),
+        ComponentKind::ForceOfOrientation => format!(
+            "what is missing of the accelerometer changes with the orientation by {:.2} mm/s² at one g",
+            1e3 * size
+        ),
+        ComponentKind::RateOfOrientation => format!(
+            "what is missing of the gyroscope changes with the orientation by {size:.1e} rad/s at one g"
+        ),
+        ComponentKind::EarthRotation => format!(
+            "the earth's rotation is taken to be anywhere within {size:.1e} rad/s per component (--latitude says it)"
         ),
         ComponentKind::TurnScatter => format!(
             "the turns scatter by {:.3}°: more than the gyroscope's noise",

@@ -19,9 +19,6 @@ use crate::methods::Choice;
 use crate::recording::Recording;
 use crate::residuals::StaticMean;
 
-/// A residual this many times the noise is worth a warning.
-const BEYOND_NOISE: f64 = 3.0;
-
 /// The recordings without repeats of the same data.
 pub(super) fn without_repeats<'a>(
     recordings: &'a [Recording],
@@ -96,16 +93,4 @@ pub(super) fn enough_rests(
         }
         _ => Ok(()),
     }
-}
-
-/// A residual that the noise within the rests does not explain.
-pub(super) fn beyond_noise(what: &str, reduced_chi2: Option<f64>) -> Option<String> {
-    let ratio = reduced_chi2?.sqrt();
-    (ratio > BEYOND_NOISE).then(|| {
-        format!(
-            "{what} is {ratio:.1} times what the noise within the rests allows: something beyond the \
-             base model is in the recording (see `stillpoint effects`); the standard errors are scaled \
-             to it"
-        )
-    })
 }

@@ -12,11 +12,19 @@ use super::row_noise::RowNoise;
 use super::trial::Trial;
 use super::walks::Walks;
 use super::weights::{Component, ComponentKind, NoiseLevel, White, Whitening};
+use crate::methods::small_sample::by_chance;
+use crate::simulate::EARTH_RATE;
 use sensor::Sensor;
 
 /// A fit whose quieter three quarters are off by this much, as χ² per degree of freedom, does not
 /// know its noise: the model misses, or the noise is of another kind.
 const MISFIT: f64 = 2.0;
+
+/// Rows that leave so much by chance only do not scatter.
+const UNLIKELY: f64 = 1e-3;
+
+/// Standard deviation of a component of the earth's rotation where nothing is known of its direction, rad/s.
+pub const EARTH_COMPONENT: f64 = EARTH_RATE / 1.732_050_807_568_877_2;
 
 /// How far usual walks go, in standard deviations of a chunk's mean.
 const USUAL: f64 = 3.0;
@@ -35,6 +43,8 @@ pub struct Analysis {
     pub white: White,
     /// What else the noise may have.
     pub components: Vec<Component>,
+    /// What depends on the orientation, whitened by the white noise (`m × q`).
+    orientation: Mat<f64>,
     /// How the gyroscope's means, then the turns, feel its bias.
     rate_exposures: Vec<Exposure>,
 }
@@ -51,6 +61,7 @@ impl Analysis {
         Self {
             residuals: residuals.col(0).iter().copied().collect(),
             jacobian,
+            orientation: Mat::zeros(m, 0),
             components: walks(noise, &white),
             rate_exposures: whitened(&noise.exposures[1], &white),
             white,
@@ -61,7 +72,7 @@ impl Analysis {
     /// quarters of them are off by far more than the noise; whether any are.
     pub fn allow_scatter_where_misfit(&mut self, rows: &Rows<'_>, known: &[&Suspect]) -> bool {
         let before = self.components.len();
-        let basis = orthonormal(&self.with(known));
+        let basis = orthonormal(&beside(&self.with(known), &self.orientation));
         let spare: Vec<f64> = (0..rows.count())
             .map(|i| 1.0 - basis.row(i).iter().map(|v| v * v).sum::<f64>())
             .collect();
@@ -80,15 +91,93 @@ impl Analysis {
                 if kind == ComponentKind::ForceScatter {
                     self.end_walk_with_rests(rows);
                 }
-                let covariance = if kind == ComponentKind::RateScatter {
-                    rate_scatter(rows, &self.rate_exposures)
-                } else {
-                    self.white.both_sides(&shared(&groups, kind, rows.count()))
-                };
-                self.components.push(Component { kind, covariance });
+                self.allow(rows, kind, &groups);
             }
         }
         self.components.len() > before
+    }
+
+    /// Adds scatter of the kinds of rows that noise and walks of these levels leave by more than chance does; whether
+    /// any do.
+    pub fn allow_scatter_beyond(
+        &mut self,
+        rows: &Rows<'_>,
+        known: &[&Suspect],
+        levels: &[NoiseLevel],
+    ) -> bool {
+        let before = self.components.len();
+        let whitening = self.whitening(levels);
+        let mut jacobian = self.with(known);
+        whitening.finish(jacobian.as_mut());
+        let mut r = Mat::from_fn(rows.count(), 1, |i, _| self.residuals[i]);
+        whitening.finish(r.as_mut());
+        let basis = orthonormal(&jacobian);
+        let left = &r - &basis * (basis.transpose() * &r);
+        for (kind, groups) in groups(rows) {
+            if self.components.iter().any(|c| c.kind == kind) {
+                continue;
+            }
+            let (mut square, mut spare) = (0.0, 0.0);
+            for &i in groups.iter().flatten() {
+                square += left[(i, 0)].powi(2);
+                spare += 1.0 - basis.row(i).iter().map(|v| v * v).sum::<f64>();
+            }
+            if spare > 0.5 && by_chance(square, spare) < UNLIKELY {
+                self.allow(rows, kind, &groups);
+            }
+        }
+        self.components.len() > before
+    }
+
+    fn allow(&mut self, rows: &Rows<'_>, kind: ComponentKind, groups: &[Vec<usize>]) {
+        let covariance = if kind == ComponentKind::RateScatter {
+            let shifts = self.rate_shifts(rows);
+            &shifts * shifts.transpose()
+        } else {
+            self.white.both_sides(&shared(groups, kind, rows.count()))
+        };
+        self.components.push(Component { kind, covariance });
+    }
+
+    /// Adds what depends on the orientation to what the noise may have: `errors` (3 × q for every rest) of unit size
+    /// in the readings of a sensor.
+    pub fn allow_orientation(
+        &mut self,
+        rows: &Rows<'_>,
+        sensor: Sensor,
+        errors: &[nalgebra::DMatrix<f64>],
+    ) {
+        let count = errors.first().map_or(0, |e| e.ncols());
+        let (kind, columns) = match sensor {
+            Sensor::Accelerometer => {
+                let mut columns = Mat::zeros(rows.count(), count);
+                for (k, (_, chunk)) in rows.means(sensor).enumerate() {
+                    for i in 0..3 {
+                        for c in 0..count {
+                            columns[(3 * k + i, c)] = errors[chunk.rest][(i, c)];
+                        }
+                    }
+                }
+                self.white.apply(columns.as_mut());
+                (ComponentKind::ForceOfOrientation, columns)
+            }
+            Sensor::Gyroscope => {
+                let shifts = self.rate_shifts(rows);
+                let stacked =
+                    Mat::from_fn(3 * errors.len(), count, |i, c| errors[i / 3][(i % 3, c)]);
+                (ComponentKind::RateOfOrientation, &shifts * &stacked)
+            }
+        };
+        self.components.push(Component {
+            kind,
+            covariance: &columns * columns.transpose(),
+        });
+        self.orientation = beside(&self.orientation, &columns);
+    }
+
+    /// Adds the rotation of the earth to the noise; its columns are not whitened.
+    pub fn carry_earth(&mut self, columns: &Mat<f64>) {
+        self.components.push(earth(columns, &self.white));
     }
 
     /// Lets the walk of the accelerometer's bias begin anew in every rest.
@@ -105,21 +194,49 @@ impl Analysis {
             .for_each(|c| c.covariance.clone_from(&walk));
     }
 
+    /// What a shift of the gyroscope's reading in every rest does to the rows (`m × 3 rests`), whitened: what shifts it
+    /// in a rest shifts it by half in the turns on either side, as far as anybody can know.
+    fn rate_shifts(&self, rows: &Rows<'_>) -> Mat<f64> {
+        let means = rows.means(Sensor::Gyroscope);
+        let of_means = means.map(|(_, chunk)| vec![(chunk.rest, 1.0)]);
+        let turns = rows.data.turns.iter();
+        let of_turns = turns.map(|turn| vec![(turn.from, 0.5), (turn.from + 1, 0.5)]);
+        let mut by_shift = Mat::<f64>::zeros(rows.count(), 3 * rows.data.rests.len());
+        for (exposure, shares) in self.rate_exposures.iter().zip(of_means.chain(of_turns)) {
+            for (rest, share) in shares {
+                for (i, row) in exposure.rows.clone().enumerate() {
+                    for axis in 0..3 {
+                        by_shift[(row, 3 * rest + axis)] = share * exposure.total[(i, axis)];
+                    }
+                }
+            }
+        }
+        by_shift
+    }
+
     /// The levels of the components by restricted likelihood, with the disturbances' columns among the
     /// free ones: scatter at its likeliest, walks as their expectation, which none at all may be unless
     /// biases are sure to walk.
     pub fn levels(&self, disturbances: &[&Suspect], biases_walk: bool) -> Vec<NoiseLevel> {
         let jacobian = self.with(disturbances);
-        let is_walk = |c: &&Component| c.kind.is_walk();
-        let (walks, scatter): (Vec<&Component>, Vec<&Component>) =
-            self.components.iter().partition(is_walk);
+        let of = |wanted: fn(ComponentKind) -> bool| -> Vec<&Component> {
+            self.components.iter().filter(|c| wanted(c.kind)).collect()
+        };
+        let (walks, scatter) = (of(ComponentKind::is_walk), of(|kind| !kind.is_noise()));
+        let earth = of(|kind| kind == ComponentKind::EarthRotation);
         let scatter = self.scatter(&jacobian, &walks, &scatter);
-        let fixed = scatter
-            .iter()
-            .fold(None, |sum: Option<Mat<f64>>, (c, variance)| {
-                let own = faer::Scale(*variance) * &c.covariance;
-                Some(sum.map_or_else(|| own.clone(), |sum| sum + &own))
-            });
+        let earth: Vec<(&Component, f64)> = earth
+            .into_iter()
+            .map(|c| (c, EARTH_COMPONENT * EARTH_COMPONENT))
+            .collect();
+        let fixed =
+            scatter
+                .iter()
+                .chain(&earth)
+                .fold(None, |sum: Option<Mat<f64>>, (c, variance)| {
+                    let own = faer::Scale(*variance) * &c.covariance;
+                    Some(sum.map_or_else(|| own.clone(), |sum| sum + &own))
+                });
         let covariances: Vec<&Mat<f64>> = walks.iter().map(|c| &c.covariance).collect();
         let usual: Vec<f64> = covariances.iter().map(|c| usual_walk(c)).collect();
         let none = if biases_walk { 0.0 } else { 1.0 };
@@ -129,6 +246,7 @@ impl Analysis {
             .into_iter()
             .zip(expected)
             .chain(scatter)
+            .chain(earth)
             .map(|(component, variance)| NoiseLevel {
                 kind: component.kind,
                 size: variance.sqrt(),
@@ -200,6 +318,23 @@ impl Analysis {
     }
 }
 
+/// The rotation of the earth as a component, of unit size in every direction.
+pub fn earth(columns: &Mat<f64>, white: &White) -> Component {
+    let mut whitened = columns.clone();
+    white.apply(whitened.as_mut());
+    Component {
+        kind: ComponentKind::EarthRotation,
+        covariance: &whitened * whitened.transpose(),
+    }
+}
+
+fn beside(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
+    let n = a.ncols();
+    Mat::from_fn(a.nrows(), n + b.ncols(), |i, k| {
+        if k < n { a[(i, k)] } else { b[(i, k - n)] }
+    })
+}
+
 /// The walks of the biases, of unit density, whitened by the white noise.
 pub fn walks(noise: &RowNoise, white: &White) -> Vec<Component> {
     let kinds = [
@@ -234,26 +369,6 @@ fn walk_within_rests(rows: &Rows<'_>, white: &White) -> Mat<f64> {
     let means = rows.means(Sensor::Accelerometer).enumerate();
     let exposures: Vec<Exposure> = means.filter_map(exposure).collect();
     covariance(&exposures, rows.count())
-}
-
-/// The covariance of a scatter of the gyroscope from rest to rest, of unit size: what shifts its reading in
-/// a rest shifts it by half in the turns on either side, as far as anybody can know.
-fn rate_scatter(rows: &Rows<'_>, exposures: &[Exposure]) -> Mat<f64> {
-    let means = rows.means(Sensor::Gyroscope);
-    let of_means = means.map(|(_, chunk)| vec![(chunk.rest, 1.0)]);
-    let turns = rows.data.turns.iter();
-    let of_turns = turns.map(|turn| vec![(turn.from, 0.5), (turn.from + 1, 0.5)]);
-    let mut by_shift = Mat::<f64>::zeros(rows.count(), 3 * rows.data.rests.len());
-    for (exposure, shares) in exposures.iter().zip(of_means.chain(of_turns)) {
-        for (rest, share) in shares {
-            for (i, row) in exposure.rows.clone().enumerate() {
-                for axis in 0..3 {
-                    by_shift[(row, 3 * rest + axis)] = share * exposure.total[(i, axis)];
-                }
-            }
-        }
-    }
-    &by_shift * by_shift.transpose()
 }
 
 /// The density up to which walks are common: at the far end of the recording the bias has moved by three

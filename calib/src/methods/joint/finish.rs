@@ -76,6 +76,7 @@ impl Run<'_> {
                 .map(|s| self.in_words(s))
                 .chain(broken)
                 .collect(),
+            shown: weights.shown,
             own_force_bias: self.start.own_force_bias,
             force_unit: self.start.force_unit,
             rate_unit: self.start.rate_unit,

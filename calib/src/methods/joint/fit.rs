@@ -2,11 +2,12 @@
 
 use faer::Mat;
 use nalgebra::Vector3;
-use sensor::Model;
+use sensor::{Model, Sensor};
 use solver::{Parameters, Report};
 
 use super::chart::Chart;
 use super::data::Data;
+use super::orientation::Shown;
 use super::problem::Rows;
 use super::request::Accused;
 use super::weights::{Component, NoiseLevel, Whitening};
@@ -49,6 +50,8 @@ pub struct JointFit {
     pub levels: Vec<NoiseLevel>,
     /// What was found disturbed.
     pub accused: Vec<Accused>,
+    /// What depends on the orientation at the static intervals and should not.
+    pub shown: Vec<(Sensor, Shown)>,
     /// Whether the accelerometer has a bias of its own in every recording.
     pub own_force_bias: bool,
     /// Unit of the accelerometer.

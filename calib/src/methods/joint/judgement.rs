@@ -1,8 +1,13 @@
 //! How the rows are believed: levels of noise, and the disturbances that they accuse.
 
+use faer::Mat;
+use sensor::Sensor;
+
 use super::analysis::{Analysis, walks};
 use super::data::MOST_DISTURBED;
 use super::disturbance::{Suspect, pushed_chunk, suspects};
+use super::orientation::Shown;
+use super::oriented::At;
 use super::problem::Rows;
 use super::request::Known;
 use super::run::{Point, Run};
@@ -18,6 +23,8 @@ pub(super) struct Weights {
     pub components: Vec<Component>,
     /// What makes the rows white.
     pub whitening: Whitening,
+    /// What depends on the orientation and should not.
+    pub shown: Vec<(Sensor, Shown)>,
 }
 
 impl Weights {
@@ -48,18 +55,31 @@ impl Run<'_> {
             components,
             levels,
             accused: Vec::new(),
+            shown: Vec::new(),
         }
     }
 
     /// Levels of noise and disturbances at a point.
-    pub(super) fn judge(&self, point: &Point) -> Weights {
+    pub(super) fn judge(&self, point: &Point, earth: Option<&Mat<f64>>) -> Weights {
         let rows = self.rows(&[]);
         let x = point.plain_values();
         let mut free = point.mask.free_indices();
         free.retain(|&k| k < point.plain);
-        let mut analysis = Analysis::new(&rows, &point.undisturbed(), &rows.noise(x), &free);
+        let linear = point.undisturbed();
+        let mut analysis = Analysis::new(&rows, &linear, &rows.noise(x), &free);
+        if let Some(columns) = earth {
+            analysis.carry_earth(columns);
+        }
+        let mut shown = Vec::new();
         let (levels, accused) = if self.request.disturbances {
-            self.accuse(&rows, x, &mut analysis)
+            let at = At {
+                rows: &rows,
+                x,
+                linear: &linear,
+                free: &free,
+                earth,
+            };
+            self.accuse(&at, &mut analysis, &mut shown)
         } else {
             let known = self.known(&rows, x);
             let levels = self.measured(&analysis, &known.iter().collect::<Vec<_>>());
@@ -70,6 +90,7 @@ impl Run<'_> {
             components: analysis.components,
             levels,
             accused,
+            shown,
         }
     }
 
@@ -95,17 +116,19 @@ impl Run<'_> {
     /// Levels of noise and disturbances: what was seen to shake, then what the rows accuse.
     fn accuse(
         &self,
-        rows: &Rows<'_>,
-        x: &[f64],
+        at: &At<'_>,
         analysis: &mut Analysis,
+        shown: &mut Vec<(Sensor, Shown)>,
     ) -> (Vec<NoiseLevel>, Vec<Suspect>) {
+        let (rows, x) = (at.rows, at.x);
         let mut candidates = suspects(rows, x);
         let touched = self.touched(rows, x);
         let given: Vec<usize> = (candidates.len()..candidates.len() + touched.len()).collect();
         candidates.extend(touched);
         let most = given.len() + (MOST_DISTURBED * self.data.rests.len() as f64).ceil() as usize;
         let all = |places: &[usize]| places.iter().map(|&k| &candidates[k]).collect::<Vec<_>>();
-        let misfit = analysis.allow_scatter_where_misfit(rows, &all(&given));
+        let patterns = at.allow_patterns(&all(&given), analysis, shown);
+        let misfit = analysis.allow_scatter_where_misfit(rows, &all(&given)) || patterns;
         let columns = analysis.columns(&candidates);
         let mut found = given.clone();
         if !misfit {
@@ -124,6 +147,11 @@ impl Run<'_> {
                 break;
             }
             found = next;
+            levels = self.measured(analysis, &all(&found));
+        }
+        let mut more = at.allow_patterns(&all(&found), analysis, shown);
+        more |= analysis.allow_scatter_beyond(rows, &all(&found), &levels);
+        if more {
             levels = self.measured(analysis, &all(&found));
         }
         found.sort_unstable();

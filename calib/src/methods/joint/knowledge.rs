@@ -90,6 +90,18 @@ pub struct Attitudes {
     turns: Vec<Vec<Attitude<f64>>>,
 }
 
+impl Attitudes {
+    /// In a rest.
+    pub fn at_rest(&self, rest: usize) -> &Attitude<f64> {
+        &self.rests[rest]
+    }
+
+    /// At the samples of a turn.
+    pub fn in_turn(&self, turn: usize) -> &[Attitude<f64>] {
+        &self.turns[turn]
+    }
+}
+
 impl Rows<'_> {
     /// The chain of attitudes at `x`: level at every rest by its direction, heading carried through the turns
     /// by the corrected rate. The heading of the first rest of a recording is zero; over a turn that is not

@@ -39,6 +39,9 @@ pub struct JointRequest<'a> {
     pub covariates: bool,
     /// Which clock the turns are integrated by.
     pub clock: ClockMode,
+    /// Whether the readings contain a rotation of the earth that nobody says: its direction is then estimated as far as
+    /// the data show it, and uncertain as far as they do not.
+    pub earth: bool,
 }
 
 impl<'a> JointRequest<'a> {
@@ -57,6 +60,7 @@ impl<'a> JointRequest<'a> {
             starts: Vec::new(),
             covariates: false,
             clock: ClockMode::default(),
+            earth: false,
         }
     }
 }

@@ -2,19 +2,23 @@
 
 use nalgebra::DMatrix;
 use sensor::{BASE_PARAMETERS, Sensor};
+use serde::{Deserialize, Serialize};
 use solver::Uncertainty;
 
 use super::fit::JointFit;
-use super::marginal::{marginal, orthonormal};
+use super::marginal::marginal;
 use super::prediction::Prediction;
 use crate::methods::{Fitted, RawUnit};
 
 /// The kinds of rows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Channel {
     /// Means of the accelerometer.
+    #[serde(rename = "static_norm")]
     Force,
     /// Means of the gyroscope.
+    #[serde(rename = "static_rate")]
     Rate,
     /// Directions carried through turns.
     Direction,
@@ -35,24 +39,6 @@ impl JointFit {
             .collect();
         let kept = keep.iter().map(|&k| names[self.free[k]].clone()).collect();
         marginal(&self.jacobian, &keep, kept)
-    }
-
-    /// `χ²` per degree of freedom of one kind of rows: what is left of them over the share that the
-    /// parameters have not taken.
-    pub fn reduced_chi2(&self, channel: Channel) -> Option<f64> {
-        let [rate, turns] = self.first_rows;
-        let range = match channel {
-            Channel::Force => 0..rate,
-            Channel::Rate => rate..turns,
-            Channel::Direction => turns..self.residuals.len(),
-        };
-        let basis = orthonormal(&self.jacobian);
-        let (mut sum, mut spare) = (0.0, 0.0);
-        for i in range {
-            sum += self.residuals[i].powi(2);
-            spare += 1.0 - basis.row(i).iter().map(|v| v * v).sum::<f64>();
-        }
-        (spare > 0.5).then(|| sum / spare)
     }
 
     /// The unit and the number of parameters of a sensor, and where they begin.

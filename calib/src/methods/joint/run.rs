@@ -152,8 +152,12 @@ impl Run<'_> {
             None => self.first_weights(),
         };
         let mut point = self.approach(&weights, before.as_ref())?;
+        let earth = self.request.earth.then(|| {
+            let rows = self.rows(&[]);
+            rows.earth_columns(point.plain_values())
+        });
         for _ in 0..ROUNDS {
-            weights = self.judge(&point);
+            weights = self.judge(&point, earth.as_ref());
             let next = self.approach(&weights, Some(&point))?;
             let bend = self.bend(&point, &next, &weights.whitening);
             point = next;

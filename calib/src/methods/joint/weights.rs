@@ -110,12 +110,24 @@ pub enum ComponentKind {
     RateScatter,
     /// Scatter of the turns, rad.
     TurnScatter,
+    /// What no effect of the model explains of the specific force and its orientation does, m/s² at one g.
+    ForceOfOrientation,
+    /// The same of the rate at the static intervals, rad/s at one g.
+    RateOfOrientation,
+    /// The rotation of the earth where nobody says the latitude: its size is known, its direction is not; rad/s per
+    /// component.
+    EarthRotation,
 }
 
 impl ComponentKind {
     /// Whether it is a random walk of a bias.
     pub fn is_walk(self) -> bool {
         matches!(self, Self::AccelerometerWalk | Self::GyroscopeWalk)
+    }
+
+    /// Whether it is noise as it was measured or is known, not what remains of a misfit.
+    pub fn is_noise(self) -> bool {
+        self.is_walk() || self == Self::EarthRotation
     }
 }
 

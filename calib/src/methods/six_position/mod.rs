@@ -203,6 +203,7 @@ impl SixPosition {
             effects: Vec::new(),
             parameters: base_names(Sensor::Accelerometer).to_vec(),
             covariance,
+            misfit: Vec::new(),
             warnings: self.warnings.clone(),
             failed_gates: self.failed_gates(),
             clocks: Vec::new(),

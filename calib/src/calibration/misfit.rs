@@ -1,0 +1,137 @@
+//! What the data leave of a calibration, before any error is inflated.
+
+use serde::{Deserialize, Serialize};
+
+use crate::methods::joint::{Channel, ChannelMisfit, Pattern};
+use crate::methods::small_sample::by_chance;
+
+/// A misfit above this many times the noise is worth a warning where chance does not explain it and walks of the
+/// biases are counted as noise.
+pub const WITH_WALKS: f64 = std::f64::consts::SQRT_2;
+
+/// The same where walks are not told from a misfit.
+pub const WITHOUT_WALKS: f64 = 3.0;
+
+/// By chance in fewer cases than this.
+const UNLIKELY: f64 = 1e-4;
+
+/// One kind of comparison between a calibration and its recordings.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Remainder {
+    /// `static_norm` (norm of specific force at static intervals), `static_rate` (rate there), `direction` (gravity carried
+    /// through turns).
+    pub channel: Channel,
+    /// Root mean square of what is left, in `unit`.
+    pub rms: f64,
+    /// What the measured noise makes of it, walks of the biases among it, in `unit`.
+    pub noise: f64,
+    /// `m/s^2`, `rad/s` or `rad`.
+    pub unit: String,
+    /// `χ²` per degree of freedom against that noise: 1 where nothing is missing.
+    pub reduced_chi2: f64,
+    /// Degrees of freedom.
+    pub degrees_of_freedom: f64,
+    /// Probability of so much by noise alone.
+    pub p_value: f64,
+    /// The likeliest dependence on the orientation, where there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pattern: Option<Pattern>,
+    /// Probability that noise and walks alone show it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pattern_p_value: Option<f64>,
+}
+
+impl Remainder {
+    /// Of a kind of rows that leaves `rms` and `χ²` per degree of freedom.
+    pub fn new(channel: Channel, rms: f64, reduced_chi2: f64, dof: f64) -> Self {
+        Self {
+            channel,
+            rms,
+            noise: if reduced_chi2 > 0.0 {
+                rms / reduced_chi2.sqrt()
+            } else {
+                rms
+            },
+            unit: unit(channel).into(),
+            reduced_chi2,
+            degrees_of_freedom: dof,
+            p_value: by_chance(reduced_chi2 * dof, dof),
+            pattern: None,
+            pattern_p_value: None,
+        }
+    }
+
+    /// Of a joint fit's channel.
+    pub fn of(misfit: &ChannelMisfit) -> Self {
+        Self {
+            channel: misfit.channel,
+            rms: misfit.rms,
+            noise: misfit.noise,
+            unit: unit(misfit.channel).into(),
+            reduced_chi2: misfit.chi2 / misfit.dof,
+            degrees_of_freedom: misfit.dof,
+            p_value: misfit.p_value,
+            pattern: misfit.pattern.map(|shown| shown.pattern),
+            pattern_p_value: misfit.pattern.map(|shown| shown.p_value),
+        }
+    }
+
+    /// A warning where more than `limit` times the noise is left and chance does not explain it.
+    pub fn warning(&self, limit: f64) -> Option<String> {
+        let ratio = self.reduced_chi2.sqrt();
+        let much = ratio > limit && self.p_value < UNLIKELY;
+        let depends = self.pattern.map(|pattern| {
+            let p = self.pattern_p_value.unwrap_or(0.0);
+            let like = match pattern {
+                Pattern::Quadratic => "like the square of the specific force",
+                Pattern::Asymmetry => "by its sign",
+                Pattern::Cubic => "like the cube of the specific force",
+                Pattern::History => "and on where the device came from",
+                Pattern::Force => "in proportion to the specific force",
+            };
+            format!(
+                ". It depends on the orientation, most {like} (p = {p:.0e}), which neither noise nor a drifting bias \
+                 does"
+            )
+        });
+        if !much && depends.is_none() {
+            return None;
+        }
+        Some(format!(
+            "{}: {} rms, of which the measured noise explains {} ({ratio:.1} times the noise, {:.0} degrees of freedom, \
+             p = {:.0e}){}. The standard errors are enlarged to it; `stillpoint discover` looks for the cause",
+            self.what(),
+            self.in_words(self.rms),
+            self.in_words(self.noise),
+            self.degrees_of_freedom,
+            self.p_value,
+            depends.unwrap_or_default()
+        ))
+    }
+
+    /// `norm of specific force at static intervals`.
+    pub fn what(&self) -> &'static str {
+        match self.channel {
+            Channel::Force => "norm of specific force at static intervals",
+            Channel::Rate => "rate at static intervals",
+            Channel::Direction => "direction of gravity through turns",
+        }
+    }
+
+    /// A size in units for people.
+    pub fn in_words(&self, size: f64) -> String {
+        match self.channel {
+            Channel::Force => format!("{:.2} mm/s²", 1e3 * size),
+            Channel::Rate => format!("{:.1} °/h", size.to_degrees() * 3600.0),
+            Channel::Direction => format!("{:.4}°", size.to_degrees()),
+        }
+    }
+}
+
+fn unit(channel: Channel) -> &'static str {
+    match channel {
+        Channel::Force => "m/s^2",
+        Channel::Rate => "rad/s",
+        Channel::Direction => "rad",
+    }
+}

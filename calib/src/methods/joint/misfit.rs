@@ -1,0 +1,124 @@
+//! How far the data are from the model, before any error is inflated.
+
+use faer::Mat;
+
+use super::fit::JointFit;
+use super::marginal::orthonormal;
+use super::orientation::Shown;
+use super::result::Channel;
+use super::weights::{NoiseLevel, Whitening};
+use crate::methods::small_sample::by_chance;
+use sensor::Sensor;
+
+/// What one kind of rows leaves, against the noise that was measured within the static intervals, walks of the biases
+/// among it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChannelMisfit {
+    /// Which rows.
+    pub channel: Channel,
+    /// Root mean square of what is left: m/s² of the norm, rad/s of the rate, rad of the direction.
+    pub rms: f64,
+    /// What the noise makes of that.
+    pub noise: f64,
+    /// `χ²` against the noise.
+    pub chi2: f64,
+    /// Its degrees of freedom.
+    pub dof: f64,
+    /// Probability of so much by noise alone.
+    pub p_value: f64,
+    /// How it depends on the orientation, where it does.
+    pub pattern: Option<Shown>,
+}
+
+impl ChannelMisfit {
+    /// What is left over the noise: `√(χ²/dof)`.
+    pub fn ratio(&self) -> f64 {
+        (self.chi2 / self.dof).sqrt()
+    }
+}
+
+impl JointFit {
+    /// What the norm of specific force, the rate at the static intervals and the direction through turns leave, where
+    /// each has degrees of freedom.
+    ///
+    /// Rows are in the order force, rate, turns, and whitening mixes a row with those before it only: what the
+    /// parameters leave of the first rows, of the first two kinds and of all differ by independent sums of squares.
+    pub fn misfits(&self) -> Vec<ChannelMisfit> {
+        let noise: Vec<NoiseLevel> = self
+            .levels
+            .iter()
+            .copied()
+            .filter(|level| level.kind.is_noise())
+            .collect();
+        let whitening = Whitening::new(self.whitening.white.clone(), &self.components, &noise);
+        let m = self.white_residuals.len();
+        let mut jacobian = self.white_jacobian.clone();
+        let mut residuals = Mat::from_fn(m, 1, |i, _| self.white_residuals[i]);
+        whitening.finish(jacobian.as_mut());
+        whitening.finish(residuals.as_mut());
+        let [rate, turns] = self.first_rows;
+        let channels = [
+            (Channel::Force, rate, rms(&self.moduli)),
+            (Channel::Rate, turns, rms(&self.static_rates())),
+            (Channel::Direction, m, rms(&self.chords)),
+        ];
+        let mut before = (0.0, 0.0);
+        let mut misfits = Vec::new();
+        for (channel, end, rms) in channels {
+            let own = jacobian.as_ref().subrows(0, end).to_owned();
+            let basis = orthonormal(&own);
+            let r = residuals.as_ref().subrows(0, end);
+            let square = r.squared_norm_l2() - (basis.transpose() * r).squared_norm_l2();
+            let spare = end as f64 - basis.ncols() as f64;
+            let (chi2, dof) = ((square - before.0).max(0.0), spare - before.1);
+            before = (square, spare);
+            if dof < 0.5 {
+                continue;
+            }
+            misfits.push(ChannelMisfit {
+                channel,
+                rms,
+                noise: if chi2 > 0.0 {
+                    rms / (chi2 / dof).sqrt()
+                } else {
+                    rms
+                },
+                chi2,
+                dof,
+                p_value: by_chance(chi2, dof),
+                pattern: self.pattern_of(channel),
+            });
+        }
+        misfits
+    }
+
+    /// `χ²` per degree of freedom of one kind of rows, against the noise that was measured.
+    pub fn reduced_chi2(&self, channel: Channel) -> Option<f64> {
+        let own = self.misfits().into_iter().find(|m| m.channel == channel);
+        own.map(|m| m.chi2 / m.dof)
+    }
+
+    fn pattern_of(&self, channel: Channel) -> Option<Shown> {
+        let sensor = match channel {
+            Channel::Force => Sensor::Accelerometer,
+            Channel::Rate => Sensor::Gyroscope,
+            Channel::Direction => return None,
+        };
+        let own = self.shown.iter().find(|(of, _)| *of == sensor);
+        own.map(|(_, shown)| *shown)
+    }
+
+    /// Rate less bias of every chunk of a rest, rad/s.
+    fn static_rates(&self) -> Vec<f64> {
+        let mut residuals = Mat::from_fn(self.white_residuals.len(), 1, |i, _| {
+            self.white_residuals[i]
+        });
+        self.whitening.white.restore(residuals.as_mut());
+        let [rate, turns] = self.first_rows;
+        (rate..turns).map(|i| residuals[(i, 0)]).collect()
+    }
+}
+
+fn rms(values: &[f64]) -> f64 {
+    (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()
+}

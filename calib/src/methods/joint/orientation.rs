@@ -1,0 +1,340 @@
+//! Does what is left at the static intervals depend on the orientation? No walk of a bias explains that.
+
+use nalgebra::{DMatrix, DVector, Vector3};
+use serde::{Deserialize, Serialize};
+use statrs::distribution::{ContinuousCDF, FisherSnedecor};
+
+use crate::methods::small_sample::by_chance;
+
+/// Chance that a sensor of which nothing is missing shows any pattern.
+const CHANCE: f64 = 5e-4;
+
+/// Fewer spare numbers than this beside a pattern and its parameters show nothing.
+const LEAST_SPARE: usize = 3;
+
+/// Degrees of freedom that the measured noise counts for, and how likely what remains has to be by it alone.
+const KNOWN: f64 = 30.0;
+const UNREMARKABLE: f64 = 0.1;
+
+/// Walks tried, as multiples of the variance that the noise has: from none to one that dominates.
+const WALKS: [f64; 9] = [0.0, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 1000.0];
+
+/// Standard deviations below this share of the largest are held up to it: intervals of very different lengths.
+const LEAST_SHARE: f64 = 1e-3;
+
+/// A shape that the misfit of the static intervals may have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Pattern {
+    /// `f_i²`: even powers of the specific force.
+    Quadratic,
+    /// `|f_i|`: another scale factor upwards than downwards.
+    Asymmetry,
+    /// `f_i³`: odd powers.
+    Cubic,
+    /// The sign of the last change of `f_i`: where the device came from.
+    History,
+    /// `f_j` in the rate: sensitivity of the gyroscope to specific force.
+    Force,
+}
+
+impl Pattern {
+    /// Those of the norm of specific force.
+    pub const OF_NORM: [Self; 4] = [Self::Quadratic, Self::Asymmetry, Self::Cubic, Self::History];
+
+    /// The errors of the three axes for a unit coefficient on axis `i`: `eᵢ` of the direction `u` of specific force in
+    /// units of gravity, and of its last change.
+    fn error(self, u: f64, last_change: f64) -> f64 {
+        match self {
+            Self::Quadratic => u * u,
+            Self::Asymmetry => u.abs(),
+            Self::Cubic | Self::Force => u.powi(3),
+            Self::History => last_change,
+        }
+    }
+}
+
+/// A static interval as these tests see it.
+#[derive(Clone, Copy, Debug)]
+pub struct Oriented {
+    /// Direction of specific force, body frame.
+    pub direction: Vector3<f64>,
+    /// Sign of the last change of its components.
+    pub last_change: Vector3<f64>,
+    /// Middle, s since the reference time of its recording.
+    pub time: f64,
+    /// Its recording.
+    pub recording: usize,
+}
+
+/// Numbers of the static intervals: residuals, what the parameters may take of them, noise.
+#[derive(Clone, Debug)]
+pub struct StaticNumbers {
+    /// The interval of every number, and the direction (body frame) along which it was measured.
+    pub rows: Vec<(Oriented, Vector3<f64>)>,
+    /// Residuals (`n`).
+    pub residuals: DVector<f64>,
+    /// `∂r/∂p` of the parameters (`n × k`).
+    pub jacobian: DMatrix<f64>,
+    /// Standard deviations by the noise within the intervals (`n`).
+    pub sigma: DVector<f64>,
+}
+
+/// A pattern that chance does not make.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Shown {
+    /// Its shape.
+    pub pattern: Pattern,
+    /// Probability of so much by chance, whatever walks.
+    pub p_value: f64,
+    /// Degrees of freedom of the test: of the pattern, of what it is compared with.
+    pub dof: [usize; 2],
+}
+
+impl StaticNumbers {
+    /// The likeliest of the patterns, where chance does not explain it.
+    ///
+    /// F test of the pattern's columns beside the parameters, against what remains: that may be noise, scatter from interval
+    /// to interval, or a walk of the bias, whose density is the likeliest with the pattern present. Nothing of that kind
+    /// depends on the orientation.
+    pub fn shown(&self, patterns: &[Pattern]) -> Option<Shown> {
+        let all = patterns.iter().filter_map(|&pattern| {
+            let columns = self.columns(pattern);
+            let (p_value, dof) = self.test(&columns)?;
+            Some(Shown {
+                pattern,
+                p_value,
+                dof,
+            })
+        });
+        let best = all.min_by(|a, b| a.p_value.total_cmp(&b.p_value))?;
+        (best.p_value < CHANCE / patterns.len() as f64).then_some(best)
+    }
+
+    /// What unit coefficients of a pattern would do to the numbers (`n × q`).
+    pub fn columns(&self, pattern: Pattern) -> DMatrix<f64> {
+        let per_axis = if pattern == Pattern::Force { 9 } else { 3 };
+        DMatrix::from_fn(self.rows.len(), per_axis, |row, k| {
+            let (at, along) = &self.rows[row];
+            if pattern == Pattern::Force {
+                along[k / 3] * at.direction[k % 3]
+            } else {
+                along[k] * pattern.error(at.direction[k], at.last_change[k])
+            }
+        })
+    }
+
+    /// The p-value of columns beside the parameters, and its degrees of freedom.
+    fn test(&self, columns: &DMatrix<f64>) -> Option<(f64, [usize; 2])> {
+        let n = self.rows.len();
+        let with = beside(&self.jacobian, columns);
+        let walk = self.walk();
+        let best = WALKS
+            .iter()
+            .filter_map(|&size| {
+                let factor = (DMatrix::identity(n, n) + &walk * size).cholesky()?;
+                let whiten = |a: &DMatrix<f64>| factor.l().solve_lower_triangular(a);
+                let scaled = |a: &DMatrix<f64>| {
+                    DMatrix::from_fn(n, a.ncols(), |i, k| a[(i, k)] / self.sigma[i])
+                };
+                let residuals = DMatrix::from_fn(n, 1, |i, _| self.residuals[i]);
+                let r = whiten(&scaled(&residuals))?;
+                let full = Left::of(&whiten(&scaled(&with))?, &r);
+                let base = Left::of(&whiten(&scaled(&self.jacobian))?, &r);
+                let log_v: f64 = factor
+                    .l_dirty()
+                    .diagonal()
+                    .iter()
+                    .map(|d| 2.0 * d.ln())
+                    .sum();
+                // The scale is profiled too: scatter that all intervals share is no pattern either.
+                let spare = n.saturating_sub(full.rank);
+                let scale = (full.square / spare.max(1) as f64).max(1.0);
+                let log = -0.5
+                    * (log_v + full.log_gram + full.square / scale + spare as f64 * scale.ln());
+                Some((log, full, base))
+            })
+            .max_by(|a, b| a.0.total_cmp(&b.0));
+        let (_, full, base) = best?;
+        let (spare, taken) = (n.checked_sub(full.rank)?, full.rank - base.rank);
+        if spare < LEAST_SPARE || taken == 0 {
+            return None;
+        }
+        // Where what remains is like the noise, the noise was measured with many degrees of freedom; else what remains says
+        // how large it is.
+        let known = if by_chance(full.square, spare as f64) > UNREMARKABLE {
+            KNOWN
+        } else {
+            0.0
+        };
+        let dof = known + spare as f64;
+        let noise = ((known + full.square) / dof).max(1.0);
+        let f = (base.square - full.square).max(0.0) / taken as f64 / noise;
+        let law = FisherSnedecor::new(taken as f64, dof).ok()?;
+        Some((law.sf(f), [taken, spare]))
+    }
+
+    /// Covariance of the numbers for a walk of the bias that reaches the noise's variance on average (`n × n`), over
+    /// the standard deviations of the noise.
+    fn walk(&self) -> DMatrix<f64> {
+        let n = self.rows.len();
+        let mut walk = DMatrix::from_fn(n, n, |i, k| {
+            let ((a, along_a), (b, along_b)) = (&self.rows[i], &self.rows[k]);
+            if a.recording != b.recording || a.time * b.time <= 0.0 {
+                return 0.0;
+            }
+            let common = a.time.abs().min(b.time.abs());
+            common * along_a.dot(along_b) / (self.sigma[i] * self.sigma[k])
+        });
+        let mean = walk.trace() / n.max(1) as f64;
+        if mean > 0.0 {
+            walk /= mean;
+        }
+        walk
+    }
+
+    /// Drops intervals whose noise is not a number, and holds tiny standard deviations up.
+    pub fn settled(mut self) -> Self {
+        let largest = self.sigma.amax();
+        for sigma in self.sigma.iter_mut() {
+            *sigma = sigma.max(LEAST_SHARE * largest).max(f64::MIN_POSITIVE);
+        }
+        self
+    }
+}
+
+fn beside(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
+    let columns: Vec<DVector<f64>> = a
+        .column_iter()
+        .chain(b.column_iter())
+        .map(|c| c.into_owned())
+        .collect();
+    DMatrix::from_columns(&columns)
+}
+
+/// What columns leave of a residual.
+struct Left {
+    /// Sum of squares.
+    square: f64,
+    /// Rank of the columns.
+    rank: usize,
+    /// Logarithm of the determinant of their Gram matrix, columns scaled to unit length before whitening's share.
+    log_gram: f64,
+}
+
+impl Left {
+    fn of(columns: &DMatrix<f64>, r: &DMatrix<f64>) -> Self {
+        let norms: Vec<f64> = columns.column_iter().map(|c| c.norm()).collect();
+        let scaled = DMatrix::from_fn(columns.nrows(), columns.ncols(), |i, k| {
+            if norms[k] > 0.0 {
+                columns[(i, k)] / norms[k]
+            } else {
+                0.0
+            }
+        });
+        let svd = scaled.svd(true, false);
+        let mut square = r.norm_squared();
+        let (mut rank, mut log_gram) = (0, 0.0);
+        if let Some(u) = &svd.u {
+            for (k, value) in svd.singular_values.iter().enumerate() {
+                if *value > 1e-7 {
+                    rank += 1;
+                    log_gram += 2.0 * value.ln();
+                    square -= u.column(k).dot(&r.column(0)).powi(2);
+                }
+            }
+        }
+        log_gram += norms
+            .iter()
+            .filter(|n| **n > 0.0)
+            .map(|n| 2.0 * n.ln())
+            .sum::<f64>();
+        Self {
+            square: square.max(0.0),
+            rank,
+            log_gram,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::SeedableRng;
+    use rand_distr::{Distribution, StandardNormal};
+
+    const SIGMA: f64 = 7e-4;
+
+    /// Norms of specific force at 24 orientations with noise, a walk, and an error by `pattern`; the nine parameters
+    /// of an accelerometer beside.
+    fn norms(seed: u64, walk: f64, error: Option<(Pattern, f64)>) -> StaticNumbers {
+        let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
+        let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
+        let n = 24;
+        let mut bias = Vector3::zeros();
+        let mut rows = Vec::new();
+        let mut residuals = DVector::zeros(n);
+        let mut jacobian = DMatrix::zeros(n, 9);
+        let mut before: Vector3<f64> = Vector3::zeros();
+        for k in 0..n {
+            let u = Vector3::from_fn(|_, _| normal()).normalize();
+            let last_change = (u - before).map(f64::signum);
+            before = u;
+            let at = Oriented {
+                direction: u,
+                last_change,
+                time: 10.0 * (k as f64 - 11.6),
+                recording: 0,
+            };
+            bias += Vector3::from_fn(|_, _| normal()) * walk;
+            residuals[k] = SIGMA * normal() + bias.dot(&u);
+            if let Some((pattern, size)) = error {
+                let e = |i: usize| [1.0, -1.0, 0.8][i] * size * pattern.error(u[i], last_change[i]);
+                residuals[k] += (0..3).map(|i| u[i] * e(i)).sum::<f64>();
+            }
+            let of = [
+                u.x * u.x,
+                u.y * u.y,
+                u.z * u.z,
+                u.x * u.y,
+                u.x * u.z,
+                u.y * u.z,
+                u.x,
+                u.y,
+                u.z,
+            ];
+            of.iter()
+                .enumerate()
+                .for_each(|(c, v)| jacobian[(k, c)] = *v);
+            rows.push((at, u));
+        }
+        StaticNumbers {
+            rows,
+            residuals,
+            jacobian,
+            sigma: DVector::repeat(n, SIGMA),
+        }
+    }
+
+    #[test]
+    fn noise_and_walks_show_no_pattern() {
+        let shown = (0..200).filter(|&seed| {
+            let walk = [0.0, 1e-4, 3e-4, 1e-3][(seed % 4) as usize];
+            norms(seed, walk, None).shown(&Pattern::OF_NORM).is_some()
+        });
+        // 0.05 % of 200 sessions: one by chance in ten runs of this test.
+        assert!(shown.count() <= 1);
+    }
+
+    #[test]
+    fn a_missing_error_of_a_milli_g_shows_through_a_walk() {
+        for pattern in Pattern::OF_NORM {
+            let found = (0..20).filter(|&seed| {
+                let numbers = norms(seed, 1e-4, Some((pattern, 9.8e-3)));
+                numbers.shown(&Pattern::OF_NORM).is_some()
+            });
+            let found = found.count();
+            assert!(found >= 18, "{pattern:?} {found}");
+        }
+    }
+}
