@@ -80,6 +80,23 @@ pub struct PlaceArgs {
     altitude: Option<f64>,
 }
 
+/// Refuses a gravity that is nowhere on the earth.
+pub fn check_gravity(gravity: f64) -> Result<(), Failure> {
+    if GRAVITY.contains(&gravity) {
+        return Ok(());
+    }
+    Err(Failure::new(
+        USAGE,
+        format!(
+            "--gravity {}: on the earth it lies between {} and {} m/s²; an error of 0.01 changes \
+             every scale factor by 0.1 %",
+            figure(gravity),
+            GRAVITY.start(),
+            GRAVITY.end()
+        ),
+    ))
+}
+
 impl PlaceArgs {
     /// Local gravity: as given, else by the place, else assumed.
     pub fn gravity(&self) -> Result<Gravity, Failure> {
@@ -101,15 +118,7 @@ impl PlaceArgs {
                 figure(altitude)
             ));
         }
-        if let Some(gravity) = gravity.filter(|g| !GRAVITY.contains(g)) {
-            return refuse(format!(
-                "--gravity {}: on the earth it lies between {} and {} m/s²; an error of 0.01 changes \
-                 every scale factor by 0.1 %",
-                figure(gravity),
-                GRAVITY.start(),
-                GRAVITY.end()
-            ));
-        }
+        gravity.map_or(Ok(()), check_gravity)?;
         if let (Some(gravity), Some(latitude)) = (gravity, latitude) {
             let there = normal_gravity(latitude, altitude.unwrap_or(0.0));
             // Below 2 km the height explains so much.
