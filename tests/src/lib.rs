@@ -4,6 +4,7 @@
 
 pub mod conditions;
 pub mod coverage;
+pub mod fuzz;
 pub mod leave_one_out;
 pub mod noise_source;
 pub mod phone;

@@ -1,0 +1,122 @@
+//! Seeds for the fuzzers, from our own simulator: `fuzz-seeds DIR` writes a folder per target.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+use calib::calibrate::{Request, calibrate};
+use calib::recording::to_csv;
+use calib::simulate::{EXAMPLE, Spec};
+use clap::Parser;
+
+/// Writes seeds for the fuzzers, a folder per target.
+#[derive(Debug, Parser)]
+struct Arguments {
+    /// Folder to write to.
+    folder: PathBuf,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let folder = Arguments::parse().folder;
+    let mut session = Spec::hand_held(1).run()?;
+    let text = to_csv(&mut session.recording);
+    let short: String = text
+        .lines()
+        .take(25)
+        .map(|line| format!("{line}\n"))
+        .collect();
+    for (k, dialect) in dialects(&short).into_iter().enumerate() {
+        let with_options = [&[(k as u8) << 1][..], dialect.as_bytes()].concat();
+        write(&folder, "recording", k, &with_options)?;
+    }
+    for (k, header) in HEADERS.iter().enumerate() {
+        write(&folder, "header", k, header.as_bytes())?;
+    }
+    for (k, columns) in ["t=1,ax=2,ay=3,az=4", "ax=acc_x,gy=6", "temp=T"]
+        .iter()
+        .enumerate()
+    {
+        write(&folder, "columns", k, columns.as_bytes())?;
+    }
+    for (k, words) in [
+        "k * wx^2",
+        "-k*exp(-wx/3.5e1)",
+        "k * (wx - 2) * abs(sin(wx))",
+    ]
+    .iter()
+    .enumerate()
+    {
+        write(&folder, "expression", k, words.as_bytes())?;
+    }
+    write(&folder, "effects", 0, EFFECT.as_bytes())?;
+    write(&folder, "spec", 0, EXAMPLE.as_bytes())?;
+    write(&folder, "spec", 1, Spec::hand_held(3).to_toml()?.as_bytes())?;
+    let outcome = calibrate(&[session.recording], &[], &Request::default())?;
+    write(
+        &folder,
+        "calibration",
+        0,
+        serde_json::to_string(&outcome.calibration)?.as_bytes(),
+    )?;
+    write(&folder, "noise", 0, NOISE.as_bytes())?;
+    for (k, table) in [
+        "t0,t1\n1,20\n30,40\n",
+        "recording,start,stop\nr,2,50\n",
+        "ax,ay,az\n0,0,9.8\n",
+    ]
+    .iter()
+    .enumerate()
+    {
+        write(&folder, "tables", k, table.as_bytes())?;
+    }
+    Ok(())
+}
+
+/// The same recording as programs write it.
+fn dialects(text: &str) -> Vec<String> {
+    let (_, rows) = text.split_once('\n').unwrap_or_default();
+    let quoted = |line: &str| format!("\"{}\"\n", line.replace(',', "\",\""));
+    vec![
+        text.to_owned(),
+        text.replace(',', ";"),
+        text.replace(',', ";").replace('.', ","),
+        text.replace(',', "\t").replace('\n', "\r\n"),
+        rows.to_owned(),
+        text.lines().map(quoted).collect(),
+        format!("# device: phone\n% rate 100\n{text}"),
+        rows.lines()
+            .map(|line| format!("2026-11-22T03:04:05.{line}\n"))
+            .collect(),
+    ]
+}
+
+const HEADERS: [&str; 6] = [
+    "time (s),acc_x (m/s^2),acc_y (m/s^2),acc_z (m/s^2),gyro_x (rad/s),gyro_y (rad/s),gyro_z (rad/s)",
+    "\"Time (s)\",\"Acceleration x (m/s^2)\",\"Acceleration y (m/s^2)\",\"Acceleration z (m/s^2)\",gx,gy,gz",
+    "#timestamp [ns],a_RS_S_x [m s^-2],a_RS_S_y [m s^-2],a_RS_S_z [m s^-2],w_RS_S_x [rad s^-1],w_y,w_z",
+    "t,ax,ay,az,gx,gy,gz\ns,g,g,g,deg/s,deg/s,deg/s",
+    "loggingTime(txt),accelerometerAccelerationX(G),ay,az,gyroRotationX(rad/s),gy,gz",
+    "# logged by hand\n# 2026\nms,AccX,AccY,AccZ,GyroX,GyroY,GyroZ",
+];
+
+const EFFECT: &str = r#"[[definitions]]
+name = "gyro_swirl"
+sensor = "gyroscope"
+x = "k * wy * wz + c * exp(-t/tau)"
+z = "k * abs(fx) * alphax"
+parameters = [
+    { name = "k", unit = "1/(rad/s)", typical = 1e-2 },
+    { name = "c", unit = "rad/s", typical = 1e-3 },
+    { name = "tau", unit = "s", nominal = 60.0, typical = 60.0 },
+]
+"#;
+
+const NOISE: &str = r#"{"schema":"stillpoint.noise/1","created_by":"","accelerometer":{"samples":9,"step":0.01,"gaps":0,
+"axes":[{"terms":[{"term":"random_walk","name":"","unit":"","value":1e-4,"lower":1e-5,"upper":1e-3}],"model_error":null,"curve":[]},
+{"terms":[],"model_error":null,"curve":[]},{"terms":[],"model_error":1.5,"curve":[]}]},"gyroscope":null,
+"initial_static_time":null,"warnings":[]}"#;
+
+fn write(folder: &Path, target: &str, k: usize, bytes: &[u8]) -> std::io::Result<()> {
+    let folder = folder.join(target);
+    std::fs::create_dir_all(&folder)?;
+    std::fs::write(folder.join(format!("seed-{k}")), bytes)
+}

@@ -1,0 +1,183 @@
+//! What the coverage-guided fuzzers and the replay of their corpus run: one function per kind of input.
+//!
+//! Each takes any bytes and panics where something does not hold that has to hold whatever the input is. Being refused is fine.
+
+use std::cell::RefCell;
+use std::path::PathBuf;
+
+use calib::Recording;
+use calib::discover::walks_in;
+use calib::effect_file::parse_effects;
+use calib::intervals::read_sections;
+use calib::recording::{ColumnMap, ReadOptions, Stream};
+use calib::simulate::{Simulation, Spec};
+use nalgebra::Vector3;
+use sensor::{DefinedParam, Definition, Sensor};
+use tempfile::NamedTempFile;
+
+/// Longest message that a refusal may have, bytes.
+const LONGEST_MESSAGE: usize = 4_000;
+
+/// A kind of input and what is done with it.
+pub type Target = (&'static str, fn(&[u8]));
+
+/// Every target, by the name of its corpus.
+pub const TARGETS: [Target; 9] = [
+    ("recording", recording),
+    ("header", header),
+    ("columns", columns),
+    ("expression", expression),
+    ("effects", effects),
+    ("spec", spec),
+    ("calibration", calibration_file),
+    ("noise", noise),
+    ("tables", tables),
+];
+
+thread_local! {
+    static SCRATCH: RefCell<Option<NamedTempFile>> = const { RefCell::new(None) };
+}
+
+/// The path of a file with this content; the next call of the same thread overwrites it.
+///
+/// # Panics
+/// Where the folder for temporary files cannot be written.
+#[expect(clippy::expect_used, reason = "a fuzzer cannot go on without its file")]
+fn file_with(bytes: &[u8]) -> PathBuf {
+    SCRATCH.with_borrow_mut(|scratch| {
+        let file = scratch.get_or_insert_with(|| NamedTempFile::new().expect("a temporary file"));
+        let path = file.path().to_owned();
+        std::fs::write(&path, bytes).expect("writable");
+        path
+    })
+}
+
+fn is_short(error: &impl std::fmt::Display) {
+    let length = error.to_string().len();
+    assert!(length <= LONGEST_MESSAGE, "a message of {length} bytes");
+}
+
+fn is_sound(stream: &Stream) {
+    assert_eq!(stream.t.len(), stream.values.len());
+    assert!(
+        stream.t.windows(2).all(|pair| pair[0] < pair[1]),
+        "time increases"
+    );
+    assert!(stream.t.iter().all(|t| t.is_finite()), "finite stamps");
+    let mut values = stream.values.iter().flat_map(Vector3::iter);
+    assert!(values.all(|v| v.is_finite()), "finite samples");
+}
+
+fn read(bytes: &[u8], options: &ReadOptions) {
+    match Recording::read(&file_with(bytes), options) {
+        Ok(recording) => {
+            let streams = [&recording.accelerometer, &recording.gyroscope];
+            streams.into_iter().flatten().for_each(is_sound);
+            recording.warnings.iter().for_each(is_short);
+        }
+        Err(error) => is_short(&error),
+    }
+}
+
+/// A recording in any text; the first byte chooses the options.
+fn recording(bytes: &[u8]) {
+    let Some((choice, rest)) = bytes.split_first() else {
+        return;
+    };
+    let options = ReadOptions {
+        na_drop: choice & 1 != 0,
+        sort_time: choice & 2 != 0,
+        rate: (choice & 4 != 0).then_some(100.0),
+        skip_bad_rows: usize::from(choice >> 6),
+        ..ReadOptions::default()
+    };
+    read(rest, &options);
+}
+
+/// A header, a row of units or a preface in front of good rows.
+fn header(bytes: &[u8]) {
+    let mut text = bytes.to_vec();
+    for k in 0..40 {
+        let (s, c) = (f64::from(k) * 0.02).sin_cos();
+        let row = format!(
+            "\n{:.2},{:.4},{:.4},0.1,{s:.4},{c:.4},2",
+            0.01 * f64::from(k),
+            9.8 * c,
+            9.8 * s
+        );
+        text.extend_from_slice(row.as_bytes());
+    }
+    read(&text, &ReadOptions::default());
+}
+
+/// What `--columns` takes.
+fn columns(bytes: &[u8]) {
+    if let Err(error) = String::from_utf8_lossy(bytes).parse::<ColumnMap>() {
+        is_short(&error);
+    }
+}
+
+/// An expression of an effect.
+fn expression(bytes: &[u8]) {
+    let definition = Definition {
+        name: "gyro_fuzzed".to_owned(),
+        x: String::from_utf8_lossy(bytes).into_owned(),
+        parameters: vec![DefinedParam::new("k", "rad/s", 1e-2)],
+        ..Definition::silent(Sensor::Gyroscope)
+    };
+    if let Err(error) = definition.effect() {
+        is_short(&error);
+    }
+}
+
+/// A file of effects.
+fn effects(bytes: &[u8]) {
+    if let Err(error) = parse_effects(&String::from_utf8_lossy(bytes), "effects.toml") {
+        is_short(&error);
+    }
+}
+
+/// What to simulate: read and planned, not run.
+fn spec(bytes: &[u8]) {
+    let spec = Spec::from_toml(&String::from_utf8_lossy(bytes), "spec.toml");
+    if let Err(error) = spec.and_then(|spec| Simulation::new(&spec).map(drop)) {
+        is_short(&error);
+    }
+}
+
+/// A calibration.
+fn calibration_file(bytes: &[u8]) {
+    match calib::calibration::load(&file_with(bytes)) {
+        Ok(found) => {
+            let again = serde_json::to_string(&found);
+            assert!(again.is_ok(), "what was read can be written");
+        }
+        Err(error) => is_short(&error),
+    }
+}
+
+/// Noise densities as `allan` writes them.
+fn noise(bytes: &[u8]) {
+    if let Err(error) = walks_in(&file_with(bytes)) {
+        is_short(&error);
+    }
+}
+
+/// Tables of static intervals and of static means.
+fn tables(bytes: &[u8]) {
+    let path = file_with(bytes);
+    let stream = Stream {
+        t: (0..100).map(f64::from).collect(),
+        values: vec![Vector3::z(); 100],
+    };
+    let recording = Recording {
+        accelerometer: Some(stream),
+        ..Recording::default()
+    };
+    if let Err(error) = read_sections(&path, &recording) {
+        is_short(&error);
+    }
+    if let Err(error) = calib::calibrate::read_static_means(&path) {
+        is_short(&error);
+    }
+}

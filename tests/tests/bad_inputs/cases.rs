@@ -1,0 +1,16 @@
+//! The catalogue of bad inputs: each numbered case is a test of the binary under its number.
+//!
+//! Every file is made here. A case runs the program in a folder of its own and looks at the exit status, at what is said and
+//! at what is left in the folder.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
+
+mod bench;
+mod device;
+mod encodings;
+mod files;
+mod motion;
+#[cfg(unix)]
+mod outputs;
+mod time;
+mod values;

@@ -1,0 +1,225 @@
+//! Cases 120 to 142: outputs, the environment, configuration and what runs beside.
+
+use serde_json::Value;
+
+use crate::bench::{Bench, Run};
+use crate::device::{csv, good};
+
+fn bench() -> Bench {
+    Bench::with("r.csv", csv(good()))
+}
+
+/// A folder with `r.csv` and its calibration `cal.json`.
+fn calibrated() -> Bench {
+    let bench = bench();
+    bench
+        .run(&["calibrate", "r.csv", "-o", "cal.json"])
+        .ends(0)
+        .changes(&["cal.json"]);
+    bench
+}
+
+#[test]
+fn case_122_a_folder_that_cannot_be_written() {
+    let bench = bench();
+    let run = bench.run(&["calibrate", "r.csv", "-o", "/proc/cal.json"]);
+    run.ends(6).says(&["/proc/cal.json"]);
+    bench.write("file", "no folder");
+    let run = bench.run(&["calibrate", "r.csv", "-o", "file/cal.json"]);
+    run.ends(6).says(&["file"]);
+}
+
+/// The program under limits that the shell sets.
+fn limited(bench: &Bench, limit: &str, args: &[&str]) -> Run {
+    let mut command = std::process::Command::new("bash");
+    command
+        .current_dir(bench.path(""))
+        .arg("-c")
+        .arg(format!("{limit}; exec \"$0\" \"$@\""))
+        .arg(env!("CARGO_BIN_EXE_stillpoint"))
+        .args(args);
+    bench.watch(command)
+}
+
+#[test]
+fn case_123_a_limit_on_file_sizes() {
+    let bench = calibrated();
+    bench.write("c.csv", "old");
+    let args = ["apply", "cal.json", "r.csv", "-o", "c.csv", "--force"];
+    limited(&bench, "ulimit -f 100", &args).ends(6).changes(&[]);
+}
+
+#[test]
+fn case_124_what_a_killed_run_left_is_ignored() {
+    let bench = bench();
+    bench.write(".cal.json.partial", "half of a file");
+    bench.write(".cal.jsonAbCdEf.partial", "half of a file");
+    bench.run(&["calibrate", "r.csv", "-o", "cal.json"]).ends(0);
+    let text = std::fs::read_to_string(bench.path("cal.json")).unwrap();
+    serde_json::from_str::<Value>(&text).unwrap();
+}
+
+#[test]
+fn case_125_two_runs_to_one_output() {
+    let bench = bench();
+    let mut runs = Vec::new();
+    for _ in 0..6 {
+        let args = ["calibrate", "r.csv", "-o", "cal.json"];
+        runs.push(bench.command(&args).spawn().unwrap());
+    }
+    let codes: Vec<_> = runs
+        .iter_mut()
+        .map(|run| run.wait().unwrap().code())
+        .collect();
+    assert!(codes.contains(&Some(0)), "{codes:?}");
+    assert!(codes.iter().all(|c| matches!(c, Some(0 | 6))), "{codes:?}");
+    let text = std::fs::read_to_string(bench.path("cal.json")).unwrap();
+    serde_json::from_str::<Value>(&text).unwrap();
+}
+
+#[test]
+fn case_127_a_reader_that_closes_the_pipe() {
+    let bench = calibrated();
+    let program = env!("CARGO_BIN_EXE_stillpoint");
+    let line = format!(
+        "set -o pipefail; '{program}' apply cal.json r.csv | head -1 >/dev/null; echo ${{PIPESTATUS[0]}}"
+    );
+    let mut command = std::process::Command::new("bash");
+    command.current_dir(bench.path("")).args(["-c", &line]);
+    let run = bench.watch(command);
+    assert_eq!((run.stdout.trim(), run.stderr.as_str()), ("0", ""));
+}
+
+#[test]
+fn case_128_nothing_on_standard_input() {
+    let run = bench().run(&["calibrate", "-"]);
+    assert!(matches!(run.status, Some(2 | 3)), "{run:#?}");
+    run.says(&["standard input"]);
+}
+
+#[test]
+fn case_129_a_device_as_output() {
+    let bench = bench();
+    for target in ["/dev/full", "/dev/null"] {
+        let run = bench.run(&["calibrate", "r.csv", "-o", target, "--force"]);
+        run.ends(6).says(&[target]);
+    }
+}
+
+#[test]
+fn case_131_markup_in_names_stays_text() {
+    let bench = Bench::new();
+    let name = "<img src=x onerror=alert(1)>.csv";
+    bench.write(name, csv(good()));
+    bench
+        .run(&["calibrate", name, "--report", "r.html"])
+        .ends(0);
+    let page = std::fs::read_to_string(bench.path("r.html")).unwrap();
+    assert!(!page.contains("<img src=x"), "markup in the page");
+    assert!(page.contains("&lt;img"), "the name is not shown");
+}
+
+#[test]
+fn case_132_escape_sequences_in_names_are_shown_escaped() {
+    let bench = Bench::new();
+    let name = "\u{1b}[31mred\u{7}.csv";
+    bench.write(name, "no recording");
+    // `Run` asserts that no control character passes.
+    bench.run(&["calibrate", name]).ends(3).says(&["red"]);
+}
+
+#[test]
+fn case_138_the_environment_does_not_matter() {
+    let bench = bench();
+    let usual = bench.run(&["calibrate", "r.csv", "--json"]);
+    for (key, value) in [
+        ("LANG", "de_DE.UTF-8"),
+        ("LC_ALL", "C"),
+        ("TZ", "Asia/Kathmandu"),
+        ("HOME", "/nonexistent"),
+        ("RAYON_NUM_THREADS", "1"),
+        ("RAYON_NUM_THREADS", "64"),
+        ("COLUMNS", "100000"),
+    ] {
+        let mut command = bench.command(&["calibrate", "r.csv", "--json"]);
+        command.env(key, value);
+        let run = bench.watch(command);
+        assert_eq!(run.stdout, usual.stdout, "{key}={value}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn case_139_a_limit_on_memory_is_an_error_not_an_abort() {
+    let bench = Bench::new();
+    let mut rows = Vec::new();
+    for copy in 0..30 {
+        rows.extend(good().iter().map(|row| {
+            let mut row = *row;
+            row[0] += 200.0 * f64::from(copy);
+            row
+        }));
+    }
+    bench.write("r.csv", csv(&rows));
+    for kilobytes in [40_000, 60_000, 80_000, 120_000] {
+        let run = limited(
+            &bench,
+            &format!("ulimit -v {kilobytes}"),
+            &["segment", "r.csv"],
+        );
+        assert!(matches!(run.status, Some(0 | 3)), "{kilobytes}: {run:#?}");
+    }
+}
+
+#[test]
+fn case_140_clocks_in_1970_and_2106_change_nothing() {
+    let at = |start: f64| {
+        let rows: Vec<_> = good()
+            .iter()
+            .map(|row| {
+                let mut row = *row;
+                row[0] += start;
+                row
+            })
+            .collect();
+        let bench = Bench::with("r.csv", csv(&rows));
+        let run = bench.run(&["calibrate", "r.csv", "--json"]);
+        let bias = run.ends(0).json()["gyroscope"]["bias"][0].clone();
+        bias.as_f64().unwrap()
+    };
+    let (early, late) = (at(0.0), at(4_294_967_296.0));
+    assert!((early - late).abs() < 1e-7, "{early} {late}");
+}
+
+#[test]
+fn case_142_an_effect_that_gives_no_number_or_takes_forever() {
+    let bench = bench();
+    let deep = format!("{}wx{}", "sin(".repeat(40), ")".repeat(40));
+    for (name, formula) in [
+        ("nan", "k * sqrt(-1 - wx * wx)"),
+        ("deep", &format!("k * {deep}")),
+    ] {
+        bench.write(
+            "e.toml",
+            format!(
+                "[[definitions]]\nname = \"gyro_{name}\"\nsensor = \"gyroscope\"\nx = \"{formula}\"\n\
+                 parameters = [{{ name = \"k\", unit = \"rad/s\", typical = 1e-2 }}]\n"
+            ),
+        );
+        let effect = format!("gyro_{name}");
+        let args = [
+            "calibrate",
+            "r.csv",
+            "--effect-file",
+            "e.toml",
+            "--effects",
+            &effect,
+        ];
+        let run = bench.run(&args);
+        assert!(matches!(run.status, Some(0 | 2..=5)), "{run:#?}");
+        if name == "nan" {
+            assert_ne!(run.status, Some(0), "{run:#?}");
+            run.says(&["e.toml", "NaN"]);
+        }
+    }
+}

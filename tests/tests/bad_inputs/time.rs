@@ -1,0 +1,158 @@
+//! Cases 61 to 79: stamps.
+
+use crate::bench::{Bench, Run};
+use crate::device::{HEADER, Row, csv, good, lines, spoilt, table};
+
+#[track_caller]
+fn calibrate(content: impl AsRef<[u8]>, more: &[&str]) -> Run {
+    let bench = Bench::with("r.csv", content);
+    bench.run(&[&["calibrate", "r.csv"], more].concat())
+}
+
+/// The good rows with stamps as text.
+fn stamped(stamp: impl Fn(&Row) -> String) -> String {
+    let with = |row: &Row| {
+        let line = crate::device::line(row);
+        let (_, values) = line.split_once(',').unwrap();
+        format!("{},{values}", stamp(row))
+    };
+    table(HEADER, &good().iter().map(with).collect::<Vec<_>>())
+}
+
+#[test]
+fn case_061_time_that_goes_back_once() {
+    let mut rows = good().to_vec();
+    rows.swap(5000, 5400);
+    let run = calibrate(csv(&rows), &[]);
+    run.ends(3).says(&["r.csv:5003", "--sort-time"]);
+    calibrate(csv(&rows), &["--sort-time"]).ends(0);
+}
+
+#[test]
+fn case_062_stamps_that_occur_twice() {
+    let rows: Vec<Row> = good()
+        .iter()
+        .enumerate()
+        .flat_map(|(k, row)| std::iter::repeat_n(*row, if k % 100 == 7 { 2 } else { 1 }))
+        .collect();
+    calibrate(csv(&rows), &[]).ends(0).says(&["r.csv", "stamp"]);
+}
+
+#[test]
+fn case_063_stamps_that_stand_still() {
+    let run = calibrate(stamped(|_| "1.0".into()), &[]);
+    run.ends(3).says(&["--rate"]);
+}
+
+#[test]
+fn case_064_no_time_column() {
+    let without: Vec<String> = lines(good())
+        .iter()
+        .map(|line| line.split_once(',').unwrap().1.to_owned())
+        .collect();
+    let text = table("ax,ay,az,gx,gy,gz", &without);
+    calibrate(&text, &[]).ends(2).says(&["--rate"]);
+    calibrate(&text, &["--rate", "100"]).ends(0);
+}
+
+#[test]
+fn case_065_the_unit_of_time_by_the_rate() {
+    for (factor, unit) in [(1e3, "ms"), (1e6, "us"), (1e9, "ns")] {
+        let run = calibrate(stamped(|row| format!("{:.0}", row[0] * factor)), &[]);
+        run.ends(0).says(&[unit]);
+    }
+}
+
+#[test]
+fn case_066_epochs_in_nanoseconds() {
+    let stamp = |row: &Row| format!("17{:017.0}", 1e17 + row[0] * 1e9 - 1e17);
+    calibrate(stamped(stamp), &[]).ends(0);
+}
+
+#[test]
+fn case_067_stamps_rounded_to_steps_of_128_seconds() {
+    let run = calibrate(stamped(|row| format!("{}", 1.7e9_f32 + row[0] as f32)), &[]);
+    run.ends(3).says(&["stamp"]);
+}
+
+#[test]
+fn case_068_dates_by_their_pattern_only() {
+    let stamp = |row: &Row| {
+        let seconds = row[0] % 60.0;
+        let minutes = (row[0] / 60.0) as u32;
+        format!("21.11.2026 03:{minutes:02}:{seconds:06.3}")
+    };
+    calibrate(stamped(stamp), &[])
+        .ends(3)
+        .says(&["--time-format"]);
+    let format = ["--time-format", "%d.%m.%Y %H:%M:%S%.f"];
+    calibrate(stamped(stamp), &format).ends(0);
+}
+
+#[test]
+fn case_069_a_clock_that_jumps_forward() {
+    let rows = spoilt(|k, row| row[0] += if k > 7000 { 3600.0 } else { 0.0 });
+    calibrate(csv(&rows), &[]).ends(0).says(&["gap"]);
+}
+
+#[test]
+fn case_070_a_counter_that_wraps() {
+    let stamp = |row: &Row| format!("{}", (row[0] * 1000.0).round() as u64 % 65536);
+    calibrate(stamped(stamp), &[])
+        .ends(0)
+        .says(&["starts again", "2 times"]);
+}
+
+#[test]
+fn case_071_gaps_of_a_third_of_a_second_and_of_ten_minutes() {
+    for length in [0.3, 600.0] {
+        let rows = spoilt(|k, row| row[0] += if k > 7000 { length } else { 0.0 });
+        calibrate(csv(&rows), &[]).ends(0).says(&["gap"]);
+    }
+}
+
+#[test]
+fn case_076_sensors_at_rates_of_their_own() {
+    let bench = Bench::new();
+    let pick = |columns: [usize; 4], every: usize| -> Vec<String> {
+        let rows = good().iter().step_by(every);
+        rows.map(|row| columns.map(|k| format!("{:.6}", row[k])).join(","))
+            .collect()
+    };
+    bench.write("s/acc.csv", table("t,ax,ay,az", &pick([0, 1, 2, 3], 4)));
+    bench.write("s/gyro.csv", table("t,gx,gy,gz", &pick([0, 4, 5, 6], 1)));
+    bench.run(&["calibrate", "s"]).ends(0);
+}
+
+/// A folder whose gyroscope is late by `offset` and whose clock runs fast by `drift`.
+fn apart(offset: f64, drift: f64) -> Bench {
+    let bench = Bench::new();
+    let pick = |columns: [usize; 4], own: bool| -> Vec<String> {
+        let row = |row: &Row| {
+            let mut row = *row;
+            if own {
+                row[0] = row[0] * (1.0 + drift) + offset;
+            }
+            columns.map(|k| format!("{:.6}", row[k])).join(",")
+        };
+        good().iter().map(row).collect()
+    };
+    bench.write("s/acc.csv", table("t,ax,ay,az", &pick([0, 1, 2, 3], false)));
+    bench.write("s/gyro.csv", table("t,gx,gy,gz", &pick([0, 4, 5, 6], true)));
+    bench
+}
+
+#[test]
+fn case_077_sensors_that_do_not_overlap() {
+    let run = apart(1000.0, 0.0).run(&["calibrate", "s"]);
+    run.ends(3).says(&["1000", "overlap"]);
+}
+
+#[test]
+fn case_079_values_that_a_slower_sensor_held() {
+    let rows = spoilt(|k, row| {
+        let held = good()[k - k % 4];
+        row[1..4].copy_from_slice(&held[1..4]);
+    });
+    calibrate(csv(&rows), &[]).ends(0).says(&["held"]);
+}

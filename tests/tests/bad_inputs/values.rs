@@ -1,0 +1,207 @@
+//! Cases 80 to 103: values and their units.
+
+use crate::bench::{Bench, Run};
+use crate::device::{HEADER, Row, csv, good, lines, spoilt, table};
+
+const G: f64 = 9.80665;
+
+#[track_caller]
+fn calibrate(content: impl AsRef<[u8]>, more: &[&str]) -> Run {
+    let bench = Bench::with("r.csv", content);
+    bench.run(&[&["calibrate", "r.csv"], more].concat())
+}
+
+/// The accelerometer times `accel`, the gyroscope times `gyro`.
+fn scaled(accel: f64, gyro: f64) -> String {
+    csv(&spoilt(|_, row| {
+        row[1..4].iter_mut().for_each(|v| *v *= accel);
+        row[4..7].iter_mut().for_each(|v| *v *= gyro);
+    }))
+}
+
+/// The diagonal of a triad's `T`.
+#[track_caller]
+fn scale_of(run: &Run, sensor: &str) -> [f64; 3] {
+    let t = &run.json()[sensor]["T"];
+    [0, 1, 2].map(|k| t[k][k].as_f64().unwrap())
+}
+
+#[test]
+fn case_080_an_accelerometer_in_other_units() {
+    // g is converted on reading; a unit that is not recognised is carried by T.
+    for (factor, unit) in [(1.0 / G, 1.0), (1000.0 / G, 1000.0 / G), (100.0, 100.0)] {
+        let run = calibrate(scaled(factor, 1.0), &["--json"]);
+        run.ends(0);
+        assert!(
+            run.stderr.contains("accelerometer") || run.stderr.contains("r.csv"),
+            "{run:#?}"
+        );
+        for s in scale_of(&run, "accelerometer") {
+            assert!((s * unit - 1.0).abs() < 0.05, "{factor}: {s}");
+        }
+    }
+}
+
+#[test]
+fn case_081_degrees_per_second() {
+    let degree = std::f64::consts::PI / 180.0;
+    let run = calibrate(scaled(1.0, 1.0 / degree), &["--json"]);
+    run.ends(0).says(&["degrees per second"]);
+    for s in scale_of(&run, "gyroscope") {
+        assert!((s / degree - 1.0).abs() < 0.05, "{s}");
+    }
+}
+
+#[test]
+fn case_082_columns_by_name_not_by_place() {
+    let swapped: Vec<String> = lines(good())
+        .iter()
+        .map(|line| {
+            let c: Vec<&str> = line.split(',').collect();
+            [c[0], c[3], c[2], c[1], c[6], c[5], c[4]].join(",")
+        })
+        .collect();
+    let usual = calibrate(csv(good()), &["--json"]);
+    let run = calibrate(table("t,az,ay,ax,gz,gy,gx", &swapped), &["--json"]);
+    assert_eq!(run.ends(0).json()["covariance"], usual.json()["covariance"]);
+}
+
+#[test]
+fn case_083_the_gyroscope_first() {
+    let swapped: Vec<String> = lines(good())
+        .iter()
+        .map(|line| {
+            let c: Vec<&str> = line.split(',').collect();
+            [c[0], c[4], c[5], c[6], c[1], c[2], c[3]].join(",")
+        })
+        .collect();
+    calibrate(table("t,gx,gy,gz,ax,ay,az", &swapped), &[]).ends(0);
+    calibrate(swapped.join("\n"), &[]).ends(0).says(&["gx=2"]);
+}
+
+#[test]
+fn case_086_axes_of_the_gyroscope_turned_by_a_right_angle() {
+    let rows = spoilt(|_, row| {
+        let (x, y) = (row[4], row[5]);
+        row[4] = y;
+        row[5] = -x;
+    });
+    let run = calibrate(csv(&rows), &[]);
+    run.says(&["axes"]);
+    assert!(matches!(run.status, Some(0 | 1)), "{run:#?}");
+}
+
+#[test]
+fn case_088_a_bias_of_half_a_g() {
+    let rows = spoilt(|_, row| row[1] += 0.5 * G);
+    calibrate(csv(&rows), &[]).ends(0);
+}
+
+#[test]
+fn case_089_absurd_sizes() {
+    for size in ["1e300", "-1e300"] {
+        let mut rows = lines(good());
+        rows[48] = format!("0.48,{size},2,3,4,5,6");
+        calibrate(table(HEADER, &rows), &[])
+            .ends(3)
+            .says(&["r.csv", "ax"]);
+    }
+}
+
+#[test]
+fn case_091_an_axis_of_zeros() {
+    let rows = spoilt(|_, row| row[5] = 0.0);
+    calibrate(csv(&rows), &[]).ends(3).says(&["gy"]);
+}
+
+#[test]
+fn case_095_an_accelerometer_without_gravity() {
+    let rows = spoilt(|k, row| {
+        let mean = good()[k - k % 50];
+        for axis in 1..4 {
+            row[axis] -= mean[axis];
+        }
+    });
+    calibrate(csv(&rows), &[]).ends(3).says(&["gravity"]);
+}
+
+#[test]
+fn case_096_readings_that_the_system_has_corrected() {
+    let header = "t,user_accel_x_with_gravity,ay,az,motionRotationRateX,gy,gz";
+    let header = header.replace("user_accel_x_with_gravity", "ax");
+    let header = header.replace("motionRotationRateX", "gx");
+    // Corrected readings show at a gyroscope whose static mean is zero to within its error.
+    let bias: [f64; 3] = {
+        let still: Vec<&Row> = good().iter().take_while(|row| row[0] < 19.0).collect();
+        [4, 5, 6].map(|k| still.iter().map(|row| row[k]).sum::<f64>() / still.len() as f64)
+    };
+    let rows = spoilt(|_, row| (0..3).for_each(|k| row[4 + k] -= bias[k]));
+    calibrate(table(&header, &lines(&rows)), &[]).ends(0);
+}
+
+#[test]
+fn case_098_temperatures_that_cannot_be() {
+    let with = |celsius: &dyn Fn(f64) -> f64| -> String {
+        let line = |row: &Row| format!("{},{:.3}", crate::device::line(row), celsius(row[0]));
+        let rows: Vec<String> = good().iter().map(line).collect();
+        table("t,ax,ay,az,gx,gy,gz,temp", &rows)
+    };
+    calibrate(with(&|t| 298.0 + 0.01 * t), &[])
+        .ends(0)
+        .says(&["K"]);
+    calibrate(with(&|t| 521.0 + t), &[])
+        .ends(0)
+        .says(&["temperature"]);
+    let bench = Bench::with("r.csv", with(&|_| 25.0));
+    let run = bench.run(&["calibrate", "r.csv", "--effects", "accel_temperature"]);
+    run.ends(4).says(&["temperature"]);
+}
+
+#[test]
+fn case_100_a_wrong_gravity() {
+    calibrate(csv(good()), &["--gravity", "48.1"])
+        .ends(2)
+        .says(&["--gravity"]);
+    let run = calibrate(csv(good()), &["--gravity", "9.70"]);
+    run.ends(2).says(&["9.76", "9.84"]);
+}
+
+#[test]
+fn case_101_no_gyroscope() {
+    let rows: Vec<String> = lines(good())
+        .iter()
+        .map(|line| line.split(',').take(4).collect::<Vec<_>>().join(","))
+        .collect();
+    calibrate(table("t,ax,ay,az", &rows), &[])
+        .ends(0)
+        .says(&["gyroscope"]);
+}
+
+#[test]
+fn case_102_no_accelerometer() {
+    let rows: Vec<String> = lines(good())
+        .iter()
+        .map(|line| {
+            let c: Vec<&str> = line.split(',').collect();
+            [c[0], c[4], c[5], c[6]].join(",")
+        })
+        .collect();
+    let run = calibrate(table("t,gx,gy,gz", &rows), &[]);
+    run.ends(0).says(&["accelerometer"]);
+}
+
+#[test]
+fn case_103_sixteen_bits_that_overflow() {
+    let rows = spoilt(|_, row| {
+        for v in &mut row[1..4] {
+            let counts = (*v / 0.00025).round() as i64;
+            *v = f64::from(((counts + 32768).rem_euclid(65536) - 32768) as i32);
+        }
+        for v in &mut row[4..7] {
+            *v = (*v / 0.001).round();
+        }
+    });
+    calibrate(csv(&rows), &[])
+        .ends(3)
+        .says(&["16-bit overflow"]);
+}
