@@ -2,6 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod common;
+#[path = "../../tests/src/needed_data.rs"]
+mod needed_data;
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -136,18 +138,9 @@ fn a_recording_without_motion_or_with_one_face_is_not_enough() {
     assert!(String::from_utf8_lossy(&faces.stderr).contains("no rest with x down"));
 }
 
-/// The folder of the phone recordings (`$STILLPOINT_DATA/phone`); `None`, said aloud, without it.
+/// The folder of the phone recordings; `None`, said aloud, without it.
 fn phone() -> Option<PathBuf> {
-    let data = std::env::var_os("STILLPOINT_DATA").map_or_else(
-        || PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../shared/data"),
-        PathBuf::from,
-    );
-    let phone = data.join("phone");
-    let found = phone.is_dir();
-    if !found {
-        eprintln!("skipped: no recordings in {}", phone.display());
-    }
-    found.then_some(phone)
+    needed_data::needed("phone")
 }
 
 const CART: [(&str, &str, &str); 6] = [

@@ -6,6 +6,7 @@ pub mod conditions;
 pub mod coverage;
 pub mod fuzz;
 pub mod leave_one_out;
+pub mod needed_data;
 pub mod noise_source;
 pub mod phone;
 pub mod power;

@@ -5,19 +5,11 @@ use std::path::PathBuf;
 use calib::Recording;
 use calib::recording::ReadOptions;
 
-/// The folder of the phone recordings: `$STILLPOINT_DATA/phone`, by default beside the workspace
-/// (`../shared/data/phone`); prints that the test is skipped and gives `None` where it is missing.
+use crate::needed_data::needed;
+
+/// The folder of the phone recordings; `None`, said aloud, where it is [missing](needed).
 pub fn folder() -> Option<PathBuf> {
-    let data = std::env::var_os("STILLPOINT_DATA").map_or_else(
-        || PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../shared/data"),
-        PathBuf::from,
-    );
-    let phone = data.join("phone");
-    if phone.is_dir() {
-        return Some(phone);
-    }
-    eprintln!("skipped: no recordings in {}", phone.display());
-    None
+    needed("phone")
 }
 
 /// One recording of the phone, by its path in the folder.

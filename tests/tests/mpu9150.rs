@@ -4,14 +4,10 @@
 use calib::Recording;
 use calib::calibrate::{Method, Outcome, Request, calibrate};
 use calib::recording::ReadOptions;
-use stillpoint_tests::phone;
+use stillpoint_tests::needed_data::needed;
 
 fn calibrated(name: &str, method: Method) -> Option<Outcome> {
-    let path = phone::folder()?.join("../mpu9150").join(name);
-    if !path.is_file() {
-        eprintln!("skipped: no recording {}", path.display());
-        return None;
-    }
+    let path = needed(&format!("mpu9150/{name}"))?;
     let recording = Recording::read(&path, &ReadOptions::default()).unwrap();
     let request = Request {
         method,

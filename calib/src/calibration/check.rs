@@ -13,7 +13,36 @@ use crate::recording::{figure, place::shown_path};
 /// used (a matrix without inverse, an unknown effect); the message names the entry.
 pub fn load(path: &Path) -> Result<Calibration, Error> {
     let text = crate::read_text(path)?;
+    refuse_newer(path, &text, SCHEMA)?;
     parse(&text).map_err(|what| Error::Input(format!("{}:{what}", shown_path(path))))
+}
+
+/// Refuses a file of a version of `schema` that this program is too old for: another program is to be called.
+///
+/// # Errors
+/// [`Error::Usage`] with both versions.
+pub(crate) fn refuse_newer(path: &Path, text: &str, schema: &str) -> Result<(), Error> {
+    #[derive(serde::Deserialize)]
+    struct Tag {
+        schema: String,
+    }
+    let version = |schema: &str| {
+        let (name, version) = schema.rsplit_once('/')?;
+        Some((name.to_owned(), version.parse::<u32>().ok()?))
+    };
+    let found = serde_json::from_str::<Tag>(text)
+        .map(|tag| tag.schema)
+        .unwrap_or_default();
+    match (version(&found), version(schema)) {
+        (Some((name, new)), Some((own, known))) if name == own && new > known => {
+            Err(Error::Usage(format!(
+                "{}: written as {found} by a newer version; this one reads {schema}; use the newer one, or write the file again \
+                 with this one",
+                shown_path(path)
+            )))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The calibration in `text`; the error begins with its place.

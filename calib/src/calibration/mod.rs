@@ -10,6 +10,7 @@ mod units;
 
 pub use apply::apply;
 pub use check::load;
+pub(crate) use check::refuse_newer;
 pub use clock::{BetweenSamples, RecordingClock};
 pub use frame::in_symmetric_frame;
 pub use misfit::{Remainder, WITH_WALKS, WITHOUT_WALKS};

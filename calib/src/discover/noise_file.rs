@@ -5,6 +5,7 @@ use std::path::Path;
 use sensor::Sensor;
 
 use super::projected::Walks;
+use crate::calibration::refuse_newer;
 use crate::error::Error;
 use crate::noise::{NOISE_SCHEMA, NoiseSummary, NoiseTerm, SensorNoise, TermValue};
 use crate::recording::place::shown_path;
@@ -30,6 +31,7 @@ pub struct GivenWalks {
 /// An unreadable file, another schema, and a walk that the file does not bound.
 pub fn walks_in(path: &Path) -> Result<GivenWalks, Error> {
     let text = crate::read_text(path)?;
+    refuse_newer(path, &text, NOISE_SCHEMA)?;
     let summary = parse(&text).map_err(|what| at(path, &what))?;
     let mut given = GivenWalks {
         walks: [0.0; 2],

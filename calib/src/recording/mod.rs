@@ -21,6 +21,7 @@ pub mod formats;
 mod header;
 mod held;
 mod lines;
+mod memory;
 mod names;
 mod number;
 mod options;

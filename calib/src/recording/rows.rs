@@ -10,6 +10,7 @@ use nalgebra::Vector3;
 use super::batches::{Batch, Batches, Stop};
 use super::dialect::Cell;
 use super::lines::{Line, end_of_line, lines};
+use super::memory::one_more;
 use super::number::Dialects;
 use super::options::ReadOptions;
 use super::pipeline::parse_all;
@@ -252,6 +253,13 @@ impl<'a> Rows<'a> {
             && (self.options.sort_time
                 || self.table.temperature_t.last().is_none_or(|&last| t > last))
         {
+            let stamps = one_more(&mut self.table.temperature_t);
+            if stamps
+                .and_then(|()| one_more(&mut self.table.temperature))
+                .is_err()
+            {
+                return self.in_order(None, t, line);
+            }
             self.table.temperature_t.push(t);
             self.table.temperature.push(temperature);
         }
@@ -275,7 +283,7 @@ impl<'a> Rows<'a> {
             }
             Some(_) => Ok(()),
             None => {
-                let words = "not enough memory for more rows".to_owned();
+                let words = "not enough memory for more rows; cut the recording here, or raise the limit (ulimit -v)".to_owned();
                 Err(Trouble::Refused(self.at(line, 0, words)))
             }
         }

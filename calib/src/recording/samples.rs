@@ -2,6 +2,8 @@
 
 use nalgebra::Vector3;
 
+use super::memory::one_more;
+
 /// What became of a sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Pushed {
@@ -74,8 +76,9 @@ impl Samples {
     /// # Errors
     /// When memory is short.
     pub fn make_room(&mut self) -> Result<(), ()> {
-        self.t.try_reserve(1).map_err(|_| ())?;
-        self.values.try_reserve(1).map_err(|_| ())
+        one_more(&mut self.t)?;
+        one_more(&mut self.values)?;
+        one_more(&mut self.lines)
     }
 
     fn settle(&mut self, t: f64, value: Vector3<f64>, line: u64, last: f64) -> Pushed {

@@ -58,7 +58,7 @@ impl Input {
                     "{}, about {:.0} rows that need {} of memory; the limit is {}; --max-bytes {} raises it",
                     bytes(metadata.len() as f64),
                     metadata.len() as f64 / 70.0,
-                    bytes(metadata.len() as f64 / 70.0 * 64.0),
+                    bytes(metadata.len() as f64 / 70.0 * 128.0),
                     bytes(options.max_bytes as f64),
                     metadata.len()
                 ),
@@ -182,6 +182,11 @@ impl Unchanged {
             size: metadata.len(),
             modified: metadata.modified().ok(),
         }
+    }
+
+    /// Its size when it was opened, bytes.
+    pub(super) fn size(&self) -> u64 {
+        self.size
     }
 
     /// Refuses a file that changed while it was read.

@@ -4,12 +4,13 @@ use sensor::Sensor;
 
 use super::batches::Batches;
 use super::clock::Clock;
+use super::memory;
 use super::options::ReadOptions;
 use super::place::in_file;
 use super::rows::Rows;
 use super::samples::Samples;
 use super::sniff::Start;
-use super::source::Input;
+use super::source::{Input, Unchanged};
 use super::units::Stated;
 use crate::Error;
 
@@ -77,10 +78,26 @@ impl Table {
                 .map(|w| format!("{}: {w}", input.name)),
         );
         let unchanged = input.unchanged.take();
+        let sensors = [start.layout.accel, start.layout.gyro];
+        let sensors = sensors.iter().flatten().count() as u64;
+        if let Some(size) = unchanged.as_ref().map(Unchanged::size) {
+            let rows = rows_in(&input.head, size).min(options.max_rows);
+            memory::room_to_read(&input.name, rows, sensors)?;
+        }
         let batches = Batches::new(input.into_reader(), options.max_bytes);
         Rows::new(&mut table, &start, options).read(batches)?;
         unchanged.map_or(Ok(()), |file| file.check())?;
+        memory::room_to_work(&table.name, table.accel.t.len() + table.gyro.t.len())?;
         Ok(table)
+    }
+}
+
+/// About how many rows a text of `size` bytes has that begins with `head`. Of one that is compressed fewer.
+fn rows_in(head: &[u8], size: u64) -> u64 {
+    let lines = memchr::memchr_iter(b'\n', head).count() as u64;
+    match lines {
+        0 => 0,
+        _ => size / (head.len() as u64).div_ceil(lines),
     }
 }
 

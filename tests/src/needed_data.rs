@@ -1,0 +1,45 @@
+//! Recordings that tests need and a clone lacks.
+
+use std::io::Write;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Tests of this process that were skipped.
+static SKIPPED: AtomicUsize = AtomicUsize::new(0);
+
+/// `part` of the folder of recordings: `$STILLPOINT_DATA`, by default `../shared/data` beside the workspace.
+///
+/// Where it is missing the calling test is to end: that it was skipped is said on standard error, uncaptured and
+/// counted. With `STILLPOINT_REQUIRE_DATA=1` (as in `.ci/run`) it fails instead.
+///
+/// # Panics
+/// Where the recordings are required and missing.
+#[allow(clippy::panic)]
+pub fn needed(part: &str) -> Option<PathBuf> {
+    let data = std::env::var_os("STILLPOINT_DATA").map_or_else(
+        || PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../shared/data"),
+        PathBuf::from,
+    );
+    let path = data.join(part);
+    if path.exists() {
+        return Some(path);
+    }
+    let required = std::env::var_os("STILLPOINT_REQUIRE_DATA").is_some_and(|value| value != "0");
+    if required {
+        panic!(
+            "{} is missing: name the folder of the recordings in STILLPOINT_DATA, or unset STILLPOINT_REQUIRE_DATA to \
+             skip the tests that need them",
+            path.display()
+        );
+    }
+    let count = SKIPPED.fetch_add(1, Ordering::Relaxed) + 1;
+    let thread = std::thread::current();
+    let test = thread.name().unwrap_or("a test");
+    // Not by `eprintln!`: the output of a test that passes is captured.
+    let _ = writeln!(
+        std::io::stderr(),
+        "skipped: {test}: no {} ({count} skipped in this file so far)",
+        path.display()
+    );
+    None
+}
