@@ -46,15 +46,18 @@ fn end() -> ! {
 
 #[cfg(unix)]
 mod system {
-    use std::sync::mpsc;
+    use std::sync::atomic::{AtomicBool, Ordering};
+    use std::sync::{Arc, mpsc};
     use std::thread;
 
-    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
+    use signal_hook::consts::{SIGABRT, SIGHUP, SIGINT, SIGTERM, SIGXFSZ};
+    use signal_hook::flag;
     use signal_hook::iterator::Signals;
 
     pub fn install() {
         // Beyond a limit on the size of files a write fails, as on a full disk.
-        let _ = signal_hook::flag::register(SIGXFSZ, std::sync::Arc::default());
+        let _ = flag::register(SIGXFSZ, Arc::default());
+        end_without_memory();
         let (installed, ready) = mpsc::channel();
         let wait = move || {
             let wanted = [SIGINT, SIGTERM, SIGHUP]
@@ -71,6 +74,21 @@ mod system {
         let thread = thread::Builder::new().name("interrupt".into());
         if thread.stack_size(256 << 10).spawn(wait).is_ok() {
             let _ = ready.recv();
+        }
+    }
+
+    /// An allocation that fails aborts the process once it has said so. Under a limit of memory that is the fault of too
+    /// large an input, and the status says so; after a panic an abort stays one.
+    fn end_without_memory() {
+        let starved = Arc::new(AtomicBool::new(true));
+        let status = i32::from(crate::exit::INPUT);
+        let ends = flag::register_conditional_shutdown(SIGABRT, status, Arc::clone(&starved));
+        if ends.is_ok() {
+            let usual = std::panic::take_hook();
+            std::panic::set_hook(Box::new(move |panic| {
+                starved.store(false, Ordering::SeqCst);
+                usual(panic);
+            }));
         }
     }
 

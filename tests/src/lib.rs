@@ -4,6 +4,7 @@
 
 pub mod conditions;
 pub mod coverage;
+pub mod faults;
 pub mod fuzz;
 pub mod leave_one_out;
 pub mod needed_data;

@@ -258,7 +258,10 @@ impl DeviceArgs {
 /// A sign of life on a terminal; nothing elsewhere.
 pub fn spinner(what: &str) -> ProgressBar {
     let bar = ProgressBar::new_spinner().with_message(what.to_owned());
-    bar.enable_steady_tick(Duration::from_millis(100));
+    // Its thread is one that a limit of memory may not allow.
+    if !bar.is_hidden() {
+        bar.enable_steady_tick(Duration::from_millis(100));
+    }
     bar
 }
 
