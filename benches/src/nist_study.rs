@@ -48,6 +48,12 @@ impl VariantRuns {
         self.published().map(|run| run.jacobians).sum()
     }
 
+    /// Residuals alone, and second derivatives, of the runs from starts 1 and 2.
+    pub fn other_evaluations(&self) -> [usize; 2] {
+        let sum = |f: fn(&Run) -> usize| self.published().map(f).sum();
+        [sum(|run| run.residuals), sum(|run| run.second_derivatives)]
+    }
+
     /// Runs from the published starts.
     pub fn published(&self) -> impl Iterator<Item = &Run> {
         self.runs.iter().filter(|run| run.start < 3)

@@ -24,8 +24,12 @@ pub struct Outcome {
     pub sum_of_squares: f64,
     /// First-order optimality, see [`Case::optimality`].
     pub optimality: f64,
+    /// Residuals evaluated alone.
+    pub residuals: usize,
     /// Jacobians evaluated.
     pub jacobians: usize,
+    /// Second derivatives evaluated, each along one direction.
+    pub second_derivatives: usize,
     /// Why it stopped.
     pub reason: String,
     /// A known minimum, to [`VALUE`], at a first-order point, to [`OPTIMALITY`].
@@ -74,7 +78,9 @@ fn outcome(group: &str, case: &Case) -> Outcome {
                 problem,
                 sum_of_squares: f64::NAN,
                 optimality: f64::NAN,
+                residuals: 0,
                 jacobians: 0,
+                second_derivatives: 0,
                 reason: error.to_string(),
                 solved: false,
             };
@@ -91,7 +97,9 @@ fn outcome(group: &str, case: &Case) -> Outcome {
         problem,
         sum_of_squares,
         optimality,
-        jacobians: report.jacobian_evaluations,
+        residuals: report.evaluations.residuals,
+        jacobians: report.evaluations.jacobians,
+        second_derivatives: report.evaluations.second_derivatives,
         reason: report.termination.to_string(),
         solved: case.is_minimum(sum_of_squares, VALUE)
             && optimality <= OPTIMALITY

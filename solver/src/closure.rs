@@ -30,6 +30,56 @@ pub fn from_fn_numeric<F: Fn(&[f64], &mut Vec<f64>)>(f: F) -> impl Problem {
     Numeric(f)
 }
 
+/// A problem from its residuals and its Jacobian: `jacobian` appends the derivatives of all residuals by all
+/// parameters, row by row (`m · n` numbers, the `n` of the first residual first).
+///
+/// ```
+/// # use stillpoint_solver as solver;
+/// use solver::{Mask, Options, Parameters, from_fn_with_jacobian, solve};
+///
+/// let valley = from_fn_with_jacobian(
+///     |x, r| r.extend([10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0]]),
+///     |x, j| j.extend([-20.0 * x[0], 10.0, -1.0, 0.0]),
+/// );
+/// let fit = solve(&valley, &Parameters::unnamed(&[-1.2, 1.0]), &Mask::all(2), &Options::default())?;
+/// assert!((fit.parameters.values()[1] - 1.0).abs() < 1e-12);
+/// # Ok::<(), solver::Error>(())
+/// ```
+pub fn from_fn_with_jacobian<R, J>(residuals: R, jacobian: J) -> impl Problem
+where
+    R: Fn(&[f64], &mut Vec<f64>),
+    J: Fn(&[f64], &mut Vec<f64>),
+{
+    Analytic {
+        residuals,
+        jacobian,
+    }
+}
+
+struct Analytic<R, J> {
+    residuals: R,
+    jacobian: J,
+}
+
+impl<R: Fn(&[f64], &mut Vec<f64>), J: Fn(&[f64], &mut Vec<f64>)> Problem for Analytic<R, J> {
+    fn values(&self, x: &[f64], out: &mut Vec<f64>) {
+        out.clear();
+        (self.residuals)(x, out);
+    }
+
+    fn linearize(&self, x: &[f64], free: &[usize], residuals: &mut Vec<f64>) -> Mat<f64> {
+        self.values(x, residuals);
+        let (m, n) = (residuals.len(), x.len());
+        let mut rows = Vec::with_capacity(m * n);
+        (self.jacobian)(x, &mut rows);
+        if rows.len() != m * n {
+            // Of a wrong length: refused as a matrix of another shape is.
+            return Mat::zeros(0, 0);
+        }
+        Mat::from_fn(m, free.len(), |i, k| rows[i * n + free[k]])
+    }
+}
+
 struct Dual<F>(F);
 
 struct Numeric<F>(F);

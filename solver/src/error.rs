@@ -92,6 +92,14 @@ pub enum Error {
         /// The size asked for.
         z: f64,
     },
+    /// A fit without a spare residual, whose noise nothing tells.
+    #[error("{residuals} residuals for rank {rank}: no spare residual to tell the noise by")]
+    NoSpareResidual {
+        /// Number of residuals.
+        residuals: usize,
+        /// Rank of the Jacobian.
+        rank: usize,
+    },
     /// A refit for a profile interval that was stopped before its minimum.
     #[error("a refit of the profile ended early: {termination}")]
     Refit {

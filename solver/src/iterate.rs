@@ -2,11 +2,12 @@
 
 use std::ops::ControlFlow;
 use std::sync::atomic::Ordering;
-use std::time::Instant;
 
 use faer::Mat;
 
+use crate::clock::Moment;
 use crate::descent::{Descent, Local, Step};
+use crate::ending::is_zero;
 use crate::feasible::{Face, Polytope};
 use crate::linear::{Factor, Jacobian};
 use crate::newton;
@@ -14,9 +15,12 @@ use crate::options::{Options, Variant};
 use crate::point::{NotFinite, Point};
 use crate::report::Iteration;
 use crate::scaling::Scaling;
-use crate::search::{Search, Trial};
+use crate::search::{Nielsen, Search, Trial};
 use crate::system::System;
 use crate::vector::{add, norm, scaled_norm};
+
+/// Cost relative to that of the start below which a slow run counts as one to zero, `ε⁴`.
+const NOTHING: f64 = 2.43e-63;
 
 /// Relative offset below which the cost no longer tells two points apart (it changes by the square
 /// of the offset) and the last steps are judged by the gradient instead.
@@ -43,6 +47,8 @@ pub(crate) enum Stop {
     TimeLimit,
     /// The user.
     Cancelled,
+    /// The residuals are zero, to rounding.
+    Zero,
     /// No step leads down.
     Stalled,
     /// Every step leads to where the problem is not finite.
@@ -58,7 +64,7 @@ pub(crate) struct Run<'a> {
     polytope: Option<&'a Polytope>,
     options: &'a Options,
     watch: Watch<'a>,
-    deadline: Option<Instant>,
+    deadline: Option<Moment>,
     iterations: &'a mut Vec<Iteration>,
     scaling: Scaling,
     descent: Box<dyn Descent>,
@@ -69,6 +75,14 @@ pub(crate) struct Run<'a> {
     /// Where the last step led, if its cost is infinite.
     lost: Option<Vec<f64>>,
     cancelled: bool,
+    /// Relative offset at which the last steps are tried.
+    near: f64,
+    /// Cost at the start.
+    first_cost: f64,
+    /// Where the whole Hessian is looked at next, in steps taken, and how many steps later then.
+    next_hessian: usize,
+    gap: usize,
+    is_nielsen: bool,
 }
 
 impl<'a> Run<'a> {
@@ -78,7 +92,7 @@ impl<'a> Run<'a> {
         start: &Point,
         polytope: Option<&'a Polytope>,
         options: &'a Options,
-        deadline: Option<Instant>,
+        deadline: Option<Moment>,
         iterations: &'a mut Vec<Iteration>,
         watch: Watch<'a>,
     ) -> Self {
@@ -92,16 +106,34 @@ impl<'a> Run<'a> {
             deadline,
             iterations,
             descent: options.variant.descent(polytope),
-            search: options
-                .variant
-                .search(scaled_norm(&start.z, scaling.diagonal())),
+            search: options.search(scaled_norm(&start.z, scaling.diagonal())),
             scaling,
             flat: 0,
             taken: 0,
             not_finite: None,
             lost: None,
             cancelled: false,
+            near: NEAR,
+            first_cost: start.at.cost,
+            next_hessian: SLOW,
+            gap: 1,
+            is_nielsen: false,
         }
+    }
+
+    /// From a new point, with the size of the first step.
+    pub fn restart(&mut self, point: &Point) {
+        self.scaling = Scaling::new(point.z.len());
+        self.scaling.update(&point.at.jacobian.column_norms());
+        let size = scaled_norm(&point.z, self.scaling.diagonal());
+        self.search = self.options.search(size);
+        (self.near, self.flat) = (NEAR, 0);
+    }
+
+    /// Goes on until the offset is `tolerance`; false where that was the aim already.
+    pub fn nearer(&mut self, tolerance: f64) -> bool {
+        let was = std::mem::replace(&mut self.near, tolerance);
+        was > tolerance
     }
 
     /// Steps until a reason to stop; `point` becomes the best point.
@@ -113,6 +145,10 @@ impl<'a> Run<'a> {
             }
             if self.flat >= FLAT_STEPS {
                 return Stop::Flat;
+            }
+            if self.taken >= SLOW && (point.at.cost <= NOTHING * self.first_cost || is_zero(point))
+            {
+                return Stop::Zero;
             }
             self.scaling.update(&point.at.jacobian.column_norms());
         }
@@ -133,7 +169,7 @@ impl<'a> Run<'a> {
             offset: 0.0,
         };
         let (tangential, size) = (self.tangential(&local), norm(&point.at.residuals));
-        if tangential <= NEAR * size {
+        if tangential <= self.near * size {
             return Err(Stop::Near);
         }
         local.offset = tangential / size;
@@ -141,7 +177,9 @@ impl<'a> Run<'a> {
         let hessian = self.missing_hessian(&local);
         loop {
             self.limits()?;
-            if let Some(next) = self.attempt(&local, hessian.as_ref())? {
+            let tried = self.attempt(&local, hessian.as_ref())?;
+            self.without_second_derivatives();
+            if let Some(next) = tried {
                 self.taken += 1;
                 return Ok(next);
             }
@@ -167,14 +205,16 @@ impl<'a> Run<'a> {
 
     /// In a slow run of a variant that uses second derivatives, the part of the Hessian that
     /// Gauss–Newton leaves out, in scaled directions.
-    fn missing_hessian(&self, local: &Local<'_>) -> Option<Mat<f64>> {
-        let wanted = matches!(
-            self.options.variant,
-            Variant::LevenbergMarquardt { geodesic: true, .. }
-        );
-        if !wanted || self.polytope.is_some() || self.taken < SLOW {
+    ///
+    /// It costs `n (n + 1) / 2` second derivatives: where it did not pay, the next look is twice as
+    /// many steps away, up to `n / 2`.
+    fn missing_hessian(&mut self, local: &Local<'_>) -> Option<Mat<f64>> {
+        let wanted = self.options.variant.uses_second_derivatives();
+        if !wanted || self.polytope.is_some() || self.taken < self.next_hessian {
             return None;
         }
+        self.next_hessian = self.taken + self.gap;
+        self.gap = (2 * self.gap).clamp(1, (local.scale.len() / 2).max(1));
         let n = local.scale.len();
         let directions = Mat::from_fn(n, n, |i, k| if i == k { 1.0 / local.scale[i] } else { 0.0 });
         newton::curvature(self.system, local.point, directions.as_ref())
@@ -252,7 +292,7 @@ impl<'a> Run<'a> {
 
     /// The step of the descent or, in a slow run, Newton's if that leads lower; with its cost.
     fn better_step(
-        &self,
+        &mut self,
         local: &Local<'_>,
         size: f64,
         hessian: Option<&Mat<f64>>,
@@ -266,8 +306,21 @@ impl<'a> Run<'a> {
             .and_then(|s| newton::damped_step(local, s, size))
             .map(cost_of);
         match (usual, newton) {
-            (Some(usual), Some(newton)) => Some(if newton.1 < usual.1 { newton } else { usual }),
+            (Some(usual), Some(newton)) if newton.1 < usual.1 => {
+                (self.next_hessian, self.gap) = (self.taken + 1, 1);
+                Some(newton)
+            }
             (usual, newton) => usual.or(newton),
+        }
+    }
+
+    /// Where the automatic variant finds that the problem has no second derivatives, it goes on as
+    /// the variant that is best without them.
+    fn without_second_derivatives(&mut self) {
+        let automatic = self.options.variant == Variant::Automatic;
+        if automatic && !self.is_nielsen && self.system.refuses_second_derivatives() {
+            self.is_nielsen = true;
+            self.search = Box::new(Nielsen::new(self.search.size()));
         }
     }
 
@@ -301,10 +354,7 @@ impl<'a> Run<'a> {
         if self.iterations.len() >= self.options.max_iterations {
             return Err(Stop::IterationLimit);
         }
-        if self
-            .deadline
-            .is_some_and(|deadline| Instant::now() >= deadline)
-        {
+        if self.deadline.is_some_and(Moment::is_past) {
             return Err(Stop::TimeLimit);
         }
         let flagged = self

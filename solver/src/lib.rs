@@ -9,28 +9,41 @@
 //! | to … | see |
 //! |---|---|
 //! | write a problem once over any scalar | [`Residual`] |
-//! | write one in a line | [`from_fn`], [`from_fn_numeric`] |
-//! | check its derivatives | [`check_derivatives`] |
+//! | write one in a line | [`from_fn`], [`from_fn_numeric`], [`from_fn_with_jacobian`] |
+//! | take `abs`, `min`, `max`, `atan2` of a scalar | [`Elementary`] |
+//! | check its derivatives, first and second | [`check_derivatives`] |
 //! | hold parameters, bound, order or tie them | [`Mask`], [`Constraints`] |
-//! | resist outliers | [`Loss`] |
-//! | choose a variant, limit steps or time, cancel | [`Options`] |
+//! | resist outliers, by rows, with a loss of one's own | [`Loss`], [`RowLoss`], [`LossFunction`] |
+//! | choose a variant, limit steps or time, cancel | [`Options`], [`Variant`] |
+//! | write a variant or a linear solver of one's own | [`OwnVariant`], [`LinearMethod`] |
+//! | compare variants, as a table and a picture | [`compare`] |
+//! | start from many places | [`multi_start`], [`spread`] |
 //! | watch the steps | [`solve_observed`] |
-//! | know what the data say | [`Uncertainty`], [`profile_interval`] |
+//! | know what the data say | [`Uncertainty`], [`profile_interval`], [`sandwich_covariance`] |
 //! | solve a graph: named blocks, manifolds, sparse | [`Graph`], [`Manifold`], [`solve_graph`] |
 //! | fit many small blocks with shared parameters | [`BlockProblem`] |
 //!
 //! How a run goes: `iterate` steps from point to point by a *descent* (where to) and a *search* (how
 //! far) until the residual is nearly orthogonal to the Jacobian; `finish` takes the last steps,
-//! judged by the gradient, since the cost changes by less than double precision resolves.
+//! judged by the gradient, since the cost changes by less than double precision resolves; `ending` says
+//! what the last point is.
+//!
+//! Without threads and, unless a time limit is set or variants are compared, without a clock: fit for
+//! WebAssembly.
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod blocks;
 mod check;
+mod clock;
 mod closure;
+mod compare;
 mod constraints;
 mod covariance;
 mod descent;
+mod display;
+mod elementary;
+mod ending;
 mod error;
 mod feasible;
 mod finish;
@@ -40,6 +53,7 @@ mod iterate;
 mod linear;
 mod loss;
 mod minimise;
+mod multistart;
 mod newton;
 mod observability;
 mod options;
@@ -48,6 +62,8 @@ mod point;
 mod profile;
 mod report;
 mod residual;
+mod robust;
+mod sandwich;
 pub mod scalar;
 mod scaling;
 mod search;
@@ -57,23 +73,30 @@ mod vector;
 
 pub use blocks::{BlockProblem, BlockReport, solve_blocks};
 pub use check::{Mismatch, check_derivatives};
-pub use closure::{from_fn, from_fn_numeric};
+pub use closure::{from_fn, from_fn_numeric, from_fn_with_jacobian};
+pub use compare::{ComparedRun, Comparison, Measure, Profile, Table, compare, compare_with};
 pub use constraints::{ActiveConstraint, Constraint, Constraints};
 pub use covariance::{Uncertainty, uncertainty};
+pub use descent::{Descent, Local, Step};
+pub use elementary::Elementary;
 pub use error::Error;
+pub use faer::{Mat, MatRef};
 pub use graph::{
     Block, Direction, Euclidean, Factor, Graph, GraphOptions, GraphReport, Manifold, Method,
     NullVector, PlanarMotion, Products, RigidMotion, Rotation, check_manifold, quaternion,
     solve_graph,
 };
-pub use linear::LinearSolver;
-pub use loss::{Loss, LossScale};
-pub use options::{Damping, Options, Variant};
+pub use linear::{Factor as Factorization, LinearMethod, LinearSolver, OwnLinearSolver};
+pub use loss::{Loss, LossFunction, LossScale, OwnLoss, RowLoss};
+pub use multistart::{Minimum, MultiStart, multi_start, spread};
+pub use options::{Damping, NewSearch, Options, OwnVariant, Variant};
 pub use parameters::{Mask, Parameters};
 pub use profile::{ProfileInterval, profile_interval};
 pub use report::{Iteration, Report, Termination};
 pub use residual::{Problem, Residual};
+pub use sandwich::sandwich_covariance;
 pub use scalar::{DualNum, Jet, Jet2, LANES, Scalar, Wide, lit};
+pub use search::{Search, Trial};
 pub use solve::{solve, solve_observed};
 pub use system::Evaluations;
 

@@ -1,23 +1,17 @@
 //! From a system and a start to a solution: the run, the last steps, the scale of the loss.
 
-use std::time::Instant;
-
+use crate::clock::after;
+use crate::ending::{escape, is_zero, termination};
 use crate::error::Error;
 use crate::feasible::Polytope;
 use crate::finish::{Verdict, polish};
 use crate::iterate::{Run, Stop, Watch};
-use crate::loss::{Loss, LossScale, Robust, robust_sigma};
+use crate::loss::{Loss, LossScale};
 use crate::options::{Options, Variant};
 use crate::point::{NotFinite, Point};
 use crate::report::{Iteration, Termination};
+use crate::robust::{Losses, Robust, robust_sigma};
 use crate::system::{Counted, Evaluations, System};
-
-/// Relative Gauss–Newton step below which a point is as good as a minimum where rounding keeps the
-/// offset from falling (residuals near zero).
-const SMALL_STEP: f64 = 1e-8;
-
-/// The same where a limit cut the run short, so that a shorter step may only be a matter of time.
-const ROUNDING_STEP: f64 = 1e-14;
 
 /// Room for the trace of a usual run.
 const USUAL_STEPS: usize = 32;
@@ -27,6 +21,15 @@ const SCALE_ROUNDS: usize = 30;
 
 /// Relative change of the scale at which it counts as found.
 const SCALE_FOUND: f64 = 1e-9;
+
+/// Most saddles left on one way down.
+const ESCAPES: usize = 4;
+
+/// Most stages of a graduated loss; each divides its scale by at least two.
+const STAGES: usize = 20;
+
+/// Scale of the first stage after a fit of least absolute values, in robust standard deviations.
+const WIDE: f64 = 3.0;
 
 /// Where a run ended and what is known there.
 pub(crate) struct Solution {
@@ -42,8 +45,8 @@ pub(crate) struct Solution {
     pub iterations: Vec<Iteration>,
     /// How often the problem was evaluated.
     pub evaluations: Evaluations,
-    /// Scale of the loss.
-    pub loss_scale: Option<f64>,
+    /// The losses with their scales.
+    pub losses: Losses,
 }
 
 /// Minimises a system from `start`, with the scale of the loss if it is to be estimated.
@@ -59,12 +62,10 @@ pub(crate) fn minimise(
     if let Some(polytope) = polytope {
         polytope.check(&start)?;
     }
-    let system = Counted::new(system);
+    let system = Counted::new(system, options.max_second_derivatives);
     let mut point = first_point(&system, start, name)?;
     let mut iterations = Vec::with_capacity(USUAL_STEPS);
-    let deadline = options
-        .time_limit
-        .and_then(|limit| Instant::now().checked_add(limit));
+    let deadline = options.time_limit.and_then(after);
     let mut descend = |system: &dyn System, point: &mut Point| {
         let mut run = Run::new(
             system,
@@ -75,31 +76,46 @@ pub(crate) fn minimise(
             &mut iterations,
             watch,
         );
-        let stop = run.minimise(point);
-        let verdict = match stop {
-            Stop::Near | Stop::Step | Stop::Flat | Stop::Stalled => polish(system, point, polytope),
-            _ => Verdict::of(point, polytope),
-        };
-        (stop, verdict)
+        for escapes in 0.. {
+            let (stop, verdict) = down(&mut run, system, point, polytope, options);
+            let ended = termination(stop, point, &verdict, options);
+            if !ended.converged() || ended == Termination::Zero || polytope.is_some() {
+                return (ended, verdict);
+            }
+            match escape(system, point, &verdict, options) {
+                None => return (ended, verdict),
+                Some(_) if escapes == ESCAPES => return (Termination::Saddle, verdict),
+                Some(lower) => {
+                    *point = lower;
+                    run.restart(point);
+                }
+            }
+        }
+        (Termination::Saddle, Verdict::of(point, polytope))
     };
-    let (stop, verdict, loss_scale) = match options.loss.scale() {
-        None => {
-            let (stop, verdict) = descend(&system, &mut point);
-            (stop, verdict, None)
-        }
-        Some(scale) => {
-            let (stop, verdict, scale) =
-                with_scale(&system, options.loss, scale, &mut point, &mut descend)?;
-            (stop, verdict, Some(scale))
-        }
+    let mut losses = Losses::new(options.loss, &options.row_losses);
+    let (ended, verdict) = if losses.is_quadratic() {
+        descend(&system, &mut point)
+    } else {
+        with_losses(&system, &mut losses, options, &mut point, &mut descend)?
     };
     let evaluations = system.evaluations();
-    let residuals = if loss_scale.is_some() {
-        system.residuals(&point.z)
-    } else {
+    let residuals = if losses.is_quadratic() {
         point.at.residuals.clone()
+    } else {
+        system.residuals(&point.z)
     };
-    let termination = termination(stop, &verdict, options);
+    let counted = losses
+        .weights(&residuals)
+        .iter()
+        .filter(|w| **w > 0.0)
+        .count();
+    let termination = match ended {
+        ended if ended.converged() && !losses.is_quadratic() && counted < point.z.len() => {
+            Termination::Weightless
+        }
+        ended => ended,
+    };
     Ok(Solution {
         point,
         residuals,
@@ -107,66 +123,187 @@ pub(crate) fn minimise(
         verdict,
         iterations,
         evaluations,
-        loss_scale,
+        losses,
     })
 }
 
-/// One way down from a point, under a loss.
-type Descend<'a> = &'a mut dyn FnMut(&dyn System, &mut Point) -> (Stop, Verdict);
-
-/// Fits under a loss, alternating with the estimate of its scale where that is not given.
-fn with_scale(
+/// The loop and the last steps; where those fail, the loop goes on to the tolerance itself.
+fn down(
+    run: &mut Run<'_>,
     system: &dyn System,
-    loss: Loss,
-    scale: LossScale,
+    point: &mut Point,
+    polytope: Option<&Polytope>,
+    options: &Options,
+) -> (Stop, Verdict) {
+    loop {
+        let stop = run.minimise(point);
+        let verdict = match stop {
+            Stop::Near | Stop::Step | Stop::Flat | Stop::Stalled | Stop::Zero => {
+                polish(system, point, polytope)
+            }
+            _ => Verdict::of(point, polytope),
+        };
+        let done = verdict.offset <= options.gradient_tolerance || is_zero(point);
+        if stop != Stop::Near || done || !run.nearer(options.gradient_tolerance) {
+            return (stop, verdict);
+        }
+    }
+}
+
+/// One way down from a point.
+type Descend<'a> = &'a mut dyn FnMut(&dyn System, &mut Point) -> (Termination, Verdict);
+
+/// Fits under losses, alternating with the estimate of their scales where those are not given.
+///
+/// Graduated, there are two ways down: through ever narrower losses from what is least squares, and from
+/// the fit of least absolute values, which one-sided outliers bend less. The lower end is taken.
+fn with_losses(
+    system: &dyn System,
+    losses: &mut Losses,
+    options: &Options,
     point: &mut Point,
     descend: Descend<'_>,
-) -> Result<(Stop, Verdict, f64), Error> {
-    let sigma = |z: &[f64]| match scale {
-        LossScale::Given(value) => value,
-        LossScale::Estimated(factor) => {
-            // A perfect fit has no scale; any will do whose square is a number.
-            let sigma = factor * robust_sigma(&system.residuals(z));
-            sigma.max(f64::MIN_POSITIVE.sqrt())
-        }
-    };
-    let (LossScale::Given(value) | LossScale::Estimated(value)) = scale;
-    if value.is_nan() || value <= 0.0 {
+) -> Result<(Termination, Verdict), Error> {
+    check_scales(losses)?;
+    let start = system.residuals(&point.z);
+    estimate(losses, &start);
+    if let Some(value) = losses.scales().find(|s| !(s * s).is_normal()) {
         return Err(Error::LossScale { value });
     }
-    let mut current = sigma(&point.z);
-    if !(current * current).is_normal() {
-        return Err(Error::LossScale { value: current });
+    let mut robust = RobustFit { system, descend };
+    let few = counted(losses, &start) < point.z.len();
+    if !options.graduated && !few {
+        return Ok(robust.rounds(losses, point));
     }
-    for round in 1.. {
+    let (mut other, mut there) = (losses.clone(), point.clone());
+    let wide = 2.0 * losses.largest(&start);
+    let first = robust.narrowed(losses, point, wide);
+    if is_interrupted(first.0) {
+        return Ok(first);
+    }
+    robust.once(&other.absolute(), &mut there);
+    let residuals = system.residuals(&there.z);
+    estimate(&mut other, &residuals);
+    let wide = WIDE * other.spread(&residuals);
+    let second = robust.narrowed(&mut other, &mut there, wide);
+    let common = losses.narrower(&other);
+    let cost = |point: &Point| common.cost(&system.residuals(&point.z));
+    if cost(&there) < cost(point) {
+        (*losses, *point) = (other, there);
+        return Ok(second);
+    }
+    Ok(first)
+}
+
+/// Scales of the losses that are to be estimated, from residuals.
+fn estimate(losses: &mut Losses, residuals: &[f64]) {
+    losses.rescale(residuals, |loss, residuals, scale| match loss.scale() {
+        // A perfect fit has no scale; any will do whose square is a number.
+        Some(LossScale::Estimated(factor)) => {
+            (factor * robust_sigma(residuals)).max(f64::MIN_POSITIVE.sqrt())
+        }
+        _ => scale,
+    });
+}
+
+/// Fits of a system under losses.
+struct RobustFit<'a> {
+    system: &'a dyn System,
+    descend: Descend<'a>,
+}
+
+impl RobustFit<'_> {
+    /// With the scales as they are.
+    fn once(&mut self, losses: &Losses, point: &mut Point) -> (Termination, Verdict) {
         let robust = Robust {
-            inner: system,
-            loss,
-            scale: current,
+            inner: self.system,
+            losses: losses.clone(),
         };
         // Residuals are finite here; the rewriting keeps them so.
         if let Ok(rewritten) = Point::new(&robust, point.z.clone()) {
             *point = rewritten;
         }
-        let (stop, verdict) = descend(&robust, point);
-        let next = sigma(&point.z);
-        let found = (next - current).abs() <= SCALE_FOUND * current;
-        let interrupted = matches!(
-            stop,
-            Stop::IterationLimit | Stop::TimeLimit | Stop::Cancelled
-        );
-        if found || interrupted || round == SCALE_ROUNDS {
-            return Ok((stop, verdict, current));
-        }
-        current = next;
+        (self.descend)(&robust, point)
     }
-    Err(Error::LossScale { value: current })
+
+    /// Until the scales are found.
+    fn rounds(&mut self, losses: &mut Losses, point: &mut Point) -> (Termination, Verdict) {
+        let mut round = 1;
+        loop {
+            let (ended, verdict) = self.once(losses, point);
+            let before = losses.clone();
+            estimate(losses, &self.system.residuals(&point.z));
+            let found = (losses.scales().zip(before.scales()))
+                .all(|(next, current)| (next - current).abs() <= SCALE_FOUND * current);
+            if found || is_interrupted(ended) || round == SCALE_ROUNDS {
+                *losses = before;
+                return (ended, verdict);
+            }
+            round += 1;
+        }
+    }
+
+    /// From `factor` times the scales down to the scales.
+    fn narrowed(
+        &mut self,
+        losses: &mut Losses,
+        point: &mut Point,
+        mut factor: f64,
+    ) -> (Termination, Verdict) {
+        let ratio = factor.powf(1.0 / STAGES as f64).max(2.0);
+        while factor > 1.0 && factor.is_finite() {
+            let mut wide = losses.clone();
+            estimate(&mut wide, &self.system.residuals(&point.z));
+            wide.widen(factor);
+            let (ended, verdict) = self.once(&wide, point);
+            if is_interrupted(ended) {
+                *losses = wide;
+                return (ended, verdict);
+            }
+            factor /= ratio;
+        }
+        estimate(losses, &self.system.residuals(&point.z));
+        self.rounds(losses, point)
+    }
+}
+
+fn is_interrupted(ended: Termination) -> bool {
+    use Termination::{Cancelled, IterationLimit, TimeLimit};
+    matches!(ended, IterationLimit | TimeLimit | Cancelled)
+}
+
+/// Number of residuals that count.
+fn counted(losses: &Losses, residuals: &[f64]) -> usize {
+    losses
+        .weights(residuals)
+        .iter()
+        .filter(|w| **w > 0.0)
+        .count()
+}
+
+fn check_scales(losses: &Losses) -> Result<(), Error> {
+    let groups = losses.groups.iter().map(|g| g.1);
+    let given = |loss: Loss| match loss.scale() {
+        Some(LossScale::Given(value) | LossScale::Estimated(value)) => value,
+        None => 1.0,
+    };
+    match std::iter::once(losses.rest.0)
+        .chain(groups)
+        .map(given)
+        .find(|v| v.is_nan() || *v <= 0.0)
+    {
+        Some(value) => Err(Error::LossScale { value }),
+        None => Ok(()),
+    }
 }
 
 /// What the variant can do.
 fn supported(options: &Options, polytope: Option<&Polytope>) -> Result<(), Error> {
-    let levenberg = matches!(options.variant, Variant::LevenbergMarquardt { .. });
-    if polytope.is_some() && !levenberg {
+    let refused = matches!(
+        options.variant,
+        Variant::GaussNewtonMinimumNorm | Variant::Own(_)
+    );
+    if polytope.is_some() && refused {
         return Err(Error::Unsupported {
             variant: options.variant.name(),
             what: "constraints",
@@ -199,31 +336,4 @@ fn first_point(
         return Err(Error::Empty { residuals: 0, free });
     }
     Ok(point)
-}
-
-/// The reason in the user's terms: what the point is, before how the loop was left.
-fn termination(stop: Stop, verdict: &Verdict, options: &Options) -> Termination {
-    if stop == Stop::Cancelled {
-        return Termination::Cancelled;
-    }
-    if verdict.offset <= options.gradient_tolerance {
-        return Termination::Gradient;
-    }
-    let limited = matches!(stop, Stop::IterationLimit | Stop::TimeLimit);
-    if verdict.relative_step <= if limited { ROUNDING_STEP } else { SMALL_STEP } {
-        return Termination::Step;
-    }
-    match stop {
-        Stop::IterationLimit => Termination::IterationLimit,
-        Stop::TimeLimit => Termination::TimeLimit,
-        Stop::NotFinite(NotFinite::Residual { row, .. }) => Termination::NotFinite {
-            row,
-            parameter: None,
-        },
-        Stop::NotFinite(NotFinite::Derivative { row, column }) => Termination::NotFinite {
-            row,
-            parameter: Some(column),
-        },
-        _ => Termination::Stalled,
-    }
 }

@@ -7,10 +7,13 @@ use std::time::Duration;
 use serde::{Deserialize, Serialize};
 
 use crate::constraints::Constraints;
-use crate::descent::{Constrained, Damped, Descent, Dogleg, GaussNewton, MinimumNorm};
+use crate::descent::{
+    Constrained, ConstrainedDogleg, ConstrainedGaussNewton, Damped, Descent, Dogleg, GaussNewton,
+    Local, MinimumNorm, Step,
+};
 use crate::feasible::Polytope;
 use crate::linear::LinearSolver;
-use crate::loss::Loss;
+use crate::loss::{Loss, RowLoss};
 use crate::search::{DelayedGratification, LineSearch, Marquardt, Nielsen, Search, TrustRadius};
 
 /// How `λ` moves in Levenberg–Marquardt.
@@ -27,10 +30,14 @@ pub enum Damping {
 }
 
 /// A descent and a search.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Variant {
+    /// The best on problems in general: Levenberg–Marquardt with delayed gratification and geodesic
+    /// acceleration where the problem offers second derivatives, with Nielsen's damping elsewhere.
+    #[default]
+    Automatic,
     /// Damped steps, bent along the geodesic if wanted and if second derivatives are there.
     LevenbergMarquardt {
         /// How `λ` moves.
@@ -46,18 +53,88 @@ pub enum Variant {
     /// finds the minimum nearest the start where the rank is short. Its result depends on the
     /// units; that of every other variant does not.
     GaussNewtonMinimumNorm,
+    /// One's own; it is not written (`serde` refuses it).
+    #[serde(skip)]
+    Own(OwnVariant),
 }
 
-impl Default for Variant {
-    fn default() -> Self {
-        Self::LevenbergMarquardt {
-            damping: Damping::DelayedGratification,
-            geodesic: true,
-        }
+/// A descent and a search of one's own.
+///
+/// ```
+/// # use stillpoint_solver as solver;
+/// use solver::{Descent, Local, Options, OwnVariant, Search, Step, Trial, Variant};
+///
+/// /// Levenberg's step `argmin ‖J p + r‖² + λ ‖D p‖²`.
+/// struct Plain;
+///
+/// impl Descent for Plain {
+///     fn step(&self, local: &Local<'_>, lambda: f64) -> Option<Step> {
+///         Some(local.step(local.factor().damped(local.residuals(), lambda)?))
+///     }
+/// }
+///
+/// /// Halves the damping on success, trebles it on failure.
+/// struct Halving(f64);
+///
+/// impl Search for Halving {
+///     fn size(&self) -> f64 { self.0 }
+///     fn accepted(&mut self, _: Trial) { self.0 *= 0.5; }
+///     fn rejected(&mut self, _: Trial) { self.0 *= 3.0; }
+///     fn exhausted(&self) -> bool { self.0 > 1e20 }
+/// }
+///
+/// let variant = Variant::own("halving", &Plain, |options, _| Box::new(Halving(options.first_damping)));
+/// let options = Options { variant, ..Options::default() };
+/// # use solver::{DualNum, Jet, Mask, Parameters, from_fn, solve};
+/// let circle = from_fn(|x: &[Jet], out: &mut Vec<Jet>| out.extend([x[0] * x[0] - 2.0, x[0] - x[1]]));
+/// let fit = solve(&circle, &Parameters::unnamed(&[1.0, 0.0]), &Mask::all(2), &options)?;
+/// assert!((fit.parameters.values()[1] - 2f64.sqrt()).abs() < 1e-12);
+/// # Ok::<(), solver::Error>(())
+/// ```
+#[derive(Clone, Copy)]
+pub struct OwnVariant {
+    name: &'static str,
+    descent: &'static (dyn Descent + Sync),
+    search: NewSearch,
+}
+
+/// A search for a start of scaled length `‖D x‖`.
+pub type NewSearch = fn(&Options, f64) -> Box<dyn Search>;
+
+impl std::fmt::Debug for OwnVariant {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_tuple("OwnVariant").field(&self.name).finish()
+    }
+}
+
+impl PartialEq for OwnVariant {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name && std::ptr::addr_eq(self.descent, other.descent)
     }
 }
 
 impl Variant {
+    /// A descent of one's own, a constant or a `static`, with a search of one's own.
+    pub fn own(
+        name: &'static str,
+        descent: &'static (dyn Descent + Sync),
+        search: NewSearch,
+    ) -> Self {
+        Self::Own(OwnVariant {
+            name,
+            descent,
+            search,
+        })
+    }
+
+    /// Whether second derivatives are asked for where the problem has them.
+    pub(crate) fn uses_second_derivatives(self) -> bool {
+        matches!(
+            self,
+            Self::Automatic | Self::LevenbergMarquardt { geodesic: true, .. }
+        )
+    }
+
     /// Every variant, to compare them.
     pub fn all() -> Vec<Self> {
         let dampings = [
@@ -90,35 +167,60 @@ impl Variant {
             Self::Dogleg => "dogleg".into(),
             Self::GaussNewton => "gauss-newton".into(),
             Self::GaussNewtonMinimumNorm => "gauss-newton-minimum-norm".into(),
+            Self::Automatic => "automatic".into(),
+            Self::Own(own) => own.name.into(),
         }
     }
 
     /// The descent of the variant, within the constraints where the variant knows how.
     pub(crate) fn descent(self, polytope: Option<&Polytope>) -> Box<dyn Descent> {
-        match self {
-            Self::LevenbergMarquardt { geodesic, .. } => match polytope {
-                Some(p) => Box::new(Constrained {
-                    polytope: p.clone(),
+        let damped = |geodesic: bool| -> Box<dyn Descent> {
+            match polytope.cloned() {
+                Some(polytope) => Box::new(Constrained {
+                    polytope,
                     damped: Damped { geodesic },
                 }),
                 None => Box::new(Damped { geodesic }),
-            },
-            Self::Dogleg => Box::new(Dogleg),
-            Self::GaussNewton => Box::new(GaussNewton),
-            Self::GaussNewtonMinimumNorm => Box::new(MinimumNorm),
+            }
+        };
+        match (self, polytope.cloned()) {
+            (Self::Automatic, _) => damped(true),
+            (Self::LevenbergMarquardt { geodesic, .. }, _) => damped(geodesic),
+            (Self::Dogleg, None) => Box::new(Dogleg),
+            (Self::Dogleg, Some(polytope)) => Box::new(ConstrainedDogleg { polytope }),
+            (Self::GaussNewton, None) => Box::new(GaussNewton),
+            (Self::GaussNewton, Some(polytope)) => Box::new(ConstrainedGaussNewton { polytope }),
+            (Self::GaussNewtonMinimumNorm, _) => Box::new(MinimumNorm),
+            (Self::Own(own), _) => Box::new(Borrowed(own.descent)),
         }
     }
+}
 
+/// A descent of the user's.
+struct Borrowed(&'static (dyn Descent + Sync));
+
+impl Descent for Borrowed {
+    fn step(&self, local: &Local<'_>, size: f64) -> Option<Step> {
+        self.0.step(local, size)
+    }
+}
+
+impl Options {
     /// The search of the variant, for a start of scaled length `‖D x‖`.
-    pub(crate) fn search(self, scaled_size: f64) -> Box<dyn Search> {
-        match self {
-            Self::LevenbergMarquardt { damping, .. } => match damping {
-                Damping::Marquardt => Box::new(Marquardt::default()),
-                Damping::Nielsen => Box::new(Nielsen::default()),
-                Damping::DelayedGratification => Box::new(DelayedGratification::default()),
+    pub(crate) fn search(&self, scaled_size: f64) -> Box<dyn Search> {
+        let lambda = self.first_damping;
+        match self.variant {
+            Variant::Automatic => Box::new(DelayedGratification::new(lambda)),
+            Variant::LevenbergMarquardt { damping, .. } => match damping {
+                Damping::Marquardt => Box::new(Marquardt::new(lambda)),
+                Damping::Nielsen => Box::new(Nielsen::new(lambda)),
+                Damping::DelayedGratification => Box::new(DelayedGratification::new(lambda)),
             },
-            Self::Dogleg => Box::new(TrustRadius::new(scaled_size)),
-            Self::GaussNewton | Self::GaussNewtonMinimumNorm => Box::new(LineSearch::default()),
+            Variant::Dogleg => Box::new(TrustRadius::new(scaled_size, self.first_radius)),
+            Variant::GaussNewton | Variant::GaussNewtonMinimumNorm => {
+                Box::new(LineSearch::default())
+            }
+            Variant::Own(own) => (own.search)(self, scaled_size),
         }
     }
 }
@@ -141,10 +243,22 @@ pub struct Options {
     pub gradient_tolerance: f64,
     /// Smallest step `‖D p‖` relative to `‖D x‖`.
     pub step_tolerance: f64,
-    /// Bounds and linear constraints; Levenberg–Marquardt only.
+    /// First damping `λ` of Levenberg–Marquardt; it multiplies unit columns.
+    pub first_damping: f64,
+    /// First trust radius of the dogleg relative to `‖D x‖`.
+    pub first_radius: f64,
+    /// Most second derivatives along a direction; beyond, steps are straight.
+    pub max_second_derivatives: usize,
+    /// Bounds and linear constraints; every variant but the minimum norm and one's own.
     pub constraints: Constraints,
     /// What a residual costs.
     pub loss: Loss,
+    /// Other losses for some of the rows; the first that names a row holds.
+    pub row_losses: Vec<RowLoss>,
+    /// Whether robust losses start wide, as least squares, and narrow to their scale in at most 20 stages
+    /// (graduated non-convexity: Blake and Zisserman, "Visual Reconstruction", 1987): for starts far
+    /// from the solution. Where too few residuals count at the start this happens by itself.
+    pub graduated: bool,
     /// Longest time to spend; looked at before every step.
     pub time_limit: Option<Duration>,
     /// Set from another thread, it stops the run before its next step. Not written.
@@ -160,8 +274,13 @@ impl Default for Options {
             max_iterations: 5_000,
             gradient_tolerance: 1e-8,
             step_tolerance: 1e-15,
+            first_damping: 1e-3,
+            first_radius: 100.0,
+            max_second_derivatives: 10_000,
             constraints: Constraints::new(),
             loss: Loss::Quadratic,
+            row_losses: Vec::new(),
+            graduated: false,
             time_limit: None,
             cancel: None,
         }

@@ -8,6 +8,7 @@ use crate::options::Options;
 use crate::parameters::{Mask, Parameters};
 use crate::report::{Report, Termination};
 use crate::residual::Problem;
+use crate::robust::Losses;
 use crate::solve::solve;
 use crate::vector::norm;
 
@@ -89,8 +90,14 @@ fn with_known_scale(options: &Options, report: &Report) -> Options {
     let loss = report
         .loss_scale
         .map_or(options.loss, |scale| options.loss.with_scale(scale));
+    let mut row_losses = options.row_losses.clone();
+    for (group, scale) in row_losses.iter_mut().zip(&report.row_loss_scales) {
+        group.loss = scale.map_or(group.loss, |scale| group.loss.with_scale(scale));
+    }
     Options {
         loss,
+        row_losses,
+        graduated: false,
         ..options.clone()
     }
 }
@@ -159,8 +166,8 @@ impl Profile<'_> {
             }
             let mut residuals = Vec::new();
             self.problem.values(start.values(), &mut residuals);
-            let scale = self.report.loss_scale.unwrap_or(1.0);
-            return Ok(self.options.loss.cost(&residuals, scale));
+            let losses = Losses::new(self.options.loss, &self.options.row_losses);
+            return Ok(losses.cost(&residuals));
         }
         constraints.project(start, &self.mask)?;
         let refit = solve(self.problem, start, &self.mask, &self.options)?;

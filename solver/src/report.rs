@@ -18,9 +18,14 @@ pub enum Termination {
     Gradient,
     /// The step no longer changes the parameters.
     Step,
-    /// The cost no longer falls; for a caller that knows its rounding, the solver itself says
-    /// [`Termination::Stalled`].
+    /// The fall of the cost that the linear model promises is below the rounding of the cost.
     Cost,
+    /// The residuals are zero to the rounding of the parameters, where directions mean nothing.
+    Zero,
+    /// A stationary point with a direction of negative curvature that leads nowhere lower.
+    Saddle,
+    /// The loss takes fewer residuals into account than there are parameters: no minimum of anything.
+    Weightless,
     /// The step limit was reached.
     IterationLimit,
     /// The time limit was reached.
@@ -49,7 +54,17 @@ impl fmt::Display for Termination {
                 f,
                 "converged: the Gauss-Newton step no longer changes the parameters"
             ),
-            Self::Cost => write!(f, "converged: the cost no longer falls"),
+            Self::Cost => write!(
+                f,
+                "converged: the linear model promises less than rounding of the cost"
+            ),
+            Self::Zero => write!(f, "converged: the residuals are zero to rounding"),
+            Self::Saddle => write!(f, "stalled: at a saddle; start elsewhere"),
+            Self::Weightless => write!(
+                f,
+                "stalled: the loss gives weight to fewer residuals than there are parameters; \
+                 take a larger scale or a start nearer the solution"
+            ),
             Self::IterationLimit => write!(f, "stopped: step limit"),
             Self::TimeLimit => write!(f, "stopped: time limit"),
             Self::Cancelled => write!(f, "stopped: cancelled"),
@@ -81,7 +96,7 @@ impl fmt::Display for Termination {
 impl Termination {
     /// Whether the fit is at a minimum.
     pub fn converged(self) -> bool {
-        matches!(self, Self::Gradient | Self::Step | Self::Cost)
+        matches!(self, Self::Gradient | Self::Step | Self::Cost | Self::Zero)
     }
 }
 
@@ -114,6 +129,9 @@ pub struct Report {
     pub weights: Vec<f64>,
     /// The scale of the loss, in the unit of the residuals.
     pub loss_scale: Option<f64>,
+    /// The scales of [`Options::row_losses`](crate::Options::row_losses), in their order.
+    #[serde(default)]
+    pub row_loss_scales: Vec<Option<f64>>,
     /// Why the solver stopped.
     pub termination: Termination,
     /// The steps.

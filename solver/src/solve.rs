@@ -8,6 +8,7 @@ use crate::error::Error;
 use crate::feasible::Polytope;
 use crate::finish::Verdict;
 use crate::linear::Jacobian;
+use crate::loss::Loss;
 use crate::minimise::{Solution, minimise};
 use crate::options::Options;
 use crate::parameters::{Mask, Parameters};
@@ -86,7 +87,7 @@ pub fn solve_observed(
     parameters
         .values_mut()
         .copy_from_slice(&system.embed(&solution.point.z));
-    Ok(solution.report(parameters, names, polytope.as_ref(), options))
+    Ok(solution.report(parameters, names, polytope.as_ref()))
 }
 
 impl Solution {
@@ -96,7 +97,6 @@ impl Solution {
         parameters: Parameters,
         names: Vec<String>,
         polytope: Option<&Polytope>,
-        options: &Options,
     ) -> Report {
         let held = self
             .verdict
@@ -112,7 +112,7 @@ impl Solution {
             Jacobian::Blocks(_) => Uncertainty::unknown(names),
         };
         let rank = uncertainty.rank;
-        self.into_report(parameters, uncertainty, rank, polytope, options)
+        self.into_report(parameters, uncertainty, rank, polytope)
     }
 
     /// The report with an uncertainty and the rank of the whole found elsewhere.
@@ -122,25 +122,19 @@ impl Solution {
         uncertainty: Uncertainty,
         rank: usize,
         polytope: Option<&Polytope>,
-        options: &Options,
     ) -> Report {
-        let weigh = |&r: &f64| {
-            self.loss_scale
-                .map_or(1.0, |scale| options.loss.weight(r, scale))
-        };
-        let variance = match self.loss_scale {
-            None => options.loss.variance(&self.residuals, 1.0, rank),
-            Some(scale) => options.loss.variance(&self.residuals, scale, rank),
-        };
+        let scale = |loss: Loss, scale: f64| loss.scale().map(|_| scale);
+        let groups = self.losses.groups.iter();
         Report {
-            variance,
-            weights: self.residuals.iter().map(weigh).collect(),
+            variance: self.losses.variance(&self.residuals, rank),
+            weights: self.losses.weights(&self.residuals),
+            row_loss_scales: groups.map(|g| scale(g.1, g.2)).collect(),
+            loss_scale: scale(self.losses.rest.0, self.losses.rest.1),
             active: active(&self.point, &self.verdict, polytope),
             infeasibility: polytope.map_or(0.0, |p| p.violation(&self.point.z)),
             cost: self.point.at.cost,
             parameters,
             residuals: self.residuals,
-            loss_scale: self.loss_scale,
             termination: self.termination,
             iterations: self.iterations,
             jacobian_evaluations: self.evaluations.jacobians,

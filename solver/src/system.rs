@@ -32,6 +32,11 @@ pub(crate) trait System {
     fn cost(&self, z: &[f64]) -> f64 {
         self.cost_of(&self.residuals(z))
     }
+
+    /// Whether second derivatives were asked for and the problem has none to offer.
+    fn refuses_second_derivatives(&self) -> bool {
+        false
+    }
 }
 
 /// A [`Problem`] with a dense Jacobian and some parameters held.
@@ -171,14 +176,19 @@ pub struct Evaluations {
 pub(crate) struct Counted<'a> {
     inner: &'a dyn System,
     count: Cell<Evaluations>,
+    /// Most second derivatives; beyond, none are offered.
+    budget: usize,
+    refused: Cell<bool>,
 }
 
 impl<'a> Counted<'a> {
     /// Nothing counted yet.
-    pub fn new(inner: &'a dyn System) -> Self {
+    pub fn new(inner: &'a dyn System, budget: usize) -> Self {
         Self {
             inner,
             count: Cell::default(),
+            budget,
+            refused: Cell::new(false),
         }
     }
 
@@ -210,8 +220,20 @@ impl System for Counted<'_> {
     }
 
     fn second_derivative(&self, z: &[f64], v: &[f64]) -> Option<Vec<f64>> {
-        self.add(|count| count.second_derivatives += 1);
-        self.inner.second_derivative(z, v)
+        if self.refused.get() || self.count.get().second_derivatives >= self.budget {
+            return None;
+        }
+        let offered = self.inner.second_derivative(z, v);
+        if offered.is_some() {
+            self.add(|count| count.second_derivatives += 1);
+        } else if self.count.get().second_derivatives == 0 {
+            self.refused.set(true);
+        }
+        offered
+    }
+
+    fn refuses_second_derivatives(&self) -> bool {
+        self.refused.get()
     }
 
     fn culprit(&self, z: &[f64], row: usize) -> Option<usize> {

@@ -351,11 +351,11 @@ fn scales_of_losses_have_to_be_positive() {
 }
 
 #[test]
-fn constraints_ask_for_levenberg_marquardt() {
+fn minimum_norm_steps_know_no_constraints() {
     let constraints = Constraints::new().bound("x0", 0.0, 1.0);
     let options = Options {
         constraints,
-        variant: Variant::Dogleg,
+        variant: Variant::GaussNewtonMinimumNorm,
         ..Options::default()
     };
     assert!(matches!(

@@ -6,19 +6,28 @@
 //!                               "linear": bool, "minima": […]}, …]
 //! {"case": 3, "x": […]}     → {"r": […], "jacobian": [[…], …], "optimality": …}
 //! ```
+//! With `--held-out` it serves the held-out problems instead, whose list also says what the default
+//! variant finds: `"cost"` (`Σ r²`), `"converged"`, `"reason"`.
+//!
 //! Infinite bounds are `null`. Values that are not finite come as `null` too.
 
 use std::io::{BufRead, Write};
 
 use serde_json::{Value, json};
-use stillpoint_benches::problem_study::groups;
-use stillpoint_tests::problems::Case;
+use stillpoint_benches::problem_study::{fit, groups};
+use stillpoint_tests::problems::{self, Case};
 
 fn main() -> std::io::Result<()> {
-    let cases: Vec<(&str, Case)> = groups()
-        .into_iter()
-        .flat_map(|(group, cases)| cases.into_iter().map(move |c| (group, c)))
-        .collect();
+    let held_out = std::env::args().any(|word| word == "--held-out");
+    let cases: Vec<(&str, Case)> = if held_out {
+        let all = problems::held_out::all().into_iter();
+        all.map(|case| ("held out", case)).collect()
+    } else {
+        let groups = groups().into_iter();
+        groups
+            .flat_map(|(group, cases)| cases.into_iter().map(move |c| (group, c)))
+            .collect()
+    };
     let mut out = std::io::stdout().lock();
     for line in std::io::stdin().lock().lines() {
         let answer = match serde_json::from_str::<Value>(&line?) {
@@ -51,7 +60,14 @@ fn answer(cases: &[(&str, Case)], request: &Value) -> Value {
 }
 
 fn describe(group: &str, case: &Case) -> Value {
+    let found = match group {
+        "held out" => fit(case).ok(),
+        _ => None,
+    };
     json!({
+        "cost": found.as_ref().map(|report| 2.0 * report.cost),
+        "converged": found.as_ref().map(|report| report.termination.converged()),
+        "reason": found.as_ref().map(|report| format!("{:?}", report.termination)),
         "group": group, "name": case.name, "start": case.start, "lower": case.lower,
         "upper": case.upper, "linear": !case.linear.is_empty(), "minima": case.minima,
     })

@@ -43,7 +43,9 @@ fn print(outcomes: &[Outcome]) {
         "problem",
         "Σ r²",
         "optimality",
+        "r",
         "J",
+        "r″",
         "solved",
         "reason",
     ]);
@@ -53,7 +55,9 @@ fn print(outcomes: &[Outcome]) {
             o.problem.clone(),
             format!("{:.9e}", o.sum_of_squares),
             format!("{:.1e}", o.optimality),
+            o.residuals.to_string(),
             o.jacobians.to_string(),
+            o.second_derivatives.to_string(),
             if o.solved { "yes" } else { "NO" }.to_owned(),
             o.reason.clone(),
         ]);
@@ -62,9 +66,12 @@ fn print(outcomes: &[Outcome]) {
     for group in ["unconstrained", "bounded", "linear"] {
         let of = || outcomes.iter().filter(|o| o.group == group);
         println!(
-            "{group}: {} of {} solved",
+            "{group}: {} of {} solved, r {}, J {}, r″ {}",
             of().filter(|o| o.solved).count(),
-            of().count()
+            of().count(),
+            of().map(|o| o.residuals).sum::<usize>(),
+            of().map(|o| o.jacobians).sum::<usize>(),
+            of().map(|o| o.second_derivatives).sum::<usize>(),
         );
     }
 }

@@ -38,8 +38,9 @@ fn main() -> ExitCode {
             return ExitCode::from(3);
         }
     };
-    let all: Vec<VariantRuns> = Variant::all()
+    let all: Vec<VariantRuns> = [Variant::default()]
         .into_iter()
+        .chain(Variant::all())
         .map(|v| run(&problems, v))
         .collect();
     if arguments.json {
@@ -86,12 +87,14 @@ fn print_counts(all: &[VariantRuns]) {
         ["variant".to_owned()]
             .into_iter()
             .chain(levels)
-            .chain(["J".to_owned()]),
+            .chain(["J", "r", "r″"].map(String::from)),
     );
     for runs in all {
         let counts = runs.counts().map(|count| count.to_string());
         let row = [runs.variant.clone()].into_iter().chain(counts);
-        table.add_row(row.chain([runs.jacobians().to_string()]));
+        let [residuals, second] = runs.other_evaluations();
+        let evaluations = [runs.jacobians(), residuals, second].map(|count| count.to_string());
+        table.add_row(row.chain(evaluations));
     }
     println!(
         "runs of 54 by digits in the worst parameter; the default is {}",

@@ -61,7 +61,7 @@ pub fn solve_blocks(
         .collect();
     let (uncertainty, rank) = marginal(&solution.point.at.jacobian, free.len(), names);
     Ok(BlockReport {
-        shared: solution.into_report(parameters, uncertainty, rank, None, options),
+        shared: solution.into_report(parameters, uncertainty, rank, None),
         blocks,
     })
 }

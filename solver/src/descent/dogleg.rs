@@ -46,7 +46,7 @@ fn cauchy(local: &Local<'_>) -> Option<Vec<f64>> {
 }
 
 /// The point at distance `radius` between `from` (inside) and `to` (outside).
-fn cut(from: &[f64], to: &[f64], scale: &[f64], radius: f64) -> Vec<f64> {
+pub(super) fn cut(from: &[f64], to: &[f64], scale: &[f64], radius: f64) -> Vec<f64> {
     let leg = add(to, -1.0, from);
     let a = scaled_norm(&leg, scale).powi(2);
     let b: f64 = from

@@ -94,6 +94,21 @@ impl QrFactor {
         root
     }
 
+    /// A direction that the Jacobian sees little of, the last of the pivoted columns less what the
+    /// others say of it, as a change of the parameters with `‖D v‖ = 1`.
+    pub fn least_seen(&self) -> Option<Vec<f64>> {
+        let n = self.scale.len();
+        let last = self.rank.min(n.checked_sub(1)?);
+        let mut w = vec![0.0; n];
+        w[last] = 1.0;
+        for i in (0..last).rev() {
+            let known = dot(&self.r.row(i)[i + 1..=last], &w[i + 1..=last]);
+            w[i] = -known / self.r.diagonal(i);
+        }
+        let length = norm(&w);
+        self.restore(|k| w[k] / length)
+    }
+
     /// Undoes pivoting and scaling: `p = D⁻¹ P w`.
     fn restore(&self, w: impl Fn(usize) -> f64) -> Option<Vec<f64>> {
         let mut p = vec![0.0; self.scale.len()];

@@ -2,8 +2,6 @@
 
 use super::{Search, Trial};
 
-/// Damping at the start.
-const FIRST: f64 = 1e-3;
 /// Least damping: where a column was once huge, even `1e-40` times its square still counts.
 const LEAST: f64 = 1e-150;
 /// Damping above which a step is shorter than rounding.
@@ -35,24 +33,24 @@ pub(crate) struct DelayedGratification {
     lambda: f64,
 }
 
-impl Default for Marquardt {
-    fn default() -> Self {
-        Self { lambda: FIRST }
+impl Marquardt {
+    /// From a first damping.
+    pub fn new(lambda: f64) -> Self {
+        Self { lambda }
     }
 }
 
-impl Default for Nielsen {
-    fn default() -> Self {
-        Self {
-            lambda: FIRST,
-            rise: 2.0,
-        }
+impl Nielsen {
+    /// From a first damping.
+    pub fn new(lambda: f64) -> Self {
+        Self { lambda, rise: 2.0 }
     }
 }
 
-impl Default for DelayedGratification {
-    fn default() -> Self {
-        Self { lambda: FIRST }
+impl DelayedGratification {
+    /// From a first damping.
+    pub fn new(lambda: f64) -> Self {
+        Self { lambda }
     }
 }
 

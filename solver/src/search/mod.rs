@@ -10,7 +10,7 @@ pub(crate) use trust_radius::TrustRadius;
 
 /// What came of a step.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Trial {
+pub struct Trial {
     /// Fall of the cost over the fall promised by the linearised problem; not a number or negative
     /// where the cost rose.
     pub ratio: f64,
@@ -18,8 +18,8 @@ pub(crate) struct Trial {
     pub length: f64,
 }
 
-/// A rule for the size given to the descent.
-pub(crate) trait Search {
+/// A rule for the size given to the descent; see [`OwnVariant`](crate::OwnVariant) for an example.
+pub trait Search {
     /// The size of the next step: a damping, a radius or a fraction.
     fn size(&self) -> f64;
 

@@ -12,13 +12,10 @@ pub(crate) struct TrustRadius {
     smallest: f64,
 }
 
-/// First radius relative to `‖D x‖`: MINPACK's factor.
-const FACTOR: f64 = 100.0;
-
 impl TrustRadius {
-    /// The first radius for a start of scaled length `‖D x‖`.
-    pub fn new(scaled_size: f64) -> Self {
-        let radius = FACTOR * if scaled_size > 0.0 { scaled_size } else { 1.0 };
+    /// The first radius, `factor` times the scaled length `‖D x‖` of the start.
+    pub fn new(scaled_size: f64, factor: f64) -> Self {
+        let radius = factor * if scaled_size > 0.0 { scaled_size } else { 1.0 };
         Self {
             radius,
             smallest: radius * 1e-40,

@@ -4,6 +4,7 @@ pub mod accelerometer;
 mod case;
 pub mod cutest;
 pub mod dennis_schnabel;
+pub mod held_out;
 pub mod luksan_vlcek;
 pub mod mgh;
 pub mod nist;

@@ -1,0 +1,121 @@
+//! What the last point is: a minimum, a zero, a saddle, or none of these.
+
+use crate::finish::Verdict;
+use crate::iterate::Stop;
+use crate::linear::Jacobian;
+use crate::options::Options;
+use crate::point::{NotFinite, Point};
+use crate::report::Termination;
+use crate::system::System;
+use crate::vector::{add, dot, norm, scaled_norm};
+
+/// Relative Gauss–Newton step below which a point is as good as a minimum where rounding keeps the
+/// offset from falling (residuals near zero).
+const SMALL_STEP: f64 = 1e-8;
+
+/// The same where a limit cut the run short, so that a shorter step may only be a matter of time.
+const ROUNDING_STEP: f64 = 1e-14;
+
+/// Multiples of the rounding of one operation that a sum of squares is trusted to.
+const ROUNDING: f64 = 16.0;
+
+/// Curvature along a direction, relative to its parts, that counts as negative.
+const NEGATIVE: f64 = 1e-6;
+
+/// Most lengths tried on the way off a saddle.
+const LENGTHS: usize = 30;
+
+/// The reason in the user's terms: what the point is, before how the loop was left.
+pub(crate) fn termination(
+    stop: Stop,
+    point: &Point,
+    verdict: &Verdict,
+    options: &Options,
+) -> Termination {
+    if stop == Stop::Cancelled {
+        return Termination::Cancelled;
+    }
+    if stop == Stop::Zero || is_zero(point) {
+        return Termination::Zero;
+    }
+    if verdict.offset <= options.gradient_tolerance {
+        return Termination::Gradient;
+    }
+    let limited = matches!(stop, Stop::IterationLimit | Stop::TimeLimit);
+    if verdict.relative_step <= if limited { ROUNDING_STEP } else { SMALL_STEP } {
+        return Termination::Step;
+    }
+    match stop {
+        Stop::IterationLimit => Termination::IterationLimit,
+        Stop::TimeLimit => Termination::TimeLimit,
+        Stop::NotFinite(NotFinite::Residual { row, .. }) => Termination::NotFinite {
+            row,
+            parameter: None,
+        },
+        Stop::NotFinite(NotFinite::Derivative { row, column }) => Termination::NotFinite {
+            row,
+            parameter: Some(column),
+        },
+        _ if promises_nothing(point, verdict) => Termination::Cost,
+        _ => Termination::Stalled,
+    }
+}
+
+/// Rounding of the residual vector: `ε (‖r‖ + ‖D z‖)` with the column norms `D`, whatever the units.
+fn rounding(point: &Point) -> (f64, f64) {
+    let size = norm(&point.at.residuals);
+    let from_parameters = scaled_norm(&point.z, &point.at.jacobian.column_norms());
+    (f64::EPSILON * from_parameters, size)
+}
+
+/// Whether the residuals are no larger than what rounding of the parameters makes of them.
+pub(crate) fn is_zero(point: &Point) -> bool {
+    let (rounding, size) = rounding(point);
+    size <= rounding
+}
+
+/// Whether the fall of the cost that the linear model promises, `½ ‖P r‖²`, is below the rounding
+/// of the cost.
+fn promises_nothing(point: &Point, verdict: &Verdict) -> bool {
+    let (rounding, size) = rounding(point);
+    let of_cost = size * (f64::EPSILON * size + rounding) + rounding * rounding;
+    0.5 * verdict.tangential * verdict.tangential <= ROUNDING * of_cost
+}
+
+/// A lower point near a stationary one that is no minimum: along the direction that the Jacobian
+/// sees least, where the curvature `‖J v‖² + r · r″(v)` is negative. `None` where it is not, or where the
+/// problem offers no second derivatives.
+pub(crate) fn escape(
+    system: &dyn System,
+    point: &Point,
+    verdict: &Verdict,
+    options: &Options,
+) -> Option<Point> {
+    let Jacobian::Dense(_) = &point.at.jacobian else {
+        return None;
+    };
+    if !options.variant.uses_second_derivatives() {
+        return None;
+    }
+    let v = verdict.factor.as_ref()?.least_seen()?;
+    let along = point.at.jacobian.multiply(&v);
+    let second = system.second_derivative(&point.z, &v)?;
+    let (straight, bent) = (dot(&along, &along), dot(&point.at.residuals, &second));
+    let parts = straight + norm(&point.at.residuals) * norm(&second);
+    if straight + bent >= -NEGATIVE * parts {
+        return None;
+    }
+    let mut t = (2.0 * point.at.cost / -(straight + bent)).sqrt();
+    for _ in 0..LENGTHS {
+        for side in [t, -t] {
+            let z = add(&point.z, side, &v);
+            // Half of what the curvature promises.
+            let promised = -0.5 * (straight + bent) * t * t;
+            if system.cost(&z) < point.at.cost - 0.5 * promised {
+                return Point::new(system, z).ok();
+            }
+        }
+        t *= 0.5;
+    }
+    None
+}
