@@ -1,7 +1,7 @@
 //! Outliers: a loss whose scale is estimated, from a far start by graduation; then a loss of one's own.
 
 use stillpoint_solver::{
-    DualNum, Jet, Loss, LossFunction, LossScale, Mask, Options, Parameters, from_fn, solve,
+    Jet, Loss, LossFunction, LossScale, Mask, Options, Parameters, from_fn, solve,
 };
 
 /// Fair's loss, `ρ(s) = 2 (√s − ln(1 + √s))`, with its two derivatives.
