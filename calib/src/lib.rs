@@ -21,6 +21,7 @@ pub mod kernel;
 pub mod methods;
 pub mod noise;
 mod order_statistic;
+pub mod readings;
 pub mod reckon;
 pub mod recording;
 pub mod residuals;

@@ -1,7 +1,7 @@
 //! Options of every command that reads a recording.
 
 use calib::recording::formats::{self, Format};
-use calib::recording::{AccelUnit, ColumnMap, GyroUnit, ReadOptions, TimeUnit};
+use calib::recording::{AccelUnit, ColumnMap, GyroUnit, ReadOptions, Role, TimeUnit};
 use clap::{Args, ValueEnum};
 
 /// How recordings are read; a well-formed file needs none of these.
@@ -49,6 +49,10 @@ pub struct ReadArgs {
     #[arg(long, value_name = "UNIT")]
     pub gyro_unit: Option<GyroUnit>,
 
+    /// Read these axes with the other sign, as `gx` or `ax,gz`.
+    #[arg(long, value_name = "AXIS,...", value_delimiter = ',', value_parser = axis)]
+    pub flip: Vec<Role>,
+
     /// Rows of one file after which it is refused.
     #[arg(long, value_name = "N", default_value_t = ReadOptions::default().max_rows)]
     pub max_rows: u64,
@@ -69,11 +73,19 @@ impl ReadArgs {
             self.time_format.is_some(),
             self.accel_unit.is_some(),
             self.gyro_unit.is_some(),
+            !self.flip.is_empty(),
         ];
         let limits = ReadOptions::default();
         let limited = self.max_rows < limits.max_rows || self.max_bytes < limits.max_bytes;
         !limited && !given.contains(&true)
     }
+}
+
+/// The axis of a sensor by its column's name.
+fn axis(name: &str) -> Result<Role, String> {
+    Role::from_name(name.trim())
+        .filter(|role| matches!(role, Role::Accel(_) | Role::Gyro(_)))
+        .ok_or_else(|| format!("`{name}` is none of ax, ay, az, gx, gy, gz"))
 }
 
 /// What to do with rows that lack a number.
@@ -98,6 +110,7 @@ impl From<ReadArgs> for ReadOptions {
             time_format: args.time_format,
             accel_unit: args.accel_unit,
             gyro_unit: args.gyro_unit,
+            flip: args.flip,
             max_rows: args.max_rows,
             max_bytes: args.max_bytes,
         }

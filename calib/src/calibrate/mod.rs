@@ -19,12 +19,13 @@ use sensor::{AnyEffect, Model};
 use crate::calibration::{Calibration, RecordingClock};
 use crate::error::Error;
 use crate::gravity::GravitySource;
-use crate::intervals::{Detector, Segmentation, Span};
+use crate::intervals::{Detector, Segmentation, Span, Turn, TurnFault};
 use crate::methods::joint::{ClockMode, JointFit};
 use crate::methods::{
     self, AccelerometerFit, AccelerometerRequest, Choice, GyroscopeData, GyroscopeFit,
     GyroscopeRequest, fit_accelerometer, fit_gyroscope, static_means,
 };
+use crate::readings::{Finding, tremor, without_spikes};
 use crate::recording::Recording;
 use crate::residuals::Integrator;
 
@@ -162,8 +163,14 @@ fn by_stamps(
     gyro_recordings: &[Recording],
     request: &Request,
 ) -> Result<Outcome, Error> {
+    let cleaned: Vec<_> = recordings.iter().map(without_spikes).collect();
     let mut warnings = Vec::new();
-    let recordings = checks::without_repeats(recordings, &mut warnings);
+    let clean = recordings.iter().zip(&cleaned);
+    let clean = clean.map(|(raw, cleaned)| cleaned.as_ref().map_or(raw, |(clean, _)| clean));
+    let recordings = checks::without_repeats(clean, &mut warnings);
+    for (recording, found) in cleaned.iter().flatten() {
+        warnings.extend(found.iter().map(|f| format!("{}: {f}", recording.name)));
+    }
     let choices = recordings
         .iter()
         .enumerate()
@@ -172,10 +179,106 @@ fn by_stamps(
     for (recording, choice) in recordings.iter().zip(&choices) {
         warnings.extend(checks::of_the_detector(recording, choice));
     }
-    if request.method == Method::Joint {
-        return joint::calibrate(&recordings, gyro_recordings, choices, request, warnings);
+    let parts = Parts {
+        recordings: &recordings,
+        gyro_recordings,
+        request,
+        warnings: &warnings,
+    };
+    let refused = match parts.fitted(choices.clone()) {
+        Err(Error::NotEnough(reason)) => reason,
+        Err(Error::NotConverged(reason)) => {
+            return Err(Error::NotConverged(in_the_hand(reason, &recordings)));
+        }
+        other => return other,
+    };
+    match parts.without_gyroscope(choices, &refused) {
+        Some(outcome) => Ok(outcome),
+        None => Err(Error::NotEnough(in_the_hand(refused, &recordings))),
     }
-    let accelerometer = accelerometer(&recordings, &choices, request, &mut warnings)?;
+}
+
+/// The reason with the cause that the readings show, if it is the hand.
+fn in_the_hand(reason: String, recordings: &[&Recording]) -> String {
+    match recordings.iter().find_map(|r| tremor(r)) {
+        Some(rate) => format!("{reason}; {}", Finding::HandHeld { rate }),
+        None => reason,
+    }
+}
+
+/// What a calibration is made from.
+struct Parts<'a> {
+    recordings: &'a [&'a Recording],
+    gyro_recordings: &'a [Recording],
+    request: &'a Request,
+    warnings: &'a [String],
+}
+
+impl Parts<'_> {
+    fn fitted(&self, choices: Vec<Choice>) -> Result<Outcome, Error> {
+        let warnings = self.warnings.to_vec();
+        let (recordings, others) = (self.recordings, self.gyro_recordings);
+        match self.request.method {
+            Method::Joint => joint::calibrate(recordings, others, choices, self.request, warnings),
+            Method::Stepwise => stepwise(recordings, others, choices, self.request, warnings),
+        }
+    }
+
+    /// The accelerometer alone, where saturated turns are why the gyroscope is not known; it is said.
+    fn without_gyroscope(&self, choices: Vec<Choice>, reason: &str) -> Option<Outcome> {
+        let turns = || choices.iter().flat_map(|c| &c.segmentation.turns);
+        let saturated = |t: &&Turn| matches!(t.fault, Some(TurnFault::Saturated { .. }));
+        let lost = turns().filter(saturated).count();
+        if lost == 0 || !self.gyro_recordings.is_empty() {
+            return None;
+        }
+        let of = turns().count();
+        let bare: Vec<Recording> = self
+            .recordings
+            .iter()
+            .map(|recording| Recording {
+                name: recording.name.clone(),
+                accelerometer: recording.accelerometer.clone(),
+                temperature: recording.temperature.clone(),
+                ..Recording::default()
+            })
+            .collect();
+        let only_force = bare.iter().zip(&choices).map(|(recording, choice)| {
+            let spans: Vec<Span> = choice.segmentation.statics.iter().map(|s| s.span).collect();
+            let multiplier = choice.segmentation.multiplier;
+            Choice {
+                segmentation: Segmentation::from_spans(recording, &spans, multiplier),
+                ..choice.clone()
+            }
+        });
+        let parts = Parts {
+            recordings: &bare.iter().collect::<Vec<_>>(),
+            ..*self
+        };
+        let mut outcome = parts.fitted(only_force.collect()).ok()?;
+        outcome.choices = choices;
+        let calibration = &mut outcome.calibration;
+        calibration.warnings.retain(|w| w != NO_GYROSCOPE);
+        calibration.warnings.push(format!(
+            "the gyroscope is not calibrated: it is saturated in {lost} of {of} turns, and the others are \
+             not enough ({reason}); turn more slowly or set a larger range"
+        ));
+        Some(outcome)
+    }
+}
+
+/// Said where only the accelerometer is calibrated.
+const NO_GYROSCOPE: &str = "no gyroscope in the recording: only the accelerometer is calibrated";
+
+/// Accelerometer first, then the gyroscope.
+fn stepwise(
+    recordings: &[&Recording],
+    gyro_recordings: &[Recording],
+    choices: Vec<Choice>,
+    request: &Request,
+    mut warnings: Vec<String>,
+) -> Result<Outcome, Error> {
+    let accelerometer = accelerometer(recordings, &choices, request, &mut warnings)?;
     let separate = gyro_recordings
         .iter()
         .map(|recording| {
@@ -208,7 +311,7 @@ fn by_stamps(
         .map(|(recording, _)| RecordingClock::given(&recording.name, even))
         .collect();
     let mut calibration = assemble::calibration(assemble::Parts {
-        recordings: &recordings,
+        recordings,
         turning: &turning,
         choices: &choices,
         accelerometer: accelerometer.as_ref(),
@@ -316,8 +419,7 @@ fn gyroscope(
     };
     if turning.iter().all(|(r, _)| r.gyroscope.is_none()) {
         if !turning.is_empty() {
-            warnings
-                .push("no gyroscope in the recording: only the accelerometer is calibrated".into());
+            warnings.push(NO_GYROSCOPE.into());
         }
         return Ok(None);
     }

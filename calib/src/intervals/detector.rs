@@ -93,8 +93,10 @@ impl<'a> Level<'a> {
         let step = stream.median_step().unwrap_or(0.0);
         if step * MIN_SAMPLES > detector.window {
             return Err(Error::NotEnough(format!(
-                "a sample every {step:.3} s: the detector's window of {} s holds fewer than \
-                 {MIN_SAMPLES}; record faster or use --window {:.0}",
+                "a sample every {step:.3} s ({:.1} Hz): too few to follow a turn, and the detector's window of \
+                 {} s holds fewer than {MIN_SAMPLES}; record faster, or use --window {:.0} for the \
+                 accelerometer alone",
+                step.recip(),
                 figure(detector.window),
                 (step * MIN_SAMPLES).ceil()
             )));

@@ -19,6 +19,8 @@ pub struct Rejected {
 pub enum Reason {
     /// The device turned about the vertical at this rate, rad/s, which no bias explains.
     Turning(f64),
+    /// The accelerometer is cut off at the end of its range on this axis, 0 to 2.
+    Clipped(usize),
     /// The device tilted steadily, from begin to end by this angle, rad.
     Tilting(f64),
 }
@@ -37,9 +39,15 @@ impl fmt::Display for Rejected {
                  bias explains; lay the device down where nothing turns",
                 rate.to_degrees().abs()
             ),
+            Reason::Clipped(axis) => write!(
+                f,
+                "accelerometer {} is cut off at the end of its range; set a larger range",
+                ["x", "y", "z"].get(axis).copied().unwrap_or_default()
+            ),
             Reason::Tilting(angle) => write!(
                 f,
-                "the device tilts steadily by {:.3} °/s, {:.2}° in all; lay it down on something firm",
+                "the device tilts steadily, by a slope of {:.3} °/s and {:.2}° in all; lay it down on something \
+                 firm",
                 angle.to_degrees() / self.span.length(),
                 angle.to_degrees()
             ),

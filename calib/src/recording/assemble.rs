@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use sensor::Sensor;
 
-use super::options::ReadOptions;
+use super::options::{ReadOptions, Role};
 use super::place::{figure, in_file};
 use super::samples::Samples;
 use super::table::Table;
@@ -52,6 +52,12 @@ pub(super) fn assemble(
     for table in tables {
         add(&mut recording, table, options)?;
     }
+    if let Some(found) = crate::readings::cut_erased_tail(&mut recording) {
+        recording
+            .warnings
+            .push(format!("{}: {found}", recording.name));
+    }
+    flip(&mut recording, &options.flip);
     overlap(&recording)?;
     for (present, missing) in [
         (
@@ -174,6 +180,20 @@ fn scaled(mut stream: Stream, scale: f64) -> Stream {
         stream.values.iter_mut().for_each(|value| *value *= scale);
     }
     stream
+}
+
+/// Turns the sign of axes.
+fn flip(recording: &mut Recording, axes: &[Role]) {
+    for role in axes {
+        let (stream, axis) = match role {
+            Role::Accel(axis) => (&mut recording.accelerometer, *axis),
+            Role::Gyro(axis) => (&mut recording.gyroscope, *axis),
+            Role::Time | Role::Temperature => continue,
+        };
+        for value in stream.iter_mut().flat_map(|stream| &mut stream.values) {
+            value[axis] = -value[axis];
+        }
+    }
 }
 
 /// Refuses sensors that were never on at the same time.

@@ -30,6 +30,8 @@ pub struct ReadOptions {
     pub accel_unit: Option<AccelUnit>,
     /// Unit of the gyroscope; from the header when `None`, else rad/s.
     pub gyro_unit: Option<GyroUnit>,
+    /// Axes of sensors to read with the other sign.
+    pub flip: Vec<Role>,
     /// Rows after which reading is refused.
     pub max_rows: u64,
     /// Bytes of (decompressed) text after which reading is refused.
@@ -49,6 +51,7 @@ impl Default for ReadOptions {
             time_format: None,
             accel_unit: None,
             gyro_unit: None,
+            flip: Vec::new(),
             max_rows: 200_000_000,
             max_bytes: 16 << 30,
         }

@@ -1,9 +1,12 @@
 //! Values that no working sensor gives, and values at its rails.
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
 use sensor::Sensor;
 
 use super::checks::called;
+use super::options::Role;
 use super::place::{at_line, figure, in_file};
 use super::samples::Samples;
 use crate::Error;
@@ -31,6 +34,16 @@ pub(super) fn check(
         let called = format!("{} {}", called(sensor), ["x", "y", "z"][axis]);
         if samples.t.len() >= ENOUGH && low == high {
             return Err(stuck(name, &called, samples, low));
+        }
+        if let Some(run) = stuck_within(samples, axis) {
+            return Err(stopped(
+                name,
+                &called,
+                column(sensor, axis),
+                samples,
+                axis,
+                run,
+            ));
         }
         let peak = high.max(-low);
         if peak > 0.0 && peak < TINIEST {
@@ -82,6 +95,39 @@ fn stuck(name: &str, called: &str, samples: &Samples, value: f64) -> Error {
         format!(
             "{called} is {} in every row up to line {last}: {why} Record again, or leave the sensor out",
             figure(value)
+        ),
+    )
+}
+
+/// The column of an axis in plain CSV.
+fn column(sensor: Sensor, axis: usize) -> &'static str {
+    match sensor {
+        Sensor::Accelerometer => Role::Accel(axis),
+        Sensor::Gyroscope => Role::Gyro(axis),
+    }
+    .name()
+}
+
+fn stuck_within(samples: &Samples, axis: usize) -> Option<Range<usize>> {
+    (samples.t.len() >= ENOUGH).then(|| crate::readings::stuck(&samples.values, axis))?
+}
+
+fn stopped(
+    name: &str,
+    called: &str,
+    column: &str,
+    samples: &Samples,
+    axis: usize,
+    run: Range<usize>,
+) -> Error {
+    at_line(
+        name,
+        samples.line(run.start),
+        format!(
+            "{called} ({column}) is stuck at {} from here to line {} ({} rows) while the other axes go on; cut these rows out, or record again",
+            figure(samples.values[run.start][axis]),
+            samples.line(run.end - 1),
+            run.len()
         ),
     )
 }

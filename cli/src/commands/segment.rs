@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use calib::Recording;
 use calib::intervals::{Moments, Span};
 use calib::methods::{Choice, cut};
+use calib::readings::findings;
 use serde_json::json;
 
 use super::inputs::{DetectorArgs, PlaceArgs, as_paths, read};
@@ -67,7 +68,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         show::warn(warning);
     }
     let choice = cut(&recording, &detector, choose, gravity)?;
-    for remark in choice.remarks() {
+    for remark in remarks(&recording, &choice) {
         show::warn(&remark);
     }
     let document = document(&recording, &choice);
@@ -86,6 +87,13 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         text(&recording, &choice)
     })?;
     Ok(())
+}
+
+/// How the recording was cut, and what its readings show.
+fn remarks(recording: &Recording, choice: &Choice) -> Vec<String> {
+    let found = findings(recording, &choice.segmentation);
+    let found = found.iter().map(ToString::to_string);
+    choice.remarks().into_iter().chain(found).collect()
 }
 
 fn document(recording: &Recording, choice: &Choice) -> serde_json::Value {
@@ -126,7 +134,7 @@ fn document(recording: &Recording, choice: &Choice) -> serde_json::Value {
             })
         })
         .collect();
-    let remarks = choice.remarks();
+    let remarks = remarks(recording, choice);
     let warnings: Vec<&String> = recording.warnings.iter().chain(&remarks).collect();
     json!({
         "schema": "stillpoint.segments/1",

@@ -16,12 +16,20 @@ use sensor::Kinematics;
 
 use crate::error::Error;
 use crate::methods::Choice;
-use crate::recording::Recording;
+use crate::readings::{Quiet, findings, quietest};
+use crate::recording::{Recording, Stream};
 use crate::residuals::StaticMean;
+
+/// Rates above this are said to be more than needed, and which would do, Hz.
+const FASTEST: f64 = 5000.0;
+const ENOUGH_RATE: f64 = 1000.0;
+
+/// Quiet stretches that are shown where none is quiet enough.
+const QUIETEST: usize = 3;
 
 /// The recordings without repeats of the same data.
 pub(super) fn without_repeats<'a>(
-    recordings: &'a [Recording],
+    recordings: impl IntoIterator<Item = &'a Recording>,
     warnings: &mut Vec<String>,
 ) -> Vec<&'a Recording> {
     let mut kept: Vec<&Recording> = Vec::new();
@@ -44,7 +52,33 @@ pub(super) fn without_repeats<'a>(
 /// What a user should know of how a recording was cut.
 pub(super) fn of_the_detector(recording: &Recording, choice: &Choice) -> Vec<String> {
     let named = |remark| format!("{}: {remark}", recording.name);
-    choice.remarks().into_iter().map(named).collect()
+    let found = findings(recording, &choice.segmentation);
+    let fast = fast_sampling(recording);
+    let found = found.iter().map(ToString::to_string).chain(fast);
+    choice
+        .remarks()
+        .into_iter()
+        .chain(found)
+        .map(named)
+        .collect()
+}
+
+/// Rates that only take time.
+fn fast_sampling(recording: &Recording) -> Option<String> {
+    let streams = [&recording.accelerometer, &recording.gyroscope];
+    let steps = streams
+        .into_iter()
+        .flatten()
+        .filter_map(Stream::median_step);
+    let rate = steps.min_by(f64::total_cmp)?.recip();
+    (rate > FASTEST).then(|| {
+        format!(
+            "sampled at {:.1} kHz: no hand turns so fast; means over blocks of {:.0} samples would do, and \
+             take less time",
+            1e-3 * rate,
+            (rate / ENOUGH_RATE).round()
+        )
+    })
 }
 
 /// A mean of which nothing else is known.
@@ -74,9 +108,10 @@ pub(super) fn enough_rests(
     }
     match found {
         0 => Err(Error::NotEnough(format!(
-            "{}: no static interval: the device is never still for long enough; lay it down for 5 s \
+            "{}: no static interval: the device is never still for long enough{}; lay it down for 5 s \
              between the turns, or lower --min-static or raise --multiplier",
-            names.join(", ")
+            names.join(", "),
+            quietest_in_words(recordings)
         ))),
         1 => {
             let length: f64 = choices
@@ -92,5 +127,27 @@ pub(super) fn enough_rests(
             )))
         }
         _ => Ok(()),
+    }
+}
+
+/// ` (the quietest seconds: ...)`; empty without samples.
+fn quietest_in_words(recordings: &[&Recording]) -> String {
+    let Some(first) = recordings.first() else {
+        return String::new();
+    };
+    let words = |quiet: &Quiet| {
+        let rate = quiet.rate.map(|r| format!(" {r:.1e} rad/s"));
+        let force = quiet.force.map(|f| format!(" {f:.1e} m/s²"));
+        format!(
+            "t = {:.1} s with a spread of{}{}",
+            quiet.span.from,
+            rate.unwrap_or_default(),
+            force.unwrap_or_default()
+        )
+    };
+    let found: Vec<String> = quietest(first, QUIETEST).iter().map(words).collect();
+    match found.as_slice() {
+        [] => String::new(),
+        found => format!(" (the quietest seconds begin at {})", found.join(", ")),
     }
 }

@@ -30,8 +30,9 @@ pub(in crate::calibrate) fn gyroscope_gates(fit: &RateEvidence<'_>, si: bool) ->
     }
     if near_si.determinant() < 0.0 {
         failed.push(format!(
-            "the gyroscope's axes are left-handed against the accelerometer's: {}",
-            mounting(&near_si)
+            "the gyroscope's axes are left-handed against the accelerometer's: {}{}",
+            mounting(&near_si),
+            flip_in_words(&near_si)
         ));
     }
     let ratio = base.t.trace() / 3.0;
@@ -62,6 +63,20 @@ pub(in crate::calibrate) fn turned_axes(fit: &RateEvidence<'_>) -> Option<String
             mounting(&near_si)
         )
     })
+}
+
+/// `; read it with --flip gy`, where one axis alone is flipped.
+fn flip_in_words(t: &Matrix3<f64>) -> String {
+    let flipped: Vec<&str> = ["gx", "gy", "gz"]
+        .into_iter()
+        .enumerate()
+        .filter(|&(k, _)| t[(k, k)] < -TURNED)
+        .map(|(_, axis)| axis)
+        .collect();
+    match flipped.as_slice() {
+        [axis] => format!("; read it with --flip {axis}"),
+        _ => String::new(),
+    }
 }
 
 /// `its y is flipped`, or which axis of the sensor lies on which of the body.

@@ -1,0 +1,213 @@
+//! What was found, in numbers, and its sentence.
+
+use std::fmt;
+
+use sensor::Sensor;
+use serde::Serialize;
+
+use crate::recording::figure;
+
+/// Most rows or intervals that a sentence lists.
+const LISTED: usize = 8;
+
+/// What the readings show of a sensor. Values in the unit of the readings, rows counted as the
+/// lines of a table with one line of header, the first sample being row 2; times in s.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+#[non_exhaustive]
+pub enum Finding {
+    /// All readings from a row on repeat one pattern: memory that was never written.
+    ErasedTail {
+        /// The first such row.
+        first_row: usize,
+        /// Their number.
+        rows: usize,
+        /// Time of the first, s.
+        time: f64,
+    },
+    /// An axis is cut off at the end of its range.
+    Clipped {
+        /// The sensor.
+        #[serde(serialize_with = "name")]
+        sensor: Sensor,
+        /// The axis, 0 to 2.
+        axis: usize,
+        /// The reading at which it is cut off.
+        limit: f64,
+        /// Number of rows there.
+        rows: usize,
+        /// The first and the last of them.
+        from_row: usize,
+        /// See `from_row`.
+        to_row: usize,
+    },
+    /// The steps of the readings are wider than the noise.
+    Quantised {
+        /// The sensor.
+        #[serde(serialize_with = "name")]
+        sensor: Sensor,
+        /// The axes, 0 to 2.
+        axes: Vec<usize>,
+        /// The widest step.
+        step: f64,
+        /// The standard deviation within static intervals on the same axis.
+        spread: f64,
+    },
+    /// Small signals read as exactly zero.
+    DeadZone {
+        /// The sensor.
+        #[serde(serialize_with = "name")]
+        sensor: Sensor,
+        /// The axes, 0 to 2.
+        axes: Vec<usize>,
+        /// Share of the readings in static intervals that are zero, on the axis with most.
+        share: f64,
+        /// The smallest reading that is not zero, on that axis.
+        least: f64,
+    },
+    /// Single readings far from their neighbours on both sides, which agree.
+    Spikes {
+        /// The sensor.
+        #[serde(serialize_with = "name")]
+        sensor: Sensor,
+        /// Rows, in order.
+        rows: Vec<usize>,
+        /// Axes on which they stand out, 0 to 2.
+        axes: Vec<usize>,
+        /// The farthest one's distance from its neighbours.
+        largest: f64,
+    },
+    /// Some static intervals are far noisier than the others.
+    Vibration {
+        /// The sensor.
+        #[serde(serialize_with = "name")]
+        sensor: Sensor,
+        /// The intervals, counted from 1.
+        intervals: Vec<usize>,
+        /// The spread of the noisiest over that of the usual one.
+        ratio: f64,
+    },
+    /// The rate wavers in the quietest stretches as in a hand.
+    HandHeld {
+        /// Root mean square of the wavering rate, rad/s.
+        rate: f64,
+    },
+}
+
+/// The sensor's name for JSON.
+fn name<S: serde::Serializer>(sensor: &Sensor, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(called(*sensor))
+}
+
+fn called(sensor: Sensor) -> &'static str {
+    match sensor {
+        Sensor::Accelerometer => "accelerometer",
+        Sensor::Gyroscope => "gyroscope",
+    }
+}
+
+fn axes_in_words(axes: &[usize]) -> String {
+    let names: Vec<&str> = axes
+        .iter()
+        .filter_map(|&k| ["x", "y", "z"].get(k).copied())
+        .collect();
+    names.join(", ")
+}
+
+fn listed(numbers: &[usize]) -> String {
+    let shown: Vec<String> = numbers.iter().take(LISTED).map(usize::to_string).collect();
+    match numbers.len().saturating_sub(LISTED) {
+        0 => shown.join(", "),
+        more => format!("{} and {more} more", shown.join(", ")),
+    }
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ErasedTail {
+                first_row,
+                rows,
+                time,
+            } => write!(
+                f,
+                "the last {rows} rows, from row {first_row} (t = {time:.3} s) on, repeat one reading on all \
+                 axes: erased memory, left out"
+            ),
+            Self::Clipped {
+                sensor,
+                axis,
+                limit,
+                rows,
+                from_row,
+                to_row,
+            } => write!(
+                f,
+                "{} {} is saturated at {} in {rows} of the rows {from_row} to {to_row}: its range ends there, \
+                 and the signal is larger; set a larger range",
+                called(*sensor),
+                axes_in_words(&[*axis]),
+                figure(*limit)
+            ),
+            Self::Quantised {
+                sensor,
+                axes,
+                step,
+                spread,
+            } => write!(
+                f,
+                "the {} reads in steps of {step:.3e} on {}, wider than its noise ({spread:.1e}): no static \
+                 mean is known better than a step over √12, {:.1e}",
+                called(*sensor),
+                axes_in_words(axes),
+                step / 12f64.sqrt()
+            ),
+            Self::DeadZone {
+                sensor,
+                axes,
+                share,
+                least,
+            } => write!(
+                f,
+                "the {} reads exactly zero on {} in {:.0} % of the samples of static intervals and nothing \
+                 between zero and {least:.2e}: a dead zone, or readings from a fusion filter; its bias and the \
+                 errors of slow turns cannot be known, record the raw sensor",
+                called(*sensor),
+                axes_in_words(axes),
+                100.0 * share
+            ),
+            Self::Spikes {
+                sensor,
+                rows,
+                axes,
+                largest,
+            } => write!(
+                f,
+                "{} single readings of the {} on {} leave their neighbours by up to {largest:.3e} and \
+                 return (rows {}): transfer errors or knocks, replaced by the mean of their neighbours",
+                rows.len(),
+                called(*sensor),
+                axes_in_words(axes),
+                listed(rows)
+            ),
+            Self::Vibration {
+                sensor,
+                intervals,
+                ratio,
+            } => write!(
+                f,
+                "the {} is up to {ratio:.1} times noisier in static interval{} {} than in the others: \
+                 something vibrated",
+                called(*sensor),
+                if intervals.len() == 1 { "" } else { "s" },
+                listed(intervals)
+            ),
+            Self::HandHeld { rate } => write!(
+                f,
+                "the device was held in the hand (its rate wavers by {:.0} mrad/s in the quietest \
+                 stretches): lay it down",
+                1e3 * rate
+            ),
+        }
+    }
+}

@@ -1,0 +1,226 @@
+//! Single readings far from their neighbours.
+
+use nalgebra::Vector3;
+use sensor::Sensor;
+
+use super::{FIRST_ROW, Finding, least_step, median};
+use crate::order_statistic::nth_smallest;
+use crate::recording::{Recording, Stream};
+
+/// Samples on each side that show what is usual around a reading.
+const AROUND: usize = 50;
+/// Fewest of them at the ends of a recording.
+const FEWEST_AROUND: usize = 20;
+
+/// A spike leaves its neighbours by so many standard deviations of the samples around it ...
+const BEYOND: f64 = 15.0;
+/// ... which stay within so many themselves: where the device moves or is knocked, nothing is a spike ...
+const QUIET: f64 = 8.0;
+/// ... and its neighbours differ by less than this share of it.
+const NEIGHBOURS: f64 = 0.25;
+
+/// Fewer spikes than this are knocks, and are left; but one is enough where it is larger than everything
+/// else by so many times.
+const FEWEST: usize = 5;
+const ALONE: f64 = 3.0;
+
+/// A reading that leaves its neighbours by so many times what nearly all readings of the sensor reach is a
+/// spike even where the device moves.
+const HUGE: f64 = 5.0;
+const USUAL_SHARE: f64 = 0.98;
+
+/// More spikes than this share of the samples are no spikes.
+const MOST: f64 = 0.02;
+
+/// The recording with its spikes replaced by the mean of their neighbours, and what was found; `None` where
+/// there are none.
+pub fn without_spikes(recording: &Recording) -> Option<(Recording, Vec<Finding>)> {
+    let sensors = [
+        (Sensor::Accelerometer, &recording.accelerometer),
+        (Sensor::Gyroscope, &recording.gyroscope),
+    ];
+    let found = sensors.map(|(sensor, stream)| found(sensor, stream.as_ref()?));
+    if found.iter().all(Option::is_none) {
+        return None;
+    }
+    let mut cleaned = recording.clone();
+    let streams = [&mut cleaned.accelerometer, &mut cleaned.gyroscope];
+    let mut findings = Vec::new();
+    for (stream, finding) in streams.into_iter().zip(found) {
+        if let (Some(stream), Some(finding)) = (stream, finding) {
+            if let Finding::Spikes { rows, .. } = &finding {
+                replace(&mut stream.values, rows);
+            }
+            findings.push(finding);
+        }
+    }
+    Some((cleaned, findings))
+}
+
+/// Puts the mean of the two neighbours in the place of each row.
+fn replace(values: &mut [Vector3<f64>], rows: &[usize]) {
+    for &row in rows {
+        let k = row - FIRST_ROW;
+        if k > 0 && k + 1 < values.len() {
+            values[k] = 0.5 * (values[k - 1] + values[k + 1]);
+        }
+    }
+}
+
+fn found(sensor: Sensor, stream: &Stream) -> Option<Finding> {
+    let values = &stream.values;
+    let most = (MOST * values.len() as f64) as usize;
+    let (mut rows, mut axes, mut largest) = (Vec::new(), Vec::new(), 0.0f64);
+    for axis in 0..3 {
+        let spikes = of_axis(values, axis, most);
+        if spikes.is_empty() {
+            continue;
+        }
+        axes.push(axis);
+        let size = spikes.iter().map(|s| s.1).fold(0.0, f64::max);
+        largest = largest.max(size);
+        rows.extend(spikes.iter().map(|s| s.0 + FIRST_ROW));
+    }
+    rows.sort_unstable();
+    rows.dedup();
+    let certain = || largest > ALONE * extent_without(values, &rows);
+    let enough = rows.len() >= FEWEST || certain();
+    (enough && !rows.is_empty() && rows.len() <= most.max(1)).then_some(Finding::Spikes {
+        sensor,
+        rows,
+        axes,
+        largest,
+    })
+}
+
+/// Places and sizes of an axis's spikes.
+fn of_axis(values: &[Vector3<f64>], axis: usize, most: usize) -> Vec<(usize, f64)> {
+    let size = |k: usize| {
+        let (before, at, after) = (values[k - 1][axis], values[k][axis], values[k + 1][axis]);
+        let (left, right) = (at - before, at - after);
+        let size = left.abs().min(right.abs());
+        let alone = left * right > 0.0 && (after - before).abs() < NEIGHBOURS * size;
+        if alone { size } else { 0.0 }
+    };
+    if values.len() < 2 * FEWEST_AROUND {
+        return Vec::new();
+    }
+    let mut sizes: Vec<(usize, f64)> = (1..values.len() - 1)
+        .map(|k| (k, size(k)))
+        .filter(|s| s.1 > 0.0)
+        .collect();
+    // Only the largest can be spikes: looking around each is what takes time.
+    let place = sizes.len().min(most.max(1));
+    if place < sizes.len() {
+        sizes.select_nth_unstable_by(place, |a, b| b.1.total_cmp(&a.1));
+        sizes.truncate(place);
+    }
+    let step = least_step(values, axis).unwrap_or(0.0);
+    let rank = (USUAL_SHARE * values.len() as f64) as usize;
+    let usual = nth_smallest(values.iter().map(Vector3::amax), rank).unwrap_or(0.0);
+    sizes.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let mut spikes = Vec::new();
+    let mut misses = 0;
+    for (k, size) in sizes {
+        if size > HUGE * usual || stands_out(values, axis, k, size, step) {
+            spikes.push((k, size));
+        } else {
+            misses += 1;
+        }
+        if misses > MOST_MISSES {
+            break;
+        }
+    }
+    spikes
+}
+
+/// Places looked at in vain before the smaller ones are left.
+const MOST_MISSES: usize = 60;
+
+/// Whether the samples around are quiet and the spike is far from them.
+fn stands_out(values: &[Vector3<f64>], axis: usize, k: usize, size: f64, step: f64) -> bool {
+    let before = &values[k.saturating_sub(AROUND)..k.saturating_sub(1)];
+    let after = &values[(k + 2).min(values.len())..(k + AROUND + 1).min(values.len())];
+    let around: Vec<f64> = before.iter().chain(after).map(|v| v[axis]).collect();
+    if around.len() < FEWEST_AROUND {
+        return false;
+    }
+    let Some(middle) = median(around.clone()) else {
+        return false;
+    };
+    let off = || around.iter().map(|v| (v - middle).abs());
+    let Some(usual) = median(off().collect()) else {
+        return false;
+    };
+    let spread = (usual / 0.6745).max(step);
+    // Other spikes nearby do not make a place restless.
+    let restless = off().filter(|v| *v > QUIET * spread).count();
+    size > BEYOND * spread && 50 * restless <= around.len() * 3
+}
+
+/// The largest size of a reading on any axis, but for those of the rows.
+fn extent_without(values: &[Vector3<f64>], rows: &[usize]) -> f64 {
+    let others = values.iter().enumerate();
+    let others = others.filter(|(k, _)| rows.binary_search(&(k + FIRST_ROW)).is_err());
+    others.map(|(_, v)| v.amax()).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn recording() -> Recording {
+        let t: Vec<f64> = (0..4000).map(|k| 0.01 * f64::from(k)).collect();
+        let value = |k: usize| {
+            let noise = |m: usize| ((k * k * m) % 997) as f64 / 500.0 - 1.0;
+            let turn = if (1000..1500).contains(&k) { 0.05 } else { 0.0 };
+            let wave = 2.0 * (turn * k as f64).sin();
+            Vector3::new(
+                0.02 * noise(3) + wave,
+                0.02 * noise(7),
+                9.8 + 0.02 * noise(11),
+            )
+        };
+        let values = (0..4000).map(value).collect();
+        Recording {
+            accelerometer: Some(Stream { t, values }),
+            ..Recording::default()
+        }
+    }
+
+    #[test]
+    fn a_single_full_scale_reading_is_replaced_and_listed() {
+        let mut spiked = recording();
+        let values = &mut spiked.accelerometer.as_mut().unwrap().values;
+        values[2000].y = 156.9;
+        let clean = 0.5 * (values[1999] + values[2001]);
+        let (cleaned, findings) = without_spikes(&spiked).unwrap();
+        assert_eq!(cleaned.accelerometer.unwrap().values[2000], clean);
+        let Finding::Spikes { rows, axes, .. } = &findings[0] else {
+            panic!("{findings:?}");
+        };
+        assert_eq!((rows.as_slice(), axes.as_slice()), (&[2002][..], &[1][..]));
+    }
+
+    #[test]
+    fn ten_small_spikes_at_rest_are_found() {
+        let mut spiked = recording();
+        let values = &mut spiked.accelerometer.as_mut().unwrap().values;
+        for k in 0..10 {
+            values[1600 + 200 * k].z += 1.5;
+        }
+        let (_, findings) = without_spikes(&spiked).unwrap();
+        let Finding::Spikes { rows, .. } = &findings[0] else {
+            panic!("{findings:?}");
+        };
+        assert_eq!(rows.len(), 10);
+    }
+
+    #[test]
+    fn noise_turns_and_one_knock_are_no_spikes() {
+        assert!(without_spikes(&recording()).is_none());
+        let mut knocked = recording();
+        knocked.accelerometer.as_mut().unwrap().values[2000].y += 1.5;
+        assert!(without_spikes(&knocked).is_none());
+    }
+}
