@@ -190,25 +190,35 @@ fn accelerometer_triad(
             .collect();
     }
     if request.static_means.is_empty() {
-        triad.reduced_chi2 = whitened_chi2(fit, choices);
+        triad.reduced_chi2 = whitened_chi2(fit, recordings, choices);
     }
     triad
 }
 
 /// `Σ (r/σ)² / (n − rank)` with σ from the noise within the rests.
-fn whitened_chi2(fit: &AccelerometerFit, choices: &[Choice]) -> Option<f64> {
+fn whitened_chi2(
+    fit: &AccelerometerFit,
+    recordings: &[&Recording],
+    choices: &[Choice],
+) -> Option<f64> {
     let base = Base::from_parameters(fit.fitted.parameters.values());
-    let rests = choices.iter().flat_map(|c| &c.segmentation.statics);
-    let moments: Vec<_> = rests.filter_map(|rest| rest.accelerometer).collect();
+    let pairs = recordings.iter().zip(choices);
+    let moments: Vec<_> = pairs
+        .flat_map(|(recording, choice)| {
+            let coloured = noise::long_run(recording.accelerometer.as_ref(), &choice.segmentation);
+            let rests = choice.segmentation.statics.iter();
+            rests.filter_map(move |rest| Some((rest.accelerometer?, coloured)))
+        })
+        .collect();
     if moments.len() != fit.first.residuals.len() {
         return None;
     }
     let sum: f64 = moments
         .iter()
         .zip(&fit.first.residuals)
-        .map(|(rest, r)| {
+        .map(|((rest, coloured), r)| {
             let u = base.correct(&rest.mean).normalize();
-            let sigma = noise::of_modulus(rest, &base, &u).max(LEAST_NOISE);
+            let sigma = (coloured * noise::of_modulus(rest, &base, &u)).max(LEAST_NOISE);
             (r / sigma).powi(2)
         })
         .sum();

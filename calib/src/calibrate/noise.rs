@@ -4,7 +4,23 @@ use nalgebra::Vector3;
 use sensor::Base;
 
 use crate::intervals::{Moments, Segmentation};
+use crate::methods::joint::SensorNoise;
 use crate::recording::{Recording, Stream};
+
+/// What is left out at either end of a rest where the colour of the noise is measured, s: motion.
+const ENDS: f64 = 0.5;
+
+/// How much more the mean of a rest scatters than white noise of the same samples would.
+pub(super) fn long_run(stream: Option<&Stream>, segmentation: &Segmentation) -> f64 {
+    let Some(stream) = stream else { return 1.0 };
+    let rests: Vec<_> = segmentation
+        .statics
+        .iter()
+        .map(|rest| stream.between(rest.span.from + ENDS, rest.span.to - ENDS))
+        .filter(|range| range.len() > 1)
+        .collect();
+    SensorNoise::long_run_of(stream, &rests)
+}
 
 /// Standard deviation of a rest's mean along direction `u` of corrected specific force, m/s², from
 /// the white noise within the rest.
@@ -31,6 +47,8 @@ pub(super) fn of_turns(
         .and_then(Stream::median_step)
         .unwrap_or(0.0);
     let mean_variance = |m: &Moments| m.covariance.trace() / 3.0;
+    let coloured = [&recording.accelerometer, &recording.gyroscope]
+        .map(|stream| long_run(stream.as_ref(), segmentation).powi(2));
     segmentation
         .turns
         .iter()
@@ -52,9 +70,10 @@ pub(super) fn of_turns(
             }
             let duration = turn.span.length();
             let walk = (rate * step * duration + of_mean * duration * duration)
+                * coloured[1]
                 * gyroscope_scale
                 * gyroscope_scale;
-            Some((walk + ends_variance).sqrt())
+            Some((walk + coloured[0] * ends_variance).sqrt())
         })
         .collect()
 }

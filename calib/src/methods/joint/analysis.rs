@@ -294,9 +294,11 @@ impl Analysis {
         )
     }
 
-    /// The columns of all suspects, whitened by the white noise (`m × k`).
+    /// The columns of all suspects, then what looks like each of them, whitened by the white noise (`m × k`).
     pub fn columns(&self, suspects: &[Suspect]) -> Mat<f64> {
-        let all: Vec<&Vec<f64>> = suspects.iter().flat_map(|s| &s.columns).collect();
+        let own = suspects.iter().flat_map(|s| &s.columns);
+        let alike = suspects.iter().flat_map(|s| &s.nuisance);
+        let all: Vec<&Vec<f64>> = own.chain(alike).collect();
         let mut columns = Mat::from_fn(self.residuals.len(), all.len(), |i, k| all[k][i]);
         self.white.apply(columns.as_mut());
         columns

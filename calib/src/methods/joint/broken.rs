@@ -37,6 +37,16 @@ pub struct Pair<'a> {
     pub rate: (&'a Stream, &'a SensorNoise),
 }
 
+/// The rests on either side of a turn.
+#[derive(Clone, Copy, Debug)]
+pub struct Beside {
+    /// The rate in the rest before.
+    pub bias: Vector3<f64>,
+    /// Variance of the accelerometer in the rest that shakes more, and of the gyroscope: on a table that
+    /// vibrates that is how the device rests.
+    pub variances: [Vector3<f64>; 2],
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum State {
     Quiet,
@@ -45,15 +55,14 @@ enum State {
     Turns,
 }
 
-/// The part of a turn in which the device rested and was touched, if there is one; `bias` is the rate in
-/// the rest before.
-pub fn touched(pair: &Pair<'_>, turn: Span, bias: &Vector3<f64>) -> Option<Span> {
+/// The part of a turn in which the device rested and was touched, if there is one.
+pub fn touched(pair: &Pair<'_>, turn: Span, beside: &Beside) -> Option<Span> {
     let count = turn.stretches(WINDOW);
     let window = |k: usize| Span {
         from: turn.from + k as f64 * WINDOW,
         to: turn.from + (k + 1) as f64 * WINDOW,
     };
-    let states: Vec<State> = (0..count).map(|k| state(pair, window(k), bias)).collect();
+    let states: Vec<State> = (0..count).map(|k| state(pair, window(k), beside)).collect();
     let shaking = longest(&states, |s| s == State::Shakes);
     let alone = alone(&states);
     let (first, last) = ends(&states)?;
@@ -73,33 +82,37 @@ pub fn touched(pair: &Pair<'_>, turn: Span, bias: &Vector3<f64>) -> Option<Span>
     })
 }
 
-fn state(pair: &Pair<'_>, window: Span, bias: &Vector3<f64>) -> State {
+fn state(pair: &Pair<'_>, window: Span, beside: &Beside) -> State {
     let Some((rate, rate_square, count)) = moments(pair.rate.0, window) else {
         return State::Turns;
     };
-    let noise = pair.rate.1.white;
-    let limit = OFF / count.sqrt();
+    let noise = pair.rate.1;
+    let usual = |noise: &SensorNoise, own: &Vector3<f64>| noise.white.map(|w| w * w).sup(own);
+    let variance = usual(noise, &beside.variances[1]);
     let turns = (0..3).any(|i| {
-        (rate[i] - bias[i]).abs() > limit * noise[i]
-            || rate_square[i] > most(count) * noise[i].powi(2)
+        let limit = OFF * noise.long_run[i] * (variance[i] / count).sqrt();
+        (rate[i] - beside.bias[i]).abs() > limit
+            || rate_square[i] > most(count, noise.freedom[i]) * variance[i]
     });
     if turns {
         return State::Turns;
     }
+    let noise = pair.force.1;
+    let variance = usual(noise, &beside.variances[0]);
+    let quiet = |square: Vector3<f64>, count: f64| {
+        (0..3).all(|i| square[i] <= most(count, noise.freedom[i]) * variance[i])
+    };
     match moments(pair.force.0, window) {
-        Some((_, square, count))
-            if (0..3).all(|i| square[i] <= most(count) * pair.force.1.white[i].powi(2)) =>
-        {
-            State::Quiet
-        }
+        Some((_, square, count)) if quiet(square, count) => State::Quiet,
         _ => State::Shakes,
     }
 }
 
-/// The variance, over the usual, of a quiet window of `count` samples: [`QUIET`], or what one in two
-/// thousand windows has by chance where they hold few samples (Wilson and Hilferty 1931).
-fn most(count: f64) -> f64 {
-    let spread = 2.0 / (9.0 * (count - 1.0));
+/// The variance, over the usual, of a quiet window of `count` samples, a share `freedom` of them as good as
+/// independent: [`QUIET`], or what one in two thousand windows has by chance where they are few (Wilson and
+/// Hilferty 1931).
+fn most(count: f64, freedom: f64) -> f64 {
+    let spread = 2.0 / (9.0 * (freedom * (count - 1.0)).max(1.0));
     let by_chance = (1.0 - spread + CHANCE * spread.sqrt()).powi(3);
     by_chance.max(QUIET)
 }
@@ -164,9 +177,9 @@ mod tests {
             let law = ChiSquared::new(count - 1.0).unwrap();
             let exact = law.inverse_cdf(1.0 - 5e-4) / (count - 1.0);
             // The cube root of three squares is not quite normal so far out.
-            assert!((most(count) / exact - 1.0).abs() < 0.03, "{count}");
+            assert!((most(count, 1.0) / exact - 1.0).abs() < 0.03, "{count}");
         }
-        assert_eq!(most(50.0), QUIET);
+        assert_eq!(most(50.0, 1.0), QUIET);
     }
 
     #[test]
@@ -203,7 +216,8 @@ mod tests {
                 from: rests[k].1 - 2.0,
                 to: rests[k + 1].0 + 0.5,
             };
-            touched(&pair, turn, &bias)
+            let variances = [Vector3::zeros(); 2];
+            touched(&pair, turn, &Beside { bias, variances })
         };
         assert!((0..rests.len() - 1).all(|k| look(&force, k).is_none()));
         for k in force.between(rests[4].1 - 1.5, rests[4].1 - 0.5) {

@@ -5,7 +5,7 @@ use std::ops::Range;
 use nalgebra::Vector3;
 use sensor::Kinematics;
 
-use super::broken::{Pair, touched};
+use super::broken::{Beside, Pair, touched};
 use super::clock::{ClockMode, SourceClock, TurnClock, clocks_behind, window};
 use super::knowledge::known_at_rests;
 use super::noise::SensorNoise;
@@ -221,7 +221,11 @@ impl Data {
             };
             self.look_for_touches(&pair, &spans, first);
         }
-        self.look_for_shakes(force.iter().chain(&rate), first);
+        let streams = [(&force, &of_force), (&rate, &of_rate)];
+        let known = streams
+            .into_iter()
+            .filter_map(|(s, n)| s.as_ref().zip(n.as_ref()));
+        self.look_for_shakes(known, first);
         let clock = match &rate {
             Some(rate) => self.add_turns(cut, rate, of_rate.as_ref(), &spans, first),
             None => SourceClock::default(),
@@ -260,14 +264,34 @@ impl Data {
                 from: ends[0].to,
                 to: ends[1].from,
             };
-            if let Some(span) = touched(pair, turn, &before.value) {
+            let beside = Beside {
+                bias: before.value,
+                variances: self.restless(first + k),
+            };
+            if let Some(span) = touched(pair, turn, &beside) {
                 self.broken.push((self.sources.len(), k, span));
             }
         }
     }
 
+    /// The larger variances of the accelerometer and the gyroscope in a rest and the next.
+    fn restless(&self, rest: usize) -> [Vector3<f64>; 2] {
+        let chunks = self.rests[rest].chunks.start..self.rests[rest + 1].chunks.end;
+        let larger = |mean: fn(&Chunk) -> Option<Mean>| {
+            let own = self.chunks[chunks.clone()].iter().filter_map(mean);
+            own.fold(Vector3::zeros(), |most: Vector3<f64>, m| {
+                most.sup(&m.variance)
+            })
+        };
+        [larger(|c| c.accelerometer), larger(|c| c.gyroscope)]
+    }
+
     /// Chunks that shake and rests with gaps, in either sensor, among the rests from `first` on.
-    fn look_for_shakes<'a>(&mut self, streams: impl Iterator<Item = &'a Stream>, first: usize) {
+    fn look_for_shakes<'a>(
+        &mut self,
+        streams: impl Iterator<Item = (&'a Stream, &'a SensorNoise)>,
+        first: usize,
+    ) {
         let from = self
             .rests
             .get(first)
@@ -283,8 +307,8 @@ impl Data {
                 })
             })
             .collect();
-        for stream in streams {
-            for shake in shakes(stream, &stretches) {
+        for (stream, noise) in streams {
+            for shake in shakes(stream, &stretches, &noise.step) {
                 let chunk = from + shake.stretch;
                 if self.shaken.iter().all(|(known, _)| *known != chunk) {
                     self.shaken.push((chunk, shake));

@@ -20,6 +20,9 @@ pub enum Disturbance {
     BadTurn,
 }
 
+/// Chunks of a rest in which a drifting bias shows.
+const LONG: usize = 3;
+
 /// A suspect: what the rows of the fit would have of it.
 #[derive(Clone, Debug)]
 pub struct Suspect {
@@ -31,6 +34,8 @@ pub struct Suspect {
     pub columns: Vec<Vec<f64>>,
     /// What is known of it in words.
     pub detail: String,
+    /// What else the rows may have that looks like it: what these columns explain is no evidence.
+    pub nuisance: Vec<Vec<f64>>,
     /// What the slopes of the accelerometer within chunks say of it, whitened: `∂s/∂d` and `s`.
     pub slopes: Vec<(Vec<f64>, f64)>,
 }
@@ -50,6 +55,7 @@ pub fn suspects(rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
         kind: Disturbance::BadTurn,
         place: k,
         columns: unit_columns(rows.count(), first + 2 * k, 2),
+        nuisance: Vec::new(),
         slopes: Vec::new(),
         detail: String::new(),
     }));
@@ -71,6 +77,7 @@ fn pushed(rows: &Rows<'_>, chunk: usize, row: usize) -> Suspect {
         kind: Disturbance::DisturbedInterval,
         place: chunk,
         columns: unit_columns(rows.count(), row, 3),
+        nuisance: Vec::new(),
         slopes: Vec::new(),
         detail: String::new(),
     }
@@ -152,9 +159,31 @@ fn slip(rows: &Rows<'_>, x: &[f64], k: usize) -> Suspect {
         kind: Disturbance::MountSlip,
         place: k,
         columns,
+        nuisance: drift(rows, k),
         slopes,
         detail: String::new(),
     }
+}
+
+/// A bias of the accelerometer that drifts evenly through rest `k`: a long rest at the begin shows the warm-up of
+/// the device, which is no creep. None where the rest has fewer than [`LONG`] chunks.
+fn drift(rows: &Rows<'_>, k: usize) -> Vec<Vec<f64>> {
+    let rest = &rows.data.rests[k];
+    if rest.chunks.len() < LONG {
+        return Vec::new();
+    }
+    let middle = 0.5 * (rest.span.from + rest.span.to);
+    let mut columns = vec![vec![0.0; rows.count()]; 3];
+    for (place, (chunk, of)) in rows.means(Sensor::Accelerometer).enumerate() {
+        let Some(mean) = of.accelerometer.filter(|_| rest.chunks.contains(&chunk)) else {
+            continue;
+        };
+        let since = 0.5 * (mean.span.from + mean.span.to) - middle;
+        for (axis, column) in columns.iter_mut().enumerate() {
+            column[3 * place + axis] = since;
+        }
+    }
+    columns
 }
 
 fn axis_vector(axis: usize) -> Vector3<f64> {

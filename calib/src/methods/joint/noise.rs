@@ -7,11 +7,19 @@ use nalgebra::Vector3;
 use super::data::Mean;
 use crate::recording::{INSTANT, Stream};
 
-/// Length of the batches whose means show noise that does not average out, s.
-const BATCH: f64 = 0.5;
+/// Longest batches whose means show noise that does not average out, s, and how many a stretch should have.
+const BATCH: f64 = 1.0;
+const BATCHES: f64 = 6.0;
 
-/// Long-run over white standard deviation above which the noise is coloured.
-const COLOURED: f64 = 1.2;
+/// Long-run over white standard deviation above which the noise is coloured: two standard errors where the
+/// stretches last three minutes in all.
+const COLOURED: f64 = 1.12;
+
+/// Batches of a stretch that spread by more than this many times the median variance are not quiet.
+const LOUD: f64 = 4.0;
+
+/// Length of the windows whose variances show how many samples are independent, s.
+const WINDOW: f64 = 0.2;
 
 /// Stretches with more than this many times the median variance are not quiet.
 const QUIET: f64 = 1.5;
@@ -38,34 +46,45 @@ pub struct SensorNoise {
     pub long_run: Vector3<f64>,
     /// Smallest step between two readings; 0 where they are continuous (3).
     pub step: Vector3<f64>,
+    /// Share of the samples that are as good as independent for a variance: 1 of white normal noise, less where
+    /// neighbours agree or tails are heavy (3).
+    pub freedom: Vector3<f64>,
     /// Median time between samples, s.
     pub interval: f64,
 }
 
 impl SensorNoise {
-    /// Measures the noise in stretches of rest: the pooled variance of the quiet ones, and how the
-    /// means of batches of half a second spread.
+    /// Measures the noise in stretches of rest: the pooled variance of the quiet ones, how the means of
+    /// batches of up to a second spread, and how the variances of short windows do.
     ///
     /// `None` without a stretch of two samples.
     pub fn measure(stream: &Stream, rests: &[Range<usize>]) -> Option<Self> {
         let interval = stream.median_step()?;
-        let batch = (((BATCH + INSTANT) / interval).round() as usize).max(1);
-        let axes = [0, 1, 2].map(|axis| {
-            let parts = rests
-                .iter()
-                .map(|r| stream.values[r.clone()].iter().map(|v| v[axis]).collect())
-                .filter(|part: &Vec<f64>| part.len() > 1)
-                .collect::<Vec<_>>();
-            Axis::measure(&parts, batch)
-        });
+        let batch = batch(rests, interval)?;
+        let window = samples(WINDOW, interval).max(4);
+        let axes = [0, 1, 2].map(|axis| Axis::measure(&parts(stream, rests, axis), batch, window));
         let [x, y, z] = axes;
         let (x, y, z) = (x?, y?, z?);
         Some(Self {
             white: Vector3::new(x.white, y.white, z.white),
             long_run: Vector3::new(x.long_run, y.long_run, z.long_run),
             step: Vector3::new(x.step, y.step, z.step),
+            freedom: Vector3::new(x.freedom, y.freedom, z.freedom),
             interval,
         })
+    }
+
+    /// [`SensorNoise::long_run`] alone, averaged over the axes; 1 where it cannot be measured.
+    pub fn long_run_of(stream: &Stream, rests: &[Range<usize>]) -> f64 {
+        let interval = stream.median_step();
+        let Some(batch) = interval.and_then(|interval| batch(rests, interval)) else {
+            return 1.0;
+        };
+        let of = |axis: usize| {
+            let parts = parts(stream, rests, axis);
+            white(&parts).map_or(1.0, |white| long_run(&parts, batch, white))
+        };
+        [0, 1, 2].map(of).iter().sum::<f64>() / 3.0
     }
 
     /// Variance of the mean of `count` samples (3). Where the steps of the reading are wide against
@@ -110,42 +129,93 @@ struct Axis {
     white: f64,
     long_run: f64,
     step: f64,
+    freedom: f64,
 }
 
 impl Axis {
-    fn measure(parts: &[Vec<f64>], batch: usize) -> Option<Self> {
-        let scatters: Vec<(f64, f64)> = parts.iter().map(|p| scatter(p)).collect();
-        let variances: Vec<f64> = scatters.iter().map(|(s, dof)| s / dof).collect();
-        let quiet = QUIET * median(&variances)?;
-        let pooled = pool(scatters.iter().zip(&variances), quiet);
-        let white = pooled.sqrt().max(FLOOR);
+    fn measure(parts: &[Vec<f64>], batch: usize, window: usize) -> Option<Self> {
+        let white = white(parts)?;
         Some(Self {
             white,
             long_run: long_run(parts, batch, white),
             step: smallest_step(parts),
+            freedom: freedom(parts, window),
         })
     }
 }
 
+/// Samples in a length of time, s.
+fn samples(length: f64, interval: f64) -> usize {
+    ((length + INSTANT) / interval).round() as usize
+}
+
+/// Samples in a batch: [`BATCHES`] in the usual stretch, of [`BATCH`] at most.
+fn batch(rests: &[Range<usize>], interval: f64) -> Option<usize> {
+    let lengths: Vec<f64> = rests.iter().map(|r| r.len() as f64 * interval).collect();
+    let length = (median(&lengths)? / BATCHES).min(BATCH);
+    Some(samples(length, interval).max(1))
+}
+
+/// The readings of an axis in each stretch that has two.
+fn parts(stream: &Stream, rests: &[Range<usize>], axis: usize) -> Vec<Vec<f64>> {
+    let of = |r: &Range<usize>| stream.values[r.clone()].iter().map(|v| v[axis]).collect();
+    rests
+        .iter()
+        .map(of)
+        .filter(|part: &Vec<f64>| part.len() > 1)
+        .collect()
+}
+
+/// Standard deviation of a sample in the quiet stretches.
+fn white(parts: &[Vec<f64>]) -> Option<f64> {
+    let scatters: Vec<(f64, f64)> = parts.iter().map(|p| scatter(p)).collect();
+    let variances: Vec<f64> = scatters.iter().map(|(s, dof)| s / dof).collect();
+    let quiet = QUIET * median(&variances)?;
+    let pooled = pool(scatters.iter().zip(&variances), quiet);
+    Some(pooled.sqrt().max(FLOOR))
+}
+
 /// Standard deviation of batch means over that of white noise; 1 below [`COLOURED`].
 fn long_run(parts: &[Vec<f64>], batch: usize, white: f64) -> f64 {
-    let spreads: Vec<f64> = parts
+    let spreads: Vec<(f64, f64)> = parts
         .iter()
         .filter_map(|part| {
             let means: Vec<f64> = part
                 .chunks_exact(batch)
                 .map(|b| b.iter().sum::<f64>() / batch as f64)
                 .collect();
-            let (sum, dof) = scatter(&means);
-            // The median of χ²_ν is ν (1 − 2/(9ν))³ to a percent.
-            (means.len() > 2).then(|| sum / dof / (1.0 - 2.0 / (9.0 * dof)).powi(3))
+            (means.len() > 2).then(|| scatter(&means))
         })
         .collect();
-    let Some(spread) = median(&spreads) else {
+    let variances: Vec<f64> = spreads.iter().map(|(sum, dof)| sum / dof).collect();
+    let Some(usual) = median(&variances) else {
         return 1.0;
     };
+    let spread = pool(spreads.iter().zip(&variances), LOUD * usual);
     let ratio = (spread * batch as f64).sqrt() / white;
     if ratio > COLOURED { ratio } else { 1.0 }
+}
+
+/// Share of the samples that are independent, by how the variances of windows of `window` samples spread: with
+/// `ν` degrees of freedom their cube root spreads by `√(2/9ν)` of its middle (Wilson and Hilferty 1931).
+/// The lower half decides, as touches lie in the upper.
+fn freedom(parts: &[Vec<f64>], window: usize) -> f64 {
+    let mut roots: Vec<f64> = parts
+        .iter()
+        .flat_map(|part| part.chunks_exact(window))
+        .map(|w| scatter(w).0.cbrt())
+        .collect();
+    roots.sort_by(f64::total_cmp);
+    let at = |share: f64| roots.get((share * roots.len() as f64) as usize).copied();
+    let (Some(low), Some(middle)) = (at(0.158_655), at(0.5)) else {
+        return 1.0;
+    };
+    let spread = (middle - low) / middle;
+    if spread > 0.0 {
+        (2.0 / (9.0 * spread * spread) / (window - 1) as f64).clamp(1.0 / window as f64, 1.0)
+    } else {
+        1.0
+    }
 }
 
 /// Sum of squares about the mean, and its degrees of freedom.
@@ -213,6 +283,42 @@ mod tests {
             assert_eq!(noise.long_run[axis], 1.0);
             assert_eq!(noise.step[axis], 0.0);
         }
+    }
+
+    #[test]
+    fn the_long_run_of_coloured_noise_is_that_of_its_density_at_low_frequency() {
+        // White noise of the same density at low frequency has 0.02 m/s² per sample.
+        let changes: [&dyn Fn(&mut Spec); 3] = [
+            &|s| s.accelerometer.low_pass = Some(20.0),
+            &|s| s.accelerometer.low_pass = Some(5.0),
+            &|s| s.accelerometer.correlation = 0.9,
+        ];
+        for change in changes {
+            let mut spec = Spec::still(1, 480.0);
+            change(&mut spec);
+            let noise = measured(&spec);
+            for axis in 0..3 {
+                let sum = noise.white[axis] * noise.long_run[axis] / 0.02;
+                // 420 degrees of freedom: 3.5 %; batches of a second miss 5 % of the slowest.
+                assert!((sum - 1.0).abs() < 0.15, "{sum}");
+            }
+        }
+    }
+
+    #[test]
+    fn heavy_tails_and_neighbours_that_agree_leave_fewer_independent_samples() {
+        let of = |change: &dyn Fn(&mut Spec)| {
+            let mut spec = Spec::still(1, 240.0);
+            change(&mut spec);
+            measured(&spec).freedom.mean()
+        };
+        assert!(of(&|_| {}) > 0.85);
+        // The kurtosis of 6 makes 2/5 of a normal sample of each.
+        let laplace = of(&|s| {
+            s.accelerometer.distribution = crate::simulate::Distribution::Laplace;
+        });
+        assert!((0.25..0.6).contains(&laplace), "{laplace}");
+        assert!(of(&|s| s.accelerometer.correlation = 0.9) < 0.5);
     }
 
     #[test]

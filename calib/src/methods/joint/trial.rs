@@ -33,7 +33,9 @@ pub struct Trial<'a> {
     suspects: &'a [Suspect],
     /// First column of every suspect, and the end.
     first: Vec<usize>,
-    /// The columns of all, whitened (`m × k`).
+    /// First column of what looks like each suspect, and the end.
+    alike: Vec<usize>,
+    /// The columns of all, then what looks like each, whitened (`m × k`).
     columns: Mat<f64>,
     /// An orthonormal basis of the columns of the Jacobian.
     basis: Mat<f64>,
@@ -53,14 +55,20 @@ impl<'a> Trial<'a> {
         whitening.finish(columns.as_mut());
         whitening.finish(jacobian.as_mut());
         whitening.finish(residuals.as_mut());
-        let mut first = vec![0];
-        first.extend(suspects.iter().scan(0, |sum, s| {
-            *sum += s.columns.len();
-            Some(*sum)
-        }));
+        let ends = |begin: usize, count: fn(&Suspect) -> usize| {
+            let mut ends = vec![begin];
+            ends.extend(suspects.iter().scan(begin, |sum, s| {
+                *sum += count(s);
+                Some(*sum)
+            }));
+            ends
+        };
+        let first = ends(0, |s| s.columns.len());
+        let alike = ends(first[suspects.len()], |s| s.nuisance.len());
         Self {
             suspects,
             first,
+            alike,
             columns,
             basis: orthonormal(&jacobian),
             residuals,
@@ -113,7 +121,7 @@ impl<'a> Trial<'a> {
         let inside = basis.transpose() * &self.columns;
         tried
             .filter_map(|suspect| {
-                let (statistic, p_value) = self.test(suspect, &inside, &r)?;
+                let (statistic, p_value) = self.test(suspect, (&basis, &inside), &r)?;
                 Some(Verdict {
                     suspect,
                     statistic,
@@ -145,13 +153,33 @@ impl<'a> Trial<'a> {
         })
     }
 
-    fn test(&self, suspect: usize, inside: &Mat<f64>, r: &Mat<f64>) -> Option<(f64, f64)> {
+    /// An orthonormal basis of what looks like a suspect beyond the `basis`; `None` where nothing does.
+    fn alike(&self, suspect: usize, basis: &Mat<f64>, inside: &Mat<f64>) -> Option<Mat<f64>> {
+        let range = self.alike[suspect]..self.alike[suspect + 1];
+        let n = self.columns.as_ref().subcols(range.start, range.len());
+        let left = n - basis * inside.as_ref().subcols(range.start, range.len());
+        (!range.is_empty()).then(|| orthonormal(&left))
+    }
+
+    /// `inside` are the columns' parts in the `basis`.
+    fn test(
+        &self,
+        suspect: usize,
+        (basis, inside): (&Mat<f64>, &Mat<f64>),
+        r: &Mat<f64>,
+    ) -> Option<(f64, f64)> {
         let range = self.first[suspect]..self.first[suspect + 1];
         let q = range.len();
         let e = self.columns.as_ref().subcols(range.start, q);
         let taken = inside.as_ref().subcols(range.start, q);
-        let (gram, taken) = (e.transpose() * e, taken.transpose() * taken);
-        let moved = e.transpose() * r;
+        let gram = e.transpose() * e;
+        let mut taken = taken.transpose() * taken;
+        let mut moved = e.transpose() * r;
+        if let Some(alike) = self.alike(suspect, basis, inside) {
+            let shared = e.transpose() * &alike;
+            moved -= &shared * (alike.transpose() * r);
+            taken += &shared * shared.transpose();
+        }
         let mut a = nalgebra::DMatrix::from_fn(q, q, |i, k| gram[(i, k)] - taken[(i, k)]);
         let mut b = nalgebra::DVector::from_fn(q, |i, _| moved[(i, 0)]);
         let before = (0..q).map(|k| gram[(k, k)]).fold(0.0, f64::max);
