@@ -48,7 +48,8 @@ pub enum Kind {
 
 /// Words by which a kind is told, lower case; the first that fits decides.
 const PATTERNS: &[(&str, Kind)] = &[
-    ("touched or pushed", Kind::Touched),
+    ("measured noise explains", Kind::Misfit),
+    ("times the noise", Kind::Misfit),
     ("touched", Kind::Touched),
     ("mount_slip", Kind::Crept),
     ("crept", Kind::Crept),
@@ -62,6 +63,7 @@ const PATTERNS: &[(&str, Kind)] = &[
     ("tremor", Kind::Shakes),
     ("disagree", Kind::Disagrees),
     ("about the vertical", Kind::Turning),
+    ("tilts steadily", Kind::Turning),
     ("turns while", Kind::Turning),
     ("turned while", Kind::Turning),
     ("rotation in it", Kind::Turning),
@@ -108,6 +110,7 @@ const PATTERNS: &[(&str, Kind)] = &[
     ("no static interval", Kind::Geometry),
     ("all static", Kind::Geometry),
     ("min-static", Kind::Geometry),
+    ("hold still", Kind::Geometry),
     ("placement", Kind::Geometry),
     ("orientation", Kind::Geometry),
     ("determine", Kind::Geometry),

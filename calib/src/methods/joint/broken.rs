@@ -117,13 +117,18 @@ fn most(count: f64, freedom: f64) -> f64 {
     by_chance.max(QUIET)
 }
 
-/// Mean, variance and number of the samples in a window.
+/// Mean, variance and number of the samples in a window without the farthest of them: a spike is no touch.
 fn moments(stream: &Stream, window: Span) -> Option<(Vector3<f64>, Vector3<f64>, f64)> {
     let values = &stream.values[stream.between(window.from, window.to)];
-    let count = values.len() as f64;
-    let mean = values.iter().sum::<Vector3<f64>>() / count;
-    let squares: Vector3<f64> = values.iter().map(|v| (v - mean).map(|d| d * d)).sum();
-    (values.len() > 2).then(|| (mean, squares / (count - 1.0), count))
+    let all = values.iter().sum::<Vector3<f64>>() / values.len() as f64;
+    let off = |v: &Vector3<f64>| (v - all).norm_squared();
+    let farthest = values.iter().map(off).enumerate();
+    let (spike, _) = farthest.max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let others = || values.iter().enumerate().filter(|(k, _)| *k != spike);
+    let count = (values.len() - 1) as f64;
+    let mean = others().map(|(_, v)| v).sum::<Vector3<f64>>() / count;
+    let squares: Vector3<f64> = others().map(|(_, v)| (v - mean).map(|d| d * d)).sum();
+    (values.len() > 3).then(|| (mean, squares / (count - 1.0), count))
 }
 
 /// The first and the last window of motion or shaking that lasts longer than one window; a single one is a

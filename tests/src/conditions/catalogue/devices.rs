@@ -57,7 +57,10 @@ pub(super) const ROWS: &[Condition] = &[
     }),
     row("no-gravity", "nobody says what gravity is", somewhere)
         .right(EARTH)
-        .ask(|_, request| request.gravity = calib::calibrate::STANDARD_GRAVITY),
+        .ask(|_, request| {
+            request.gravity = calib::calibrate::STANDARD_GRAVITY;
+            request.gravity_source = calib::gravity::GravitySource::Assumed;
+        }),
     row("earth", "the earth turns, no latitude given", |s| {
         s.latitude = Some(47.0);
     })
