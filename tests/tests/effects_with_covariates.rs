@@ -72,7 +72,7 @@ fn the_latitude_takes_the_rotation_of_the_earth_off_the_bias() {
     let mut spec = Spec::hand_held(13);
     spec.latitude = Some(60.0);
     let session = spec.run().unwrap();
-    let error = |latitude: Option<f64>| {
+    let errors = |latitude: Option<f64>| {
         let request = Request {
             method: Method::Joint,
             gravity: spec.gravity,
@@ -80,6 +80,7 @@ fn the_latitude_takes_the_rotation_of_the_earth_off_the_bias() {
             ..Request::default()
         };
         let outcome = calibrate(std::slice::from_ref(&session.recording), &[], &request).unwrap();
+        let triad = outcome.calibration.gyroscope.unwrap();
         let fit = outcome.joint.unwrap();
         if latitude.is_some() {
             let p = |axis| fit.parameters.get(&format!("earth_rate.{axis}")).unwrap();
@@ -90,9 +91,55 @@ fn the_latitude_takes_the_rotation_of_the_earth_off_the_bias() {
                 "{horizontal:e}"
             );
         }
-        fit.reduced_chi2(calib::methods::joint::Channel::Rate)
-            .unwrap()
+        for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
+            let truth = session.truth.get(&format!("gyro.b_{axis}")).unwrap();
+            let pull = (triad.bias[k] - truth) / triad.bias_std[k].unwrap();
+            assert!(pull.abs() < 4.0, "{latitude:?} {axis} {pull}");
+        }
+        triad.bias_std.into_iter().flatten().sum::<f64>()
     };
-    let (without, with) = (error(None), error(Some(60.0)));
+    // What is not said is uncertainty.
+    let (without, with) = (errors(None), errors(Some(60.0)));
     assert!(with < without, "{with} {without}");
+}
+
+#[test]
+fn a_latitude_of_the_wrong_sign_is_noticed() {
+    let mut spec = Spec::hand_held(14);
+    spec.latitude = Some(60.0);
+    let session = spec.run().unwrap();
+    let doubts = |latitude: f64| {
+        let request = Request {
+            method: Method::Joint,
+            gravity: spec.gravity,
+            latitude: Some(latitude),
+            ..Request::default()
+        };
+        let outcome = calibrate(std::slice::from_ref(&session.recording), &[], &request).unwrap();
+        let warnings = outcome.calibration.warnings;
+        warnings.iter().any(|w| w.contains("is its sign right?"))
+    };
+    assert!(doubts(-60.0) && !doubts(60.0));
+}
+
+#[test]
+fn a_bias_says_for_which_time_it_holds_and_how_far_it_moved() {
+    let spec = Spec::hand_held(15).with_effect("gyro_drift", 1.0);
+    let session = spec.run().unwrap();
+    let request = Request {
+        method: Method::Joint,
+        gravity: spec.gravity,
+        ..Request::default()
+    };
+    let outcome = calibrate(std::slice::from_ref(&session.recording), &[], &request).unwrap();
+    let triad = outcome.calibration.gyroscope.unwrap();
+    let time = triad.bias_time.unwrap();
+    for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
+        let drift = session.truth.get(&format!("gyro_drift.{axis}")).unwrap();
+        let moved = drift * (time.to - time.from);
+        let pull = (time.change[k] - moved) / time.change_std[k];
+        assert!(pull.abs() < 4.0, "{axis}: {} {moved}", time.change[k]);
+        assert!((time.end[k] - time.start[k] - time.change[k]).abs() < 1e-12);
+        assert!((time.start[k] - triad.bias[k]) * (time.end[k] - triad.bias[k]) <= 0.0);
+    }
 }

@@ -6,8 +6,8 @@ use super::assemble::{effect_values, of_the_gyro_unit, of_the_unit, triad};
 use super::same_device::of_one_device;
 use super::{Frame, Outcome, Request, checks, clocks, cut};
 use crate::calibration::{
-    Calibration, RecordingBias, RecordingClock, Remainder, SCHEMA, Triad, WITH_WALKS, effect_named,
-    in_symmetric_frame,
+    BiasTime, Calibration, RecordingBias, RecordingClock, Remainder, SCHEMA, Triad, WITH_WALKS,
+    effect_named, in_symmetric_frame,
 };
 use crate::error::Error;
 use crate::methods::joint::{Channel, Disturbance, JointFit, JointRequest, fit_joint};
@@ -17,6 +17,9 @@ use crate::simulate::EARTH_RATE;
 
 /// The effect that is the earth's rotation.
 const EARTH: &str = "earth_rate";
+
+/// A latitude whose vertical part of the earth's rotation is off by so many standard errors is doubted.
+const REFUTED: f64 = 4.0;
 
 /// A rest whose absence moves a parameter by so many of its standard errors is named.
 const INFLUENTIAL: f64 = 4.0;
@@ -140,6 +143,7 @@ pub(crate) fn written_down(
     disturbances(fit, warnings);
     let remainders: Vec<Remainder> = fit.misfits().iter().map(Remainder::of).collect();
     warnings.extend(remainders.iter().filter_map(|r| r.warning(WITH_WALKS)));
+    warnings.extend(request.latitude.and_then(|l| latitude_in_doubt(fit, l)));
     influences(fit, warnings);
     // The earth's rotation is no error of the sensor: corrected rates keep it.
     let of_the_earth = |name: &str| request.latitude.is_some() && name.starts_with(EARTH);
@@ -292,6 +296,7 @@ fn influences(fit: &JointFit, warnings: &mut Vec<String>) {
 fn force_triad(fit: &JointFit, fitted: &Fitted, recordings: &[&Recording]) -> Triad {
     let mut triad = triad(Sensor::Accelerometer, "a = T (A - b)", fitted);
     triad.residual_rms = root_mean_square(&fit.moduli);
+    triad.bias_time = bias_time(fit, Sensor::Accelerometer, &triad.bias);
     triad.static_intervals = Some(fit.data.rests.len());
     let shared = fit.models[0].parameters().len();
     if fit.own_force_bias {
@@ -300,9 +305,46 @@ fn force_triad(fit: &JointFit, fitted: &Fitted, recordings: &[&Recording]) -> Tr
     triad
 }
 
+/// For which time the bias of the last recording holds.
+fn bias_time(fit: &JointFit, sensor: Sensor, bias: &[f64; 3]) -> Option<BiasTime> {
+    let last = fit.data.sources.len().checked_sub(1)?;
+    let moved = fit.bias_motion(sensor, last)?;
+    let unit = match sensor {
+        Sensor::Accelerometer => fit.force_unit.scale,
+        Sensor::Gyroscope => fit.rate_unit.scale,
+    };
+    let change = moved.change / unit;
+    let at = |share: f64| std::array::from_fn(|k| bias[k] + share * change[k]);
+    Some(BiasTime {
+        holds: "mean over the static intervals".into(),
+        from: moved.span.from,
+        to: moved.span.to,
+        start: at(-moved.before),
+        end: at(1.0 - moved.before),
+        change: change.into(),
+        change_std: (moved.std / unit).into(),
+    })
+}
+
+/// Says where the data refute the vertical part of the earth's rotation that the latitude gives.
+fn latitude_in_doubt(fit: &JointFit, latitude: f64) -> Option<String> {
+    let (pull, std) = fit.pull_of_held(&format!("{EARTH}.z"))?;
+    let given = EARTH_RATE * latitude.to_radians().sin();
+    let seen = given + pull;
+    (pull.abs() > REFUTED * std).then(|| {
+        let sine = (seen / EARTH_RATE).clamp(-1.0, 1.0);
+        format!(
+            "--latitude {latitude}: the earth's rotation would have a vertical part of {given:.2e} rad/s, the recording \
+             shows {seen:.2e} ± {std:.0e} rad/s, as at a latitude of {:.0}°: is its sign right?",
+            sine.asin().to_degrees()
+        )
+    })
+}
+
 fn rate_triad(fit: &JointFit, fitted: &Fitted, recordings: &[&Recording]) -> Triad {
     let mut triad = triad(Sensor::Gyroscope, "w = T (W - b)", fitted);
     triad.residual_rms = root_mean_square(&fit.chords).to_degrees();
+    triad.bias_time = bias_time(fit, Sensor::Gyroscope, &triad.bias);
     triad.dynamic_intervals = Some(fit.chords.len());
     let shared = fit.models[1].parameters().len();
     triad.recordings = own_biases(Sensor::Gyroscope, fitted, shared, recordings);

@@ -90,15 +90,15 @@ impl Remainder {
                 Pattern::Force => "in proportion to the specific force",
             };
             format!(
-                ". It depends on the orientation, most {like} (p = {p:.0e}), which neither noise nor a drifting bias \
-                 does"
+                ". It depends on the orientation, most {like} (p = {p:.0e}), which neither noise nor a bias that \
+                 walks does"
             )
         });
         if !much && depends.is_none() {
             return None;
         }
         Some(format!(
-            "{}: {} rms, of which the measured noise explains {} ({ratio:.1} times the noise, {:.0} degrees of freedom, \
+            "misfit of the {}: {} rms, of which the measured noise explains {} ({ratio:.1} times the noise, {:.0} degrees of freedom, \
              p = {:.0e}){}. The standard errors are enlarged to it; `stillpoint discover` looks for the cause",
             self.what(),
             self.in_words(self.rms),

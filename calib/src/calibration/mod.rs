@@ -96,6 +96,9 @@ pub struct Triad {
     pub t_std: [[Option<f64>; 3]; 3],
     /// Standard errors of the bias.
     pub bias_std: [Option<f64>; 3],
+    /// For which time the bias holds, and how much it moved; of the last recording where each has its own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bias_time: Option<BiasTime>,
     /// Root mean square of the residuals: m/s² of gravity's modulus, or degrees of its direction.
     pub residual_rms: f64,
     /// Residual over what the noise within the intervals allows, squared, per degree of freedom.
@@ -115,6 +118,25 @@ pub struct Triad {
     /// Biases by recording, where there are several.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub recordings: Vec<RecordingBias>,
+}
+
+/// For which time a bias holds.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BiasTime {
+    /// `mean over the static intervals`: what `bias` is.
+    pub holds: String,
+    /// Begin of the first static interval, s, on the recording's clock.
+    pub from: f64,
+    /// End of the last, s.
+    pub to: f64,
+    /// The bias at the begin, if it moved evenly.
+    pub start: [f64; 3],
+    /// The bias at the end, if it moved evenly.
+    pub end: [f64; 3],
+    /// Change from begin to end.
+    pub change: [f64; 3],
+    /// Its standard errors, walks of the bias counted as noise.
+    pub change_std: [f64; 3],
 }
 
 /// The bias of one recording of several.

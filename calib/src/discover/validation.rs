@@ -112,7 +112,7 @@ fn under(model: &State, walks: Walks) -> JointFit {
             fit.parameters.values_mut()[*place] -= step[(k, 0)];
         }
     }
-    fit.jacobian = jacobian;
+    fit.set_jacobian(jacobian);
     fit
 }
 

@@ -20,6 +20,9 @@ use sensor::Sensor;
 /// know its noise: the model misses, or the noise is of another kind.
 const MISFIT: f64 = 2.0;
 
+/// Sums of squares that exceed their expectation by fewer of their standard deviations are looked at no further.
+const QUIET: f64 = 2.0;
+
 /// Rows that leave so much by chance only do not scatter.
 const UNLIKELY: f64 = 1e-3;
 
@@ -111,6 +114,9 @@ impl Analysis {
         whitening.finish(jacobian.as_mut());
         let mut r = Mat::from_fn(rows.count(), 1, |i, _| self.residuals[i]);
         whitening.finish(r.as_mut());
+        if self.is_quiet(rows, &r) {
+            return false;
+        }
         let basis = orthonormal(&jacobian);
         let left = &r - &basis * (basis.transpose() * &r);
         for (kind, groups) in groups(rows) {
@@ -127,6 +133,19 @@ impl Analysis {
             }
         }
         self.components.len() > before
+    }
+
+    /// Whether no kind of rows is conspicuous even by what the residuals are before anything more is fitted.
+    fn is_quiet(&self, rows: &Rows<'_>, r: &Mat<f64>) -> bool {
+        let [rate, turns, end] = [rows.first_rate_row(), rows.first_turn_row(), rows.count()];
+        let directions = 2 * rows.data.rests.len() + 9;
+        [(0, rate, directions), (rate, turns, 3), (turns, end, 9)]
+            .into_iter()
+            .all(|(from, to, taken)| {
+                let square: f64 = (from..to).map(|i| r[(i, 0)].powi(2)).sum();
+                let spare = (to - from).saturating_sub(taken) as f64;
+                square <= spare + QUIET * (2.0 * spare).sqrt()
+            })
     }
 
     fn allow(&mut self, rows: &Rows<'_>, kind: ComponentKind, groups: &[Vec<usize>]) {

@@ -8,7 +8,7 @@ use super::centred::centred;
 use super::disturbance::{Disturbance, Suspect};
 use super::fit::JointFit;
 use super::judgement::Weights;
-use super::marginal::orthonormal;
+use super::marginal::{orthonormal, reduced};
 use super::request::Accused;
 use super::run::{Point, Run, options};
 use super::weights::Whitening;
@@ -53,6 +53,7 @@ impl Run<'_> {
         let (white_residuals, white_jacobian) = linear.whitened(&free, |a| white.apply(a));
         let mut jacobian = white_jacobian.clone();
         weights.whitening.finish(jacobian.as_mut());
+        let reduced = reduced(&jacobian, &free, rows.layout.shared());
         if report.termination == Termination::Stalled && is_near(&report.residuals, &jacobian) {
             report.termination = Termination::Cost;
         }
@@ -68,6 +69,7 @@ impl Run<'_> {
             rest_of_row: rows.rest_of_row(),
             residuals: report.residuals.clone(),
             jacobian,
+            reduced,
             white_residuals,
             white_jacobian,
             accused: weights

@@ -7,6 +7,7 @@ use solver::{Parameters, Report};
 
 use super::chart::Chart;
 use super::data::Data;
+use super::marginal::reduced;
 use super::orientation::Shown;
 use super::problem::Rows;
 use super::request::Accused;
@@ -36,6 +37,8 @@ pub struct JointFit {
     pub residuals: Vec<f64>,
     /// Jacobian there (`m × n`), whitened by everything.
     pub jacobian: Mat<f64>,
+    /// The columns of the shared parameters less what all others can take of them (`m × k`), whitened by everything.
+    pub reduced: Mat<f64>,
     /// Residuals whitened by white noise alone.
     pub white_residuals: Vec<f64>,
     /// Jacobian whitened by white noise alone.
@@ -80,6 +83,12 @@ impl JointFit {
             &self.charts,
             (self.own_force_bias, &self.disturbance_columns),
         )
+    }
+
+    /// Another whitening of the same rows: uncertainties are those of this Jacobian since.
+    pub(crate) fn set_jacobian(&mut self, jacobian: Mat<f64>) {
+        self.reduced = reduced(&jacobian, &self.free, self.shared);
+        self.jacobian = jacobian;
     }
 
     /// The same without the columns of what was disturbed.

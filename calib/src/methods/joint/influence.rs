@@ -4,7 +4,7 @@ use faer::Mat;
 use serde::Serialize;
 
 use super::fit::JointFit;
-use super::marginal::{columns, orthonormal, without};
+use super::marginal::orthonormal;
 
 /// What is left of a row when all others have had their say; below this they say nothing of it.
 const HELD_UP: f64 = 1e-8;
@@ -33,16 +33,10 @@ impl JointFit {
         let shared: Vec<usize> = (0..self.free.len())
             .filter(|&k| self.free[k] < self.shared)
             .collect();
-        let others: Vec<usize> = (0..self.free.len())
-            .filter(|k| !shared.contains(k))
-            .collect();
-        let reduced = without(
-            &columns(&self.jacobian, &others),
-            &columns(&self.jacobian, &shared),
-        );
+        let reduced = &self.reduced;
         let covariance = self.shared_uncertainty().covariance;
         (0..self.data.rests.len())
-            .map(|rest| self.influence(rest, &basis, &reduced, &shared, &covariance))
+            .map(|rest| self.influence(rest, &basis, reduced, &shared, &covariance))
             .collect()
     }
 

@@ -17,6 +17,13 @@ pub fn marginal(jacobian: &Mat<f64>, keep: &[usize], names: Vec<String>) -> Unce
     uncertainty(&without(&rest, &kept), names)
 }
 
+/// The columns of the first `shared` parameters less what those of all others can take of them; `free` are the places of the
+/// columns among the parameters.
+pub fn reduced(jacobian: &Mat<f64>, free: &[usize], shared: usize) -> Mat<f64> {
+    let (own, others): (Vec<usize>, Vec<usize>) = (0..free.len()).partition(|&k| free[k] < shared);
+    without(&columns(jacobian, &others), &columns(jacobian, &own))
+}
+
 /// Some columns of a matrix.
 pub fn columns(a: &Mat<f64>, which: &[usize]) -> Mat<f64> {
     Mat::from_fn(a.nrows(), which.len(), |i, k| a[(i, which[k])])

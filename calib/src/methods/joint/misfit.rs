@@ -1,14 +1,17 @@
 //! How far the data are from the model, before any error is inflated.
 
-use faer::Mat;
+use faer::linalg::solvers::Solve;
+use faer::{Mat, Side};
 
 use super::fit::JointFit;
-use super::marginal::orthonormal;
 use super::orientation::Shown;
 use super::result::Channel;
 use super::weights::{NoiseLevel, Whitening};
 use crate::methods::small_sample::by_chance;
 use sensor::Sensor;
+
+/// Added to the unit diagonal of normal equations.
+const HELD_UP: f64 = 1e-11;
 
 /// What one kind of rows leaves, against the noise that was measured within the static intervals, walks of the biases
 /// among it.
@@ -66,10 +69,7 @@ impl JointFit {
         let mut misfits = Vec::new();
         for (channel, end, rms) in channels {
             let own = jacobian.as_ref().subrows(0, end).to_owned();
-            let basis = orthonormal(&own);
-            let r = residuals.as_ref().subrows(0, end);
-            let square = r.squared_norm_l2() - (basis.transpose() * r).squared_norm_l2();
-            let spare = end as f64 - basis.ncols() as f64;
+            let (square, spare) = left(&own, &residuals.as_ref().subrows(0, end).to_owned());
             let (chi2, dof) = ((square - before.0).max(0.0), spare - before.1);
             before = (square, spare);
             if dof < 0.5 {
@@ -121,4 +121,26 @@ impl JointFit {
 
 fn rms(values: &[f64]) -> f64 {
     (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()
+}
+
+/// The sum of squares that columns leave of a residual, and the degrees of freedom: by normal equations with unit columns,
+/// held up a little where columns depend on each other.
+fn left(columns: &Mat<f64>, r: &Mat<f64>) -> (f64, f64) {
+    let m = columns.nrows();
+    let norms: Vec<f64> = columns.col_iter().map(|c| c.norm_l2()).collect();
+    let used: Vec<usize> = (0..norms.len()).filter(|&k| norms[k] > 0.0).collect();
+    let unit = Mat::from_fn(m, used.len(), |i, k| columns[(i, used[k])] / norms[used[k]]);
+    let mut gram = unit.transpose() * &unit;
+    for k in 0..used.len() {
+        gram[(k, k)] += HELD_UP;
+    }
+    let right = unit.transpose() * r;
+    let Ok(factor) = gram.llt(Side::Lower) else {
+        return (r.squared_norm_l2(), m as f64);
+    };
+    let taken = (right.transpose() * factor.solve(&right))[(0, 0)];
+    let inverse = factor.solve(&Mat::<f64>::identity(used.len(), used.len()));
+    let undetermined: f64 = (0..used.len()).map(|k| HELD_UP * inverse[(k, k)]).sum();
+    let rank = used.len() as f64 - undetermined;
+    (r.squared_norm_l2() - taken, m as f64 - rank)
 }

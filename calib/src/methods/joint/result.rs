@@ -8,6 +8,8 @@ use solver::Uncertainty;
 use super::fit::JointFit;
 use super::marginal::marginal;
 use super::prediction::Prediction;
+use super::weights::{ComponentKind, NoiseLevel};
+use crate::methods::small_sample::widening;
 use crate::methods::{Fitted, RawUnit};
 
 /// The kinds of rows.
@@ -34,11 +36,67 @@ impl JointFit {
     /// The same for some of them, everything else free.
     fn marginal_where(&self, wanted: impl Fn(&str) -> bool) -> Uncertainty {
         let names = self.parameters.names();
-        let keep: Vec<usize> = (0..self.free.len())
-            .filter(|&k| self.free[k] < self.shared && wanted(&names[self.free[k]]))
-            .collect();
+        let shared = (0..self.free.len()).filter(|&k| self.free[k] < self.shared);
+        let (places, keep): (Vec<usize>, Vec<usize>) = shared
+            .enumerate()
+            .filter(|(_, k)| wanted(&names[self.free[*k]]))
+            .unzip();
         let kept = keep.iter().map(|&k| names[self.free[k]].clone()).collect();
-        marginal(&self.jacobian, &keep, kept)
+        let mut uncertainty = marginal(&self.reduced, &places, kept);
+        let widening = [Sensor::Accelerometer, Sensor::Gyroscope].map(|s| self.widening(s));
+        let of = |k: usize| {
+            let gyroscope = self.of_gyroscope(self.free[keep[k]]);
+            widening[usize::from(gyroscope)]
+        };
+        for (i, row) in uncertainty.covariance.iter_mut().enumerate() {
+            for (k, entry) in row.iter_mut().enumerate() {
+                *entry *= of(i) * of(k);
+            }
+        }
+        uncertainty
+    }
+
+    /// Factor on the standard errors of a sensor whose noise was taken from few residuals (Student's t); 1 where it was
+    /// measured.
+    fn widening(&self, sensor: Sensor) -> f64 {
+        let found = |kinds: &[ComponentKind]| {
+            let own = |l: &NoiseLevel| l.size > 0.0 && kinds.contains(&l.kind);
+            self.levels.iter().any(own)
+        };
+        let rests = self.data.rests.len();
+        match sensor {
+            Sensor::Accelerometer => {
+                let kinds = [
+                    ComponentKind::ForceScatter,
+                    ComponentKind::ForceOfOrientation,
+                ];
+                let spare = rests.saturating_sub(BASE_PARAMETERS - 3);
+                if found(&kinds) {
+                    widening(spare.max(1))
+                } else {
+                    1.0
+                }
+            }
+            Sensor::Gyroscope => {
+                let spare = (2 * self.chords.len()).saturating_sub(BASE_PARAMETERS - 3);
+                let turns = found(&[ComponentKind::TurnScatter]);
+                let kinds = [ComponentKind::RateScatter, ComponentKind::RateOfOrientation];
+                if turns {
+                    widening(spare.max(1))
+                } else if found(&kinds) {
+                    widening((3 * rests).saturating_sub(3).max(1))
+                } else {
+                    1.0
+                }
+            }
+        }
+    }
+
+    /// Whether a shared parameter is one of the gyroscope's.
+    fn of_gyroscope(&self, k: usize) -> bool {
+        let (_, first, count) = self.of_sensor(Sensor::Gyroscope);
+        (first..first + count).contains(&k)
+            || self.parameters.names()[k].starts_with(Sensor::Gyroscope.prefix())
     }
 
     /// The unit and the number of parameters of a sensor, and where they begin.

@@ -96,6 +96,7 @@ impl GyroscopePart {
             bias: self.bias.into(),
             t_std: [[None; 3]; 3],
             bias_std: [0, 1, 2].map(|k| Some(self.bias_std[k])),
+            bias_time: None,
             residual_rms: 0.0,
             reduced_chi2: None,
             static_intervals: Some(Face::ALL.len()),

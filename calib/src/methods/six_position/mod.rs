@@ -183,6 +183,7 @@ impl SixPosition {
             bias: base.bias.into(),
             t_std: [[Some(t_std); 3]; 3],
             bias_std: [Some(bias_std); 3],
+            bias_time: None,
             residual_rms: self.residual_rms,
             reduced_chi2: None,
             static_intervals: Some(6),

@@ -68,6 +68,7 @@ pub fn text(outcome: &Outcome) -> String {
                 );
             }
         }
+        text.push_str(&bias_time(triad, 1e3, "mm/s²"));
         let _ = writeln!(text);
     }
     if let Some(triad) = &calibration.gyroscope {
@@ -85,6 +86,9 @@ pub fn text(outcome: &Outcome) -> String {
                 triad.rank
             );
         }
+    }
+    if let Some(triad) = &calibration.gyroscope {
+        text.push_str(&bias_time(triad, 1.0_f64.to_degrees() * 3600.0, "°/h"));
     }
     if let Some(fit) = &outcome.joint {
         text.push_str(&joint::text(fit));
@@ -104,6 +108,30 @@ pub fn text(outcome: &Outcome) -> String {
         let _ = writeln!(text, "\n{table}");
     }
     text
+}
+
+/// For which time the bias holds and how much it moved, where that is known; `factor` carries SI units to `unit`.
+fn bias_time(triad: &Triad, factor: f64, unit: &str) -> String {
+    let Some(time) = &triad.bias_time else {
+        return String::new();
+    };
+    let moved = |k: usize| {
+        let scale = factor * triad.t[k][k].abs();
+        format!(
+            "{:+.2} ± {:.2}",
+            scale * time.change[k],
+            scale * time.change_std[k]
+        )
+    };
+    format!(
+        "the bias is the {}, t = {:.1} to {:.1} s; over that time it moved by {}, {}, {} {unit}\n",
+        time.holds,
+        time.from,
+        time.to,
+        moved(0),
+        moved(1),
+        moved(2)
+    )
 }
 
 /// How far the residual lies above the noise within the intervals.
