@@ -1,7 +1,9 @@
 //! Interrupts: what is half written goes, what had been there stays, exit 130.
 
 use std::path::PathBuf;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::time::{Duration, Instant};
 
 use crate::exit::{Failure, INTERRUPTED};
 use crate::show;
@@ -29,6 +31,22 @@ pub fn hold() -> MutexGuard<'static, Leftovers> {
 /// Catches what asks the process to end. Where that cannot be done the system's own handling stays.
 pub fn install() {
     system::install();
+}
+
+/// Whether a signal has come that is on its way to [`end`].
+static ASKED: OnceLock<Arc<AtomicBool>> = OnceLock::new();
+
+/// Where an interrupt has come, lets it end the process: a failure that it caused is not what is to be said.
+pub fn give_way() {
+    let asked = || {
+        ASKED
+            .get()
+            .is_some_and(|asked| asked.load(Ordering::SeqCst))
+    };
+    let begin = Instant::now();
+    while asked() && begin.elapsed() < Duration::from_secs(5) {
+        std::thread::sleep(Duration::from_millis(5));
+    }
 }
 
 fn end() -> ! {
@@ -63,7 +81,12 @@ mod system {
             let wanted = [SIGINT, SIGTERM, SIGHUP]
                 .into_iter()
                 .filter(|s| !is_ignored(*s));
-            let signals = Signals::new(wanted);
+            let wanted: Vec<i32> = wanted.collect();
+            let asked = super::ASKED.get_or_init(Arc::default);
+            let signals = Signals::new(&wanted);
+            for signal in wanted.iter().filter(|_| signals.is_ok()) {
+                let _ = flag::register(*signal, Arc::clone(asked));
+            }
             let _ = installed.send(());
             if let Ok(mut signals) = signals
                 && signals.forever().next().is_some()

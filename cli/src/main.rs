@@ -53,6 +53,7 @@ fn main() -> ExitCode {
 }
 
 fn ended(failure: &Failure) -> ExitCode {
+    interrupt::give_way();
     show::failure(failure);
     ExitCode::from(failure.code)
 }

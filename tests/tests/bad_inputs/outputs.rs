@@ -1,5 +1,7 @@
 //! Cases 120 to 142: outputs, the environment, configuration and what runs beside.
 
+use std::os::unix::fs::{PermissionsExt, symlink};
+
 use serde_json::Value;
 
 use crate::bench::{Bench, Run};
@@ -17,6 +19,97 @@ fn calibrated() -> Bench {
         .ends(0)
         .changes(&["cal.json"]);
     bench
+}
+
+#[test]
+fn case_120_an_output_that_exists() {
+    let bench = bench();
+    bench.write("cal.json", "precious");
+    let path = bench.path("cal.json");
+    std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o600)).unwrap();
+    let run = bench.run(&["calibrate", "r.csv", "-o", "cal.json"]);
+    run.ends(6).says(&["cal.json", "--force"]).changes(&[]);
+    bench
+        .run(&["calibrate", "r.csv", "-o", "cal.json", "--force"])
+        .ends(0);
+    let mode = std::fs::metadata(&path).unwrap().permissions().mode();
+    assert_eq!(mode & 0o777, 0o600);
+}
+
+#[test]
+fn case_121_a_link_in_the_way_of_a_temporary_name_is_not_followed() {
+    let bench = bench();
+    bench.write("victim", "precious");
+    symlink("victim", bench.path(".cal.json.partial")).unwrap();
+    bench.run(&["calibrate", "r.csv", "-o", "cal.json"]);
+    let kept = std::fs::read_to_string(bench.path("victim")).unwrap();
+    assert_eq!(kept, "precious");
+}
+
+#[test]
+fn case_121_an_output_that_is_an_input() {
+    let bench = bench();
+    symlink("r.csv", bench.path("link.csv")).unwrap();
+    std::fs::hard_link(bench.path("r.csv"), bench.path("twin.csv")).unwrap();
+    for target in ["r.csv", "link.csv", "twin.csv"] {
+        let run = bench.run(&["calibrate", "r.csv", "-o", target, "--force"]);
+        run.ends(2).changes(&[]);
+    }
+    bench.write("acc.csv", "seed = 7\n");
+    let run = bench.run(&["simulate", "acc.csv", "-o", ".", "--force"]);
+    run.ends(2).changes(&[]);
+}
+
+#[test]
+fn case_126_an_interrupt_leaves_nothing() {
+    let bench = bench();
+    for signal in ["-INT", "-TERM", "-HUP"] {
+        let mut run = bench
+            .command(&["calibrate", "-", "-o", "cal.json"])
+            .stdin(std::process::Stdio::piped())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(300));
+        let id = run.id().to_string();
+        let sent = std::process::Command::new("kill")
+            .args([signal, &id])
+            .status();
+        assert!(sent.unwrap().success());
+        let status = run.wait().unwrap();
+        let expected = if signal == "-INT" {
+            Some(130)
+        } else {
+            status.code()
+        };
+        assert_eq!(status.code(), expected);
+        assert!(!status.success());
+        let names = std::fs::read_dir(bench.path("")).unwrap();
+        let names: Vec<_> = names.map(|e| e.unwrap().file_name()).collect();
+        assert_eq!(names, ["r.csv"], "{signal}");
+    }
+}
+
+#[test]
+fn case_134_a_spec_with_an_unknown_key() {
+    let bench = Bench::with("spec.toml", "seed = 1\nrat = 100\n");
+    let run = bench.run(&["simulate", "spec.toml", "-o", "out"]);
+    run.ends(2)
+        .says(&["spec.toml:2:1", "`rat`", "`rate`"])
+        .changes(&[]);
+    bench.write("spec.toml", "seed = 1\nrate = \"fast\"\n");
+    let run = bench.run(&["simulate", "spec.toml", "-o", "out"]);
+    run.ends(2).says(&["spec.toml:2"]).changes(&[]);
+}
+
+#[test]
+fn case_135_a_file_of_a_future_version() {
+    let bench = calibrated();
+    let text = std::fs::read_to_string(bench.path("cal.json")).unwrap();
+    bench.write("new.json", text.replace("calibration/1", "calibration/9"));
+    let run = bench.run(&["apply", "new.json", "r.csv", "-o", "c.csv"]);
+    run.ends(2)
+        .says(&["calibration/9", "calibration/1"])
+        .changes(&[]);
 }
 
 #[test]
