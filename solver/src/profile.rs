@@ -77,11 +77,13 @@ pub fn profile_interval(
         z,
     };
     let unit = profile.unit(column);
+    let value = report.parameters.values()[index];
+    let mut deviance = |offset: f64| profile.root_deviance(offset);
     Ok(ProfileInterval {
         name: name.to_owned(),
-        value: report.parameters.values()[index],
-        lower: profile.crossing(-unit)?,
-        upper: profile.crossing(unit)?,
+        value,
+        lower: crossing(value, -unit, z, &mut deviance)?,
+        upper: crossing(value, unit, z, &mut deviance)?,
     })
 }
 
@@ -183,34 +185,38 @@ impl Profile<'_> {
         }
         Ok(refit.cost)
     }
+}
 
-    /// Where the root deviance reaches `z` in the direction of `unit`, one standard error long.
-    fn crossing(&self, unit: f64) -> Result<Option<f64>, Error> {
-        let z = self.z;
-        let value = self.report.parameters.values()[self.index];
-        let (mut inside, mut at_inside) = (0.0, 0.0);
-        let mut trial = z;
-        let mut outside: Option<(f64, f64)> = None;
-        for _ in 0..REFITS {
-            let deviance = self.root_deviance(trial * unit)?;
-            if deviance < z {
-                (inside, at_inside) = (trial, deviance);
-            } else {
-                outside = Some((trial, deviance));
-            }
-            trial = match outside {
-                None if trial > FARTHEST * z => return Ok(None),
-                None => 2.0 * trial,
-                Some((end, _)) if end - inside <= PRECISION * z => break,
-                Some((end, at_end)) => between(inside, at_inside, end, at_end, z),
-            };
+/// Where the root deviance, asked for by offset, reaches `z` in the direction of `unit`, one standard error
+/// long.
+pub(crate) fn crossing(
+    value: f64,
+    unit: f64,
+    z: f64,
+    root_deviance: &mut dyn FnMut(f64) -> Result<f64, Error>,
+) -> Result<Option<f64>, Error> {
+    let (mut inside, mut at_inside) = (0.0, 0.0);
+    let mut trial = z;
+    let mut outside: Option<(f64, f64)> = None;
+    for _ in 0..REFITS {
+        let deviance = root_deviance(trial * unit)?;
+        if deviance < z {
+            (inside, at_inside) = (trial, deviance);
+        } else {
+            outside = Some((trial, deviance));
         }
-        // Next to a wall the last value before it.
-        Ok(outside.map(|(end, at_end)| {
-            let end = if at_end.is_finite() { end } else { inside };
-            value + end * unit
-        }))
+        trial = match outside {
+            None if trial > FARTHEST * z => return Ok(None),
+            None => 2.0 * trial,
+            Some((end, _)) if end - inside <= PRECISION * z => break,
+            Some((end, at_end)) => between(inside, at_inside, end, at_end, z),
+        };
     }
+    // Next to a wall the last value before it.
+    Ok(outside.map(|(end, at_end)| {
+        let end = if at_end.is_finite() { end } else { inside };
+        value + end * unit
+    }))
 }
 
 /// A point of the bracket by linear interpolation, kept off its ends; the middle next to a wall.

@@ -530,3 +530,110 @@ fn a_chain_that_floats_and_a_scale_nobody_sees_are_named() {
     assert_eq!(products.rank(), 399);
     assert!((products.standard_errors(blocks[1])[0] - 1.0).abs() < 1e-3);
 }
+
+/// `y − a − b t`, one residual.
+struct Line {
+    t: f64,
+    y: f64,
+}
+
+impl<D: Scalar> Residual<D> for Line {
+    fn residuals(&self, x: &[D], out: &mut Vec<D>) {
+        out.push(-x[0] - x[1] * self.t + lit::<D>(self.y));
+    }
+}
+
+/// All of them.
+struct Lines(Vec<Line>);
+
+impl<D: Scalar> Residual<D> for Lines {
+    fn residuals(&self, x: &[D], out: &mut Vec<D>) {
+        self.0.iter().for_each(|line| line.residuals(x, out));
+    }
+}
+
+fn lines() -> Vec<Line> {
+    (0..30)
+        .map(|k| {
+            let t = 0.1 * f64::from(k);
+            let wild = if k % 5 == 2 { 4.0 } else { 0.0 };
+            let y = 1.0 + 2.0 * t + 0.05 * (7.0 * t * t).sin() + wild;
+            Line { t, y }
+        })
+        .collect()
+}
+
+#[test]
+fn a_robust_factor_of_one_residual_costs_as_in_the_dense_solver() {
+    use stillpoint_solver::{Loss, LossScale};
+    let scale = LossScale::Given(0.1);
+    for loss in [Loss::Huber(scale), Loss::Cauchy(scale), Loss::Tukey(scale)] {
+        let (mut own, mut of_block) = (Graph::new(), Graph::new());
+        for (graph, each) in [(&mut own, true), (&mut of_block, false)] {
+            let x = graph.add("x", Euclidean(2), &[1.1, 1.9]).unwrap();
+            for line in lines() {
+                if each {
+                    graph.add_robust_factor(&[x], line, loss);
+                } else {
+                    graph.add_factor(&[x], line);
+                }
+            }
+            if !each {
+                graph.set_loss(x, loss);
+            }
+        }
+        let options = Options {
+            loss,
+            ..Options::default()
+        };
+        let start = Parameters::unnamed(&[1.1, 1.9]);
+        let dense = solve(&Lines(lines()), &start, &Mask::all(2), &options).unwrap();
+        for graph in [own, of_block] {
+            let report = solve_graph(&graph, &GraphOptions::default()).unwrap();
+            assert!(report.termination.converged(), "{loss:?}");
+            assert!((report.cost / dense.cost - 1.0).abs() < 1e-12, "{loss:?}");
+            for (a, b) in report.values.iter().zip(dense.parameters.values()) {
+                assert!((a - b).abs() < 1e-8, "{loss:?}: {a} {b}");
+            }
+        }
+    }
+}
+
+#[test]
+fn an_outlying_turn_of_three_residuals_counts_as_a_whole() {
+    use stillpoint_solver::{Loss, LossScale};
+    let mut graph = Graph::new();
+    let mean = graph.add("mean", Rotation, &[1.0, 0.0, 0.0, 0.0]).unwrap();
+    let loss = Loss::Tukey(LossScale::Given(0.3));
+    for k in 0..10 {
+        let wild = if k % 4 == 3 { 1.5 } else { 0.0 };
+        let turn = [0.01 * (f64::from(k)).sin(), wild, -wild];
+        graph.add_robust_factor(&[mean], Measured(exponential(&turn)), loss);
+    }
+    let report = solve_graph(&graph, &GraphOptions::default()).unwrap();
+    assert!(report.termination.converged(), "{}", report.termination);
+    let off = logarithm(report.value(mean));
+    assert!(off.iter().all(|v| v.abs() < 0.01), "{off:?}");
+}
+
+#[test]
+fn the_profile_of_a_line_is_its_standard_error() {
+    use stillpoint_solver::{Products, graph_profile};
+    let mut graph = Graph::new();
+    let x = graph.add("x", Euclidean(2), &[0.0, 0.0]).unwrap();
+    lines().into_iter().for_each(|l| graph.add_factor(&[x], l));
+    let options = GraphOptions::default();
+    let report = solve_graph(&graph, &options).unwrap();
+    let sigma = (2.0 * report.cost / 28.0).sqrt();
+    let error = sigma
+        * Products::new(&graph, &report.values)
+            .unwrap()
+            .standard_errors(x)[1];
+    let interval = graph_profile(&mut graph, &report, &options, x, 1, 2.0).unwrap();
+    assert_eq!(interval.name, "x.1");
+    let slope = report.value(x)[1];
+    assert!((interval.upper.unwrap() - slope - 2.0 * error).abs() < 1e-5 * error);
+    assert!((slope - interval.lower.unwrap() - 2.0 * error).abs() < 1e-5 * error);
+    assert_eq!(graph.value(x), [0.0, 0.0]);
+    assert!(graph_profile(&mut graph, &report, &options, x, 7, 2.0).is_err());
+}

@@ -2,9 +2,11 @@
 
 use std::sync::Arc;
 
+use pulp::{Arch, Simd, WithSimd};
+
 use super::reduced::Reduced;
 use super::structure::{Pattern, Structure};
-use super::update::{Update, subtract_products};
+use super::update::{Update, flush, subtract_products};
 use crate::error::Error;
 
 /// `H + diag`, factored.
@@ -60,22 +62,19 @@ impl Factored {
         self.load(h, more);
         let s = &*self.structure;
         let (own, left) = b.split_at_mut(s.split());
-        for e in 0..s.eliminated {
-            let d = s.width(e);
-            let l = &mut self.triangles[self.triangle[e]..self.triangle[e + 1]];
-            let slots = s.column[e]..s.column[e + 1];
-            l.copy_from_slice(&h[s.entry[slots.start]..s.entry[slots.start + 1]]);
-            for k in 0..d {
-                l[k * (d + 1)] += more[s.first[e] + k];
-            }
-            if !cholesky(l, d) {
-                return false;
-            }
-            let y = &mut own[s.first[e]..s.first[e + 1]];
-            forward(l, d, y);
-            subtract_products(s, &mut self.reduced, &mut self.update, h, e, l, y, left);
-        }
-        true
+        let positive = Arch::new().dispatch(Elimination {
+            structure: s,
+            reduced: &mut self.reduced,
+            triangles: &mut self.triangles,
+            triangle: &self.triangle,
+            update: &mut self.update,
+            h,
+            more,
+            own,
+            left,
+        });
+        flush(s, &mut self.reduced, &mut self.update);
+        positive
     }
 
     /// Writes what `H + diag(more)` has of the blocks that are not eliminated.
@@ -207,6 +206,44 @@ impl Factored {
             dense: matches!(self.structure.reduced, Pattern::Dense),
             factor_entries: self.reduced.size(),
         }
+    }
+}
+
+/// The elimination of all blocks, compiled for the vector instructions that the machine has.
+struct Elimination<'a> {
+    structure: &'a Structure,
+    reduced: &'a mut Reduced,
+    triangles: &'a mut [f64],
+    triangle: &'a [usize],
+    update: &'a mut Update,
+    h: &'a [f64],
+    more: &'a [f64],
+    own: &'a mut [f64],
+    left: &'a mut [f64],
+}
+
+impl WithSimd for Elimination<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> bool {
+        let s = self.structure;
+        for e in 0..s.eliminated {
+            let d = s.width(e);
+            let l = &mut self.triangles[self.triangle[e]..self.triangle[e + 1]];
+            let diagonal = s.column[e];
+            l.copy_from_slice(&self.h[s.entry[diagonal]..s.entry[diagonal + 1]]);
+            for k in 0..d {
+                l[k * (d + 1)] += self.more[s.first[e] + k];
+            }
+            if !cholesky(l, d) {
+                return false;
+            }
+            let y = &mut self.own[s.first[e]..s.first[e + 1]];
+            forward(l, d, y);
+            subtract_products(s, self.reduced, self.update, self.h, e, l, y, self.left);
+        }
+        true
     }
 }
 

@@ -313,7 +313,7 @@ fn gather(graph: &Graph<'_>, blocks: &[u32], values: &[f64], x: &mut Vec<f64>) {
 }
 
 /// What a factor costs.
-fn cost_of(loss: Option<&Loss>, residuals: &[f64]) -> f64 {
+pub(crate) fn cost_of(loss: Option<&Loss>, residuals: &[f64]) -> f64 {
     let square: f64 = residuals.iter().map(|r| r * r).sum();
     match loss {
         None => 0.5 * square,

@@ -1,6 +1,6 @@
 //! Sums of products of a few rows: `A_rᵀ A_c`.
 
-use faer::linalg::matmul::matmul;
+use faer::linalg::matmul::triangular::{BlockStructure, matmul};
 use faer::{Accum, MatMut, MatRef, Par};
 
 use super::structure::Structure;
@@ -128,7 +128,23 @@ impl Panel {
             MatRef::from_column_major_slice(&self.right, columns, lines)
         };
         let out = MatMut::from_column_major_slice_mut(out, rows, columns);
-        matmul(out, Accum::Add, left, right.transpose(), 1.0, Par::Seq);
+        // Of a block on the diagonal the lower triangle alone is read.
+        let structure = if self.right.is_empty() {
+            BlockStructure::TriangularLower
+        } else {
+            BlockStructure::Rectangular
+        };
+        matmul(
+            out,
+            structure,
+            Accum::Add,
+            left,
+            BlockStructure::Rectangular,
+            right.transpose(),
+            BlockStructure::Rectangular,
+            1.0,
+            Par::Seq,
+        );
         self.left.clear();
         self.right.clear();
     }

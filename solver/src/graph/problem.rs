@@ -252,6 +252,20 @@ impl<'a> Graph<'a> {
         all
     }
 
+    /// What is minimised, at stored values of all blocks: `½ ‖r‖²`, or half the sum of the losses.
+    pub fn cost(&self, values: &[f64]) -> f64 {
+        let (mut x, mut out, mut sum) = (Vec::new(), Vec::new(), 0.0);
+        for (factor, entry) in self.factors.iter().enumerate() {
+            x.clear();
+            for &block in self.blocks_of(factor) {
+                x.extend_from_slice(self.of(values, Block(block)));
+            }
+            entry.factor.values(&x, &mut out);
+            sum += super::normal::cost_of(self.loss_of(factor), &out);
+        }
+        sum
+    }
+
     /// Starts all blocks where a report ended.
     pub fn start_at(&mut self, values: &[f64]) {
         if values.len() == self.values.len() {

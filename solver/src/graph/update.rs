@@ -1,16 +1,32 @@
 //! What the elimination of one block takes from the others: `S −= Y Yᵀ`, `Y = W L⁻ᵀ`.
+//!
+//! Everything here is inlined into a function compiled for the vector instructions that the machine
+//! has. Products and sums stay separate roundings, so that the result is the same on every machine.
+
+use faer::linalg::matmul::triangular::{BlockStructure, matmul};
+use faer::{Accum, MatMut, MatRef, Par};
 
 use super::reduced::{Place, Reduced};
 use super::structure::Structure;
 
-/// Room for the neighbours of one block.
+/// Room for the neighbours of one block, and columns collected for one wide neighbour.
 #[derive(Debug, Default)]
 pub(crate) struct Update {
     y: Vec<f64>,
+    panel: Vec<f64>,
+    /// Position and width of the neighbour of the columns.
+    wide: Option<(usize, usize)>,
 }
+
+/// Width from which a single neighbour's columns are collected for a matrix product.
+const WIDE: usize = 16;
+
+/// Columns collected.
+const COLUMNS: usize = 96;
 
 /// Takes the products of the neighbours of `e` from what is left, given `L` of `V_e` and
 /// `y = L⁻¹ b_e`.
+#[inline(always)]
 #[allow(clippy::too_many_arguments)]
 pub(crate) fn subtract_products(
     s: &Structure,
@@ -38,28 +54,68 @@ pub(crate) fn subtract_products(
             out.iter_mut().zip(column).for_each(|(o, w)| *o -= w * y);
         }
     }
-    let base = s.eliminated;
+    if slots.len() == 1 && y.len() == d {
+        let j = s.row[slots.start] as usize;
+        if s.width(j) >= WIDE {
+            collect(s, reduced, update, j);
+            return;
+        }
+    }
     for column in slots.clone() {
         let j = s.row[column] as usize;
-        let columns = s.width(j);
         let y_j = &update.y[s.entry[column] - from..s.entry[column + 1] - from];
+        let reach = Reach { s, j, d };
         for slot in column..slots.end {
             let i = s.row[slot] as usize;
-            let place = reduced.place(
-                (i - base) as u32,
-                (j - base) as u32,
-                s.first[i] - s.split(),
-                s.first[j] - s.split(),
-            );
-            let Some(place) = place else { continue };
             let y_i = &update.y[s.entry[slot] - from..s.entry[slot + 1] - from];
-            subtract(reduced.entries(), place, (s.width(i), columns, d), y_i, y_j);
+            reach.subtract(reduced, i, y_i, y_j);
         }
     }
 }
 
+/// Keeps the columns of a wide neighbour; a product takes many at once.
+fn collect(s: &Structure, reduced: &mut Reduced, update: &mut Update, j: usize) {
+    if update.wide.is_some_and(|(other, _)| other != j) {
+        flush(s, reduced, update);
+    }
+    let width = s.width(j);
+    update.wide = Some((j, width));
+    let (y, panel) = (&update.y, &mut update.panel);
+    panel.extend_from_slice(y);
+    if update.panel.len() >= COLUMNS * width {
+        flush(s, reduced, update);
+    }
+}
+
+/// Subtracts the products of the columns that were collected.
+pub(crate) fn flush(s: &Structure, reduced: &mut Reduced, update: &mut Update) {
+    let Some((j, width)) = update.wide.take() else {
+        return;
+    };
+    let position = (j - s.eliminated) as u32;
+    let first = s.first[j] - s.split();
+    if let Some(place) = reduced.place(position, position, first, first) {
+        let end = place.base + (width - 1) * place.stride + width;
+        let entries = &mut reduced.entries()[place.base..end];
+        let columns = update.panel.len() / width;
+        let y = MatRef::from_column_major_slice(&update.panel, width, columns);
+        matmul(
+            MatMut::from_column_major_slice_with_stride_mut(entries, width, width, place.stride),
+            BlockStructure::TriangularLower,
+            Accum::Add,
+            y,
+            BlockStructure::Rectangular,
+            y.transpose(),
+            BlockStructure::Rectangular,
+            -1.0,
+            Par::Seq,
+        );
+    }
+    update.panel.clear();
+}
+
 /// `W L⁻ᵀ` in place, `W` being `rows × d`, column after column.
-#[inline]
+#[inline(always)]
 fn right_solve(w: &mut [f64], rows: usize, l: &[f64], d: usize) {
     for c in 0..d {
         let (before, own) = w.split_at_mut(c * rows);
@@ -76,23 +132,36 @@ fn right_solve(w: &mut [f64], rows: usize, l: &[f64], d: usize) {
     }
 }
 
-/// `S_ij −= Y_i Y_jᵀ`.
-#[inline]
-fn subtract(
-    entries: &mut [f64],
-    place: Place,
-    (rows, columns, d): (usize, usize, usize),
-    y_i: &[f64],
-    y_j: &[f64],
-) {
-    match (rows, d) {
-        (9, 3) => fixed::<9, 3>(entries, place, columns, y_i, y_j),
-        (6, 3) => fixed::<6, 3>(entries, place, columns, y_i, y_j),
-        _ => any(entries, place, (rows, columns, d), y_i, y_j),
+/// A column of what is left.
+struct Reach<'a> {
+    s: &'a Structure,
+    j: usize,
+    d: usize,
+}
+
+impl Reach<'_> {
+    /// `S_ij −= Y_i Y_jᵀ`.
+    #[inline(always)]
+    fn subtract(&self, reduced: &mut Reduced, i: usize, y_i: &[f64], y_j: &[f64]) {
+        let (s, j) = (self.s, self.j);
+        let place = reduced.place(
+            (i - s.eliminated) as u32,
+            (j - s.eliminated) as u32,
+            s.first[i] - s.split(),
+            s.first[j] - s.split(),
+        );
+        let Some(place) = place else { return };
+        let (rows, columns) = (s.width(i), s.width(j));
+        let entries = reduced.entries();
+        match (rows, self.d) {
+            (9, 3) => fixed::<9, 3>(entries, place, columns, y_i, y_j),
+            (6, 3) => fixed::<6, 3>(entries, place, columns, y_i, y_j),
+            _ => any(entries, place, (rows, columns, self.d), y_i, y_j),
+        }
     }
 }
 
-#[inline]
+#[inline(always)]
 fn fixed<const R: usize, const E: usize>(
     entries: &mut [f64],
     place: Place,
@@ -104,6 +173,10 @@ fn fixed<const R: usize, const E: usize>(
     let Some(left) = left.first_chunk::<E>() else {
         return;
     };
+    let last = place.base + columns.saturating_sub(1) * place.stride + R;
+    if entries.len() < last || y_j.len() < E * columns {
+        return;
+    }
     for c in 0..columns {
         let at = place.base + c * place.stride;
         let Some(out) = entries[at..].first_chunk_mut::<R>() else {
@@ -120,6 +193,7 @@ fn fixed<const R: usize, const E: usize>(
     }
 }
 
+#[inline(always)]
 fn any(
     entries: &mut [f64],
     place: Place,

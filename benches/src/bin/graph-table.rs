@@ -1,0 +1,203 @@
+//! Solves bundle adjustments and pose graphs by the graph of the solver, and makes them up.
+//!
+//! ```text
+//! cargo run --release -p stillpoint-benches --bin graph-table                    a table of small ones
+//! … --bin graph-table -- make FOLDER [small]                                    files to compare on
+//! … --bin graph-table -- bal FILE auto|analytic fixed|free                      one line
+//! … --bin graph-table -- g2o FILE                                               one line
+//! … --bin graph-table -- shared NUMBERS BLOCKS                                  one line
+//! ```
+//! A line: cost at the start and the end (½ ‖r‖²), steps, seconds of the processor from the problem in
+//! memory to the solution (setting up included), largest memory in MB. `benches/peers/graphs.py` runs it beside
+//! other solvers.
+
+use std::error::Error;
+use std::path::Path;
+use std::time::Instant;
+
+use solver::{Graph, GraphOptions, GraphReport, solve_graph};
+use stillpoint_benches::graphs::bal::Bundle;
+use stillpoint_benches::graphs::cameras::ring;
+use stillpoint_benches::graphs::g2o::PoseGraph;
+use stillpoint_benches::graphs::groups::{OWN, SPARE, groups};
+use stillpoint_benches::graphs::walks::{planar, spatial};
+
+type Outcome<T> = Result<T, Box<dyn Error>>;
+
+fn main() -> Outcome<()> {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    match words[..] {
+        [] => table(),
+        ["make", folder] => make(Path::new(folder), false),
+        ["make", folder, "small"] => make(Path::new(folder), true),
+        ["bal", file, jacobian, gauge] => {
+            let bundle = Bundle::read(&std::fs::read_to_string(file)?)?;
+            let (analytic, fixed) = (jacobian == "analytic", gauge == "fixed");
+            line(|| Ok(bundle.graph(analytic, fixed)?))
+        }
+        ["g2o", file] => {
+            let poses = PoseGraph::read(&std::fs::read_to_string(file)?)?;
+            line(|| Ok(poses.graph()?))
+        }
+        ["shared", numbers, blocks] => shared(numbers.parse()?, blocks.parse()?),
+        _ => Err("see the first lines of graph-table.rs".into()),
+    }
+}
+
+/// Time of this thread on a processor, where Linux tells, which leaves out what else the machine does.
+struct Clock(Instant, Option<f64>);
+
+impl Clock {
+    fn start() -> Self {
+        Self(Instant::now(), processor_seconds())
+    }
+
+    fn seconds(&self) -> f64 {
+        let spent = processor_seconds()
+            .zip(self.1)
+            .map(|(now, before)| now - before);
+        spent.unwrap_or_else(|| self.0.elapsed().as_secs_f64())
+    }
+}
+
+fn processor_seconds() -> Option<f64> {
+    let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
+    let nanoseconds: f64 = text.split_whitespace().next()?.parse().ok()?;
+    Some(1e-9 * nanoseconds)
+}
+
+/// As the peers end: with the step that the linearised problem says to lower the cost by 1e-10 of
+/// itself or less.
+fn options() -> GraphOptions {
+    GraphOptions {
+        gradient_tolerance: 1e-5,
+        last_digits: false,
+        ..GraphOptions::default()
+    }
+}
+
+fn line(build: impl Fn() -> Outcome<Graph<'static>>) -> Outcome<()> {
+    let clock = Clock::start();
+    let graph = build()?;
+    let report = solve_graph(&graph, &options())?;
+    print(&graph, &report, clock.seconds());
+    Ok(())
+}
+
+fn print(graph: &Graph<'_>, report: &GraphReport, seconds: f64) {
+    let start: f64 = graph.residuals(graph.values()).iter().map(|r| r * r).sum();
+    println!(
+        "ours {:.12e} {:.12e} {} {seconds:.6} {:.1} {}",
+        0.5 * start,
+        report.cost,
+        report.iterations.len(),
+        largest_memory(),
+        report.termination,
+    );
+}
+
+/// Largest memory of this process in MB, where the system tells.
+fn largest_memory() -> f64 {
+    let text = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = text.lines().find_map(|l| l.strip_prefix("VmHWM:"));
+    let kilobytes = line.and_then(|l| l.trim().strip_suffix(" kB")?.parse::<f64>().ok());
+    kilobytes.map_or(f64::NAN, |kb| kb / 1024.0)
+}
+
+fn make(folder: &Path, small: bool) -> Outcome<()> {
+    std::fs::create_dir_all(folder)?;
+    let cameras: &[(usize, usize)] = if small {
+        &[(20, 300)]
+    } else {
+        &[(20, 1_500), (50, 5_000), (100, 10_000), (300, 20_000)]
+    };
+    for &(count, points) in cameras {
+        let text = ring(count, points, 20, 7).write();
+        std::fs::write(folder.join(format!("ring-{count}.bal")), text)?;
+    }
+    let poses: &[usize] = if small { &[300] } else { &[300, 3_000, 30_000] };
+    for &count in poses {
+        let plane = folder.join(format!("plane-{count}.g2o"));
+        std::fs::write(plane, planar(count, 7).write())?;
+        let space = folder.join(format!("space-{count}.g2o"));
+        std::fs::write(space, spatial(count, 7).write())?;
+    }
+    Ok(())
+}
+
+fn table() -> Outcome<()> {
+    println!("problem                  start        end    steps  seconds");
+    let show = |name: &str, graph: Graph<'static>| -> Outcome<()> {
+        let clock = Clock::start();
+        let report = solve_graph(&graph, &options())?;
+        let seconds = clock.seconds();
+        let start: f64 = graph.residuals(graph.values()).iter().map(|r| r * r).sum();
+        println!(
+            "{name:18} {:10.4e} {:10.4e} {:8} {seconds:8.3}  {}",
+            0.5 * start,
+            report.cost,
+            report.iterations.len(),
+            report.termination
+        );
+        Ok(())
+    };
+    for (count, points) in [(20, 1_500), (50, 5_000)] {
+        let bundle = ring(count, points, 20, 7);
+        show(
+            &format!("{count} cameras, duals"),
+            bundle.graph(false, false)?,
+        )?;
+        show(&format!("{count} cameras, own"), bundle.graph(true, true)?)?;
+    }
+    for count in [300, 3_000] {
+        show(&format!("plane {count}"), planar(count, 7).graph()?)?;
+        show(&format!("space {count}"), spatial(count, 7).graph()?)?;
+    }
+    for count in [2, 8, 32, 128] {
+        shared(count, 2_000)?;
+    }
+    Ok(())
+}
+
+/// Time per Jacobian of a problem with shared numbers, beside the multiplications that a triangular
+/// factorisation of its rows takes by the elimination of the blocks: `rows · s²` each.
+fn shared(numbers: usize, blocks: usize) -> Outcome<()> {
+    let graph = groups(numbers, blocks, 7)?;
+    let mut best = f64::INFINITY;
+    let mut jacobians = 0;
+    for _ in 0..5 {
+        let clock = Clock::start();
+        let report = solve_graph(&graph, &options())?;
+        jacobians = report.evaluations.jacobians;
+        best = best.min(clock.seconds() / jacobians as f64);
+    }
+    let dense = dense_seconds(numbers, blocks);
+    println!(
+        "shared {numbers:4} blocks {blocks:6}: {:8.3} µs a block and Jacobian ({jacobians} of them), dense QR of the \
+         rows {:8.3} µs, ratio {:.2}",
+        1e6 * best / blocks as f64,
+        1e6 * dense / blocks as f64,
+        best / dense
+    );
+    Ok(())
+}
+
+/// Seconds of a dense QR factorisation of the rows that the blocks leave to the shared numbers.
+fn dense_seconds(numbers: usize, blocks: usize) -> f64 {
+    let rows = blocks * (OWN + SPARE);
+    let mut state = 1u64;
+    let a = faer::Mat::from_fn(rows, numbers + OWN, |_, _| {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+    });
+    let mut best = f64::INFINITY;
+    for _ in 0..3 {
+        let clock = Clock::start();
+        std::hint::black_box(a.qr());
+        best = best.min(clock.seconds());
+    }
+    best
+}
