@@ -91,7 +91,7 @@ impl Factored {
                     (row - base) as u32,
                     (column - base) as u32,
                     s.first[row] - s.split(),
-                    s.first[column] - s.split(),
+                    rows,
                 );
                 let Some(place) = place else { continue };
                 let block = &h[s.entry[slot]..s.entry[slot + 1]];
@@ -226,7 +226,7 @@ impl WithSimd for Elimination<'_> {
     type Output = bool;
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) -> bool {
+    fn with_simd<S: Simd>(self, simd: S) -> bool {
         let s = self.structure;
         for e in 0..s.eliminated {
             let d = s.width(e);
@@ -241,7 +241,17 @@ impl WithSimd for Elimination<'_> {
             }
             let y = &mut self.own[s.first[e]..s.first[e + 1]];
             forward(l, d, y);
-            subtract_products(s, self.reduced, self.update, self.h, e, l, y, self.left);
+            subtract_products(
+                simd,
+                s,
+                self.reduced,
+                self.update,
+                self.h,
+                e,
+                l,
+                y,
+                self.left,
+            );
         }
         true
     }

@@ -22,6 +22,11 @@ pub(crate) enum Reduced {
     Dense {
         /// Number of unknowns.
         n: usize,
+        /// The blocks of the lower triangle, each in one piece: what is added up there again and again
+        /// touches few pages.
+        blocks: Vec<f64>,
+        /// Where the blocks of every column begin, and its first unknown and width.
+        columns: Vec<(usize, usize, usize)>,
         /// The matrix, or its factor, column after column.
         matrix: Vec<f64>,
         /// Room to work.
@@ -63,8 +68,18 @@ impl Reduced {
             Pattern::Dense => {
                 let need = cholesky_in_place_scratch::<f64>(unknowns, Par::Seq, Default::default())
                     .or(solve_in_place_scratch::<f64>(unknowns, 1, Par::Seq));
+                let mut columns = Vec::new();
+                let mut entries = 0;
+                for position in structure.eliminated..structure.order.len() {
+                    let first = structure.first[position] - structure.split();
+                    let width = structure.width(position);
+                    columns.push((entries, first, width));
+                    entries += (unknowns - first) * width;
+                }
                 Ok(Self::Dense {
                     n: unknowns,
+                    blocks: vec![0.0; entries],
+                    columns,
                     matrix: vec![0.0; unknowns * unknowns],
                     memory: MemBuffer::try_new(need).map_err(|_| too_large)?,
                 })
@@ -83,7 +98,7 @@ impl Reduced {
     /// Sets all entries to zero.
     pub fn clear(&mut self) {
         match self {
-            Self::Dense { matrix, .. } => matrix.fill(0.0),
+            Self::Dense { blocks, .. } => blocks.fill(0.0),
             Self::Sparse(sparse) => sparse.values.fill(0.0),
         }
     }
@@ -91,26 +106,23 @@ impl Reduced {
     /// The entries, among which a [`Place`] points.
     pub fn entries(&mut self) -> &mut [f64] {
         match self {
-            Self::Dense { matrix, .. } => matrix,
+            Self::Dense { blocks, .. } => blocks,
             Self::Sparse(sparse) => &mut sparse.values,
         }
     }
 
     /// Where the block of two positions lies (both less the number eliminated, `row ≥ column`), whose unknowns begin at `row_first` and `column_first`; `None` where the pattern
     /// has none.
-    #[inline]
-    pub fn place(
-        &self,
-        row: u32,
-        column: u32,
-        row_first: usize,
-        column_first: usize,
-    ) -> Option<Place> {
+    #[inline(always)]
+    pub fn place(&self, row: u32, column: u32, row_first: usize, rows: usize) -> Option<Place> {
         match self {
-            Self::Dense { n, .. } => Some(Place {
-                base: row_first + column_first * n,
-                stride: *n,
-            }),
+            Self::Dense { columns, .. } => {
+                let (base, first, width) = columns[column as usize];
+                Some(Place {
+                    base: base + (row_first - first) * width,
+                    stride: rows,
+                })
+            }
             Self::Sparse(sparse) => sparse.place(row, column),
         }
     }
@@ -118,7 +130,14 @@ impl Reduced {
     /// Factors the matrix; `false` where it is not positive definite.
     pub fn factor(&mut self) -> bool {
         match self {
-            Self::Dense { n, matrix, memory } => {
+            Self::Dense {
+                n,
+                blocks,
+                columns,
+                matrix,
+                memory,
+            } => {
+                spread(blocks, columns, *n, matrix);
                 let a = MatMut::from_column_major_slice_mut(matrix, *n, *n);
                 let factored = cholesky_in_place(
                     a,
@@ -136,7 +155,7 @@ impl Reduced {
     /// Solves for as many right sides as `b` has columns of `n`, in place.
     pub fn solve(&mut self, b: &mut [f64]) {
         match self {
-            Self::Dense { n, matrix, memory } => {
+            Self::Dense { n, matrix, .. } => {
                 if *n == 0 {
                     return;
                 }
@@ -145,7 +164,6 @@ impl Reduced {
                 let factor = MatRef::from_column_major_slice(matrix, *n, *n);
                 let need = solve_in_place_scratch::<f64>(*n, columns, Par::Seq);
                 let mut more = MemBuffer::new(need);
-                let _ = memory;
                 solve_in_place(factor, right, Par::Seq, MemStack::new(&mut more));
             }
             Self::Sparse(sparse) => sparse.solve(b),
@@ -167,6 +185,20 @@ impl Reduced {
         match self {
             Self::Dense { n, .. } => n * (n + 1) / 2,
             Self::Sparse(sparse) => sparse.factor.len(),
+        }
+    }
+}
+
+/// Writes blocks into the lower triangle of a matrix.
+fn spread(blocks: &[f64], columns: &[(usize, usize, usize)], n: usize, matrix: &mut [f64]) {
+    for (k, &(base, first, width)) in columns.iter().enumerate() {
+        let mut at = base;
+        for &(_, row_first, rows) in &columns[k..] {
+            for c in 0..width {
+                let to = (first + c) * n + row_first;
+                matrix[to..to + rows].copy_from_slice(&blocks[at..at + rows]);
+                at += rows;
+            }
         }
     }
 }

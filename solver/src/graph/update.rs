@@ -1,10 +1,11 @@
 //! What the elimination of one block takes from the others: `S −= Y Yᵀ`, `Y = W L⁻ᵀ`.
 //!
 //! Everything here is inlined into a function compiled for the vector instructions that the machine
-//! has. Products and sums stay separate roundings, so that the result is the same on every machine.
+//! has. Written out: left to itself the compiler takes the columns, not the rows, for vectors.
 
 use faer::linalg::matmul::triangular::{BlockStructure, matmul};
 use faer::{Accum, MatMut, MatRef, Par};
+use pulp::Simd;
 
 use super::reduced::{Place, Reduced};
 use super::structure::Structure;
@@ -28,7 +29,8 @@ const COLUMNS: usize = 96;
 /// `y = L⁻¹ b_e`.
 #[inline(always)]
 #[allow(clippy::too_many_arguments)]
-pub(crate) fn subtract_products(
+pub(crate) fn subtract_products<S: Simd>(
+    simd: S,
     s: &Structure,
     reduced: &mut Reduced,
     update: &mut Update,
@@ -68,7 +70,7 @@ pub(crate) fn subtract_products(
         for slot in column..slots.end {
             let i = s.row[slot] as usize;
             let y_i = &update.y[s.entry[slot] - from..s.entry[slot + 1] - from];
-            reach.subtract(reduced, i, y_i, y_j);
+            reach.subtract(simd, reduced, i, y_i, y_j);
         }
     }
 }
@@ -94,7 +96,7 @@ pub(crate) fn flush(s: &Structure, reduced: &mut Reduced, update: &mut Update) {
     };
     let position = (j - s.eliminated) as u32;
     let first = s.first[j] - s.split();
-    if let Some(place) = reduced.place(position, position, first, first) {
+    if let Some(place) = reduced.place(position, position, first, width) {
         let end = place.base + (width - 1) * place.stride + width;
         let entries = &mut reduced.entries()[place.base..end];
         let columns = update.panel.len() / width;
@@ -142,27 +144,45 @@ struct Reach<'a> {
 impl Reach<'_> {
     /// `S_ij −= Y_i Y_jᵀ`.
     #[inline(always)]
-    fn subtract(&self, reduced: &mut Reduced, i: usize, y_i: &[f64], y_j: &[f64]) {
+    fn subtract<S: Simd>(
+        &self,
+        simd: S,
+        reduced: &mut Reduced,
+        i: usize,
+        y_i: &[f64],
+        y_j: &[f64],
+    ) {
         let (s, j) = (self.s, self.j);
+        let (rows, columns) = (s.width(i), s.width(j));
         let place = reduced.place(
             (i - s.eliminated) as u32,
             (j - s.eliminated) as u32,
             s.first[i] - s.split(),
-            s.first[j] - s.split(),
+            rows,
         );
         let Some(place) = place else { return };
-        let (rows, columns) = (s.width(i), s.width(j));
         let entries = reduced.entries();
         match (rows, self.d) {
-            (9, 3) => fixed::<9, 3>(entries, place, columns, y_i, y_j),
-            (6, 3) => fixed::<6, 3>(entries, place, columns, y_i, y_j),
-            _ => any(entries, place, (rows, columns, self.d), y_i, y_j),
+            (9, 3) => fixed::<S, 9, 3>(simd, entries, place, columns, y_i, y_j),
+            (6, 3) => fixed::<S, 6, 3>(simd, entries, place, columns, y_i, y_j),
+            (_, d) => {
+                for c in 0..columns {
+                    let at = place.base + c * place.stride;
+                    let out = &mut entries[at..at + rows];
+                    for k in 0..d {
+                        let left = &y_i[k * rows..(k + 1) * rows];
+                        take(simd, out, left, y_j[k * columns + c]);
+                    }
+                }
+            }
         }
     }
 }
 
+/// The products of a block of `R` rows, `E` columns of `Y` at a time.
 #[inline(always)]
-fn fixed<const R: usize, const E: usize>(
+fn fixed<S: Simd, const R: usize, const E: usize>(
+    simd: S,
     entries: &mut [f64],
     place: Place,
     columns: usize,
@@ -173,41 +193,45 @@ fn fixed<const R: usize, const E: usize>(
     let Some(left) = left.first_chunk::<E>() else {
         return;
     };
-    let last = place.base + columns.saturating_sub(1) * place.stride + R;
-    if entries.len() < last || y_j.len() < E * columns {
-        return;
-    }
     for c in 0..columns {
         let at = place.base + c * place.stride;
         let Some(out) = entries[at..].first_chunk_mut::<R>() else {
             return;
         };
-        let mut sum = *out;
+        let (body, tail) = S::as_mut_simd_f64s(out.as_mut_slice());
+        let mut factors = [0.0; E];
         for k in 0..E {
-            let factor = y_j[k * columns + c];
-            for r in 0..R {
-                sum[r] -= left[k][r] * factor;
-            }
+            factors[k] = -y_j[k * columns + c];
         }
-        *out = sum;
+        for v in 0..body.len() {
+            let mut sum = body[v];
+            for k in 0..E {
+                let (own, _) = S::as_simd_f64s(left[k].as_slice());
+                sum = simd.mul_add_e_f64s(own[v], simd.splat_f64s(factors[k]), sum);
+            }
+            body[v] = sum;
+        }
+        let first = R - tail.len();
+        for t in 0..tail.len() {
+            let mut sum = tail[t];
+            for k in 0..E {
+                sum += left[k][first + t] * factors[k];
+            }
+            tail[t] = sum;
+        }
     }
 }
 
+/// `out −= left · factor`.
 #[inline(always)]
-fn any(
-    entries: &mut [f64],
-    place: Place,
-    (rows, columns, d): (usize, usize, usize),
-    y_i: &[f64],
-    y_j: &[f64],
-) {
-    for c in 0..columns {
-        let at = place.base + c * place.stride;
-        let out = &mut entries[at..at + rows];
-        for k in 0..d {
-            let factor = y_j[k * columns + c];
-            let left = &y_i[k * rows..(k + 1) * rows];
-            out.iter_mut().zip(left).for_each(|(o, l)| *o -= l * factor);
-        }
+fn take<S: Simd>(simd: S, out: &mut [f64], left: &[f64], factor: f64) {
+    let (body, tail) = S::as_mut_simd_f64s(out);
+    let (own, rest) = S::as_simd_f64s(left);
+    let many = simd.splat_f64s(-factor);
+    for (o, l) in body.iter_mut().zip(own) {
+        *o = simd.mul_add_e_f64s(*l, many, *o);
+    }
+    for (o, l) in tail.iter_mut().zip(rest) {
+        *o -= l * factor;
     }
 }
