@@ -1,7 +1,7 @@
 //! What the clocks of the recordings leave in doubt, and recordings on an even clock.
 
 use crate::methods::joint::{ClockState, JointFit};
-use crate::recording::{Recording, Stamps, Stream, even_clock};
+use crate::recording::{Recording, Stamps, Stream, bursts, clock_offset, even_clock};
 
 /// Turns that miss by so much, as `χ²` per degree of freedom, with any clock: samples are not when any stamp says.
 const WITH_ANY: f64 = 60.0;
@@ -52,4 +52,52 @@ pub(super) fn on_even_clocks(recordings: &[Recording]) -> Vec<Recording> {
         recording
     };
     recordings.iter().map(evened).collect()
+}
+
+/// The recordings with even clocks where their stamps come in bursts, and what is said of it; `None` where none do.
+pub(crate) fn without_bursts(recordings: &[Recording]) -> Option<(Vec<Recording>, Vec<String>)> {
+    let mut warnings = Vec::new();
+    let mut all = Vec::with_capacity(recordings.len());
+    for recording in recordings {
+        let mut own = recording.clone();
+        let sensors = [
+            ("accelerometer", &mut own.accelerometer),
+            ("gyroscope", &mut own.gyroscope),
+        ];
+        for (sensor, stream) in sensors {
+            let Some(stream) = stream else { continue };
+            let Some(found) = bursts(&stream.t) else {
+                continue;
+            };
+            warnings.push(format!(
+                "{}: the stamps of the {sensor} come in bursts of {:.0} samples: they say when the samples were read, not \
+                 when they were taken. An even clock through all of them is used instead; record with the sensor's own \
+                 stamps",
+                recording.name, found.size
+            ));
+            stream.t = found.even;
+        }
+        all.push(own);
+    }
+    (!warnings.is_empty()).then_some((all, warnings))
+}
+
+/// Sensors whose clocks are apart.
+pub(super) fn apart(recordings: &[Recording]) -> Vec<String> {
+    let of = |recording: &Recording| {
+        let force = recording.accelerometer.as_ref()?;
+        let offset = clock_offset(force, recording.gyroscope.as_ref()?)?;
+        let (late, early) = if offset > 0.0 {
+            ("gyroscope", "accelerometer")
+        } else {
+            ("accelerometer", "gyroscope")
+        };
+        Some(format!(
+            "{}: the clock of the {late} is {:.1} s late against that of the {early}, by when they move: static intervals \
+             of both do not fall together. Shift its stamps by that",
+            recording.name,
+            offset.abs()
+        ))
+    };
+    recordings.iter().filter_map(of).collect()
 }

@@ -147,14 +147,33 @@ pub fn calibrate(
     request: &Request,
 ) -> Result<Outcome, Error> {
     own_effects::grant_steps(&request.effects, recordings.iter().chain(gyro_recordings));
-    let even = request.clock == ClockMode::Even && request.method == Method::Stepwise;
-    let outcome = if even {
-        let [recordings, others] = [recordings, gyro_recordings].map(clocks::on_even_clocks);
-        by_stamps(&recordings, &others, request)
-    } else {
-        by_stamps(recordings, gyro_recordings, request)
+    let mut said = Vec::new();
+    let outcome = match clocks::without_bursts(recordings) {
+        Some((recordings, warnings)) => {
+            said = warnings;
+            by_clock(&recordings, gyro_recordings, request)
+        }
+        None => by_clock(recordings, gyro_recordings, request),
     };
+    said.extend(clocks::apart(recordings));
+    let outcome = outcome.map(|mut outcome| {
+        outcome.calibration.warnings.extend(said);
+        outcome
+    });
     own_effects::blamed(&request.effects, outcome)
+}
+
+/// Calibrates by the clock that was asked for.
+fn by_clock(
+    recordings: &[Recording],
+    gyro_recordings: &[Recording],
+    request: &Request,
+) -> Result<Outcome, Error> {
+    if request.clock == ClockMode::Even && request.method == Method::Stepwise {
+        let [recordings, others] = [recordings, gyro_recordings].map(clocks::on_even_clocks);
+        return by_stamps(&recordings, &others, request);
+    }
+    by_stamps(recordings, gyro_recordings, request)
 }
 
 /// Calibrates by the stamps of the recordings, but for what the joint method makes of them.

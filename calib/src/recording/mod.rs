@@ -12,6 +12,7 @@ mod assemble;
 pub(crate) mod batches;
 mod checks;
 mod clock;
+mod clock_offset;
 pub(crate) mod cut;
 mod decide;
 mod decode;
@@ -48,7 +49,8 @@ mod write;
 
 use std::path::Path;
 
-pub(crate) use even_clock::{EvenClock, Stamps, even_clock};
+pub(crate) use clock_offset::clock_offset;
+pub(crate) use even_clock::{EvenClock, Stamps, bursts, even_clock};
 pub use options::{ColumnMap, ReadOptions, Role};
 pub use place::figure;
 use sensor::Sensor;

@@ -9,10 +9,12 @@
 //! stamps ─ scatter: period, own, adding ─► ticks: whole steps ─► line: ±15 s of them ─► even clock
 //! ```
 
+mod bursts;
 mod line;
 mod scatter;
 mod ticks;
 
+pub(crate) use bursts::bursts;
 use line::lines;
 
 /// Samples on either side of one that its time is taken from, s: longer than the beat of most rates with a

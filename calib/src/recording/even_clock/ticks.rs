@@ -335,6 +335,8 @@ mod tests {
         }
         let (found, _) = ticks(&stamps).unwrap();
         let wrong = found.iter().zip(&truth).filter(|(a, b)| a != b).count();
-        assert!(wrong <= 4, "{wrong}");
+        // Single losses are found, if a sample or two early or late where noise hides the place.
+        assert!(wrong < found.len() / 200, "{wrong}");
+        assert_eq!(found.last(), truth.last());
     }
 }

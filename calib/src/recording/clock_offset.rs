@@ -1,0 +1,106 @@
+//! How far apart the clocks of two sensors of one device are, by when they move.
+
+use nalgebra::Vector3;
+
+use super::stream::Stream;
+
+/// Length of the stretches whose spread is compared, s.
+const STRETCH: f64 = 0.1;
+
+/// Offsets that are tried, in stretches, to either side.
+const FARTHEST: usize = 100;
+
+/// Offsets below this are left to the fits, s.
+const LEAST: f64 = 0.3;
+
+/// The correlation at the best offset, and how much better it must be than without one.
+const ALIKE: f64 = 0.6;
+const BETTER: f64 = 0.1;
+
+/// Stretches that suffice.
+const ENOUGH: usize = 300;
+
+/// By how much the stamps of `late` are later than those of `early` for the same motion, s; `None` where that is no
+/// more than a third of a second, and where the two do not move alike.
+pub(crate) fn clock_offset(early: &Stream, late: &Stream) -> Option<f64> {
+    if early.t == late.t {
+        return None;
+    }
+    let from = early.t.first()?.max(*late.t.first()?);
+    let to = early.t.last()?.min(*late.t.last()?);
+    let count = ((to - from) / STRETCH) as usize;
+    if count < ENOUGH {
+        return None;
+    }
+    let (a, b) = (activity(early, from, count), activity(late, from, count));
+    let at = |lag: i64| correlation(&a, &b, lag);
+    let farthest = FARTHEST as i64;
+    let best = (-farthest..=farthest).max_by(|x, y| at(*x).total_cmp(&at(*y)))?;
+    let found = best as f64 * STRETCH;
+    let evident = at(best) > ALIKE && at(best) > at(0) + BETTER;
+    (evident && found.abs() > LEAST).then_some(found)
+}
+
+/// Logarithm of the spread of the readings in every stretch.
+fn activity(stream: &Stream, from: f64, count: usize) -> Vec<f64> {
+    let spread = |k: usize| {
+        let begin = from + k as f64 * STRETCH;
+        let values = &stream.values[stream.between(begin, begin + STRETCH)];
+        let mean = values.iter().sum::<Vector3<f64>>() / values.len().max(1) as f64;
+        let square: f64 = values.iter().map(|v| (v - mean).norm_squared()).sum();
+        0.5 * (square / values.len().max(1) as f64)
+            .max(f64::MIN_POSITIVE)
+            .ln()
+    };
+    let mut all: Vec<f64> = (0..count).map(spread).collect();
+    // Stretches without spread are held at the usual least, so that an empty one counts no more than a quiet one.
+    let mut sorted = all.clone();
+    sorted.sort_by(f64::total_cmp);
+    let least = sorted[count / 10];
+    all.iter_mut().for_each(|v| *v = v.max(least));
+    all
+}
+
+/// Correlation of `a(k)` with `b(k + lag)`.
+fn correlation(a: &[f64], b: &[f64], lag: i64) -> f64 {
+    let pairs: Vec<(f64, f64)> = (0..a.len())
+        .filter_map(|k| {
+            let place = usize::try_from(k as i64 + lag).ok()?;
+            Some((a[k], *b.get(place)?))
+        })
+        .collect();
+    let n = pairs.len() as f64;
+    let (sum_a, sum_b) = pairs
+        .iter()
+        .fold((0.0, 0.0), |(x, y), p| (x + p.0, y + p.1));
+    let (mut aa, mut bb, mut ab) = (0.0, 0.0, 0.0);
+    for (a, b) in &pairs {
+        let (a, b) = (a - sum_a / n, b - sum_b / n);
+        (aa, bb, ab) = (aa + a * a, bb + b * b, ab + a * b);
+    }
+    if aa * bb > 0.0 {
+        ab / (aa * bb).sqrt()
+    } else {
+        0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simulate::Spec;
+
+    #[test]
+    fn clocks_apart_by_a_second_and_a_half_are_seen_and_those_together_are_not() {
+        let recording = Spec::hand_held(3).run().unwrap().recording;
+        let force = recording.accelerometer.unwrap();
+        let mut rate = recording.gyroscope.unwrap();
+        rate.t.iter_mut().for_each(|t| *t += 1e-3);
+        assert_eq!(clock_offset(&force, &rate), None);
+        rate.t.iter_mut().for_each(|t| *t += 1.5);
+        let found = clock_offset(&force, &rate).unwrap();
+        assert!((found - 1.5).abs() < 0.11, "{found}");
+        let found = clock_offset(&rate, &force).unwrap();
+        assert!((found + 1.5).abs() < 0.11, "{found}");
+    }
+}
