@@ -61,6 +61,8 @@ pub struct SourceClock {
     pub lost: u64,
     /// `χ²` per degree of freedom of the turns' directions with this clock; `None` where nothing was fitted.
     pub misfit: Option<f64>,
+    /// Whether the samples are those of instants, and not means over their windows; told apart at slow rates only.
+    pub instants: bool,
     /// What is missing in the angles between samples.
     pub sampling: Share,
 }

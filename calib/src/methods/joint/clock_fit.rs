@@ -39,6 +39,12 @@ const MISFIT: f64 = 2.0;
 /// A share with a larger standard error says nothing.
 const UNKNOWN: f64 = 0.35;
 
+/// Steps beyond which means over windows and samples at instants are told apart, s.
+const SLOW: f64 = 0.015;
+
+/// Log-likelihood that samples at instants have to gain over means.
+const EVIDENT: f64 = 4.0;
+
 /// The median of `χ²` of two degrees of freedom.
 const MEDIAN_OF_TWO: f64 = 1.386_294_361_119_890_6;
 
@@ -58,7 +64,13 @@ pub(super) fn settle_clock(
         ClockMode::Stamps | ClockMode::Even => Vec::new(),
     };
     let shocks = data.turns.iter().any(|turn| !turn.shocks.is_empty());
-    if open.is_empty() && !shocks {
+    let slow: Vec<usize> = (0..data.sources.len())
+        .filter(|&k| {
+            let noise = data.sources[k].gyroscope;
+            noise.is_some_and(|noise| noise.interval > SLOW)
+        })
+        .collect();
+    if open.is_empty() && !shocks && slow.is_empty() {
         return Ok(None);
     }
     let mut fit = ClockFit {
@@ -79,6 +91,18 @@ pub(super) fn settle_clock(
         if left.misfit(data, k) >= before.1 {
             data.set_clock(k, 0, before.0.share);
             left = fit.rounds(data)?;
+        }
+    }
+    for k in slow {
+        let (before, score) = (data.clone(), left.score(data, k));
+        let point = fit.point.clone();
+        data.sources[k].clock.instants = true;
+        left = fit.rounds(data)?;
+        if left.score(data, k) < score + EVIDENT {
+            // The last point may lie elsewhere: what is judged is judged at the one that stays.
+            *data = before;
+            fit.point = point;
+            left = fit.fit(data)?;
         }
     }
     fit.decide(data, &left);
@@ -260,6 +284,12 @@ impl Left {
             .collect()
     }
 
+    /// Log-likelihood of the turns of a recording, up to a constant.
+    fn score(&self, data: &Data, recording: usize) -> f64 {
+        let turns = self.of(data, recording);
+        turns.iter().map(Evidence::score).sum()
+    }
+
     /// By how much the turns miss usually, as `χ²` per degree of freedom: its median, so that turns that something
     /// else is wrong with do not count.
     fn misfit(&self, data: &Data, recording: usize) -> f64 {
@@ -315,4 +345,76 @@ fn both_sides(white: &White, row: usize, c: &Matrix2<f64>) -> Matrix2<f64> {
     half.transpose_mut();
     white.apply_block(row, &mut half);
     Matrix2::from_fn(|i, j| half[(i, j)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::intervals::{Detector, segment};
+    use crate::methods::joint::{SourceClock, fit_joint};
+    use crate::simulate::{Grade, Sampling, Spec};
+
+    fn clock_of(spec: &Spec) -> SourceClock {
+        let recording = spec.run().unwrap().recording;
+        let segmentation = segment(&recording, &Detector::default()).unwrap();
+        let request = JointRequest::new(vec![(&recording, &segmentation)], spec.gravity);
+        fit_joint(&request).unwrap().data.sources[0].clock
+    }
+
+    fn tactical(seed: u64) -> Spec {
+        Spec {
+            grade: Grade::Tactical,
+            ..Spec::hand_held(seed)
+        }
+    }
+
+    #[test]
+    fn stamps_that_scatter_about_an_even_clock_have_no_share() {
+        let mut spec = tactical(1);
+        spec.gyroscope.clock.jitter = 1.5e-3;
+        let clock = clock_of(&spec);
+        assert_eq!((clock.state, clock.share), (ClockState::Snapped, 0.0));
+        assert!((clock.scatter / 1.5e-3 - 1.0).abs() < 0.03, "{clock:?}");
+        assert_eq!((clock.gaps, clock.lost), (0, 0));
+    }
+
+    #[test]
+    fn samples_taken_unevenly_keep_their_stamps() {
+        let mut spec = tactical(2);
+        spec.gyroscope.clock.sampling_jitter = 2e-4;
+        let clock = clock_of(&spec);
+        assert_eq!((clock.state, clock.share), (ClockState::Snapped, 1.0));
+    }
+
+    #[test]
+    fn of_a_mixture_the_share_is_that_of_the_variances() {
+        let mut spec = tactical(3);
+        spec.gyroscope.clock.sampling_jitter = 1e-3;
+        spec.gyroscope.clock.jitter = 1e-3;
+        let clock = clock_of(&spec);
+        let (share, std) = clock.fitted.unwrap();
+        assert!((share - 0.5).abs() < 4.0 * std && std < 0.2, "{clock:?}");
+    }
+
+    #[test]
+    fn exact_stamps_of_smooth_motion_cost_no_fit() {
+        let clock = clock_of(&tactical(4));
+        assert_eq!((clock.state, clock.misfit), (ClockState::Exact, None));
+        assert_eq!(clock.sampling.value, 0.0);
+    }
+
+    #[test]
+    fn knocks_seen_at_instants_miss_a_share_that_is_found() {
+        let mut spec = Spec::hand_held(5);
+        spec.sampling = Sampling::Point;
+        if let crate::simulate::Motion::HandHeld(motion) = &mut spec.motion {
+            motion.knocks = 3;
+        }
+        let clock = clock_of(&spec);
+        assert!(clock.sampling.value > 0.05, "{clock:?}");
+        assert!(clock.sampling.over_none > 5.0, "{clock:?}");
+        spec.sampling = Sampling::Average;
+        let averaged = clock_of(&spec).sampling.value;
+        assert!(averaged < 0.5 * clock.sampling.value, "{averaged}");
+    }
 }

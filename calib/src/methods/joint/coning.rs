@@ -36,29 +36,30 @@ const NODES: [(f64, f64); 5] = [
 pub struct Coning {
     /// `K_cb`, one array over `c` for every `b`, zero beyond.
     columns: [[f64; PADDED]; WINDOWS],
+    /// `w_c`, where the samples are at instants: the angle over window 0 is `Σ_c w_c θ_c`, and not `θ₀`.
+    direct: Option<[f64; WINDOWS]>,
 }
 
 impl Coning {
-    /// Works out the weights.
+    /// Of samples that are means over their windows.
     pub fn new() -> Self {
-        let mut columns = [[0.0; PADDED]; WINDOWS];
-        // Four parts of the window: the rule is then exact to rounding.
-        let parts = 4;
-        for part in 0..parts {
-            let half = 0.5 / f64::from(parts);
-            let middle = -0.5 + half * f64::from(2 * part + 1);
-            for (node, weight) in NODES {
-                let t = middle + half * node;
-                let (angle, rate) = (angles_since(-0.5, t), rates(t));
-                for a in 0..WINDOWS {
-                    for b in 0..WINDOWS {
-                        let term = angle[a] * rate[b] - angle[b] * rate[a];
-                        columns[b][a] += 0.5 * weight * half * term;
-                    }
-                }
-            }
+        Self {
+            columns: weights(angles_since, rates),
+            direct: None,
         }
-        Self { columns }
+    }
+
+    /// Of samples at the middles of their windows, `θ_k = ω_k h_k`: the rate is the polynomial through them.
+    pub fn at_instants() -> Self {
+        Self {
+            columns: weights(instants_angles_since, instants_rates),
+            direct: Some(instants_angles_since(-0.5, 0.5)),
+        }
+    }
+
+    /// The weights `w_c` of the angles in the angle over the middle window, where they are not that window's alone.
+    pub fn direct(&self) -> Option<&[f64; WINDOWS]> {
+        self.direct.as_ref()
     }
 
     /// The rotation vector over the middle one of seven windows with the given angles (rad), and per window
@@ -82,8 +83,59 @@ impl Coning {
         for (angle, sum) in angles.iter().zip(&sums) {
             twice += angle.cross(sum);
         }
-        (angles[REACH] + twice * 0.5, sums)
+        let angle = match &self.direct {
+            Some(direct) => angles.iter().zip(direct).map(|(a, w)| a * *w).sum(),
+            None => angles[REACH],
+        };
+        (angle + twice * 0.5, sums)
     }
+}
+
+/// `K_cb` for a rate of which `angle` gives the integrals and `rate` the values, per unit angle of each window.
+fn weights(
+    angle: impl Fn(f64, f64) -> [f64; WINDOWS],
+    rate: impl Fn(f64) -> [f64; WINDOWS],
+) -> [[f64; PADDED]; WINDOWS] {
+    let mut columns = [[0.0; PADDED]; WINDOWS];
+    // Four parts of the window: the rule is then exact to rounding.
+    let parts = 4;
+    for part in 0..parts {
+        let half = 0.5 / f64::from(parts);
+        let middle = -0.5 + half * f64::from(2 * part + 1);
+        for (node, weight) in NODES {
+            let t = middle + half * node;
+            let (angle, rate) = (angle(-0.5, t), rate(t));
+            for a in 0..WINDOWS {
+                for b in 0..WINDOWS {
+                    let term = angle[a] * rate[b] - angle[b] * rate[a];
+                    columns[b][a] += 0.5 * weight * half * term;
+                }
+            }
+        }
+    }
+    columns
+}
+
+/// Value at `t` of the polynomials that are 1 at one sample's instant and 0 at the others.
+fn instants_rates(t: f64) -> [f64; WINDOWS] {
+    let at = |k: usize| k as f64 - REACH as f64;
+    std::array::from_fn(|a| {
+        let others = (0..WINDOWS).filter(|&b| b != a);
+        others.map(|b| (t - at(b)) / (at(a) - at(b))).product()
+    })
+}
+
+/// Their integrals.
+fn instants_angles_since(from: f64, to: f64) -> [f64; WINDOWS] {
+    let half = 0.5 * (to - from);
+    let mut sums = [0.0; WINDOWS];
+    for (node, weight) in NODES {
+        let rates = instants_rates(from + half * (1.0 + node));
+        for (sum, rate) in sums.iter_mut().zip(rates) {
+            *sum += weight * half * rate;
+        }
+    }
+    sums
 }
 
 /// Place of edge `j` of the windows, in windows from the middle of window 0.
@@ -143,6 +195,24 @@ mod tests {
         let angles = std::array::from_fn(|k| mean(k as f64 - 3.0));
         let (phi, _) = Coning::new().rotation(&angles);
         assert!((phi - (p + p.cross(&q) / 80.0)).norm() < 1e-15);
+    }
+
+    #[test]
+    fn samples_at_instants_have_the_integral_of_their_polynomial() {
+        // ω = p + q t²: ∫ ω = p + q/12, and ½ ∫ α × ω = ½ p × q [∫ (t + ½) t² − ∫ (t³ + ⅛)/3] = 0 by symmetry but for
+        // ∫ ½ t² = 1/24 and ∫ 1/24.
+        let (p, q) = (
+            Vector3::new(0.3, 0.1, -0.2),
+            Vector3::new(-0.02, 0.05, 0.01),
+        );
+        let at = |k: f64| p + q * (k * k);
+        let angles = std::array::from_fn(|k| at(k as f64 - 3.0));
+        let (phi, _) = Coning::at_instants().rotation(&angles);
+        assert!((phi - (p + q / 12.0)).norm() < 1e-15);
+        // ω = p + q t: ½ ∫ α × ω = p × q / 12, as of means.
+        let angles = std::array::from_fn(|k| p + q * (k as f64 - 3.0));
+        let (phi, _) = Coning::at_instants().rotation(&angles);
+        assert!((phi - (p + p.cross(&q) / 12.0)).norm() < 1e-15);
     }
 
     #[test]

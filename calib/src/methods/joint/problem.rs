@@ -28,7 +28,8 @@ pub struct Rows<'a> {
     pub charts: &'a [Chart],
     /// `∂r/∂d` of the disturbances, one column each (`m`): rows that are known to be off.
     pub disturbances: &'a [Vec<f64>],
-    pub(super) coning: Coning,
+    /// Of samples that are means over their windows, and of samples at instants.
+    conings: [Coning; 2],
 }
 
 /// Residuals and Jacobian at a point.
@@ -70,7 +71,7 @@ impl<'a> Rows<'a> {
             },
             charts,
             disturbances,
-            coning: Coning::new(),
+            conings: [Coning::new(), Coning::at_instants()],
         }
     }
 
@@ -243,6 +244,12 @@ impl<'a> Rows<'a> {
         out.residuals[row + 1] = residual[1];
     }
 
+    /// How the samples of a turn are taken.
+    pub(super) fn coning(&self, turn: &TurnSamples) -> &Coning {
+        let instants = self.data.sources[turn.recording].clock.instants;
+        &self.conings[usize::from(instants)]
+    }
+
     /// `∂r/∂λ` of the two rows of a turn by the share of the scatter that its clock has: a window's angle grows by
     /// `ω_k` times what the scatter adds to its length.
     pub(super) fn by_clock(&self, x: &[f64], turn: &TurnSamples) -> Vector2<f64> {
@@ -271,7 +278,7 @@ impl<'a> Rows<'a> {
         let base = Base::from_parameters(p);
         if self.gyroscope.effects().is_empty() {
             let rates: Vec<_> = turn.readings.iter().map(|w| base.correct(w)).collect();
-            return (carry(&self.coning, &rates, &turn.lengths), Vec::new());
+            return (carry(self.coning(turn), &rates, &turn.lengths), Vec::new());
         }
         let mut rates = Vec::with_capacity(turn.readings.len());
         let mut slopes = Vec::with_capacity(turn.readings.len());
@@ -283,7 +290,7 @@ impl<'a> Rows<'a> {
             slopes.push((through.unwrap_or_else(Matrix3::identity), effects));
             rates.push(rate);
         }
-        (carry(&self.coning, &rates, &turn.lengths), slopes)
+        (carry(self.coning(turn), &rates, &turn.lengths), slopes)
     }
 
     /// `∂δ/∂p` (3) of the rotation at the end of a turn by every parameter of the gyroscope's model.

@@ -103,6 +103,7 @@ pub(super) struct Run<'a> {
 }
 
 /// The minimum under some weights.
+#[derive(Clone)]
 pub(super) struct Point {
     /// Where it is.
     pub parameters: Parameters,

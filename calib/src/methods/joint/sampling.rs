@@ -106,6 +106,11 @@ impl Evidence {
         (-0.5 * v.determinant().ln() + sum.ln(), sound / sum)
     }
 
+    /// Log-likelihood of the rows under their own noise.
+    pub fn score(&self) -> f64 {
+        self.log_likelihood(&Matrix2::identity()).0
+    }
+
     /// The chance that nothing else is wrong with the turn, whose noise is `scale` times as large in variance.
     pub fn sound(&self, scale: f64) -> f64 {
         self.log_likelihood(&(Matrix2::identity() * scale)).1

@@ -32,7 +32,14 @@ pub fn carry(coning: &Coning, rates: &[Vector3<f64>], lengths: &[f64]) -> Carrie
     let mut gains = vec![Matrix3::zeros(); rates.len()];
     let rotation = backwards(coning, rates, lengths, |k, after, window, sums| {
         let carried = after * window.right_jacobian();
-        gains[k] += carried;
+        match coning.direct() {
+            Some(direct) => {
+                for (gain, weight) in gains[k - REACH..].iter_mut().zip(direct) {
+                    *gain += carried * *weight;
+                }
+            }
+            None => gains[k] += carried,
+        }
         for (gain, sum) in gains[k - REACH..].iter_mut().zip(sums) {
             subtract_cross(gain, &carried, sum);
         }
@@ -153,17 +160,22 @@ mod tests {
 
     #[test]
     fn gains_are_the_differences_of_the_rotation() {
-        let coning = Coning::new();
+        for coning in [Coning::new(), Coning::at_instants()] {
+            gains_are_differences(&coning);
+        }
+    }
+
+    fn gains_are_differences(coning: &Coning) {
         let rates: Vec<_> = (0..30).map(wave).collect();
         let lengths = vec![0.02; 30];
-        let carried = carry(&coning, &rates, &lengths);
+        let carried = carry(coning, &rates, &lengths);
         for k in 0..30 {
             for axis in 0..3 {
                 let at = |step: f64| {
                     let mut moved = rates.clone();
                     moved[k][axis] += step;
                     // exp(−[δ]×) = R' Rᵀ
-                    let q = rotation(&coning, &moved, &lengths) * carried.rotation.transpose();
+                    let q = rotation(coning, &moved, &lengths) * carried.rotation.transpose();
                     Vector3::new(
                         q[(1, 2)] - q[(2, 1)],
                         q[(2, 0)] - q[(0, 2)],

@@ -48,7 +48,7 @@ impl Rows<'_> {
     /// The rotation over a turn at `x`: `v_after = R v_before`.
     pub fn rotation(&self, x: &[f64], turn: &TurnSamples) -> Matrix3<f64> {
         let p = self.local(x, Sensor::Gyroscope, turn.recording);
-        rotation(&self.coning, &self.rates(turn, &p), &turn.lengths)
+        rotation(self.coning(turn), &self.rates(turn, &p), &turn.lengths)
     }
 
     /// The corrected rates of a turn, rad/s.
