@@ -10,11 +10,11 @@ use nalgebra::{DMatrix, DVector, Matrix2, Vector2};
 
 use super::chart::Chart;
 use super::clock::{ClockMode, ClockState};
-use super::data::Data;
+use super::data::{Data, Source};
 use super::marginal::orthonormal;
 use super::request::JointRequest;
 use super::run::{Point, Run};
-use super::sampling::{Evidence, likeliest, root_of_spare};
+use super::sampling::{Evidence, Levels, likeliest};
 use super::start::Start;
 use super::weights::White;
 use crate::error::Error;
@@ -28,6 +28,9 @@ const SETTLED_ERRORS: f64 = 0.2;
 
 /// A sampling share that changes by less than this part of itself is found.
 const STEADY: f64 = 0.06;
+
+/// The same of the scatter of the turns, in whose place others are put later.
+const STEADY_FLOOR: f64 = 0.5;
 
 /// `χ²` that 0 or 1 may cost over the fitted share.
 const ALLOWED: f64 = 4.0;
@@ -47,6 +50,9 @@ const EVIDENT: f64 = 4.0;
 
 /// The median of `χ²` of two degrees of freedom.
 const MEDIAN_OF_TWO: f64 = 1.386_294_361_119_890_6;
+
+/// And of one.
+const MEDIAN_OF_ONE: f64 = 0.454_936_423_119_572_3;
 
 /// Fits the clocks of the recordings, writes them into the data, and returns the point that was reached; `None` where
 /// there is nothing to fit.
@@ -106,6 +112,10 @@ pub(super) fn settle_clock(
         }
     }
     fit.decide(data, &left);
+    // What scatters beyond noise and clock is judged with everything else.
+    data.sources
+        .iter_mut()
+        .for_each(|source| source.floor = 0.0);
     Ok(fit.point)
 }
 
@@ -188,12 +198,10 @@ impl ClockFit<'_> {
                 let (a, b) = (basis.row(row + i), basis.row(row + j));
                 a.iter().zip(b.iter()).map(|(a, b)| a * b).sum()
             });
-            Evidence {
-                left: Vector2::new(all[(row, 0)], all[(row + 1, 0)]),
-                spare: root_of_spare(&hat),
-                by_share: both_sides(white, row, by_share),
-                by_floor: both_sides(white, row, &Matrix2::identity()),
-            }
+            let [share, floor] =
+                [by_share, &Matrix2::identity()].map(|c| both_sides(white, row, c));
+            let left = Vector2::new(all[(row, 0)], all[(row + 1, 0)]);
+            Evidence::new(&left, &hat, &share, &floor)
         });
         Left {
             turns: turns.collect(),
@@ -209,14 +217,17 @@ impl ClockFit<'_> {
     fn sampling(&self, data: &mut Data, left: &Left) -> bool {
         let mut moved = false;
         for k in 0..data.sources.len() {
-            let own = |turn: &&super::data::TurnSamples| turn.recording == k;
-            if data.turns.iter().filter(own).all(|t| t.shocks.is_empty()) {
+            let mut turns = data.turns.iter().filter(|turn| turn.recording == k);
+            if turns.all(|turn| turn.shocks.is_empty()) {
                 continue;
             }
-            let before = data.sources[k].clock.sampling.value;
-            let share = likeliest(&left.of(data, k), before);
+            let before = data.sources[k].levels();
+            let (share, floor) = likeliest(&left.of(data, k), before);
             data.sources[k].clock.sampling = share;
-            moved |= (share.value - before).abs() > STEADY * share.value.max(before);
+            data.sources[k].floor = floor;
+            let differs = |a: f64, b: f64, by: f64| (a - b).abs() > by * a.max(b);
+            moved |= differs(share.value, before.share, STEADY)
+                || differs(floor, before.floor, STEADY_FLOOR);
         }
         moved
     }
@@ -246,14 +257,15 @@ impl ClockFit<'_> {
     fn decide(&self, data: &mut Data, left: &Left) {
         for k in 0..data.sources.len() {
             if data.turns.iter().any(|turn| turn.recording == k) {
-                data.sources[k].clock.misfit = Some(left.misfit(data, k));
+                data.sources[k].clock.misfit = Some(left.whole_misfit(data, k));
             }
         }
         for &k in &self.open {
             let clock = data.sources[k].clock;
-            let (Some((share, error)), Some(misfit)) = (clock.fitted, clock.misfit) else {
+            let Some((share, error)) = clock.fitted else {
                 continue;
             };
+            let misfit = left.misfit(data, k);
             let allows = |value: f64| ((share - value) / error).powi(2) <= ALLOWED;
             let nearer = if share < 0.5 { 0.0 } else { 1.0 };
             let (state, chosen) = if error.is_nan() || error > UNKNOWN {
@@ -270,6 +282,16 @@ impl ClockFit<'_> {
             let base = data.base(k);
             data.set_clock(k, base, chosen);
             data.sources[k].clock.state = state;
+        }
+    }
+}
+
+impl Source {
+    /// The levels that are in the noise of its turns.
+    fn levels(&self) -> Levels {
+        Levels {
+            share: self.clock.sampling.value,
+            floor: self.floor,
         }
     }
 }
@@ -293,17 +315,30 @@ impl Left {
     /// By how much the turns miss usually, as `χ²` per degree of freedom: its median, so that turns that something
     /// else is wrong with do not count.
     fn misfit(&self, data: &Data, recording: usize) -> f64 {
-        let mut ratios: Vec<f64> = self
-            .of(data, recording)
-            .iter()
-            .filter_map(|turn| {
-                let dof = (turn.spare * turn.spare).trace();
-                (dof > 0.2).then(|| 2.0 * turn.left.norm_squared() / dof)
+        self.usual(data, recording, |_| 1.0)
+    }
+
+    /// The same over the noise without the scatter that was allowed for.
+    fn whole_misfit(&self, data: &Data, recording: usize) -> f64 {
+        let now = data.sources[recording].levels();
+        self.usual(data, recording, |turn| (1.0 - turn.of_floor(now)).max(1e-4))
+    }
+
+    fn usual(&self, data: &Data, recording: usize, noise: impl Fn(&Evidence) -> f64) -> f64 {
+        let turns = self.of(data, recording);
+        let known = turns.iter().filter(|turn| turn.spare > 0.0);
+        let mut ratios: Vec<f64> = known
+            .map(|turn| {
+                let usual = if turn.spare > 1.0 {
+                    MEDIAN_OF_TWO
+                } else {
+                    MEDIAN_OF_ONE
+                };
+                turn.left.norm_squared() / usual / noise(turn)
             })
             .collect();
         ratios.sort_by(f64::total_cmp);
-        let middle = ratios.get(ratios.len() / 2).copied();
-        middle.map_or(1.0, |middle| middle / MEDIAN_OF_TWO)
+        ratios.get(ratios.len() / 2).copied().unwrap_or(1.0)
     }
 
     /// The Gauss–Newton steps of the clocks' shares and their standard errors, turns that something else is wrong with

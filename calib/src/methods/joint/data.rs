@@ -131,6 +131,8 @@ pub struct Source {
     pub clock: SourceClock,
     /// Variance of the times of its samples about that clock, s².
     pub timing: f64,
+    /// Scatter of the turns that is allowed for while the clock is fitted, rad.
+    pub floor: f64,
 }
 
 /// All recordings.
@@ -237,6 +239,7 @@ impl Data {
             reference: middle_edge(&spans),
             clock,
             timing: 0.0,
+            floor: 0.0,
         });
     }
 

@@ -28,7 +28,13 @@ const VISIBLE: f64 = 9.0;
 const MATTERS: f64 = 0.02;
 
 /// Shares tried: none of more than one, because no more can be missing than is seen.
-const SHARES: (f64, f64, usize) = (0.01, 1.0, 60);
+const SHARES: (f64, f64, usize) = (0.01, 1.0, 44);
+
+/// Scatters tried, rad: from a thousandth of a degree to five degrees.
+const FLOORS: (f64, f64, usize) = (1.7e-5, 0.087, 16);
+
+/// A direction that the fit leaves less than this share of says nothing.
+const LEFT: f64 = 0.05;
 
 /// The share of turns that something else is wrong with, and by how much their variance is larger.
 const WRONG: f64 = 0.02;
@@ -57,17 +63,26 @@ pub(super) fn shocks(readings: &[Vector3<f64>], noise: &Vector3<f64>) -> Vec<Vec
     }
 }
 
-/// What is known of the two rows of a turn, whitened at a share `c`.
+/// What is known of the two rows of a turn, whitened by its noise with a share and a floor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Evidence {
-    /// What the fit leaves of the rows.
+    /// What the fit leaves of the rows, in units of what it can leave.
     pub left: Vector2<f64>,
-    /// Root of what it can leave of unit noise, `(I − H)^½`.
-    pub spare: Matrix2<f64>,
+    /// What the fit can leave of unit noise: the trace of `I − H`.
+    pub spare: f64,
     /// What a share of one adds to their covariance.
-    pub by_share: Matrix2<f64>,
+    by_share: Matrix2<f64>,
     /// What a floor of one radian adds.
-    pub by_floor: Matrix2<f64>,
+    by_floor: Matrix2<f64>,
+}
+
+/// Levels of noise beside the white one: a share, and a scatter that is the same for all turns (rad).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Levels {
+    /// `c`.
+    pub share: f64,
+    /// The scatter, rad.
+    pub floor: f64,
 }
 
 /// The share, and how sure it is.
@@ -77,36 +92,72 @@ pub struct Share {
     pub value: f64,
     /// Where the log-likelihood is half a unit lower, to both sides.
     pub between: [f64; 2],
-    /// Log-likelihood gained over none.
+    /// Log-likelihood gained over none, a constant scatter of the turns being allowed for.
     pub over_none: f64,
-    /// Log-likelihood gained over a constant floor for all turns instead.
+    /// Log-likelihood of the share alone over that of a constant scatter alone.
     pub over_floor: f64,
 }
 
-/// The root of `I − H` of two rows; nothing of a direction that the fit leaves nothing of.
-pub(super) fn root_of_spare(hat: &Matrix2<f64>) -> Matrix2<f64> {
-    let eigen = SymmetricEigen::new(Matrix2::identity() - hat);
-    let roots = eigen.eigenvalues.map(|v| v.max(0.0).sqrt());
-    eigen.eigenvectors * Matrix2::from_diagonal(&roots) * eigen.eigenvectors.transpose()
-}
-
 impl Evidence {
-    /// Log-likelihood of the rows with the covariance `inner` before the fit, and the chance that nothing else is
-    /// wrong with the turn.
-    fn log_likelihood(&self, inner: &Matrix2<f64>) -> (f64, f64) {
-        // A hundredth keeps a turn that the fit follows from having no variance.
-        let v = self.spare * inner * self.spare + Matrix2::identity() * 1e-2;
-        let Some(inverse) = v.try_inverse().filter(|_| v.determinant() > 0.0) else {
+    /// Of what the fit leaves of two rows (`left`), its hat matrix `H` there, and what share and floor add to their
+    /// covariance `C`.
+    ///
+    /// `left = (I − H) r`, so that `u = (I − H)^−½ left` has the covariance `I + (I − H)^½ C (I − H)^½`; a
+    /// direction that the fit leaves next to nothing of says nothing.
+    pub fn new(
+        left: &Vector2<f64>,
+        hat: &Matrix2<f64>,
+        by_share: &Matrix2<f64>,
+        by_floor: &Matrix2<f64>,
+    ) -> Self {
+        let eigen = SymmetricEigen::new(Matrix2::identity() - hat);
+        let (mut root, mut inverse) = (Matrix2::zeros(), Matrix2::zeros());
+        let mut spare = 0.0;
+        for (value, vector) in eigen
+            .eigenvalues
+            .iter()
+            .zip(eigen.eigenvectors.column_iter())
+        {
+            if *value > LEFT {
+                let part = vector * vector.transpose();
+                root += part * value.sqrt();
+                inverse += part / value.sqrt();
+                spare += 1.0;
+            }
+        }
+        Self {
+            left: inverse * left,
+            spare,
+            by_share: root * by_share * root,
+            by_floor: root * by_floor * root,
+        }
+    }
+
+    /// Their covariance at other levels than those of the weights.
+    fn covariance(&self, at: Levels, now: Levels) -> Matrix2<f64> {
+        let square = |a: f64, b: f64| a * a - b * b;
+        Matrix2::identity()
+            + self.by_share * square(at.share, now.share)
+            + self.by_floor * square(at.floor, now.floor)
+    }
+
+    /// Log-likelihood of the rows with a covariance, and the chance that nothing else is wrong with the turn.
+    fn log_likelihood(&self, v: &Matrix2<f64>) -> (f64, f64) {
+        let determinant = v.determinant();
+        let Some(inverse) = v
+            .try_inverse()
+            .filter(|_| determinant > 0.0 && v[(0, 0)] > 0.0)
+        else {
             return (f64::NEG_INFINITY, 0.0);
         };
         let square = self.left.dot(&(inverse * self.left));
         let sound = (1.0 - WRONG) * (-0.5 * square).exp();
         let wrong = WRONG / BY * (-0.5 * square / BY).exp();
         let sum = (sound + wrong).max(f64::MIN_POSITIVE);
-        (-0.5 * v.determinant().ln() + sum.ln(), sound / sum)
+        (-0.5 * determinant.ln() + sum.ln(), sound / sum)
     }
 
-    /// Log-likelihood of the rows under their own noise.
+    /// Log-likelihood of the rows under the noise of the weights.
     pub fn score(&self) -> f64 {
         self.log_likelihood(&Matrix2::identity()).0
     }
@@ -115,46 +166,61 @@ impl Evidence {
     pub fn sound(&self, scale: f64) -> f64 {
         self.log_likelihood(&(Matrix2::identity() * scale)).1
     }
-}
 
-/// The likeliest share, turns that something else is wrong with apart; `now` is the one in the weights.
-pub(super) fn likeliest(turns: &[Evidence], now: f64) -> Share {
-    let at = |c: f64| -> f64 {
-        let own = |t: &Evidence| Matrix2::identity() + t.by_share * (c * c - now * now);
-        turns.iter().map(|t| t.log_likelihood(&own(t)).0).sum()
-    };
-    let (least, most, count) = SHARES;
-    let grid: Vec<f64> = (0..count)
-        .map(|k| least * (most / least).powf(k as f64 / (count - 1) as f64))
-        .collect();
-    let none = at(0.0);
-    let values: Vec<f64> = grid.iter().map(|c| at(*c)).collect();
-    let best = (0..count).max_by(|a, b| values[*a].total_cmp(&values[*b]));
-    let Some(best) = best.filter(|&k| values[k] > none + WORTH_IT) else {
-        return Share::default();
-    };
-    let near = |k: &usize| values[*k] > values[best] - 0.5;
-    let low = (0..=best).rev().take_while(near).last().unwrap_or(best);
-    let high = (best..count).take_while(near).last().unwrap_or(best);
-    Share {
-        value: grid[best],
-        between: [grid[low], grid[high]],
-        over_none: values[best] - none,
-        over_floor: values[best] - with_floor(turns, now),
+    /// The share of the floor in the noise of the weights.
+    pub fn of_floor(&self, now: Levels) -> f64 {
+        0.5 * self.by_floor.trace() * now.floor * now.floor
     }
 }
 
-/// Log-likelihood of the likeliest constant floor instead of a share.
-fn with_floor(turns: &[Evidence], now: f64) -> f64 {
-    let at = |floor: f64| -> f64 {
-        let own = |t: &Evidence| {
-            Matrix2::identity() - t.by_share * (now * now) + t.by_floor * (floor * floor)
-        };
+/// The likeliest share and floor, turns that something else is wrong with apart; `now` are those in the weights.
+pub(super) fn likeliest(turns: &[Evidence], now: Levels) -> (Share, f64) {
+    let at = |share: f64, floor: f64| -> f64 {
+        let own = |t: &Evidence| t.covariance(Levels { share, floor }, now);
         turns.iter().map(|t| t.log_likelihood(&own(t)).0).sum()
     };
-    // From a thousandth of a degree to ten degrees.
-    let floors = (0..50).map(|k| 1e-3_f64.to_radians() * 1e4_f64.powf(f64::from(k) / 49.0));
-    floors.map(at).fold(at(0.0), f64::max)
+    let shares = grid(SHARES);
+    let floors: Vec<f64> = std::iter::once(0.0).chain(grid(FLOORS)).collect();
+    let best = |values: &mut dyn Iterator<Item = (f64, f64)>| {
+        values.fold((f64::NEG_INFINITY, 0.0), |best, (l, value)| {
+            if l > best.0 { (l, value) } else { best }
+        })
+    };
+    let (none, floor) = best(&mut floors.iter().map(|&f| (at(0.0, f), f)));
+    // For each share the likeliest floor.
+    let profile: Vec<(f64, f64)> = shares
+        .iter()
+        .map(|&c| best(&mut floors.iter().map(|&f| (at(c, f), f))))
+        .collect();
+    let values = profile
+        .iter()
+        .zip(0..)
+        .map(|((l, _), k)| (*l, f64::from(k)));
+    let (most, place) = best(&mut values.collect::<Vec<_>>().into_iter());
+    if most <= none + WORTH_IT {
+        return (Share::default(), floor);
+    }
+    let place = place as usize;
+    let near = |k: &usize| profile[*k].0 > most - 0.5;
+    let low = (0..=place).rev().take_while(near).last().unwrap_or(place);
+    let high = (place..shares.len())
+        .take_while(near)
+        .last()
+        .unwrap_or(place);
+    let (alone, _) = best(&mut shares.iter().map(|&c| (at(c, 0.0), c)));
+    let share = Share {
+        value: shares[place],
+        between: [shares[low], shares[high]],
+        over_none: most - none,
+        over_floor: alone - none,
+    };
+    (share, profile[place].1)
+}
+
+/// Numbers from the first to the second in equal ratios.
+fn grid((least, most, count): (f64, f64, usize)) -> Vec<f64> {
+    let at = |k: usize| least * (most / least).powf(k as f64 / (count - 1) as f64);
+    (0..count).map(at).collect()
 }
 
 #[cfg(test)]
@@ -179,12 +245,9 @@ mod tests {
                 if k < wrong as i32 {
                     left *= 30.0;
                 }
-                Evidence {
-                    left,
-                    spare: Matrix2::identity(),
-                    by_share: shock * shock.transpose() * (size * size),
-                    by_floor: Matrix2::identity() * 1e8,
-                }
+                let by_share = shock * shock.transpose() * (size * size);
+                let by_floor = Matrix2::identity() * 1e8;
+                Evidence::new(&left, &Matrix2::zeros(), &by_share, &by_floor)
             })
             .collect()
     }
@@ -192,7 +255,7 @@ mod tests {
     #[test]
     fn the_share_is_found_beside_turns_that_something_else_is_wrong_with() {
         for wrong in [0, 3] {
-            let found = likeliest(&turns(0.6, wrong), 0.0);
+            let found = likeliest(&turns(0.6, wrong), Levels::default()).0;
             // Some 50 turns tell one number: 10 %, three of them.
             assert!((found.value / 0.6 - 1.0).abs() < 0.3, "{found:?}");
             assert!(
@@ -207,8 +270,24 @@ mod tests {
     }
 
     #[test]
+    fn a_scatter_that_is_the_same_for_all_turns_is_no_share() {
+        let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(2);
+        let mut all = turns(0.0, 0);
+        for turn in &mut all {
+            turn.left += normal2(&mut random) * 4.0;
+        }
+        let (share, floor) = likeliest(&all, Levels::default());
+        assert_eq!(share.value, 0.0);
+        // Of a variance of 17 with 1e8 rad² for one: 4e-4 rad, on a grid of steps of 1.8.
+        assert!((2e-4..8e-4).contains(&floor), "{floor}");
+    }
+
+    #[test]
     fn no_share_is_found_where_nothing_is_missing() {
-        assert_eq!(likeliest(&turns(0.0, 0), 0.0), Share::default());
+        assert_eq!(
+            likeliest(&turns(0.0, 0), Levels::default()).0,
+            Share::default()
+        );
     }
 
     #[test]
