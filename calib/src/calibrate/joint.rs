@@ -43,6 +43,7 @@ pub(super) fn calibrate(
         .map(|(recording, choice)| crate::methods::static_means(recording, &choice.segmentation))
         .collect();
     checks::enough_rests(recordings, &choices, &means)?;
+    checks::not_in_one_plane(&means)?;
     if !request.force_device {
         of_one_device(recordings.iter().copied().zip(means), request.gravity)?;
     }

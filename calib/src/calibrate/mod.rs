@@ -25,7 +25,7 @@ use crate::methods::{
     self, AccelerometerFit, AccelerometerRequest, Choice, GyroscopeData, GyroscopeFit,
     GyroscopeRequest, fit_accelerometer, fit_gyroscope, static_means,
 };
-use crate::readings::{Finding, tremor, without_spikes};
+use crate::readings::{FASTEST_HAND, Finding, tremor, without_spikes};
 use crate::recording::Recording;
 use crate::residuals::Integrator;
 
@@ -220,7 +220,13 @@ fn by_stamps(
 /// The reason with the cause that the readings show, if it is the hand.
 fn in_the_hand(reason: String, recordings: &[&Recording]) -> String {
     match recordings.iter().find_map(|r| tremor(r)) {
-        Some(rate) => format!("{reason}; {}", Finding::HandHeld { rate }),
+        Some(rate) if rate < FASTEST_HAND => {
+            format!("{reason}; {}", Finding::HandHeld { rate })
+        }
+        Some(rate) => format!(
+            "{reason}; no quiet stretch is long enough to show a device at rest (in the quietest the rate \
+             wavers by {rate:.2} rad/s): lay it down for 5 s between the turns, or lower --multiplier"
+        ),
         None => reason,
     }
 }
@@ -406,6 +412,7 @@ fn accelerometer(
         );
     }
     checks::enough_rests(recordings, choices, &means)?;
+    checks::not_in_one_plane(&means)?;
     let mut model = accelerometer::model();
     for effect in &request.effects {
         model = model.with(*effect);

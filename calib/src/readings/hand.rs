@@ -15,6 +15,9 @@ const QUIET_SHARE: f64 = 0.1;
 /// A rate that wavers by more than this is no noise of a sensor on a table, rad/s; a hand gives 10 to 100.
 const OF_A_HAND: f64 = 8e-3;
 
+/// A hand that holds still wavers by less than this, rad/s.
+pub(crate) const FASTEST_HAND: f64 = 0.2;
+
 /// The means of pieces vary by so many times what independent samples would, as those of a tremor do.
 const BEYOND_NOISE: f64 = 2.0;
 
@@ -70,7 +73,8 @@ fn is_si(recording: &Recording) -> bool {
 }
 
 pub(super) fn found(recording: &Recording) -> Option<Finding> {
-    tremor(recording).map(|rate| Finding::HandHeld { rate })
+    let rate = tremor(recording).filter(|&rate| rate < FASTEST_HAND)?;
+    Some(Finding::HandHeld { rate })
 }
 
 #[cfg(test)]

@@ -18,6 +18,7 @@ mod vibration;
 pub(crate) use clipping::limits;
 pub(crate) use erased_tail::cut_erased_tail;
 pub use finding::Finding;
+pub(crate) use hand::FASTEST_HAND;
 pub use hand::tremor;
 pub use quietest::{Quiet, quietest};
 pub use spikes::without_spikes;

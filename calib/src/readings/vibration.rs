@@ -3,7 +3,7 @@
 use super::{Finding, OfSensor};
 
 /// An interval is noisier where its spread is so many times that of the quiet quarter.
-const RATIO: f64 = 3.0;
+const RATIO: f64 = 1.6;
 
 /// Fewest intervals that show what is usual.
 const FEWEST: usize = 4;

@@ -156,3 +156,50 @@ fn case_119_discovery_on_too_little() {
         .ends(4)
         .says(&["static intervals", "orientations"]);
 }
+
+#[test]
+fn case_105_nothing_but_motion() {
+    let rows = spoilt(|_, row| {
+        let t = row[0];
+        row[1] += 3.0 * (17.0 * t).sin() * (1.0 + (3.0 * t).sin());
+        row[2] += 3.0 * (13.0 * t).cos();
+        row[4] += (9.0 * t).sin() + 0.5 * (7.3 * t).sin();
+        row[5] += (8.0 * t).cos();
+    });
+    let run = calibrate(&rows, &[]);
+    run.ends(4).says(&["quiet", "--multiplier"]);
+}
+
+#[test]
+fn case_107_placements_in_one_plane() {
+    let rows = session(3, |motion| {
+        motion.coplanar = true;
+        motion.scatter = 0.0;
+    });
+    let run = calibrate(&rows, &[]);
+    run.ends(4).says(&["z", "placement"]);
+}
+
+#[test]
+fn case_110_a_fan_from_half_way_on() {
+    let rows = spoilt(|k, row| {
+        if k > 7000 {
+            row[1] += 0.08 * (1.9 * k as f64).sin();
+            row[2] += 0.08 * (2.3 * k as f64).cos();
+        }
+    });
+    let run = calibrate(&rows, &[]);
+    run.ends(0).says(&["vibrat"]);
+}
+
+#[test]
+fn case_111_a_placement_that_tilts_slowly() {
+    // One placement creeps through 3 degrees over 5 s.
+    let mut spec = spec(5);
+    spec.faults = vec![Fault::Slip {
+        interval: 6,
+        angle: 0.05,
+    }];
+    let run = calibrate(&rows(&spec), &[]);
+    run.ends(0).says(&["slope"]);
+}

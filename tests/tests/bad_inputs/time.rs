@@ -156,3 +156,56 @@ fn case_079_values_that_a_slower_sensor_held() {
     });
     calibrate(csv(&rows), &[]).ends(0).says(&["held"]);
 }
+
+#[test]
+fn case_073_a_time_base_that_is_wrong_by_two() {
+    let rows = spoilt(|_, row| row[0] *= 0.5);
+    calibrate(csv(&rows), &[]).ends(1).says(&["time base"]);
+}
+
+#[test]
+fn case_074_one_sample_a_second() {
+    let rows: Vec<Row> = slow(100);
+    let run = calibrate(csv(&rows), &[]);
+    run.ends(4).says(&["1.0 Hz", "turn"]);
+}
+
+#[test]
+fn case_075_thirty_thousand_samples_a_second() {
+    let rows: Vec<Row> = good()
+        .windows(2)
+        .take(2500)
+        .flat_map(|pair| {
+            (0..300).step_by(1).map(move |k| {
+                let share = f64::from(k) / 300.0;
+                let between = |i: usize| pair[0][i] + share * (pair[1][i] - pair[0][i]);
+                [0, 1, 2, 3, 4, 5, 6].map(between)
+            })
+        })
+        .collect();
+    let text: Vec<String> = rows
+        .iter()
+        .map(|r| {
+            let cells = r[1..].iter().map(|v| format!("{v:.3}"));
+            format!("{:.7},{}", r[0], cells.collect::<Vec<_>>().join(","))
+        })
+        .collect();
+    let run = calibrate(table(HEADER, &text), &[]);
+    run.says(&["kHz"]);
+    assert!(matches!(run.status, Some(0 | 4)), "{run:#?}");
+}
+
+/// Placements of a minute, one sample in `every`.
+fn slow(every: usize) -> Vec<Row> {
+    use calib::simulate::{HandHeld, Motion, Spec};
+    let mut spec = Spec::hand_held(5);
+    spec.motion = Motion::HandHeld(HandHeld {
+        placements: Some(14),
+        initial_rest: Some(40.0),
+        rest: [30.0, 31.0],
+        turn: [2.0, 3.0],
+        ..HandHeld::default()
+    });
+    let rows = crate::device::rows(&spec);
+    rows.into_iter().step_by(every).collect()
+}

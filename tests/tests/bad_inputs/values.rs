@@ -205,3 +205,68 @@ fn case_103_sixteen_bits_that_overflow() {
         .ends(3)
         .says(&["16-bit overflow"]);
 }
+
+#[test]
+fn case_085_one_axis_flipped() {
+    let rows = spoilt(|_, row| row[4] = -row[4]);
+    let run = calibrate(csv(&rows), &[]);
+    run.ends(1).says(&["--flip gx"]);
+    calibrate(csv(&rows), &["--flip", "gx"]).ends(0);
+}
+
+#[test]
+fn case_090_a_sensor_that_is_stuck_from_a_row_on() {
+    let stuck = good()[4000][1];
+    let rows = spoilt(|k, row| {
+        if k >= 4000 {
+            row[1] = stuck;
+        }
+    });
+    let run = calibrate(csv(&rows), &[]);
+    run.ends(3).says(&["ax", "4002"]);
+}
+
+#[test]
+fn case_092_a_saturated_axis() {
+    let rows = spoilt(|_, row| {
+        row[4..7].iter_mut().for_each(|v| *v = v.clamp(-1.2, 1.2));
+    });
+    let run = calibrate(csv(&rows), &[]);
+    run.says(&["satura", "1.2"]);
+    assert!(matches!(run.status, Some(0 | 4)), "{run:#?}");
+}
+
+#[test]
+fn case_093_steps_wider_than_the_noise() {
+    let rows = spoilt(|_, row| {
+        row[1..4]
+            .iter_mut()
+            .for_each(|v| *v = (*v / 0.05).round() * 0.05);
+    });
+    let run = calibrate(csv(&rows), &[]);
+    run.ends(0).says(&["step", "accelerometer"]);
+}
+
+#[test]
+fn case_094_spikes_of_a_bus() {
+    let rows = spoilt(|k, row| {
+        if [3000, 6000, 9000].contains(&k) {
+            row[1] = 327.67;
+        }
+    });
+    let run = calibrate(csv(&rows), &[]);
+    run.ends(0).says(&["3002", "6002", "9002"]);
+}
+
+#[test]
+fn case_097_a_gyroscope_with_a_dead_zone() {
+    let rows = spoilt(|_, row| {
+        for v in &mut row[4..7] {
+            if v.abs() < 0.05 {
+                *v = 0.0;
+            }
+        }
+    });
+    let run = calibrate(csv(&rows), &[]);
+    run.ends(0).says(&["zero", "gyroscope"]);
+}

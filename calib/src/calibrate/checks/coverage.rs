@@ -2,6 +2,9 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use crate::error::Error;
+use crate::residuals::StaticMean;
+
 /// Orientations closer than this count as one, cos 20°.
 const SAME_ORIENTATION: f64 = 0.939_692_620_785_908_4;
 
@@ -10,6 +13,11 @@ const FACE_REACHED: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 /// Orientations all within this of one plane leave what lies along its normal unknown, sin 20°.
 const IN_ONE_PLANE: f64 = 0.342_020_143_325_668_7;
+
+/// Placements are in one plane where they leave it by less than this share of what they spread in it.
+const FLAT: f64 = 3e-3;
+/// Fewer placements always lie near one.
+const ENOUGH_FOR_A_PLANE: usize = 9;
 
 /// A component of a normal below this is rounded away, so that an axis is called by its name.
 const ALONG_AN_AXIS: f64 = 0.17;
@@ -50,6 +58,30 @@ pub(super) fn coverage(directions: &[Vector3<f64>]) -> Coverage {
         words,
         complete: missing.is_empty() && normal.is_none(),
     }
+}
+
+/// Refuses placements that lie in one plane to within what no fit can use: it would run along what it cannot
+/// see until its steps are spent.
+///
+/// # Errors
+/// [`Error::NotEnough`] with the placements to add.
+pub(in crate::calibrate) fn not_in_one_plane(means: &[Vec<StaticMean>]) -> Result<(), Error> {
+    let raw: Vec<Vector3<f64>> = means.iter().flatten().map(|m| m.raw).collect();
+    let middle = raw.iter().sum::<Vector3<f64>>() / raw.len().max(1) as f64;
+    let scatter: Matrix3<f64> = raw
+        .iter()
+        .map(|m| (m - middle) * (m - middle).transpose())
+        .sum();
+    let spread = scatter.symmetric_eigenvalues();
+    let flat = spread.min() <= FLAT * FLAT * spread.max();
+    if raw.len() <= ENOUGH_FOR_A_PLANE || !flat {
+        return Ok(());
+    }
+    let directions: Vec<Vector3<f64>> = raw.iter().map(Vector3::normalize).collect();
+    Err(Error::NotEnough(format!(
+        "{}: what lies across their plane is not observable",
+        coverage(&directions).words
+    )))
 }
 
 /// The normal of the plane that all directions lie near, to two digits.

@@ -5,6 +5,7 @@ mod determined;
 mod mounting;
 mod rests;
 
+pub(super) use coverage::not_in_one_plane;
 pub(super) use determined::{
     ForceEvidence, RateEvidence, accelerometer_is_determined, gyroscope_is_determined,
 };

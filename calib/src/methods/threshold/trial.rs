@@ -26,6 +26,9 @@ const BIAS: f64 = 1.0;
 /// A corrected reading is known to this fraction of gravity.
 const KNOWN_TO: f64 = 0.05;
 
+/// Norms that scatter by more than this fraction of gravity are those of a device in motion.
+const STILL: f64 = 0.02;
+
 /// What one multiplier gives.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Trial {
@@ -95,6 +98,7 @@ impl NormFit {
             sound: report.termination.converged() && report.uncertainty.rank == free,
         };
         fit.sound &= of_a_sensor(&near, gravity)
+            && residual < STILL * gravity
             && fit.error().is_some_and(|error| error < KNOWN_TO * gravity);
         Some(fit)
     }
