@@ -170,31 +170,6 @@ fn case_074_one_sample_a_second() {
     run.ends(4).says(&["1.0 Hz", "turn"]);
 }
 
-#[test]
-fn case_075_thirty_thousand_samples_a_second() {
-    let rows: Vec<Row> = good()
-        .windows(2)
-        .take(2500)
-        .flat_map(|pair| {
-            (0..300).step_by(1).map(move |k| {
-                let share = f64::from(k) / 300.0;
-                let between = |i: usize| pair[0][i] + share * (pair[1][i] - pair[0][i]);
-                [0, 1, 2, 3, 4, 5, 6].map(between)
-            })
-        })
-        .collect();
-    let text: Vec<String> = rows
-        .iter()
-        .map(|r| {
-            let cells = r[1..].iter().map(|v| format!("{v:.3}"));
-            format!("{:.7},{}", r[0], cells.collect::<Vec<_>>().join(","))
-        })
-        .collect();
-    let run = calibrate(table(HEADER, &text), &[]);
-    run.says(&["kHz"]);
-    assert!(matches!(run.status, Some(0 | 4)), "{run:#?}");
-}
-
 /// Placements of a minute, one sample in `every`.
 fn slow(every: usize) -> Vec<Row> {
     use calib::simulate::{HandHeld, Motion, Spec};
