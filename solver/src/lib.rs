@@ -104,3 +104,8 @@ pub use system::Evaluations;
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]
 pub struct Readme;
+
+/// So do those of the crate's own.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct OwnReadme;
