@@ -2,7 +2,7 @@
 
 use crate::finish::Verdict;
 use crate::iterate::Stop;
-use crate::linear::Jacobian;
+use crate::linear::{Factor, Jacobian};
 use crate::options::Options;
 use crate::point::{NotFinite, Point};
 use crate::report::Termination;
@@ -18,6 +18,9 @@ const ROUNDING_STEP: f64 = 1e-14;
 
 /// Multiples of the rounding of one operation that a sum of squares is trusted to.
 const ROUNDING: f64 = 16.0;
+
+/// Relative Gauss–Newton step beyond which a flat point may be a plateau on the way to infinity.
+const FAR: f64 = 1e3;
 
 /// Curvature along a direction, relative to its parts, that counts as negative.
 const NEGATIVE: f64 = 1e-6;
@@ -77,9 +80,40 @@ pub(crate) fn is_zero(point: &Point) -> bool {
 /// Whether the fall of the cost that the linear model promises, `½ ‖P r‖²`, is below the rounding
 /// of the cost.
 fn promises_nothing(point: &Point, verdict: &Verdict) -> bool {
+    is_below_rounding(point, 0.5 * verdict.tangential * verdict.tangential)
+}
+
+/// Whether a fall of the cost is below what rounding of residuals and parameters makes of it.
+fn is_below_rounding(point: &Point, fall: f64) -> bool {
     let (rounding, size) = rounding(point);
     let of_cost = size * (f64::EPSILON * size + rounding) + rounding * rounding;
-    0.5 * verdict.tangential * verdict.tangential <= ROUNDING * of_cost
+    fall <= ROUNDING * of_cost
+}
+
+/// Whether no damped step leads lower, and the parabola along each, with the gradient's slope here and
+/// the cost found after it, promises less than rounding: `(g·p)² / 4 (rise − g·p)`. Where a column of
+/// the Jacobian vanishes at a minimum, the linear model promises much and these nothing.
+pub(crate) fn is_flat_all_around(system: &dyn System, point: &Point, verdict: &Verdict) -> bool {
+    let Some(factor) = verdict
+        .factor
+        .as_ref()
+        .filter(|_| verdict.relative_step <= FAR)
+    else {
+        return false;
+    };
+    let residuals = &point.at.residuals;
+    let promised = |lambda: f64| {
+        let Some(p) = factor.damped(residuals, lambda) else {
+            return 0.0;
+        };
+        let slope = dot(residuals, &point.at.jacobian.multiply(&p));
+        let rise = system.cost(&add(&point.z, 1.0, &p)) - point.at.cost;
+        if rise < 0.0 {
+            return -rise;
+        }
+        slope * slope / (4.0 * (rise - slope)).max(f64::MIN_POSITIVE)
+    };
+    (-6..=20).all(|power| is_below_rounding(point, promised(10f64.powi(power))))
 }
 
 /// A lower point near a stationary one that is no minimum: along the direction that the Jacobian

@@ -1,7 +1,7 @@
 //! From a system and a start to a solution: the run, the last steps, the scale of the loss.
 
 use crate::clock::after;
-use crate::ending::{escape, is_zero, termination};
+use crate::ending::{escape, is_flat_all_around, is_zero, termination};
 use crate::error::Error;
 use crate::feasible::Polytope;
 use crate::finish::{Verdict, polish};
@@ -78,7 +78,10 @@ pub(crate) fn minimise(
         );
         for escapes in 0.. {
             let (stop, verdict) = down(&mut run, system, point, polytope, options);
-            let ended = termination(stop, point, &verdict, options);
+            let mut ended = termination(stop, point, &verdict, options);
+            if ended == Termination::Stalled && is_flat_all_around(system, point, &verdict) {
+                ended = Termination::Cost;
+            }
             if !ended.converged() || ended == Termination::Zero || polytope.is_some() {
                 return (ended, verdict);
             }
