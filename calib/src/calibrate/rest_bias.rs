@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use crate::calibration::RecordingBias;
 use crate::intervals::{Moments, Segmentation};
+use crate::methods::small_sample::widening;
 use crate::recording::Recording;
 
 /// The mean over the rests, with the scatter between them as its error.
@@ -35,7 +36,9 @@ pub(super) fn rest_bias(
         let floor = least[axis] / 12f64.sqrt();
         let quantised = first.std()[axis] < floor;
         let floor = if quantised { floor } else { 0.0 };
-        Some(between.sqrt().max(floor))
+        // With few rests their scatter is known badly: Student's t.
+        let widened = between.sqrt() * widening(rests.len() - 1);
+        Some(widened.max(floor))
     });
     Some(RecordingBias {
         recording: recording.name.clone(),
