@@ -21,7 +21,8 @@ impl LossFunction for Fair {
 }
 
 fn main() -> Result<(), stillpoint_solver::Error> {
-    let noise = |i: usize| 0.01 * ((7 * i) % 5) as f64 - 0.02 + if i % 4 == 0 { 3.0 } else { 0.0 };
+    let noise =
+        |i: usize| 0.01 * ((7 * i) % 5) as f64 - 0.02 + if i.is_multiple_of(4) { 3.0 } else { 0.0 };
     let line = from_fn(|x: &[Jet], out: &mut Vec<Jet>| {
         out.extend((0..40).map(|i| x[0] + x[1] * i as f64 - (1.0 + 0.5 * i as f64 + noise(i))));
     });

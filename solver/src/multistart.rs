@@ -133,7 +133,11 @@ fn radical_inverse(mut i: usize, base: usize) -> f64 {
 }
 
 fn primes(count: usize) -> Vec<usize> {
-    let is_prime = |n: &usize| (2..*n).take_while(|d| d * d <= *n).all(|d| n % d != 0);
+    let is_prime = |n: &usize| {
+        (2..*n)
+            .take_while(|d| d * d <= *n)
+            .all(|d| !n.is_multiple_of(d))
+    };
     (2..).filter(is_prime).take(count).collect()
 }
 

@@ -227,7 +227,7 @@ impl Faults {
         }
         let left = found.keys().find(|path| {
             let partial = path.extension().is_some_and(|e| e == "partial");
-            !new.contains_key(*path) && !(partials && partial)
+            !(new.contains_key(*path) || partials && partial)
         });
         left.map_or(Ok(()), |path| Err(format!("{} is left", path.display())))
     }

@@ -157,7 +157,7 @@ fn root<const N: usize>(upper: &[f64]) -> Option<[f64; N]> {
             }
         }
         let pivot = u[i * n + i];
-        if !(pivot > 0.0) {
+        if pivot.is_nan() || pivot <= 0.0 {
             return None;
         }
         (i..n).for_each(|k| u[i * n + k] /= pivot.sqrt());

@@ -85,7 +85,7 @@ mod tests {
         let t: Vec<f64> = (0..6000).map(|k| 0.01 * f64::from(k)).collect();
         let value = |(k, &t): (usize, &f64)| {
             let jitter = noise * ((k * k % 997) as f64 / 288.0 - 1.73);
-            let wave = |f: f64| tremor * 1.4 * (6.28 * f * t).sin() + jitter;
+            let wave = |f: f64| tremor * 1.4 * (std::f64::consts::TAU * f * t).sin() + jitter;
             Vector3::new(wave(6.3), wave(7.1), wave(8.9))
         };
         let values = t.iter().enumerate().map(value).collect();

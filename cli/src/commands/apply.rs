@@ -60,7 +60,7 @@ enum Target {
     Stdout,
     File(Output),
     /// `acc.csv` and `gyro.csv` of a folder, each sensor on its own clock.
-    Folder(Output, Output, Folder),
+    Folder(Box<[Output; 2]>, Folder),
 }
 
 impl Target {
@@ -70,11 +70,9 @@ impl Target {
             return Ok(Self::File(Output::claim(path, replace, inputs)?));
         }
         let folder = Folder::make(path)?;
-        Ok(Self::Folder(
-            Output::claim(&path.join("acc.csv"), replace, inputs)?,
-            Output::claim(&path.join("gyro.csv"), replace, inputs)?,
-            folder,
-        ))
+        let acc = Output::claim(&path.join("acc.csv"), replace, inputs)?;
+        let gyro = Output::claim(&path.join("gyro.csv"), replace, inputs)?;
+        Ok(Self::Folder(Box::new([acc, gyro]), folder))
     }
 
     fn write(self, corrected: &mut Recording) -> Result<(), Failure> {
@@ -84,7 +82,8 @@ impl Target {
                 Ok(())
             }
             Self::File(output) => output.write(to_csv(corrected).as_bytes()),
-            Self::Folder(acc, gyro, _folder) => {
+            Self::Folder(outputs, _folder) => {
+                let [acc, gyro] = *outputs;
                 let mut filled = Vec::new();
                 for (output, stream, names) in [
                     (acc, &corrected.accelerometer, "t,ax,ay,az"),

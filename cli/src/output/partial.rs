@@ -164,8 +164,9 @@ fn stem(name: &std::ffi::OsStr) -> String {
     }
     let mut hasher = DefaultHasher::new();
     name.hash(&mut hasher);
-    let end = safe.floor_char_boundary(LONGEST_STEM);
-    format!("{}~{:016x}", &safe[..end], hasher.finish())
+    let kept = safe.char_indices().map(|(at, c)| at + c.len_utf8());
+    let end = kept.take_while(|end| *end <= LONGEST_STEM).last();
+    format!("{}~{:016x}", &safe[..end.unwrap_or(0)], hasher.finish())
 }
 
 /// A lock on the folder itself; `None` where that cannot be had in time.

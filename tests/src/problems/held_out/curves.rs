@@ -1,5 +1,10 @@
 //! Curves through data: M. Palmer's (CUTEst's PALMER family), and textbook data with their sources.
 
+#![expect(
+    clippy::approx_constant,
+    reason = "the angles of the data are published with six digits"
+)]
+
 use solver::{Residual, Scalar, lit};
 
 use crate::problems::Case;
