@@ -58,7 +58,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 /// Where the corrected recording goes.
 enum Target {
     Stdout,
-    File(Output),
+    File(Box<Output>),
     /// `acc.csv` and `gyro.csv` of a folder, each sensor on its own clock.
     Folder(Box<[Output; 2]>, Folder),
 }
@@ -67,7 +67,8 @@ impl Target {
     /// A name without an extension is a folder.
     fn claim(path: &Path, replace: Replace, inputs: &[&Path]) -> Result<Self, Failure> {
         if path.extension().is_some() {
-            return Ok(Self::File(Output::claim(path, replace, inputs)?));
+            let output = Output::claim(path, replace, inputs)?;
+            return Ok(Self::File(Box::new(output)));
         }
         let folder = Folder::make(path)?;
         let acc = Output::claim(&path.join("acc.csv"), replace, inputs)?;
