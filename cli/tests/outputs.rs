@@ -161,8 +161,10 @@ mod unix {
         assert!(Command::new("mkfifo").arg(path).status().unwrap().success());
     }
 
+    /// Starts the program with every signal as usual: what runs in the background may ignore interrupts.
     fn start(folder: &Path, args: &[&str]) -> Child {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_stillpoint"));
+        let mut command = Command::new("env");
+        command.args(["--default-signal", env!("CARGO_BIN_EXE_stillpoint")]);
         command.current_dir(folder).args(args).stdin(Stdio::null());
         command.stdout(Stdio::piped()).stderr(Stdio::piped());
         command.spawn().unwrap()
