@@ -111,6 +111,10 @@ pub(crate) fn is_flat_all_around(system: &dyn System, point: &Point, verdict: &V
         if rise < 0.0 {
             return -rise;
         }
+        if !rise.is_finite() {
+            // A step to where nothing can be computed is no evidence: the slope counts.
+            return -slope;
+        }
         slope * slope / (4.0 * (rise - slope)).max(f64::MIN_POSITIVE)
     };
     (-6..=20).all(|power| is_below_rounding(point, promised(10f64.powi(power))))

@@ -47,7 +47,7 @@ impl MultiStart {
 /// use solver::{DualNum, Jet, Mask, Options, Parameters, from_fn, multi_start, spread};
 ///
 /// let well = from_fn(|x: &[Jet], out: &mut Vec<Jet>| out.push(x[0] * x[0] - 4.0));
-/// let starts: Vec<Parameters> = spread(&[-5.0], &[5.0], 8).iter().map(|x| Parameters::unnamed(x)).collect();
+/// let starts: Vec<Parameters> = spread(&[-5.0], &[4.0], 8).iter().map(|x| Parameters::unnamed(x)).collect();
 /// let found = multi_start(&well, &starts, &Mask::all(1), &Options::default());
 /// assert_eq!(found.minima.len(), 2); // −2 and 2
 /// ```

@@ -24,6 +24,9 @@ const COARSE_STEP: f64 = 1.03;
 const FEW_TURNS: usize = 8;
 const PROMISING: usize = 12;
 
+/// Fine steps on either side of a scale found by few turns that all turns are asked about.
+const NEAR: i32 = 8;
+
 /// Samples averaged into one while many scales are tried.
 const AVERAGED: usize = 8;
 
@@ -72,7 +75,11 @@ pub fn gyroscope_guess(turns: &[TurnData]) -> GyroGuess {
         let (tried, few) = (coarse.iter(), &few);
         tried.map(move |&s| (misfit(few, s, axes), (s, *axes)))
     });
-    let both = least(both).map(|(_, (scale, axes))| (misfit(&all, scale, &axes), scale, axes));
+    let both = least(both).and_then(|(_, (scale, axes))| {
+        // Averaged turns lack half a block at either end, so their scale is a little too large.
+        let near = (-NEAR..=NEAR).map(|k| scale * SCALE_STEP.powi(k));
+        least(near.map(|s| (misfit(&all, s, &axes), s))).map(|(value, s)| (value, s, axes))
+    });
     match (both, scaled) {
         (Some((value, scale, axes)), Some((plain, _))) if value < 0.5 * plain => guess(scale, axes),
         (_, Some((_, scale))) => guess(scale, named),

@@ -35,7 +35,7 @@ use crate::scalar::{Jet, LANES, Scalar, derivatives, variable};
 ///         out[0] = (y[0] / x[0]).ln();
 ///     }
 /// }
-/// assert!(check_manifold(&Positive, &[2.0], &[0.3]) < 1e-12);
+/// assert!(check_manifold(&Positive, &[2.0], &[0.3]) < 1e-8);
 /// ```
 pub trait Manifold: Debug + Send + Sync + 'static {
     /// How many values a point stores.

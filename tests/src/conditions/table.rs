@@ -44,7 +44,7 @@ fn line(name: &str, s: &Summary) -> String {
         .map_or("   -".to_owned(), |e| format!("{e:4.2}"));
     let lies = format!("{}/{}/{}", s.wrong, s.silent, s.gross);
     format!(
-        "  {name:<16} {a:5.1} {b:5.1} {c:5.1} {d:5.1} {e:5.1} {f:5.1} {:6.2}  {crb} {lies:>9} {:4}\n",
+        "  {name:<15} {a:5.1} {b:5.1} {c:5.1} {d:5.1} {e:5.1} {f:5.1} {:6.2}  {crb} {lies:>9} {:4}\n",
         s.nees, s.refused
     )
 }
