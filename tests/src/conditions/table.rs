@@ -6,7 +6,7 @@ use super::summary::{Summary, ratio, summarise};
 
 /// The heading of the table.
 pub const HEADING: &str = "\
-                   accelerometer     gyroscope         NEES  rms/  wrong  ref
+                  accelerometer     gyroscope         NEES  rms/  wrong  ref
                    scale misal bias  scale misal bias  /dof  CRB  silent  used";
 
 /// A row: both methods, and what was said.
@@ -44,7 +44,7 @@ fn line(name: &str, s: &Summary) -> String {
         .map_or("   -".to_owned(), |e| format!("{e:4.2}"));
     let lies = format!("{}/{}/{}", s.wrong, s.silent, s.gross);
     format!(
-        "  {name:<15} {a:5.1} {b:5.1} {c:5.1} {d:5.1} {e:5.1} {f:5.1} {:6.2}  {crb} {lies:>9} {:4}\n",
+        "  {name:<15} {a:5.1} {b:5.1} {c:5.1} {d:5.1} {e:5.1} {f:5.1} {:6.2}  {crb} {lies:>9} {:3}\n",
         s.nees, s.refused
     )
 }
