@@ -7,7 +7,7 @@ use super::summary::{Summary, ratio, summarise};
 /// The heading of the table.
 pub const HEADING: &str = "\
                   accelerometer     gyroscope         NEES  rms/  wrong  ref
-                   scale misal bias  scale misal bias  /dof  CRB  silent  used";
+                  scale misal bias  scale misal bias  /dof  CRB  silent  used";
 
 /// A row: both methods, and what was said.
 pub fn row(condition: &Condition, records: &[Record]) -> String {
