@@ -19,15 +19,13 @@ const SMALL: f64 = 1e-10;
 
 impl<D: Scalar> Residual<D> for Reprojection {
     fn residuals(&self, x: &[D], out: &mut Vec<D>) {
-        let [w, t, point] = [0, 3, 9].map(|k| [x[k], x[k + 1], x[k + 2]]);
-        let turned = turn(&w, &point);
-        let p = [turned[0] + t[0], turned[1] + t[1], turned[2] + t[2]];
+        let turned = turn(&[x[0], x[1], x[2]], &[x[9], x[10], x[11]]);
+        let p = [turned[0] + x[3], turned[1] + x[4], turned[2] + x[5]];
         let inverse = -p[2].recip();
         let (u, v) = (p[0] * inverse, p[1] * inverse);
         let n = u * u + v * v;
         let scale = x[6] * (n * (x[7] + x[8] * n) + lit::<D>(1.0));
-        out.push(scale * u - lit::<D>(self.0[0]));
-        out.push(scale * v - lit::<D>(self.0[1]));
+        out.extend_from_slice(&[scale * u - self.0[0], scale * v - self.0[1]]);
     }
 }
 
@@ -103,7 +101,7 @@ impl Factor for AnalyticReprojection {
         let d = 1.0 + n * (k1 + k2 * n);
         let bend = 2.0 * (k1 + 2.0 * k2 * n);
         residuals.clear();
-        residuals.extend([f * d * u - self.0[0], f * d * v - self.0[1]]);
+        residuals.extend_from_slice(&[f * d * u - self.0[0], f * d * v - self.0[1]]);
         // By (u, v), then by P.
         let (uu, uv, vv) = (
             f * (d + bend * u * u),
@@ -114,8 +112,8 @@ impl Factor for AnalyticReprojection {
             [uu * inverse, uv * inverse, (uu * u + uv * v) * inverse],
             [uv * inverse, vv * inverse, (uv * u + vv * v) * inverse],
         ];
-        jacobian.clear();
-        for (row, own) in by_p.iter().zip([u, v]) {
+        let mut rows = [[0.0; 12]; 2];
+        for ((out, row), own) in rows.iter_mut().zip(&by_p).zip([u, v]) {
             let by_point: [f64; 3] =
                 std::array::from_fn(|k| row[0] * r[0][k] + row[1] * r[1][k] + row[2] * r[2][k]);
             // −by_point [X]× J: the row times the cross product.
@@ -128,11 +126,13 @@ impl Factor for AnalyticReprojection {
             let by_w: [f64; 3] = std::array::from_fn(|k| {
                 across[0] * slope[0][k] + across[1] * slope[1][k] + across[2] * slope[2][k]
             });
-            jacobian.extend(by_w);
-            jacobian.extend_from_slice(row);
-            jacobian.extend([d * own, f * n * own, f * n * n * own]);
-            jacobian.extend(by_point);
+            out[..3].copy_from_slice(&by_w);
+            out[3..6].copy_from_slice(row);
+            out[6..9].copy_from_slice(&[d * own, f * n * own, f * n * n * own]);
+            out[9..].copy_from_slice(&by_point);
         }
+        jacobian.clear();
+        jacobian.extend_from_slice(rows.as_flattened());
     }
 }
 

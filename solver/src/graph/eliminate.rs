@@ -6,7 +6,7 @@ use pulp::{Arch, Simd, WithSimd};
 
 use super::reduced::Reduced;
 use super::structure::{Pattern, Structure};
-use super::update::{Update, flush, subtract_products};
+use super::update::{Eliminated, Update};
 use crate::error::Error;
 
 /// `H + diag`, factored.
@@ -36,12 +36,13 @@ impl Factored {
             entries += structure.width(position).pow(2);
         }
         triangle.push(entries);
+        let reduced = Reduced::new(structure)?;
         Ok(Self {
             structure: Arc::clone(structure),
-            reduced: Reduced::new(structure)?,
+            update: Update::new(&reduced.layout),
+            reduced,
             triangles: vec![0.0; entries],
             triangle,
-            update: Update::default(),
         })
     }
 
@@ -59,8 +60,11 @@ impl Factored {
 
     /// Eliminates blocks from the matrix and from `b`.
     fn eliminate(&mut self, h: &[f64], more: &[f64], b: &mut [f64]) -> bool {
-        self.load(h, more);
         let s = &*self.structure;
+        self.reduced.load(s, h, more);
+        if s.eliminated == 0 {
+            return true;
+        }
         let (own, left) = b.split_at_mut(s.split());
         let positive = Arch::new().dispatch(Elimination {
             structure: s,
@@ -73,40 +77,10 @@ impl Factored {
             own,
             left,
         });
-        flush(s, &mut self.reduced, &mut self.update);
+        let Reduced { layout, blocks, .. } = &mut self.reduced;
+        self.update.flush(layout, blocks);
+        self.reduced.assemble(s, more);
         positive
-    }
-
-    /// Writes what `H + diag(more)` has of the blocks that are not eliminated.
-    fn load(&mut self, h: &[f64], more: &[f64]) {
-        let s = &*self.structure;
-        self.reduced.clear();
-        let base = s.eliminated;
-        for column in base..s.order.len() {
-            let width = s.width(column);
-            for slot in s.column[column]..s.column[column + 1] {
-                let row = s.row[slot] as usize;
-                let rows = s.width(row);
-                let place = self.reduced.place(
-                    (row - base) as u32,
-                    (column - base) as u32,
-                    s.first[row] - s.split(),
-                    rows,
-                );
-                let Some(place) = place else { continue };
-                let block = &h[s.entry[slot]..s.entry[slot + 1]];
-                let entries = self.reduced.entries();
-                for (c, values) in block.chunks_exact(rows).enumerate() {
-                    let at = place.base + c * place.stride;
-                    entries[at..at + rows].copy_from_slice(values);
-                }
-                if row == column {
-                    for c in 0..width {
-                        entries[place.base + c * (place.stride + 1)] += more[s.first[column] + c];
-                    }
-                }
-            }
-        }
     }
 
     /// From what is left (solved) back to the eliminated blocks, whose `b` is `L⁻¹ b`.
@@ -237,22 +211,23 @@ impl WithSimd for Elimination<'_> {
                 l[k * (d + 1)] += self.more[s.first[e] + k];
             }
             if !cholesky(l, d) {
+                self.update.forget();
                 return false;
             }
             let y = &mut self.own[s.first[e]..s.first[e + 1]];
             forward(l, d, y);
-            subtract_products(
-                simd,
-                s,
-                self.reduced,
-                self.update,
-                self.h,
+            let own = Eliminated {
+                structure: s,
+                h: self.h,
                 e,
                 l,
                 y,
-                self.left,
-            );
+            };
+            let Reduced { layout, blocks, .. } = &mut *self.reduced;
+            self.update.eliminate(simd, &own, layout, blocks, self.left);
         }
+        let Reduced { layout, blocks, .. } = self.reduced;
+        self.update.add_products(simd, layout, blocks);
         true
     }
 }

@@ -7,8 +7,12 @@
 //! How a step is found: `normal` adds up `H = JᵀJ` and `g = Jᵀr` block by block; `eliminate` takes
 //! small blocks out one by one; `reduced` factors what is left, dense or sparse.
 
+mod accumulate;
+mod blocks;
+mod culprit;
 mod damping;
 mod eliminate;
+mod evaluate;
 mod factor;
 mod manifold;
 mod manifolds;
@@ -18,10 +22,12 @@ mod options;
 mod order;
 mod outer;
 mod problem;
+mod product;
 mod products;
 mod profile;
 pub mod quaternion;
 mod reduced;
+mod reweight;
 mod solve;
 mod step;
 mod structure;

@@ -213,7 +213,7 @@ fn ritz(
     let _ = equations.visit(values, &mut |factor, r, jacobian| {
         let width = jacobian.len() / r.len().max(1);
         if let Some(loss) = equations.graph.loss_of(factor) {
-            super::normal::rewrite(loss, r, jacobian, width);
+            super::reweight::rewrite(loss, r, jacobian, width);
         }
         let places: Vec<usize> = equations
             .graph

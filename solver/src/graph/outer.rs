@@ -2,57 +2,144 @@
 
 use faer::linalg::matmul::triangular::{BlockStructure, matmul};
 use faer::{Accum, MatMut, MatRef, Par};
+use pulp::Simd;
 
 use super::structure::Structure;
 
-/// Adds `J_rᵀ J_c` to `out` (`rows × columns`, column after column); `row` and `column` are first
-/// column and width in `J` (row after row, `width` each).
-#[inline]
-pub(crate) fn add_outer(
+/// Where two blocks of columns lie in rows of `width`: first column and width of each.
+pub(super) struct Places {
+    pub width: usize,
+    pub row: (usize, usize),
+    pub column: (usize, usize),
+}
+
+/// Adds `J_rᵀ J_c` to `out` (`rows × columns`, column after column), or replaces it if `first`.
+#[inline(always)]
+pub(super) fn add_outer<S: Simd>(
+    simd: S,
     out: &mut [f64],
+    first: bool,
     jacobian: &[f64],
-    width: usize,
-    row: (usize, usize),
-    column: (usize, usize),
+    places: &Places,
 ) {
-    match row.1 {
-        1 => fixed::<1>(out, jacobian, width, row.0, column),
-        2 => fixed::<2>(out, jacobian, width, row.0, column),
-        3 => fixed::<3>(out, jacobian, width, row.0, column),
-        6 => fixed::<6>(out, jacobian, width, row.0, column),
-        9 => fixed::<9>(out, jacobian, width, row.0, column),
-        _ => any(out, jacobian, width, row, column),
+    match (places.row.1, places.column.1) {
+        (3, 3) => fixed::<S, 3, 3>(simd, out, first, jacobian, places),
+        (6, 3) => fixed::<S, 6, 3>(simd, out, first, jacobian, places),
+        (6, 6) => fixed::<S, 6, 6>(simd, out, first, jacobian, places),
+        (9, 3) => fixed::<S, 9, 3>(simd, out, first, jacobian, places),
+        (9, 9) => fixed::<S, 9, 9>(simd, out, first, jacobian, places),
+        _ => any(out, first, jacobian, places),
     }
 }
 
-#[inline]
-fn fixed<const R: usize>(
+/// Two rows of the Jacobian at a time; of an odd number the last with a row of zeros.
+#[inline(always)]
+fn fixed<S: Simd, const R: usize, const C: usize>(
+    simd: S,
     out: &mut [f64],
+    first: bool,
     jacobian: &[f64],
-    width: usize,
-    first: usize,
-    (column, columns): (usize, usize),
+    &Places { width, row, column }: &Places,
 ) {
     let (out, _) = out.as_chunks_mut::<R>();
-    for line in jacobian.chunks_exact(width) {
-        let Some(left) = line[first..].first_chunk::<R>() else {
+    let Some(out) = out.first_chunk_mut::<C>() else {
+        return;
+    };
+    if first {
+        *out = [[0.0; R]; C];
+    }
+    let mut lines = jacobian.chunks_exact(width.max(1));
+    while let Some(line) = lines.next() {
+        let left = line[row.0..].first_chunk::<R>();
+        let right = line[column.0..].first_chunk::<C>();
+        let (Some(left), Some(right)) = (left, right) else {
             return;
         };
-        for (out, &factor) in out.iter_mut().zip(&line[column..column + columns]) {
-            for k in 0..R {
-                out[k] += left[k] * factor;
+        let (mut lower, mut factors) = (&[0.0; R], &[0.0; C]);
+        if let Some(line) = lines.next()
+            && let Some(next) = line[row.0..].first_chunk::<R>()
+            && let Some(right) = line[column.0..].first_chunk::<C>()
+        {
+            (lower, factors) = (next, right);
+        }
+        let (one, one_rest) = S::as_simd_f64s(left.as_slice());
+        let (two, two_rest) = S::as_simd_f64s(lower.as_slice());
+        for c in 0..C {
+            let (a, b) = (right[c], factors[c]);
+            let (body, rest) = S::as_mut_simd_f64s(out[c].as_mut_slice());
+            let (many_a, many_b) = (simd.splat_f64s(a), simd.splat_f64s(b));
+            for v in 0..body.len() {
+                let sum = simd.mul_add_e_f64s(one[v], many_a, body[v]);
+                body[v] = simd.mul_add_e_f64s(two[v], many_b, sum);
+            }
+            for v in 0..rest.len() {
+                rest[v] += one_rest[v] * a + two_rest[v] * b;
             }
         }
     }
 }
 
+/// Adds `J_aᵀ r` to the gradient of one block whose columns begin at `first`.
+#[inline(always)]
+pub(super) fn add_gradient(
+    gradient: &mut [f64],
+    jacobian: &[f64],
+    residuals: &[f64],
+    width: usize,
+    first: usize,
+) {
+    match gradient.len() {
+        3 => gradient_of::<3>(gradient, jacobian, residuals, width, first),
+        6 => gradient_of::<6>(gradient, jacobian, residuals, width, first),
+        9 => gradient_of::<9>(gradient, jacobian, residuals, width, first),
+        columns => {
+            for (line, r) in jacobian.chunks_exact(width.max(1)).zip(residuals) {
+                for (g, j) in gradient.iter_mut().zip(&line[first..first + columns]) {
+                    *g += j * r;
+                }
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn gradient_of<const R: usize>(
+    gradient: &mut [f64],
+    jacobian: &[f64],
+    residuals: &[f64],
+    width: usize,
+    first: usize,
+) {
+    let Some(gradient) = gradient.first_chunk_mut::<R>() else {
+        return;
+    };
+    for (line, r) in jacobian.chunks_exact(width.max(1)).zip(residuals) {
+        let Some(own) = line[first..].first_chunk::<R>() else {
+            return;
+        };
+        for c in 0..R {
+            gradient[c] += own[c] * r;
+        }
+    }
+}
+
+#[inline(always)]
 fn any(
     out: &mut [f64],
+    empty: bool,
     jacobian: &[f64],
-    width: usize,
-    (first, rows): (usize, usize),
-    (column, columns): (usize, usize),
+    &Places {
+        width,
+        row: (first, rows),
+        column: (column, columns),
+    }: &Places,
 ) {
+    if empty {
+        out.fill(0.0);
+    }
+    if width == 0 || rows == 0 {
+        return;
+    }
     for line in jacobian.chunks_exact(width) {
         let left = &line[first..first + rows];
         let right = &line[column..column + columns];
@@ -66,7 +153,7 @@ fn any(
 
 /// Rows for one wide block of `H`, collected until there are enough for a matrix product.
 #[derive(Debug, Default)]
-pub(crate) struct Panel {
+pub(super) struct Panel {
     slot: Option<usize>,
     left: Vec<f64>,
     right: Vec<f64>,
@@ -86,17 +173,17 @@ impl Panel {
     }
 
     /// Adds rows of a block.
-    #[allow(clippy::too_many_arguments)]
     pub fn push(
         &mut self,
         h: &mut [f64],
         structure: &Structure,
         slot: usize,
         jacobian: &[f64],
-        width: usize,
-        row: (usize, usize),
-        column: (usize, usize),
+        &Places { width, row, column }: &Places,
     ) {
+        if width == 0 {
+            return;
+        }
         if self.slot != Some(slot) {
             self.flush(h, structure);
             self.slot = Some(slot);

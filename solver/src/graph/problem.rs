@@ -261,7 +261,7 @@ impl<'a> Graph<'a> {
                 x.extend_from_slice(self.of(values, Block(block)));
             }
             entry.factor.values(&x, &mut out);
-            sum += super::normal::cost_of(self.loss_of(factor), &out);
+            sum += super::reweight::cost_of(self.loss_of(factor), &out);
         }
         sum
     }

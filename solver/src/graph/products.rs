@@ -68,17 +68,8 @@ impl<'a> Products<'a> {
             });
         }
         let structure = Arc::new(Structure::new(graph)?);
-        let equations = Equations::new(graph, &structure, 1);
-        if structure.unknowns() == 0 || equations.rows() == 0 {
-            return Err(Error::Empty {
-                residuals: equations.rows(),
-                free: structure.unknowns(),
-            });
-        }
         let mut normal = Normal::default();
-        equations
-            .linearize(values, &mut normal)
-            .map_err(|failure| equations.error(failure, values))?;
+        let equations = Equations::start(graph, &structure, 1, values, &mut normal)?;
         let units = structure.units(&normal.h);
         let mut factored = Factored::new(&structure)?;
         let null = null_space::find(&equations, values, &normal.h, &units, &mut factored)?;

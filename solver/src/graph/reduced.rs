@@ -13,191 +13,193 @@ use faer::sparse::linalg::cholesky::{
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, MatRef, Par, Side};
 
+use super::blocks::{Column, Layout, pack_negative, unpack_negative};
 use super::structure::{Pattern, Structure};
 use crate::error::Error;
 
 /// The lower triangle of the matrix that is left (`n × n`), and its factor.
-pub(crate) enum Reduced {
+pub(super) struct Reduced {
+    pub layout: Layout,
+    /// Blocks of the negative of the matrix, into which others are eliminated; none where none are.
+    pub blocks: Vec<f64>,
+    matrix: Matrix,
+}
+
+/// The matrix, then its factor.
+enum Matrix {
     /// All of it, column after column; factored in place.
     Dense {
-        /// Number of unknowns.
         n: usize,
-        /// The blocks of the lower triangle, each in one piece: what is added up there again and again
-        /// touches few pages.
-        blocks: Vec<f64>,
-        /// Where the blocks of every column begin, and its first unknown and width.
-        columns: Vec<(usize, usize, usize)>,
-        /// The matrix, or its factor, column after column.
-        matrix: Vec<f64>,
-        /// Room to work.
+        values: Vec<f64>,
         memory: MemBuffer,
     },
     /// Only the blocks that are not zero.
     Sparse(Box<Sparse>),
 }
 
-/// A block-sparse lower triangle, and its factor.
-pub(crate) struct Sparse {
+/// A block-sparse lower triangle, column after column, and its factor.
+struct Sparse {
     starts: Vec<u32>,
     rows: Vec<u32>,
     values: Vec<f64>,
-    /// First unknown of every position.
-    first: Vec<usize>,
-    /// Rows' positions of every column, ascending, from the diagonal on.
-    pattern: Vec<Vec<u32>>,
-    /// Where in the first column of a block column each of them begins.
-    offset: Vec<Vec<u32>>,
     symbolic: SymbolicCholesky<u32>,
     factor: Vec<f64>,
     memory: MemBuffer,
 }
 
-/// Where the columns of a block lie: column `c` begins at `base + c · stride`.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Place {
-    pub base: usize,
-    pub stride: usize,
-}
-
 impl Reduced {
     /// Room for the pattern of a structure.
     pub fn new(structure: &Structure) -> Result<Self, Error> {
-        let unknowns = structure.unknowns() - structure.split();
-        let too_large = Error::TooLarge { unknowns };
-        match &structure.reduced {
+        let n = structure.unknowns() - structure.split();
+        let too_large = || Error::TooLarge { unknowns: n };
+        let layout = Layout::new(structure).ok_or_else(too_large)?;
+        let matrix = match structure.reduced {
             Pattern::Dense => {
-                let need = cholesky_in_place_scratch::<f64>(unknowns, Par::Seq, Default::default())
-                    .or(solve_in_place_scratch::<f64>(unknowns, 1, Par::Seq));
-                let mut columns = Vec::new();
-                let mut entries = 0;
-                for position in structure.eliminated..structure.order.len() {
-                    let first = structure.first[position] - structure.split();
-                    let width = structure.width(position);
-                    columns.push((entries, first, width));
-                    entries += (unknowns - first) * width;
+                let need = cholesky_in_place_scratch::<f64>(n, Par::Seq, Default::default())
+                    .or(solve_in_place_scratch::<f64>(n, 1, Par::Seq));
+                Matrix::Dense {
+                    n,
+                    values: vec![0.0; n * n],
+                    memory: MemBuffer::try_new(need).map_err(|_| too_large())?,
                 }
-                Ok(Self::Dense {
-                    n: unknowns,
-                    blocks: vec![0.0; entries],
-                    columns,
-                    matrix: vec![0.0; unknowns * unknowns],
-                    memory: MemBuffer::try_new(need).map_err(|_| too_large)?,
-                })
             }
-            Pattern::Sparse(pattern) => {
-                let first = structure.first[structure.eliminated..]
-                    .iter()
-                    .map(|f| f - structure.split())
-                    .collect();
-                let sparse = Sparse::new(pattern, first).ok_or(too_large)?;
-                Ok(Self::Sparse(Box::new(sparse)))
+            Pattern::Sparse(_) => {
+                Matrix::Sparse(Box::new(Sparse::new(&layout).ok_or_else(too_large)?))
+            }
+        };
+        let blocks = match structure.eliminated {
+            0 => Vec::new(),
+            _ => vec![0.0; layout.entries()],
+        };
+        Ok(Self {
+            layout,
+            blocks,
+            matrix,
+        })
+    }
+
+    /// Writes what `H + diag(more)` has of the blocks that are left: into the matrix where nothing is
+    /// eliminated, else, negative, into the blocks.
+    pub fn load(&mut self, s: &Structure, h: &[f64], more: &[f64]) {
+        let base = s.eliminated;
+        if base > 0 {
+            self.blocks.fill(0.0);
+        } else if let Matrix::Dense { values, .. } = &mut self.matrix {
+            values.fill(0.0);
+        }
+        for position in base..s.order.len() {
+            let width = s.width(position);
+            let reach = self.layout.reach(position - base);
+            for slot in s.column[position]..s.column[position + 1] {
+                let row = s.row[slot] as usize;
+                let rows = s.width(row);
+                let own = &h[s.entry[slot]..s.entry[slot + 1]];
+                let place = reach.place((row - base) as u32, s.first[row] - s.split());
+                let Some(place) = place else { continue };
+                if base > 0 {
+                    pack_negative(&mut self.blocks[place..place + own.len()], rows, own);
+                    continue;
+                }
+                let offset = (place - reach.column.base) / width.max(1);
+                let (out, stride) = self.matrix.columns(&reach.column, offset);
+                for (c, values) in own.chunks_exact(rows.max(1)).enumerate() {
+                    out[c * stride..c * stride + rows].copy_from_slice(values);
+                }
+            }
+            if base == 0 {
+                let (out, stride) = self.matrix.columns(&reach.column, 0);
+                for c in 0..width {
+                    out[c * (stride + 1)] += more[s.first[position] + c];
+                }
             }
         }
     }
 
-    /// Sets all entries to zero.
-    pub fn clear(&mut self) {
-        match self {
-            Self::Dense { blocks, .. } => blocks.fill(0.0),
-            Self::Sparse(sparse) => sparse.values.fill(0.0),
-        }
-    }
-
-    /// The entries, among which a [`Place`] points.
-    pub fn entries(&mut self) -> &mut [f64] {
-        match self {
-            Self::Dense { blocks, .. } => blocks,
-            Self::Sparse(sparse) => &mut sparse.values,
-        }
-    }
-
-    /// Where the block of two positions lies (both less the number eliminated, `row ≥ column`), whose unknowns begin at `row_first` and `column_first`; `None` where the pattern
-    /// has none.
-    #[inline(always)]
-    pub fn place(&self, row: u32, column: u32, row_first: usize, rows: usize) -> Option<Place> {
-        match self {
-            Self::Dense { columns, .. } => {
-                let (base, first, width) = columns[column as usize];
-                Some(Place {
-                    base: base + (row_first - first) * width,
-                    stride: rows,
-                })
+    /// Writes the blocks, when others have been eliminated into them, into the matrix.
+    pub fn assemble(&mut self, s: &Structure, more: &[f64]) {
+        for k in 0..self.layout.columns.len() {
+            let column = self.layout.columns[k];
+            let (blocks, matrix) = (&self.blocks, &mut self.matrix);
+            self.layout.of_column(k, |row, offset| {
+                let rows = s.width(row + s.eliminated);
+                let from = column.base + offset * column.width;
+                let block = &blocks[from..from + rows * column.width];
+                let (out, stride) = matrix.columns(&column, offset);
+                unpack_negative(block, rows, column.width, out, stride);
+            });
+            let (out, stride) = self.matrix.columns(&column, 0);
+            for c in 0..column.width {
+                out[c * (stride + 1)] += more[s.split() + column.first + c];
             }
-            Self::Sparse(sparse) => sparse.place(row, column),
         }
     }
 
     /// Factors the matrix; `false` where it is not positive definite.
     pub fn factor(&mut self) -> bool {
-        match self {
-            Self::Dense {
-                n,
-                blocks,
-                columns,
-                matrix,
-                memory,
-            } => {
-                spread(blocks, columns, *n, matrix);
-                let a = MatMut::from_column_major_slice_mut(matrix, *n, *n);
+        match &mut self.matrix {
+            Matrix::Dense { n, values, memory } => {
                 let factored = cholesky_in_place(
-                    a,
+                    MatMut::from_column_major_slice_mut(values, *n, *n),
                     LltRegularization::default(),
                     Par::Seq,
                     MemStack::new(memory),
                     Default::default(),
                 );
-                factored.is_ok() && (0..*n).all(|k| matrix[k * (*n + 1)].is_finite())
+                factored.is_ok() && (0..*n).all(|k| values[k * (*n + 1)].is_finite())
             }
-            Self::Sparse(sparse) => sparse.factor(),
+            Matrix::Sparse(sparse) => sparse.factor(),
         }
     }
 
     /// Solves for as many right sides as `b` has columns of `n`, in place.
     pub fn solve(&mut self, b: &mut [f64]) {
-        match self {
-            Self::Dense { n, matrix, .. } => {
-                if *n == 0 {
-                    return;
-                }
+        match &mut self.matrix {
+            Matrix::Dense { n: 0, .. } => {}
+            Matrix::Dense { n, values, .. } => {
                 let columns = b.len() / *n;
                 let right = MatMut::from_column_major_slice_mut(b, *n, columns);
-                let factor = MatRef::from_column_major_slice(matrix, *n, *n);
+                let factor = MatRef::from_column_major_slice(values, *n, *n);
                 let need = solve_in_place_scratch::<f64>(*n, columns, Par::Seq);
                 let mut more = MemBuffer::new(need);
                 solve_in_place(factor, right, Par::Seq, MemStack::new(&mut more));
             }
-            Self::Sparse(sparse) => sparse.solve(b),
+            Matrix::Sparse(sparse) => sparse.solve(b),
         }
     }
 
     /// `ln det` of the matrix, from its factor.
     pub fn log_determinant(&self) -> f64 {
-        match self {
-            Self::Dense { n, matrix, .. } => {
-                2.0 * (0..*n).map(|k| matrix[k * (n + 1)].ln()).sum::<f64>()
+        match &self.matrix {
+            Matrix::Dense { n, values, .. } => {
+                2.0 * (0..*n).map(|k| values[k * (n + 1)].ln()).sum::<f64>()
             }
-            Self::Sparse(sparse) => sparse.log_determinant(),
+            Matrix::Sparse(sparse) => sparse.log_determinant(),
         }
     }
 
     /// Entries of the factor.
     pub fn size(&self) -> usize {
-        match self {
-            Self::Dense { n, .. } => n * (n + 1) / 2,
-            Self::Sparse(sparse) => sparse.factor.len(),
+        match &self.matrix {
+            Matrix::Dense { n, .. } => n * (n + 1) / 2,
+            Matrix::Sparse(sparse) => sparse.factor.len(),
         }
     }
 }
 
-/// Writes blocks into the lower triangle of a matrix.
-fn spread(blocks: &[f64], columns: &[(usize, usize, usize)], n: usize, matrix: &mut [f64]) {
-    for (k, &(base, first, width)) in columns.iter().enumerate() {
-        let mut at = base;
-        for &(_, row_first, rows) in &columns[k..] {
-            for c in 0..width {
-                let to = (first + c) * n + row_first;
-                matrix[to..to + rows].copy_from_slice(&blocks[at..at + rows]);
-                at += rows;
+impl Matrix {
+    /// The values of a column of blocks from a row on, so many rows of numbers below its diagonal,
+    /// and how far its columns are apart.
+    #[inline]
+    fn columns(&mut self, column: &Column, offset: usize) -> (&mut [f64], usize) {
+        match self {
+            Self::Dense { n, values, .. } => {
+                let from = column.first * (*n + 1) + offset;
+                (&mut values[from..], *n)
+            }
+            Self::Sparse(sparse) => {
+                let start = sparse.starts[column.first] as usize;
+                let stride = sparse.starts[column.first + 1] as usize - start;
+                (&mut sparse.values[start + offset..], stride)
             }
         }
     }
@@ -205,27 +207,20 @@ fn spread(blocks: &[f64], columns: &[(usize, usize, usize)], n: usize, matrix: &
 
 impl Sparse {
     /// Lays out the blocks and works out the pattern of the factor.
-    fn new(pattern: &[Vec<u32>], mut first: Vec<usize>) -> Option<Self> {
-        if first.is_empty() {
-            first.push(0);
-        }
-        let n = first[first.len() - 1];
-        let width = |position: u32| first[position as usize + 1] - first[position as usize];
+    fn new(layout: &Layout) -> Option<Self> {
+        let n = layout.unknowns;
         let (mut starts, mut rows) = (vec![0u32], Vec::<u32>::new());
-        let mut offset = Vec::with_capacity(pattern.len());
-        for (column, below) in pattern.iter().enumerate() {
-            let mut at = 0;
-            let mut own = Vec::with_capacity(below.len());
-            for &row in below {
-                own.push(at);
-                at += u32::try_from(width(row)).ok()?;
-            }
-            offset.push(own);
-            for _ in 0..width(column as u32) {
-                // The block on the diagonal as a whole; the factorisation skips what is above.
-                for &row in below {
-                    let own = first[row as usize]..first[row as usize + 1];
-                    rows.extend(own.map(|r| r as u32));
+        for (k, column) in layout.columns.iter().enumerate() {
+            let from = rows.len();
+            // The block on the diagonal as a whole; the factorisation skips what is above.
+            layout.of_column(k, |row, _| {
+                let Column { first, width, .. } = layout.columns[row];
+                rows.extend((first..first + width).map(|r| r as u32));
+            });
+            let height = rows.len() - from;
+            for c in 0..column.width {
+                if c > 0 {
+                    rows.extend_from_within(from..from + height);
                 }
                 starts.push(u32::try_from(rows.len()).ok()?);
             }
@@ -240,21 +235,8 @@ impl Sparse {
             memory: MemBuffer::try_new(need).ok()?,
             starts,
             rows,
-            first,
-            pattern: pattern.to_vec(),
-            offset,
             symbolic,
         })
-    }
-
-    #[inline]
-    fn place(&self, row: u32, column: u32) -> Option<Place> {
-        let column = column as usize;
-        let k = self.pattern[column].binary_search(&row).ok()?;
-        let start = self.starts[self.first[column]] as usize;
-        let rows = self.starts[self.first[column] + 1] as usize - start;
-        let base = start + self.offset[column][k] as usize;
-        Some(Place { base, stride: rows })
     }
 
     fn factor(&mut self) -> bool {

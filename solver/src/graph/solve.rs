@@ -20,6 +20,9 @@ use crate::vector::{dot, scaled_norm};
 /// judged by the gradient.
 const NEAR: f64 = 1e-5;
 
+/// How near to 1 the last gain ratio is if the next step is linearised before its cost is known.
+const FORETOLD: f64 = 0.25;
+
 /// Damping of the last steps: what is not determined stays where it is.
 const LAST: f64 = 1e-11;
 
@@ -54,14 +57,10 @@ const SMALL_STEP: f64 = 1e-7;
 pub fn solve_graph(graph: &Graph<'_>, options: &GraphOptions) -> Result<GraphReport, Error> {
     graph.check()?;
     let structure = Arc::new(Structure::new(graph)?);
-    let equations = Equations::new(graph, &structure, options.threads);
-    if structure.unknowns() == 0 || equations.rows() == 0 {
-        return Err(Error::Empty {
-            residuals: equations.rows(),
-            free: structure.unknowns(),
-        });
-    }
-    let mut run = Run::new(&equations, Factored::new(&structure)?, options)?;
+    let mut normal = Normal::default();
+    let values = &graph.values;
+    let equations = Equations::start(graph, &structure, options.threads, values, &mut normal)?;
+    let mut run = Run::new(&equations, Factored::new(&structure)?, normal, options);
     let stop = run.descend();
     let stop = if options.last_digits && matches!(stop, Stop::Near | Stop::Ended) {
         run.last_steps();
@@ -93,6 +92,8 @@ struct Run<'a> {
     deadline: Option<Instant>,
     offset: f64,
     relative_step: f64,
+    /// Whether the last step did what the linearised problem said.
+    foretold: bool,
     more: Vec<f64>,
     step: Vec<f64>,
 }
@@ -101,14 +102,15 @@ impl<'a> Run<'a> {
     fn new(
         equations: &'a Equations<'a>,
         factored: Factored,
+        normal: Normal,
         options: &'a GraphOptions,
-    ) -> Result<Self, Error> {
+    ) -> Self {
         let unknowns = equations.structure.unknowns();
         let mut run = Self {
             equations,
             options,
             factored,
-            normal: Normal::default(),
+            normal,
             values: equations.graph.values.clone(),
             scaling: Scaling::new(unknowns),
             lambda: Lambda::new(options.damping, options.first_damping),
@@ -119,20 +121,25 @@ impl<'a> Run<'a> {
                 .and_then(|limit| Instant::now().checked_add(limit)),
             offset: f64::INFINITY,
             relative_step: f64::INFINITY,
+            foretold: false,
             more: vec![0.0; unknowns],
             step: vec![0.0; unknowns],
         };
-        run.linearize()
-            .map_err(|failure| equations.error(failure, &run.values))?;
-        Ok(run)
+        run.evaluations.jacobians = 1;
+        run.update_scaling();
+        run
     }
 
     fn linearize(&mut self) -> Result<(), Failure> {
         self.evaluations.jacobians += 1;
         self.equations.linearize(&self.values, &mut self.normal)?;
+        self.update_scaling();
+        Ok(())
+    }
+
+    fn update_scaling(&mut self) {
         let norms = self.equations.structure.column_norms(&self.normal.h);
         self.scaling.update(&norms);
-        Ok(())
     }
 
     /// The damped step into `self.step`; `false` where the equations are not positive definite.
@@ -237,23 +244,44 @@ impl<'a> Run<'a> {
         // ‖r‖² less ‖r + J p‖², halved: with (H + λD²) p = −g no product by J is needed.
         let predicted = 0.5 * (decrement + lambda * length * length);
         let next = self.equations.stepped(&self.values, &self.step);
-        self.evaluations.residuals += 1;
-        let cost = self.equations.cost(&next);
-        let fall = self.normal.cost - cost;
-        if fall > 0.0 {
-            let before = std::mem::replace(&mut self.values, next);
-            if self.linearize().is_ok() {
-                self.record(cost, lambda, length, true);
-                self.lambda.accepted(fall / predicted);
+        let before = self.normal.cost;
+        let cost = match self.foretold {
+            true => None,
+            false => {
+                self.evaluations.residuals += 1;
+                Some(self.equations.cost(&next))
+            }
+        };
+        let mut tried = cost.unwrap_or(f64::INFINITY);
+        if cost.is_none_or(|cost| cost < before) {
+            let kept = std::mem::replace(&mut self.values, next);
+            let finite = self.linearize_at_step();
+            tried = cost.unwrap_or(self.normal.cost);
+            let fall = before - tried;
+            if finite && fall > 0.0 {
+                self.update_scaling();
+                self.record(tried, lambda, length, true);
+                let ratio = fall / predicted;
+                self.foretold = (ratio - 1.0).abs() < FORETOLD;
+                self.lambda.accepted(ratio);
                 return Some(fall);
             }
-            self.values = before;
+            self.values = kept;
             // The point before was finite.
-            let _ = self.linearize();
+            let _ = self.linearize_at_step();
+            self.normal.cost = before;
         }
-        self.record(cost, lambda, length, false);
+        self.foretold = false;
+        self.record(tried, lambda, length, false);
         self.lambda.rejected();
         None
+    }
+
+    /// Linearises where a step leads; `false` where that fails.
+    fn linearize_at_step(&mut self) -> bool {
+        self.evaluations.jacobians += 1;
+        let formed = self.equations.linearize(&self.values, &mut self.normal);
+        formed.is_ok()
     }
 
     /// The step at hand, if the cost does not rise.

@@ -98,23 +98,4 @@ impl Equations<'_> {
             },
         }
     }
-
-    /// The name of the first coordinate by which a derivative is not finite, each asked for alone:
-    /// where several are carried along together, an infinite one turns the others, as `∞ · 0`, into
-    /// what is not a number.
-    fn culprit(&self, factor: usize, row: usize, column: usize, values: &[f64]) -> String {
-        let mut names = Vec::new();
-        let mut found = None;
-        for &block in self.graph.blocks_of(factor) {
-            let variable = &self.graph.variables[block as usize];
-            for k in variable.free_coordinates() {
-                if found.is_none() && self.is_infinite_alone(factor, row, block, k, values) {
-                    found = Some(names.len());
-                }
-                names.push(variable.coordinate(k));
-            }
-        }
-        let place = found.unwrap_or(column);
-        names.into_iter().nth(place).unwrap_or_default()
-    }
 }

@@ -1,5 +1,6 @@
 //! The pattern of the normal equations: which blocks meet, in which order they are eliminated.
 
+use super::accumulate::FIRST;
 use super::order::fill_reducing;
 use super::problem::Graph;
 use crate::error::Error;
@@ -44,7 +45,7 @@ pub(crate) struct Structure {
     pub row: Vec<u32>,
     /// First entry of every slot, and the number of entries.
     pub entry: Vec<usize>,
-    /// Slots of the pairs of every factor, see [`pair`].
+    /// Slots of the pairs of every factor, see [`pair`]; marked where the factor is the [`FIRST`].
     pub pairs: Vec<u32>,
     /// Free blocks of every factor.
     pub free: Vec<u8>,
@@ -176,6 +177,17 @@ impl Structure {
         }
         self.column.push(self.row.len());
         self.entry.push(entries);
+        self.mark_first();
+    }
+
+    /// Marks the first pair of every slot, in the order of the factors.
+    fn mark_first(&mut self) {
+        let mut seen = vec![false; self.row.len()];
+        for mark in &mut self.pairs {
+            let seen = &mut seen[*mark as usize];
+            *mark |= if *seen { 0 } else { FIRST };
+            *seen = true;
+        }
     }
 
     /// Writes the slots of a factor's pairs whose column is `place`.

@@ -1,22 +1,49 @@
 //! What the elimination of one block takes from the others: `S −= Y Yᵀ`, `Y = W L⁻ᵀ`.
-//!
-//! Everything here is inlined into a function compiled for the vector instructions that the machine
-//! has. Written out: left to itself the compiler takes the columns, not the rows, for vectors.
 
 use faer::linalg::matmul::triangular::{BlockStructure, matmul};
 use faer::{Accum, MatMut, MatRef, Par};
 use pulp::Simd;
 
-use super::reduced::{Place, Reduced};
+use super::blocks::{Layout, body};
+use super::product::add_product;
 use super::structure::Structure;
 
-/// Room for the neighbours of one block, and columns collected for one wide neighbour.
+/// Blocks that were eliminated and whose products are still to be added.
+///
+/// The products of many of them are added to some columns of `S` that fit in a cache, then to the
+/// next columns: `S` as a whole fits in none. Every sum has its terms in the same order as if the
+/// blocks were taken one by one.
 #[derive(Debug, Default)]
-pub(crate) struct Update {
+pub(super) struct Update {
+    /// `Y` of every neighbour, column after column.
     y: Vec<f64>,
+    neighbours: Vec<Neighbour>,
+    eliminated: Vec<Waiting>,
+    /// Where groups of columns end.
+    groups: Vec<u32>,
     panel: Vec<f64>,
-    /// Position and width of the neighbour of the columns.
-    wide: Option<(usize, usize)>,
+    /// Position of the neighbour of the columns (less the number eliminated).
+    wide: Option<usize>,
+}
+
+/// A block that is left and meets the eliminated one.
+#[derive(Clone, Copy, Debug)]
+struct Neighbour {
+    /// Its position, less the number eliminated.
+    position: u32,
+    width: u32,
+    /// First unknown, less the eliminated ones.
+    first: u32,
+    /// Where its `Y` begins.
+    at: u32,
+}
+
+/// An eliminated block: its width and its neighbours whose columns are still to come.
+#[derive(Clone, Copy, Debug)]
+struct Waiting {
+    width: u32,
+    next: u32,
+    end: u32,
 }
 
 /// Width from which a single neighbour's columns are collected for a matrix product.
@@ -25,213 +52,235 @@ const WIDE: usize = 16;
 /// Columns collected.
 const COLUMNS: usize = 96;
 
-/// Takes the products of the neighbours of `e` from what is left, given `L` of `V_e` and
-/// `y = L⁻¹ b_e`.
-#[inline(always)]
-#[allow(clippy::too_many_arguments)]
-pub(crate) fn subtract_products<S: Simd>(
-    simd: S,
-    s: &Structure,
-    reduced: &mut Reduced,
-    update: &mut Update,
-    h: &[f64],
-    e: usize,
-    l: &[f64],
-    y: &[f64],
-    left: &mut [f64],
-) {
-    let d = s.width(e);
-    let slots = s.column[e] + 1..s.column[e + 1];
-    let from = s.entry[slots.start];
-    let all = &h[from..s.entry[slots.end]];
-    update.y.clear();
-    update.y.extend_from_slice(all);
-    for slot in slots.clone() {
-        let row = s.row[slot] as usize;
-        let rows = s.width(row);
-        let y_i = &mut update.y[s.entry[slot] - from..s.entry[slot + 1] - from];
-        right_solve(y_i, rows, l, d);
-        let out = &mut left[s.first[row] - s.split()..][..rows];
-        for (column, y) in y_i.chunks_exact(rows).zip(y) {
-            out.iter_mut().zip(column).for_each(|(o, w)| *o -= w * y);
+/// Entries of a group of columns: a quarter of a megabyte.
+const GROUP: usize = 1 << 15;
+
+/// Entries of `Y` that wait: half a megabyte.
+const WAITING: usize = 1 << 16;
+
+/// A block being eliminated.
+pub(super) struct Eliminated<'a> {
+    pub structure: &'a Structure,
+    /// Blocks of `H`.
+    pub h: &'a [f64],
+    /// Its position.
+    pub e: usize,
+    /// `L` of `V = L Lᵀ`.
+    pub l: &'a [f64],
+    /// `L⁻¹ b`.
+    pub y: &'a [f64],
+}
+
+impl Update {
+    /// Nothing waits.
+    pub fn new(layout: &Layout) -> Self {
+        let mut groups = Vec::new();
+        let mut from = 0;
+        for (k, column) in layout.columns.iter().enumerate() {
+            if column.base - from > GROUP {
+                groups.push(k as u32);
+                from = column.base;
+            }
+        }
+        groups.push(layout.columns.len() as u32);
+        Self {
+            groups,
+            ..Self::default()
         }
     }
-    if slots.len() == 1 && y.len() == d {
-        let j = s.row[slots.start] as usize;
-        if s.width(j) >= WIDE {
-            collect(s, reduced, update, j);
+
+    /// Takes `W V⁻¹ b` of a block from what is left of `b`, and adds its products to the blocks of
+    /// `−S`, now or later.
+    #[inline(always)]
+    pub fn eliminate<S: Simd>(
+        &mut self,
+        simd: S,
+        own: &Eliminated<'_>,
+        layout: &Layout,
+        blocks: &mut [f64],
+        left: &mut [f64],
+    ) {
+        let first = self.neighbours.len();
+        let from = self.y.len();
+        self.solve_neighbours(own, left);
+        if let [only] = self.neighbours[first..]
+            && only.width as usize >= WIDE
+        {
+            self.neighbours.pop();
+            self.collect(layout, blocks, only.position as usize, from);
             return;
         }
-    }
-    for column in slots.clone() {
-        let j = s.row[column] as usize;
-        let y_j = &update.y[s.entry[column] - from..s.entry[column + 1] - from];
-        let reach = Reach { s, j, d };
-        for slot in column..slots.end {
-            let i = s.row[slot] as usize;
-            let y_i = &update.y[s.entry[slot] - from..s.entry[slot + 1] - from];
-            reach.subtract(simd, reduced, i, y_i, y_j);
+        self.eliminated.push(Waiting {
+            width: own.y.len() as u32,
+            next: first as u32,
+            end: self.neighbours.len() as u32,
+        });
+        if self.y.len() >= WAITING {
+            self.add_products(simd, layout, blocks);
         }
     }
-}
 
-/// Keeps the columns of a wide neighbour; a product takes many at once.
-fn collect(s: &Structure, reduced: &mut Reduced, update: &mut Update, j: usize) {
-    if update.wide.is_some_and(|(other, _)| other != j) {
-        flush(s, reduced, update);
+    /// Adds the products of the neighbours of the blocks that wait.
+    #[inline(always)]
+    pub fn add_products<S: Simd>(&mut self, simd: S, layout: &Layout, blocks: &mut [f64]) {
+        for &end in &self.groups {
+            for waiting in &mut self.eliminated {
+                let d = waiting.width as usize;
+                let mut own = &self.neighbours[waiting.next as usize..waiting.end as usize];
+                while let Some((j, others)) = own.split_first() {
+                    if j.position >= end {
+                        break;
+                    }
+                    let columns = j.width as usize;
+                    let y_j = &self.y[j.at as usize..][..columns * d];
+                    let reach = layout.reach(j.position as usize);
+                    for i in own {
+                        let rows = i.width as usize;
+                        let y_i = &self.y[i.at as usize..][..rows * d];
+                        let Some(place) = reach.place(i.position, i.first as usize) else {
+                            continue;
+                        };
+                        let block = &mut blocks[place..place + rows * columns];
+                        add_product(simd, block, (rows, columns, d), y_i, y_j);
+                    }
+                    own = others;
+                    waiting.next += 1;
+                }
+            }
+        }
+        self.forget();
     }
-    let width = s.width(j);
-    update.wide = Some((j, width));
-    let (y, panel) = (&update.y, &mut update.panel);
-    panel.extend_from_slice(y);
-    if update.panel.len() >= COLUMNS * width {
-        flush(s, reduced, update);
-    }
-}
 
-/// Subtracts the products of the columns that were collected.
-pub(crate) fn flush(s: &Structure, reduced: &mut Reduced, update: &mut Update) {
-    let Some((j, width)) = update.wide.take() else {
-        return;
-    };
-    let position = (j - s.eliminated) as u32;
-    let first = s.first[j] - s.split();
-    if let Some(place) = reduced.place(position, position, first, width) {
-        let end = place.base + (width - 1) * place.stride + width;
-        let entries = &mut reduced.entries()[place.base..end];
-        let columns = update.panel.len() / width;
-        let y = MatRef::from_column_major_slice(&update.panel, width, columns);
+    /// Drops what waits.
+    pub fn forget(&mut self) {
+        self.eliminated.clear();
+        self.neighbours.clear();
+        self.y.clear();
+    }
+
+    /// `Y` of all neighbours.
+    #[inline(always)]
+    fn solve_neighbours(&mut self, own: &Eliminated<'_>, left: &mut [f64]) {
+        let (s, e, d) = (own.structure, own.e, own.y.len());
+        let slots = s.column[e] + 1..s.column[e + 1];
+        let from = self.y.len();
+        let before = s.entry[slots.start];
+        self.y.resize(from + s.entry[slots.end] - before, 0.0);
+        for slot in slots {
+            let row = s.row[slot] as usize;
+            let rows = s.width(row);
+            let first = s.first[row] - s.split();
+            let at = from + s.entry[slot] - before;
+            self.neighbours.push(Neighbour {
+                position: (row - s.eliminated) as u32,
+                width: rows as u32,
+                first: first as u32,
+                at: at as u32,
+            });
+            let w = &own.h[s.entry[slot]..s.entry[slot + 1]];
+            let y = &mut self.y[at..at + rows * d];
+            let left = &mut left[first..first + rows];
+            match (rows, d) {
+                (9, 3) => right_solve_fixed::<9, 3>(w, y, own, left),
+                (6, 3) => right_solve_fixed::<6, 3>(w, y, own, left),
+                _ => right_solve(w, y, own, left),
+            }
+        }
+    }
+
+    /// Keeps the columns of a wide neighbour; a product takes many at once.
+    fn collect(&mut self, layout: &Layout, blocks: &mut [f64], position: usize, from: usize) {
+        if self.wide.is_some_and(|other| other != position) {
+            self.flush(layout, blocks);
+        }
+        self.wide = Some(position);
+        self.panel.extend_from_slice(&self.y[from..]);
+        self.y.truncate(from);
+        if self.panel.len() >= COLUMNS * layout.columns[position].width {
+            self.flush(layout, blocks);
+        }
+    }
+
+    /// Adds the products of the columns that were collected.
+    pub fn flush(&mut self, layout: &Layout, blocks: &mut [f64]) {
+        let Some(position) = self.wide.take() else {
+            return;
+        };
+        let column = layout.columns[position];
+        let width = column.width;
+        debug_assert_eq!(body(width), width);
+        let y = MatRef::from_column_major_slice(&self.panel, width, self.panel.len() / width);
+        let out = &mut blocks[column.base..column.base + width * width];
         matmul(
-            MatMut::from_column_major_slice_with_stride_mut(entries, width, width, place.stride),
+            MatMut::from_column_major_slice_mut(out, width, width),
             BlockStructure::TriangularLower,
             Accum::Add,
             y,
             BlockStructure::Rectangular,
             y.transpose(),
             BlockStructure::Rectangular,
-            -1.0,
+            1.0,
             Par::Seq,
         );
+        self.panel.clear();
     }
-    update.panel.clear();
 }
 
-/// `W L⁻ᵀ` in place, `W` being `rows × d`, column after column.
+/// `Y = W L⁻ᵀ` (`R × E`), and `left −= Y y`.
 #[inline(always)]
-fn right_solve(w: &mut [f64], rows: usize, l: &[f64], d: usize) {
-    for c in 0..d {
-        let (before, own) = w.split_at_mut(c * rows);
-        let own = &mut own[..rows];
-        for k in 0..c {
-            let factor = l[k * d + c];
-            let known = &before[k * rows..(k + 1) * rows];
-            own.iter_mut()
-                .zip(known)
-                .for_each(|(o, k)| *o -= k * factor);
-        }
-        let inverse = 1.0 / l[c * (d + 1)];
-        own.iter_mut().for_each(|o| *o *= inverse);
-    }
-}
-
-/// A column of what is left.
-struct Reach<'a> {
-    s: &'a Structure,
-    j: usize,
-    d: usize,
-}
-
-impl Reach<'_> {
-    /// `S_ij −= Y_i Y_jᵀ`.
-    #[inline(always)]
-    fn subtract<S: Simd>(
-        &self,
-        simd: S,
-        reduced: &mut Reduced,
-        i: usize,
-        y_i: &[f64],
-        y_j: &[f64],
-    ) {
-        let (s, j) = (self.s, self.j);
-        let (rows, columns) = (s.width(i), s.width(j));
-        let place = reduced.place(
-            (i - s.eliminated) as u32,
-            (j - s.eliminated) as u32,
-            s.first[i] - s.split(),
-            rows,
-        );
-        let Some(place) = place else { return };
-        let entries = reduced.entries();
-        match (rows, self.d) {
-            (9, 3) => fixed::<S, 9, 3>(simd, entries, place, columns, y_i, y_j),
-            (6, 3) => fixed::<S, 6, 3>(simd, entries, place, columns, y_i, y_j),
-            (_, d) => {
-                for c in 0..columns {
-                    let at = place.base + c * place.stride;
-                    let out = &mut entries[at..at + rows];
-                    for k in 0..d {
-                        let left = &y_i[k * rows..(k + 1) * rows];
-                        take(simd, out, left, y_j[k * columns + c]);
-                    }
-                }
-            }
-        }
-    }
-}
-
-/// The products of a block of `R` rows, `E` columns of `Y` at a time.
-#[inline(always)]
-fn fixed<S: Simd, const R: usize, const E: usize>(
-    simd: S,
-    entries: &mut [f64],
-    place: Place,
-    columns: usize,
-    y_i: &[f64],
-    y_j: &[f64],
+fn right_solve_fixed<const R: usize, const E: usize>(
+    w: &[f64],
+    out: &mut [f64],
+    own: &Eliminated<'_>,
+    left: &mut [f64],
 ) {
-    let (left, _) = y_i.as_chunks::<R>();
-    let Some(left) = left.first_chunk::<E>() else {
+    let (w, _) = w.as_chunks::<R>();
+    let (out, _) = out.as_chunks_mut::<R>();
+    let (l, _) = own.l.as_chunks::<E>();
+    let (Some(w), Some(out)) = (w.first_chunk::<E>(), out.first_chunk_mut::<E>()) else {
         return;
     };
-    for c in 0..columns {
-        let at = place.base + c * place.stride;
-        let Some(out) = entries[at..].first_chunk_mut::<R>() else {
-            return;
-        };
-        let (body, tail) = S::as_mut_simd_f64s(out.as_mut_slice());
-        let mut factors = [0.0; E];
-        for k in 0..E {
-            factors[k] = -y_j[k * columns + c];
-        }
-        for v in 0..body.len() {
-            let mut sum = body[v];
-            for k in 0..E {
-                let (own, _) = S::as_simd_f64s(left[k].as_slice());
-                sum = simd.mul_add_e_f64s(own[v], simd.splat_f64s(factors[k]), sum);
+    let (Some(l), Some(b)) = (l.first_chunk::<E>(), own.y.first_chunk::<E>()) else {
+        return;
+    };
+    let Some(left) = left.first_chunk_mut::<R>() else {
+        return;
+    };
+    for c in 0..E {
+        let inverse = 1.0 / l[c][c];
+        let mut own = w[c];
+        for k in 0..c {
+            for r in 0..R {
+                own[r] -= out[k][r] * l[k][c];
             }
-            body[v] = sum;
         }
-        let first = R - tail.len();
-        for t in 0..tail.len() {
-            let mut sum = tail[t];
-            for k in 0..E {
-                sum += left[k][first + t] * factors[k];
-            }
-            tail[t] = sum;
+        for r in 0..R {
+            own[r] *= inverse;
+            left[r] -= own[r] * b[c];
         }
+        out[c] = own;
     }
 }
 
-/// `out −= left · factor`.
+/// As [`right_solve_fixed`], of any size.
 #[inline(always)]
-fn take<S: Simd>(simd: S, out: &mut [f64], left: &[f64], factor: f64) {
-    let (body, tail) = S::as_mut_simd_f64s(out);
-    let (own, rest) = S::as_simd_f64s(left);
-    let many = simd.splat_f64s(-factor);
-    for (o, l) in body.iter_mut().zip(own) {
-        *o = simd.mul_add_e_f64s(*l, many, *o);
-    }
-    for (o, l) in tail.iter_mut().zip(rest) {
-        *o -= l * factor;
+fn right_solve(w: &[f64], out: &mut [f64], own: &Eliminated<'_>, left: &mut [f64]) {
+    let (rows, d) = (left.len(), own.y.len());
+    out.copy_from_slice(w);
+    for c in 0..d {
+        let (before, column) = out.split_at_mut(c * rows);
+        let column = &mut column[..rows];
+        for k in 0..c {
+            let factor = own.l[k * d + c];
+            let known = &before[k * rows..(k + 1) * rows];
+            for (o, k) in column.iter_mut().zip(known) {
+                *o -= k * factor;
+            }
+        }
+        let inverse = 1.0 / own.l[c * (d + 1)];
+        for (o, left) in column.iter_mut().zip(&mut *left) {
+            *o *= inverse;
+            *left -= *o * own.y[c];
+        }
     }
 }

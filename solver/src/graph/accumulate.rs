@@ -1,0 +1,129 @@
+//! The sum of what the factors add to the normal equations.
+
+use pulp::{Arch, Simd, WithSimd};
+
+use super::normal::{Equations, Normal};
+use super::outer::{Panel, Places, add_gradient, add_outer};
+use super::reweight::{cost_of, rewrite};
+use super::structure::{NONE, pair};
+
+/// Marks the first factor that adds to a slot: it writes what others add to.
+pub(super) const FIRST: u32 = 1 << 31;
+
+/// Normal equations being added up.
+pub(super) struct Sum<'a> {
+    equations: &'a Equations<'a>,
+    normal: &'a mut Normal,
+    next_pair: usize,
+    panel: Panel,
+    arch: Arch,
+}
+
+impl<'a> Sum<'a> {
+    /// Nothing added yet; the gradient is zero.
+    pub fn new(equations: &'a Equations<'a>, normal: &'a mut Normal) -> Self {
+        (normal.cost, normal.square) = (0.0, 0.0);
+        Self {
+            equations,
+            normal,
+            next_pair: 0,
+            panel: Panel::default(),
+            arch: Arch::new(),
+        }
+    }
+
+    /// Adds the next factor, given its residuals and the free columns of its Jacobian.
+    pub fn add(&mut self, factor: usize, residuals: &mut [f64], jacobian: &mut [f64]) {
+        let loss = self.equations.graph.loss_of(factor);
+        self.normal.cost += cost_of(loss, residuals);
+        let structure = self.equations.structure;
+        let n = structure.free[factor] as usize;
+        let width = jacobian.len() / residuals.len().max(1);
+        if let Some(loss) = loss {
+            rewrite(loss, residuals, jacobian, width);
+        }
+        self.normal.square += residuals.iter().map(|r| r * r).sum::<f64>();
+        if n == 0 {
+            return;
+        }
+        let own = self.next_pair..self.next_pair + n * (n + 1) / 2;
+        self.next_pair = own.end;
+        self.arch.dispatch(Products {
+            sum: self,
+            pairs: &structure.pairs[own],
+            factor,
+            residuals,
+            jacobian,
+        });
+    }
+
+    /// Adds what is still collected.
+    pub fn finish(&mut self) {
+        let structure = self.equations.structure;
+        self.panel.flush(&mut self.normal.h, structure);
+    }
+}
+
+/// The products of a factor's blocks, compiled for the vector instructions that the machine has.
+struct Products<'s, 'a, 'f> {
+    sum: &'s mut Sum<'a>,
+    pairs: &'s [u32],
+    factor: usize,
+    residuals: &'f [f64],
+    jacobian: &'f [f64],
+}
+
+impl WithSimd for Products<'_, '_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Equations {
+            graph, structure, ..
+        } = self.sum.equations;
+        let (normal, panel) = (&mut *self.sum.normal, &mut self.sum.panel);
+        let width = self.jacobian.len() / self.residuals.len().max(1);
+        let n = structure.free[self.factor] as usize;
+        let blocks = graph.blocks_of(self.factor);
+        let mut first_a = 0;
+        let mut place_a = 0;
+        for (a, &block_a) in blocks.iter().enumerate() {
+            let position_a = structure.position[block_a as usize];
+            if position_a == NONE {
+                continue;
+            }
+            let width_a = structure.width(position_a as usize);
+            let gradient = &mut normal.gradient[structure.first[position_a as usize]..][..width_a];
+            add_gradient(gradient, self.jacobian, self.residuals, width, first_a);
+            let (mut first_b, mut place_b) = (first_a, place_a);
+            for &block_b in &blocks[a..] {
+                let position_b = structure.position[block_b as usize];
+                if position_b == NONE {
+                    continue;
+                }
+                let width_b = structure.width(position_b as usize);
+                let mark = self.pairs[pair(place_a, place_b, n)];
+                let slot = (mark & !FIRST) as usize;
+                let out = &mut normal.h[structure.entry[slot]..structure.entry[slot + 1]];
+                let (row, column) = if position_a >= position_b {
+                    ((first_a, width_a), (first_b, width_b))
+                } else {
+                    ((first_b, width_b), (first_a, width_a))
+                };
+                let places = Places { width, row, column };
+                if panel.takes(row.1, column.1) {
+                    if mark & FIRST != 0 {
+                        out.fill(0.0);
+                    }
+                    panel.push(&mut normal.h, structure, slot, self.jacobian, &places);
+                } else {
+                    add_outer(simd, out, mark & FIRST != 0, self.jacobian, &places);
+                }
+                first_b += width_b;
+                place_b += 1;
+            }
+            first_a += width_a;
+            place_a += 1;
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! The blocks of the matrix that is left, each in one piece, while others are eliminated into them.
+
+use super::structure::{Pattern, Structure};
+
+/// Rows of a block that are stored column after column; the others follow, each in one piece. So
+/// both parts fill vectors: of 9 × 9 it is 8 × 9 and a row of 9.
+pub(super) const fn body(rows: usize) -> usize {
+    match rows {
+        9 => 8,
+        6 | 7 => 4,
+        _ => rows,
+    }
+}
+
+/// A column of blocks: its first entry, first unknown and width.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Column {
+    pub base: usize,
+    pub first: usize,
+    pub width: usize,
+}
+
+/// Where the blocks of the lower triangle lie.
+#[derive(Debug)]
+pub(super) struct Layout {
+    pub columns: Vec<Column>,
+    /// Rows of every column one after the other; of a dense matrix none.
+    rows: Option<Rows>,
+    /// Number of unknowns.
+    pub unknowns: usize,
+    /// Number of entries of all blocks.
+    entries: usize,
+}
+
+/// The rows of a block-sparse lower triangle.
+#[derive(Debug)]
+struct Rows {
+    /// First row of every column, and their number.
+    start: Vec<u32>,
+    /// Position of every row, ascending within a column from the diagonal on.
+    position: Vec<u32>,
+    /// Rows of numbers before it in its column.
+    offset: Vec<u32>,
+}
+
+/// A column and the rows in it.
+#[derive(Clone, Copy)]
+pub(super) struct Reach<'a> {
+    pub column: Column,
+    rows: Option<(&'a [u32], &'a [u32])>,
+}
+
+impl Layout {
+    /// The layout of what a structure leaves; `None` where there are too many entries.
+    pub fn new(structure: &Structure) -> Option<Self> {
+        let split = structure.split();
+        let positions = structure.eliminated..structure.order.len();
+        let unknowns = structure.unknowns() - split;
+        let mut rows = match &structure.reduced {
+            Pattern::Dense => None,
+            Pattern::Sparse(all) => Some(Rows {
+                start: Vec::with_capacity(positions.len() + 1),
+                position: Vec::with_capacity(all.iter().map(Vec::len).sum()),
+                offset: Vec::with_capacity(all.iter().map(Vec::len).sum()),
+            }),
+        };
+        let mut columns = Vec::with_capacity(positions.len());
+        let mut entries = 0;
+        for position in positions {
+            let first = structure.first[position] - split;
+            let width = structure.width(position);
+            columns.push(Column {
+                base: entries,
+                first,
+                width,
+            });
+            let mut height = unknowns - first;
+            if let (Some(rows), Pattern::Sparse(all)) = (&mut rows, &structure.reduced) {
+                rows.start.push(u32::try_from(rows.position.len()).ok()?);
+                height = 0;
+                for &row in &all[position - structure.eliminated] {
+                    rows.position.push(row);
+                    rows.offset.push(u32::try_from(height).ok()?);
+                    height += structure.width(row as usize + structure.eliminated);
+                }
+            }
+            entries += height * width;
+        }
+        if let Some(rows) = &mut rows {
+            rows.start.push(u32::try_from(rows.position.len()).ok()?);
+        }
+        Some(Self {
+            columns,
+            rows,
+            unknowns,
+            entries,
+        })
+    }
+
+    /// Number of entries of all blocks.
+    pub fn entries(&self) -> usize {
+        self.entries
+    }
+
+    /// A column by its position (less the number eliminated).
+    #[inline(always)]
+    pub fn reach(&self, column: usize) -> Reach<'_> {
+        Reach {
+            column: self.columns[column],
+            rows: self.rows.as_ref().map(|rows| {
+                let own = rows.start[column] as usize..rows.start[column + 1] as usize;
+                (&rows.position[own.clone()], &rows.offset[own])
+            }),
+        }
+    }
+
+    /// Shows the place of every block of a column: position of the row and rows of numbers before it,
+    /// counted in a dense column from the diagonal.
+    pub fn of_column(&self, column: usize, mut see: impl FnMut(usize, usize)) {
+        match self.reach(column).rows {
+            Some((positions, offsets)) => {
+                let all = positions.iter().zip(offsets);
+                all.for_each(|(&p, &o)| see(p as usize, o as usize));
+            }
+            None => {
+                let from = self.columns[column].first;
+                let below = self.columns.iter().enumerate().skip(column);
+                below.for_each(|(p, c)| see(p, c.first - from));
+            }
+        }
+    }
+}
+
+impl Reach<'_> {
+    /// First entry of the block of a row, given its position and first unknown; `None` where the
+    /// pattern has none.
+    #[inline(always)]
+    pub fn place(&self, row: u32, row_first: usize) -> Option<usize> {
+        let Column { base, first, width } = self.column;
+        match self.rows {
+            None => Some(base + (row_first - first) * width),
+            Some((positions, offsets)) => {
+                let k = positions.binary_search(&row).ok()?;
+                Some(base + offsets[k] as usize * width)
+            }
+        }
+    }
+}
+
+/// Writes the negative of a matrix (`rows` high, column after column) as a block.
+pub(super) fn pack_negative(block: &mut [f64], rows: usize, matrix: &[f64]) {
+    let body = body(rows);
+    let columns = matrix.len() / rows.max(1);
+    let (upper, lower) = block.split_at_mut(body * columns);
+    for (c, values) in matrix.chunks_exact(rows.max(1)).enumerate() {
+        for (out, value) in upper[c * body..].iter_mut().zip(&values[..body]) {
+            *out = -value;
+        }
+        for (r, value) in values[body..].iter().enumerate() {
+            lower[r * columns + c] = -value;
+        }
+    }
+}
+
+/// Writes the negative of a block into columns of a matrix, `stride` apart.
+pub(super) fn unpack_negative(
+    block: &[f64],
+    rows: usize,
+    columns: usize,
+    out: &mut [f64],
+    stride: usize,
+) {
+    let body = body(rows);
+    let (upper, lower) = block.split_at(body * columns);
+    for c in 0..columns {
+        let out = &mut out[c * stride..c * stride + rows];
+        for (out, value) in out.iter_mut().zip(&upper[c * body..(c + 1) * body]) {
+            *out = -value;
+        }
+        for (r, out) in out[body..].iter_mut().enumerate() {
+            *out = -lower[r * columns + c];
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_packed_is_unpacked() {
+        for rows in 1..12 {
+            let matrix: Vec<f64> = (0..rows * 5).map(|k| k as f64).collect();
+            let mut block = vec![0.0; rows * 5];
+            pack_negative(&mut block, rows, &matrix);
+            let mut out = vec![f64::NAN; 5 * (rows + 2)];
+            unpack_negative(&block, rows, 5, &mut out, rows + 2);
+            for (column, known) in out.chunks(rows + 2).zip(matrix.chunks(rows)) {
+                assert_eq!(&column[..rows], known);
+            }
+        }
+    }
+}

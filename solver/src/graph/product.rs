@@ -1,0 +1,130 @@
+//! `S_ij += Y_i Y_jᵀ` for one block: what takes most of the time of a bundle adjustment.
+//!
+//! Everything here is inlined into a function compiled for the vector instructions that the machine
+//! has. Written out: left to itself the compiler takes the columns, not the rows, for vectors, and
+//! what is called over a closure loses the instructions.
+
+use pulp::Simd;
+
+use super::blocks::body;
+
+/// Adds `Y_i Y_jᵀ` to a block laid out as [`body`] says; `Y` are `rows × d` and `columns × d`, column
+/// after column.
+#[inline(always)]
+pub(super) fn add_product<S: Simd>(
+    simd: S,
+    block: &mut [f64],
+    (rows, columns, d): (usize, usize, usize),
+    y_i: &[f64],
+    y_j: &[f64],
+) {
+    match (rows, columns, d) {
+        (9, 9, 3) => fixed::<S, 9, 8, 9, 3>(simd, block, y_i, y_j),
+        (6, 6, 3) => fixed::<S, 6, 4, 6, 3>(simd, block, y_i, y_j),
+        (7, 7, 3) => fixed::<S, 7, 4, 7, 3>(simd, block, y_i, y_j),
+        _ => any(simd, block, (rows, columns, d), y_i, y_j),
+    }
+}
+
+/// `R × C` with `E` columns of `Y`; the first `B` rows are stored column after column.
+#[inline(always)]
+fn fixed<S: Simd, const R: usize, const B: usize, const C: usize, const E: usize>(
+    simd: S,
+    block: &mut [f64],
+    y_i: &[f64],
+    y_j: &[f64],
+) {
+    let (left, _) = y_i.as_chunks::<R>();
+    let (right, _) = y_j.as_chunks::<C>();
+    let (Some(left), Some(right)) = (left.first_chunk::<E>(), right.first_chunk::<E>()) else {
+        return;
+    };
+    let (upper, lower) = block.split_at_mut(B * C);
+    let (upper, _) = upper.as_chunks_mut::<B>();
+    let Some(upper) = upper.first_chunk_mut::<C>() else {
+        return;
+    };
+    // In registers over all columns; there are no more vectors than numbers.
+    let mut vectors = [[simd.splat_f64s(0.0); B]; E];
+    for k in 0..E {
+        let (own, _) = S::as_simd_f64s(&left[k][..B]);
+        vectors[k][..own.len()].copy_from_slice(own);
+    }
+    for c in 0..C {
+        let mut factors = [simd.splat_f64s(0.0); E];
+        for k in 0..E {
+            factors[k] = simd.splat_f64s(right[k][c]);
+        }
+        let (out, rest) = S::as_mut_simd_f64s(upper[c].as_mut_slice());
+        for v in 0..out.len() {
+            let mut sum = out[v];
+            for k in 0..E {
+                sum = simd.mul_add_e_f64s(vectors[k][v], factors[k], sum);
+            }
+            out[v] = sum;
+        }
+        let first = B - rest.len();
+        for t in 0..rest.len() {
+            for k in 0..E {
+                rest[t] += left[k][first + t] * right[k][c];
+            }
+        }
+    }
+    let (lower, _) = lower.as_chunks_mut::<C>();
+    for r in 0..R - B {
+        let Some(row) = lower.get_mut(r) else { return };
+        let (out, rest) = S::as_mut_simd_f64s(row.as_mut_slice());
+        for v in 0..out.len() {
+            let mut sum = out[v];
+            for k in 0..E {
+                let (own, _) = S::as_simd_f64s(right[k].as_slice());
+                sum = simd.mul_add_e_f64s(own[v], simd.splat_f64s(left[k][B + r]), sum);
+            }
+            out[v] = sum;
+        }
+        let first = C - rest.len();
+        for t in 0..rest.len() {
+            for k in 0..E {
+                rest[t] += left[k][B + r] * right[k][first + t];
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn any<S: Simd>(
+    simd: S,
+    block: &mut [f64],
+    (rows, columns, d): (usize, usize, usize),
+    y_i: &[f64],
+    y_j: &[f64],
+) {
+    let body = body(rows);
+    let (upper, lower) = block.split_at_mut(body * columns);
+    for k in 0..d {
+        let left = &y_i[k * rows..(k + 1) * rows];
+        let right = &y_j[k * columns..(k + 1) * columns];
+        for (c, factor) in right.iter().enumerate() {
+            let out = &mut upper[c * body..(c + 1) * body];
+            add_multiple(simd, out, &left[..body], *factor);
+        }
+        for (r, factor) in left[body..].iter().enumerate() {
+            let out = &mut lower[r * columns..(r + 1) * columns];
+            add_multiple(simd, out, right, *factor);
+        }
+    }
+}
+
+/// `out += vector · factor`.
+#[inline(always)]
+fn add_multiple<S: Simd>(simd: S, out: &mut [f64], vector: &[f64], factor: f64) {
+    let (out, rest) = S::as_mut_simd_f64s(out);
+    let (own, end) = S::as_simd_f64s(vector);
+    let many = simd.splat_f64s(factor);
+    for (out, own) in out.iter_mut().zip(own) {
+        *out = simd.mul_add_e_f64s(*own, many, *out);
+    }
+    for (out, own) in rest.iter_mut().zip(end) {
+        *out += own * factor;
+    }
+}
