@@ -13,8 +13,9 @@
 
 use std::error::Error;
 use std::path::Path;
-use std::time::Instant;
+use std::time::Duration;
 
+use rustix::time::{ClockId, clock_gettime};
 use solver::{Graph, GraphOptions, GraphReport, solve_graph};
 use stillpoint_benches::graphs::bal::Bundle;
 use stillpoint_benches::graphs::cameras::ring;
@@ -45,26 +46,22 @@ fn main() -> Outcome<()> {
     }
 }
 
-/// Time of this thread on a processor, where Linux tells, which leaves out what else the machine does.
-struct Clock(Instant, Option<f64>);
+/// Time of this thread on a processor, which leaves out what else the machine does.
+struct Clock(Duration);
 
 impl Clock {
     fn start() -> Self {
-        Self(Instant::now(), processor_seconds())
+        Self(processor_time())
     }
 
     fn seconds(&self) -> f64 {
-        let spent = processor_seconds()
-            .zip(self.1)
-            .map(|(now, before)| now - before);
-        spent.unwrap_or_else(|| self.0.elapsed().as_secs_f64())
+        processor_time().saturating_sub(self.0).as_secs_f64()
     }
 }
 
-fn processor_seconds() -> Option<f64> {
-    let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
-    let nanoseconds: f64 = text.split_whitespace().next()?.parse().ok()?;
-    Some(1e-9 * nanoseconds)
+fn processor_time() -> Duration {
+    let now = clock_gettime(ClockId::ThreadCPUTime);
+    Duration::try_from(now).unwrap_or_default()
 }
 
 /// As the peers end: with the step that the linearised problem says to lower the cost by 1e-10 of

@@ -4,7 +4,7 @@
 //! Source: Agarwal, Snavely, Seitz and Szeliski, "Bundle adjustment in the large", 2010; the layout is
 //! that of its data sets.
 
-use solver::{Factor, Residual, Scalar, lit};
+use solver::{Factor, Residual, Scalar};
 
 /// Where a point was seen, in pixels: over a camera `(ω, t, f, k₁, k₂)` and a point `X`.
 #[derive(Clone, Copy, Debug)]
@@ -18,18 +18,21 @@ pub struct AnalyticReprojection(pub [f64; 2]);
 const SMALL: f64 = 1e-10;
 
 impl<D: Scalar> Residual<D> for Reprojection {
+    // Inlined, dual numbers are compiled for the vector instructions that the machine has.
+    #[inline(always)]
     fn residuals(&self, x: &[D], out: &mut Vec<D>) {
         let turned = turn(&[x[0], x[1], x[2]], &[x[9], x[10], x[11]]);
         let p = [turned[0] + x[3], turned[1] + x[4], turned[2] + x[5]];
         let inverse = -p[2].recip();
         let (u, v) = (p[0] * inverse, p[1] * inverse);
         let n = u * u + v * v;
-        let scale = x[6] * (n * (x[7] + x[8] * n) + lit::<D>(1.0));
+        let scale = x[6] * (n * (x[7] + x[8] * n) + 1.0);
         out.extend_from_slice(&[scale * u - self.0[0], scale * v - self.0[1]]);
     }
 }
 
 /// `v` turned by the rotation vector `w`.
+#[inline(always)]
 fn turn<D: Scalar>(w: &[D; 3], v: &[D; 3]) -> [D; 3] {
     let square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
     let cross = [
@@ -48,9 +51,10 @@ fn turn<D: Scalar>(w: &[D; 3], v: &[D; 3]) -> [D; 3] {
     }
     let angle = square.sqrt();
     let (sine, cosine) = angle.sin_cos();
-    let a = sine / angle;
+    let inverse = angle.recip();
+    let a = sine * inverse;
     let dot = w[0] * v[0] + w[1] * v[1] + w[2] * v[2];
-    let b = (-cosine + lit::<D>(1.0)) * dot / square;
+    let b = (-cosine + 1.0) * dot * (inverse * inverse);
     std::array::from_fn(|k| v[k] * cosine + cross[k] * a + w[k] * b)
 }
 

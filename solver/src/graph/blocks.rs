@@ -30,6 +30,38 @@ pub(super) struct Layout {
     pub unknowns: usize,
     /// Number of entries of all blocks.
     entries: usize,
+    /// Entries after every block that are not used, where all have the same shape: each then begins
+    /// with a line of the cache.
+    pad: usize,
+}
+
+/// Entries of a line of the cache.
+const LINE: usize = 8;
+
+/// Numbers that begin with a line of the cache.
+#[derive(Debug)]
+pub(super) struct Aligned {
+    all: Vec<f64>,
+    first: usize,
+    length: usize,
+}
+
+impl Aligned {
+    /// So many zeros.
+    pub fn new(length: usize) -> Self {
+        let all = vec![0.0; length + LINE - 1];
+        let first = all.as_ptr().align_offset(LINE * size_of::<f64>());
+        Self {
+            first: first.min(LINE - 1),
+            all,
+            length,
+        }
+    }
+
+    /// The numbers.
+    pub fn entries(&mut self) -> &mut [f64] {
+        &mut self.all[self.first..self.first + self.length]
+    }
 }
 
 /// The rows of a block-sparse lower triangle.
@@ -47,6 +79,8 @@ struct Rows {
 #[derive(Clone, Copy)]
 pub(super) struct Reach<'a> {
     pub column: Column,
+    position: usize,
+    pad: usize,
     rows: Option<(&'a [u32], &'a [u32])>,
 }
 
@@ -66,6 +100,13 @@ impl Layout {
         };
         let mut columns = Vec::with_capacity(positions.len());
         let mut entries = 0;
+        let mut widths = positions.clone().map(|p| structure.width(p));
+        let width = widths.next().unwrap_or(0);
+        let pad = match widths.all(|other| other == width) {
+            true => (width * width).next_multiple_of(LINE) - width * width,
+            false => 0,
+        };
+        let last = positions.end;
         for position in positions {
             let first = structure.first[position] - split;
             let width = structure.width(position);
@@ -75,16 +116,18 @@ impl Layout {
                 width,
             });
             let mut height = unknowns - first;
+            let mut blocks = last - position;
             if let (Some(rows), Pattern::Sparse(all)) = (&mut rows, &structure.reduced) {
                 rows.start.push(u32::try_from(rows.position.len()).ok()?);
                 height = 0;
+                blocks = all[position - structure.eliminated].len();
                 for &row in &all[position - structure.eliminated] {
                     rows.position.push(row);
                     rows.offset.push(u32::try_from(height).ok()?);
                     height += structure.width(row as usize + structure.eliminated);
                 }
             }
-            entries += height * width;
+            entries += height * width + blocks * pad;
         }
         if let Some(rows) = &mut rows {
             rows.start.push(u32::try_from(rows.position.len()).ok()?);
@@ -94,6 +137,7 @@ impl Layout {
             rows,
             unknowns,
             entries,
+            pad,
         })
     }
 
@@ -107,6 +151,8 @@ impl Layout {
     pub fn reach(&self, column: usize) -> Reach<'_> {
         Reach {
             column: self.columns[column],
+            position: column,
+            pad: self.pad,
             rows: self.rows.as_ref().map(|rows| {
                 let own = rows.start[column] as usize..rows.start[column + 1] as usize;
                 (&rows.position[own.clone()], &rows.offset[own])
@@ -114,36 +160,43 @@ impl Layout {
         }
     }
 
-    /// Shows the place of every block of a column: position of the row and rows of numbers before it,
-    /// counted in a dense column from the diagonal.
-    pub fn of_column(&self, column: usize, mut see: impl FnMut(usize, usize)) {
-        match self.reach(column).rows {
+    /// Shows every block of a column: position of the row, rows of numbers before it counted from
+    /// the diagonal (as they are stored), and its first entry.
+    pub fn of_column(&self, column: usize, mut see: impl FnMut(usize, usize, usize)) {
+        let reach = self.reach(column);
+        let Column { base, first, width } = reach.column;
+        match reach.rows {
             Some((positions, offsets)) => {
-                let all = positions.iter().zip(offsets);
-                all.for_each(|(&p, &o)| see(p as usize, o as usize));
+                for (k, (&row, &offset)) in positions.iter().zip(offsets).enumerate() {
+                    let place = base + offset as usize * width + k * self.pad;
+                    see(row as usize, offset as usize, place);
+                }
             }
             None => {
-                let from = self.columns[column].first;
-                let below = self.columns.iter().enumerate().skip(column);
-                below.for_each(|(p, c)| see(p, c.first - from));
+                for (row, other) in self.columns.iter().enumerate().skip(column) {
+                    let offset = other.first - first;
+                    let place = base + offset * width + (row - column) * self.pad;
+                    see(row, offset, place);
+                }
             }
         }
     }
 }
 
 impl Reach<'_> {
-    /// First entry of the block of a row, given its position and first unknown; `None` where the
-    /// pattern has none.
+    /// First entry of the block of a row, given its position and first unknown, and the rows of
+    /// numbers before it; `None` where the pattern has none.
     #[inline(always)]
-    pub fn place(&self, row: u32, row_first: usize) -> Option<usize> {
+    pub fn place(&self, row: u32, row_first: usize) -> Option<(usize, usize)> {
         let Column { base, first, width } = self.column;
-        match self.rows {
-            None => Some(base + (row_first - first) * width),
+        let (k, offset) = match self.rows {
+            None => (row as usize - self.position, row_first - first),
             Some((positions, offsets)) => {
                 let k = positions.binary_search(&row).ok()?;
-                Some(base + offsets[k] as usize * width)
+                (k, offsets[k] as usize)
             }
-        }
+        };
+        Some((base + offset * width + k * self.pad, offset))
     }
 }
 

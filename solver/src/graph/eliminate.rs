@@ -78,7 +78,7 @@ impl Factored {
             left,
         });
         let Reduced { layout, blocks, .. } = &mut self.reduced;
-        self.update.flush(layout, blocks);
+        self.update.flush(layout, blocks.entries());
         self.reduced.assemble(s, more);
         positive
     }
@@ -224,10 +224,11 @@ impl WithSimd for Elimination<'_> {
                 y,
             };
             let Reduced { layout, blocks, .. } = &mut *self.reduced;
-            self.update.eliminate(simd, &own, layout, blocks, self.left);
+            self.update
+                .eliminate(simd, &own, layout, blocks.entries(), self.left);
         }
         let Reduced { layout, blocks, .. } = self.reduced;
-        self.update.add_products(simd, layout, blocks);
+        self.update.add_products(simd, layout, blocks.entries());
         true
     }
 }

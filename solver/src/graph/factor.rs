@@ -1,8 +1,9 @@
 //! A factor: residuals of a few blocks.
 
-use crate::scalar::{Wide, seeded, slopes};
+use pulp::{Arch, Simd, WithSimd};
 
 use crate::residual::Residual;
+use crate::scalar::{Wide, seeded, slopes};
 
 /// Residuals `r` (`m`) of a few blocks of variables, with their derivatives.
 ///
@@ -66,6 +67,7 @@ pub struct Work {
     pub(crate) residuals: Vec<f64>,
     pub(crate) jacobian: Vec<f64>,
     spare: Vec<f64>,
+    arch: Arch,
     narrow: Lanes<6>,
     wide: Lanes<12>,
 }
@@ -112,6 +114,7 @@ impl At<'_> {
     }
 
     /// Residuals and Jacobian by dual numbers of `N` lanes.
+    #[inline(always)]
     fn by_duals<const N: usize>(
         &self,
         residual: &impl Residual<Wide<N>>,
@@ -141,6 +144,7 @@ impl At<'_> {
     }
 
     /// Writes the point with derivatives by the columns from `first` on.
+    #[inline(always)]
     fn seed<const N: usize>(&self, first: usize, x: &mut Vec<Wide<N>>) {
         x.clear();
         let (mut value, mut column) = (0, 0);
@@ -200,11 +204,32 @@ where
     }
 
     fn linearize_free(&self, at: &At<'_>, work: &mut Work) {
+        work.arch.dispatch(Duals {
+            residual: self,
+            at,
+            work,
+        });
+    }
+}
+
+/// Residuals by dual numbers, compiled for the vector instructions that the machine has.
+struct Duals<'a, R> {
+    residual: &'a R,
+    at: &'a At<'a>,
+    work: &'a mut Work,
+}
+
+impl<R: Residual<Wide<6>> + Residual<Wide<12>>> WithSimd for Duals<'_, R> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { residual, at, work } = self;
         let (residuals, jacobian) = (&mut work.residuals, &mut work.jacobian);
         if at.width <= 6 {
-            at.by_duals(self, &mut work.narrow, residuals, jacobian);
+            at.by_duals(residual, &mut work.narrow, residuals, jacobian);
         } else {
-            at.by_duals(self, &mut work.wide, residuals, jacobian);
+            at.by_duals(residual, &mut work.wide, residuals, jacobian);
         }
     }
 }

@@ -13,7 +13,7 @@ use faer::sparse::linalg::cholesky::{
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, MatRef, Par, Side};
 
-use super::blocks::{Column, Layout, pack_negative, unpack_negative};
+use super::blocks::{Aligned, Column, Layout, pack_negative, unpack_negative};
 use super::structure::{Pattern, Structure};
 use crate::error::Error;
 
@@ -21,7 +21,7 @@ use crate::error::Error;
 pub(super) struct Reduced {
     pub layout: Layout,
     /// Blocks of the negative of the matrix, into which others are eliminated; none where none are.
-    pub blocks: Vec<f64>,
+    pub blocks: Aligned,
     matrix: Matrix,
 }
 
@@ -67,10 +67,10 @@ impl Reduced {
                 Matrix::Sparse(Box::new(Sparse::new(&layout).ok_or_else(too_large)?))
             }
         };
-        let blocks = match structure.eliminated {
-            0 => Vec::new(),
-            _ => vec![0.0; layout.entries()],
-        };
+        let blocks = Aligned::new(match structure.eliminated {
+            0 => 0,
+            _ => layout.entries(),
+        });
         Ok(Self {
             layout,
             blocks,
@@ -83,7 +83,7 @@ impl Reduced {
     pub fn load(&mut self, s: &Structure, h: &[f64], more: &[f64]) {
         let base = s.eliminated;
         if base > 0 {
-            self.blocks.fill(0.0);
+            self.blocks.entries().fill(0.0);
         } else if let Matrix::Dense { values, .. } = &mut self.matrix {
             values.fill(0.0);
         }
@@ -95,12 +95,14 @@ impl Reduced {
                 let rows = s.width(row);
                 let own = &h[s.entry[slot]..s.entry[slot + 1]];
                 let place = reach.place((row - base) as u32, s.first[row] - s.split());
-                let Some(place) = place else { continue };
+                let Some((place, offset)) = place else {
+                    continue;
+                };
                 if base > 0 {
-                    pack_negative(&mut self.blocks[place..place + own.len()], rows, own);
+                    let block = &mut self.blocks.entries()[place..place + own.len()];
+                    pack_negative(block, rows, own);
                     continue;
                 }
-                let offset = (place - reach.column.base) / width.max(1);
                 let (out, stride) = self.matrix.columns(&reach.column, offset);
                 for (c, values) in own.chunks_exact(rows.max(1)).enumerate() {
                     out[c * stride..c * stride + rows].copy_from_slice(values);
@@ -119,10 +121,9 @@ impl Reduced {
     pub fn assemble(&mut self, s: &Structure, more: &[f64]) {
         for k in 0..self.layout.columns.len() {
             let column = self.layout.columns[k];
-            let (blocks, matrix) = (&self.blocks, &mut self.matrix);
-            self.layout.of_column(k, |row, offset| {
+            let (blocks, matrix) = (self.blocks.entries(), &mut self.matrix);
+            self.layout.of_column(k, |row, offset, from| {
                 let rows = s.width(row + s.eliminated);
-                let from = column.base + offset * column.width;
                 let block = &blocks[from..from + rows * column.width];
                 let (out, stride) = matrix.columns(&column, offset);
                 unpack_negative(block, rows, column.width, out, stride);
@@ -213,7 +214,7 @@ impl Sparse {
         for (k, column) in layout.columns.iter().enumerate() {
             let from = rows.len();
             // The block on the diagonal as a whole; the factorisation skips what is above.
-            layout.of_column(k, |row, _| {
+            layout.of_column(k, |row, _, _| {
                 let Column { first, width, .. } = layout.columns[row];
                 rows.extend((first..first + width).map(|r| r as u32));
             });

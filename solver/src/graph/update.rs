@@ -137,7 +137,7 @@ impl Update {
                     for i in own {
                         let rows = i.width as usize;
                         let y_i = &self.y[i.at as usize..][..rows * d];
-                        let Some(place) = reach.place(i.position, i.first as usize) else {
+                        let Some((place, _)) = reach.place(i.position, i.first as usize) else {
                             continue;
                         };
                         let block = &mut blocks[place..place + rows * columns];
