@@ -8,10 +8,12 @@ pub(crate) mod joint;
 mod means_file;
 mod noise;
 pub(crate) mod own_effects;
+mod part_way;
 mod rest_bias;
 pub(crate) mod same_device;
 
 pub use means_file::read_static_means;
+pub use part_way::changes_part_way;
 
 use nalgebra::Vector3;
 use sensor::{AnyEffect, Model};
@@ -209,12 +211,30 @@ fn by_stamps(
         Err(Error::NotConverged(reason)) => {
             return Err(Error::NotConverged(in_the_hand(reason, &recordings)));
         }
-        other => return other,
+        Ok(outcome) => return Ok(with_changes(outcome, &recordings, request.gravity)),
+        Err(other) => return Err(other),
     };
     match parts.without_gyroscope(choices, &refused) {
         Some(outcome) => Ok(outcome),
         None => Err(Error::NotEnough(in_the_hand(refused, &recordings))),
     }
+}
+
+/// The outcome with a warning for everything that changes part of the way through a recording.
+fn with_changes(mut outcome: Outcome, recordings: &[&Recording], gravity: f64) -> Outcome {
+    let triad = outcome.calibration.gyroscope.as_ref();
+    let gyroscope = triad.map(|triad| (triad.base().t, triad.residual_rms.to_radians()));
+    let mut warnings = Vec::new();
+    for (recording, choice) in recordings.iter().zip(&outcome.choices) {
+        warnings.extend(changes_part_way(
+            recording,
+            &choice.segmentation,
+            gravity,
+            gyroscope,
+        ));
+    }
+    outcome.calibration.warnings.extend(warnings);
+    outcome
 }
 
 /// The reason with the cause that the readings show, if it is the hand.

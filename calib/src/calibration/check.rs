@@ -4,7 +4,10 @@ use std::path::Path;
 
 use super::{Calibration, SCHEMA};
 use crate::error::Error;
-use crate::recording::{figure, place::shown_path};
+use crate::recording::{
+    figure,
+    place::{shown, shown_path},
+};
 
 /// Reads a calibration file.
 ///
@@ -36,9 +39,10 @@ pub(crate) fn refuse_newer(path: &Path, text: &str, schema: &str) -> Result<(), 
     match (version(&found), version(schema)) {
         (Some((name, new)), Some((own, known))) if name == own && new > known => {
             Err(Error::Usage(format!(
-                "{}: written as {found} by a newer version; this one reads {schema}; use the newer one, or write the file again \
+                "{}: written as {} by a newer version; this one reads {schema}; use the newer one, or write the file again \
                  with this one",
-                shown_path(path)
+                shown_path(path),
+                shown(&found)
             )))
         }
         _ => Ok(()),
@@ -54,14 +58,20 @@ fn parse(text: &str) -> Result<Calibration, String> {
         } else {
             ""
         };
-        format!("{}:{}: no JSON: {e}{swapped}", e.line(), e.column())
+        format!(
+            "{}:{}: no JSON: {}{swapped}",
+            e.line(),
+            e.column(),
+            shown(&e.to_string())
+        )
     })?;
     match any.get("schema").and_then(|s| s.as_str()) {
         Some(SCHEMA) => {}
         Some(other) => {
             return Err(format!(
-                " schema \"{other}\" found, \"{SCHEMA}\" expected: was it written by `calibrate` of \
-                 another version?"
+                " schema \"{}\" found, \"{SCHEMA}\" expected: was it written by `calibrate` of \
+                 another version?",
+                shown(other)
             ));
         }
         None => {
@@ -70,8 +80,10 @@ fn parse(text: &str) -> Result<Calibration, String> {
             ));
         }
     }
-    let calibration: Calibration =
-        serde_json::from_str(text).map_err(|e| format!("{}:{}: {e}", e.line(), e.column()))?;
+    let calibration: Calibration = serde_json::from_str(text).map_err(|e| {
+        let what = shown(&e.to_string());
+        format!("{}:{}: {what}", e.line(), e.column())
+    })?;
     check(&calibration)?;
     Ok(calibration)
 }
@@ -86,7 +98,7 @@ fn check(calibration: &Calibration) -> Result<(), String> {
         if !triad.model.starts_with(equation) {
             return Err(format!(
                 " {name}.model: \"{}\" found, \"{equation}…\" expected: are the two sensors swapped?",
-                triad.model
+                shown(&triad.model)
             ));
         }
         let base = triad.base();
@@ -113,9 +125,13 @@ fn check(calibration: &Calibration) -> Result<(), String> {
         ));
     }
     for values in &calibration.effects {
-        let effect = values
-            .effect()
-            .map_err(|what| format!(" effects: \"{}\" {what}", values.name))?;
+        let effect = values.effect().map_err(|what| {
+            format!(
+                " effects: \"{}\" {}",
+                shown(&values.name),
+                shown(&what.to_string())
+            )
+        })?;
         let (expected, found) = (effect.params().len(), values.parameters.len());
         if expected != found {
             return Err(format!(

@@ -10,6 +10,7 @@ use super::options::Role;
 use super::place::{at_line, figure, in_file};
 use super::samples::Samples;
 use crate::Error;
+use crate::readings::{LevelChange, level_change};
 
 /// Samples from which on statistics mean something.
 pub(super) const ENOUGH: usize = 100;
@@ -28,6 +29,11 @@ pub(super) fn check(
     samples: &Samples,
     warnings: &mut Vec<String>,
 ) -> Result<(), Error> {
+    if sensor == Sensor::Accelerometer && samples.t.len() >= ENOUGH {
+        if let Some(change) = level_change(&samples.values) {
+            return Err(of_another_level(name, samples, &change));
+        }
+    }
     let sixteen_bits = are_integers(samples.values.iter());
     let ranges = ranges(&samples.values);
     for (axis, (low, high)) in ranges.into_iter().enumerate() {
@@ -128,6 +134,34 @@ fn stopped(
             figure(samples.values[run.start][axis]),
             samples.line(run.end - 1),
             run.len()
+        ),
+    )
+}
+
+fn of_another_level(name: &str, samples: &Samples, change: &LevelChange) -> Error {
+    let ratio = change.before / change.after;
+    let is = |factor: f64| (ratio / factor - 1.0).abs() < 0.1;
+    let g = super::units::STANDARD_GRAVITY;
+    let why = [
+        (g, "from m/s² to g"),
+        (1.0 / g, "from g to m/s²"),
+        (1e-3 * g, "from m/s² to mg"),
+        (1e3 / g, "from mg to m/s²"),
+        (1e-3, "from g to mg"),
+        (1e3, "from mg to g"),
+    ];
+    let why = why.into_iter().find(|(factor, _)| is(*factor));
+    at_line(
+        name,
+        samples.line(change.at),
+        format!(
+            "the accelerometer's modulus is {:.3} up to here and {:.3} from here on: {}; split the file here, or record again",
+            change.before,
+            change.after,
+            why.map_or(
+                "another unit, another range or other columns".to_owned(),
+                |(_, why)| { format!("the unit changes {why}") }
+            )
         ),
     )
 }

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use calib::calibrate::STANDARD_GRAVITY;
+use calib::calibrate::changes_part_way;
 use calib::calibration::load;
 use calib::methods::cut;
 use calib::{Evaluation, evaluate};
@@ -66,6 +67,15 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             .iter()
             .map(|(name, c)| (name.clone(), measure(Some(c)))),
     );
+    // Misfits of a recording in which something changes say nothing of a calibration.
+    let by_first = calibrations.first().zip(rows.get(1));
+    let gyroscope = by_first.and_then(|((_, calibration), (_, evaluation))| {
+        let t = calibration.gyroscope.as_ref()?.base().t;
+        Some((t, evaluation.direction_rms?.to_radians()))
+    });
+    for warning in changes_part_way(&recording, &choice.segmentation, args.gravity, gyroscope) {
+        show::warn(&warning);
+    }
     if args.json {
         let rows: Vec<_> = rows
             .iter()

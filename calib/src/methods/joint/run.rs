@@ -256,10 +256,15 @@ fn set(parameters: &mut Parameters, values: &[(String, f64)]) {
     }
 }
 
+/// Steps of the solver near the minimum: readings of which nothing is left to fit, as of a dead zone, would take
+/// thousands and converge no better.
+const MOST_STEPS: usize = 500;
+
 /// Of the solver, near the minimum.
 pub(super) fn options() -> Options {
     Options {
         variant: Variant::GaussNewton,
+        max_iterations: MOST_STEPS,
         ..Options::default()
     }
 }
