@@ -15,6 +15,9 @@ pub(crate) fn place(text: &str, byte: usize) -> String {
     format!("{line}:{column}")
 }
 
+/// Characters of a parser's message that are shown: its list of known names fits.
+const LONGEST: usize = 1000;
+
 /// The parser's message in one line, with the nearest of the names it lists.
 pub(crate) fn explain(message: &str) -> String {
     let line = message.lines().collect::<Vec<_>>().join(" ");
@@ -23,7 +26,11 @@ pub(crate) fn explain(message: &str) -> String {
         (true, Some(found)) => hint(found, quoted),
         _ => String::new(),
     };
-    line + &hint
+    if line.len() <= LONGEST {
+        return line + &hint;
+    }
+    // A parser quotes what it met, whole.
+    line.chars().take(LONGEST).collect::<String>() + "…" + &hint
 }
 
 /// Where the longest known part of the dotted `key` stands in `text`.

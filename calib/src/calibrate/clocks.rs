@@ -1,7 +1,7 @@
 //! What the clocks of the recordings leave in doubt, and recordings on an even clock.
 
 use crate::methods::joint::{ClockState, JointFit};
-use crate::recording::{Recording, Stamps, Stream, bursts, clock_offset, even_clock};
+use crate::recording::{Recording, Stamps, Stream, bursts, clock_drift, clock_offset, even_clock};
 
 /// Turns that miss by so much, as `χ²` per degree of freedom, with any clock: samples are not when any stamp says.
 const WITH_ANY: f64 = 60.0;
@@ -56,6 +56,16 @@ pub(super) fn on_even_clocks(recordings: &[Recording]) -> Vec<Recording> {
 
 /// The recordings with even clocks where their stamps come in bursts, and what is said of it; `None` where none do.
 pub(crate) fn without_bursts(recordings: &[Recording]) -> Option<(Vec<Recording>, Vec<String>)> {
+    let in_bursts = |recording: &Recording| {
+        let streams = [&recording.accelerometer, &recording.gyroscope];
+        streams
+            .into_iter()
+            .flatten()
+            .any(|stream| bursts(&stream.t).is_some())
+    };
+    if !recordings.iter().any(in_bursts) {
+        return None;
+    }
     let mut warnings = Vec::new();
     let mut all = Vec::with_capacity(recordings.len());
     for recording in recordings {
@@ -99,5 +109,20 @@ pub(super) fn apart(recordings: &[Recording]) -> Vec<String> {
             offset.abs()
         ))
     };
-    recordings.iter().filter_map(of).collect()
+    let running = |recording: &Recording| {
+        let force = recording.accelerometer.as_ref()?;
+        let drift = clock_drift(force, recording.gyroscope.as_ref()?)?;
+        Some(format!(
+            "{}: the clock of the gyroscope runs {:.0} ppm {} than that of the accelerometer, by when they move: one of \
+             the two is wrong by that, and the gyroscope's scale factors with it if it is its own. Say the rate by \
+             --rate, or stamp both by one clock",
+            recording.name,
+            1e6 * drift.abs(),
+            if drift > 0.0 { "faster" } else { "slower" }
+        ))
+    };
+    let offsets = recordings.iter().filter_map(of);
+    offsets
+        .chain(recordings.iter().filter_map(running))
+        .collect()
 }

@@ -226,6 +226,9 @@ fn with_changes(mut outcome: Outcome, recordings: &[&Recording], gravity: f64) -
     let gyroscope = triad.map(|triad| (triad.base().t, triad.residual_rms.to_radians()));
     let mut warnings = Vec::new();
     for (recording, choice) in recordings.iter().zip(&outcome.choices) {
+        let segmentation = &choice.segmentation;
+        warnings.extend(checks::corrected_before(recording, segmentation));
+        warnings.extend(gyroscope.and_then(|(t, _)| checks::too_fast(recording, segmentation, &t)));
         warnings.extend(changes_part_way(
             recording,
             &choice.segmentation,

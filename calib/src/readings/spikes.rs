@@ -29,6 +29,9 @@ const ALONE: f64 = 3.0;
 const HUGE: f64 = 5.0;
 const USUAL_SHARE: f64 = 0.98;
 
+/// Steps longer than this may hold a motion between two rests, s.
+const SLOW: f64 = 0.04;
+
 /// More spikes than this share of the samples are no spikes.
 const MOST: f64 = 0.02;
 
@@ -68,6 +71,10 @@ fn replace(values: &mut [Vector3<f64>], rows: &[usize]) {
 }
 
 fn found(sensor: Sensor, stream: &Stream) -> Option<Finding> {
+    // A hand turns and shoves within one step of slow samples.
+    if stream.median_step()? > SLOW {
+        return None;
+    }
     let values = &stream.values;
     let most = (MOST * values.len() as f64) as usize;
     let (mut rows, mut axes, mut largest) = (Vec::new(), Vec::new(), 0.0f64);

@@ -41,6 +41,41 @@ pub(crate) fn clock_offset(early: &Stream, late: &Stream) -> Option<f64> {
     (evident && found.abs() > LEAST).then_some(found)
 }
 
+/// Drifts below this change of the offset between the two halves are left to the fits, s.
+const LEAST_CHANGE: f64 = 0.06;
+
+/// By which share the stamps of `other` run faster than those of `own` for the same motion; `None` where the offsets of the
+/// two halves differ by no more than 0.06 s, and where the two do not move alike.
+pub(crate) fn clock_drift(own: &Stream, other: &Stream) -> Option<f64> {
+    if own.t == other.t {
+        return None;
+    }
+    let from = own.t.first()?.max(*other.t.first()?);
+    let to = own.t.last()?.min(*other.t.last()?);
+    let half = ((to - from) / STRETCH / 2.0) as usize;
+    if half < ENOUGH {
+        return None;
+    }
+    let offset = |begin: f64| {
+        let (a, b) = (activity(own, begin, half), activity(other, begin, half));
+        let at = |lag: i64| correlation(&a, &b, lag);
+        let farthest = FARTHEST as i64;
+        let best = (1 - farthest..farthest).max_by(|x, y| at(*x).total_cmp(&at(*y)))?;
+        // The vertex of the parabola through the best three.
+        let (before, peak, after) = (at(best - 1), at(best), at(best + 1));
+        let bend = before - 2.0 * peak + after;
+        let vertex = if bend < 0.0 {
+            0.5 * (before - after) / bend
+        } else {
+            0.0
+        };
+        (peak > ALIKE).then_some(STRETCH * (best as f64 + vertex))
+    };
+    let length = half as f64 * STRETCH;
+    let change = offset(from + length)? - offset(from)?;
+    (change.abs() > LEAST_CHANGE).then_some(change / length)
+}
+
 /// Logarithm of the spread of the readings in every stretch.
 fn activity(stream: &Stream, from: f64, count: usize) -> Vec<f64> {
     let spread = |k: usize| {

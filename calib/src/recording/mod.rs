@@ -15,6 +15,7 @@ mod clock;
 mod clock_offset;
 pub(crate) mod cut;
 mod decide;
+mod decimate;
 mod decode;
 mod dialect;
 mod even_clock;
@@ -49,7 +50,7 @@ mod write;
 
 use std::path::Path;
 
-pub(crate) use clock_offset::clock_offset;
+pub(crate) use clock_offset::{clock_drift, clock_offset};
 pub(crate) use even_clock::{EvenClock, Stamps, bursts, even_clock};
 pub use options::{ColumnMap, ReadOptions, Role};
 pub use place::figure;

@@ -181,7 +181,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let gyro_recordings = args
         .gyro_recording
         .iter()
-        .map(|p| read(p, &args.read))
+        .map(|p| read(p, &args.read).map(calib::Recording::decimated))
         .collect::<Result<Vec<_>, _>>()?;
     request.sections = sections(args, &recordings)?;
     let outcome = {

@@ -52,7 +52,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     }
     check_gravity(args.gravity)?;
     let (detector, choose) = args.detector.detector()?;
-    let recording = read(&args.recording, &args.read)?;
+    let recording = read(&args.recording, &args.read)?.decimated();
     for warning in &recording.warnings {
         show::warn(warning);
     }

@@ -46,8 +46,12 @@ impl RecordingArgs {
     /// Reads them.
     pub fn read(&self, how: &ReadArgs) -> Result<Vec<Recording>, Failure> {
         match (&self.accel_file, &self.gyro_file) {
-            (Some(accel), Some(gyro)) => Ok(vec![read_pair(accel, gyro, how)?]),
-            _ => self.recordings.iter().map(|path| read(path, how)).collect(),
+            (Some(accel), Some(gyro)) => Ok(vec![read_pair(accel, gyro, how)?.decimated()]),
+            _ => {
+                let all = self.recordings.iter();
+                all.map(|path| read(path, how).map(Recording::decimated))
+                    .collect()
+            }
         }
     }
 }

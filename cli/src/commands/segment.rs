@@ -63,7 +63,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         &as_paths(std::slice::from_ref(&args.recording)),
     )?;
     args.replace.end_if_all_exist()?;
-    let recording = read(&args.recording, &args.read)?;
+    let recording = read(&args.recording, &args.read)?.decimated();
     for warning in &recording.warnings {
         show::warn(warning);
     }

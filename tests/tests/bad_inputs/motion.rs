@@ -76,8 +76,13 @@ fn case_112_turns_faster_than_the_rate_can_follow() {
         motion.turn = [0.5, 0.55];
     }
     let run = calibrate(&rows(&spec), &[]);
-    run.says(&["turn"]);
-    assert!(matches!(run.status, Some(0 | 1 | 4)), "{run:#?}");
+    run.ends(0).says(&[
+        "turns are too fast for 13 samples a second",
+        "(coning) makes an error of about",
+        "(t = ",
+    ]);
+    run.is_silent_on(&["single readings"]);
+    calibrate(good(), &[]).is_silent_on(&["coning"]);
 }
 
 #[test]

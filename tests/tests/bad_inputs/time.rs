@@ -184,3 +184,60 @@ fn slow(every: usize) -> Vec<Row> {
     let rows = crate::device::rows(&spec);
     rows.into_iter().step_by(every).collect()
 }
+
+#[test]
+fn case_072_stamps_of_arrival_in_bursts() {
+    // Ten rows arrive together, 0.2 ms apart; the fit is that of the even clock.
+    let arrived =
+        |k: usize| good()[(k - k % 10 + 9).min(good().len() - 1)][0] + 2e-4 * (k % 10) as f64;
+    let rows = spoilt(|k, row| row[0] = arrived(k));
+    let run = calibrate(csv(&rows), &["--json"]);
+    run.ends(0)
+        .says(&["come in bursts of 10 samples", "even clock"]);
+    let usual = calibrate(csv(good()), &["--json"]);
+    for k in 0..3 {
+        let scale = |run: &Run| run.json()["gyroscope"]["T"][k][k].as_f64().unwrap();
+        let (found, expected) = (scale(&run), scale(&usual));
+        // Several standard errors of 6e-5; the median step would be off by a factor of 50.
+        assert!(
+            (found / expected - 1.0).abs() < 5e-4,
+            "{found} and {expected}"
+        );
+    }
+}
+
+#[test]
+fn case_075_thirty_kilohertz() {
+    use calib::simulate::{HandHeld, Motion, Spec};
+    let mut spec = Spec::hand_held(1);
+    spec.rate = 30_000.0;
+    spec.motion = Motion::HandHeld(HandHeld {
+        placements: Some(12),
+        initial_rest: Some(2.0),
+        rest: [1.2, 1.3],
+        turn: [0.8, 1.0],
+        ..HandHeld::default()
+    });
+    let session = spec.run().unwrap().recording;
+    let mut session = session;
+    let bench = Bench::with("r.csv", calib::recording::to_csv(&mut session));
+    let run = bench.run(&["calibrate", "r.csv"]);
+    run.ends(0).says(&[
+        "sampled at 30.0 kHz",
+        "means over 30 samples",
+        "boxcar filter, then 1.0 kHz",
+    ]);
+}
+
+#[test]
+fn case_078_clocks_that_are_apart_or_drift_apart() {
+    let late = apart(0.5, 0.0).run(&["calibrate", "s"]);
+    late.ends(0).says(&["the gyroscope is 0.5 s late"]);
+    let early = apart(-3.0, 0.0).run(&["calibrate", "s"]);
+    early.says(&["the accelerometer is 3.0 s late"]);
+    let fast = apart(0.0, 1e-3).run(&["calibrate", "s"]);
+    fast.ends(0)
+        .says(&["the clock of the gyroscope runs", "ppm faster"]);
+    let together = apart(0.0, 0.0).run(&["calibrate", "s"]);
+    together.ends(0).is_silent_on(&["clock"]);
+}

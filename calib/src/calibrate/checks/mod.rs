@@ -1,15 +1,19 @@
 //! What a calibration is refused for, fails its gate for, or warns of.
 
+mod coning;
 mod coverage;
 mod determined;
 mod mounting;
+mod on_top;
 mod rests;
 
+pub(super) use coning::too_fast;
 pub(super) use coverage::not_in_one_plane;
 pub(super) use determined::{
     ForceEvidence, RateEvidence, accelerometer_is_determined, gyroscope_is_determined,
 };
 pub(super) use mounting::{gyroscope_gates, turned_axes};
+pub(super) use on_top::corrected_before;
 pub(super) use rests::{disagreeing_rests, long_turns, restless};
 
 use nalgebra::Vector3;
