@@ -1,6 +1,7 @@
 //! The study of conditions, small: stated errors hold, and no touch is named that was none.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+use calib::calibrate::Method;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use stillpoint_tests::conditions::{Kind, Record, Stored, condition, read, row, run, summarise};
 
@@ -16,8 +17,8 @@ fn records(name: &str, count: u64) -> Vec<Record> {
 fn stated_errors_of_clean_sessions_hold_and_nothing_is_said() {
     let (clean, records) = (condition("clean").unwrap(), records("clean", 6));
     for summary in [
-        summarise(clean, &records, |r| &r.joint),
-        summarise(clean, &records, |r| &r.stepwise),
+        summarise(clean, &records, Method::Joint),
+        summarise(clean, &records, Method::Stepwise),
     ] {
         // 6 sessions with 9 to 36 intervals in a class: 95 % less four standard errors of 18 or more.
         assert!(summary.coverage.iter().all(|c| *c > 0.74), "{summary:?}");

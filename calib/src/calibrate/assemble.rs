@@ -4,6 +4,7 @@ use nalgebra::Matrix3;
 use sensor::{BASE_PARAMETERS, Base, Model, PLACES, Sensor, base_names};
 
 use super::rest_bias::rest_bias;
+use super::static_norm::StaticNorms;
 use super::{Frame, Request, checks, noise};
 use crate::calibration::{
     Calibration, EffectParameter, EffectValues, RecordingBias, Remainder, SCHEMA, Triad,
@@ -14,9 +15,6 @@ use crate::intervals::Segmentation;
 use crate::methods::joint::Channel;
 use crate::methods::{AccelerometerFit, Choice, Fitted, GyroscopeFit, RawUnit};
 use crate::recording::Recording;
-
-/// No mean is known better than this, m/s²: simulated rests may have no noise at all.
-const LEAST_NOISE: f64 = 1e-7;
 
 /// What the stages left.
 pub(super) struct Parts<'a> {
@@ -76,7 +74,9 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
             .and_then(|(fit, triad)| {
                 let spare = fit.first.residuals.len().checked_sub(fit.fitted.rank)?;
                 let (rms, chi2) = (triad.residual_rms, triad.reduced_chi2?);
-                Some(Remainder::new(Channel::Force, rms, chi2, spare as f64))
+                let norms = StaticNorms::of(fit, recordings, choices);
+                let shown = norms.and_then(|norms| norms.pattern());
+                Some(Remainder::new(Channel::Force, rms, chi2, spare as f64).depending(shown))
             }),
         gyroscope
             .zip(gyroscope_triad.as_ref())
@@ -190,39 +190,10 @@ fn accelerometer_triad(
             .collect();
     }
     if request.static_means.is_empty() {
-        triad.reduced_chi2 = whitened_chi2(fit, recordings, choices);
+        triad.reduced_chi2 =
+            StaticNorms::of(fit, recordings, choices).and_then(|norms| norms.reduced_chi2());
     }
     triad
-}
-
-/// `Σ (r/σ)² / (n − rank)` with σ from the noise within the rests.
-fn whitened_chi2(
-    fit: &AccelerometerFit,
-    recordings: &[&Recording],
-    choices: &[Choice],
-) -> Option<f64> {
-    let base = Base::from_parameters(fit.fitted.parameters.values());
-    let pairs = recordings.iter().zip(choices);
-    let moments: Vec<_> = pairs
-        .flat_map(|(recording, choice)| {
-            let coloured = noise::long_run(recording.accelerometer.as_ref(), &choice.segmentation);
-            let rests = choice.segmentation.statics.iter();
-            rests.filter_map(move |rest| Some((rest.accelerometer?, coloured)))
-        })
-        .collect();
-    if moments.len() != fit.first.residuals.len() {
-        return None;
-    }
-    let sum: f64 = moments
-        .iter()
-        .zip(&fit.first.residuals)
-        .map(|((rest, coloured), r)| {
-            let u = base.correct(&rest.mean).normalize();
-            let sigma = (coloured * noise::of_modulus(rest, &base, &u)).max(LEAST_NOISE);
-            (r / sigma).powi(2)
-        })
-        .sum();
-    per_degree_of_freedom(sum, moments.len(), fit.fitted.rank)
 }
 
 fn gyroscope_triad(
@@ -384,7 +355,7 @@ pub(super) fn effect_values<'a>(
     })
 }
 
-fn per_degree_of_freedom(sum: f64, rows: usize, rank: usize) -> Option<f64> {
+pub(super) fn per_degree_of_freedom(sum: f64, rows: usize, rank: usize) -> Option<f64> {
     let spare = rows.checked_sub(rank)?;
     (spare > 0 && sum.is_finite()).then(|| sum / spare as f64)
 }

@@ -11,6 +11,7 @@ pub(crate) mod own_effects;
 mod part_way;
 mod rest_bias;
 pub(crate) mod same_device;
+mod static_norm;
 
 pub use means_file::read_static_means;
 pub use part_way::changes_part_way;

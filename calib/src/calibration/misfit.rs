@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::methods::joint::{Channel, ChannelMisfit, Pattern};
+use crate::methods::joint::{Channel, ChannelMisfit, Pattern, Shown};
 use crate::methods::small_sample::by_chance;
 
 /// A misfit above this many times the noise is worth a warning where chance does not explain it and walks of the
@@ -61,6 +61,15 @@ impl Remainder {
         }
     }
 
+    /// The same with what it depends on.
+    pub fn depending(self, shown: Option<Shown>) -> Self {
+        Self {
+            pattern: shown.map(|shown| shown.pattern),
+            pattern_p_value: shown.map(|shown| shown.p_value),
+            ..self
+        }
+    }
+
     /// Of a joint fit's channel.
     pub fn of(misfit: &ChannelMisfit) -> Self {
         Self {
@@ -71,9 +80,10 @@ impl Remainder {
             reduced_chi2: misfit.chi2 / misfit.dof,
             degrees_of_freedom: misfit.dof,
             p_value: misfit.p_value,
-            pattern: misfit.pattern.map(|shown| shown.pattern),
-            pattern_p_value: misfit.pattern.map(|shown| shown.p_value),
+            pattern: None,
+            pattern_p_value: None,
         }
+        .depending(misfit.pattern)
     }
 
     /// A warning where more than `limit` times the noise is left and chance does not explain it.

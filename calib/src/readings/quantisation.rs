@@ -2,7 +2,10 @@
 
 use super::{Finding, OfSensor, least_step};
 
-/// The axes whose least step exceeds the spread within static intervals; those of a dead zone are named by
+/// Steps wider than so many standard deviations of the readings no longer average out.
+const COARSE: f64 = 2.0;
+
+/// The axes whose least step exceeds the spread by far within static intervals; those of a dead zone are named by
 /// that.
 pub(super) fn found(of: &OfSensor<'_>, dead: Option<&Finding>) -> Option<Finding> {
     let in_dead_zone = |axis: &usize| match dead {
@@ -17,7 +20,7 @@ pub(super) fn found(of: &OfSensor<'_>, dead: Option<&Finding>) -> Option<Finding
             // Simulated readings without noise step by what rounding leaves.
             let size = of.stream.values.iter().map(|v| v[axis].abs());
             let largest = size.fold(0.0, f64::max);
-            (spread < step && step > 1e-6 * largest).then_some((axis, step, spread))
+            (COARSE * spread < step && step > 1e-6 * largest).then_some((axis, step, spread))
         })
         .collect();
     let &(_, step, spread) = coarse.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;

@@ -56,6 +56,16 @@ pub struct Record {
     pub bounds: Option<Vec<f64>>,
 }
 
+impl Record {
+    /// What became of it by one method.
+    pub fn by(&self, method: Method) -> &Outcome {
+        match method {
+            Method::Joint => &self.joint,
+            Method::Stepwise => &self.stepwise,
+        }
+    }
+}
+
 /// Simulates and calibrates; the same seed gives the same result.
 ///
 /// # Errors

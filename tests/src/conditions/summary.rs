@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use calib::calibrate::Method;
+
 use super::catalogue::Condition;
 use super::kind::Kind;
 use super::session::{Estimate, Outcome, Record};
@@ -80,13 +82,9 @@ pub struct Summary {
 const WRONG: [f64; 2] = [3.0, 5.0];
 
 /// Sums up the sessions of `condition` by one method.
-pub fn summarise(
-    condition: &Condition,
-    records: &[Record],
-    of: impl Fn(&Record) -> &Outcome,
-) -> Summary {
+pub fn summarise(condition: &Condition, records: &[Record], by: Method) -> Summary {
     let own: Vec<&Record> = records.iter().filter(|r| r.row == condition.name).collect();
-    let outcomes: Vec<&Outcome> = own.iter().map(|r| of(r)).collect();
+    let outcomes: Vec<&Outcome> = own.iter().map(|r| r.by(by)).collect();
     let estimates: Vec<&Estimate> = outcomes
         .iter()
         .filter_map(|o| o.estimate.as_ref())
@@ -99,7 +97,7 @@ pub fn summarise(
                 .iter()
                 .filter_map(|e| Some(e.nees? / e.names.len() as f64)),
         ),
-        efficiency: efficiency(&own, &of),
+        efficiency: efficiency(&own, by),
         refused: outcomes.iter().filter(|o| o.estimate.is_none()).count(),
         ..Summary::default()
     };
@@ -107,8 +105,8 @@ pub fn summarise(
         let mut kinds: Vec<Kind> = outcome.words.iter().map(|w| Kind::of(w)).collect();
         kinds.sort();
         kinds.dedup();
-        let right = |kind: &Kind| condition.is_right(*kind);
-        let said = kinds.iter().any(|kind| condition.tells(*kind));
+        let right = |kind: &Kind| condition.is_right(*kind, by);
+        let said = kinds.iter().any(|kind| condition.tells(*kind, by));
         let far = outcome.estimate.as_ref().map_or(0.0, farthest);
         summary.wrong += usize::from(far > WRONG[0]);
         summary.silent += usize::from(far > WRONG[0] && !said);
@@ -129,10 +127,10 @@ fn coverage(estimates: &[&Estimate], class: Class) -> f64 {
     }))
 }
 
-fn efficiency(records: &[&Record], of: &impl Fn(&Record) -> &Outcome) -> Option<f64> {
+fn efficiency(records: &[&Record], by: Method) -> Option<f64> {
     let squares: Vec<f64> = records
         .iter()
-        .filter_map(|r| of(r).estimate.as_ref().zip(r.bounds.as_ref()))
+        .filter_map(|r| r.by(by).estimate.as_ref().zip(r.bounds.as_ref()))
         .filter(|(e, bounds)| e.errors.len() == bounds.len())
         .flat_map(|(e, bounds)| e.errors.iter().zip(bounds).map(|(e, b)| (e / b).powi(2)))
         .collect();

@@ -1,5 +1,7 @@
 //! The table, within 80 columns.
 
+use calib::calibrate::Method;
+
 use super::catalogue::{Bound, Condition};
 use super::session::Record;
 use super::summary::{Summary, ratio, summarise};
@@ -11,8 +13,8 @@ pub const HEADING: &str = "\
 
 /// A row: both methods, and what was said.
 pub fn row(condition: &Condition, records: &[Record]) -> String {
-    let joint = summarise(condition, records, |r| &r.joint);
-    let stepwise = summarise(condition, records, |r| &r.stepwise);
+    let joint = summarise(condition, records, Method::Joint);
+    let stepwise = summarise(condition, records, Method::Stepwise);
     let ratio = ratio(condition, records).map_or_else(String::new, |ratio| {
         format!("; joint rms / stepwise rms {ratio:.3}")
     });

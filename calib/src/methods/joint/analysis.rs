@@ -46,8 +46,8 @@ pub struct Analysis {
     pub white: White,
     /// What else the noise may have.
     pub components: Vec<Component>,
-    /// What depends on the orientation, whitened by the white noise (`m × q`).
-    orientation: Mat<f64>,
+    /// What depends on the orientation, of unit size, whitened by the white noise (`m × q` each).
+    orientation: Vec<(ComponentKind, Mat<f64>)>,
     /// How the gyroscope's means, then the turns, feel its bias.
     rate_exposures: Vec<Exposure>,
 }
@@ -64,7 +64,7 @@ impl Analysis {
         Self {
             residuals: residuals.col(0).iter().copied().collect(),
             jacobian,
-            orientation: Mat::zeros(m, 0),
+            orientation: Vec::new(),
             components: walks(noise, &white),
             rate_exposures: whitened(&noise.exposures[1], &white),
             white,
@@ -75,7 +75,11 @@ impl Analysis {
     /// quarters of them are off by far more than the noise; whether any are.
     pub fn allow_scatter_where_misfit(&mut self, rows: &Rows<'_>, known: &[&Suspect]) -> bool {
         let before = self.components.len();
-        let basis = orthonormal(&beside(&self.with(known), &self.orientation));
+        let taken = self
+            .orientation
+            .iter()
+            .fold(self.with(known), |taken, (_, own)| beside(&taken, own));
+        let basis = orthonormal(&taken);
         let spare: Vec<f64> = (0..rows.count())
             .map(|i| 1.0 - basis.row(i).iter().map(|v| v * v).sum::<f64>())
             .collect();
@@ -191,7 +195,7 @@ impl Analysis {
             kind,
             covariance: &columns * columns.transpose(),
         });
-        self.orientation = beside(&self.orientation, &columns);
+        self.orientation.push((kind, columns));
     }
 
     /// Adds the rotation of the earth to the noise; its columns are not whitened.
@@ -293,6 +297,23 @@ impl Analysis {
     /// The whitening at these levels.
     pub fn whitening(&self, levels: &[NoiseLevel]) -> Whitening {
         Whitening::new(self.white.clone(), &self.components, levels)
+    }
+
+    /// The whitening of the final fit, which what depends on the orientation has no part in.
+    pub fn weighting(&self, levels: &[NoiseLevel]) -> Whitening {
+        let mut levels = levels.to_vec();
+        levels.retain(|level| !level.kind.is_of_orientation());
+        self.whitening(&levels)
+    }
+
+    /// What depends on the orientation at these levels, whitened by the white noise (`m × q`).
+    pub fn carried(&self, levels: &[NoiseLevel]) -> Mat<f64> {
+        let none = Mat::zeros(self.residuals.len(), 0);
+        self.orientation.iter().fold(none, |sum, (kind, columns)| {
+            let level = levels.iter().find(|level| level.kind == *kind);
+            let size = level.map_or(0.0, |level| level.size);
+            beside(&sum, &(faer::Scale(size) * columns))
+        })
     }
 
     /// The tests of all suspects, whose `columns` the white noise has whitened, at these levels.

@@ -8,6 +8,7 @@ use nalgebra::{Matrix2, Vector2};
 
 use super::data::Data;
 use super::sampling::Share;
+use super::windows::means_over_windows;
 use crate::recording::{EvenClock, Stamps, Stream, even_clock};
 
 /// Which clock the turns are integrated by.
@@ -188,6 +189,7 @@ impl Data {
             };
             turn.t = mixed(&clock.even, &clock.scatter);
             turn.lengths = mixed(&clock.lengths, &clock.slack);
+            turn.readings = means_over_windows(&turn.t, &turn.samples);
             turn.base = base;
             let square: f64 = clock.scatter.iter().map(|d| d * d).sum();
             squares = (squares.0 + square, squares.1 + clock.scatter.len() as f64);

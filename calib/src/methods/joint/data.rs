@@ -13,6 +13,7 @@ use super::sampling::shocks;
 use super::shake::{Shake, gaps, shakes};
 use super::trim::quiet_part;
 use super::turn::MARGIN;
+use super::windows::means_over_windows;
 use crate::intervals::{Segmentation, Span, TurnFault};
 use crate::methods::RawUnit;
 use crate::recording::{INSTANT, Recording, Stream};
@@ -89,7 +90,9 @@ pub struct TurnSamples {
     pub t: Vec<f64>,
     /// Length of each sample's window, s.
     pub lengths: Vec<f64>,
-    /// Mean readings over the windows, near SI units.
+    /// The readings, near SI units.
+    pub samples: Vec<Vector3<f64>>,
+    /// What they say of the means over the windows, near SI units.
     pub readings: Vec<Vector3<f64>>,
     /// What effects ask for at the samples; empty without effects.
     pub known: Vec<Kinematics<f64>>,
@@ -369,7 +372,8 @@ impl Data {
                 span,
                 t: rate.t[range.clone()].to_vec(),
                 lengths: range.clone().map(|k| window(&rate.t, k)).collect(),
-                readings: own.to_vec(),
+                samples: own.to_vec(),
+                readings: means_over_windows(&rate.t[range.clone()], own),
                 known: Vec::new(),
                 clocks: behind.iter().map(of).collect(),
                 base: 0,

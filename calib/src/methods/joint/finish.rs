@@ -24,8 +24,10 @@ impl Run<'_> {
         let white = &weights.whitening.white;
         let noise = rows.noise(point.plain_values());
         let components = centred(&rows, &noise, white, &weights.components);
+        let mut levels = weights.levels.clone();
+        levels.retain(|level| !level.kind.is_of_orientation());
         Weights {
-            whitening: Whitening::new(white.clone(), &components, &weights.levels),
+            whitening: Whitening::new(white.clone(), &components, &levels),
             components,
             ..weights
         }
@@ -54,6 +56,8 @@ impl Run<'_> {
         let mut jacobian = white_jacobian.clone();
         weights.whitening.finish(jacobian.as_mut());
         let reduced = reduced(&jacobian, &free, rows.layout.shared());
+        let mut carried = weights.carried;
+        weights.whitening.finish(carried.as_mut());
         if report.termination == Termination::Stalled && is_near(&report.residuals, &jacobian) {
             report.termination = Termination::Cost;
         }
@@ -70,6 +74,7 @@ impl Run<'_> {
             residuals: report.residuals.clone(),
             jacobian,
             reduced,
+            carried,
             white_residuals,
             white_jacobian,
             accused: weights

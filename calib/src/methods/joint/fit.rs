@@ -39,6 +39,8 @@ pub struct JointFit {
     pub jacobian: Mat<f64>,
     /// The columns of the shared parameters less what all others can take of them (`m × k`), whitened by everything.
     pub reduced: Mat<f64>,
+    /// What the errors of the parameters are larger by and the weights do not know, whitened by everything (`m × q`).
+    pub carried: Mat<f64>,
     /// Residuals whitened by white noise alone.
     pub white_residuals: Vec<f64>,
     /// Jacobian whitened by white noise alone.

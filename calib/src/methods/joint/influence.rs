@@ -34,12 +34,24 @@ impl JointFit {
             .filter(|&k| self.free[k] < self.shared)
             .collect();
         let reduced = &self.reduced;
-        let covariance = self.shared_uncertainty().covariance;
+        let stated = self.shared_uncertainty().covariance;
+        let errors: Vec<f64> = (0..shared.len()).map(|k| stated[k][k].sqrt()).collect();
+        let covariance = self.covariance_of_weights();
         (0..self.data.rests.len())
-            .map(|rest| self.influence(rest, &basis, reduced, &shared, &covariance))
+            .map(|rest| {
+                let mut own = self.influence(rest, &basis, reduced, &shared, &covariance);
+                let worst = (0..shared.len())
+                    .max_by(|&a, &b| (own.1[a] / errors[a]).total_cmp(&(own.1[b] / errors[b])));
+                if let Some(k) = worst {
+                    own.0.parameter = self.parameters.names()[self.free[shared[k]]].clone();
+                    own.0.change = own.1[k] / errors[k];
+                }
+                own.0
+            })
             .collect()
     }
 
+    /// The leverage of a rest, and by how much every shared parameter would move.
     fn influence(
         &self,
         rest: usize,
@@ -47,7 +59,7 @@ impl JointFit {
         reduced: &Mat<f64>,
         shared: &[usize],
         covariance: &[Vec<f64>],
-    ) -> Influence {
+    ) -> (Influence, Vec<f64>) {
         let rows: Vec<usize> = (0..self.first_rows[1])
             .filter(|&i| self.rest_of_row[i] == rest)
             .collect();
@@ -81,18 +93,16 @@ impl JointFit {
                             covariance[a][b] * gradient
                         })
                         .sum();
-                    change.abs() / covariance[a][a].sqrt()
+                    change.abs()
                 }
             })
             .collect();
-        let worst = (0..shared.len()).max_by(|&a, &b| moved[a].total_cmp(&moved[b]));
-        Influence {
+        let influence = Influence {
             rest,
             leverage,
-            parameter: worst.map_or_else(String::new, |k| {
-                self.parameters.names()[self.free[shared[k]]].clone()
-            }),
-            change: worst.map_or(0.0, |k| moved[k]),
-        }
+            parameter: String::new(),
+            change: 0.0,
+        };
+        (influence, moved)
     }
 }

@@ -23,6 +23,8 @@ pub(super) struct Weights {
     pub components: Vec<Component>,
     /// What makes the rows white.
     pub whitening: Whitening,
+    /// What the errors are larger by and the weights do not know, whitened by the white noise (`m × q`).
+    pub carried: Mat<f64>,
     /// What depends on the orientation and should not.
     pub shown: Vec<(Sensor, Shown)>,
 }
@@ -52,6 +54,7 @@ impl Run<'_> {
         let levels = self.request.walk.map(NoiseLevel::walks).unwrap_or_default();
         Weights {
             whitening: Whitening::new(white, &components, &levels),
+            carried: Mat::zeros(rows.count(), 0),
             components,
             levels,
             accused: Vec::new(),
@@ -86,7 +89,8 @@ impl Run<'_> {
             (levels, known)
         };
         Weights {
-            whitening: analysis.whitening(&levels),
+            whitening: analysis.weighting(&levels),
+            carried: analysis.carried(&levels),
             components: analysis.components,
             levels,
             accused,

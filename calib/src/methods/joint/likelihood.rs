@@ -42,8 +42,10 @@ impl Restricted {
     /// kept whatever they are worth.
     pub fn variances(&self, kept: &[bool]) -> Vec<f64> {
         let mut active: Vec<bool> = self.covariances.iter().map(|_| true).collect();
+        let mut from = vec![0.0; active.len()];
         loop {
-            let (theta, whole) = self.maximise(&active);
+            let (theta, whole) = self.maximise(&active, &from);
+            from.clone_from(&theta);
             for (on, value) in active.iter_mut().zip(&theta) {
                 *on &= *value > 0.0;
             }
@@ -52,10 +54,13 @@ impl Restricted {
                 .map(|c| {
                     let mut without = active.clone();
                     without[c] = false;
-                    (c, 2.0 * (whole - self.maximise(&without).1))
+                    (c, 2.0 * (whole - self.maximise(&without, &theta).1))
                 });
             match gains.min_by(|a, b| a.1.total_cmp(&b.1)) {
-                Some((c, gain)) if gain < WORTH_IT => active[c] = false,
+                Some((c, gain)) if gain < WORTH_IT => {
+                    active[c] = false;
+                    from[c] = 0.0;
+                }
                 _ => return theta,
             }
         }
@@ -68,10 +73,11 @@ impl Restricted {
         Some(self.measure(theta, &active)?.log_likelihood)
     }
 
-    /// Fisher scoring over the active components; variances and log-likelihood.
-    fn maximise(&self, active: &[bool]) -> (Vec<f64>, f64) {
-        let count = self.covariances.len();
-        let mut theta = vec![0.0; count];
+    /// Fisher scoring over the active components from the variances `from`, zero for the others; variances and
+    /// log-likelihood.
+    fn maximise(&self, active: &[bool], from: &[f64]) -> (Vec<f64>, f64) {
+        let start = from.iter().zip(active);
+        let mut theta: Vec<f64> = start.map(|(&t, &on)| if on { t } else { 0.0 }).collect();
         let mut at = match self.measure(&theta, active) {
             Some(at) => at,
             None => return (theta, f64::NEG_INFINITY),

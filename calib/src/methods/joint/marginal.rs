@@ -7,14 +7,35 @@ use solver::{Uncertainty, uncertainty};
 const RANK_TOLERANCE: f64 = 1e-10;
 
 /// Covariance, rank, condition and unobservable combinations of the columns `keep` of a whitened
-/// Jacobian (`m × n`), all others projected out.
-pub fn marginal(jacobian: &Mat<f64>, keep: &[usize], names: Vec<String>) -> Uncertainty {
+/// Jacobian `J` (`m × n`), all others projected out.
+///
+/// Errors of the rows that the whitening does not know, `carried` (`C`, `m × q`, of unit variance each), add
+/// `(J⁺ C)(J⁺ C)ᵀ` to the covariance.
+pub fn marginal(
+    jacobian: &Mat<f64>,
+    keep: &[usize],
+    names: Vec<String>,
+    carried: &Mat<f64>,
+) -> Uncertainty {
     let others: Vec<usize> = (0..jacobian.ncols())
         .filter(|k| !keep.contains(k))
         .collect();
     let kept = columns(jacobian, keep);
-    let rest = columns(jacobian, &others);
-    uncertainty(&without(&rest, &kept), names)
+    let own = without(&columns(jacobian, &others), &kept);
+    let mut uncertainty = uncertainty(&own, names);
+    if carried.ncols() > 0 {
+        let covariance = &mut uncertainty.covariance;
+        let n = covariance.len();
+        let inverse = Mat::from_fn(n, n, |i, k| covariance[i][k]);
+        let spread = inverse * (own.transpose() * carried);
+        let added = &spread * spread.transpose();
+        for (i, row) in covariance.iter_mut().enumerate() {
+            for (k, entry) in row.iter_mut().enumerate() {
+                *entry += added[(i, k)];
+            }
+        }
+    }
+    uncertainty
 }
 
 /// The columns of the first `shared` parameters less what those of all others can take of them; `free` are the places of the
@@ -70,12 +91,24 @@ mod tests {
     fn the_marginal_covariance_is_the_block_of_the_inverse() {
         let j = Mat::from_fn(9, 4, |i, k| ((i * 7 + k * 4 + i * k) % 13) as f64 - 6.0);
         let all = uncertainty(&j, (0..4).map(|k| k.to_string()).collect());
-        let some = marginal(&j, &[1, 3], vec!["1".into(), "3".into()]);
+        let some = marginal(&j, &[1, 3], vec!["1".into(), "3".into()], &Mat::zeros(9, 0));
         for (a, i) in [1, 3].into_iter().enumerate() {
             for (b, k) in [1, 3].into_iter().enumerate() {
                 let error = some.covariance[a][b] - all.covariance[i][k];
                 assert!(error.abs() < 1e-12 * all.covariance[1][1]);
             }
         }
+    }
+
+    #[test]
+    fn what_the_weights_do_not_know_adds_what_it_does_to_the_estimates() {
+        let j = Mat::from_fn(9, 4, |i, k| ((i * 7 + k * 4 + i * k) % 13) as f64 - 6.0);
+        // An error of the rows along what a change of 0.5 in parameter 3 and of −2 in parameter 0 does.
+        let carried = Mat::from_fn(9, 1, |i, _| 0.5 * j[(i, 3)] - 2.0 * j[(i, 0)]);
+        let names = || vec!["1".into(), "3".into()];
+        let without = marginal(&j, &[1, 3], names(), &Mat::zeros(9, 0)).covariance;
+        let with = marginal(&j, &[1, 3], names(), &carried).covariance;
+        assert!((with[0][0] - without[0][0]).abs() < 1e-12);
+        assert!((with[1][1] - without[1][1] - 0.25).abs() < 1e-12);
     }
 }

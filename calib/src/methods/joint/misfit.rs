@@ -3,6 +3,7 @@
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 
+use super::disturbance::Disturbance;
 use super::fit::JointFit;
 use super::orientation::Shown;
 use super::result::Channel;
@@ -61,9 +62,9 @@ impl JointFit {
         whitening.finish(residuals.as_mut());
         let [rate, turns] = self.first_rows;
         let channels = [
-            (Channel::Force, rate, rms(&self.moduli)),
-            (Channel::Rate, turns, rms(&self.static_rates())),
-            (Channel::Direction, m, rms(&self.chords)),
+            (Channel::Force, rate, self.norm_rms()),
+            (Channel::Rate, turns, rms(self.static_rates())),
+            (Channel::Direction, m, self.direction_rms()),
         ];
         let mut before = (0.0, 0.0);
         let mut misfits = Vec::new();
@@ -92,6 +93,46 @@ impl JointFit {
         misfits
     }
 
+    /// Root mean square of `|f| − g` over the static intervals that nothing disturbed, each weighted by what its noise
+    /// lets it know, m/s².
+    pub fn norm_rms(&self) -> f64 {
+        let disturbed = |place: usize| {
+            self.accused.iter().any(|accused| {
+                let rest = &self.data.rests[place];
+                accused.kind == Disturbance::DisturbedInterval
+                    && (accused.recording, accused.interval) == (rest.recording, rest.interval)
+            })
+        };
+        let moduli = self.moduli.iter().enumerate();
+        let sound = moduli.filter(|(rest, _)| !disturbed(*rest));
+        rms(sound.map(|(rest, value)| (*value, self.norm_noise(rest))))
+    }
+
+    /// Root mean square of what the turns miss, weighted in the same way, rad.
+    pub fn direction_rms(&self) -> f64 {
+        let first = self.first_rows[1];
+        let white = &self.whitening.white;
+        let noise = |turn: usize| {
+            white
+                .std(first + 2 * turn)
+                .hypot(white.std(first + 2 * turn + 1))
+        };
+        let chords = self.chords.iter().enumerate();
+        rms(chords.map(|(turn, value)| (*value, noise(turn))))
+    }
+
+    /// Standard deviation of the mean of the accelerometer in a rest, averaged over the axes, m/s².
+    fn norm_noise(&self, rest: usize) -> f64 {
+        let own = &self.data.rests[rest];
+        let Some(noise) = &self.data.sources[own.recording].accelerometer else {
+            return 1.0;
+        };
+        let chunks = &self.data.chunks[own.chunks.clone()];
+        let means = chunks.iter().filter_map(|chunk| chunk.accelerometer);
+        let information: f64 = means.map(|m| 3.0 / noise.variance_of(&m).sum()).sum();
+        information.max(f64::MIN_POSITIVE).sqrt().recip()
+    }
+
     /// `χ²` per degree of freedom of one kind of rows, against the noise that was measured.
     pub fn reduced_chi2(&self, channel: Channel) -> Option<f64> {
         let own = self.misfits().into_iter().find(|m| m.channel == channel);
@@ -108,19 +149,28 @@ impl JointFit {
         own.map(|(_, shown)| *shown)
     }
 
-    /// Rate less bias of every chunk of a rest, rad/s.
-    fn static_rates(&self) -> Vec<f64> {
+    /// Rate less bias of every chunk of a rest, and its noise, rad/s.
+    fn static_rates(&self) -> impl Iterator<Item = (f64, f64)> {
         let mut residuals = Mat::from_fn(self.white_residuals.len(), 1, |i, _| {
             self.white_residuals[i]
         });
         self.whitening.white.restore(residuals.as_mut());
         let [rate, turns] = self.first_rows;
-        (rate..turns).map(|i| residuals[(i, 0)]).collect()
+        (rate..turns).map(move |i| (residuals[(i, 0)], self.whitening.white.std(i)))
     }
 }
 
-fn rms(values: &[f64]) -> f64 {
-    (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()
+/// Root mean square of values with standard deviations, weighted by these; 0 of none.
+fn rms(values: impl Iterator<Item = (f64, f64)>) -> f64 {
+    let (square, weight) = values.fold((0.0, 0.0), |(square, weight), (value, sigma)| {
+        let own = sigma.powi(-2);
+        (square + own * value * value, weight + own)
+    });
+    if weight > 0.0 {
+        (square / weight).sqrt()
+    } else {
+        0.0
+    }
 }
 
 /// The sum of squares that columns leave of a residual, and the degrees of freedom: by normal equations with unit columns,

@@ -57,6 +57,7 @@ mod undersampled;
 mod values;
 mod walks;
 mod weights;
+mod windows;
 
 pub use chart::Chart;
 pub use clock::{ClockMode, ClockState, SourceClock, TurnClock};

@@ -33,6 +33,14 @@ impl JointFit {
         self.marginal_where(|_| true)
     }
 
+    /// The covariance of the shared parameters if the noise were what the weights say.
+    pub(super) fn covariance_of_weights(&self) -> Vec<Vec<f64>> {
+        let count = self.reduced.ncols();
+        let places: Vec<usize> = (0..count).collect();
+        let nothing = faer::Mat::zeros(self.reduced.nrows(), 0);
+        marginal(&self.reduced, &places, vec![String::new(); count], &nothing).covariance
+    }
+
     /// The same for some of them, everything else free.
     fn marginal_where(&self, wanted: impl Fn(&str) -> bool) -> Uncertainty {
         let names = self.parameters.names();
@@ -42,7 +50,7 @@ impl JointFit {
             .filter(|(_, k)| wanted(&names[self.free[*k]]))
             .unzip();
         let kept = keep.iter().map(|&k| names[self.free[k]].clone()).collect();
-        let mut uncertainty = marginal(&self.reduced, &places, kept);
+        let mut uncertainty = marginal(&self.reduced, &places, kept, &self.carried);
         let widening = [Sensor::Accelerometer, Sensor::Gyroscope].map(|s| self.widening(s));
         let of = |k: usize| {
             let gyroscope = self.of_gyroscope(self.free[keep[k]]);

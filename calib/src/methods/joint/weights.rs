@@ -125,6 +125,14 @@ impl ComponentKind {
         matches!(self, Self::AccelerometerWalk | Self::GyroscopeWalk)
     }
 
+    /// Whether it depends on the orientation: it enlarges the errors, and rows are weighted as without it.
+    ///
+    /// Weights that know of it would leave to it what belongs to scales and biases as well; a model that
+    /// misses an effect foretells other orientations best with the parameters that fit best.
+    pub fn is_of_orientation(self) -> bool {
+        matches!(self, Self::ForceOfOrientation | Self::RateOfOrientation)
+    }
+
     /// Whether it is noise as it was measured or is known, not what remains of a misfit.
     pub fn is_noise(self) -> bool {
         self.is_walk() || self == Self::EarthRotation

@@ -42,6 +42,8 @@ fn own_clocks(spec: &mut Spec) {
 }
 
 const CLOCK: &[Kind] = &[Kind::Clock];
+/// What a method shows that takes stamps which scatter for the times of the samples.
+const MISFIT: &[Kind] = &[Kind::Misfit];
 const UNDERSAMPLED: &[Kind] = &[Kind::Undersampled, Kind::Misfit];
 const RESAMPLED: &[Kind] = &[Kind::Undersampled, Kind::Values, Kind::Clock, Kind::Misfit];
 
@@ -82,41 +84,48 @@ pub(super) const ROWS: &[Condition] = &[
         noise(s, 5e-4, 0.0, 0.0)
     })
     .bounded()
-    .right(CLOCK),
+    .right(CLOCK)
+    .right_by_stamps(MISFIT),
     row("stamps-1", "stamp noise of 1 ms, even clock", |s| {
         noise(s, 1e-3, 0.0, 0.0)
     })
     .bounded()
-    .right(CLOCK),
+    .right(CLOCK)
+    .right_by_stamps(MISFIT),
     row("stamps-1.5", "stamp noise of 1.5 ms, even clock", |s| {
         noise(s, 1.5e-3, 0.0, 0.0);
     })
     .bounded()
-    .right(CLOCK),
+    .right(CLOCK)
+    .right_by_stamps(MISFIT),
     row("stamps-1-tactical", "stamp noise of 1 ms, tactical", |s| {
         noise(s, 1e-3, 0.0, 0.0)
     })
     .tactical()
     .bounded()
-    .right(CLOCK),
+    .right(CLOCK)
+    .right_by_stamps(MISFIT),
     row("stamps-4", "stamp noise of 4 ms, even clock", |s| {
         noise(s, 4e-3, 0.0, 0.0)
     })
     .bounded()
-    .right(CLOCK),
+    .right(CLOCK)
+    .right_by_stamps(MISFIT),
     row("rounding", "99.75 Hz, stamps rounded to 1 ms", |s| {
         s.rate = 99.75;
         noise(s, 0.0, 0.0, 1e-3);
     })
     .bounded()
-    .right(CLOCK),
+    .right(CLOCK)
+    .right_by_stamps(MISFIT),
     row("rounding-tactical", "the same, tactical", |s| {
         s.rate = 99.75;
         noise(s, 0.0, 0.0, 1e-3);
     })
     .tactical()
     .bounded()
-    .right(CLOCK),
+    .right(CLOCK)
+    .right_by_stamps(MISFIT),
     row(
         "jitter-rounding",
         "sampling jitter of 5 %, rounded to 1 ms",
@@ -124,7 +133,8 @@ pub(super) const ROWS: &[Condition] = &[
             noise(s, 0.0, 5e-4, 1e-3);
         },
     )
-    .right(CLOCK),
+    .right(CLOCK)
+    .right_by_stamps(MISFIT),
     row(
         "clocks",
         "25 to 400 Hz, own clocks, jitter, rounding",

@@ -6,7 +6,7 @@ mod faults;
 mod motions;
 mod noises;
 
-use calib::calibrate::Request;
+use calib::calibrate::{Method, Request};
 use calib::simulate::{Clock, Grade, HandHeld, Motion, Spec};
 
 use super::kind::Kind;
@@ -36,6 +36,8 @@ pub struct Condition {
     grade: Grade,
     build: fn(&mut Spec),
     right: &'static [Kind],
+    /// What else is right of a method that keeps the stamps as they are.
+    right_by_stamps: &'static [Kind],
 }
 
 /// A row at consumer grade that the model holds for, of unknown bound, under which no cause is right.
@@ -49,6 +51,7 @@ const fn row(name: &'static str, about: &'static str, build: fn(&mut Spec)) -> C
         grade: Grade::Consumer,
         build,
         right: &[],
+        right_by_stamps: &[],
     }
 }
 
@@ -70,6 +73,11 @@ impl Condition {
 
     const fn right(mut self, kinds: &'static [Kind]) -> Self {
         self.right = kinds;
+        self
+    }
+
+    const fn right_by_stamps(mut self, kinds: &'static [Kind]) -> Self {
+        self.right_by_stamps = kinds;
         self
     }
 
@@ -99,13 +107,14 @@ impl Condition {
     }
 
     /// Whether words of this kind are no false alarm here.
-    pub fn is_right(&self, kind: Kind) -> bool {
-        kind.names_nothing() || self.tells(kind)
+    pub fn is_right(&self, kind: Kind, by: Method) -> bool {
+        kind.names_nothing() || self.tells(kind, by)
     }
 
     /// Whether words of this kind name the condition or its visible consequence.
-    pub fn tells(&self, kind: Kind) -> bool {
-        self.right.contains(&kind)
+    pub fn tells(&self, kind: Kind, by: Method) -> bool {
+        let by_stamps = by == Method::Stepwise && self.right_by_stamps.contains(&kind);
+        by_stamps || self.right.contains(&kind)
     }
 }
 
