@@ -12,6 +12,9 @@ pub const WITH_WALKS: f64 = std::f64::consts::SQRT_2;
 /// The same where walks are not told from a misfit.
 pub const WITHOUT_WALKS: f64 = 3.0;
 
+/// Probabilities are stated down to this.
+const LEAST_CHANCE: f64 = 1e-300;
+
 /// By chance in fewer cases than this.
 const UNLIKELY: f64 = 1e-4;
 
@@ -91,7 +94,7 @@ impl Remainder {
         let ratio = self.reduced_chi2.sqrt();
         let much = ratio > limit && self.p_value < UNLIKELY;
         let depends = self.pattern.map(|pattern| {
-            let p = self.pattern_p_value.unwrap_or(0.0);
+            let p = chance(self.pattern_p_value.unwrap_or(0.0));
             let like = match pattern {
                 Pattern::Quadratic => "like the square of the specific force",
                 Pattern::Asymmetry => "by its sign",
@@ -100,7 +103,7 @@ impl Remainder {
                 Pattern::Force => "in proportion to the specific force",
             };
             format!(
-                ". It depends on the orientation, most {like} (p = {p:.0e}), which neither noise nor a bias that \
+                ". It depends on the orientation, most {like} (p {p}), which neither noise nor a bias that \
                  walks does"
             )
         });
@@ -109,12 +112,12 @@ impl Remainder {
         }
         Some(format!(
             "misfit of the {}: {} rms, of which the measured noise explains {} ({ratio:.1} times the noise, {:.0} degrees of freedom, \
-             p = {:.0e}){}. The standard errors are enlarged to it; `stillpoint discover` looks for the cause",
+             p {}){}. The standard errors are enlarged to it; `stillpoint discover` looks for the cause",
             self.what(),
             self.in_words(self.rms),
             self.in_words(self.noise),
             self.degrees_of_freedom,
-            self.p_value,
+            chance(self.p_value),
             depends.unwrap_or_default()
         ))
     }
@@ -135,6 +138,15 @@ impl Remainder {
             Channel::Rate => format!("{:.1} °/h", size.to_degrees() * 3600.0),
             Channel::Direction => format!("{:.4}°", size.to_degrees()),
         }
+    }
+}
+
+/// `= 2e-17`, or `< 1e-300` where no number is that small.
+fn chance(p: f64) -> String {
+    if p < LEAST_CHANCE {
+        format!("< {LEAST_CHANCE:.0e}")
+    } else {
+        format!("= {p:.0e}")
     }
 }
 

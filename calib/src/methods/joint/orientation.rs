@@ -127,6 +127,9 @@ impl StaticNumbers {
     /// The p-value of columns beside the parameters, and its degrees of freedom.
     fn test(&self, columns: &DMatrix<f64>) -> Option<(f64, [usize; 2])> {
         let n = self.rows.len();
+        if n < LEAST_SPARE {
+            return None;
+        }
         let with = beside(&self.jacobian, columns);
         let walk = self.walk();
         let best = WALKS
@@ -224,6 +227,13 @@ struct Left {
 
 impl Left {
     fn of(columns: &DMatrix<f64>, r: &DMatrix<f64>) -> Self {
+        if columns.is_empty() {
+            return Self {
+                square: r.norm_squared(),
+                rank: 0,
+                log_gram: 0.0,
+            };
+        }
         let norms: Vec<f64> = columns.column_iter().map(|c| c.norm()).collect();
         let scaled = DMatrix::from_fn(columns.nrows(), columns.ncols(), |i, k| {
             if norms[k] > 0.0 {
@@ -325,6 +335,20 @@ mod tests {
         });
         // 0.05 % of 200 sessions: one by chance in ten runs of this test.
         assert!(shown.count() <= 1);
+    }
+
+    #[test]
+    fn no_intervals_and_no_parameters_show_nothing() {
+        let none = StaticNumbers {
+            rows: Vec::new(),
+            residuals: DVector::zeros(0),
+            jacobian: DMatrix::zeros(0, 0),
+            sigma: DVector::zeros(0),
+        };
+        assert_eq!(none.settled().shown(&[Pattern::Force]), None);
+        let mut bare = norms(1, 0.0, None);
+        bare.jacobian = DMatrix::zeros(24, 0);
+        assert_eq!(bare.shown(&Pattern::OF_NORM), None);
     }
 
     #[test]
