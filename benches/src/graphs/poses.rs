@@ -23,15 +23,16 @@ pub struct Edge {
 }
 
 impl<D: Scalar> Residual<D> for PlanarEdge {
+    #[inline(always)]
     fn residuals(&self, x: &[D], out: &mut Vec<D>) {
         let (sine, cosine) = x[2].sin_cos();
         let (east, north) = (x[3] - x[0], x[4] - x[1]);
-        let mut turn = x[5] - x[2] - lit::<D>(self.measured[2]);
+        let mut turn = x[5] - x[2] - self.measured[2];
         let turns = (turn.re() / std::f64::consts::TAU).round();
-        turn -= lit::<D>(turns * std::f64::consts::TAU);
+        turn = turn - turns * std::f64::consts::TAU;
         let e = [
-            cosine * east + sine * north - lit::<D>(self.measured[0]),
-            cosine * north - sine * east - lit::<D>(self.measured[1]),
+            cosine * east + sine * north - self.measured[0],
+            cosine * north - sine * east - self.measured[1],
             turn,
         ];
         whiten(&self.root, &e, out);
@@ -39,6 +40,7 @@ impl<D: Scalar> Residual<D> for PlanarEdge {
 }
 
 impl<D: Scalar> Residual<D> for Edge {
+    #[inline(always)]
     fn residuals(&self, x: &[D], out: &mut Vec<D>) {
         let (a, b) = x.split_at(7);
         let moved = rotate_back(&a[3..], &[b[0] - a[0], b[1] - a[1], b[2] - a[2]]);
@@ -48,9 +50,9 @@ impl<D: Scalar> Residual<D> for Edge {
         let back = [m[3], -m[4], -m[5], -m[6]].map(lit::<D>);
         let turn = logarithm(&multiply(&back, &turned));
         let e = [
-            moved[0] - lit::<D>(m[0]),
-            moved[1] - lit::<D>(m[1]),
-            moved[2] - lit::<D>(m[2]),
+            moved[0] - m[0],
+            moved[1] - m[1],
+            moved[2] - m[2],
             turn[0],
             turn[1],
             turn[2],
@@ -60,6 +62,7 @@ impl<D: Scalar> Residual<D> for Edge {
 }
 
 /// `U e`.
+#[inline(always)]
 fn whiten<D: Scalar>(root: &[f64], e: &[D], out: &mut Vec<D>) {
     let n = e.len();
     for i in 0..n {

@@ -47,7 +47,11 @@ fn turn<D: Scalar>(w: &[D; 3], v: &[D; 3]) -> [D; 3] {
             w[2] * cross[0] - w[0] * cross[2],
             w[0] * cross[1] - w[1] * cross[0],
         ];
-        return std::array::from_fn(|k| v[k] + cross[k] + again[k] * 0.5);
+        return [
+            v[0] + cross[0] + again[0] * 0.5,
+            v[1] + cross[1] + again[1] * 0.5,
+            v[2] + cross[2] + again[2] * 0.5,
+        ];
     }
     let angle = square.sqrt();
     let (sine, cosine) = angle.sin_cos();
@@ -55,7 +59,11 @@ fn turn<D: Scalar>(w: &[D; 3], v: &[D; 3]) -> [D; 3] {
     let a = sine * inverse;
     let dot = w[0] * v[0] + w[1] * v[1] + w[2] * v[2];
     let b = (-cosine + 1.0) * dot * (inverse * inverse);
-    std::array::from_fn(|k| v[k] * cosine + cross[k] * a + w[k] * b)
+    [
+        v[0] * cosine + cross[0] * a + w[0] * b,
+        v[1] * cosine + cross[1] * a + w[1] * b,
+        v[2] * cosine + cross[2] * a + w[2] * b,
+    ]
 }
 
 /// `R(w)` and `J(w)` with `∂(R X)/∂w = −R [X]× J`.

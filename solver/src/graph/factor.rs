@@ -152,20 +152,22 @@ impl At<'_> {
             let width = part.width();
             let values = &self.x[value..value + part.numbers];
             for (k, &v) in values.iter().enumerate() {
-                let mut eps = [0.0; N];
-                match part.basis {
-                    None if width > 0 => {
-                        if let Some(lane) = (column + k).checked_sub(first).filter(|&l| l < N) {
+                let Some(basis) = part.basis else {
+                    let lane = (column + k).checked_sub(first);
+                    x.push(match lane.filter(|&lane| lane < N && width > 0) {
+                        Some(lane) => {
+                            let mut eps = [0.0; N];
                             eps[lane] = 1.0;
+                            seeded(v, eps)
                         }
-                    }
-                    None => {}
-                    Some(basis) => {
-                        for (c, slope) in basis[k * width..(k + 1) * width].iter().enumerate() {
-                            if let Some(lane) = (column + c).checked_sub(first).filter(|&l| l < N) {
-                                eps[lane] = *slope;
-                            }
-                        }
+                        None => v.into(),
+                    });
+                    continue;
+                };
+                let mut eps = [0.0; N];
+                for (c, slope) in basis[k * width..(k + 1) * width].iter().enumerate() {
+                    if let Some(lane) = (column + c).checked_sub(first).filter(|&l| l < N) {
+                        eps[lane] = *slope;
                     }
                 }
                 // Without derivatives where none is asked: 0 times an infinite slope is none.

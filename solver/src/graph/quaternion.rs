@@ -6,6 +6,7 @@ use crate::scalar::{Scalar, lit};
 const SMALL: f64 = 1e-8;
 
 /// `p ⊗ q`.
+#[inline(always)]
 pub fn multiply<D: Scalar>(p: &[D], q: &[D]) -> [D; 4] {
     [
         p[0] * q[0] - p[1] * q[1] - p[2] * q[2] - p[3] * q[3],
@@ -16,11 +17,13 @@ pub fn multiply<D: Scalar>(p: &[D], q: &[D]) -> [D; 4] {
 }
 
 /// `q⁻¹` of a unit quaternion.
+#[inline(always)]
 pub fn conjugate<D: Scalar>(q: &[D]) -> [D; 4] {
     [q[0], -q[1], -q[2], -q[3]]
 }
 
 /// The vector `v` turned by `q`.
+#[inline(always)]
 pub fn rotate<D: Scalar>(q: &[D], v: &[D]) -> [D; 3] {
     let u = [q[1], q[2], q[3]];
     let t = cross(&u, v).map(|t| t + t);
@@ -33,6 +36,7 @@ pub fn rotate<D: Scalar>(q: &[D], v: &[D]) -> [D; 3] {
 }
 
 /// The vector `v` turned by `q⁻¹`.
+#[inline(always)]
 pub fn rotate_back<D: Scalar>(q: &[D], v: &[D]) -> [D; 3] {
     rotate(&conjugate(q), v)
 }
@@ -56,6 +60,7 @@ pub fn exponential<D: Scalar>(phi: &[D]) -> [D; 4] {
 }
 
 /// The rotation vector of a unit quaternion, in rad, of length at most π.
+#[inline(always)]
 pub fn logarithm<D: Scalar>(q: &[D]) -> [D; 3] {
     // Of q and −q, the same rotation, the one with w ≥ 0.
     let sign = if q[0].re() < 0.0 { -1.0 } else { 1.0 };
@@ -74,6 +79,7 @@ pub fn logarithm<D: Scalar>(q: &[D]) -> [D; 3] {
 }
 
 /// `a × b`.
+#[inline(always)]
 pub fn cross<D: Scalar>(a: &[D], b: &[D]) -> [D; 3] {
     [
         a[1] * b[2] - a[2] * b[1],
