@@ -84,13 +84,13 @@ fn promises_nothing(point: &Point, verdict: &Verdict) -> bool {
 }
 
 /// Whether a fall of the cost is below what rounding of residuals and parameters makes of it.
-fn is_below_rounding(point: &Point, fall: f64) -> bool {
+pub(crate) fn is_below_rounding(point: &Point, fall: f64) -> bool {
     let (rounding, size) = rounding(point);
     let of_cost = size * (f64::EPSILON * size + rounding) + rounding * rounding;
     fall <= ROUNDING * of_cost
 }
 
-/// Whether no damped step leads lower, and the parabola along each, with the gradient's slope here and
+/// Whether no damped step and no step along one parameter leads lower, and the parabola along each, with the gradient's slope here and
 /// the cost found after it, promises less than rounding: `(g·p)² / 4 (rise − g·p)`. Where a column of
 /// the Jacobian vanishes at a minimum, the linear model promises much and these nothing.
 pub(crate) fn is_flat_all_around(system: &dyn System, point: &Point, verdict: &Verdict) -> bool {
@@ -102,12 +102,9 @@ pub(crate) fn is_flat_all_around(system: &dyn System, point: &Point, verdict: &V
         return false;
     };
     let residuals = &point.at.residuals;
-    let promised = |lambda: f64| {
-        let Some(p) = factor.damped(residuals, lambda) else {
-            return 0.0;
-        };
-        let slope = dot(residuals, &point.at.jacobian.multiply(&p));
-        let rise = system.cost(&add(&point.z, 1.0, &p)) - point.at.cost;
+    let along = |p: &[f64]| {
+        let slope = dot(residuals, &point.at.jacobian.multiply(p));
+        let rise = system.cost(&add(&point.z, 1.0, p)) - point.at.cost;
         if rise < 0.0 {
             return -rise;
         }
@@ -117,7 +114,18 @@ pub(crate) fn is_flat_all_around(system: &dyn System, point: &Point, verdict: &V
         }
         slope * slope / (4.0 * (rise - slope)).max(f64::MIN_POSITIVE)
     };
-    (-6..=20).all(|power| is_below_rounding(point, promised(10f64.powi(power))))
+    let flat = |p: Option<Vec<f64>>| p.is_none_or(|p| is_below_rounding(point, along(&p)));
+    let norms = point.at.jacobian.column_norms();
+    // Damped steps may all leap along one parameter whose column nearly vanishes.
+    let alone = |k: usize| {
+        let mut axis = vec![0.0; norms.len()];
+        axis[k] = 1.0;
+        let slope = dot(residuals, &point.at.jacobian.multiply(&axis));
+        axis[k] = -slope / (norms[k] * norms[k]);
+        axis[k].is_finite().then_some(axis)
+    };
+    (-6..=20).all(|power| flat(factor.damped(residuals, 10f64.powi(power))))
+        && (0..norms.len()).all(|k| flat(alone(k)))
 }
 
 /// A lower point near a stationary one that is no minimum: along the direction that the Jacobian

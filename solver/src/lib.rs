@@ -69,6 +69,7 @@ mod scaling;
 mod search;
 mod solve;
 mod system;
+mod vanishing;
 mod vector;
 
 pub use blocks::{BlockProblem, BlockReport, solve_blocks};

@@ -12,6 +12,7 @@ use crate::point::{NotFinite, Point};
 use crate::report::{Iteration, Termination};
 use crate::robust::{Losses, Robust, robust_sigma};
 use crate::system::{Counted, Evaluations, System};
+use crate::vanishing;
 
 /// Room for the trace of a usual run.
 const USUAL_STEPS: usize = 32;
@@ -66,6 +67,7 @@ pub(crate) fn minimise(
     let mut point = first_point(&system, start, name)?;
     let mut iterations = Vec::with_capacity(USUAL_STEPS);
     let deadline = options.time_limit.and_then(after);
+    let counted = &system;
     let mut descend = |system: &dyn System, point: &mut Point| {
         let mut run = Run::new(
             system,
@@ -79,8 +81,17 @@ pub(crate) fn minimise(
         for escapes in 0.. {
             let (stop, verdict) = down(&mut run, system, point, polytope, options);
             let mut ended = termination(stop, point, &verdict, options);
-            if ended == Termination::Stalled && is_flat_all_around(system, point, &verdict) {
-                ended = Termination::Cost;
+            if ended == Termination::Stalled {
+                counted.open_reserve();
+                let free = polytope.is_none() && escapes < ESCAPES;
+                if let Some(lower) = free.then(|| vanishing::lower(system, point)).flatten() {
+                    *point = lower;
+                    run.restart(point);
+                    continue;
+                }
+                if is_flat_all_around(system, point, &verdict) {
+                    ended = Termination::Cost;
+                }
             }
             if !ended.converged() || ended == Termination::Zero || polytope.is_some() {
                 return (ended, verdict);

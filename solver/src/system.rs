@@ -172,12 +172,17 @@ pub struct Evaluations {
     pub second_derivatives: usize,
 }
 
+/// Share of the second derivatives that is kept for where a run stalls: one in so many.
+const RESERVE: usize = 4;
+
 /// A system that counts.
 pub(crate) struct Counted<'a> {
     inner: &'a dyn System,
     count: Cell<Evaluations>,
     /// Most second derivatives; beyond, none are offered.
     budget: usize,
+    /// How many of them are kept for where the run has stalled.
+    reserve: Cell<usize>,
     refused: Cell<bool>,
 }
 
@@ -188,6 +193,7 @@ impl<'a> Counted<'a> {
             inner,
             count: Cell::default(),
             budget,
+            reserve: Cell::new(budget / RESERVE),
             refused: Cell::new(false),
         }
     }
@@ -195,6 +201,11 @@ impl<'a> Counted<'a> {
     /// The count so far.
     pub fn evaluations(&self) -> Evaluations {
         self.count.get()
+    }
+
+    /// Offers what was kept, from now on.
+    pub fn open_reserve(&self) {
+        self.reserve.set(0);
     }
 
     fn add(&self, one: impl FnOnce(&mut Evaluations)) {
@@ -220,7 +231,8 @@ impl System for Counted<'_> {
     }
 
     fn second_derivative(&self, z: &[f64], v: &[f64]) -> Option<Vec<f64>> {
-        if self.refused.get() || self.count.get().second_derivatives >= self.budget {
+        let most = self.budget - self.reserve.get();
+        if self.refused.get() || self.count.get().second_derivatives >= most {
             return None;
         }
         let offered = self.inner.second_derivative(z, v);

@@ -7,7 +7,7 @@
 //! {"case": 3, "x": […]}     → {"r": […], "jacobian": [[…], …], "optimality": …}
 //! ```
 //! With `--held-out` it serves the held-out problems instead, whose list also says what the default
-//! variant finds: `"cost"` (`Σ r²`), `"converged"`, `"reason"`.
+//! variant finds: `"cost"` (`Σ r²`), `"found"` (`x`), `"converged"`, `"reason"`.
 //!
 //! Infinite bounds are `null`. Values that are not finite come as `null` too.
 
@@ -66,6 +66,7 @@ fn describe(group: &str, case: &Case) -> Value {
     };
     json!({
         "cost": found.as_ref().map(|report| 2.0 * report.cost),
+        "found": found.as_ref().map(|report| report.parameters.values().to_vec()),
         "converged": found.as_ref().map(|report| report.termination.converged()),
         "reason": found.as_ref().map(|report| format!("{:?}", report.termination)),
         "group": group, "name": case.name, "start": case.start, "lower": case.lower,

@@ -4,10 +4,12 @@
 mod chains;
 mod curves;
 mod equations;
+mod least;
 
 pub use chains::chains;
 pub use curves::curves;
 pub use equations::equations;
+pub use least::LEAST;
 
 use super::Case;
 
