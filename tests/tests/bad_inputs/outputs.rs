@@ -142,6 +142,43 @@ fn case_123_a_limit_on_file_sizes() {
 }
 
 #[test]
+fn case_123_a_full_disk() {
+    let bench = calibrated();
+    let disk = bench.path("disk");
+    std::fs::create_dir(&disk).unwrap();
+    let mount = |args: &[&str]| {
+        let mut command = std::process::Command::new(args[0]);
+        command
+            .args(&args[1..])
+            .arg(&disk)
+            .stderr(std::process::Stdio::null());
+        command.status().is_ok_and(|status| status.success())
+    };
+    if !mount(&["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs"]) {
+        eprintln!("SKIPPED: a full disk needs the right to mount one (root)");
+        return;
+    }
+    bench.write("disk/c.csv", "old");
+    bench.write(
+        "spec.toml",
+        "seed = 1\n[motion.hand_held]\nplacements = 12\n",
+    );
+    let apply = ["apply", "cal.json", "r.csv", "-o", "disk/c.csv", "--force"];
+    let full = bench.run(&apply);
+    let folder = bench.run(&["apply", "cal.json", "r.csv", "-o", "disk/new"]);
+    let simulated = bench.run(&["simulate", "spec.toml", "-o", "disk/session"]);
+    let names = std::fs::read_dir(&disk).unwrap();
+    let left: Vec<_> = names.map(|entry| entry.unwrap().file_name()).collect();
+    let old = std::fs::read_to_string(disk.join("c.csv"));
+    assert!(mount(&["umount"]), "still mounted: {}", disk.display());
+    full.ends(6).says(&["c.csv"]).changes(&[]);
+    folder.ends(6).changes(&[]);
+    simulated.ends(6).changes(&[]);
+    assert_eq!(old.unwrap(), "old");
+    assert_eq!(left.len(), 1, "{left:?}");
+}
+
+#[test]
 fn case_124_what_a_killed_run_left_is_ignored() {
     let bench = bench();
     bench.write(".cal.json.partial", "half of a file");
@@ -155,7 +192,7 @@ fn case_124_what_a_killed_run_left_is_ignored() {
 fn case_125_two_runs_to_one_output() {
     let bench = bench();
     let mut runs = Vec::new();
-    for _ in 0..6 {
+    for _ in 0..12 {
         let args = ["calibrate", "r.csv", "-o", "cal.json"];
         runs.push(bench.command(&args).spawn().unwrap());
     }
