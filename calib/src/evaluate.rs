@@ -3,7 +3,8 @@
 use nalgebra::Vector3;
 use serde::Serialize;
 
-use crate::calibration::{Calibration, apply};
+use crate::calibration::{Calibration, apply_with};
+use crate::error::Error;
 use crate::intervals::{Segmentation, Span, StaticInterval, Turn};
 use crate::recording::{Recording, Stream};
 use crate::residuals::{Integrator, attitude_of};
@@ -21,6 +22,11 @@ pub struct Evaluation {
     /// one that the accelerometer shows after each turn, degrees; what is left of the rate in the
     /// rests beside the turn is taken off as bias.
     pub direction_rms: Option<f64>,
+    /// Mean of the corrected rate over the rests, rad/s: what the calibration's bias is off by. The angles above are
+    /// measured with it taken off.
+    pub static_rate: Option<[f64; 3]>,
+    /// How far a rest's mean rate is from that mean, root mean square over rests of the norm, rad/s.
+    pub static_rate_scatter: Option<f64>,
 }
 
 /// What a calibration leaves in one rest or one turn.
@@ -41,35 +47,52 @@ pub struct Misfits {
     pub rests: Vec<Misfit>,
     /// Of its direction, degrees.
     pub turns: Vec<Misfit>,
+    /// Mean corrected rate in each rest, rad/s.
+    pub rates: Vec<Vector3<f64>>,
 }
 
 /// Measures a calibration, or the raw readings with `None`, on the rests and turns of a recording.
 ///
 /// Only `apply` is asked for what the calibration makes of a reading.
+///
+/// # Errors
+/// As [`crate::calibration::apply`].
 pub fn evaluate(
     recording: &Recording,
     segmentation: &Segmentation,
     calibration: Option<&Calibration>,
     gravity: f64,
-) -> Evaluation {
-    let misfits = misfits(recording, segmentation, calibration, gravity);
+) -> Result<Evaluation, Error> {
+    let misfits = misfits(recording, segmentation, calibration, gravity)?;
     let rms = |all: &[Misfit]| root_mean_square(&all.iter().map(|m| m.value).collect::<Vec<_>>());
-    Evaluation {
+    let count = misfits.rates.len().max(1) as f64;
+    let mean = misfits.rates.iter().sum::<Vector3<f64>>() / count;
+    let scatter = misfits.rates.iter().map(|rate| (rate - mean).norm());
+    let seen = !misfits.rates.is_empty();
+    Ok(Evaluation {
+        static_rate: seen.then(|| mean.into()),
+        static_rate_scatter: root_mean_square(&scatter.collect::<Vec<_>>()),
         static_intervals: misfits.rests.len(),
         modulus_rms: rms(&misfits.rests),
         turns: misfits.turns.len(),
         direction_rms: rms(&misfits.turns),
-    }
+    })
 }
 
 /// [`evaluate`], rest by rest and turn by turn.
+///
+/// # Errors
+/// As [`evaluate`].
 pub fn misfits(
     recording: &Recording,
     segmentation: &Segmentation,
     calibration: Option<&Calibration>,
     gravity: f64,
-) -> Misfits {
-    let corrected = calibration.map_or_else(|| recording.clone(), |c| apply(c, recording));
+) -> Result<Misfits, Error> {
+    let corrected = match calibration {
+        Some(c) => apply_with(c, recording, Some(segmentation))?,
+        None => recording.clone(),
+    };
     let spans: Vec<_> = segmentation.statics.iter().map(|rest| rest.span).collect();
     let rests = Segmentation::from_spans(&corrected, &spans, segmentation.multiplier);
     let modulus = |(index, rest): (usize, &StaticInterval)| {
@@ -87,7 +110,7 @@ pub fn misfits(
         })
     };
     let sound = segmentation.turns.iter().filter(|t| t.fault.is_none());
-    Misfits {
+    Ok(Misfits {
         rests: rests
             .statics
             .iter()
@@ -95,7 +118,12 @@ pub fn misfits(
             .filter_map(modulus)
             .collect(),
         turns: sound.filter_map(direction).collect(),
-    }
+        rates: rests
+            .statics
+            .iter()
+            .filter_map(|rest| Some(rest.gyroscope?.mean))
+            .collect(),
+    })
 }
 
 /// The angle by which the corrected rate misses gravity after a turn, degrees.

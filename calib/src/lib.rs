@@ -28,6 +28,7 @@ pub mod residuals;
 pub mod simulate;
 mod text_file;
 mod toml_place;
+pub mod truth;
 
 pub use calibration::Calibration;
 pub use error::Error;

@@ -90,12 +90,7 @@ fn left(
     };
     let calibration = calibrate(seen, &[], &request)?.calibration;
     let choice = cut(held_out, &request.detector, true, gravity)?;
-    Ok(misfits(
-        held_out,
-        &choice.segmentation,
-        Some(&calibration),
-        gravity,
-    ))
+    misfits(held_out, &choice.segmentation, Some(&calibration), gravity)
 }
 
 #[cfg(test)]

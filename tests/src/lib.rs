@@ -9,6 +9,7 @@ pub mod fuzz;
 pub mod leave_one_out;
 pub mod needed_data;
 pub mod noise_source;
+pub mod one_truth;
 pub mod phone;
 pub mod power;
 pub mod problems;

@@ -106,7 +106,7 @@ fn raw_counts_give_the_same_corrected_signal_as_si_units() {
         .iter()
         .map(|s| {
             let outcome = calibrate(std::slice::from_ref(&s.recording), &[], &request(s)).unwrap();
-            apply(&outcome.calibration, &s.recording)
+            apply(&outcome.calibration, &s.recording).unwrap()
         })
         .collect();
     // A count of 5e-4 m/s² rounds by 1.4e-4 rms: the two may differ by that and by what the

@@ -89,6 +89,14 @@ fn coefficients(effect: &dyn AnyEffect, size: f64, seed: usize) -> Vec<f64> {
 }
 
 #[test]
+fn an_effect_declares_all_that_it_looks_at_and_nothing_else() {
+    for effect in catalogue() {
+        let observed = sensor::observed_needs(effect);
+        assert_eq!(effect.needs(), observed, "{}", effect.name());
+    }
+}
+
+#[test]
 fn every_promised_name_is_there_with_its_sensor() {
     for (sensor, promised) in PROMISED {
         let own = catalogue().into_iter().filter(|e| e.sensor() == sensor);

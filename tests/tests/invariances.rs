@@ -82,8 +82,8 @@ fn axes_renamed_in_a_circle_give_the_same_corrected_readings() {
     let session = Row::Consumer.spec(8).run().unwrap();
     let renamed = with(&session.recording, |t| t, |v| circle * v);
     for method in [Method::Stepwise, Method::Joint] {
-        let before = apply(&calibrated(&session.recording, method), &session.recording);
-        let after = apply(&calibrated(&renamed, method), &renamed);
+        let before = apply(&calibrated(&session.recording, method), &session.recording).unwrap();
+        let after = apply(&calibrated(&renamed, method), &renamed).unwrap();
         for (name, before, after) in [
             ("m/s²", &before.accelerometer, &after.accelerometer),
             ("rad/s", &before.gyroscope, &after.gyroscope),

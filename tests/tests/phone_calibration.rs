@@ -156,7 +156,12 @@ fn without_hand_picked_sections_the_result_stays_within_60_ppm_and_holds_on_data
     let cut = choose_multiplier(held_out, &request().detector, GRAVITY)
         .unwrap()
         .segmentation;
-    let rms = |c| evaluate(held_out, &cut, c, GRAVITY).modulus_rms.unwrap();
+    let rms = |c| {
+        evaluate(held_out, &cut, c, GRAVITY)
+            .unwrap()
+            .modulus_rms
+            .unwrap()
+    };
     assert!((rms(None) - 21.1e-3).abs() < 0.1e-3);
     assert!((rms(Some(&reference.calibration)) - 3.42e-3).abs() < 0.01e-3);
     // One placement more than the 23, the long rest at the end of rec_2, does better still.

@@ -114,7 +114,7 @@ fn cart_error(
     (folder, _, truth, ..): &(&str, &str, [f64; 3], usize, f64),
     ending: Ending,
 ) -> f64 {
-    let corrected = apply(calibration, &phone::recording(folder).unwrap());
+    let corrected = apply(calibration, &phone::recording(folder).unwrap()).unwrap();
     let motion = Motion::find(&corrected).unwrap();
     let track = reckon(&corrected, &motion, Mode::Full, ending).unwrap();
     let error = track.displacement() - Vector3::from(*truth);
@@ -126,7 +126,7 @@ fn walking_ends_within_the_issues_figure_where_the_published_way_diverges() {
     if phone::folder().is_none() {
         return;
     }
-    let corrected = apply(&stepwise(), &phone::recording("walking").unwrap());
+    let corrected = apply(&stepwise(), &phone::recording("walking").unwrap()).unwrap();
     let motion = Motion::find(&corrected).unwrap();
     let end = reckon(&corrected, &motion, Mode::Full, Ending::Attitude)
         .unwrap()

@@ -7,8 +7,8 @@ use super::rest_bias::rest_bias;
 use super::static_norm::StaticNorms;
 use super::{Frame, Request, checks, noise};
 use crate::calibration::{
-    Calibration, EffectParameter, EffectValues, RecordingBias, Remainder, SCHEMA, Triad,
-    WITHOUT_WALKS,
+    Calibration, EffectParameter, EffectValues, Outside, Provenance, RecordingBias, Remainder,
+    SCHEMA, Triad, WITHOUT_WALKS, effect_named,
 };
 use crate::error::Error;
 use crate::intervals::Segmentation;
@@ -122,6 +122,7 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         clocks: Vec::new(),
         history: Vec::new(),
         failed_gates,
+        provenance: Provenance::of(Vec::new(), None),
     };
     Ok(match request.frame {
         Frame::Triangular => calibration,
@@ -267,6 +268,7 @@ fn resting_gyroscope(turning: &[(&Recording, &Segmentation)], table: &mut Table)
         rank: 3,
         condition: 1.0,
         unobservable: Vec::new(),
+        units: None,
         recordings: Vec::new(),
     };
     rest_biases(&mut triad, turning, table);
@@ -321,6 +323,7 @@ pub(super) fn triad(sensor: Sensor, equation: &str, fitted: &Fitted) -> Triad {
         rank: fitted.rank,
         condition: fitted.condition,
         unobservable: fitted.unobservable.clone(),
+        units: None,
         recordings: Vec::new(),
     }
 }
@@ -351,6 +354,9 @@ pub(super) fn effect_values<'a>(
             name: effect.name().into(),
             definition: effect.definition().cloned(),
             parameters,
+            outside: effect_named(effect.name())
+                .is_none()
+                .then_some(Outside(*effect)),
         }
     })
 }

@@ -1,13 +1,14 @@
 //! One recording's turns, directions of gravity and static rates, for the gyroscope's fit.
 
-use nalgebra::{DMatrix, Vector3};
-use sensor::{Kinematics, Model};
+use nalgebra::{DMatrix, Matrix3, Vector3};
+use sensor::Model;
 
 use super::{GyroBias, Request};
-use crate::intervals::{Segmentation, StaticInterval, Turn};
-use crate::methods::{AccelerometerFit, GyroscopeData, known_of};
+use crate::intervals::{Segmentation, Turn};
+use crate::methods::{AccelerometerFit, GyroscopeData, RawUnit, gyroscope_guess};
 use crate::recording::Recording;
 use crate::residuals::{StaticMean, TurnData};
+use crate::truth::{Models, Sensing, Truth};
 
 /// Where the data come from.
 pub(super) struct Source<'a> {
@@ -19,9 +20,9 @@ pub(super) struct Source<'a> {
     pub request: &'a Request,
 }
 
-impl Source<'_> {
-    /// Corrected specific force of a raw reading, m/s².
-    fn force(&self, raw: &Vector3<f64>, rest: &Kinematics<f64>) -> Vector3<f64> {
+impl<'a> Source<'a> {
+    /// What is known of the recording by the accelerometer and the gyroscope so far.
+    fn truth(&self, rate: Option<&Sensing>) -> Truth<'a> {
         let model = &self.accelerometer.model;
         let shared = model.parameters().len();
         let fitted = &self.accelerometer.fitted;
@@ -29,7 +30,11 @@ impl Source<'_> {
             Some(k) => fitted.local(shared, k),
             None => fitted.parameters.values()[..shared].to_vec(),
         };
-        model.correct(raw, rest, &p)
+        let models = Models {
+            accelerometer: Some(Sensing::new(model.clone(), p)),
+            gyroscope: rate.cloned(),
+        };
+        Truth::as_far_as_known(self.recording, Some(self.segmentation), models)
     }
 
     /// The accelerometer's parameters for this recording moved by independent combinations of their errors, each with a
@@ -58,27 +63,69 @@ impl Source<'_> {
         (0..n).map(mode).collect()
     }
 
-    /// The direction of specific force in a rest by these parameters.
-    fn direction(&self, rest: &StaticInterval, p: &[f64]) -> Option<Vector3<f64>> {
-        let known = known_of(self.recording, rest, Vector3::zeros());
-        let force = self
-            .accelerometer
-            .model
-            .correct(&rest.accelerometer?.mean, &known, p);
-        Some(force.normalize())
-    }
-
-    /// Corrected mean specific force of a rest, m/s².
-    fn force_at_rest(&self, rest: &StaticInterval) -> Option<Vector3<f64>> {
-        let known = known_of(self.recording, rest, Vector3::zeros());
-        Some(self.force(&rest.accelerometer?.mean, &known))
+    /// The direction of specific force in static interval `k` by these parameters.
+    fn direction(&self, truth: &Truth<'_>, k: usize, p: &[f64]) -> Option<Vector3<f64>> {
+        let mean = self.segmentation.statics.get(k)?.accelerometer?.mean;
+        let model = &self.accelerometer.model;
+        Some(model.correct(&mean, &truth.at_rest(k), p).normalize())
     }
 }
 
-/// Collects the sound turns and names the others in `warnings`.
-pub(super) fn collect(
-    source: &Source<'_>,
+/// The data of all sources for a gyroscope of this model, and what is named in `warnings`.
+///
+/// What its effects look at takes a first gyroscope: the unit and the axes that the turns show.
+pub(super) fn collect_all(
+    sources: &[Source<'_>],
     model: &Model,
+    warnings: &mut Vec<String>,
+) -> Vec<GyroscopeData> {
+    let bare: Vec<GyroscopeData> = sources
+        .iter()
+        .map(|source| collect(source, None, warnings))
+        .collect();
+    if model.effects().is_empty() {
+        return bare;
+    }
+    let first = first_gyroscope(&bare, model);
+    sources
+        .iter()
+        .map(|source| collect(source, Some(&first), &mut Vec::new()))
+        .collect()
+}
+
+/// The same by a gyroscope that was fitted to them.
+pub(super) fn collect_by(sources: &[Source<'_>], fitted: &Sensing) -> Vec<GyroscopeData> {
+    let data = sources
+        .iter()
+        .map(|source| collect(source, Some(fitted), &mut Vec::new()));
+    data.collect()
+}
+
+/// The gyroscope that the turns show at first: unit and axes, the bias from the static intervals.
+fn first_gyroscope(bare: &[GyroscopeData], model: &Model) -> Sensing {
+    let unbiased: Vec<TurnData> = bare
+        .iter()
+        .flat_map(|data| data.turns.iter().zip(&data.turn_bias))
+        .map(|(turn, bias)| TurnData {
+            readings: turn.readings.iter().map(|w| w - bias).collect(),
+            ..turn.clone()
+        })
+        .collect();
+    let guess = gyroscope_guess(&unbiased);
+    let rests: Vec<&StaticMean> = bare.iter().flat_map(|data| &data.statics).collect();
+    let zero = rests.iter().map(|mean| mean.raw).sum::<Vector3<f64>>() / rests.len().max(1) as f64;
+    let mut first = Sensing::first(model.clone(), RawUnit { zero, ..guess.unit });
+    let axes: Matrix3<f64> = guess.axes;
+    for (value, (i, j)) in first.parameters.iter_mut().zip(sensor::PLACES) {
+        *value = axes[(i, j)];
+    }
+    first
+}
+
+/// Collects the sound turns and names the others in `warnings`. What effects look at is known with a gyroscope so far.
+fn collect(
+    source: &Source<'_>,
+    rate: Option<&Sensing>,
     warnings: &mut Vec<String>,
 ) -> GyroscopeData {
     let Source {
@@ -93,14 +140,14 @@ pub(super) fn collect(
         moved: Vec::new(),
         statics: Vec::new(),
     };
-    for rest in &segmentation.statics {
-        let (Some(gyroscope), Some(force)) = (rest.gyroscope, source.force_at_rest(rest)) else {
+    let truth = source.truth(rate);
+    for (k, rest) in segmentation.statics.iter().enumerate() {
+        let (Some(gyroscope), Some(_)) = (rest.gyroscope, rest.accelerometer) else {
             continue;
         };
-        let known = known_of(recording, rest, force);
         data.statics.push(StaticMean {
             raw: gyroscope.mean,
-            rest: known,
+            rest: truth.at_rest(k),
             white: gyroscope.white_of_mean(),
         });
     }
@@ -116,11 +163,11 @@ pub(super) fn collect(
             ));
             continue;
         }
-        if let Some((samples, bias)) = one_turn(source, model, turn) {
-            let ends = [turn.from, turn.from + 1].map(|k| &segmentation.statics[k]);
+        if let Some((samples, bias)) = one_turn(source, &truth, rate, turn) {
+            let ends = [turn.from, turn.from + 1];
             let here = [samples.before, samples.after];
             let by = |p: &Vec<f64>| -> Option<[Vector3<f64>; 2]> {
-                let [before, after] = ends.map(|rest| source.direction(rest, p));
+                let [before, after] = ends.map(|k| source.direction(&truth, k, p));
                 Some([before? - here[0], after? - here[1]])
             };
             data.moved.push(moved.iter().filter_map(by).collect());
@@ -131,11 +178,17 @@ pub(super) fn collect(
     data
 }
 
-fn one_turn(source: &Source<'_>, model: &Model, turn: &Turn) -> Option<(TurnData, Vector3<f64>)> {
+fn one_turn(
+    source: &Source<'_>,
+    truth: &Truth<'_>,
+    rate: Option<&Sensing>,
+    turn: &Turn,
+) -> Option<(TurnData, Vector3<f64>)> {
     let statics = &source.segmentation.statics;
     let (before, after) = (statics.get(turn.from)?, statics.get(turn.from + 1)?);
     let stream = source.recording.gyroscope.as_ref()?;
     let stamps = &stream.t[turn.samples.clone()];
+    let readings = stream.values[turn.samples.clone()].to_vec();
     let bias = match source.request.gyro_bias {
         GyroBias::Adjacent => 0.5 * (before.gyroscope?.mean + after.gyroscope?.mean),
         GyroBias::Initial => statics.first()?.gyroscope?.mean,
@@ -144,35 +197,21 @@ fn one_turn(source: &Source<'_>, model: &Model, turn: &Turn) -> Option<(TurnData
         Some(step) => (0..stamps.len()).map(|k| k as f64 * step).collect(),
         None => stamps.to_vec(),
     };
-    let rest = if model.effects().is_empty() {
-        Vec::new()
-    } else {
-        stamps.iter().map(|&t| moving(source, t)).collect()
-    };
+    let rest = rate.map_or_else(Vec::new, |rate| {
+        let near_si: Vec<_> = readings.iter().map(|w| rate.unit.to_si(w)).collect();
+        truth.along(stamps, &near_si)
+    });
+    let ends = [(turn.from, before), (turn.from + 1, after)];
+    let [before, after] = ends.map(|(k, rest)| {
+        rest.accelerometer?;
+        Some(truth.at_rest(k).specific_force.normalize())
+    });
     let data = TurnData {
         t,
-        readings: stream.values[turn.samples.clone()].to_vec(),
+        readings,
         rest,
-        before: source.force_at_rest(before)?.normalize(),
-        after: source.force_at_rest(after)?.normalize(),
+        before: before?,
+        after: after?,
     };
     Some((data, bias))
-}
-
-/// What is known besides the gyroscope at time `t` of a turn.
-fn moving(source: &Source<'_>, t: f64) -> Kinematics<f64> {
-    let recording = source.recording;
-    let mut known = Kinematics::at_rest(Vector3::zeros());
-    known.time = t - recording.start();
-    if let Some(celsius) = recording.temperature.as_ref().and_then(|c| c.at(t)) {
-        known.temperature = celsius;
-    }
-    if let Some(raw) = recording
-        .accelerometer
-        .as_ref()
-        .and_then(|stream| stream.at(t))
-    {
-        known.specific_force = source.force(&raw, &known);
-    }
-    known
 }

@@ -4,10 +4,10 @@ use sensor::{BASE_PARAMETERS, Model, Sensor};
 
 use super::assemble::{effect_values, of_the_gyro_unit, of_the_unit, triad};
 use super::same_device::of_one_device;
-use super::{Frame, Outcome, Request, checks, clocks, cut};
+use super::{Frame, Outcome, Request, checks, clocks, cut, refuse_unknowable};
 use crate::calibration::{
-    BiasTime, Calibration, RecordingBias, RecordingClock, Remainder, SCHEMA, Triad, WITH_WALKS,
-    effect_named, in_symmetric_frame,
+    BiasTime, Calibration, Provenance, RecordingBias, RecordingClock, Remainder, SCHEMA, Triad,
+    WITH_WALKS, effect_named, in_symmetric_frame,
 };
 use crate::error::Error;
 use crate::methods::joint::{Channel, Disturbance, JointFit, JointRequest, fit_joint};
@@ -55,6 +55,8 @@ pub(super) fn calibrate(
         choices.push(choice);
         recordings.push(recording);
     }
+    let cut = choices.iter().map(|c| &c.segmentation);
+    refuse_unknowable(recordings.iter().copied().zip(cut), &request.effects)?;
     let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
     for effect in &request.effects {
         accelerometer = accelerometer.with(*effect);
@@ -179,6 +181,7 @@ pub(crate) fn written_down(
         clocks: RecordingClock::of(fit),
         history: Vec::new(),
         failed_gates,
+        provenance: Provenance::of(Vec::new(), None),
     };
     Ok(match request.frame {
         Frame::Triangular => calibration,

@@ -17,22 +17,27 @@ pub use means_file::read_static_means;
 pub use part_way::changes_part_way;
 
 use nalgebra::Vector3;
-use sensor::{AnyEffect, Model};
+use sensor::{AnyEffect, Model, Quantity, Sensor};
 
-use crate::calibration::{Calibration, RecordingClock};
+use crate::calibration::{Calibration, Options, RecordingClock};
 use crate::error::Error;
 use crate::gravity::GravitySource;
 use crate::intervals::{Detector, Segmentation, Span, Turn, TurnFault};
 use crate::methods::joint::{ClockMode, JointFit};
 use crate::methods::{
     self, AccelerometerFit, AccelerometerRequest, Choice, GyroscopeData, GyroscopeFit,
-    GyroscopeRequest, fit_accelerometer, fit_gyroscope, static_means,
+    GyroscopeRequest, accelerometer_unit, fit_accelerometer, fit_gyroscope, static_means,
+    static_means_by,
 };
 use crate::readings::{FASTEST_HAND, Finding, tremor, without_spikes};
 use crate::recording::Recording;
-use crate::residuals::Integrator;
+use crate::residuals::{Integrator, StaticMean};
+use crate::truth::{Models, Sensing, Truth, require, silent_at_static_intervals, without_instant};
 
 pub use crate::gravity::STANDARD_GRAVITY;
+
+/// Fits at most after which the signs of changes of force are settled.
+const HISTORIES: usize = 4;
 
 /// The frame that the accelerometer's matrix is reported in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -161,9 +166,35 @@ pub fn calibrate(
     said.extend(clocks::apart(recordings));
     let outcome = outcome.map(|mut outcome| {
         outcome.calibration.warnings.extend(said);
+        state_inputs(&mut outcome, recordings, gyro_recordings, request);
         outcome
     });
     own_effects::blamed(&request.effects, outcome)
+}
+
+/// Writes down from what the calibration was made.
+fn state_inputs(
+    outcome: &mut Outcome,
+    recordings: &[Recording],
+    gyro_recordings: &[Recording],
+    request: &Request,
+) {
+    let same = |a: &Recording, b: &Recording| {
+        a.accelerometer == b.accelerometer && a.gyroscope == b.gyroscope
+    };
+    let mut counted: Vec<&Recording> = Vec::new();
+    for recording in recordings {
+        if !counted.iter().any(|other| same(other, recording)) {
+            counted.push(recording);
+        }
+    }
+    counted.extend(gyro_recordings);
+    let cut = outcome.choices.iter().map(|c| Some(&c.segmentation));
+    let cut = cut.chain(std::iter::repeat(None));
+    let multipliers = outcome.choices.iter().map(|c| c.segmentation.multiplier);
+    let options = Options::of(request, multipliers.collect());
+    let all = counted.into_iter().zip(cut);
+    outcome.calibration.state_inputs(all, Some(options));
 }
 
 /// Calibrates by the clock that was asked for.
@@ -327,6 +358,10 @@ fn stepwise(
     request: &Request,
     mut warnings: Vec<String>,
 ) -> Result<Outcome, Error> {
+    if request.static_means.is_empty() {
+        let cut = choices.iter().map(|c| &c.segmentation);
+        refuse_unknowable(recordings.iter().copied().zip(cut), &request.effects)?;
+    }
     let accelerometer = accelerometer(recordings, &choices, request, &mut warnings)?;
     let separate = gyro_recordings
         .iter()
@@ -345,6 +380,9 @@ fn stepwise(
     } else {
         separate.iter().map(|(r, s)| (*r, s)).collect()
     };
+    if !separate.is_empty() {
+        refuse_unknowable(turning.iter().copied(), &request.effects)?;
+    }
     let gyroscope = gyroscope(
         &turning,
         separate.is_empty(),
@@ -437,12 +475,20 @@ fn accelerometer(
     }
     checks::enough_rests(recordings, choices, &means)?;
     checks::not_in_one_plane(&means)?;
-    let mut model = accelerometer::model();
-    for effect in &request.effects {
-        model = model.with(*effect);
+    let model = accelerometer_model(request);
+    let raw: Vec<Vector3<f64>> = means.iter().flatten().map(|m| m.raw).collect();
+    let unit = accelerometer_unit(&raw, request.gravity);
+    if let Some(unit) = unit.filter(|_| !model.effects().is_empty()) {
+        if !request.static_means.is_empty() {
+            checks::force_is_all_they_need(model.effects())?;
+        } else {
+            let first = Sensing::first(model.clone(), unit);
+            means = known_means(recordings, choices, |_| first.clone());
+        }
+        checks::the_norm_tells_them(&model, &means, &unit, request.gravity)?;
     }
     let force_device = request.force_device;
-    let request = AccelerometerRequest {
+    let mut request = AccelerometerRequest {
         recordings: means,
         names,
         model,
@@ -451,7 +497,28 @@ fn accelerometer(
     if !force_device {
         same_device::same_device(&request)?;
     }
-    let fit = fit_accelerometer(&request)?;
+    let mut fit = fit_accelerometer(&request)?;
+    if choices.len() == request.recordings.len()
+        && request.model.effects().iter().any(|e| looks_back(*e))
+    {
+        let shared = request.model.parameters().len();
+        for _ in 0..HISTORIES {
+            let by = |k: usize| Sensing::new(request.model.clone(), fit.fitted.local(shared, k));
+            let again = known_means(recordings, choices, by);
+            let same = again
+                .iter()
+                .flatten()
+                .zip(request.recordings.iter().flatten());
+            let same = same
+                .into_iter()
+                .all(|(a, b)| a.rest.last_change == b.rest.last_change);
+            request.recordings = again;
+            fit = fit_accelerometer(&request)?;
+            if same {
+                break;
+            }
+        }
+    }
     checks::accelerometer_is_determined(&checks::ForceEvidence::of(&fit, &request), warnings)?;
     Ok(Some(fit))
 }
@@ -474,7 +541,7 @@ fn gyroscope(
         return Ok(None);
     }
     let model = gyroscope_model(request);
-    let mut data = Vec::new();
+    let mut sources = Vec::new();
     for (k, (recording, segmentation)) in turning.iter().enumerate() {
         if recording.gyroscope.is_none() || recording.accelerometer.is_none() {
             warnings.push(format!(
@@ -484,23 +551,42 @@ fn gyroscope(
             continue;
         }
         let place = same_recordings.then_some(k);
-        let of = gyro_data::Source {
+        sources.push(gyro_data::Source {
             recording,
             segmentation,
             place,
             accelerometer,
             request,
-        };
-        data.push(gyro_data::collect(&of, &model, warnings));
+        });
     }
-    let request = GyroscopeRequest {
-        recordings: data,
+    let mut asked = GyroscopeRequest {
+        recordings: gyro_data::collect_all(&sources, &model, warnings),
         model,
         integrator: request.integrator,
     };
-    let fit = fit_gyroscope(&request)?;
+    let mut fit = fit_gyroscope(&asked)?;
+    if asked.model.effects().iter().any(|e| follows_the_fit(*e)) {
+        let shared = asked.model.parameters().len();
+        let p = fit.fitted.parameters.values()[..shared].to_vec();
+        let fitted = Sensing::new(asked.model.clone(), p);
+        asked.recordings = gyro_data::collect_by(&sources, &fitted);
+        fit = fit_gyroscope(&asked)?;
+    }
     checks::gyroscope_is_determined(&checks::RateEvidence::of(&fit), warnings)?;
     Ok(Some(fit))
+}
+
+/// Whether an effect looks at where the device came from: a change of force is told from none by the accelerometer's
+/// own fit.
+fn looks_back(effect: &dyn AnyEffect) -> bool {
+    let looks = [Quantity::LastChange, Quantity::Vibration];
+    effect.needs().iter().any(|need| looks.contains(need))
+}
+
+/// Whether what an effect looks at comes from the gyroscope's own fit.
+fn follows_the_fit(effect: &dyn AnyEffect) -> bool {
+    let from_rates = [Quantity::AngularAcceleration, Quantity::Attitude];
+    effect.needs().iter().any(|need| from_rates.contains(need))
 }
 
 /// The sound turns and the rests of a recording as the gyroscope's fit takes them, with the directions
@@ -518,7 +604,59 @@ pub fn gyroscope_data(
         accelerometer,
         request,
     };
-    gyro_data::collect(&of, &gyroscope_model(request), &mut Vec::new())
+    let all = gyro_data::collect_all(&[of], &gyroscope_model(request), &mut Vec::new());
+    all.into_iter().next().unwrap_or_default()
+}
+
+/// The static means with what effects look at, by an accelerometer for each recording.
+fn known_means(
+    recordings: &[&Recording],
+    choices: &[Choice],
+    by: impl Fn(usize) -> Sensing,
+) -> Vec<Vec<StaticMean>> {
+    let of = |(k, (recording, choice)): (usize, (&&Recording, &Choice))| {
+        let models = Models {
+            accelerometer: Some(by(k)),
+            gyroscope: None,
+        };
+        let truth = Truth::as_far_as_known(recording, Some(&choice.segmentation), models);
+        static_means_by(&truth, &choice.segmentation)
+    };
+    recordings.iter().zip(choices).enumerate().map(of).collect()
+}
+
+/// Refuses effects of which a parameter, or what they look at, cannot be known of these recordings.
+fn refuse_unknowable<'a>(
+    recordings: impl IntoIterator<Item = (&'a Recording, &'a Segmentation)>,
+    effects: &[&'static dyn AnyEffect],
+) -> Result<(), Error> {
+    let first = |model| Some(Sensing::first(model, methods::RawUnit::SI));
+    let models = Models {
+        accelerometer: first(accelerometer::model()),
+        gyroscope: first(gyroscope::model()),
+    };
+    for effect in effects {
+        silent_at_static_intervals(*effect)?;
+        without_instant(*effect)?;
+    }
+    for (recording, segmentation) in recordings {
+        for effect in effects {
+            let own = match effect.sensor() {
+                Sensor::Accelerometer => &recording.accelerometer,
+                Sensor::Gyroscope => &recording.gyroscope,
+            };
+            if own.is_some() {
+                require(recording, Some(segmentation), &models, *effect)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The accelerometer's base model with its effects.
+fn accelerometer_model(request: &Request) -> Model {
+    let effects = request.effects.iter();
+    effects.fold(accelerometer::model(), |model, effect| model.with(*effect))
 }
 
 /// The gyroscope's base model with its effects.

@@ -2,12 +2,23 @@
 
 use std::path::Path;
 
-use super::{Calibration, SCHEMA};
+use sensor::AnyEffect;
+
+use super::{Calibration, Outside, SCHEMA, Triad};
 use crate::error::Error;
 use crate::recording::{
     figure,
     place::{shown, shown_path},
 };
+
+/// Largest ratio of the singular values of `T`: sensitivities of one chip differ by a tenth, units of its axes not at all.
+const MOST_UNEQUAL: f64 = 10.0;
+
+/// Largest bias that is believed of readings in SI units, and of counts, m/s²: twice gravity, and twice what 200 g are.
+const LARGEST_FORCE: [f64; 2] = [20.0, 4000.0];
+
+/// The same of rates, rad/s: more than a quarter turn a second, and twice what 4000 °/s are.
+const LARGEST_RATE: [f64; 2] = [2.0, 140.0];
 
 /// Reads a calibration file.
 ///
@@ -15,9 +26,17 @@ use crate::recording::{
 /// An unreadable file, one that is no calibration of this schema, and one whose numbers cannot be
 /// used (a matrix without inverse, an unknown effect); the message names the entry.
 pub fn load(path: &Path) -> Result<Calibration, Error> {
+    load_with(path, &[])
+}
+
+/// [`load`] for files with effects of other crates: `outside` are those, found by their names.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_with(path: &Path, outside: &[&'static dyn AnyEffect]) -> Result<Calibration, Error> {
     let text = crate::read_text(path)?;
     refuse_newer(path, &text, SCHEMA)?;
-    parse(&text).map_err(|what| Error::Input(format!("{}:{what}", shown_path(path))))
+    parse(&text, outside).map_err(|what| Error::Input(format!("{}:{what}", shown_path(path))))
 }
 
 /// Refuses a file of a version of `schema` that this program is too old for: another program is to be called.
@@ -50,7 +69,7 @@ pub(crate) fn refuse_newer(path: &Path, text: &str, schema: &str) -> Result<(), 
 }
 
 /// The calibration in `text`; the error begins with its place.
-fn parse(text: &str) -> Result<Calibration, String> {
+fn parse(text: &str, outside: &[&'static dyn AnyEffect]) -> Result<Calibration, String> {
     let any: serde_json::Value = serde_json::from_str(text).map_err(|e| {
         let other = !text.trim_start().starts_with('{');
         let swapped = if other {
@@ -80,10 +99,14 @@ fn parse(text: &str) -> Result<Calibration, String> {
             ));
         }
     }
-    let calibration: Calibration = serde_json::from_str(text).map_err(|e| {
+    let mut calibration: Calibration = serde_json::from_str(text).map_err(|e| {
         let what = shown(&e.to_string());
         format!("{}:{}: {what}", e.line(), e.column())
     })?;
+    for values in &mut calibration.effects {
+        let own = outside.iter().find(|effect| effect.name() == values.name);
+        values.outside = own.map(|effect| Outside(*effect));
+    }
     check(&calibration)?;
     Ok(calibration)
 }
@@ -108,6 +131,7 @@ fn check(calibration: &Calibration) -> Result<(), String> {
                 " {name}.T: the matrix has no inverse; calibrate again"
             ));
         }
+        absurd(name, triad)?;
     }
     let gravity = calibration.gravity;
     if !(1.0..100.0).contains(&gravity) {
@@ -139,6 +163,49 @@ fn check(calibration: &Calibration) -> Result<(), String> {
                 values.name
             ));
         }
+        let pairs = effect.params().iter().zip(&values.parameters).enumerate();
+        for (k, (expected, found)) in pairs {
+            if expected.name != found.name {
+                return Err(format!(
+                    " effects.{}.parameters.{k}: \"{}\" found, \"{}\" expected",
+                    values.name, found.name, expected.name
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Refuses numbers that no device has.
+fn absurd(name: &str, triad: &Triad) -> Result<(), String> {
+    let base = triad.base();
+    let sizes = base.t.singular_values();
+    let (largest, least) = (sizes.max(), sizes.min());
+    if largest > MOST_UNEQUAL * least {
+        return Err(format!(
+            " {name}.T: one direction is amplified {:.0} times more than another: no sensor's axes are so; was the file edited?",
+            largest / least
+        ));
+    }
+    let scale = base.t.determinant().abs().cbrt();
+    let (range, unit) = match name {
+        "accelerometer" => (LARGEST_FORCE, "m/s²"),
+        _ => (LARGEST_RATE, "rad/s"),
+    };
+    // Counts may lie around any zero.
+    let most = if (0.5..2.0).contains(&scale) {
+        range[0]
+    } else {
+        range[1]
+    };
+    let offset = (base.t * base.bias).norm();
+    if offset > most || !offset.is_finite() {
+        return Err(format!(
+            " {name}.bias: {} found, which is {} {unit} at a reading of zero and no sensor's: was the file edited, or is it of \
+             another sensor?",
+            figure(base.bias.norm()),
+            figure(offset)
+        ));
     }
     Ok(())
 }

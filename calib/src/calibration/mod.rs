@@ -3,24 +3,37 @@
 mod apply;
 mod check;
 mod clock;
+mod doubts;
 mod frame;
 mod gravity;
+mod inputs;
 mod misfit;
+mod outside;
+mod reading_unit;
 mod units;
 
-pub use apply::apply;
-pub use check::load;
+pub use apply::{apply, apply_with};
 pub(crate) use check::refuse_newer;
+pub use check::{load, load_with};
 pub use clock::{BetweenSamples, RecordingClock};
+pub use doubts::doubts;
 pub use frame::in_symmetric_frame;
+pub use inputs::{
+    Input, Options, Provenance, SIGN_CONVENTION, SensorInput, TemperatureInput, fingerprint,
+};
 pub use misfit::{Remainder, WITH_WALKS, WITHOUT_WALKS};
+pub use outside::Outside;
+pub use reading_unit::TriadUnits;
 pub use units::check_units;
 
 use nalgebra::{Matrix3, Vector3};
 use sensor::{AnyEffect, Base, Definition, Model, Sensor};
 use serde::{Deserialize, Serialize};
 
+use crate::error::Error;
 use crate::gravity::GravitySource;
+use crate::intervals::Segmentation;
+use crate::recording::Recording;
 
 /// The schema this version writes.
 pub const SCHEMA: &str = "stillpoint.calibration/1";
@@ -64,6 +77,9 @@ pub struct Calibration {
     /// Biases estimated again since, oldest first.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub history: Vec<BiasUpdate>,
+    /// Recordings, options and conventions.
+    #[serde(flatten)]
+    pub provenance: Provenance,
 }
 
 /// A bias estimated again with everything else kept.
@@ -115,6 +131,9 @@ pub struct Triad {
     pub condition: f64,
     /// Combinations of parameters that the data cannot see.
     pub unobservable: Vec<String>,
+    /// Units of the readings, of `T` and of `bias`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub units: Option<TriadUnits>,
     /// Biases by recording, where there are several.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub recordings: Vec<RecordingBias>,
@@ -160,6 +179,9 @@ pub struct EffectValues {
     pub definition: Option<Definition>,
     /// Its parameters, in order.
     pub parameters: Vec<EffectParameter>,
+    /// The effect itself, where it is compiled and in no catalogue of this program.
+    #[serde(skip)]
+    pub outside: Option<Outside>,
 }
 
 /// One parameter of an effect.
@@ -190,6 +212,7 @@ impl EffectValues {
                 effect.map_err(|e| format!("definition.{e}"))
             }
             None => effect_named(&self.name)
+                .or(self.outside.map(|outside| outside.0))
                 .ok_or_else(|| "is not in the catalogue (`stillpoint effects`)".to_owned()),
         }
     }
@@ -206,12 +229,57 @@ impl Triad {
 }
 
 impl Calibration {
+    /// Writes down what it was made from.
+    pub fn state_inputs<'a>(
+        &mut self,
+        recordings: impl IntoIterator<Item = (&'a Recording, Option<&'a Segmentation>)>,
+        options: Option<Options>,
+    ) {
+        let scale = |triad: &Option<Triad>| {
+            let base = triad.as_ref()?.base();
+            Some(base.t.determinant().abs().cbrt())
+        };
+        let scales = [scale(&self.accelerometer), scale(&self.gyroscope)];
+        let inputs = recordings.into_iter();
+        let inputs = inputs.map(|(r, intervals)| Input::of(r, intervals, scales));
+        self.provenance = Provenance::of(inputs.collect(), options);
+        self.state_units();
+        self.seal();
+    }
+
+    /// Whether it was made from this recording among others; `None` where the file does not say from what.
+    pub fn was_made_from(&self, recording: &Recording) -> Option<bool> {
+        let inputs = &self.provenance.inputs;
+        let own = || fingerprint(recording);
+        (!inputs.is_empty()).then(|| {
+            let own = own();
+            inputs.iter().any(|input| input.samples_sha256 == own)
+        })
+    }
+
     /// The triad of a sensor.
     pub fn triad(&self, sensor: Sensor) -> Option<&Triad> {
         match sensor {
             Sensor::Accelerometer => self.accelerometer.as_ref(),
             Sensor::Gyroscope => self.gyroscope.as_ref(),
         }
+    }
+
+    /// Refuses effects that nobody here knows: the corrected signal would lack them.
+    ///
+    /// # Errors
+    /// [`Error::NotEnough`] with the effect's name.
+    pub fn knows_its_effects(&self) -> Result<(), Error> {
+        self.effects.iter().try_for_each(|values| {
+            let known = values.effect().map(|_| ());
+            known.map_err(|what| {
+                Error::NotEnough(format!(
+                    "the calibration has the effect {} and what it does is not known here: it {what}; load it with \
+                     the crate that has it (`load_with`)",
+                    values.name
+                ))
+            })
+        })
     }
 
     /// The model of a sensor and its parameters, base first; `None` where the sensor was not

@@ -16,17 +16,17 @@ const PLAUSIBLE: std::ops::Range<f64> = 0.6..1.6;
 /// # Errors
 /// [`Error::Input`] with both moduli.
 pub fn check_units(calibration: &Calibration, recording: &Recording) -> Result<(), Error> {
-    let (Some(stream), Some((model, p))) = (
+    let (Some(stream), Some(triad)) = (
         &recording.accelerometer,
-        calibration.model(Sensor::Accelerometer),
+        calibration.triad(Sensor::Accelerometer),
     ) else {
         return Ok(());
     };
-    let rest = sensor::Kinematics::at_rest(nalgebra::Vector3::zeros());
+    let base = triad.base();
     let mut moduli: Vec<f64> = stream
         .values
         .iter()
-        .map(|raw| model.correct(raw, &rest, &p).norm())
+        .map(|raw| base.correct(raw).norm())
         .collect();
     let middle = moduli.len() / 2;
     if moduli.is_empty() {

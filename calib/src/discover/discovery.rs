@@ -119,6 +119,9 @@ fn discover_all(recordings: &[Recording], request: &Request) -> Result<Discovery
         (false, true) => Verdict::Unexplained,
         (true, true) => Verdict::NamedAndUnexplained,
     };
+    let cut = |k: usize| session.recordings.get(k).map(|(_, c)| &c.segmentation);
+    let inputs = recordings.iter().enumerate().map(|(k, r)| (r, cut(k)));
+    calibration.state_inputs(inputs, None);
     let findings = Findings {
         schema: FINDINGS_SCHEMA,
         verdict,

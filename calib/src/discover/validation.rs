@@ -5,6 +5,7 @@
 //! ```
 
 use faer::Mat;
+use sensor::{AnyEffect, Role};
 
 use super::channel::{Channel, Misfit, Sequence, whitening_at};
 use super::discovery::Discovery;
@@ -64,8 +65,14 @@ pub fn validate(
 /// What each channel of the session misses under the calibration of `model`.
 fn missed(session: &Session<'_>, model: &State, walks: Walks) -> Result<[Misfit; 3], Error> {
     // What was disturbed in the other recording was disturbed there.
+    // An instant belongs to the recording that it was found in: nothing is judged by it here.
+    let lasting = |effect: &&(&'static dyn AnyEffect, _)| {
+        let mut roles = effect.0.params().iter().map(|p| p.role);
+        roles.all(|role| role != Role::Instant)
+    };
+    let effects = model.extension.effects.iter().filter(lasting);
     let fit = fit_joint(&session.joint(&Extension {
-        effects: model.extension.effects.clone(),
+        effects: effects.copied().collect(),
         ..Extension::default()
     }))?;
     let held = HeldCalibration::of(&under(model, walks), &fit);

@@ -7,6 +7,7 @@ use solver::scalar::{derivatives, variable};
 use solver::{Jet, LANES, lit};
 
 use crate::residuals::TurnData;
+use crate::truth::unneeded;
 
 /// One element of `F` that is not always zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,7 +76,7 @@ impl Features {
 
 /// The columns of `F` at each sample.
 fn columns(model: &Model, turn: &TurnData) -> Vec<Vec<Vector3<f64>>> {
-    let still = Kinematics::at_rest(turn.before);
+    let still = unneeded();
     (0..turn.t.len())
         .map(|k| {
             let known = turn.rest.get(k).unwrap_or(&still);

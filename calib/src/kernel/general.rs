@@ -14,6 +14,7 @@ use super::sensitivity::Sensitivity;
 use super::series::Degree;
 use super::slopes::Slopes;
 use crate::residuals::TurnData;
+use crate::truth::unneeded;
 
 /// Turns of any model.
 #[derive(Debug)]
@@ -70,8 +71,7 @@ impl<'a> General<'a> {
 
 /// What is known of a sample besides the reading.
 fn known(turn: &TurnData, sample: usize) -> Kinematics<f64> {
-    let still = || Kinematics::at_rest(turn.before);
-    turn.rest.get(sample).copied().unwrap_or_else(still)
+    turn.rest.get(sample).copied().unwrap_or_else(unneeded)
 }
 
 /// A sensor that reads the truth.

@@ -1,7 +1,7 @@
 //! The derivative of the true signal behind a reading, against given vectors.
 
 use nalgebra::{Matrix3, Vector3};
-use sensor::{AnyEffect, BASE_PARAMETERS, Base, Kinematics, Model, PLACES, inverse};
+use sensor::{AnyEffect, BASE_PARAMETERS, Base, Kinematics, Model, PLACES, Sensor, inverse};
 use solver::scalar::{derivatives, variable};
 use solver::{Jet, LANES, lit};
 
@@ -84,10 +84,7 @@ impl<'a> Sensitivity<'a> {
         known: &Kinematics<f64>,
         vectors: &[Vector3<f64>; 2],
     ) {
-        let known = Kinematics {
-            angular_rate: *signal,
-            ..*known
-        };
+        let known = known.with_signal(Sensor::Gyroscope, *signal);
         let mut by_signal = Matrix3::identity();
         self.columns.clear();
         for active in &mut self.effects {

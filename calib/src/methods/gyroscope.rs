@@ -25,7 +25,7 @@ const LEAST_OWN_SHARE: f64 = 0.25;
 const NUMBERS_PER_TURN: usize = 2;
 
 /// One recording's share of a gyroscope fit, raw units.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct GyroscopeData {
     /// Name of the recording.
     pub name: String,

@@ -20,47 +20,28 @@ pub use outliers::{Outlier, outliers};
 pub use stepwise::{AccelerometerFit, AccelerometerRequest, fit_accelerometer};
 pub use threshold::{Choice, MULTIPLIERS, Trial, choose_multiplier, cut};
 
-use nalgebra::Vector3;
-use sensor::Kinematics;
-
-use crate::covariates::{last_changes, vibrations};
-use crate::intervals::{Moments, Segmentation, StaticInterval};
+use crate::intervals::Segmentation;
 use crate::recording::Recording;
 use crate::residuals::StaticMean;
+use crate::truth::{Models, Truth};
 
-/// The accelerometer's means over the rests of a recording, with what effects ask for.
+/// The accelerometer's means over the static intervals of a recording; of the truth there time and temperature are known.
 pub fn static_means(recording: &Recording, segmentation: &Segmentation) -> Vec<StaticMean> {
-    let rests: Vec<(&StaticInterval, Moments)> = segmentation
-        .statics
-        .iter()
-        .filter_map(|rest| Some((rest, rest.accelerometer?)))
-        .collect();
-    let forces: Vec<Vector3<f64>> = rests.iter().map(|(_, m)| m.mean).collect();
-    let variances: Vec<Vector3<f64>> = rests.iter().map(|(_, m)| m.covariance.diagonal()).collect();
-    let (changes, shaking) = (last_changes(&forces), vibrations(&variances));
-    rests
-        .into_iter()
-        .zip(changes.into_iter().zip(shaking))
-        .map(|((rest, moments), (last_change, vibration))| StaticMean {
-            raw: moments.mean,
-            rest: Kinematics {
-                last_change,
-                vibration,
-                ..known_of(recording, rest, Vector3::zeros())
-            },
-            white: moments.white_of_mean(),
-        })
-        .collect()
+    let truth = Truth::as_far_as_known(recording, Some(segmentation), Models::default());
+    static_means_by(&truth, segmentation)
 }
 
-/// What is known of a rest besides a sensor's own reading.
-pub(crate) fn known_of(
-    recording: &Recording,
-    rest: &StaticInterval,
-    specific_force: Vector3<f64>,
-) -> Kinematics<f64> {
-    let mut known = Kinematics::at_rest(specific_force);
-    known.time = 0.5 * (rest.span.from + rest.span.to) - recording.start();
-    known.temperature = rest.temperature.unwrap_or(known.temperature);
-    known
+/// The same with the truth that effects look at.
+pub fn static_means_by(truth: &Truth<'_>, segmentation: &Segmentation) -> Vec<StaticMean> {
+    let statics = segmentation.statics.iter().enumerate();
+    statics
+        .filter_map(|(k, rest)| {
+            let moments = rest.accelerometer?;
+            Some(StaticMean {
+                raw: moments.mean,
+                rest: truth.at_rest(k),
+                white: moments.white_of_mean(),
+            })
+        })
+        .collect()
 }

@@ -4,12 +4,13 @@ use nalgebra::{Matrix3, Vector3};
 use sensor::{Sensor, inverse};
 use solver::{Options, Uncertainty, solve};
 
-use super::static_means;
-use crate::calibration::{BiasUpdate, Calibration, apply};
+use super::static_means_by;
+use crate::calibration::{BiasUpdate, Calibration, apply_with};
 use crate::error::Error;
 use crate::intervals::{Segmentation, Span};
 use crate::recording::Recording;
 use crate::residuals::GravityNorm;
+use crate::truth::{Models, Truth};
 
 /// A rest must be longer than this to say anything new of a gyroscope's bias (Liu et al. 2021,
 /// section 4.2), s.
@@ -41,7 +42,7 @@ pub fn gyroscope_stretches(
     recording: &Recording,
     segmentation: &Segmentation,
 ) -> Result<Vec<Stretch>, Error> {
-    let corrected = apply(calibration, recording);
+    let corrected = apply_with(calibration, recording, Some(segmentation))?;
     let (Some(stream), Some(_)) = (&corrected.gyroscope, &calibration.gyroscope) else {
         return Err(Error::NotEnough(format!(
             "{}: recording and calibration must both have a gyroscope",
@@ -123,7 +124,8 @@ pub fn update_accelerometer(
     recording: &Recording,
     segmentation: &Segmentation,
 ) -> Result<Calibration, Error> {
-    let means = static_means(recording, segmentation);
+    let truth = Truth::of(recording, Some(segmentation), Models::of(calibration))?;
+    let means = static_means_by(&truth, segmentation);
     let (Some((model, p)), true) = (
         calibration.model(Sensor::Accelerometer),
         means.len() >= FEWEST_RESTS,
@@ -212,6 +214,7 @@ fn shifted(
         bias_before: before,
         bias,
     });
+    updated.seal();
     Ok(updated)
 }
 

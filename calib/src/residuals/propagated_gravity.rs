@@ -6,6 +6,7 @@ use sensor::{Kinematics, Model, ModelScalar};
 use solver::{Residual, lit};
 
 use super::integrator::{Integrator, attitude_of};
+use crate::truth::unneeded;
 
 /// The samples of one turn and the directions of gravity at its ends.
 #[derive(Clone, Debug)]
@@ -41,7 +42,7 @@ impl TurnData {
         integrator: Integrator,
         x: &[D],
     ) -> Attitude<D> {
-        let still = Kinematics::at_rest(self.before);
+        let still = unneeded();
         attitude_of(integrator, &self.t, |k| {
             let rest = self.rest.get(k).unwrap_or(&still);
             model.correct(&self.readings[k].map(lit::<D>), &rest.lift(), x)

@@ -38,7 +38,7 @@ impl World {
             time: t,
             temperature: self.temperature_at(t),
             angular_acceleration: state.angular_acceleration,
-            last_change: rest.map_or_else(Vector3::zeros, |r| r.last_change),
+            last_change: self.motion.last_change(t),
             vibration: rest.map_or_else(Vector3::zeros, |r| r.vibration),
             attitude: Attitude {
                 w: state.attitude.w,

@@ -47,7 +47,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let calibration = load(&args.calibration)?;
     let recording = read(&args.recording, &args.read)?;
     args.device.check(&calibration, &[&recording])?;
-    let mut corrected: Recording = apply(&calibration, &recording);
+    let mut corrected: Recording = apply(&calibration, &recording)?;
     let written = target.write(&mut corrected);
     for warning in &corrected.warnings {
         show::warn(warning);

@@ -222,7 +222,7 @@ fn draw(pictures: Pictures, recordings: &[Recording], outcome: &Outcome) -> Resu
     }
     let segmentations = outcome.choices.iter().map(|choice| &choice.segmentation);
     let calibration = &outcome.calibration;
-    let parts = report::parts(counted.into_iter().zip(segmentations), calibration);
+    let parts = report::parts(counted.into_iter().zip(segmentations), calibration)?;
     let plots = report::plots(&parts);
     let page = report::page(calibration, &parts, &plots, tables::units(outcome))?;
     pictures.write(&plots, &page)

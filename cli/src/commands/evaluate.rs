@@ -15,7 +15,8 @@ use crate::read_args::ReadArgs;
 use crate::show;
 
 /// Compares calibrations on a recording, the raw readings always among them: the modulus of gravity
-/// at rest and its direction after each turn.
+/// at rest, its direction after each turn with what is left of the rate at rest taken off, and that rate:
+/// the error of the gyroscope's bias.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
@@ -61,12 +62,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     }
     let choice = cut(&recording, &detector, choose, args.gravity)?;
     let measure = |c| evaluate(&recording, &choice.segmentation, c, args.gravity);
-    let mut rows: Vec<(String, Evaluation)> = vec![("raw".into(), measure(None))];
-    rows.extend(
-        calibrations
-            .iter()
-            .map(|(name, c)| (name.clone(), measure(Some(c)))),
-    );
+    let mut rows: Vec<(String, Evaluation)> = vec![("raw".into(), measure(None)?)];
+    for (name, calibration) in &calibrations {
+        rows.push((name.clone(), measure(Some(calibration))?));
+    }
     // Misfits of a recording in which something changes say nothing of a calibration.
     let by_first = calibrations.first().zip(rows.get(1));
     let gyroscope = by_first.and_then(|((_, calibration), (_, evaluation))| {
@@ -96,6 +95,7 @@ fn table(rows: &[(String, Evaluation)]) -> comfy_table::Table {
         "|f| - g rms (mm/s²)",
         "turns",
         "direction rms (°)",
+        "rate at rest (°/s)",
     ]);
     let number =
         |value: Option<f64>, digits: usize| value.map_or("-".into(), |v| format!("{v:.digits$}"));
@@ -106,6 +106,10 @@ fn table(rows: &[(String, Evaluation)]) -> comfy_table::Table {
             number(e.modulus_rms.map(|v| 1e3 * v), 2),
             e.turns.to_string(),
             number(e.direction_rms, 4),
+            e.static_rate.map_or("-".into(), |rate| {
+                let [x, y, z] = rate.map(f64::to_degrees);
+                format!("{x:.4} {y:.4} {z:.4}")
+            }),
         ]);
     }
     table

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use calib::calibration::check_units;
+use calib::calibration::{check_units, doubts};
 use calib::effect_file::{catalogue_with, read_effects};
 use calib::gravity::{Gravity, normal_gravity};
 use calib::intervals::Detector;
@@ -254,6 +254,9 @@ impl DeviceArgs {
         }
         for recording in recordings.iter().filter(|_| !self.force_device) {
             check_units(calibration, recording)?;
+            doubts(calibration, recording)?
+                .iter()
+                .for_each(|doubt| show::warn(doubt));
         }
         Ok(())
     }

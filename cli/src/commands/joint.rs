@@ -5,8 +5,9 @@ use std::fmt::Write as _;
 
 use calib::calibration::Remainder;
 use calib::methods::joint::{ComponentKind, JointFit};
+use calib::truth::supposed;
 use nalgebra::Vector3;
-use sensor::{Kinematics, Sensor};
+use sensor::Sensor;
 
 /// Time for a quarter or a full turn, s: what a bias adds to the heading grows with it.
 const TURN_TIME: f64 = 3.0;
@@ -41,7 +42,7 @@ pub fn text(fit: &JointFit) -> String {
     }
     let force = fit.prediction(Sensor::Accelerometer);
     for (axis, name) in axes() {
-        let truth = Kinematics::at_rest(axis * fit.gravity);
+        let truth = supposed(axis * fit.gravity, Vector3::zeros());
         let std = force.std_of_reading(&truth);
         let _ = writeln!(
             text,

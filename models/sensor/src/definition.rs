@@ -14,6 +14,7 @@ use crate::effect::AnyEffect;
 use crate::expression::Expression;
 use crate::kinematics::{Kinematics, Sensor};
 use crate::param::Param;
+use crate::quantity::Quantity;
 
 /// An effect as its name, parameters and an expression per axis.
 ///
@@ -396,6 +397,15 @@ impl AnyEffect for Defined {
             .parameters
             .first()
             .map_or(0.0, |p| p.typical)
+    }
+    fn needs(&self) -> Vec<Quantity> {
+        let expressions = || self.axes.iter().flatten();
+        let used = self.covariates.iter().enumerate();
+        let used = used.filter(|(k, _)| expressions().any(|axis| axis.uses(*k)));
+        let mut needs: Vec<Quantity> = used.map(|(_, c)| Quantity::of(*c)).collect();
+        needs.sort();
+        needs.dedup();
+        needs
     }
     fn definition(&self) -> Option<&Definition> {
         Some(&self.definition)

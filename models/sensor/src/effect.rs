@@ -6,6 +6,7 @@ use solver::{Jet, Jet2, Scalar};
 use crate::definition::Definition;
 use crate::kinematics::{Kinematics, Sensor};
 use crate::param::Param;
+use crate::quantity::{Quantity, observed_needs};
 
 /// An error that a sensor adds to the true signal: `raw = base⁻¹(truth + Σ effect(truth))`.
 ///
@@ -25,6 +26,9 @@ pub trait Effect: Send + Sync + 'static {
     /// Whether the error is `F p`: linear in the parameters, with an `F` that does not depend on this
     /// sensor's own signal. Fits of such an effect are faster; `false` is always right.
     const LINEAR: bool = false;
+    /// What it looks at in the truth, its own signal aside. Where that cannot be known the effect is refused, with the
+    /// quantity's name. `None`: it is found out by trying ([`observed_needs`]).
+    const NEEDS: Option<&'static [Quantity]> = None;
 
     /// The error at `truth`, in the unit of the sensor's signal, for parameters `p` in the order
     /// of `PARAMS`.
@@ -47,6 +51,8 @@ pub trait AnyEffect: Send + Sync {
     fn is_linear(&self) -> bool {
         false
     }
+    /// What it looks at in the truth.
+    fn needs(&self) -> Vec<Quantity>;
     /// Size of the parameter in place `k`: its own where it has one, otherwise that of the effect.
     fn typical_of(&self, k: usize) -> f64 {
         let own = self.params().get(k).and_then(|p| p.typical);
@@ -82,6 +88,9 @@ impl<E: Effect> AnyEffect for E {
     }
     fn is_linear(&self) -> bool {
         E::LINEAR
+    }
+    fn needs(&self) -> Vec<Quantity> {
+        E::NEEDS.map_or_else(|| observed_needs(self), <[Quantity]>::to_vec)
     }
     fn error_f64(&self, truth: &Kinematics<f64>, p: &[f64]) -> Vector3<f64> {
         self.error(truth, p)

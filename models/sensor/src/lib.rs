@@ -21,6 +21,7 @@ mod invert;
 mod kinematics;
 mod model;
 mod param;
+mod quantity;
 
 pub use axis::Axis;
 pub use base::{BASE_PARAMETERS, Base, PLACES, base_names, inverse};
@@ -31,4 +32,5 @@ pub use emit::emit_effect;
 pub use formula::{Factor, Formula, Term};
 pub use kinematics::{Kinematics, REFERENCE_TEMPERATURE, Sensor};
 pub use model::Model;
-pub use param::{Param, params};
+pub use param::{Param, Role, params};
+pub use quantity::{Quantity, observed_needs, silent_at_rest};

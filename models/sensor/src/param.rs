@@ -11,6 +11,23 @@ pub struct Param {
     pub nominal: f64,
     /// Size in a consumer-grade device, where it is not that of the effect.
     pub typical: Option<f64>,
+    /// What kind of number it is.
+    pub role: Role,
+}
+
+/// What kind of number a parameter is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Role {
+    /// A factor: it belongs to the device.
+    #[default]
+    Coefficient,
+    /// A time in which something settles, s: it belongs to the device.
+    TimeConstant,
+    /// When something happened, s since the start of a recording: it belongs to that recording and means nothing in
+    /// another.
+    Instant,
+    /// A direction or level that the device is seen against, in the frame of one recording.
+    Reference,
 }
 
 impl Param {
@@ -21,7 +38,14 @@ impl Param {
             unit,
             nominal,
             typical: None,
+            role: Role::Coefficient,
         }
+    }
+
+    /// The same in another role.
+    #[must_use]
+    pub const fn in_role(self, role: Role) -> Self {
+        Self { role, ..self }
     }
 
     /// The same with a size of its own in a consumer-grade device.
@@ -41,6 +65,7 @@ pub const fn params<const N: usize>(unit: &'static str, names: [&'static str; N]
         unit,
         nominal: 0.0,
         typical: None,
+        role: Role::Coefficient,
     }; N];
     let mut k = 0;
     while k < N {

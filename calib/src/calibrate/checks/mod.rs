@@ -4,6 +4,7 @@ mod coning;
 mod coverage;
 mod determined;
 mod mounting;
+mod norm;
 mod on_top;
 mod rests;
 
@@ -13,17 +14,19 @@ pub(super) use determined::{
     ForceEvidence, RateEvidence, accelerometer_is_determined, gyroscope_is_determined,
 };
 pub(super) use mounting::{gyroscope_gates, turned_axes};
+pub(super) use norm::the_norm_tells_them;
 pub(super) use on_top::corrected_before;
 pub(super) use rests::{disagreeing_rests, long_turns, restless};
 
 use nalgebra::Vector3;
-use sensor::Kinematics;
+use sensor::{AnyEffect, Quantity};
 
 use crate::error::Error;
 use crate::methods::Choice;
 use crate::readings::{Quiet, findings, quietest};
 use crate::recording::{Recording, Stream};
 use crate::residuals::StaticMean;
+use crate::truth::unneeded;
 
 /// Rates above this are said to be more than needed, and which would do, Hz.
 const FASTEST: f64 = 5000.0;
@@ -90,9 +93,24 @@ fn fast_sampling(recording: &Recording) -> Option<String> {
 pub(super) fn bare_mean(raw: Vector3<f64>) -> StaticMean {
     StaticMean {
         raw,
-        rest: Kinematics::at_rest(Vector3::zeros()),
+        rest: unneeded(),
         white: 0.0,
     }
+}
+
+/// Refuses effects that look at more than the specific force: of means from a file nothing else is known.
+pub(super) fn force_is_all_they_need(effects: &[&'static dyn AnyEffect]) -> Result<(), Error> {
+    for effect in effects {
+        let all = effect.needs().into_iter();
+        if let Some(need) = all.clone().find(|need| *need != Quantity::SpecificForce) {
+            return Err(Error::NotEnough(format!(
+                "static means: the effect {} needs the {need}, which cannot be known: a file of means has none; \
+                 calibrate from the recording itself",
+                effect.name()
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// Refuses recordings without rests or without turns.

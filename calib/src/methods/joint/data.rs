@@ -7,7 +7,7 @@ use sensor::Kinematics;
 
 use super::broken::{Beside, Pair, touched};
 use super::clock::{ClockMode, SourceClock, TurnClock, clocks_behind, window};
-use super::knowledge::known_at_rests;
+use super::knowledge::by_units;
 use super::noise::SensorNoise;
 use super::sampling::shocks;
 use super::shake::{Shake, gaps, shakes};
@@ -191,7 +191,7 @@ impl Data {
             .collect();
         let total: f64 = spans.iter().map(Span::length).sum();
         let length = CHUNK.max(total / MOST_CHUNKS);
-        let known = known_at_rests(cut);
+        let (truth, start) = (by_units(cut), cut.recording.start());
         let first = self.rests.len();
         for (interval, span) in spans.iter().enumerate() {
             let from = self.chunks.len();
@@ -208,7 +208,10 @@ impl Data {
                 recording: place,
                 interval,
                 span: *span,
-                known: known[interval],
+                known: Kinematics {
+                    time: 0.5 * (span.from + span.to) - start,
+                    ..truth.at_rest(interval)
+                },
                 chunks: from..self.chunks.len(),
             });
         }

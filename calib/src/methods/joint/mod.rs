@@ -15,6 +15,7 @@
 
 mod analysis;
 mod approach;
+mod attitudes;
 mod blocks;
 mod broken;
 mod centred;

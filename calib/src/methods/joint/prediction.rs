@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, PLACES, Sensor, inverse};
 
 use super::slopes::EffectSlopes;
+use crate::truth::supposed;
 
 /// A calibrated sensor with the covariance of its parameters.
 #[derive(Clone, Debug)]
@@ -33,7 +34,7 @@ impl Prediction {
     /// Standard deviation, rad, of the angle that a gyroscope's corrected rate integrates to over a
     /// turn of `angle` (rad) about the unit vector `axis` in `seconds`.
     pub fn std_of_heading(&self, axis: &Vector3<f64>, angle: f64, seconds: f64) -> f64 {
-        let truth = Kinematics::new(Vector3::zeros(), axis * (angle / seconds));
+        let truth = supposed(Vector3::zeros(), axis * (angle / seconds));
         let covariance = self.of_reading(&truth);
         (axis.dot(&(covariance * axis))).max(0.0).sqrt() * seconds
     }

@@ -1,7 +1,7 @@
 //! Fit, measure the noise, look for disturbances, fit again.
 
 use faer::Mat;
-use sensor::Sensor;
+use sensor::{AnyEffect, Quantity, Sensor};
 use solver::{Mask, Options, Parameters, Variant, solve};
 
 use super::approach::{Weighted, approach};
@@ -10,7 +10,7 @@ use super::clock_fit::settle_clock;
 use super::data::{Cut, Data};
 use super::fit::JointFit;
 use super::judgement::Weights;
-use super::knowledge::Attitudes;
+use super::knowledge::by_models;
 use super::problem::{Linear, Rows};
 use super::request::JointRequest;
 use super::start::{Start, charts, start};
@@ -45,7 +45,13 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
     for cut in &cuts {
         data.add(cut);
     }
-    let covariates = request.covariates || !request.gyroscope.effects().is_empty();
+    let look = |effect: &&'static dyn AnyEffect| {
+        let needs = effect.needs();
+        needs.contains(&Quantity::LastChange) || needs.contains(&Quantity::Vibration)
+    };
+    let covariates = request.covariates
+        || !request.gyroscope.effects().is_empty()
+        || request.accelerometer.effects().iter().any(|e| look(&e));
     for k in data.with_scatter() {
         data.set_clock(k, 0, 0.0);
     }
@@ -68,7 +74,7 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
     .run(point)
 }
 
-/// Works out what effects ask for at the samples of turns, then the attitudes.
+/// Works out what effects look at: by the models at first, then by those of a first fit.
 fn know(
     request: &JointRequest<'_>,
     data: &mut Data,
@@ -76,18 +82,33 @@ fn know(
     charts: &[Chart],
     start: &Start,
 ) -> Result<(), Error> {
-    for (k, p) in start.accelerometer.iter().enumerate() {
-        data.know_turns(k, &cuts[k], &request.accelerometer, p);
-    }
-    let first = Run {
+    let perfect = request.gyroscope.parameters();
+    let first = start.accelerometer.iter();
+    let first = first.map(|p| (p.clone(), perfect.values().to_vec()));
+    write_down(request, data, cuts, &first.collect::<Vec<_>>());
+    let run = Run {
         request,
         data,
         charts,
         start,
     };
-    let attitudes = first.attitudes()?;
-    data.know_attitudes(&attitudes);
+    let fitted = run.first_models()?;
+    write_down(request, data, cuts, &fitted);
     Ok(())
+}
+
+/// Parameters of the accelerometer and the gyroscope in each recording.
+type ByRecording = Vec<(Vec<f64>, Vec<f64>)>;
+
+fn write_down(request: &JointRequest<'_>, data: &mut Data, cuts: &[Cut<'_>], models: &ByRecording) {
+    for (k, (cut, (force, rate))) in cuts.iter().zip(models).enumerate() {
+        let (force, rate) = (
+            (&request.accelerometer, force.as_slice()),
+            (&request.gyroscope, rate.as_slice()),
+        );
+        let truth = by_models(cut, force, rate);
+        data.know(k, &truth, cut.recording.start());
+    }
 }
 
 /// What stays the same over all rounds.
@@ -141,10 +162,19 @@ impl Run<'_> {
         )
     }
 
-    /// The attitudes by a first fit: they matter in second order only.
-    fn attitudes(&self) -> Result<Attitudes, Error> {
+    /// The models by a first fit: what effects look at depends on them in second order only.
+    fn first_models(&self) -> Result<ByRecording, Error> {
         let point = self.approach(&self.first_weights(), None)?;
-        Ok(self.rows(&[]).attitudes(point.parameters.values()))
+        let (rows, x) = (self.rows(&[]), point.parameters.values());
+        let perfect = self.request.gyroscope.parameters();
+        let of = |k: usize| {
+            let rate = match rows.layout.gyroscope {
+                0 => perfect.values().to_vec(),
+                _ => rows.local(x, Sensor::Gyroscope, k),
+            };
+            (rows.local(x, Sensor::Accelerometer, k), rate)
+        };
+        Ok((0..self.data.sources.len()).map(of).collect())
     }
 
     fn run(&self, before: Option<Point>) -> Result<JointFit, Error> {

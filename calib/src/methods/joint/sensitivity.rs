@@ -5,6 +5,7 @@ use sensor::{Base, Kinematics, Sensor, inverse};
 
 use super::fit::JointFit;
 use super::problem::Rows;
+use crate::truth::unneeded;
 
 /// A mean of a chunk: three rows.
 #[derive(Clone, Debug)]
@@ -102,7 +103,7 @@ impl Rows<'_> {
         let base = Base::from_parameters(&p);
         let truth = samples.readings.iter().enumerate().map(|(k, reading)| {
             let known = samples.known.get(k).copied();
-            let known = known.unwrap_or_else(|| Kinematics::at_rest(nalgebra::Vector3::zeros()));
+            let known = known.unwrap_or_else(unneeded);
             let rate = if slopes.is_empty() {
                 base.correct(reading)
             } else {

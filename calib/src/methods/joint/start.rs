@@ -1,7 +1,7 @@
 //! Where the joint fit starts: units, a first accelerometer, directions.
 
 use nalgebra::Vector3;
-use sensor::{BASE_PARAMETERS, Model};
+use sensor::{BASE_PARAMETERS, Base, Model};
 
 use super::JointRequest;
 use super::chart::Chart;
@@ -75,7 +75,6 @@ pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
             local
         })
         .collect();
-    let base = Model::base(sensor::Sensor::Accelerometer);
     let turns: Vec<TurnData> = request
         .recordings
         .iter()
@@ -83,11 +82,7 @@ pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
         .flat_map(|((recording, segmentation), p)| {
             let p = &p[..BASE_PARAMETERS];
             unbiased_turns(recording, segmentation, |raw| {
-                base.correct(
-                    &force_unit.to_si(raw),
-                    &sensor::Kinematics::at_rest(Vector3::zeros()),
-                    p,
-                )
+                Base::from_parameters(p).correct(&force_unit.to_si(raw))
             })
         })
         .collect();

@@ -107,6 +107,7 @@ impl GyroscopePart {
                 "gyro scale factors: the earth's rate is too small a signal, they are left at one"
                     .into(),
             ],
+            units: None,
             recordings: Vec::new(),
         }
     }

@@ -13,7 +13,7 @@ pub use placement::{Face, Placement, Six, placements};
 use nalgebra::{Matrix3, Matrix3x6, Vector3};
 use sensor::{Base, Sensor, base_names, inverse};
 
-use crate::calibration::{Calibration, SCHEMA, Triad};
+use crate::calibration::{Calibration, Provenance, SCHEMA, Triad};
 use crate::error::Error;
 use crate::gravity::GravitySource;
 
@@ -191,9 +191,10 @@ impl SixPosition {
             rank: 12,
             condition: 1.0,
             unobservable: Vec::new(),
+            units: None,
             recordings: Vec::new(),
         };
-        Ok(Calibration {
+        let mut calibration = Calibration {
             schema: SCHEMA.into(),
             created_by: concat!("stillpoint ", env!("CARGO_PKG_VERSION")).into(),
             gravity: self.gravity,
@@ -209,7 +210,11 @@ impl SixPosition {
             failed_gates: self.failed_gates(),
             clocks: Vec::new(),
             history: Vec::new(),
-        })
+            provenance: Provenance::of(Vec::new(), None),
+        };
+        calibration.state_units();
+        calibration.seal();
+        Ok(calibration)
     }
 }
 

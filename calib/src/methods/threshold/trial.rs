@@ -1,13 +1,14 @@
 //! What the accelerometer's fit leaves of one set of static intervals.
 
 use nalgebra::Vector3;
-use sensor::{Base, Kinematics, Model};
+use sensor::{Base, Model};
 use serde::Serialize;
 use solver::{Options, Problem, Report, solve};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use crate::methods::first_guess::{RawUnit, accelerometer_unit};
 use crate::residuals::{GravityNorm, StaticMean};
+use crate::truth::unneeded;
 
 /// Multipliers are compared by how well a corrected reading is known after the fit, with the upper end
 /// of what the residual may be: a small residual from two spare placements does not beat one from
@@ -121,7 +122,7 @@ impl NormFit {
 pub(super) fn bare_mean(raw: Vector3<f64>) -> StaticMean {
     StaticMean {
         raw,
-        rest: Kinematics::at_rest(Vector3::zeros()),
+        rest: unneeded(),
         white: 0.0,
     }
 }

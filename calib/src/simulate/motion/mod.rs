@@ -74,6 +74,14 @@ impl Motion {
         &self.segments[after.min(self.segments.len() - 1)]
     }
 
+    /// Sign of the last change of specific force at `t`: that of the placement, or of the last one before.
+    pub fn last_change(&self, t: f64) -> Vector3<f64> {
+        let after = self.segments.partition_point(|s| s.end <= t);
+        let past = &self.segments[..=after.min(self.segments.len() - 1)];
+        let rest = past.iter().rev().find_map(|s| s.rest.as_ref());
+        rest.map_or_else(Vector3::zeros, |rest| rest.last_change)
+    }
+
     /// True if nothing moves between `from` and `to`, s.
     pub fn is_still(&self, from: f64, to: f64) -> bool {
         let segment = self.segment_at(from);

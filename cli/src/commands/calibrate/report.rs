@@ -38,7 +38,7 @@ impl Part<'_> {
 pub fn parts<'a>(
     cut: impl Iterator<Item = (&'a Recording, &'a Segmentation)>,
     calibration: &Calibration,
-) -> Vec<Part<'a>> {
+) -> Result<Vec<Part<'a>>, calib::Error> {
     let mut first = 1;
     cut.map(|(recording, segmentation)| {
         let own = with_own_bias(calibration, &recording.name);
@@ -47,11 +47,11 @@ pub fn parts<'a>(
             recording,
             segmentation,
             first,
-            left: measure(Some(&own)),
-            raw: in_si(calibration).then(|| measure(None)),
+            left: measure(Some(&own))?,
+            raw: in_si(calibration).then(|| measure(None)).transpose()?,
         };
         first += segmentation.statics.len();
-        part
+        Ok(part)
     })
     .collect()
 }

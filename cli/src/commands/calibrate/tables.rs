@@ -10,15 +10,19 @@ use crate::show;
 
 /// Units of the readings of accelerometer and gyroscope.
 pub fn units(outcome: &Outcome) -> [&'static str; 2] {
-    let force = outcome.accelerometer.as_ref();
-    let rate = outcome.gyroscope.as_ref();
-    let si = [
-        force.is_none_or(|fit| fit.unit.is_si()),
-        rate.is_none_or(|fit| fit.unit.is_si()),
-    ];
+    let calibration = &outcome.calibration;
+    let unit = |triad: &Option<Triad>, si: &'static str| {
+        let units = triad.as_ref().and_then(|triad| triad.units.as_ref());
+        match units.map(|units| units.reading.as_str()) {
+            Some("g") => "g",
+            Some("deg/s") => "°/s",
+            Some("count") => "counts",
+            _ => si,
+        }
+    };
     [
-        if si[0] { "m/s²" } else { "counts" },
-        if si[1] { "rad/s" } else { "counts" },
+        unit(&calibration.accelerometer, "m/s²"),
+        unit(&calibration.gyroscope, "rad/s"),
     ]
 }
 

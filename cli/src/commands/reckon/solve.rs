@@ -58,7 +58,7 @@ impl Named {
         }
     }
 
-    fn apply(&self, recording: &Recording) -> Recording {
+    fn apply(&self, recording: &Recording) -> Result<Recording, calib::Error> {
         let mut corrected = match &self.correction {
             Correction::File(calibration) => return apply(calibration, recording),
             Correction::None | Correction::Base(_) => recording.clone(),
@@ -71,7 +71,7 @@ impl Named {
                 .iter_mut()
                 .for_each(|value| *value = base.correct(value));
         }
-        corrected
+        Ok(corrected)
     }
 }
 
@@ -162,7 +162,7 @@ pub(super) fn equations(
     }
     let mut results = Vec::new();
     for named in calibrations {
-        let track = reckon(&named.apply(recording), &motion, mode, ending)?;
+        let track = reckon(&named.apply(recording)?, &motion, mode, ending)?;
         let (horizontal, vertical) = track.distance();
         let start = track.t.first().copied().unwrap_or(0.0);
         results.push(Outcome {
@@ -214,12 +214,12 @@ pub(super) fn published(
         ));
     };
     let missing = || calib::Error::NotEnough(format!("{}: no accelerometer", recording.name));
-    let picking = picker.apply(recording).accelerometer.ok_or_else(missing)?;
+    let picking = picker.apply(recording)?.accelerometer.ok_or_else(missing)?;
     let moving = procedure.moving(&picking);
     let results = calibrations
         .iter()
         .map(|named| {
-            let corrected = named.apply(recording).accelerometer.ok_or_else(missing)?;
+            let corrected = named.apply(recording)?.accelerometer.ok_or_else(missing)?;
             let positions = procedure.positions(&corrected, &moving);
             let end = positions.last().copied().unwrap_or_else(Vector3::zeros);
             let time = (1..).map(|k| f64::from(k) / procedure.rate);

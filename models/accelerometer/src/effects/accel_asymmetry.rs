@@ -1,7 +1,7 @@
 //! Scale factor asymmetry of an accelerometer.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Sensor, params};
+use sensor::{Effect, Kinematics, Param, Quantity, Sensor, params};
 use solver::Scalar;
 
 /// Another scale factor for positive than for negative specific force: `eᵢ = kᵢ |fᵢ|`.
@@ -20,6 +20,7 @@ impl Effect for AccelAsymmetry {
     const EQUATION: &'static str = "A_i += k_i |f_i|";
     const PARAMS: &'static [Param] = &params("", ["x", "y", "z"]);
     const TYPICAL: f64 = 1e-3;
+    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::SpecificForce]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let f = &truth.specific_force;

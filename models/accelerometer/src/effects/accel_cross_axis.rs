@@ -1,7 +1,7 @@
 //! Cross-axis nonlinearity of an accelerometer.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Sensor, params};
+use sensor::{Effect, Kinematics, Param, Quantity, Sensor, params};
 use solver::Scalar;
 
 /// The product of the two cross axes leaks into the third: `eᵢ = kᵢ fⱼ fₖ` with `i, j, k` cyclic.
@@ -20,6 +20,7 @@ impl Effect for AccelCrossAxis {
     const EQUATION: &'static str = "A_i += k_i f_j f_k";
     const PARAMS: &'static [Param] = &params("1/(m/s^2)", ["x", "y", "z"]);
     const TYPICAL: f64 = 1e-4;
+    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::SpecificForce]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let f = &truth.specific_force;

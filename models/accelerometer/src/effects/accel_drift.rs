@@ -1,7 +1,7 @@
 //! Linear drift of an accelerometer bias.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Sensor, params};
+use sensor::{Effect, Kinematics, Param, Quantity, Sensor, params};
 use solver::Scalar;
 
 /// A bias that moves with time: `eᵢ = cᵢ t`.
@@ -21,6 +21,7 @@ impl Effect for AccelDrift {
     const PARAMS: &'static [Param] = &params("m/s^3", ["x", "y", "z"]);
     const TYPICAL: f64 = 1.5e-5;
     const LINEAR: bool = true;
+    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::Time]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         Vector3::from_fn(|i, _| p[i] * truth.time)

@@ -1,7 +1,7 @@
 //! Hysteresis of an accelerometer.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Sensor, params};
+use sensor::{Effect, Kinematics, Param, Quantity, Sensor, params};
 use solver::Scalar;
 
 /// The reading depends on where the specific force came from: `eᵢ = hᵢ sign(last change of fᵢ)`.
@@ -21,6 +21,7 @@ impl Effect for AccelHysteresis {
     const PARAMS: &'static [Param] = &params("m/s^2", ["x", "y", "z"]);
     const TYPICAL: f64 = 3e-3;
     const LINEAR: bool = true;
+    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::LastChange]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         Vector3::from_fn(|i, _| p[i] * truth.last_change[i])

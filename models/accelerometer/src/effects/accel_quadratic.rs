@@ -1,7 +1,7 @@
 //! Second-order nonlinearity of an accelerometer.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Sensor, params};
+use sensor::{Effect, Kinematics, Param, Quantity, Sensor, params};
 use solver::Scalar;
 
 /// A reading that grows with the square of the specific force: `eᵢ = kᵢ fᵢ²`.
@@ -22,6 +22,7 @@ impl Effect for AccelQuadratic {
     const EQUATION: &'static str = "A_i += k_i f_i²";
     const PARAMS: &'static [Param] = &params("1/(m/s^2)", ["x", "y", "z"]);
     const TYPICAL: f64 = 1e-4;
+    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::SpecificForce]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let f = &truth.specific_force;

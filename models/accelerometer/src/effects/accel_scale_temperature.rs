@@ -1,7 +1,7 @@
 //! Temperature dependence of an accelerometer scale factor.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, REFERENCE_TEMPERATURE, Sensor, params};
+use sensor::{Effect, Kinematics, Param, Quantity, REFERENCE_TEMPERATURE, Sensor, params};
 use solver::Scalar;
 
 /// A scale factor that moves with temperature: `eᵢ = cᵢ (T − T₀) fᵢ`.
@@ -22,6 +22,8 @@ impl Effect for AccelScaleTemperature {
     const EQUATION: &'static str = "A_i += c_i (T - T0) f_i";
     const PARAMS: &'static [Param] = &params("1/K", ["x", "y", "z"]);
     const TYPICAL: f64 = 2e-4;
+    const NEEDS: Option<&'static [Quantity]> =
+        Some(&[Quantity::SpecificForce, Quantity::Temperature]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let warmer = truth.temperature - REFERENCE_TEMPERATURE;

@@ -1,7 +1,7 @@
 //! Temperature dependence of an accelerometer bias.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, REFERENCE_TEMPERATURE, Sensor, params};
+use sensor::{Effect, Kinematics, Param, Quantity, REFERENCE_TEMPERATURE, Sensor, params};
 use solver::Scalar;
 
 /// A bias that moves with temperature: `eᵢ = cᵢ (T − T₀)`.
@@ -22,6 +22,7 @@ impl Effect for AccelTemperature {
     const PARAMS: &'static [Param] = &params("m/s^2/K", ["x", "y", "z"]);
     const TYPICAL: f64 = 2e-3;
     const LINEAR: bool = true;
+    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::Temperature]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let warmer = truth.temperature - REFERENCE_TEMPERATURE;

@@ -1,7 +1,7 @@
 //! Second-order temperature dependence of an accelerometer bias.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, REFERENCE_TEMPERATURE, Sensor, params};
+use sensor::{Effect, Kinematics, Param, Quantity, REFERENCE_TEMPERATURE, Sensor, params};
 use solver::Scalar;
 
 /// A bias that moves with the square of the temperature change: `eᵢ = cᵢ (T − T₀)²`.
@@ -22,6 +22,7 @@ impl Effect for AccelTemperatureQuadratic {
     const PARAMS: &'static [Param] = &params("m/s^2/K^2", ["x", "y", "z"]);
     const TYPICAL: f64 = 2e-4;
     const LINEAR: bool = true;
+    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::Temperature]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let warmer = truth.temperature - REFERENCE_TEMPERATURE;

@@ -1,7 +1,7 @@
 //! Vibration rectification of an accelerometer.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Sensor, params};
+use sensor::{Effect, Kinematics, Param, Quantity, Sensor, params};
 use solver::Scalar;
 
 /// Vibration shifts the mean reading: `eᵢ = kᵢ rmsᵢ²`.
@@ -21,6 +21,7 @@ impl Effect for AccelVibrationRectification {
     const PARAMS: &'static [Param] = &params("1/(m/s^2)", ["x", "y", "z"]);
     const TYPICAL: f64 = 4e-2;
     const LINEAR: bool = true;
+    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::Vibration]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         Vector3::from_fn(|i, _| p[i] * truth.vibration[i])

@@ -1,7 +1,7 @@
 //! Warm-up of an accelerometer.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Sensor};
+use sensor::{Effect, Kinematics, Param, Quantity, Role, Sensor};
 use solver::Scalar;
 
 /// A bias that settles after the device is switched on: `eᵢ = cᵢ exp(−t/τ)`.
@@ -23,9 +23,10 @@ impl Effect for AccelWarmup {
         Param::new("x", "m/s^2", 0.0),
         Param::new("y", "m/s^2", 0.0),
         Param::new("z", "m/s^2", 0.0),
-        Param::new("tau", "s", 120.0),
+        Param::new("tau", "s", 120.0).in_role(Role::TimeConstant),
     ];
     const TYPICAL: f64 = 1e-2;
+    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::Time]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let decay = (p[3].recip() * (-truth.time)).exp();

@@ -1,7 +1,7 @@
 //! The rotation of the earth, as a gyroscope sees it.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Sensor, params};
+use sensor::{Effect, Kinematics, Param, Quantity, Role, Sensor};
 use solver::Scalar;
 
 /// A gyroscope turns with the earth: `e = Rᵀ Ω`, `Ω = ω_E (0, cos L, sin L)` for y north and z up.
@@ -21,9 +21,14 @@ impl Effect for EarthRate {
     const NAME: &'static str = "earth_rate";
     const SENSOR: Sensor = Sensor::Gyroscope;
     const EQUATION: &'static str = "w += R' Omega(latitude)";
-    const PARAMS: &'static [Param] = &params("rad/s", ["x", "y", "z"]);
+    const PARAMS: &'static [Param] = &[
+        Param::new("x", "rad/s", 0.0).in_role(Role::Reference),
+        Param::new("y", "rad/s", 0.0).in_role(Role::Reference),
+        Param::new("z", "rad/s", 0.0),
+    ];
     const TYPICAL: f64 = 7.292_115e-5;
     const LINEAR: bool = true;
+    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::Attitude]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let omega = Vector3::new(p[0], p[1], p[2]);

@@ -1,7 +1,7 @@
 //! Scale factor asymmetry of a gyroscope.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Sensor, params};
+use sensor::{Effect, Kinematics, Param, Quantity, Sensor, params};
 use solver::Scalar;
 
 /// Another scale factor for one sense of rotation than for the other: `eᵢ = kᵢ |ωᵢ|`.
@@ -20,6 +20,7 @@ impl Effect for GyroAsymmetry {
     const EQUATION: &'static str = "W_i += k_i |w_i|";
     const PARAMS: &'static [Param] = &params("", ["x", "y", "z"]);
     const TYPICAL: f64 = 5e-4;
+    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::AngularRate]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let w = &truth.angular_rate;

@@ -1,7 +1,7 @@
 //! Third-order nonlinearity of a gyroscope.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Sensor, params};
+use sensor::{Effect, Kinematics, Param, Quantity, Sensor, params};
 use solver::Scalar;
 
 /// A reading that grows with the cube of the angular rate: `eᵢ = kᵢ ωᵢ³`.
@@ -20,6 +20,7 @@ impl Effect for GyroCubic {
     const EQUATION: &'static str = "W_i += k_i w_i³";
     const PARAMS: &'static [Param] = &params("1/(rad/s)^2", ["x", "y", "z"]);
     const TYPICAL: f64 = 2e-4;
+    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::AngularRate]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let w = &truth.angular_rate;

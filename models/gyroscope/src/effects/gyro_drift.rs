@@ -1,7 +1,7 @@
 //! Linear drift of a gyroscope bias.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Sensor, params};
+use sensor::{Effect, Kinematics, Param, Quantity, Sensor, params};
 use solver::Scalar;
 
 /// A bias that moves with time: `eᵢ = cᵢ t`.
@@ -21,6 +21,7 @@ impl Effect for GyroDrift {
     const PARAMS: &'static [Param] = &params("rad/s^2", ["x", "y", "z"]);
     const TYPICAL: f64 = 5e-7;
     const LINEAR: bool = true;
+    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::Time]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         Vector3::from_fn(|i, _| p[i] * truth.time)

@@ -1,7 +1,7 @@
 //! Sensitivity of a gyroscope to the square of specific force.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Sensor, params};
+use sensor::{Effect, Kinematics, Param, Quantity, Sensor, params};
 use solver::Scalar;
 
 /// The square of the specific force leaks into the angular rate: `eᵢ = kᵢ fᵢ²`.
@@ -21,6 +21,7 @@ impl Effect for GyroG2Sensitivity {
     const PARAMS: &'static [Param] = &params("rad/s/(m/s^2)^2", ["x", "y", "z"]);
     const TYPICAL: f64 = 2e-6;
     const LINEAR: bool = true;
+    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::SpecificForce]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let f = &truth.specific_force;

@@ -1,7 +1,7 @@
 //! Acceleration sensitivity of a gyroscope.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Sensor, mat3, params};
+use sensor::{Effect, Kinematics, Param, Quantity, Sensor, mat3, params};
 use solver::Scalar;
 
 /// Specific force leaks into the angular rate: `e = G f`.
@@ -25,6 +25,7 @@ impl Effect for GyroGSensitivity {
 
     const TYPICAL: f64 = 1e-4;
     const LINEAR: bool = true;
+    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::SpecificForce]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         mat3(p) * truth.specific_force

@@ -1,7 +1,7 @@
 //! Temperature dependence of a gyroscope scale factor.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, REFERENCE_TEMPERATURE, Sensor, params};
+use sensor::{Effect, Kinematics, Param, Quantity, REFERENCE_TEMPERATURE, Sensor, params};
 use solver::Scalar;
 
 /// A scale factor that moves with temperature: `eᵢ = cᵢ (T − T₀) ωᵢ`.
@@ -22,6 +22,8 @@ impl Effect for GyroScaleTemperature {
     const EQUATION: &'static str = "W_i += c_i (T - T0) w_i";
     const PARAMS: &'static [Param] = &params("1/K", ["x", "y", "z"]);
     const TYPICAL: f64 = 2e-4;
+    const NEEDS: Option<&'static [Quantity]> =
+        Some(&[Quantity::AngularRate, Quantity::Temperature]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let warmer = truth.temperature - REFERENCE_TEMPERATURE;

@@ -1,7 +1,7 @@
 //! A step in the bias of a gyroscope.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Sensor};
+use sensor::{Effect, Kinematics, Param, Quantity, Role, Sensor};
 use solver::Scalar;
 
 /// A bias that jumps once: `eᵢ = cᵢ [t > t₀]`.
@@ -26,9 +26,10 @@ impl Effect for GyroStep {
         Param::new("x", "rad/s", 0.0),
         Param::new("y", "rad/s", 0.0),
         Param::new("z", "rad/s", 0.0),
-        Param::new("t0", "s", 100.0),
+        Param::new("t0", "s", 100.0).in_role(Role::Instant),
     ];
     const TYPICAL: f64 = 2e-4;
+    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::Time]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let jumped = if truth.time > p[3].re() { 1.0 } else { 0.0 };

@@ -1,7 +1,7 @@
 //! Warm-up of a gyroscope.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Sensor};
+use sensor::{Effect, Kinematics, Param, Quantity, Role, Sensor};
 use solver::Scalar;
 
 /// A bias that settles after the device is switched on: `eᵢ = cᵢ exp(−t/τ)`.
@@ -23,9 +23,10 @@ impl Effect for GyroWarmup {
         Param::new("x", "rad/s", 0.0),
         Param::new("y", "rad/s", 0.0),
         Param::new("z", "rad/s", 0.0),
-        Param::new("tau", "s", 120.0),
+        Param::new("tau", "s", 120.0).in_role(Role::TimeConstant),
     ];
     const TYPICAL: f64 = 5e-4;
+    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::Time]);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let decay = (p[3].recip() * (-truth.time)).exp();

@@ -31,6 +31,11 @@ impl Expression {
         self.root.cost()
     }
 
+    /// Whether variable `k` stands in it.
+    pub fn uses(&self, k: usize) -> bool {
+        self.root.uses(k)
+    }
+
     /// Its value where variable `k` is `variable(k)`.
     pub fn eval<D: Scalar>(&self, variable: &impl Fn(usize) -> D) -> D {
         self.root.eval(variable)
@@ -94,6 +99,20 @@ impl Node {
             Self::Power(x, n) => value(x).powi(*n),
             Self::RealPower(x, r) => value(x).powf(*r),
             Self::Call(function, x) => function.of(value(x)),
+        }
+    }
+
+    fn uses(&self, k: usize) -> bool {
+        match self {
+            Self::Constant(_) => false,
+            Self::Variable(own) => *own == k,
+            Self::Negative(x) | Self::Power(x, _) | Self::RealPower(x, _) | Self::Call(_, x) => {
+                x.uses(k)
+            }
+            Self::Sum(a, b)
+            | Self::Difference(a, b)
+            | Self::Product(a, b)
+            | Self::Quotient(a, b) => a.uses(k) || b.uses(k),
         }
     }
 

@@ -1,0 +1,69 @@
+//! The unit of raw readings, as `T` shows it.
+
+use std::ops::Range;
+
+use sensor::Sensor;
+use serde::{Deserialize, Serialize};
+
+use super::{Calibration, Triad};
+
+/// SI units per unit of the reading where the reading is in SI units.
+const SI: Range<f64> = 0.5..2.0;
+/// The same of g.
+const G: Range<f64> = 9.0..10.6;
+/// The same of degrees per second.
+const DEGREES: Range<f64> = 0.015..0.0205;
+
+/// Units of one sensor's numbers.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TriadUnits {
+    /// Of a raw reading, and so of `bias` and `bias_std`: `m/s^2`, `rad/s`, `g`, `deg/s` or `count`.
+    pub reading: String,
+    /// Of `T` and `T_std`: `1` where the reading is in SI units, else such as `(m/s^2)/count`.
+    #[serde(rename = "T")]
+    pub t: String,
+    /// Of the corrected signal: `m/s^2` or `rad/s`.
+    pub corrected: String,
+}
+
+impl TriadUnits {
+    /// By the scale of `T`, SI units per unit of the reading.
+    pub fn of(sensor: Sensor, triad: &Triad) -> Self {
+        let scale = triad.base().t.determinant().abs().cbrt();
+        let (corrected, other, name) = match sensor {
+            Sensor::Accelerometer => ("m/s^2", G, "g"),
+            Sensor::Gyroscope => ("rad/s", DEGREES, "deg/s"),
+        };
+        let reading = if SI.contains(&scale) {
+            corrected
+        } else if other.contains(&scale) {
+            name
+        } else {
+            "count"
+        };
+        let t = match reading == corrected {
+            true => "1".to_owned(),
+            false if reading.contains('/') => format!("({corrected})/({reading})"),
+            false => format!("({corrected})/{reading}"),
+        };
+        Self {
+            reading: reading.into(),
+            t,
+            corrected: corrected.into(),
+        }
+    }
+}
+
+impl Calibration {
+    /// Writes the units of both sensors down.
+    pub fn state_units(&mut self) {
+        for (sensor, triad) in [
+            (Sensor::Accelerometer, &mut self.accelerometer),
+            (Sensor::Gyroscope, &mut self.gyroscope),
+        ] {
+            if let Some(triad) = triad {
+                triad.units = Some(TriadUnits::of(sensor, triad));
+            }
+        }
+    }
+}

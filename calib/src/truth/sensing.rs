@@ -1,0 +1,96 @@
+//! A sensor's model with its parameters, as far as a fit has come.
+
+use nalgebra::{Matrix3, Vector3};
+use sensor::{AnyEffect, Base, Kinematics, Model, Sensor};
+
+use crate::calibration::Calibration;
+use crate::methods::RawUnit;
+
+/// One sensor's model.
+#[derive(Clone, Debug)]
+pub struct Sensing {
+    /// Base model and effects.
+    pub model: Model,
+    /// Its parameters, for readings near SI units.
+    pub parameters: Vec<f64>,
+    /// What brings readings near SI units; [`RawUnit::SI`] where the parameters do.
+    pub unit: RawUnit,
+}
+
+impl Sensing {
+    /// For readings as they are.
+    pub fn new(model: Model, parameters: Vec<f64>) -> Self {
+        Self {
+            model,
+            parameters,
+            unit: RawUnit::SI,
+        }
+    }
+
+    /// A model at its first values: a perfect sensor whose readings are in `unit`.
+    pub fn first(model: Model, unit: RawUnit) -> Self {
+        let parameters = model.parameters().values().to_vec();
+        Self {
+            model,
+            parameters,
+            unit,
+        }
+    }
+
+    /// The signal behind a reading near SI units by the base model alone.
+    pub fn base(&self, reading: &Vector3<f64>) -> Vector3<f64> {
+        Base::from_parameters(&self.parameters).correct(reading)
+    }
+
+    /// The derivative of the signal from that of the raw reading, by the base model alone.
+    pub fn slope(&self, raw: &Vector3<f64>) -> Vector3<f64> {
+        Base::from_parameters(&self.parameters).t * raw * self.unit.scale
+    }
+
+    /// The variance of the signal per axis from the covariance of the raw reading, by the base model alone.
+    pub fn spread(&self, raw: &Matrix3<f64>) -> Vector3<f64> {
+        let t = Base::from_parameters(&self.parameters).t * self.unit.scale;
+        (t * raw * t.transpose()).diagonal()
+    }
+
+    /// The signal behind a reading near SI units.
+    pub fn correct(&self, reading: &Vector3<f64>, known: &Kinematics<f64>) -> Vector3<f64> {
+        self.model.correct(reading, known, &self.parameters)
+    }
+}
+
+/// The models so far; without one where nothing is known of a sensor.
+#[derive(Clone, Debug, Default)]
+pub struct Models {
+    /// Of the accelerometer.
+    pub accelerometer: Option<Sensing>,
+    /// Of the gyroscope.
+    pub gyroscope: Option<Sensing>,
+}
+
+impl Models {
+    /// Those of a calibration.
+    pub fn of(calibration: &Calibration) -> Self {
+        let of = |sensor| calibration.model(sensor).map(|(m, p)| Sensing::new(m, p));
+        Self {
+            accelerometer: of(Sensor::Accelerometer),
+            gyroscope: of(Sensor::Gyroscope),
+        }
+    }
+
+    /// The model of one sensor.
+    pub fn get(&self, sensor: Sensor) -> Option<&Sensing> {
+        match sensor {
+            Sensor::Accelerometer => self.accelerometer.as_ref(),
+            Sensor::Gyroscope => self.gyroscope.as_ref(),
+        }
+    }
+
+    /// The effects of both.
+    pub fn effects(&self) -> impl Iterator<Item = &'static dyn AnyEffect> + '_ {
+        [&self.accelerometer, &self.gyroscope]
+            .into_iter()
+            .flatten()
+            .flat_map(|sensing| sensing.model.effects().iter().copied())
+    }
+}

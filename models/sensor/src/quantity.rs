@@ -1,0 +1,230 @@
+//! What an effect has to be told of an instant.
+
+use std::fmt;
+
+use nalgebra::Vector3;
+
+use crate::attitude::Attitude;
+use crate::covariate::Covariate;
+use crate::effect::AnyEffect;
+use crate::kinematics::Kinematics;
+
+/// A field of [`Kinematics`]: what an effect can need.
+///
+/// ```
+/// use stillpoint_sensor::Quantity;
+///
+/// assert_eq!(Quantity::AngularAcceleration.to_string(), "angular acceleration");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Quantity {
+    /// Specific force, m/s².
+    SpecificForce,
+    /// Angular rate, rad/s.
+    AngularRate,
+    /// Time since the start of the recording, s.
+    Time,
+    /// Temperature, °C.
+    Temperature,
+    /// Derivative of the angular rate, rad/s².
+    AngularAcceleration,
+    /// Derivative of the specific force, m/s³.
+    SpecificForceRate,
+    /// Sign of the last change of specific force, per axis.
+    LastChange,
+    /// Mean square of the vibration, per axis, (m/s²)².
+    Vibration,
+    /// Attitude against a level frame with a heading that stays.
+    Attitude,
+}
+
+impl Quantity {
+    /// Every one of them.
+    pub const ALL: [Self; 9] = [
+        Self::SpecificForce,
+        Self::AngularRate,
+        Self::Time,
+        Self::Temperature,
+        Self::AngularAcceleration,
+        Self::SpecificForceRate,
+        Self::LastChange,
+        Self::Vibration,
+        Self::Attitude,
+    ];
+
+    /// The quantity that a covariate of an expression is a component of.
+    pub fn of(covariate: Covariate) -> Self {
+        match covariate {
+            Covariate::SpecificForce(_) => Self::SpecificForce,
+            Covariate::AngularRate(_) => Self::AngularRate,
+            Covariate::AngularAcceleration(_) => Self::AngularAcceleration,
+            Covariate::Vibration(_) => Self::Vibration,
+            Covariate::LastChange(_) => Self::LastChange,
+            Covariate::Time => Self::Time,
+            Covariate::Temperature | Covariate::Warming => Self::Temperature,
+        }
+    }
+
+    /// Whether it is zero wherever the device is at rest.
+    pub fn vanishes_at_rest(self) -> bool {
+        matches!(
+            self,
+            Self::AngularRate | Self::AngularAcceleration | Self::SpecificForceRate
+        )
+    }
+
+    /// `truth` with this quantity, and nothing else, changed by about `size` of what is common.
+    pub fn changed(self, truth: &Kinematics<f64>, size: f64) -> Kinematics<f64> {
+        let step = |a: f64, b: f64, c: f64| Vector3::new(a, b, c) * size;
+        let mut other = *truth;
+        match self {
+            Self::SpecificForce => other.specific_force += step(1.3, -2.1, 1.7),
+            Self::AngularRate => other.angular_rate += step(0.7, 1.1, -0.9),
+            Self::Time => other.time += 70.0 * size,
+            Self::Temperature => other.temperature += 9.0 * size,
+            Self::AngularAcceleration => other.angular_acceleration += step(2.3, -1.9, 3.1),
+            Self::SpecificForceRate => other.specific_force_rate += step(11.0, 13.0, -17.0),
+            Self::LastChange => other.last_change = -other.last_change,
+            Self::Vibration => other.vibration += step(0.11, 0.13, 0.17),
+            Self::Attitude => {
+                let turn = Attitude::exp(&step(0.4, -0.3, 0.5));
+                other.attitude = other.attitude.then(&turn).normalized();
+            }
+        }
+        other
+    }
+
+    /// Adds nothing: sets this quantity to that of a device at rest where it vanishes there.
+    pub fn at_rest(self, truth: &Kinematics<f64>) -> Kinematics<f64> {
+        let mut other = *truth;
+        match self {
+            Self::AngularRate => other.angular_rate = Vector3::zeros(),
+            Self::AngularAcceleration => other.angular_acceleration = Vector3::zeros(),
+            Self::SpecificForceRate => other.specific_force_rate = Vector3::zeros(),
+            _ => {}
+        }
+        other
+    }
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::SpecificForce => "specific force",
+            Self::AngularRate => "angular rate",
+            Self::Time => "time",
+            Self::Temperature => "temperature",
+            Self::AngularAcceleration => "angular acceleration",
+            Self::SpecificForceRate => "derivative of the specific force",
+            Self::LastChange => "sign of the last change of specific force",
+            Self::Vibration => "vibration",
+            Self::Attitude => "attitude",
+        })
+    }
+}
+
+/// What `effect` is seen to depend on: its error at some instants and parameters changes with the quantity.
+///
+/// That is what an effect needs that does not declare it, and what a declaration is tested against.
+pub fn observed_needs(effect: &dyn AnyEffect) -> Vec<Quantity> {
+    let depends = |quantity: &Quantity| {
+        trials(effect).any(|(truth, p)| {
+            [0.3, 1.0, -1.0].into_iter().any(|size| {
+                let other = quantity.changed(&truth, size);
+                effect.error_f64(&truth, &p) != effect.error_f64(&other, &p)
+            })
+        })
+    };
+    Quantity::ALL.into_iter().filter(depends).collect()
+}
+
+/// The parameters, by their place, that show in no static interval, each with the quantities that it waits for.
+///
+/// Only static intervals say something of an accelerometer: such a parameter of one cannot be estimated.
+pub fn silent_at_rest(effect: &dyn AnyEffect) -> Vec<(usize, Vec<Quantity>)> {
+    let moving = Quantity::ALL
+        .into_iter()
+        .filter(|q| q.vanishes_at_rest())
+        .collect::<Vec<_>>();
+    let still = |truth: &Kinematics<f64>| moving.iter().fold(*truth, |t, q| q.at_rest(&t));
+    let shows = |k: usize, at: &dyn Fn(&Kinematics<f64>) -> Kinematics<f64>| {
+        trials(effect).any(|(truth, p)| {
+            let mut without = p.clone();
+            without[k] = effect.params()[k].nominal;
+            let truth = at(&truth);
+            without[k] != p[k] && effect.error_f64(&truth, &p) != effect.error_f64(&truth, &without)
+        })
+    };
+    (0..effect.params().len())
+        .filter(|&k| shows(k, &|truth| *truth) && !shows(k, &still))
+        .map(|k| {
+            let all = effect.needs().into_iter();
+            (k, all.filter(|q| q.vanishes_at_rest()).collect())
+        })
+        .collect()
+}
+
+/// Instants and parameters that an effect is tried at.
+fn trials(effect: &dyn AnyEffect) -> impl Iterator<Item = (Kinematics<f64>, Vec<f64>)> + '_ {
+    (0..4).flat_map(move |k| {
+        [1.0, -0.7].into_iter().map(move |size| {
+            let value = |(k, p): (usize, &crate::Param)| match p.nominal {
+                0.0 => size * effect.typical_of(k),
+                nominal => nominal * (1.0 + 0.3 * size),
+            };
+            let p = effect.params().iter().enumerate().map(value).collect();
+            (instant(k), p)
+        })
+    })
+}
+
+/// Brisk motion in one direction and another, early and late, warm and cold.
+fn instant(k: u8) -> Kinematics<f64> {
+    let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+    let part = 1.0 + 0.2 * f64::from(k);
+    Kinematics {
+        time: 45.0 + 31.0 * f64::from(k),
+        temperature: 31.0 - 7.0 * f64::from(k),
+        angular_acceleration: Vector3::new(5.0, -7.0, 3.0) * (sign * part),
+        specific_force_rate: Vector3::new(-20.0, 30.0, 10.0) * (sign * part),
+        last_change: Vector3::new(1.0, -1.0, 1.0) * sign,
+        vibration: Vector3::new(0.1, 0.2, 0.3) * part,
+        attitude: Attitude::exp(&(Vector3::new(0.3, -0.5, 0.7) * (sign * part))),
+        ..Kinematics::new(
+            Vector3::new(6.0, -5.0, 4.0) * (sign * part),
+            Vector3::new(-1.0, 2.0, 3.0) * (sign * part),
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{DefinedParam, Definition, Sensor};
+
+    #[test]
+    fn a_definition_needs_what_its_expressions_name_and_no_more() {
+        let effect = Definition {
+            name: "accel_lag_and_swirl".into(),
+            x: "k * alphay + c * fy".into(),
+            y: "c * step(t - 50) * changez".into(),
+            parameters: vec![
+                DefinedParam::new("k", "m", 1e-3),
+                DefinedParam::new("c", "", 1e-3),
+            ],
+            ..Definition::silent(Sensor::Accelerometer)
+        }
+        .effect()
+        .unwrap();
+        let needs = [
+            Quantity::SpecificForce,
+            Quantity::Time,
+            Quantity::AngularAcceleration,
+            Quantity::LastChange,
+        ];
+        assert_eq!(effect.needs(), needs);
+        assert_eq!(observed_needs(effect), needs);
+        let silent = silent_at_rest(effect);
+        assert_eq!(silent, [(0, vec![Quantity::AngularAcceleration])]);
+    }
+}
