@@ -107,14 +107,15 @@ fn direction_in_doubt(
         return Ok(None);
     }
     let rms = root_mean_square(&angles);
-    if rms > FOREIGN_ANGLE {
+    let usual = triad.residual_rms;
+    // A calibration that misses its own recordings as much is bad, not foreign: its gate has said so.
+    if rms > FOREIGN_ANGLE.max(WORSE * usual) {
         return Err(Error::Input(format!(
             "{name}: corrected by this calibration the gyroscope misses gravity by {rms:.0}° through {} turns: it is of another \
              device, or for another unit, sign or order of the axes (--force-device to go on)",
             angles.len()
         )));
     }
-    let usual = triad.residual_rms;
     Ok((rms > (WORSE * usual).max(FINE.0)).then(|| {
         format!(
             "{name}: corrected by this calibration the gyroscope misses gravity by {rms:.2}° through {} turns; it left \

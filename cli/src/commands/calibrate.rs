@@ -32,6 +32,8 @@ use crate::show;
 /// data ask for it.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
+Signs: at rest specific force is +g on the axis that points up; rates are right-handed about each axis.
+
 Example:
   stillpoint calibrate morning/ evening/ --gravity 9.8055 -o cal.json --report cal.html")]
 pub struct Args {
