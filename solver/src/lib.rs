@@ -75,7 +75,10 @@ mod vector;
 pub use blocks::{BlockProblem, BlockReport, solve_blocks};
 pub use check::{Mismatch, check_derivatives};
 pub use closure::{from_fn, from_fn_numeric, from_fn_with_jacobian};
-pub use compare::{ComparedRun, Comparison, Measure, Profile, Table, compare, compare_with};
+pub use compare::{
+    ComparedRun, Comparison, Measure, Profile, Table, compare, compare_graphs, compare_with,
+    graph_variants,
+};
 pub use constraints::{ActiveConstraint, Constraint, Constraints};
 pub use covariance::{Uncertainty, uncertainty};
 pub use descent::{Descent, Local, Step};

@@ -4,6 +4,7 @@
 //! cargo run --release -p stillpoint-benches --bin compare -- FILE.dat …            NIST's format
 //! cargo run --release -p stillpoint-benches --bin compare -- FILE.csv --model 'y = b1*exp(-b2*x)' \
 //!     --start b1=1,b2=0.1 --start b1=10,b2=1 --picture profile.svg
+//! cargo run --release -p stillpoint-benches --bin compare -- FILE.bal FILE.g2o     graphs, by their damping
 //! cargo run --release -p stillpoint-benches --bin compare -- --published --summary
 //! ```
 //! `r` counts residuals evaluated alone, `J` Jacobians, `r″` second derivatives along one direction.
@@ -12,15 +13,17 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Parser, ValueEnum};
-use solver::{Comparison, Measure, Options, Table, Variant, compare_with};
+use solver::{Comparison, Measure, Options, Table, Variant};
+use solver::{compare_graphs, compare_with, graph_variants};
 use stillpoint_benches::curve_file::Curve;
+use stillpoint_benches::graphs::{bal::Bundle, g2o::PoseGraph};
 use stillpoint_tests::problems;
 use stillpoint_tests::problems::nist::{Model, Regression};
 
 /// Variants of the solver side by side: successes, evaluations, time, cost, digits, reason.
 #[derive(Parser)]
 struct Arguments {
-    /// NIST's .dat files, or tables of numbers with --model.
+    /// NIST's .dat files, .bal and .g2o graphs, or tables of numbers with --model.
     files: Vec<PathBuf>,
     /// The model of a table, as 'y = b1*exp(-b2*x)'; names that are no columns are parameters.
     #[arg(long)]
@@ -78,9 +81,11 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
     let variants = variants(&arguments.variants)?;
     let mut table = Table::default();
     for file in &arguments.files {
-        table.append(match &arguments.model {
-            Some(model) => curve(file, model, &arguments.start, &variants)?,
-            None => regression(file, &variants)?,
+        let kind = file.extension().and_then(|e| e.to_str());
+        table.append(match (&arguments.model, kind) {
+            (Some(model), _) => curve(file, model, &arguments.start, &variants)?,
+            (None, Some("bal" | "g2o")) => graph(file)?,
+            (None, _) => regression(file, &variants)?,
         });
     }
     if arguments.published {
@@ -152,15 +157,21 @@ fn curve(
     Ok(compare_with(&comparison, &curve, &starts, variants))
 }
 
+/// A bundle adjustment or a pose graph, by the ways in which the damping of graphs moves.
+fn graph(file: &Path) -> Result<Table, Failure> {
+    let text = std::fs::read_to_string(file)?;
+    let graph = match file.extension().and_then(|e| e.to_str()) {
+        Some("bal") => {
+            Bundle::read(&text).and_then(|b| b.graph(false, true).map_err(|e| e.to_string()))
+        }
+        _ => PoseGraph::read(&text).and_then(|p| p.graph().map_err(|e| e.to_string())),
+    };
+    let graph = graph.map_err(|error| format!("{}: {error}", file.display()))?;
+    Ok(compare_graphs(&stem(file), &graph, &graph_variants()))
+}
+
 /// A file of NIST's.
 fn regression(file: &Path, variants: &[Variant]) -> Result<Table, Failure> {
-    if let Some(what @ ("g2o" | "txt" | "bal")) = file.extension().and_then(|e| e.to_str()) {
-        return Err(format!(
-            "{}: .{what} files are graphs, which this command does not read yet; a table of numbers needs --model",
-            file.display()
-        )
-        .into());
-    }
     let name = stem(file);
     let model = Model::ALL.iter().find(|(known, _)| *known == name);
     let Some((_, model)) = model else {

@@ -1,8 +1,10 @@
 //! Variants side by side on the same problems and starts.
 
+mod graphs;
 mod performance;
 mod table;
 
+pub use graphs::{compare_graphs, graph_variants};
 pub use performance::Profile;
 pub use table::{ComparedRun, Measure, Table};
 
