@@ -7,12 +7,15 @@ use crate::intervals::{Moments, Segmentation};
 use crate::methods::small_sample::widening;
 use crate::recording::Recording;
 
+/// Steps wider than so many standard deviations of the readings do not average out.
+const COARSE: f64 = 1.7;
+
 /// The mean over the rests, with the scatter between them as its error.
 ///
 /// Neighbouring rests of a wandering bias resemble each other: where their lag-one correlation `ρ` is
 /// significant the variance of the mean grows by `(1 + ρ)/(1 − ρ)`, at most to that of a single rest.
-/// Where the noise is smaller than the least significant bit, `LSB/√12` stays however many samples
-/// there are.
+/// Where the least significant bit is more than 1.7 times what the readings spread by, `LSB/√12` stays however many samples
+/// there are: the bias is the same in every rest, and so is what rounding makes of it.
 pub(super) fn rest_bias(
     recording: &Recording,
     segmentation: &Segmentation,
@@ -33,9 +36,14 @@ pub(super) fn rest_bias(
         } else {
             first.covariance[(axis, axis)] / first.count as f64
         };
-        let floor = least[axis] / 12f64.sqrt();
-        let quantised = first.std()[axis] < floor;
-        let floor = if quantised { floor } else { 0.0 };
+        let mut spreads: Vec<f64> = rests.iter().map(|m| m.std()[axis]).collect();
+        spreads.sort_by(f64::total_cmp);
+        let quantised = COARSE * spreads[spreads.len() / 2] < least[axis];
+        let floor = if quantised && least[axis].is_finite() {
+            least[axis] / 12f64.sqrt()
+        } else {
+            0.0
+        };
         // With few rests their scatter is known badly: Student's t.
         let widened = between.sqrt() * widening(rests.len() - 1);
         Some(widened.max(floor))

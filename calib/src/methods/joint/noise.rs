@@ -30,6 +30,10 @@ const RESTLESS: f64 = 1.5;
 /// Noise below this (m/s² or rad/s) is rounding: keeps noise-free recordings weighted, and sensibly.
 pub(super) const FLOOR: f64 = 1e-9;
 
+/// Readings that stay the same within every rest are frozen between steps of more than so many times the floor: smaller
+/// ones are rounding of noise-free readings.
+const FROZEN: f64 = 1e3;
+
 /// How far, in steps, a reading may lie off the grid of its converter.
 const OFF_GRID: f64 = 0.05;
 
@@ -62,7 +66,11 @@ impl SensorNoise {
         let interval = stream.median_step()?;
         let batch = batch(rests, interval)?;
         let window = samples(WINDOW, interval).max(4);
-        let axes = [0, 1, 2].map(|axis| Axis::measure(&parts(stream, rests, axis), batch, window));
+        let least = stream.least_steps();
+        let axes = [0, 1, 2].map(|axis| {
+            let parts = parts(stream, rests, axis);
+            Axis::measure(&parts, batch, window, least[axis])
+        });
         let [x, y, z] = axes;
         let (x, y, z) = (x?, y?, z?);
         Some(Self {
@@ -133,12 +141,14 @@ struct Axis {
 }
 
 impl Axis {
-    fn measure(parts: &[Vec<f64>], batch: usize, window: usize) -> Option<Self> {
+    /// `least` is the smallest step of the whole recording: readings that never change at rest show none.
+    fn measure(parts: &[Vec<f64>], batch: usize, window: usize, least: f64) -> Option<Self> {
         let white = white(parts)?;
+        let frozen = white <= FLOOR && least.is_finite() && least > FROZEN * FLOOR;
         Some(Self {
             white,
             long_run: long_run(parts, batch, white),
-            step: smallest_step(parts),
+            step: if frozen { least } else { smallest_step(parts) },
             freedom: freedom(parts, window),
         })
     }

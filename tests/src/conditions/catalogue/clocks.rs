@@ -44,6 +44,8 @@ fn own_clocks(spec: &mut Spec) {
 const CLOCK: &[Kind] = &[Kind::Clock];
 /// What a method shows that takes stamps which scatter for the times of the samples.
 const MISFIT: &[Kind] = &[Kind::Misfit];
+/// Single readings far from their neighbours are said to be knocks or transfer errors.
+const KNOCKED: &[Kind] = &[Kind::Undersampled, Kind::Misfit, Kind::Spikes];
 const UNDERSAMPLED: &[Kind] = &[Kind::Undersampled, Kind::Misfit];
 const RESAMPLED: &[Kind] = &[Kind::Undersampled, Kind::Values, Kind::Clock, Kind::Misfit];
 
@@ -179,9 +181,9 @@ pub(super) const ROWS: &[Condition] = &[
         s.sampling = Sampling::Point;
         by_hand(s, |hand| hand.knocks = 3);
     })
-    .right(UNDERSAMPLED),
+    .right(KNOCKED),
     row("knocks-average", "three knocks a turn, averaged", |s| {
         by_hand(s, |hand| hand.knocks = 3);
     })
-    .right(UNDERSAMPLED),
+    .right(KNOCKED),
 ];
