@@ -197,7 +197,7 @@ impl fmt::Display for Finding {
             } => write!(
                 f,
                 "the {} is up to {ratio:.1} times noisier in static interval{} {} than in the others: \
-                 it vibrated there, or was touched or held",
+                 it vibrated there, or a hand held it",
                 called(*sensor),
                 if intervals.len() == 1 { "" } else { "s" },
                 listed(intervals)

@@ -18,8 +18,8 @@ impl Recording {
     ///
     /// # Examples
     /// ```
-    /// use calib::Recording;
-    /// use calib::recording::Stream;
+    /// use stillpoint_calib::Recording;
+    /// use stillpoint_calib::recording::Stream;
     /// use nalgebra::Vector3;
     ///
     /// let t: Vec<f64> = (0..60_000).map(|k| f64::from(k) / 30_000.0).collect();

@@ -45,15 +45,15 @@ struct Rest {
 ///
 /// # Examples
 /// ```
-/// use calib::calibrate::changes_part_way;
-/// use calib::intervals::{Segmentation, Span};
-/// use calib::simulate::Spec;
+/// use stillpoint_calib::calibrate::changes_part_way;
+/// use stillpoint_calib::intervals::{Segmentation, Span};
+/// use stillpoint_calib::simulate::Spec;
 ///
 /// let recording = Spec::hand_held(1).run()?.recording;
 /// let rests = [Span { from: 0.0, to: 10.0 }];
 /// let segmentation = Segmentation::from_spans(&recording, &rests, 10.0);
 /// assert!(changes_part_way(&recording, &segmentation, 9.80665, None).is_empty());
-/// # Ok::<(), calib::Error>(())
+/// # Ok::<(), stillpoint_calib::Error>(())
 /// ```
 pub fn changes_part_way(
     recording: &Recording,
