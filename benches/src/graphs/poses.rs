@@ -29,7 +29,7 @@ impl<D: Scalar> Residual<D> for PlanarEdge {
         let (east, north) = (x[3] - x[0], x[4] - x[1]);
         let mut turn = x[5] - x[2] - self.measured[2];
         let turns = (turn.re() / std::f64::consts::TAU).round();
-        turn = turn - turns * std::f64::consts::TAU;
+        turn -= turns * std::f64::consts::TAU;
         let e = [
             cosine * east + sine * north - self.measured[0],
             cosine * north - sine * east - self.measured[1],

@@ -29,10 +29,11 @@ pub(super) fn check(
     samples: &Samples,
     warnings: &mut Vec<String>,
 ) -> Result<(), Error> {
-    if sensor == Sensor::Accelerometer && samples.t.len() >= ENOUGH {
-        if let Some(change) = level_change(&samples.values) {
-            return Err(of_another_level(name, samples, &change));
-        }
+    if sensor == Sensor::Accelerometer
+        && samples.t.len() >= ENOUGH
+        && let Some(change) = level_change(&samples.values)
+    {
+        return Err(of_another_level(name, samples, &change));
     }
     let sixteen_bits = are_integers(samples.values.iter());
     let ranges = ranges(&samples.values);

@@ -180,7 +180,7 @@ fn trials(effect: &dyn AnyEffect) -> impl Iterator<Item = (Kinematics<f64>, Vec<
 
 /// Brisk motion in one direction and another, early and late, warm and cold.
 fn instant(k: u8) -> Kinematics<f64> {
-    let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+    let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
     let part = 1.0 + 0.2 * f64::from(k);
     Kinematics {
         time: 45.0 + 31.0 * f64::from(k),
