@@ -51,7 +51,7 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
     };
     let covariates = request.covariates
         || !request.gyroscope.effects().is_empty()
-        || request.accelerometer.effects().iter().any(|e| look(e));
+        || request.accelerometer.effects().iter().any(look);
     for k in data.with_scatter() {
         data.set_clock(k, 0, 0.0);
     }
