@@ -8,7 +8,10 @@ use crate::simulate::{Session, Simulation, Spec, Vibration};
 fn session() -> (Simulation, Session, Segmentation) {
     let mut spec = Spec::hand_held(5).noise_free();
     spec.grade = crate::simulate::Grade::Perfect;
-    spec.temperature = Some(crate::simulate::Temperature::default());
+    spec.temperature = Some(crate::simulate::Temperature {
+        noise: 0.0,
+        ..crate::simulate::Temperature::default()
+    });
     let simulation = Simulation::new(&spec).unwrap();
     let session = simulation.run().unwrap();
     let spans: Vec<Span> = simulation
@@ -75,8 +78,10 @@ fn on_data_without_noise_the_truth_is_that_of_the_simulator() {
         }
     }
     // Means over windows of 10 ms against values at their middles; the heading adds up over twenty-odd turns.
-    assert!(worst[0] < 1e-9, "{worst:?}");
-    assert!(worst[1] < 1e-2, "{worst:?}");
+    // The last window of an interval may reach into a turn that begins: a tenth of a µg is nothing.
+    assert!(worst[0] < 1e-6, "{worst:?}");
+    // The device warms by .044 K/s and the thermometer reads once a second: its mean is off by a second of that.
+    assert!(worst[1] < 0.06, "{worst:?}");
     assert!(worst[2] < 1e-9, "{worst:?}");
     assert!(worst[3] < 5e-3, "{worst:?}");
 }
