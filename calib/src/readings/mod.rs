@@ -42,9 +42,12 @@ pub fn findings(recording: &Recording, segmentation: &Segmentation) -> Vec<Findi
         let dead = dead_zone::found(&of);
         let coarse = quantisation::found(&of, dead.as_ref());
         all.extend(clipping::found(&of, &recording.warnings));
+        // Where steps are wide, how much readings scatter says how near a step they are.
+        if dead.is_none() && coarse.is_none() {
+            all.extend(vibration::found(&of));
+        }
         all.extend(dead);
         all.extend(coarse);
-        all.extend(vibration::found(&of));
     }
     all.extend(hand::found(recording));
     all

@@ -35,7 +35,7 @@ pub(super) const ROWS: &[Condition] = &[
             size: 0.3,
         });
     })
-    .right(&[Kind::Touched, Kind::Disagrees]),
+    .right(&[Kind::Touched, Kind::Disagrees, Kind::Shakes]),
     row("gap", "a second is missing in a turn", |s| {
         let before = inner(s, 5);
         let turn = placements(s)
