@@ -23,7 +23,7 @@ use crate::calibration::{Calibration, Options, RecordingClock};
 use crate::error::Error;
 use crate::gravity::GravitySource;
 use crate::intervals::{Detector, Segmentation, Span, Turn, TurnFault};
-use crate::methods::joint::{ClockMode, JointFit};
+use crate::methods::joint::{ClockMode, JointFit, within_budget};
 use crate::methods::{
     self, AccelerometerFit, AccelerometerRequest, Choice, GyroscopeData, GyroscopeFit,
     GyroscopeRequest, accelerometer_unit, fit_accelerometer, fit_gyroscope, static_means,
@@ -224,11 +224,14 @@ fn by_stamps(
     for (recording, found) in cleaned.iter().flatten() {
         warnings.extend(found.iter().map(|f| format!("{}: {f}", recording.name)));
     }
-    let choices = recordings
+    let mut choices = recordings
         .iter()
         .enumerate()
         .map(|(k, recording)| cut(recording, request, Some(k)))
         .collect::<Result<Vec<_>, _>>()?;
+    if request.method == Method::Joint {
+        warnings.extend(within_budget(&recordings, &mut choices));
+    }
     for (recording, choice) in recordings.iter().zip(&choices) {
         warnings.extend(checks::of_the_detector(recording, choice));
     }

@@ -151,7 +151,7 @@ fn calibration(
 ) -> Result<Calibration, Error> {
     let recordings: Vec<&Recording> = session.recordings.iter().map(|(r, _)| *r).collect();
     let choices: Vec<_> = session.recordings.iter().map(|(_, c)| c).collect();
-    let mut warnings = Vec::new();
+    let mut warnings = session.cut_down.clone();
     let how = CalibrationRequest {
         gravity: request.gravity,
         gravity_source: request.gravity_source,

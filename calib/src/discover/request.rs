@@ -8,7 +8,7 @@ use super::state::Extension;
 use crate::error::Error;
 use crate::gravity::GravitySource;
 use crate::intervals::Detector;
-use crate::methods::joint::{ClockMode, JointRequest};
+use crate::methods::joint::{ClockMode, JointRequest, within_budget};
 use crate::methods::{Choice, cut};
 use crate::recording::Recording;
 use crate::simulate::EARTH_RATE;
@@ -101,6 +101,8 @@ pub struct Session<'a> {
     pub latitude: Option<f64>,
     /// By which clock the turns are integrated.
     pub clock: ClockMode,
+    /// Which static intervals are used of recordings that have more than the joint problem takes, in words.
+    pub cut_down: Vec<String>,
 }
 
 impl<'a> Session<'a> {
@@ -114,20 +116,16 @@ impl<'a> Session<'a> {
             creeping: true,
             ..request.detector
         };
-        let recordings = recordings
+        let choose = request.choose_multiplier;
+        let mut choices = recordings
             .iter()
-            .map(|recording| {
-                let choice = cut(
-                    recording,
-                    &detector,
-                    request.choose_multiplier,
-                    request.gravity,
-                )?;
-                Ok((recording, choice))
-            })
-            .collect::<Result<_, Error>>()?;
+            .map(|recording| cut(recording, &detector, choose, request.gravity))
+            .collect::<Result<Vec<_>, Error>>()?;
+        let all: Vec<&Recording> = recordings.iter().collect();
+        let cut_down = within_budget(&all, &mut choices);
         Ok(Self {
-            recordings,
+            cut_down,
+            recordings: all.into_iter().zip(choices).collect(),
             gravity: request.gravity,
             walks: request.walks,
             latitude: request.latitude,

@@ -121,6 +121,23 @@ impl Segmentation {
             level_at_rest: [None; 2],
         }
     }
+
+    /// A stretch of neighbouring static intervals with the turns between them, counted from its first.
+    pub fn stretch(&self, which: Range<usize>) -> Self {
+        let inside = |turn: &&Turn| which.contains(&turn.from) && which.contains(&(turn.from + 1));
+        let turns = self.turns.iter().filter(inside);
+        Self {
+            turns: turns
+                .map(|turn| Turn {
+                    from: turn.from - which.start,
+                    ..turn.clone()
+                })
+                .collect(),
+            statics: self.statics[which].to_vec(),
+            rejected: self.rejected.clone(),
+            ..*self
+        }
+    }
 }
 
 fn static_interval(recording: &Recording, span: Span) -> StaticInterval {

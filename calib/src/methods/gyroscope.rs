@@ -90,18 +90,23 @@ impl GyroscopeFit {
 /// # Errors
 /// No sound turn, and what the solver refuses.
 pub fn fit_gyroscope(request: &GyroscopeRequest) -> Result<GyroscopeFit, Error> {
-    let unbiased: Vec<Vec<TurnData>> = request.recordings.iter().map(without_bias).collect();
-    let all: Vec<TurnData> = unbiased.concat();
-    if all.is_empty() {
+    // One copy of all readings, changed in place: a long recording has no room for more.
+    let mut turns: Vec<TurnData> = request.recordings.iter().flat_map(without_bias).collect();
+    if turns.is_empty() {
         return Err(Error::NotEnough(
             "no turn between two rests can be integrated".into(),
         ));
     }
-    let guess = gyroscope_guess(&all);
-    let before = perfect_chords(&all, guess.unit.scale);
+    let guess = gyroscope_guess(&turns);
+    let before = perfect_chords(&turns, guess.unit.scale);
     if request.model.effects().is_empty() {
-        published(request, &scaled(&unbiased, &guess.unit), &guess, before)
+        for turn in &mut turns {
+            let readings = turn.readings.iter_mut();
+            readings.for_each(|w| *w = guess.unit.to_si(w));
+        }
+        published(request, &turns, &guess, before)
     } else {
+        drop(turns);
         with_effects(request, &guess, before)
     }
 }
@@ -119,14 +124,13 @@ fn mounted(mut parameters: Parameters, guess: &GyroGuess) -> Parameters {
 /// The nine elements of `T` alone.
 fn published(
     request: &GyroscopeRequest,
-    turns: &[Vec<TurnData>],
+    turns: &[TurnData],
     guess: &GyroGuess,
     chords_before: Vec<f64>,
 ) -> Result<GyroscopeFit, Error> {
-    let turns = turns.concat();
     let problem = TurnProblem::new(PropagatedGravity {
         model: &request.model,
-        turns: &turns,
+        turns,
         integrator: request.integrator,
         sigma: 1.0,
     });
@@ -136,7 +140,7 @@ fn published(
     let mut report = solve(&problem, &start, &mask, &Options::default())?;
     let spare = NUMBERS_PER_TURN * turns.len();
     let spare = spare.saturating_sub(report.uncertainty.rank);
-    let carried = carried(request, &problem, &turns, &report, &mask);
+    let carried = carried(request, &problem, turns, &report, &mask);
     let own = (2.0 * report.cost - carried.left.iter().sum::<f64>()).max(0.0);
     // A residual that the accelerometer's errors explain still says little of the noise.
     let least = 2.0 * report.cost * LEAST_OWN_SHARE;
@@ -346,30 +350,17 @@ fn chords(rows: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-fn without_bias(data: &GyroscopeData) -> Vec<TurnData> {
-    data.turns
-        .iter()
-        .zip(&data.turn_bias)
-        .map(|(turn, b)| map_readings(turn, |w| w - b))
-        .collect()
-}
-
-fn scaled(turns: &[Vec<TurnData>], unit: &RawUnit) -> Vec<Vec<TurnData>> {
-    turns
-        .iter()
-        .map(|turns| {
-            turns
-                .iter()
-                .map(|turn| map_readings(turn, |w| unit.to_si(w)))
-                .collect()
-        })
-        .collect()
+fn without_bias(data: &GyroscopeData) -> impl Iterator<Item = TurnData> {
+    let turns = data.turns.iter().zip(&data.turn_bias);
+    turns.map(|(turn, b)| map_readings(turn, |w| w - b))
 }
 
 fn map_readings(turn: &TurnData, map: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> TurnData {
     TurnData {
+        t: turn.t.clone(),
         readings: turn.readings.iter().map(map).collect(),
-        ..turn.clone()
+        rest: turn.rest.clone(),
+        ..*turn
     }
 }
 

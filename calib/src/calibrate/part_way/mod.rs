@@ -27,7 +27,8 @@ use turns::Turning;
 /// A gyroscope that misses gravity by more than this after its fit is looked at from the readings on, rad.
 const LOST: f64 = 0.035;
 
-/// Most samples of turns: more are not looked at.
+/// Most turns, and most samples of theirs: of more, every second, third, … turn is looked at.
+const MOST_TURNS: usize = 300;
 const MOST_SAMPLES: usize = 3_000_000;
 
 /// A static interval by its means.
@@ -89,8 +90,7 @@ fn changes(
     };
     found.extend(force.change);
     let turns = turnings(recording, segmentation, &force.directions);
-    let samples: usize = turns.iter().map(|turn| turn.rates.samples.len()).sum();
-    if let Some((t, missed)) = gyroscope.filter(|_| samples <= MOST_SAMPLES) {
+    if let Some((t, missed)) = gyroscope {
         let start = if missed > LOST {
             let unit = mirrored::unit(&turns, t.determinant().abs().cbrt());
             Matrix3::from_diagonal_element(unit)
@@ -134,7 +134,8 @@ fn is_reflected(found: &[Change]) -> bool {
         .any(|c| matches!(c.kind, Kind::Flipped(..) | Kind::Swapped(..)))
 }
 
-/// The sound turns between static intervals whose directions are known.
+/// The sound turns between static intervals whose directions are known, or as many of them as the budget allows, evenly
+/// over the recording.
 fn turnings<'a>(
     recording: &'a Recording,
     segmentation: &Segmentation,
@@ -144,11 +145,12 @@ fn turnings<'a>(
         return Vec::new();
     };
     let statics = &segmentation.statics;
-    let sound = segmentation
-        .turns
-        .iter()
-        .filter(|turn| turn.fault.is_none());
-    sound
+    let sound = || segmentation.turns.iter().filter(|t| t.fault.is_none());
+    let samples: usize = sound().map(|turn| turn.samples.len()).sum();
+    let by_turns = sound().count().div_ceil(MOST_TURNS);
+    let stride = samples.div_ceil(MOST_SAMPLES).max(by_turns).max(1);
+    sound()
+        .step_by(stride)
         .filter_map(|turn| {
             let (from, to) = (turn.from, turn.from + 1);
             let [before, after] = [from, to].map(|k| directions.get(k).copied().flatten());

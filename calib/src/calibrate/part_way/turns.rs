@@ -12,8 +12,6 @@ const BASE: usize = 9;
 /// Fewest turns, and on either side of a change.
 const FEWEST: usize = 8;
 const SIDE: usize = 3;
-/// Most turns that are looked at.
-const MOST: usize = 300;
 /// Passes of the linear fit about the last one, and of its weights.
 const PASSES: usize = 4;
 const WEIGHINGS: usize = 8;
@@ -36,8 +34,7 @@ pub(super) struct Turning<'a> {
 
 /// What changes in the course of the turns; `start` is about what carries the readings to rad/s.
 pub(super) fn changes(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Vec<Change> {
-    let stride = turns.len().div_ceil(MOST).max(1);
-    let used: Vec<&Turning<'_>> = turns.iter().step_by(stride).collect();
+    let used: Vec<&Turning<'_>> = turns.iter().collect();
     if used.len() < FEWEST {
         return Vec::new();
     }

@@ -1,5 +1,6 @@
 //! Recordings as the joint problem sees them: means of chunks of rests, and turns between them.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use nalgebra::Vector3;
@@ -183,11 +184,12 @@ impl Data {
         let place = self.sources.len();
         let force = near_si(cut.recording.accelerometer.as_ref(), cut.force_unit);
         let rate = near_si(cut.recording.gyroscope.as_ref(), cut.rate_unit);
+        let (force, rate) = (force.as_deref(), rate.as_deref());
         let spans: Vec<Span> = cut
             .segmentation
             .statics
             .iter()
-            .map(|rest| quiet_part(force.iter().chain(&rate), rest.span))
+            .map(|rest| quiet_part(force.into_iter().chain(rate), rest.span))
             .collect();
         let total: f64 = spans.iter().map(Span::length).sum();
         let length = CHUNK.max(total / MOST_CHUNKS);
@@ -199,8 +201,8 @@ impl Data {
             for part in parts(*span, length) {
                 self.chunks.push(Chunk {
                     rest: self.rests.len(),
-                    accelerometer: force.as_ref().and_then(|s| mean_over(s, part)),
-                    gyroscope: rate.as_ref().and_then(|s| mean_over(s, part)),
+                    accelerometer: force.and_then(|s| mean_over(s, part)),
+                    gyroscope: rate.and_then(|s| mean_over(s, part)),
                     temperature: celsius.and_then(|t| t.mean(part.from, part.to)),
                 });
             }
@@ -215,26 +217,24 @@ impl Data {
                 chunks: from..self.chunks.len(),
             });
         }
-        let of = |stream: &Option<Stream>| {
-            let stream = stream.as_ref()?;
+        let of = |stream: Option<&Stream>| {
+            let stream = stream?;
             let chunks = spans.iter().flat_map(|span| parts(*span, length));
             let ranges: Vec<_> = chunks.map(|c| stream.between(c.from, c.to)).collect();
             SensorNoise::measure(stream, &ranges)
         };
-        let (of_force, of_rate) = (of(&force), of(&rate));
-        if let (Some(f), Some(nf), Some(r), Some(nr)) = (&force, &of_force, &rate, &of_rate) {
+        let (of_force, of_rate) = (of(force), of(rate));
+        if let (Some(f), Some(nf), Some(r), Some(nr)) = (force, &of_force, rate, &of_rate) {
             let pair = Pair {
                 force: (f, nf),
                 rate: (r, nr),
             };
             self.look_for_touches(&pair, &spans, first);
         }
-        let streams = [(&force, &of_force), (&rate, &of_rate)];
-        let known = streams
-            .into_iter()
-            .filter_map(|(s, n)| s.as_ref().zip(n.as_ref()));
+        let streams = [(force, &of_force), (rate, &of_rate)];
+        let known = streams.into_iter().filter_map(|(s, n)| s.zip(n.as_ref()));
         self.look_for_shakes(known, first);
-        let clock = match &rate {
+        let clock = match rate {
             Some(rate) => self.add_turns(cut, rate, of_rate.as_ref(), &spans, first),
             None => SourceClock::default(),
         };
@@ -387,12 +387,16 @@ impl Data {
     }
 }
 
-fn near_si(stream: Option<&Stream>, unit: &RawUnit) -> Option<Stream> {
+/// A stream near SI units: as it is, without a copy, where it is in them.
+fn near_si<'a>(stream: Option<&'a Stream>, unit: &RawUnit) -> Option<Cow<'a, Stream>> {
     let stream = stream?;
-    Some(Stream {
+    if unit.is_si() && unit.zero == Vector3::zeros() {
+        return Some(Cow::Borrowed(stream));
+    }
+    Some(Cow::Owned(Stream {
         t: stream.t.clone(),
         values: stream.values.iter().map(|v| unit.to_si(v)).collect(),
-    })
+    }))
 }
 
 /// The span in equal parts of about `length`; none of an empty one.

@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use serde::{Deserialize, Serialize};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
+use super::walk_filter::WalkFilter;
 use crate::methods::small_sample::by_chance;
 
 /// Chance that a sensor of which nothing is missing shows any pattern.
@@ -132,24 +133,23 @@ impl StaticNumbers {
         }
         let with = beside(&self.jacobian, columns);
         let walk = self.walk();
+        let scaled =
+            |a: &DMatrix<f64>| DMatrix::from_fn(n, a.ncols(), |i, k| a[(i, k)] / self.sigma[i]);
+        let residuals = scaled(&DMatrix::from_fn(n, 1, |i, _| self.residuals[i]));
+        let (with, jacobian) = (scaled(&with), scaled(&self.jacobian));
         let best = WALKS
             .iter()
             .filter_map(|&size| {
-                let factor = (DMatrix::identity(n, n) + &walk * size).cholesky()?;
-                let whiten = |a: &DMatrix<f64>| factor.l().solve_lower_triangular(a);
-                let scaled = |a: &DMatrix<f64>| {
-                    DMatrix::from_fn(n, a.ncols(), |i, k| a[(i, k)] / self.sigma[i])
+                let filter = WalkFilter::new(&self.rows, &self.sigma, walk * size)?;
+                let whitened = |a: &DMatrix<f64>| {
+                    let mut own = a.clone();
+                    filter.whiten(&mut own);
+                    own
                 };
-                let residuals = DMatrix::from_fn(n, 1, |i, _| self.residuals[i]);
-                let r = whiten(&scaled(&residuals))?;
-                let full = Left::of(&whiten(&scaled(&with))?, &r);
-                let base = Left::of(&whiten(&scaled(&self.jacobian))?, &r);
-                let log_v: f64 = factor
-                    .l_dirty()
-                    .diagonal()
-                    .iter()
-                    .map(|d| 2.0 * d.ln())
-                    .sum();
+                let r = whitened(&residuals);
+                let full = Left::of(&whitened(&with), &r);
+                let base = Left::of(&whitened(&jacobian), &r);
+                let log_v = filter.log_determinant;
                 // The scale is profiled too: scatter that all intervals share is no pattern either.
                 let spare = n.saturating_sub(full.rank);
                 let scale = (full.square / spare.max(1) as f64).max(1.0);
@@ -177,23 +177,17 @@ impl StaticNumbers {
         Some((law.sf(f), [taken, spare]))
     }
 
-    /// Covariance of the numbers for a walk of the bias that reaches the noise's variance on average (`n × n`), over
-    /// the standard deviations of the noise.
-    fn walk(&self) -> DMatrix<f64> {
-        let n = self.rows.len();
-        let mut walk = DMatrix::from_fn(n, n, |i, k| {
-            let ((a, along_a), (b, along_b)) = (&self.rows[i], &self.rows[k]);
-            if a.recording != b.recording || a.time * b.time <= 0.0 {
-                return 0.0;
-            }
-            let common = a.time.abs().min(b.time.abs());
-            common * along_a.dot(along_b) / (self.sigma[i] * self.sigma[k])
-        });
-        let mean = walk.trace() / n.max(1) as f64;
-        if mean > 0.0 {
-            walk /= mean;
+    /// The density of a walk of the bias that reaches the noise's variance on average, variance per second.
+    fn walk(&self) -> f64 {
+        let numbers = self.rows.iter().zip(self.sigma.iter());
+        let sum: f64 = numbers
+            .map(|((at, along), sigma)| at.time.abs() * along.norm_squared() / (sigma * sigma))
+            .sum();
+        if sum > 0.0 {
+            self.rows.len() as f64 / sum
+        } else {
+            0.0
         }
-        walk
     }
 
     /// Drops intervals whose noise is not a number, and holds tiny standard deviations up.

@@ -1,0 +1,134 @@
+//! How many static intervals the joint problem takes, and which of a recording that has more.
+
+use std::ops::Range;
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::intervals::StaticInterval;
+use crate::methods::Choice;
+use crate::recording::Recording;
+
+/// Most static intervals of all recordings together. Every one has a direction of its own among the parameters, and noise
+/// joins all rows: time grows with the third power of their number and memory with the second.
+pub const MOST_STATIC_INTERVALS: usize = 150;
+
+/// Fewest of them that one of several recordings keeps.
+const FEWEST: usize = 12;
+
+/// Cuts the choices down to [`MOST_STATIC_INTERVALS`], to the stretch of every recording whose orientations are spread
+/// best, and says of each from where to where.
+pub fn within_budget(recordings: &[&Recording], choices: &mut [Choice]) -> Vec<String> {
+    let total: usize = choices.iter().map(|c| c.segmentation.statics.len()).sum();
+    if total <= MOST_STATIC_INTERVALS {
+        return Vec::new();
+    }
+    let mut said = Vec::new();
+    for (recording, choice) in recordings.iter().zip(choices) {
+        let statics = &choice.segmentation.statics;
+        let share = (MOST_STATIC_INTERVALS * statics.len() / total).max(FEWEST);
+        let Some(stretch) = spread_best(statics, share) else {
+            continue;
+        };
+        let (first, last) = (&statics[stretch.start], &statics[stretch.end - 1]);
+        said.push(format!(
+            "{}: this method uses {share} of {} static intervals, number {} to {} (t = {:.2} to {:.2} s), where the \
+             orientations are spread best: its time grows with the third power of their number, and {} is its limit. \
+             Intervals and turns are counted from there. Use --method stepwise, which takes all, or calibrate parts of the \
+             recording",
+            recording.name,
+            statics.len(),
+            stretch.start + 1,
+            stretch.end,
+            first.span.from,
+            last.span.to,
+            MOST_STATIC_INTERVALS,
+        ));
+        choice.segmentation = choice.segmentation.stretch(stretch);
+    }
+    said
+}
+
+/// The `count` consecutive intervals whose directions of specific force leave the least known axis best known: largest
+/// smallest eigenvalue of `Σ u uᵀ`. `None` where all are to be kept.
+fn spread_best(statics: &[StaticInterval], count: usize) -> Option<Range<usize>> {
+    if statics.len() <= count {
+        return None;
+    }
+    let of = |rest: &StaticInterval| {
+        let u = rest.accelerometer.map(|m| m.mean.normalize());
+        let u = u.filter(|u| u.norm().is_finite());
+        u.map_or_else(Matrix3::zeros, |u: Vector3<f64>| u * u.transpose())
+    };
+    let mut before = vec![Matrix3::zeros()];
+    for rest in statics {
+        let sum = before[before.len() - 1] + of(rest);
+        before.push(sum);
+    }
+    let least = |from: &usize| {
+        let scatter: Matrix3<f64> = before[from + count] - before[*from];
+        scatter.symmetric_eigenvalues().min()
+    };
+    // The first of equals.
+    let starts = (0..=statics.len() - count).rev();
+    let from = starts.max_by(|a, b| least(a).total_cmp(&least(b)))?;
+    Some(from..from + count)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::intervals::{Segmentation, Span};
+    use crate::recording::Stream;
+
+    /// Rests of one second with turns of one second between, flat but for those in `tilted`.
+    fn session(rests: usize, tilted: Range<usize>) -> (Recording, Choice) {
+        let up = |k: usize| match (tilted.contains(&(k / 20)), (k / 20) % 3) {
+            (true, 1) => Vector3::x(),
+            (true, 2) => Vector3::y(),
+            _ => Vector3::z(),
+        };
+        let t: Vec<f64> = (0..20 * rests).map(|k| 0.1 * k as f64).collect();
+        let values = (0..t.len()).map(|k| 9.8 * up(k)).collect();
+        let stream = Some(Stream { t, values });
+        let recording = Recording {
+            name: "r".into(),
+            accelerometer: stream.clone(),
+            gyroscope: stream,
+            ..Recording::default()
+        };
+        let span = |k: usize| Span {
+            from: 2.0 * k as f64,
+            to: 2.0 * k as f64 + 1.0,
+        };
+        let spans: Vec<Span> = (0..rests).map(span).collect();
+        let choice = Choice {
+            segmentation: Segmentation::from_spans(&recording, &spans, 10.0),
+            trials: Vec::new(),
+            shortened: None,
+        };
+        (recording, choice)
+    }
+
+    #[test]
+    fn the_stretch_with_all_orientations_is_kept_and_said() {
+        let (recording, choice) = session(400, 220..260);
+        let mut cut = [choice];
+        let said = within_budget(&[&recording], &mut cut);
+        let kept = &cut[0].segmentation;
+        assert_eq!(kept.statics.len(), MOST_STATIC_INTERVALS);
+        assert_eq!(kept.turns.len(), MOST_STATIC_INTERVALS - 1);
+        let (from, to) = (kept.statics[0].span.from, kept.statics[149].span.to);
+        assert!(from <= 440.0 && to >= 510.0, "{from} {to}");
+        let turn = &kept.turns[7];
+        assert_eq!((turn.from, turn.span.from), (7, kept.statics[7].span.to));
+        assert!(said[0].contains("uses 150 of 400"), "{said:?}");
+    }
+
+    #[test]
+    fn recordings_within_the_budget_stay_as_they_are() {
+        let (recording, choice) = session(70, 0..70);
+        let mut cut = [choice.clone(), choice.clone()];
+        assert_eq!(within_budget(&[&recording, &recording], &mut cut), [""; 0]);
+        assert_eq!(cut[1].segmentation, choice.segmentation);
+    }
+}
