@@ -8,9 +8,22 @@ use clap::{Args, ValueEnum};
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Reading recordings")]
 pub struct ReadArgs {
-    /// The format (csv, imu_tk, folder); recognised from the content when not given.
+    /// The format; recognised from the content when not given.
     #[arg(long, value_name = "NAME", value_parser = formats::by_name)]
     pub format: Option<&'static dyn Format>,
+
+    /// The file to read within a folder or a zip archive that holds several recordings.
+    #[arg(long, value_name = "NAME")]
+    pub entry: Option<String>,
+
+    /// The topics, messages or variables of the sensors in a log that holds several, as `/imu/data_raw` or
+    /// `sensor_combined`.
+    #[arg(long, value_name = "TOPIC,...", value_delimiter = ',')]
+    pub topic: Vec<String>,
+
+    /// Which of several sensors alike in a log, as `0`.
+    #[arg(long, value_name = "N")]
+    pub instance: Option<u32>,
 
     /// Which column is what, by name or by number from 1: `t=timestamp,ax=acc_x,ay=acc_y,az=acc_z`;
     /// roles are t, ax, ay, az, gx, gy, gz, temp.
@@ -67,6 +80,9 @@ impl ReadArgs {
     pub fn are_default(&self) -> bool {
         let given = [
             self.format.is_some(),
+            self.entry.is_some(),
+            !self.topic.is_empty(),
+            self.instance.is_some(),
             self.columns.is_some(),
             self.rate.is_some(),
             self.time_unit.is_some(),
@@ -111,6 +127,9 @@ impl From<ReadArgs> for ReadOptions {
             accel_unit: args.accel_unit,
             gyro_unit: args.gyro_unit,
             flip: args.flip,
+            entry: args.entry,
+            topics: args.topic,
+            instance: args.instance,
             max_rows: args.max_rows,
             max_bytes: args.max_bytes,
         }

@@ -6,6 +6,7 @@ pub mod conditions;
 pub mod coverage;
 pub mod faults;
 pub mod fuzz;
+pub mod layouts;
 pub mod leave_one_out;
 pub mod needed_data;
 pub mod noise_source;

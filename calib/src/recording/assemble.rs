@@ -11,7 +11,7 @@ use super::table::Table;
 use super::time;
 use super::units::{AccelUnit, GyroUnit, Stated, TemperatureUnit, TimeUnit};
 use super::{Recording, Stream, Temperature};
-use super::{checks, decide, held, sort, values};
+use super::{checks, decide, held, rests, sort, unclear, values};
 use crate::Error;
 
 /// The recording called `name` that `tables`, on one clock, hold.
@@ -49,9 +49,19 @@ pub(super) fn assemble(
         0 => String::new(),
         _ => format!(" (columns not used: `{}`)", unused.join("`, `")),
     };
+    unclear::refuse(&tables)?;
+    let gyro = tables.iter().find(|table| !table.gyro.t.is_empty());
+    let gyro = gyro.map(|table| (table.name.clone(), table.stated.gyro));
     for table in tables {
         add(&mut recording, table, options)?;
     }
+    if let (Some((name, stated)), Some(stream)) = (gyro, recording.gyroscope.take()) {
+        let accel = recording.accelerometer.as_ref();
+        let warnings = &mut recording.warnings;
+        let unit = decide::gyro_unit(&name, &stream, accel, stated, options.gyro_unit, warnings)?;
+        recording.gyroscope = Some(scaled(stream, unit.scale()));
+    }
+    refuse_swapped(&recording)?;
     if let Some(found) = crate::readings::cut_erased_tail(&mut recording) {
         recording
             .warnings
@@ -83,6 +93,13 @@ pub(super) fn assemble(
 
 fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Result<(), Error> {
     recording.warnings.append(&mut table.warnings);
+    if table.negated {
+        table
+            .accel
+            .values
+            .iter_mut()
+            .for_each(|value| *value = -*value);
+    }
     let Table { name, stated, .. } = table;
     recording
         .warnings
@@ -97,12 +114,8 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
                 |stream, warnings| Ok(decide::accel_unit(&name, stream, stated, warnings)?.scale()),
             )
         },
-        || {
-            let stated = options.gyro_unit.or(stated.gyro);
-            finish(&name, Sensor::Gyroscope, table.gyro, |stream, warnings| {
-                Ok(decide::gyro_unit(&name, stream, stated, warnings).scale())
-            })
-        },
+        // Its unit is decided when the accelerometer is known.
+        || finish(&name, Sensor::Gyroscope, table.gyro, |_, _| Ok(1.0)),
     );
     for (place, finished) in [
         (&mut recording.accelerometer, accelerometer?),
@@ -180,6 +193,20 @@ fn scaled(mut stream: Stream, scale: f64) -> Stream {
         stream.values.iter_mut().for_each(|value| *value *= scale);
     }
     stream
+}
+
+/// Refuses sensors whose names are each other's: a mean that turns from rest to rest is an accelerometer's.
+fn refuse_swapped(recording: &Recording) -> Result<(), Error> {
+    let (Some(accel), Some(gyro)) = (&recording.accelerometer, &recording.gyroscope) else {
+        return Ok(());
+    };
+    if accel.len() != gyro.len() || rests::accelerometer([&accel.values, &gyro.values]) != Some(1) {
+        return Ok(());
+    }
+    Err(in_file(
+        &recording.name,
+        "the columns of the gyroscope turn with gravity from rest to rest, and those of the accelerometer do not: their names are swapped; say which is which with --columns",
+    ))
 }
 
 /// Turns the sign of axes.

@@ -206,6 +206,32 @@ fn iso(text: &str) -> Option<jiff::Timestamp> {
     zoned
         .or_else(|_| utc(text.parse::<jiff::civil::DateTime>()?))
         .ok()
+        .or_else(|| unmistakable(text))
+}
+
+/// Dates that are not ISO 8601 and can be read in one way only: months in letters, and a third colon.
+fn unmistakable(text: &str) -> Option<jiff::Timestamp> {
+    let text = text.trim();
+    let pointed;
+    let text = match text.rfind(':') {
+        Some(at) if text.matches(':').count() == 3 && !text.contains('+') => {
+            pointed = format!("{}.{}", &text[..at], &text[at + 1..]);
+            pointed.as_str()
+        }
+        _ => text,
+    };
+    const PATTERNS: [&str; 3] = [
+        "%d-%b-%Y %H:%M:%S%.f",
+        "%Y-%m-%d %H:%M:%S%.f",
+        "%Y-%m-%dT%H:%M:%S%.f%z",
+    ];
+    PATTERNS.iter().find_map(|pattern| {
+        let parsed = jiff::fmt::strtime::parse(pattern, text).ok()?;
+        parsed
+            .to_timestamp()
+            .or_else(|_| utc(parsed.to_datetime()?))
+            .ok()
+    })
 }
 
 #[cfg(test)]

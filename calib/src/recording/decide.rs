@@ -1,6 +1,7 @@
 //! Units that nobody stated, told from the samples.
 
 use super::place::in_file;
+use super::turn_unit::turn_unit;
 use super::units::{AccelUnit, GyroUnit};
 use super::{Stream, values};
 use crate::Error;
@@ -53,15 +54,38 @@ pub(super) fn accel_unit(
     Ok(unit)
 }
 
-/// The gyroscope's unit: stated, or rad/s unless a hand could not turn that fast.
+/// The gyroscope's unit: stated, or told by the turns between rests, else rad/s unless a hand could not turn that
+/// fast.
+///
+/// # Errors
+/// [`Error::Input`] where the file states a unit in which the turns are not those that the accelerometer saw.
 pub(super) fn gyro_unit(
     name: &str,
     stream: &Stream,
+    accel: Option<&Stream>,
     stated: Option<GyroUnit>,
+    given: Option<GyroUnit>,
     warnings: &mut Vec<String>,
-) -> GyroUnit {
+) -> Result<GyroUnit, Error> {
+    if let Some(unit) = given {
+        return Ok(unit);
+    }
+    let by_turns = accel.and_then(|accel| turn_unit(accel, stream));
+    if let (Some(stated), Some(told)) = (stated.filter(|unit| *unit != GyroUnit::Counts), by_turns)
+        && stated != told
+    {
+        return Err(in_file(
+            name,
+            format!(
+                "the file states {} for the gyroscope, but its turns are those that the accelerometer saw in {}; say the unit, as in --gyro-unit {}",
+                stated.name(),
+                told.name(),
+                told.name()
+            ),
+        ));
+    }
     if let Some(unit) = stated {
-        return unit;
+        return Ok(unit);
     }
     let fastest = stream
         .values
@@ -69,16 +93,29 @@ pub(super) fn gyro_unit(
         .map(nalgebra::Vector3::amax)
         .fold(0.0, f64::max);
     let integers = values::are_integers(stream.values.iter());
-    let (unit, words) = match fastest {
-        0.0..FASTEST => return GyroUnit::RadiansPerSecond,
-        _ if integers => (GyroUnit::Counts, "raw counts, kept as they are"),
-        FASTEST..5000.0 => (GyroUnit::DegreesPerSecond, "deg/s"),
-        _ => (GyroUnit::Counts, "raw counts, kept as they are"),
+    let (unit, why) = match (by_turns, fastest) {
+        (Some(GyroUnit::RadiansPerSecond), _) => return Ok(GyroUnit::RadiansPerSecond),
+        (Some(unit), _) => (
+            unit,
+            "read so, its turns are those that the accelerometer saw".to_owned(),
+        ),
+        (None, 0.0..FASTEST) => return Ok(GyroUnit::RadiansPerSecond),
+        (None, _) if integers => (GyroUnit::Counts, format!("it reaches {fastest:.0}")),
+        (None, FASTEST..5000.0) => (
+            GyroUnit::DegreesPerSecond,
+            format!("it reaches {fastest:.0}"),
+        ),
+        (None, _) => (GyroUnit::Counts, format!("it reaches {fastest:.0}")),
+    };
+    let words = match unit {
+        GyroUnit::Counts => "raw counts, kept as they are",
+        GyroUnit::DegreesPerSecond => "deg/s, degrees per second",
+        unit => unit.name(),
     };
     warnings.push(format!(
-        "{name}: gyroscope taken as {words} (it reaches {fastest:.0}); --gyro-unit overrides"
+        "{name}: gyroscope taken as {words} ({why}); --gyro-unit overrides"
     ));
-    unit
+    Ok(unit)
 }
 
 fn median_norm(stream: &Stream) -> f64 {

@@ -11,6 +11,9 @@ use crate::Error;
 /// A format that is recognised but not read: first bytes, name, what to do.
 type Signature = (&'static [u8], &'static str, &'static str);
 
+const GZIP: [&[u8]; 1] = [b"\x1f\x8b"];
+const ZSTD: [&[u8]; 1] = [b"\x28\xb5\x2f\xfd"];
+
 const EXPORT: &str =
     "export the accelerometer and gyroscope as CSV with the header t,ax,ay,az,gx,gy,gz";
 const SIGNATURES: &[Signature] = &[
@@ -25,7 +28,7 @@ const SIGNATURES: &[Signature] = &[
     (b"Rar!", "a rar archive", "unpack it first"),
     (
         b"PK\x03\x04",
-        "a zip archive or Excel workbook",
+        "a zip archive or Excel workbook within a recording",
         "unpack it, or save the sheet as CSV, and name the folder or file",
     ),
     (
@@ -79,21 +82,41 @@ const SIGNATURES: &[Signature] = &[
     (b"{", "a JSON file", EXPORT),
 ];
 
-/// `reader` decompressed and in UTF-8 without byte order mark, and what was noticed.
-pub(super) fn text(
-    name: &str,
-    reader: Box<dyn Read + Send>,
-) -> Result<(Box<dyn Read + Send>, Vec<String>), Error> {
+/// What a stream of bytes holds when it is decompressed.
+pub(super) struct Unpacked {
+    /// Its beginning.
+    pub head: Vec<u8>,
+    /// All of it.
+    pub reader: Box<dyn Read + Send>,
+    /// It was compressed.
+    pub packed: bool,
+}
+
+/// `reader` decompressed.
+pub(super) fn unpacked(name: &str, reader: Box<dyn Read + Send>) -> Result<Unpacked, Error> {
+    let (head, reader) = look(name, reader)?;
+    if head.is_empty() {
+        return Err(empty(name));
+    }
+    let packed = GZIP
+        .iter()
+        .chain(&ZSTD)
+        .any(|magic| head.starts_with(magic));
+    let (head, reader) = look(name, decompressed(&head, reader))?;
+    if head.is_empty() {
+        return Err(empty(name));
+    }
+    Ok(Unpacked {
+        head,
+        reader,
+        packed,
+    })
+}
+
+/// The text in UTF-8 without byte order mark, and what was noticed.
+pub(super) fn text(name: &str, unpacked: Unpacked) -> (Box<dyn Read + Send>, Vec<String>) {
     let mut warnings = Vec::new();
-    let (head, reader) = look(name, reader)?;
-    if head.is_empty() {
-        return Err(empty(name));
-    }
-    let reader = decompressed(&head, reader);
-    let (head, reader) = look(name, reader)?;
-    if head.is_empty() {
-        return Err(empty(name));
-    }
+    let Unpacked { head, reader, .. } = unpacked;
     let encoding = match &head[..] {
         [0xff, 0xfe, ..] => Some(encoding_rs::UTF_16LE),
         [0xfe, 0xff, ..] => Some(encoding_rs::UTF_16BE),
@@ -108,7 +131,7 @@ pub(super) fn text(
         .utf8_passthru(true)
         .strip_bom(true)
         .build(reader);
-    Ok((Box::new(reader), warnings))
+    (Box::new(reader), warnings)
 }
 
 /// Refuses formats that are known but not read.
@@ -139,10 +162,10 @@ fn look(
 }
 
 fn decompressed(head: &[u8], reader: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
-    if head.starts_with(b"\x1f\x8b") {
+    if head.starts_with(GZIP[0]) {
         return Box::new(flate2::read::MultiGzDecoder::new(reader));
     }
-    if head.starts_with(b"\x28\xb5\x2f\xfd") {
+    if head.starts_with(ZSTD[0]) {
         return Box::new(Zstd::Between(BufReader::new(reader)));
     }
     reader

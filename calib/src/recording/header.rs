@@ -2,6 +2,8 @@
 
 use sensor::Sensor;
 
+use super::affine::{self, Affine};
+use super::by_unit::by_unit;
 use super::names::{role_of, take_apart};
 use super::options::{ColumnMap, Role};
 use super::place::{shown, shown_list};
@@ -25,6 +27,10 @@ pub(super) struct Layout {
     pub temperature: Option<usize>,
     /// Units in the names.
     pub stated: Stated,
+    /// Scales and offsets that the user gave.
+    pub affine: Vec<(Role, Affine)>,
+    /// What was told by the units in the names, in words.
+    pub by_unit: Option<String>,
 }
 
 impl Layout {
@@ -39,9 +45,12 @@ impl Layout {
     ) -> Result<Self, String> {
         let mut roles = roles_by_map(&names, map)?;
         roles_by_name(&names, only, &mut roles)?;
+        let by_unit = by_unit(&names, only, &mut roles);
         let mut layout = Self {
             width: names.len(),
+            affine: affines(&names, map),
             names,
+            by_unit,
             ..Self::default()
         };
         layout.assign(&roles)?;
@@ -117,6 +126,26 @@ impl Layout {
             .collect()
     }
 
+    /// The column of every role, by its name or number.
+    pub fn roles(&self) -> Vec<(Role, String)> {
+        let called = |column: usize| match self.names.get(column) {
+            Some(name) if !name.is_empty() => name.clone(),
+            _ => (column + 1).to_string(),
+        };
+        let axes = |triad: Option<[usize; 3]>| triad.into_iter().flatten().enumerate();
+        let time = self.time.map(|column| (Role::Time, called(column)));
+        let accel = axes(self.accel).map(|(axis, column)| (Role::Accel(axis), called(column)));
+        let gyro = axes(self.gyro).map(|(axis, column)| (Role::Gyro(axis), called(column)));
+        let temperature = self
+            .temperature
+            .map(|column| (Role::Temperature, called(column)));
+        time.into_iter()
+            .chain(accel)
+            .chain(gyro)
+            .chain(temperature)
+            .collect()
+    }
+
     /// What a column is called in messages.
     pub fn column(&self, index: usize) -> String {
         match self.names.get(index) {
@@ -183,19 +212,33 @@ pub(super) fn refuse_twins(names: &[String], map: &ColumnMap) -> Result<(), Stri
     Ok(())
 }
 
+/// The column called `wanted`, or numbered so from 1.
+fn column(names: &[String], wanted: &str) -> Option<usize> {
+    let by_name = names.iter().position(|name| name.trim() == wanted);
+    let number = || wanted.parse::<usize>().ok();
+    by_name.or_else(|| {
+        number()
+            .filter(|n| (1..=names.len()).contains(n))
+            .map(|n| n - 1)
+    })
+}
+
+/// What the user makes of columns; names that look so and are names are names.
+pub(super) fn affines(names: &[String], map: &ColumnMap) -> Vec<(Role, Affine)> {
+    let of = |(role, wanted): &(Role, String)| {
+        let (_, affine) = affine::take_apart(wanted)?;
+        column(names, wanted).is_none().then_some((*role, affine))
+    };
+    map.0.iter().filter_map(of).collect()
+}
+
 /// Columns by name first, then by number from 1.
 pub(super) fn roles_by_map(
     names: &[String],
     map: &ColumnMap,
 ) -> Result<Vec<(Role, usize)>, String> {
     let find = |wanted: &str| {
-        let by_name = names.iter().position(|name| name.trim() == wanted);
-        let number = wanted.parse::<usize>().ok();
-        by_name.or_else(|| {
-            number
-                .filter(|n| (1..=names.len()).contains(n))
-                .map(|n| n - 1)
-        })
+        column(names, wanted).or_else(|| column(names, affine::take_apart(wanted)?.0))
     };
     let mut roles = Vec::new();
     for (role, wanted) in &map.0 {

@@ -8,8 +8,10 @@
 //! Rows are read in a pipeline: plain numbers in parallel (`plain`), all else with care
 //! (`rows`).
 
+mod affine;
 mod assemble;
 pub(crate) mod batches;
+mod by_unit;
 mod checks;
 mod clock;
 mod clock_offset;
@@ -19,21 +21,26 @@ mod decimate;
 mod decode;
 mod dialect;
 mod even_clock;
+mod files;
 pub mod formats;
 mod header;
 mod held;
 mod lines;
+mod look;
 mod memory;
 mod names;
 mod number;
 mod options;
 #[cfg(test)]
 mod oracle;
+mod parts;
 pub(crate) mod pipeline;
 pub(crate) mod place;
 pub(crate) mod plain;
 mod preface;
 mod quotes;
+mod rests;
+mod rewrite;
 mod rows;
 mod samples;
 mod sniff;
@@ -43,6 +50,9 @@ mod stream;
 mod suggest;
 mod table;
 mod time;
+mod time_of_day;
+mod turn_unit;
+mod unclear;
 mod unit_row;
 mod units;
 mod values;
@@ -64,6 +74,7 @@ pub use write::{stream_to_csv, to_csv};
 
 use crate::Error;
 use formats::Source;
+use parts::Part;
 use place::{in_file, shown_path};
 use table::Table;
 
@@ -101,11 +112,7 @@ impl Recording {
     /// is missing (a rate for rows without stamps) or impossible.
     pub fn read(path: &Path, options: &ReadOptions) -> Result<Self, Error> {
         options.check()?;
-        let source = if path.as_os_str() != "-" && path.is_dir() {
-            Source::Folder(path)
-        } else {
-            Source::Text(Input::open(path, options)?)
-        };
+        let source = Source::open(path, options)?;
         let format = options.format.or_else(|| formats::recognise(&source));
         let format = format.ok_or_else(|| in_file(&shown_path(path), "of no known format"))?;
         format.read(source, options)
@@ -136,10 +143,11 @@ fn pair(
     let mut tables: Vec<Table> = Vec::new();
     for &(path, sensor) in files {
         let origin = tables.first().and_then(|table| table.clock.origin);
-        let input = Input::open(path, options)?;
-        let mut table = Table::read(input, Some(sensor), origin, options)?;
-        table.keep_only(sensor)?;
-        tables.push(table);
+        let part = Part {
+            only: Some(sensor),
+            ..Part::default()
+        };
+        tables.push(part.read(Input::open(path, options)?, origin, options)?);
     }
     assemble::assemble(name, tables, options)
 }

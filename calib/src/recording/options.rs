@@ -32,6 +32,12 @@ pub struct ReadOptions {
     pub gyro_unit: Option<GyroUnit>,
     /// Axes of sensors to read with the other sign.
     pub flip: Vec<Role>,
+    /// The file within a folder or an archive.
+    pub entry: Option<String>,
+    /// Topics, messages or variables of the sensors in a log.
+    pub topics: Vec<String>,
+    /// Which of several sensors alike in a log.
+    pub instance: Option<u32>,
     /// Rows after which reading is refused.
     pub max_rows: u64,
     /// Bytes of (decompressed) text after which reading is refused.
@@ -52,6 +58,9 @@ impl Default for ReadOptions {
             accel_unit: None,
             gyro_unit: None,
             flip: Vec::new(),
+            entry: None,
+            topics: Vec::new(),
+            instance: None,
             max_rows: 200_000_000,
             max_bytes: 16 << 30,
         }

@@ -46,6 +46,17 @@ pub(super) struct Repeats {
 }
 
 impl Samples {
+    /// Samples in order, numbered from 1.
+    pub fn of(t: Vec<f64>, values: Vec<Vector3<f64>>) -> Self {
+        Self {
+            lines: vec![(0, 1)],
+            t,
+            values,
+            merged_into_last: 1,
+            ..Self::default()
+        }
+    }
+
     /// Adds a sample; stamps that do not increase are looked into.
     pub fn push(&mut self, t: f64, value: Vector3<f64>, line: u64) -> Pushed {
         match self.t.last() {

@@ -41,6 +41,12 @@ pub(super) struct Start {
     pub after: u64,
     /// What was decided that a person should know.
     pub warnings: Vec<String>,
+    /// Which of two triads is which is not known before all rows are.
+    pub undecided: bool,
+    /// Gravity told which is which in the rows looked at.
+    pub told_by_norm: bool,
+    /// Names of columns without a role whose numbers change.
+    pub unclear: Vec<String>,
 }
 
 /// True if `head`, the beginning of a text, has a row of numbers before anything that could be a header.
@@ -56,6 +62,16 @@ pub(super) fn starts_with_numbers(head: &[u8]) -> bool {
         options: &ReadOptions::default(),
     };
     first_row.is_some_and(|row| finder.preface(&kept, Some(row)).header.is_none())
+}
+
+/// True if `head` begins a text with rows of four cells or more.
+pub(super) fn is_table(head: &[u8]) -> bool {
+    let Ok(kept) = sample("", head) else {
+        return false;
+    };
+    let dialect = dialect_of(&kept);
+    let row = first_row(&kept, dialect).and_then(|row| kept.get(row));
+    row.is_some_and(|row| cells(&row.bytes, dialect).len() >= 4)
 }
 
 impl Start {
@@ -91,6 +107,9 @@ impl Start {
             tail: None,
             after: last.map_or(0, |kept| kept.number),
             warnings: Vec::new(),
+            undecided: false,
+            told_by_norm: false,
+            unclear: Vec::new(),
         };
         if dialect.decimal_comma {
             start
@@ -112,6 +131,10 @@ impl Start {
             None => start.without_header(name, &rows, only, options)?,
         }
         start.read_units(name, preface, options)?;
+        start.unclear = start.unclear(&rows);
+        if let Some(row) = row.filter(|_| preface.header.is_none()) {
+            start.pass_torn(&kept, row);
+        }
         start.tail = start.usual_tail(&rows);
         Ok(start)
     }
@@ -151,6 +174,48 @@ impl Start {
             Some(&row.bytes[cell])
         });
         usual_tail(last, self.dialect.mark())
+    }
+
+    /// Names of the columns without a role whose numbers change within `rows`.
+    fn unclear(&self, rows: &[&Kept]) -> Vec<String> {
+        let number = |row: &Kept, column: usize| {
+            let cell = cells(&row.bytes, self.dialect).get(column)?.clone();
+            let decimal_comma = self.dialect.decimal_comma;
+            number::parse(&row.bytes[cell], decimal_comma, &mut Dialects::default()).ok()
+        };
+        let changes = |column: &usize| {
+            let mut numbers = rows.iter().filter_map(|row| number(row, *column));
+            let first = numbers.next();
+            first.is_some_and(|first| numbers.any(|other| other != first))
+        };
+        let unused = (0..self.layout.names.len()).filter(|&column| !self.layout.is_read(column));
+        let unclear = unused.filter(changes);
+        unclear
+            .map(|column| self.layout.names[column].clone())
+            .collect()
+    }
+
+    /// True if every cell of a line is a number.
+    fn is_numbers(&self, line: &Kept) -> bool {
+        let parse = |cell: Cell| {
+            let decimal_comma = self.dialect.decimal_comma;
+            number::parse(&line.bytes[cell], decimal_comma, &mut Dialects::default())
+        };
+        let mut cells = cells(&line.bytes, self.dialect).into_iter();
+        cells.all(|cell| parse(cell).is_ok())
+    }
+
+    /// Passes a first row that is cut at its beginning, as a log begins that is opened while the device sends.
+    fn pass_torn(&mut self, kept: &[Kept], row: usize) {
+        let torn: Vec<&Kept> = kept[..row].iter().filter(|k| !k.comment).collect();
+        if let [torn] = torn[..]
+            && cells(&torn.bytes, self.dialect).len() < self.layout.width
+            && self.is_numbers(torn)
+        {
+            self.after = self.after.max(torn.number);
+            let words = format!("line {} is cut at its beginning and left out", torn.number);
+            self.warnings.push(words);
+        }
     }
 
     fn read_header(
@@ -199,6 +264,7 @@ impl Start {
             names.resize(width, String::new());
         }
         self.layout = Layout::of_names(names, &options.columns, only).map_err(refuse)?;
+        self.warnings.extend(self.layout.by_unit.clone());
         Ok(())
     }
 
@@ -215,14 +281,18 @@ impl Start {
         let names: Vec<String> = (1..=width).map(|i| i.to_string()).collect();
         self.layout.width = width;
         let roles = if options.columns.0.is_empty() {
-            let roles = unnamed_roles(width, only, &medians(rows, self.dialect)).ok_or_else(|| {
+            let told = unnamed_roles(width, only, &medians(rows, self.dialect));
+            self.told_by_norm = told.is_some();
+            self.undecided = matches!(width, 6..=8) && only.is_none();
+            let roles = told.or_else(|| self.undecided.then(|| two_triads(width)));
+            let roles = roles.ok_or_else(|| {
                 refuse(format!(
                     "{width} columns without a header, and gravity does not tell which are which; {}",
                     suggestion(&names)
                 ))
             })?;
             // Four columns of a file that is known to hold one sensor need no comment.
-            if only.is_none() {
+            if only.is_none() && !self.undecided {
                 let used: Vec<_> = roles
                     .iter()
                     .map(|(role, i)| format!("{}={}", role.name(), i + 1))
@@ -233,6 +303,7 @@ impl Start {
             roles
         } else {
             header::refuse_twins(&names, &options.columns).map_err(Error::Usage)?;
+            self.layout.affine = header::affines(&names, &options.columns);
             header::roles_by_map(&names, &options.columns).map_err(refuse)?
         };
         self.layout.assign(&roles).map_err(refuse)
@@ -350,6 +421,14 @@ fn medians(rows: &[&Kept], dialect: Dialect) -> Vec<f64> {
             (!norms.is_empty()).then(|| *norms.select_nth_unstable_by(middle, f64::total_cmp).1)
         })
         .collect()
+}
+
+/// Roles of unnamed columns of both sensors, until it is known which is which: the accelerometer first.
+fn two_triads(width: usize) -> Vec<(Role, usize)> {
+    let time = usize::from(width > 6);
+    let stamps = (0..time).map(|i| (Role::Time, i));
+    let axes = (0..3).flat_map(|i| [(Role::Accel(i), time + i), (Role::Gyro(i), time + 3 + i)]);
+    stamps.chain(axes).collect()
 }
 
 /// Roles of unnamed columns: by the known sensor, or by which triad has the length of gravity.

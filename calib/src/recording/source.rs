@@ -6,16 +6,59 @@ use std::path::{Path, PathBuf};
 
 use super::batches::is_too_long;
 use super::decode;
+use super::files::{Files, limits};
 use super::lines::{end_of_line, lines};
 use super::options::ReadOptions;
 use super::place::{in_file, shown, shown_path};
 use super::preface::is_comment;
+use super::sniff::Start;
 use crate::Error;
+use file_formats::{Container, Entry};
 
 /// Bytes of a text that are looked at before it is read, comments at its beginning not counted.
 const HEAD: u64 = 64 << 10;
 /// No comments are longer.
 const LONGEST_PREFACE: usize = 64 << 20;
+
+/// What a path leads to.
+#[derive(Debug)]
+pub enum Source {
+    /// A folder or an archive.
+    Files(Files),
+    /// A text, opened and decoded.
+    Text(Input),
+    /// A binary or structured file of a known format.
+    Binary(Binary),
+}
+
+/// A binary or structured file that is about to be read.
+pub struct Binary {
+    /// The name in messages.
+    pub(super) name: String,
+    /// Its format.
+    pub(super) format: &'static dyn file_formats::Format,
+    /// All of it.
+    pub(super) reader: Box<dyn Read + Send>,
+    /// The file as it was when it was opened.
+    pub(super) unchanged: Option<Unchanged>,
+}
+
+impl std::fmt::Debug for Binary {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Binary")
+            .field("name", &self.name)
+            .field("format", &self.format)
+            .finish_non_exhaustive()
+    }
+}
+
+/// Where a text comes from, to open it once more.
+#[derive(Clone, Debug)]
+enum Origin {
+    Path(PathBuf),
+    Entry(Files, Entry),
+    Stream,
+}
 
 /// A text that is about to be read.
 pub struct Input {
@@ -29,6 +72,7 @@ pub struct Input {
     pub(super) warnings: Vec<String>,
     /// The file as it was when it was opened.
     pub(super) unchanged: Option<Unchanged>,
+    origin: Origin,
 }
 
 impl std::fmt::Debug for Input {
@@ -39,17 +83,17 @@ impl std::fmt::Debug for Input {
     }
 }
 
-impl Input {
-    /// Opens `path`, `-` being standard input, decompressed and as UTF-8.
+impl Source {
+    /// Opens `path`, `-` being standard input, decompressed and texts as UTF-8.
     pub(super) fn open(path: &Path, options: &ReadOptions) -> Result<Self, Error> {
         if path.as_os_str() == "-" {
-            return Self::standard_input();
+            return Self::standard_input(options);
         }
         let name = shown_path(path);
         let file = File::open(path).map_err(|error| explained(path, error))?;
         let metadata = file.metadata().map_err(|error| explained(path, error))?;
         if metadata.is_dir() {
-            return Err(in_file(&name, "a folder, where a file was expected"));
+            return Ok(Self::Files(Files::folder(name, path, options)?));
         }
         if metadata.is_file() && metadata.len() > options.max_bytes {
             return Err(in_file(
@@ -65,23 +109,167 @@ impl Input {
             ));
         }
         let unchanged = metadata.is_file().then(|| Unchanged::new(path, &metadata));
-        let mut input = Self::from_reader(name, Box::new(file))?;
-        input.unchanged = unchanged;
-        input.warn_of_extension(path);
-        Ok(input)
+        let origin = match unchanged {
+            Some(_) => Origin::Path(path.to_owned()),
+            None => Origin::Stream,
+        };
+        let mut source = Self::of(name, Box::new(file), origin, options)?;
+        match &mut source {
+            Self::Text(input) => {
+                input.unchanged = unchanged;
+                input.warn_of_extension(path);
+            }
+            Self::Binary(binary) => binary.unchanged = unchanged,
+            Self::Files(_) => {}
+        }
+        Ok(source)
     }
 
-    fn standard_input() -> Result<Self, Error> {
+    fn standard_input(options: &ReadOptions) -> Result<Self, Error> {
         if io::stdin().is_terminal() {
             let words = "`-` is standard input, and that is a terminal: pipe a recording into it";
             return Err(Error::Usage(words.to_owned()));
         }
-        Self::from_reader("<stdin>".to_owned(), Box::new(io::stdin()))
+        Self::of(
+            "<stdin>".to_owned(),
+            Box::new(io::stdin()),
+            Origin::Stream,
+            options,
+        )
     }
 
-    /// Any stream of bytes, decompressed and as UTF-8.
-    pub(super) fn from_reader(name: String, reader: Box<dyn Read + Send>) -> Result<Self, Error> {
-        let (mut reader, warnings) = decode::text(&name, reader)?;
+    /// An entry of a container.
+    pub(super) fn of_entry(
+        files: &Files,
+        entry: &Entry,
+        options: &ReadOptions,
+    ) -> Result<Self, Error> {
+        let origin = Origin::Entry(files.clone(), entry.clone());
+        Self::of(files.called(entry), files.open(entry)?, origin, options)
+    }
+
+    /// Any stream of bytes: content decides what it is.
+    fn of(
+        name: String,
+        reader: Box<dyn Read + Send>,
+        origin: Origin,
+        options: &ReadOptions,
+    ) -> Result<Self, Error> {
+        let unpacked = decode::unpacked(&name, reader)?;
+        let is_nested = matches!(origin, Origin::Entry(..));
+        if unpacked.head.starts_with(ZIP) && !is_nested {
+            return archive(name, unpacked, &origin, options).map(Self::Files);
+        }
+        if let Some(format) = file_formats::recognise(&unpacked.head) {
+            return Ok(Self::Binary(Binary {
+                name,
+                format,
+                reader: unpacked.reader,
+                unchanged: None,
+            }));
+        }
+        Input::new(name, unpacked, origin).map(Self::Text)
+    }
+
+    /// True for a text with rows that are understood, or asked about.
+    pub(super) fn holds_samples(&self, options: &ReadOptions) -> bool {
+        match self {
+            Self::Files(_) => false,
+            Self::Binary(_) => true,
+            Self::Text(input) => Start::look(&input.name, &input.head, None, options).is_ok(),
+        }
+    }
+
+    /// The text that it is.
+    ///
+    /// # Errors
+    /// Anything that is not one file of text.
+    pub(super) fn into_text(self) -> Result<Input, Error> {
+        match self {
+            Self::Text(input) => Ok(input),
+            Self::Files(files) => {
+                let what = match files.is_archive() {
+                    true => "an archive",
+                    false => "a folder",
+                };
+                let words = format!("{what}, where a file was expected");
+                Err(in_file(&files.name, words))
+            }
+            Self::Binary(binary) => {
+                let words =
+                    "no text, where a table of one sensor was expected; name the file by itself";
+                Err(in_file(&binary.name, words))
+            }
+        }
+    }
+
+    /// The name in messages.
+    pub(super) fn name(&self) -> &str {
+        match self {
+            Self::Files(files) => &files.name,
+            Self::Text(input) => &input.name,
+            Self::Binary(binary) => &binary.name,
+        }
+    }
+}
+
+/// Bytes that a zip archive begins with.
+const ZIP: &[u8] = b"PK\x03\x04";
+
+/// The files of a zip archive; of one that cannot be sought in, in memory.
+fn archive(
+    name: String,
+    mut unpacked: decode::Unpacked,
+    origin: &Origin,
+    options: &ReadOptions,
+) -> Result<Files, Error> {
+    let limits = limits(options);
+    let container = match origin {
+        Origin::Path(path) if !unpacked.packed => Container::zip(path, limits),
+        _ => {
+            let mut bytes = Vec::new();
+            let read = (&mut unpacked.reader).take(limits.bytes + 1);
+            let read = { read }.read_to_end(&mut bytes);
+            read.map_err(|error| in_file(&name, format!("reading stopped: {error}")))?;
+            if bytes.len() as u64 > limits.bytes {
+                let words = format!("an archive of more than {} bytes", limits.bytes);
+                return Err(in_file(&name, words));
+            }
+            Container::zip_in_memory(bytes, limits)
+        }
+    };
+    let container = container.map_err(|error| in_file(&name, error.to_string()))?;
+    let files = Files::new(name, container);
+    if files.entry("xl/workbook.xml").is_some() {
+        let words = "an Excel workbook; save the sheet as CSV and name that file";
+        return Err(in_file(&files.name, words));
+    }
+    Ok(files)
+}
+
+impl Input {
+    /// Opens the text at `path`, as [`Source::open`] does.
+    pub(super) fn open(path: &Path, options: &ReadOptions) -> Result<Self, Error> {
+        Source::open(path, options)?.into_text()
+    }
+
+    /// The same text from its beginning.
+    ///
+    /// # Errors
+    /// Text that went by, as that of standard input.
+    pub(super) fn again(&self, options: &ReadOptions) -> Result<Self, Error> {
+        match &self.origin {
+            Origin::Path(path) => Self::open(path, options),
+            Origin::Entry(files, entry) => files.text(entry, options),
+            Origin::Stream => Err(in_file(
+                &self.name,
+                "its sensors have clocks of their own, so that it is read twice; save it to a file and name that",
+            )),
+        }
+    }
+
+    fn new(name: String, unpacked: decode::Unpacked, origin: Origin) -> Result<Self, Error> {
+        let (mut reader, warnings) = decode::text(&name, unpacked);
         let mut head = take_head(&name, &mut reader)?;
         decode::refuse_other_formats(&name, &head)?;
         take_preface(&name, &mut reader, &mut head)?;
@@ -91,7 +279,23 @@ impl Input {
             rest: reader,
             warnings,
             unchanged: None,
+            origin,
         })
+    }
+
+    /// The text as `change` turns it into another with the same lines.
+    pub(super) fn changed(
+        mut self,
+        change: impl FnOnce(Box<dyn Read + Send>) -> Box<dyn Read + Send>,
+    ) -> Result<Self, Error> {
+        let head = std::mem::take(&mut self.head);
+        let whole = Box::new(
+            Cursor::new(head).chain(std::mem::replace(&mut self.rest, Box::new(io::empty()))),
+        );
+        self.rest = change(whole);
+        self.head = take_head(&self.name, &mut self.rest)?;
+        take_preface(&self.name, &mut self.rest, &mut self.head)?;
+        Ok(self)
     }
 
     /// The whole text.

@@ -2,15 +2,18 @@
 
 use sensor::Sensor;
 
+use super::affine;
 use super::batches::Batches;
 use super::clock::Clock;
 use super::memory;
-use super::options::ReadOptions;
-use super::place::in_file;
+use super::options::{ReadOptions, Role};
+use super::place::{at_line, in_file};
+use super::rests;
 use super::rows::Rows;
 use super::samples::Samples;
 use super::sniff::Start;
 use super::source::{Input, Unchanged};
+use super::suggest::suggestion;
 use super::units::Stated;
 use crate::Error;
 
@@ -33,10 +36,18 @@ pub(super) struct Table {
     pub plain_time: bool,
     /// Names of columns that no sensor is read from.
     pub unused: Vec<String>,
+    /// Names of those of them whose numbers change.
+    pub unclear: Vec<String>,
+    /// Names of all columns.
+    pub names: Vec<String>,
+    /// Which column each role is read from, by name or number.
+    pub roles: Vec<(Role, String)>,
     /// It has a time column.
     pub has_time: bool,
     /// Its clock.
     pub clock: Clock,
+    /// The accelerometer reads -1 g on the axis that points up.
+    pub negated: bool,
     /// What was noticed.
     pub warnings: Vec<String>,
 }
@@ -61,6 +72,13 @@ impl Table {
             name: input.name.clone(),
             stated: start.layout.stated,
             unused: start.layout.unused(),
+            unclear: if options.columns.0.is_empty() {
+                start.unclear.clone()
+            } else {
+                Vec::new()
+            },
+            names: start.layout.names.clone(),
+            roles: start.layout.roles(),
             has_time: start.layout.time.is_some(),
             plain_time: start
                 .layout
@@ -87,6 +105,10 @@ impl Table {
         let batches = Batches::new(input.into_reader(), options.max_bytes);
         Rows::new(&mut table, &start, options).read(batches)?;
         unchanged.map_or(Ok(()), |file| file.check())?;
+        affine::apply(&mut table, &start.layout.affine);
+        if start.undecided {
+            table.decide_roles(&start)?;
+        }
         memory::room_to_work(&table.name, table.accel.t.len() + table.gyro.t.len())?;
         Ok(table)
     }
@@ -102,6 +124,53 @@ fn rows_in(head: &[u8], size: u64) -> u64 {
 }
 
 impl Table {
+    /// Tells the two sensors of a text without a header apart.
+    fn decide_roles(&mut self, start: &Start) -> Result<(), Error> {
+        let triads = [&self.accel.values[..], &self.gyro.values[..]];
+        let by_rests = rests::accelerometer(triads);
+        let by_norm = start.told_by_norm.then_some(0);
+        match by_rests.or(by_norm) {
+            Some(0) => {}
+            Some(_) => {
+                std::mem::swap(&mut self.accel, &mut self.gyro);
+                for (role, _) in &mut self.roles {
+                    *role = match *role {
+                        Role::Accel(axis) => Role::Gyro(axis),
+                        Role::Gyro(axis) => Role::Accel(axis),
+                        other => other,
+                    };
+                }
+            }
+            None => {
+                let names: Vec<String> = (1..=start.layout.width).map(|i| i.to_string()).collect();
+                let words = format!(
+                    "{} columns without a header, and neither gravity nor what changes between rests tells which are the accelerometer's; {}",
+                    start.layout.width,
+                    suggestion(&names)
+                );
+                return Err(at_line(&self.name, start.after + 1, words));
+            }
+        }
+        self.roles
+            .sort_by_key(|(_, column)| column.parse::<usize>().unwrap_or(0));
+        let taken: Vec<String> = self
+            .roles
+            .iter()
+            .map(|(role, column)| format!("{}={column}", role.name()))
+            .collect();
+        let why = match by_rests {
+            Some(_) => "; the accelerometer is the one whose mean turns from rest to rest",
+            None => "",
+        };
+        let words = format!(
+            "{}: no header; columns taken as {}{why}",
+            self.name,
+            taken.join(",")
+        );
+        self.warnings.push(words);
+        Ok(())
+    }
+
     /// Leaves out what a file of one sensor holds of the other.
     pub fn keep_only(&mut self, sensor: Sensor) -> Result<(), Error> {
         let (kept, other, role) = match sensor {

@@ -41,6 +41,8 @@ unit! {
         Seconds = "s" | "sec" | "secs" | "second" | "seconds",
         /// Milliseconds.
         Milliseconds = "ms" | "msec" | "millis" | "milliseconds",
+        /// Tenths of milliseconds.
+        TenthMilliseconds = "0.1ms" | "100us",
         /// Microseconds.
         Microseconds = "us" | "µs" | "usec" | "micros" | "microseconds",
         /// Nanoseconds.
@@ -120,7 +122,7 @@ pub(super) struct Stated {
 }
 
 impl TimeUnit {
-    /// Every unit, the longest first.
+    /// The units that stamps without one may have, the longest first.
     pub const ALL: [Self; 4] = [
         Self::Seconds,
         Self::Milliseconds,
@@ -133,6 +135,7 @@ impl TimeUnit {
         match self {
             Self::Seconds => 1.0,
             Self::Milliseconds => 1e3,
+            Self::TenthMilliseconds => 1e4,
             Self::Microseconds => 1e6,
             Self::Nanoseconds => 1e9,
         }

@@ -19,11 +19,11 @@ impl Format for Csv {
         "text with a header such as t,ax,ay,az,gx,gy,gz[,temp]; columns by name"
     }
 
-    fn recognises(&self, source: &Source<'_>) -> bool {
+    fn recognises(&self, source: &Source) -> bool {
         matches!(source, Source::Text(_))
     }
 
-    fn read(&self, source: Source<'_>, options: &ReadOptions) -> Result<Recording, Error> {
+    fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
         let input = text(source, self)?;
         let (name, only) = (input.name.clone(), hint(&input.name));
         assemble(

@@ -1,14 +1,16 @@
 //! A folder with a file per sensor.
 
-use std::path::{Path, PathBuf};
-
+use file_formats::Entry;
 use sensor::Sensor;
 
 use super::{Format, Source};
 use crate::Error;
-use crate::recording::place::{in_file, shown, shown_path};
-use crate::recording::source::explained;
-use crate::recording::{ReadOptions, Recording, pair};
+use crate::recording::assemble::assemble;
+use crate::recording::files::Files;
+use crate::recording::parts::Part;
+use crate::recording::place::in_file;
+use crate::recording::table::Table;
+use crate::recording::{ReadOptions, Recording};
 
 /// `acc.csv` and `gyro.csv`, each sensor on its own clock.
 #[derive(Debug)]
@@ -27,89 +29,70 @@ impl Format for Folder {
         "a folder with acc.csv (t,ax,ay,az) and gyro.csv (t,gx,gy,gz), t on one clock"
     }
 
-    fn recognises(&self, source: &Source<'_>) -> bool {
-        matches!(source, Source::Folder(_))
+    fn recognises(&self, source: &Source) -> bool {
+        matches!(source, Source::Files(files) if sensors(files).map_or(true, |found| !found.is_empty()))
     }
 
-    fn read(&self, source: Source<'_>, options: &ReadOptions) -> Result<Recording, Error> {
-        let Source::Folder(folder) = source else {
-            return Err(Error::Usage(
-                "--format folder: the recording is no folder".to_owned(),
-            ));
-        };
-        let files = files(folder)?;
-        let accel = choose(folder, &files, &ACCEL)?;
-        let gyro = choose(folder, &files, &GYRO)?;
-        let sensors = [(accel, Sensor::Accelerometer), (gyro, Sensor::Gyroscope)];
-        let present = sensors
-            .iter()
-            .filter_map(|(path, sensor)| Some((path.as_deref()?, *sensor)));
-        let present: Vec<_> = present.collect();
-        if present.is_empty() {
-            return Err(nothing(folder, &files));
+    fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
+        let files = super::files(source, self)?;
+        let mut tables: Vec<Table> = Vec::new();
+        let sensors = sensors(&files)?;
+        if let [(entry, _)] = sensors[..] {
+            super::refuse_unused(&files, &[&entry.name])?;
         }
-        pair(shown_path(folder), &present, options)
+        for (entry, sensor) in sensors {
+            let part = Part {
+                only: Some(sensor),
+                ..Part::default()
+            };
+            let origin = tables.first().and_then(|table| table.clock.origin);
+            tables.push(part.read(files.text(entry, options)?, origin, options)?);
+        }
+        if tables.is_empty() {
+            let words = format!(
+                "neither acc.csv (t,ax,ay,az) nor gyro.csv (t,gx,gy,gz) in this folder; found {}",
+                files.listed()
+            );
+            return Err(in_file(&files.name, words));
+        }
+        let mut recording = assemble(files.name.clone(), tables, options)?;
+        recording.warnings.extend(files.warnings());
+        Ok(recording)
     }
 }
 
-/// The names in a folder, in order.
-fn files(folder: &Path) -> Result<Vec<PathBuf>, Error> {
-    let entries = std::fs::read_dir(folder).map_err(|error| explained(folder, error))?;
-    let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
-    files.sort();
-    Ok(files)
+/// The files that are called after a sensor, with the sensor.
+fn sensors(files: &Files) -> Result<Vec<(&Entry, Sensor)>, Error> {
+    let accel = choose(files, &ACCEL)?.map(|entry| (entry, Sensor::Accelerometer));
+    let gyro = choose(files, &GYRO)?.map(|entry| (entry, Sensor::Gyroscope));
+    Ok(accel.into_iter().chain(gyro).collect())
 }
 
 /// The one file called after a sensor.
-fn choose(folder: &Path, files: &[PathBuf], names: &[&str]) -> Result<Option<PathBuf>, Error> {
-    let mut named = files.iter().filter(|path| is_called(path, names));
+fn choose<'a>(files: &'a Files, names: &[&str]) -> Result<Option<&'a Entry>, Error> {
+    let mut named = files
+        .entries()
+        .iter()
+        .filter(|entry| is_called(&entry.name, names));
     match (named.next(), named.next()) {
         (Some(one), Some(two)) => Err(in_file(
-            &shown_path(folder),
+            &files.name,
             format!(
                 "{} and {} are of one sensor; name the two files with --accel-file and --gyro-file",
-                shown_path(one),
-                shown_path(two)
+                files.called(one),
+                files.called(two)
             ),
         )),
-        (one, _) => Ok(one.cloned()),
+        (one, _) => Ok(one),
     }
 }
 
 /// True for `acc.csv`, `Accelerometer.txt`, `acc.csv.gz` and the like.
-fn is_called(path: &Path, names: &[&str]) -> bool {
-    let Some(name) = path
-        .file_name()
-        .map(|name| name.to_string_lossy().to_lowercase())
-    else {
-        return false;
-    };
+fn is_called(path: &str, names: &[&str]) -> bool {
+    let name = path.rsplit('/').next().unwrap_or_default().to_lowercase();
     let name = name.trim_end_matches(".gz").trim_end_matches(".zst");
     let Some((stem, extension)) = name.split_once('.') else {
         return false;
     };
     names.contains(&stem) && EXTENSIONS.contains(&extension)
-}
-
-fn nothing(folder: &Path, files: &[PathBuf]) -> Error {
-    let names: Vec<_> = files
-        .iter()
-        .take(10)
-        .filter_map(|f| f.file_name())
-        .collect();
-    let names: Vec<_> = names
-        .iter()
-        .map(|name| shown(&name.to_string_lossy()))
-        .collect();
-    let found = if names.is_empty() {
-        "nothing".to_owned()
-    } else {
-        names.join(", ")
-    };
-    in_file(
-        &shown_path(folder),
-        format!(
-            "neither acc.csv (t,ax,ay,az) nor gyro.csv (t,gx,gy,gz) in this folder; found {found}"
-        ),
-    )
 }

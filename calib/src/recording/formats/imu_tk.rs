@@ -20,11 +20,11 @@ impl Format for ImuTk {
         "rows of numbers without a header: t x y z of one sensor, in any unit"
     }
 
-    fn recognises(&self, source: &Source<'_>) -> bool {
-        matches!(source, Source::Text(_)) && starts_with_numbers(source.head())
+    fn recognises(&self, source: &Source) -> bool {
+        matches!(source, Source::Text(input) if starts_with_numbers(&input.head))
     }
 
-    fn read(&self, source: Source<'_>, options: &ReadOptions) -> Result<Recording, Error> {
+    fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
         let input = text(source, self)?;
         let (name, only) = (input.name.clone(), hint(&input.name));
         assemble(

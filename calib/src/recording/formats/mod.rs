@@ -1,34 +1,32 @@
 //! The formats that recordings come in: one file and one line in [`FORMATS`] each.
 
+mod androsensor;
+mod bundle;
+mod clock_text;
 mod csv;
 mod folder;
 mod imu_tk;
+mod kalibr;
+mod measured;
+mod phyphox;
+mod physics_toolbox;
+mod px4_text;
+mod ros_text;
+mod sensor_logger;
+mod sensorlog;
+mod serial;
+mod tagged;
+mod texts;
+mod trackers;
 
 use std::fmt;
-use std::path::Path;
 
+use super::files::Files;
+use super::place::{in_file, shown};
 use super::source::Input;
+pub use super::source::Source;
 use super::{ReadOptions, Recording};
 use crate::Error;
-
-/// What a path leads to.
-#[derive(Debug)]
-pub enum Source<'a> {
-    /// A folder.
-    Folder(&'a Path),
-    /// A text, opened and decoded.
-    Text(Input),
-}
-
-impl Source<'_> {
-    /// The first bytes of a text; nothing for a folder.
-    pub fn head(&self) -> &[u8] {
-        match self {
-            Self::Folder(_) => &[],
-            Self::Text(input) => &input.head,
-        }
-    }
-}
 
 /// A format of recordings.
 pub trait Format: fmt::Debug + Sync {
@@ -39,17 +37,45 @@ pub trait Format: fmt::Debug + Sync {
     fn about(&self) -> &'static str;
 
     /// True if the content is of this format. The first format of [`FORMATS`] that says so reads it.
-    fn recognises(&self, source: &Source<'_>) -> bool;
+    fn recognises(&self, source: &Source) -> bool;
 
     /// Reads all of it.
     ///
     /// # Errors
     /// [`Error::Input`] naming the place, what was found and what to do.
-    fn read(&self, source: Source<'_>, options: &ReadOptions) -> Result<Recording, Error>;
+    fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error>;
 }
 
 /// Every format.
-pub static FORMATS: &[&dyn Format] = &[&folder::Folder, &imu_tk::ImuTk, &csv::Csv];
+pub static FORMATS: &[&dyn Format] = &[
+    &phyphox::Phyphox,
+    &sensor_logger::SensorLogger,
+    &folder::Folder,
+    &measured::Measured("mat"),
+    &measured::Measured("ulog"),
+    &measured::Measured("ardupilot"),
+    &measured::Measured("mcap"),
+    &measured::Measured("bag"),
+    &measured::Measured("sensor_logger_json"),
+    &bundle::Bundle,
+    &physics_toolbox::PHYSICS_TOOLBOX,
+    &sensorlog::SENSORLOG,
+    &androsensor::ANDROSENSOR,
+    &ros_text::ROSTOPIC,
+    &ros_text::ROS2_TOPIC,
+    &kalibr::KALIBR,
+    &px4_text::SENSOR_COMBINED,
+    &trackers::XSENS,
+    &trackers::SHIMMER,
+    &tagged::GET_SENSOR_DATA,
+    &tagged::GNSS_LOGGER,
+    &tagged::VECTORNAV,
+    &serial::ADAFRUIT,
+    &serial::SERIAL,
+    &clock_text::TIME_OF_DAY,
+    &imu_tk::ImuTk,
+    &csv::Csv,
+];
 
 /// The format called `name`.
 ///
@@ -67,21 +93,80 @@ pub fn by_name(name: &str) -> Result<&'static dyn Format, String> {
 }
 
 /// The format of `source`.
-pub(super) fn recognise(source: &Source<'_>) -> Option<&'static dyn Format> {
+pub(super) fn recognise(source: &Source) -> Option<&'static dyn Format> {
     FORMATS
         .iter()
         .copied()
         .find(|format| format.recognises(source))
 }
 
-/// The text in `source`; a folder is refused by name of the format.
-fn text(source: Source<'_>, format: &dyn Format) -> Result<Input, Error> {
+/// The text in `source`; anything else is refused by name of the format.
+fn text(source: Source, format: &dyn Format) -> Result<Input, Error> {
     match source {
         Source::Text(input) => Ok(input),
-        Source::Folder(path) => Err(Error::Usage(format!(
-            "{}: a folder, but --format {} reads a file",
-            super::place::shown_path(path),
-            format.name()
-        ))),
+        other => Err(mismatch(other.name(), format, "a file of text")),
     }
+}
+
+/// The files in `source`; anything else is refused by name of the format.
+fn files(source: Source, format: &dyn Format) -> Result<Files, Error> {
+    match source {
+        Source::Files(files) => Ok(files),
+        other => Err(mismatch(other.name(), format, "a folder or an archive")),
+    }
+}
+
+fn mismatch(name: &str, format: &dyn Format, expected: &str) -> Error {
+    Error::Usage(format!(
+        "{name}: --format {} reads {expected}, and this is none",
+        format.name()
+    ))
+}
+
+/// Words in the names of files that hold neither sensor.
+const OTHER_FILES: [&str; 24] = [
+    "meta",
+    "annotation",
+    "magnet",
+    "linear",
+    "gravity",
+    "orient",
+    "location",
+    "gps",
+    "pressure",
+    "barometer",
+    "light",
+    "brightness",
+    "pedometer",
+    "microphone",
+    "sound",
+    "compass",
+    "battery",
+    "activity",
+    "heart",
+    "temperature",
+    "humidity",
+    "proximity",
+    "camera",
+    "noise",
+];
+
+/// Refuses files of which a sensor is missing and another table may hold it.
+fn refuse_unused(files: &Files, used: &[&str]) -> Result<(), Error> {
+    let is_table = |(entry, head): &(&file_formats::Entry, Vec<u8>)| {
+        let name = entry.name.to_lowercase();
+        let known = OTHER_FILES.iter().any(|word| name.contains(word))
+            || used.contains(&entry.name.as_str());
+        !known && super::sniff::is_table(head)
+    };
+    let Some((entry, _)) = files.heads().into_iter().find(is_table) else {
+        return Ok(());
+    };
+    Err(in_file(
+        &files.name,
+        format!(
+            "one sensor is missing, and {} is a table that is not used and may hold it; name the two files with --accel-file and --gyro-file, or the one there is by itself",
+            shown(&entry.name)
+        ),
+    ))
 }

@@ -1,0 +1,208 @@
+//! ROS 1 bags, format 2.0: <http://wiki.ros.org/Bags/Format/2.0>.
+
+use std::collections::HashMap;
+use std::io::Read;
+
+use crate::bytes::{Bytes, Fields};
+use crate::format::Format;
+use crate::ros_imu::{Encoding, Kind, Topic, without_empty};
+use crate::stream::Recorder;
+use crate::{Content, Error, Limits, Wanted};
+
+/// ROS 1 bags; chunks by lz4, bz2 or as they are. Indices are not needed, so that bags that were not closed are read.
+#[derive(Debug)]
+pub(crate) struct Bag;
+
+const MAGIC: &[u8] = b"#ROSBAG V2.0\n";
+const MESSAGE: u8 = 0x02;
+const CHUNK: u8 = 0x05;
+const CONNECTION: u8 = 0x07;
+
+impl Format for Bag {
+    fn name(&self) -> &'static str {
+        "bag"
+    }
+
+    fn about(&self) -> &'static str {
+        "a ROS 1 bag with sensor_msgs/Imu, closed or not; --topic chooses among several"
+    }
+
+    fn recognises(&self, head: &[u8]) -> bool {
+        head.starts_with(MAGIC)
+    }
+
+    fn read(
+        &self,
+        reader: &mut dyn Read,
+        wanted: &Wanted,
+        limits: Limits,
+    ) -> Result<Content, Error> {
+        let mut bytes = Bytes::new(reader, limits);
+        bytes.take(MAGIC.len() as u64)?;
+        let mut file = File {
+            recorder: Recorder::new(wanted, limits),
+            connections: HashMap::new(),
+            topics: HashMap::new(),
+            counts: HashMap::new(),
+            limits,
+            unpacked: 0,
+        };
+        loop {
+            let at = bytes.at();
+            if bytes.peek(1)?.is_empty() {
+                break;
+            }
+            // Header and data each stand behind their lengths.
+            let Some(header) = block(&mut bytes)? else {
+                file.cut(at);
+                break;
+            };
+            let Some(data) = block_ref(&mut bytes)? else {
+                file.cut(at);
+                break;
+            };
+            file.record(&header, data, at)?;
+        }
+        Ok(file.finish())
+    }
+}
+
+fn block(bytes: &mut Bytes<'_>) -> Result<Option<Vec<u8>>, Error> {
+    Ok(block_ref(bytes)?.map(<[u8]>::to_vec))
+}
+
+fn block_ref<'b>(bytes: &'b mut Bytes<'_>) -> Result<Option<&'b [u8]>, Error> {
+    let Some(length) = bytes.take(4)? else {
+        return Ok(None);
+    };
+    let length = Fields(length).u32().unwrap_or(0);
+    bytes.take(u64::from(length))
+}
+
+/// The value of a header's field.
+fn field<'a>(header: &'a [u8], name: &[u8]) -> Option<&'a [u8]> {
+    let mut fields = Fields(header);
+    while let Some(entry) = fields.block() {
+        let at = entry.iter().position(|byte| *byte == b'=')?;
+        if &entry[..at] == name {
+            return Some(&entry[at + 1..]);
+        }
+    }
+    None
+}
+
+fn number(header: &[u8], name: &[u8]) -> Option<u32> {
+    Fields(field(header, name)?).u32()
+}
+
+struct File {
+    recorder: Recorder,
+    /// The topic of every connection; several connections may write to one.
+    connections: HashMap<u32, String>,
+    topics: HashMap<String, Option<Topic>>,
+    /// Messages of every topic, with its kind.
+    counts: HashMap<String, (String, u64)>,
+    limits: Limits,
+    unpacked: u64,
+}
+
+impl File {
+    fn cut(&mut self, at: u64) {
+        let words = format!(
+            "byte {at}: the bag ends within a record; what is before it is read (`rosbag reindex` closes it)"
+        );
+        self.recorder.content.cut = Some(words);
+    }
+
+    fn record(&mut self, header: &[u8], data: &[u8], at: u64) -> Result<(), Error> {
+        let op = field(header, b"op").and_then(|op| op.first().copied());
+        let damaged = |what: &str| Error::at(at, format!("a damaged {what} record"));
+        match op {
+            Some(CONNECTION) => self
+                .connection(header, data)
+                .ok_or_else(|| damaged("connection")),
+            Some(MESSAGE) => {
+                let connection = number(header, b"conn").ok_or_else(|| damaged("message"))?;
+                self.message(connection, data, at)
+            }
+            Some(CHUNK) => self.chunk(header, data, at),
+            Some(_) => Ok(()),
+            None => Err(damaged("bag")),
+        }
+    }
+
+    fn connection(&mut self, header: &[u8], data: &[u8]) -> Option<()> {
+        let id = number(header, b"conn")?;
+        let topic = String::from_utf8_lossy(field(header, b"topic")?).into_owned();
+        let kind = String::from_utf8_lossy(field(data, b"type").unwrap_or_default()).into_owned();
+        if self.connections.insert(id, topic.clone()).is_none() && !self.topics.contains_key(&topic)
+        {
+            let read = Kind::of(&kind)
+                .and_then(|kind| Topic::new(&topic, kind, Encoding::Ros1, &mut self.recorder));
+            self.topics.insert(topic.clone(), read);
+            self.counts.insert(topic, (kind, 0));
+        }
+        Some(())
+    }
+
+    fn message(&mut self, connection: u32, data: &[u8], at: u64) -> Result<(), Error> {
+        let Some(topic) = self.connections.get(&connection) else {
+            return Ok(());
+        };
+        if let Some((_, count)) = self.counts.get_mut(topic) {
+            *count += 1;
+        }
+        match self.topics.get_mut(topic) {
+            Some(Some(topic)) => topic.take(data, at, &mut self.recorder),
+            _ => Ok(()),
+        }
+    }
+
+    fn chunk(&mut self, header: &[u8], data: &[u8], at: u64) -> Result<(), Error> {
+        let method =
+            String::from_utf8_lossy(field(header, b"compression").unwrap_or_default()).into_owned();
+        let size = number(header, b"size").map_or(data.len() as u64, u64::from);
+        self.limits
+            .check_unpacked(&format!("the chunk at byte {at}"), data.len() as u64, size)?;
+        self.unpacked = self.unpacked.saturating_add(size);
+        if self.unpacked > self.limits.bytes {
+            return Err(Error::refused(format!(
+                "the chunks unpack to more than {} bytes",
+                self.limits.bytes
+            )));
+        }
+        let unpacked = match crate::unpack::unpack(&method, data, size) {
+            Ok(unpacked) => unpacked,
+            Err(error) => {
+                let words = format!("byte {at}: a chunk is left out: {error}");
+                self.recorder.content.warnings.push(words);
+                return Ok(());
+            }
+        };
+        let mut records = Fields(&unpacked);
+        while !records.0.is_empty() {
+            let Some((header, data)) = records.block().zip(records.block()) else {
+                let words =
+                    format!("byte {at}: a chunk ends within a record; the rest of it is left out");
+                self.recorder.content.warnings.push(words);
+                break;
+            };
+            if field(header, b"op") != Some(&[CHUNK]) {
+                self.record(header, data, at)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn finish(mut self) -> Content {
+        without_empty(&mut self.recorder);
+        let mut listed: Vec<String> = self
+            .counts
+            .iter()
+            .map(|(topic, (kind, count))| format!("{topic} ({kind}, {count} messages)"))
+            .collect();
+        listed.sort();
+        self.recorder.content.listed = listed;
+        self.recorder.finish()
+    }
+}

@@ -1,0 +1,128 @@
+//! Bytes in order, little endian, with their place.
+
+use std::io::Read;
+
+use crate::{Error, Limits};
+
+/// A stream of bytes that is read forward.
+pub(crate) struct Bytes<'a> {
+    reader: &'a mut dyn Read,
+    buffer: Vec<u8>,
+    /// First byte of the buffer that has not been taken.
+    from: usize,
+    /// Bytes taken.
+    at: u64,
+    limit: u64,
+    ended: bool,
+}
+
+/// Bytes asked from the reader at a time.
+const CHUNK: usize = 256 << 10;
+
+impl<'a> Bytes<'a> {
+    pub fn new(reader: &'a mut dyn Read, limits: Limits) -> Self {
+        Self {
+            reader,
+            buffer: Vec::new(),
+            from: 0,
+            at: 0,
+            limit: limits.bytes,
+            ended: false,
+        }
+    }
+
+    /// Bytes taken so far.
+    pub fn at(&self) -> u64 {
+        self.at
+    }
+
+    /// The next `length` bytes; `None` where the file ends before. Memory grows with what there is, not with
+    /// what is asked for.
+    pub fn take(&mut self, length: u64) -> Result<Option<&[u8]>, Error> {
+        if length > self.limit {
+            return Err(Error::at(
+                self.at,
+                format!(
+                    "{length} bytes are announced here, more than any recording has in one piece"
+                ),
+            ));
+        }
+        let length = length as usize;
+        if !self.fill(length)? {
+            return Ok(None);
+        }
+        let start = self.from;
+        self.from += length;
+        self.at += length as u64;
+        Ok(self.buffer.get(start..start + length))
+    }
+
+    /// The next bytes, up to `length`, without taking them.
+    pub fn peek(&mut self, length: usize) -> Result<&[u8], Error> {
+        self.fill(length)?;
+        let end = self.buffer.len().min(self.from + length);
+        Ok(&self.buffer[self.from..end])
+    }
+
+    /// True once `length` bytes are in the buffer.
+    fn fill(&mut self, length: usize) -> Result<bool, Error> {
+        if self.buffer.len() - self.from >= length {
+            return Ok(true);
+        }
+        self.buffer.drain(..self.from);
+        self.from = 0;
+        while self.buffer.len() < length && !self.ended {
+            let old = self.buffer.len();
+            self.buffer.resize(old + CHUNK, 0);
+            let read = loop {
+                match self.reader.read(&mut self.buffer[old..]) {
+                    Err(error) if error.kind() == std::io::ErrorKind::Interrupted => {}
+                    other => break other,
+                }
+            };
+            self.buffer
+                .truncate(old + read.as_ref().map_or(0, |read| *read));
+            self.ended = read? == 0;
+        }
+        Ok(self.buffer.len() >= length)
+    }
+}
+
+/// Fields of a record, in order.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Fields<'a>(pub &'a [u8]);
+
+macro_rules! number {
+    ($($name:ident: $type:ty),*) => {
+        $(#[inline]
+        #[allow(dead_code)]
+        pub fn $name(&mut self) -> Option<$type> {
+            const SIZE: usize = std::mem::size_of::<$type>();
+            let (bytes, rest) = self.0.split_first_chunk::<SIZE>()?;
+            self.0 = rest;
+            Some(<$type>::from_le_bytes(*bytes))
+        })*
+    };
+}
+
+impl<'a> Fields<'a> {
+    number!(u8: u8, i8: i8, u16: u16, i16: i16, u32: u32, i32: i32, u64: u64, i64: i64, f32: f32, f64: f64);
+
+    /// The next `length` bytes.
+    pub fn bytes(&mut self, length: usize) -> Option<&'a [u8]> {
+        let (bytes, rest) = self.0.split_at_checked(length)?;
+        self.0 = rest;
+        Some(bytes)
+    }
+
+    /// Bytes behind their length in 32 bits.
+    pub fn block(&mut self) -> Option<&'a [u8]> {
+        let length = self.u32()?;
+        self.bytes(length as usize)
+    }
+
+    /// The same as text.
+    pub fn text(&mut self) -> Option<String> {
+        Some(String::from_utf8_lossy(self.block()?).into_owned())
+    }
+}

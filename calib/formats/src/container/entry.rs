@@ -1,0 +1,84 @@
+//! The content of an entry of a zip archive.
+
+use std::io::{self, BufReader, Read, Seek, SeekFrom};
+
+use flate2::Crc;
+use flate2::bufread::DeflateDecoder;
+
+use super::directory::Packed;
+use crate::Error;
+
+const LOCAL: &[u8] = b"PK\x03\x04";
+const LOCAL_SIZE: usize = 30;
+
+/// The bytes of the entry that `packed` describes.
+pub(super) fn unpacked(
+    mut archive: Box<dyn super::Bytes>,
+    packed: &Packed,
+) -> Result<Box<dyn Read + Send>, Error> {
+    archive.seek(SeekFrom::Start(packed.at))?;
+    let mut header = [0; LOCAL_SIZE];
+    let damaged = |_| Error::at(packed.at, "no zip entry here; is the file complete?");
+    archive.read_exact(&mut header).map_err(damaged)?;
+    if !header.starts_with(LOCAL) {
+        return Err(Error::at(
+            packed.at,
+            "no zip entry here; is the file complete?",
+        ));
+    }
+    let length = |at: usize| i64::from(u16::from_le_bytes([header[at], header[at + 1]]));
+    archive.seek(SeekFrom::Current(length(26) + length(28)))?;
+    let content = archive.take(packed.packed_size);
+    let content: Box<dyn Read + Send> = match packed.method {
+        0 => Box::new(content),
+        8 => Box::new(DeflateDecoder::new(BufReader::new(content))),
+        other => {
+            return Err(Error::refused(format!(
+                "an entry is packed by method {other}, and only `stored` and `deflate` are read; unpack the archive and name the folder"
+            )));
+        }
+    };
+    Ok(Box::new(Checked {
+        content,
+        left: packed.size,
+        crc: Crc::new(),
+        expected: packed.crc,
+    }))
+}
+
+/// Content whose length and check sum are those that the directory states.
+struct Checked {
+    content: Box<dyn Read + Send>,
+    left: u64,
+    crc: Crc,
+    expected: u32,
+}
+
+impl Read for Checked {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        if buffer.is_empty() {
+            return Ok(0);
+        }
+        let read = self.content.read(buffer)?;
+        if read as u64 > self.left {
+            return Err(io::Error::other(
+                "the zip entry is longer than its directory says",
+            ));
+        }
+        self.left -= read as u64;
+        self.crc.update(&buffer[..read]);
+        if read == 0 && self.left > 0 {
+            let words = format!(
+                "the zip entry is cut short, {} bytes are missing",
+                self.left
+            );
+            return Err(io::Error::new(io::ErrorKind::UnexpectedEof, words));
+        }
+        if read == 0 && self.crc.sum() != self.expected {
+            return Err(io::Error::other(
+                "the zip entry is damaged: its check sum (CRC) is wrong; copy or export the file again",
+            ));
+        }
+        Ok(read)
+    }
+}

@@ -1,0 +1,47 @@
+//! The formats: one file and one line in [`FORMATS`] each.
+
+use std::fmt;
+use std::io::Read;
+
+use crate::{Content, Error, Limits, Wanted};
+
+/// A format of binary or structured files.
+pub trait Format: fmt::Debug + Sync {
+    /// The name for `--format`.
+    fn name(&self) -> &'static str;
+
+    /// What it is, in a line.
+    fn about(&self) -> &'static str;
+
+    /// True if a file that begins with `head` is of this format.
+    fn recognises(&self, head: &[u8]) -> bool;
+
+    /// The streams of sensors in it. A file that is cut short gives what is there, and [`Content::cut`].
+    ///
+    /// # Errors
+    /// Damage with its byte, or content beyond `limits`.
+    fn read(
+        &self,
+        reader: &mut dyn Read,
+        wanted: &Wanted,
+        limits: Limits,
+    ) -> Result<Content, Error>;
+}
+
+/// Every format.
+pub static FORMATS: &[&dyn Format] = &[
+    &crate::mat::Mat,
+    &crate::ulog::Ulog,
+    &crate::ardupilot::ArduPilot,
+    &crate::mcap::Mcap,
+    &crate::bag::Bag,
+    &crate::sensor_logger_json::SensorLoggerJson,
+];
+
+/// The format of a file that begins with `head`.
+pub fn recognise(head: &[u8]) -> Option<&'static dyn Format> {
+    FORMATS
+        .iter()
+        .copied()
+        .find(|format| format.recognises(head))
+}

@@ -1,0 +1,38 @@
+//! Recordings as other programs write them: archives, logs of flight controllers, bags of robots, MATLAB files.
+//!
+//! ```text
+//! folder, zip ── Container ── entries ─┐
+//!                                      ├─ Format::recognises(first bytes)
+//! file ────────────────────────────────┘        │
+//!                                        Format::read ── Recorder ── streams: int64 ns, three values in SI units
+//! ```
+//! A format is one file behind one trait. It is recognised by content, reads forward, names byte and record where
+//! something is wrong, and holds no more in memory than it has read. What the streams mean to a calibration is not
+//! known here.
+
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+mod ardupilot;
+mod bag;
+mod bytes;
+pub mod container;
+#[cfg(test)]
+mod damage;
+mod error;
+mod format;
+mod limits;
+pub mod make;
+mod mat;
+mod mcap;
+mod ros_imu;
+mod sensor_logger_choice;
+mod sensor_logger_json;
+mod stream;
+mod ulog;
+mod unpack;
+
+pub use container::{Container, Entry};
+pub use error::Error;
+pub use format::{FORMATS, Format, recognise};
+pub use limits::Limits;
+pub use stream::{Content, Quantity, Stream, Wanted};

@@ -1,0 +1,226 @@
+//! MCAP, as ROS 2 writes it: <https://mcap.dev/spec>.
+
+use std::collections::HashMap;
+use std::io::Read;
+
+use crate::bytes::{Bytes, Fields};
+use crate::format::Format;
+use crate::ros_imu::{Encoding, Kind, Topic, without_empty};
+use crate::stream::Recorder;
+use crate::{Content, Error, Limits, Wanted};
+
+/// MCAP files; chunks by lz4, zstd or as they are. Indices are not needed.
+#[derive(Debug)]
+pub(crate) struct Mcap;
+
+const MAGIC: &[u8] = b"\x89MCAP0\r\n";
+const FOOTER: u8 = 0x02;
+const SCHEMA: u8 = 0x03;
+const CHANNEL: u8 = 0x04;
+const MESSAGE: u8 = 0x05;
+const CHUNK: u8 = 0x06;
+const DATA_END: u8 = 0x0f;
+
+impl Format for Mcap {
+    fn name(&self) -> &'static str {
+        "mcap"
+    }
+
+    fn about(&self) -> &'static str {
+        "an MCAP file of ROS 2 or ROS 1 with sensor_msgs/Imu; --topic chooses among several"
+    }
+
+    fn recognises(&self, head: &[u8]) -> bool {
+        head.starts_with(MAGIC)
+    }
+
+    fn read(
+        &self,
+        reader: &mut dyn Read,
+        wanted: &Wanted,
+        limits: Limits,
+    ) -> Result<Content, Error> {
+        let mut bytes = Bytes::new(reader, limits);
+        bytes.take(MAGIC.len() as u64)?;
+        let mut file = File {
+            recorder: Recorder::new(wanted, limits),
+            schemas: HashMap::new(),
+            channels: HashMap::new(),
+            counts: HashMap::new(),
+            limits,
+            unpacked: 0,
+        };
+        loop {
+            let at = bytes.at();
+            let Some(head) = bytes.take(9)? else {
+                file.cut(at, bytes.peek(1)?.is_empty());
+                break;
+            };
+            let mut head = Fields(head);
+            let (op, length) = (head.u8().unwrap_or(0), head.u64().unwrap_or(0));
+            if matches!(op, FOOTER | DATA_END) {
+                break;
+            }
+            let Some(body) = bytes.take(length)? else {
+                file.cut(at, false);
+                break;
+            };
+            file.record(op, body, at)?;
+        }
+        Ok(file.finish())
+    }
+}
+
+struct File {
+    recorder: Recorder,
+    /// Names of the kinds of messages.
+    schemas: HashMap<u16, String>,
+    /// Channels whose messages are read.
+    channels: HashMap<u16, Option<Topic>>,
+    /// Messages of every channel: its name, its kind, how many.
+    counts: HashMap<u16, (String, String, u64)>,
+    limits: Limits,
+    unpacked: u64,
+}
+
+impl File {
+    fn cut(&mut self, at: u64, between_records: bool) {
+        let words = match between_records {
+            true => {
+                format!("byte {at}: the file ends without a footer; the recording was not closed")
+            }
+            false => format!("byte {at}: the file ends within a record; what is before it is read"),
+        };
+        self.recorder.content.cut = Some(words);
+    }
+
+    fn record(&mut self, op: u8, body: &[u8], at: u64) -> Result<(), Error> {
+        match op {
+            SCHEMA => self
+                .schema(body)
+                .ok_or_else(|| Error::at(at, "a damaged schema record")),
+            CHANNEL => self
+                .channel(body)
+                .ok_or_else(|| Error::at(at, "a damaged channel record")),
+            MESSAGE => self.message(body, at),
+            CHUNK => self.chunk(body, at),
+            _ => Ok(()),
+        }
+    }
+
+    fn schema(&mut self, body: &[u8]) -> Option<()> {
+        let mut fields = Fields(body);
+        let id = fields.u16()?;
+        let name = fields.text()?;
+        self.schemas.insert(id, name);
+        Some(())
+    }
+
+    fn channel(&mut self, body: &[u8]) -> Option<()> {
+        let mut fields = Fields(body);
+        let (id, schema) = (fields.u16()?, fields.u16()?);
+        let (topic, encoding) = (fields.text()?, fields.text()?);
+        if self.channels.contains_key(&id) {
+            return Some(());
+        }
+        let name = self.schemas.get(&schema).cloned().unwrap_or_default();
+        let encoding = match encoding.as_str() {
+            "cdr" => Some(Encoding::Cdr),
+            "ros1" => Some(Encoding::Ros1),
+            _ => None,
+        };
+        let kind = Kind::of(&name).zip(encoding);
+        let read = kind
+            .and_then(|(kind, encoding)| Topic::new(&topic, kind, encoding, &mut self.recorder));
+        self.channels.insert(id, read);
+        self.counts.insert(id, (topic, name, 0));
+        Some(())
+    }
+
+    fn message(&mut self, body: &[u8], at: u64) -> Result<(), Error> {
+        let mut fields = Fields(body);
+        let head = (fields.u16(), fields.u32(), fields.u64(), fields.u64());
+        let (Some(channel), .., Some(_)) = head else {
+            return Err(Error::at(at, "a damaged message record"));
+        };
+        if let Some((.., count)) = self.counts.get_mut(&channel) {
+            *count += 1;
+        }
+        match self.channels.get_mut(&channel) {
+            Some(Some(topic)) => topic.take(fields.0, at, &mut self.recorder),
+            _ => Ok(()),
+        }
+    }
+
+    fn chunk(&mut self, body: &[u8], at: u64) -> Result<(), Error> {
+        let mut fields = Fields(body);
+        let mut parts = || {
+            let _times = (fields.u64()?, fields.u64()?);
+            Some((
+                fields.u64()?,
+                fields.u32()?,
+                fields.text()?,
+                fields.u64()?,
+                fields.0,
+            ))
+        };
+        let (size, crc, compression, length, records) =
+            parts().ok_or_else(|| Error::at(at, "a damaged chunk"))?;
+        let packed = records.get(..length.min(usize::MAX as u64) as usize);
+        let packed =
+            packed.ok_or_else(|| Error::at(at, "a chunk that is longer than its record"))?;
+        self.limits.check_unpacked(
+            &format!("the chunk at byte {at}"),
+            packed.len() as u64,
+            size,
+        )?;
+        self.unpacked = self.unpacked.saturating_add(size);
+        if self.unpacked > self.limits.bytes {
+            return Err(Error::refused(format!(
+                "the chunks unpack to more than {} bytes",
+                self.limits.bytes
+            )));
+        }
+        let unpacked = match crate::unpack::unpack(&compression, packed, size) {
+            Ok(unpacked) => unpacked,
+            Err(error) => return self.skip(at, &error.to_string()),
+        };
+        let mut sum = flate2::Crc::new();
+        sum.update(&unpacked);
+        if crc != 0 && sum.sum() != crc {
+            return self.skip(at, "its check sum (CRC) is wrong");
+        }
+        let mut records = Fields(&unpacked);
+        while !records.0.is_empty() {
+            let head = records.u8().zip(records.u64());
+            let body = head
+                .and_then(|(op, length)| Some((op, records.bytes(usize::try_from(length).ok()?)?)));
+            let Some((op, body)) = body else {
+                return self.skip(at, "it ends within a record");
+            };
+            if op != CHUNK {
+                self.record(op, body, at)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Leaves the rest of a damaged chunk out.
+    fn skip(&mut self, at: u64, why: &str) -> Result<(), Error> {
+        let words = format!("byte {at}: a chunk is left out: {why}");
+        self.recorder.content.warnings.push(words);
+        Ok(())
+    }
+
+    fn finish(mut self) -> Content {
+        without_empty(&mut self.recorder);
+        let mut listed: Vec<String> = self
+            .counts
+            .values()
+            .map(|(topic, kind, count)| format!("{topic} ({kind}, {count} messages)"))
+            .collect();
+        listed.sort();
+        self.recorder.content.listed = listed;
+        self.recorder.finish()
+    }
+}

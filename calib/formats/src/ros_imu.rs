@@ -1,0 +1,159 @@
+//! Messages of ROS: `sensor_msgs/Imu` and `sensor_msgs/MagneticField`, of ROS 1 packed and of ROS 2 in CDR.
+
+use crate::bytes::Fields;
+use crate::stream::{Handle, Recorder};
+use crate::{Error, Quantity};
+
+/// How messages are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Encoding {
+    /// ROS 1: packed, with a sequence number.
+    Ros1,
+    /// ROS 2: CDR with its 4 bytes of encapsulation.
+    Cdr,
+}
+
+/// A kind of message that is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Imu,
+    MagneticField,
+}
+
+impl Kind {
+    /// The kind called `name`, in the spelling of either ROS.
+    pub fn of(name: &str) -> Option<Self> {
+        match name {
+            "sensor_msgs/Imu" | "sensor_msgs/msg/Imu" => Some(Self::Imu),
+            "sensor_msgs/MagneticField" | "sensor_msgs/msg/MagneticField" => {
+                Some(Self::MagneticField)
+            }
+            _ => None,
+        }
+    }
+}
+
+/// A topic with messages that are read.
+#[derive(Clone, Debug)]
+pub(crate) struct Topic {
+    kind: Kind,
+    encoding: Encoding,
+    streams: [Option<Handle>; 2],
+    /// Messages so far.
+    count: u64,
+}
+
+const NANO: i64 = 1_000_000_000;
+
+impl Topic {
+    /// The topic `name`; `None` where it is not wanted.
+    pub fn new(
+        name: &str,
+        kind: Kind,
+        encoding: Encoding,
+        recorder: &mut Recorder,
+    ) -> Option<Self> {
+        let streams = match kind {
+            Kind::Imu => [
+                recorder.stream(name, 0, Quantity::SpecificForce),
+                recorder.stream(name, 0, Quantity::AngularRate),
+            ],
+            Kind::MagneticField => [recorder.stream(name, 0, Quantity::MagneticField), None],
+        };
+        streams[0].is_some().then_some(Self {
+            kind,
+            encoding,
+            streams,
+            count: 0,
+        })
+    }
+
+    /// Takes a message in; `at` is its byte for messages about it.
+    pub fn take(&mut self, message: &[u8], at: u64, recorder: &mut Recorder) -> Result<(), Error> {
+        self.count += 1;
+        let short = || {
+            Error::at(
+                at,
+                format!("message {} of the topic is cut short", self.count),
+            )
+        };
+        let (stamp, body) = self.header(message, at)?.ok_or_else(short)?;
+        let mut numbers = Fields(body);
+        let mut vector = || Some([numbers.f64()?, numbers.f64()?, numbers.f64()?]);
+        if self.kind == Kind::MagneticField {
+            let field = vector().ok_or_else(short)?;
+            return self.push(recorder, 0, stamp, field);
+        }
+        let mut numbers = Fields(body.get(13 * 8..).ok_or_else(short)?);
+        let mut next = || numbers.f64().ok_or_else(short);
+        let rate = [next()?, next()?, next()?];
+        let rate_covariance = next()?;
+        let mut numbers = Fields(body.get(25 * 8..).ok_or_else(short)?);
+        let mut next = || numbers.f64().ok_or_else(short);
+        let force = [next()?, next()?, next()?];
+        let force_covariance = next()?;
+        // A first entry of -1 says that the sensor does not measure it.
+        if force_covariance != -1.0 {
+            self.push(recorder, 0, stamp, force)?;
+        }
+        if rate_covariance != -1.0 {
+            self.push(recorder, 1, stamp, rate)?;
+        }
+        Ok(())
+    }
+
+    fn push(
+        &self,
+        recorder: &mut Recorder,
+        stream: usize,
+        stamp: i64,
+        value: [f64; 3],
+    ) -> Result<(), Error> {
+        match self.streams[stream] {
+            Some(handle) => recorder.push(handle, stamp, value),
+            None => Ok(()),
+        }
+    }
+
+    /// The stamp of the header, ns, and what follows it.
+    fn header<'a>(&self, message: &'a [u8], at: u64) -> Result<Option<(i64, &'a [u8])>, Error> {
+        let mut fields = Fields(message);
+        if self.encoding == Encoding::Cdr {
+            match fields.bytes(4) {
+                Some([0, 1, ..]) => {}
+                Some([0, 0, ..]) => {
+                    let words = "a message in big-endian CDR (encapsulation 0x0000), which is not read; record on a little-endian machine";
+                    return Err(Error::at(at, words));
+                }
+                Some([a, b, ..]) => {
+                    let words = format!(
+                        "a message of encapsulation 0x{a:02x}{b:02x}, where CDR (0x0001) is read"
+                    );
+                    return Err(Error::at(at, words));
+                }
+                _ => return Ok(None),
+            }
+        }
+        Ok((|| {
+            if self.encoding == Encoding::Ros1 {
+                fields.u32()?;
+            }
+            let stamp = i64::from(fields.u32()?) * NANO + i64::from(fields.u32()?);
+            fields.block()?;
+            if self.encoding == Encoding::Cdr {
+                let taken = message.len() - 4 - fields.0.len();
+                fields.bytes(taken.wrapping_neg() & 7)?;
+            }
+            Some((stamp, fields.0))
+        })())
+    }
+}
+
+/// Leaves out streams of nothing but zeros: a topic of one sensor fills in the other's place so.
+pub(crate) fn without_empty(recorder: &mut Recorder) {
+    let is_empty = |stream: &crate::Stream| {
+        let zero = |value: &[f64; 3]| value.iter().all(|v| *v == 0.0);
+        stream.values.iter().all(zero)
+    };
+    recorder.content.streams.retain(|stream| !is_empty(stream));
+}

@@ -1,0 +1,171 @@
+//! What a file holds: streams of samples, each on its clock, in SI units.
+
+/// What three values are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Quantity {
+    /// Of an accelerometer, m/s².
+    SpecificForce,
+    /// Of a gyroscope, rad/s.
+    AngularRate,
+    /// Of a magnetometer, in whatever unit the file has.
+    MagneticField,
+    /// Of a thermometer, °C, in the first value.
+    Temperature,
+}
+
+/// Samples of one sensor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stream {
+    /// The topic, message or variable that it is read from.
+    pub source: String,
+    /// Which of several alike.
+    pub instance: u32,
+    /// What it holds.
+    pub quantity: Quantity,
+    /// Corrected by the device already: taken where nothing else is there.
+    pub processed: bool,
+    /// The values are in the unit of `quantity`; otherwise in one that the file does not state.
+    pub in_si: bool,
+    /// Stamps, ns since whenever the file's clock began.
+    pub stamps: Vec<i64>,
+    /// Samples.
+    pub values: Vec<[f64; 3]>,
+}
+
+impl Stream {
+    /// Without samples yet.
+    pub fn new(source: &str, instance: u32, quantity: Quantity) -> Self {
+        Self {
+            source: source.to_owned(),
+            instance,
+            quantity,
+            processed: false,
+            in_si: true,
+            stamps: Vec::new(),
+            values: Vec::new(),
+        }
+    }
+
+    /// Mean rate between the first and the last sample, Hz; 0 with fewer than two.
+    pub fn rate(&self) -> f64 {
+        let ends = self.stamps.first().zip(self.stamps.last());
+        let span = ends.map_or(0.0, |(first, last)| {
+            last.saturating_sub(*first) as f64 * 1e-9
+        });
+        match span > 0.0 {
+            true => (self.stamps.len() - 1) as f64 / span,
+            false => 0.0,
+        }
+    }
+}
+
+/// What a file holds.
+#[derive(Clone, Debug, Default)]
+pub struct Content {
+    /// Streams with samples.
+    pub streams: Vec<Stream>,
+    /// Everything there is, by name and kind, for the message where no stream is a sensor's.
+    pub listed: Vec<String>,
+    /// What was noticed.
+    pub warnings: Vec<String>,
+    /// Why reading ended before the file did.
+    pub cut: Option<String>,
+}
+
+/// Which streams are wanted.
+#[derive(Clone, Debug, Default)]
+pub struct Wanted {
+    /// Topics, messages or variables; all where there are none.
+    pub topics: Vec<String>,
+    /// The one instance.
+    pub instance: Option<u32>,
+}
+
+impl Wanted {
+    /// True for what is to be kept.
+    pub fn is(&self, source: &str, instance: u32) -> bool {
+        (self.topics.is_empty() || self.topics.iter().any(|topic| topic == source))
+            && self.instance.is_none_or(|wanted| wanted == instance)
+    }
+}
+
+/// Streams while they are read, within limits.
+#[derive(Debug)]
+pub(crate) struct Recorder {
+    pub content: Content,
+    wanted: Wanted,
+    rows: u64,
+}
+
+/// A stream of a recorder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Handle(usize);
+
+impl Recorder {
+    pub fn new(wanted: &Wanted, limits: crate::Limits) -> Self {
+        Self {
+            content: Content::default(),
+            wanted: wanted.clone(),
+            rows: limits.rows,
+        }
+    }
+
+    /// The stream for `source`; `None` for one that is not wanted.
+    pub fn stream(&mut self, source: &str, instance: u32, quantity: Quantity) -> Option<Handle> {
+        if !self.wanted.is(source, instance) {
+            return None;
+        }
+        let streams = &mut self.content.streams;
+        let is_it =
+            |s: &Stream| s.source == source && s.instance == instance && s.quantity == quantity;
+        let at = streams.iter().position(is_it).unwrap_or_else(|| {
+            streams.push(Stream::new(source, instance, quantity));
+            streams.len() - 1
+        });
+        Some(Handle(at))
+    }
+
+    /// The stream itself.
+    pub fn at(&mut self, Handle(at): Handle) -> &mut Stream {
+        &mut self.content.streams[at]
+    }
+
+    /// Adds a sample.
+    ///
+    /// # Errors
+    /// More rows than the limit.
+    pub fn push(
+        &mut self,
+        handle: Handle,
+        stamp: i64,
+        value: [f64; 3],
+    ) -> Result<(), crate::Error> {
+        let rows = self.rows;
+        let stream = self.at(handle);
+        if stream.stamps.len() as u64 >= rows {
+            return Err(crate::Error::refused(format!(
+                "more than {rows} samples of {}; --max-rows raises the limit",
+                stream.source
+            )));
+        }
+        crate::stream::grow(&mut stream.stamps);
+        crate::stream::grow(&mut stream.values);
+        stream.stamps.push(stamp);
+        stream.values.push(value);
+        Ok(())
+    }
+
+    /// The streams that have samples.
+    pub fn finish(self) -> Content {
+        let mut content = self.content;
+        content.streams.retain(|stream| !stream.stamps.is_empty());
+        content
+    }
+}
+
+/// Room for one more, by an eighth of what there is: doubling would take half as much again as is needed.
+fn grow<T>(vector: &mut Vec<T>) {
+    if vector.len() == vector.capacity() {
+        vector.reserve_exact((vector.len() / 8).max(1024));
+    }
+}

@@ -1,0 +1,183 @@
+//! PX4 logs: <https://docs.px4.io/main/en/dev_log/ulog_file_format.html>.
+
+mod calibration;
+mod layout;
+mod topics;
+
+use std::collections::HashMap;
+use std::io::Read;
+
+use crate::bytes::{Bytes, Fields};
+use crate::format::Format;
+use crate::stream::Recorder;
+use crate::{Content, Error, Limits, Wanted};
+use calibration::Parameters;
+use layout::Layouts;
+use topics::Topic;
+
+/// ULog files: `sensor_accel`, `sensor_gyro`, their FIFOs, and `sensor_combined` where those are not there.
+#[derive(Debug)]
+pub(crate) struct Ulog;
+
+const MAGIC: &[u8] = b"ULog\x01\x12\x35";
+const HEADER: u64 = 16;
+/// Dropouts that are told with their times.
+const LISTED: usize = 3;
+
+impl Format for Ulog {
+    fn name(&self) -> &'static str {
+        "ulog"
+    }
+
+    fn about(&self) -> &'static str {
+        "a PX4 log (.ulg) with sensor_accel and sensor_gyro; --instance chooses the sensor"
+    }
+
+    fn recognises(&self, head: &[u8]) -> bool {
+        head.starts_with(MAGIC)
+    }
+
+    fn read(
+        &self,
+        reader: &mut dyn Read,
+        wanted: &Wanted,
+        limits: Limits,
+    ) -> Result<Content, Error> {
+        let mut bytes = Bytes::new(reader, limits);
+        let mut file = File {
+            recorder: Recorder::new(wanted, limits),
+            layouts: Layouts::default(),
+            topics: HashMap::new(),
+            counts: HashMap::new(),
+            parameters: Parameters::default(),
+            dropouts: Vec::new(),
+            last: 0,
+        };
+        bytes.take(HEADER)?;
+        loop {
+            let at = bytes.at();
+            if bytes.peek(1)?.is_empty() {
+                break;
+            }
+            let Some(head) = bytes.take(3)? else {
+                file.cut(at);
+                break;
+            };
+            let mut head = Fields(head);
+            let (size, kind) = (head.u16().unwrap_or(0), head.u8().unwrap_or(0));
+            let Some(body) = bytes.take(u64::from(size))? else {
+                file.cut(at);
+                break;
+            };
+            file.message(kind, body, at)?;
+        }
+        Ok(file.finish())
+    }
+}
+
+struct File {
+    recorder: Recorder,
+    layouts: Layouts,
+    topics: HashMap<u16, Option<Topic>>,
+    /// Names and counts of all topics that were logged.
+    counts: HashMap<u16, (String, u8, u64)>,
+    parameters: Parameters,
+    /// Time and length of dropouts, s.
+    dropouts: Vec<(f64, f64)>,
+    /// The last stamp, µs.
+    last: u64,
+}
+
+impl File {
+    fn cut(&mut self, at: u64) {
+        self.recorder.content.cut = Some(format!(
+            "byte {at}: the log ends within a message; what is before it is read"
+        ));
+    }
+
+    fn message(&mut self, kind: u8, body: &[u8], at: u64) -> Result<(), Error> {
+        let damaged = |what: &str| Error::at(at, format!("a damaged {what} message"));
+        match kind {
+            b'F' => self.layouts.add(body).ok_or_else(|| damaged("format")),
+            b'A' => self.subscribe(body).ok_or_else(|| damaged("subscription")),
+            b'P' => {
+                self.parameters.add(body);
+                Ok(())
+            }
+            b'O' => {
+                let length = Fields(body).u16().ok_or_else(|| damaged("dropout"))?;
+                self.dropouts
+                    .push((self.last as f64 * 1e-6, f64::from(length) * 1e-3));
+                Ok(())
+            }
+            b'D' => self.data(body, at),
+            b'B' | b'I' | b'M' | b'Q' | b'R' | b'L' | b'C' | b'S' => Ok(()),
+            other => Err(Error::at(
+                at,
+                format!(
+                    "a message of the unknown kind 0x{other:02x}; the log is damaged from here on"
+                ),
+            )),
+        }
+    }
+
+    fn subscribe(&mut self, body: &[u8]) -> Option<()> {
+        let mut fields = Fields(body);
+        let (instance, id) = (fields.u8()?, fields.u16()?);
+        let name = String::from_utf8_lossy(fields.0).into_owned();
+        let topic = Topic::new(&name, instance, &self.layouts, &mut self.recorder);
+        self.topics.insert(id, topic);
+        self.counts.insert(id, (name, instance, 0));
+        Some(())
+    }
+
+    fn data(&mut self, body: &[u8], at: u64) -> Result<(), Error> {
+        let mut fields = Fields(body);
+        let id = fields
+            .u16()
+            .ok_or_else(|| Error::at(at, "a data message without its topic"))?;
+        if let Some((.., count)) = self.counts.get_mut(&id) {
+            *count += 1;
+        }
+        if let Some(stamp) = Fields(fields.0).u64() {
+            self.last = stamp;
+        }
+        match self.topics.get_mut(&id) {
+            Some(Some(topic)) => topic.take(fields.0, at, &mut self.recorder),
+            _ => Ok(()),
+        }
+    }
+
+    fn finish(mut self) -> Content {
+        if let Some((first, _)) = self.dropouts.first() {
+            let lost: f64 = self.dropouts.iter().map(|(_, length)| length).sum();
+            let times: Vec<String> = self
+                .dropouts
+                .iter()
+                .take(LISTED)
+                .map(|(t, length)| format!("{length:.3} s at {t:.3} s"))
+                .collect();
+            let more = if self.dropouts.len() > LISTED {
+                ", .."
+            } else {
+                ""
+            };
+            let words = format!(
+                "{} dropouts of the log, {lost:.3} s in all, from {first:.3} s on ({}{more})",
+                self.dropouts.len(),
+                times.join(", ")
+            );
+            self.recorder.content.warnings.push(words);
+        }
+        let selection = self.topics.values().flatten().find_map(Topic::selected);
+        calibration::undo(&mut self.recorder.content, &self.parameters, selection);
+        let mut listed: Vec<String> = self
+            .counts
+            .values()
+            .map(|(name, instance, count)| format!("{name} {instance} ({count} messages)"))
+            .collect();
+        listed.sort();
+        self.recorder.content.listed = listed;
+        self.recorder.finish()
+    }
+}

@@ -1,0 +1,41 @@
+//! Chunks that are compressed by one of the usual ways.
+
+use std::io::Read;
+
+use crate::Error;
+
+/// The `size` bytes that `packed` holds, compressed by the method called so in bags and MCAP files.
+pub(crate) fn unpack<'a>(
+    method: &str,
+    packed: &'a [u8],
+    size: u64,
+) -> Result<std::borrow::Cow<'a, [u8]>, Error> {
+    let mut unpacked = Vec::new();
+    let damaged = |error: String| Error::refused(format!("damaged {method} data: {error}"));
+    let reader: Box<dyn Read> = match method {
+        "" | "none" => return Ok(packed.into()),
+        "lz4" => Box::new(lz4_flex::frame::FrameDecoder::new(packed)),
+        "bz2" => Box::new(bzip2::read::MultiBzDecoder::new(packed)),
+        "zstd" => {
+            let decoder = ruzstd::decoding::StreamingDecoder::new(packed);
+            Box::new(decoder.map_err(|error| damaged(error.to_string()))?)
+        }
+        other => {
+            return Err(Error::refused(format!(
+                "chunks compressed by `{}` are not read; known are lz4, bz2 and zstd",
+                other.escape_default()
+            )));
+        }
+    };
+    let read = reader
+        .take(size.saturating_add(1))
+        .read_to_end(&mut unpacked);
+    read.map_err(|error| damaged(error.to_string()))?;
+    if unpacked.len() as u64 != size {
+        return Err(damaged(format!(
+            "{} bytes, {size} expected",
+            unpacked.len()
+        )));
+    }
+    Ok(unpacked.into())
+}

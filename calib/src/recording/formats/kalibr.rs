@@ -1,0 +1,39 @@
+//! Kalibr's IMU table: the gyroscope first, and `alpha` is the accelerometer.
+
+use super::texts::TextFormat;
+use crate::recording::look::{Look, numbered};
+use crate::recording::options::Role;
+use crate::recording::parts::Part;
+use crate::recording::units::{AccelUnit, GyroUnit, TimeUnit};
+
+/// The table that `kalibr_bagcreater` takes.
+pub(super) static KALIBR: TextFormat = TextFormat {
+    name: "kalibr",
+    about: "Kalibr's `timestamp,omega_x,..,alpha_x,..`: ns, rad/s, and alpha is the specific force in m/s²",
+    parts,
+};
+
+fn parts(look: &Look) -> Option<Vec<Part>> {
+    let names = look.header(|names| {
+        let has = |wanted: &str| names.iter().any(|name| name == wanted);
+        has("omega_x") && has("alpha_x")
+    })?;
+    let mut columns = vec![(Role::Time, "1".to_owned())];
+    for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
+        columns.push((
+            Role::Gyro(axis),
+            numbered(&names, &format!("omega_{letter}"))?,
+        ));
+        columns.push((
+            Role::Accel(axis),
+            numbered(&names, &format!("alpha_{letter}"))?,
+        ));
+    }
+    Some(vec![Part {
+        columns,
+        time_unit: Some(TimeUnit::Nanoseconds),
+        accel_unit: Some(AccelUnit::MetresPerSecondSquared),
+        gyro_unit: Some(GyroUnit::RadiansPerSecond),
+        ..Part::default()
+    }])
+}

@@ -1,0 +1,34 @@
+//! Physics Toolbox Sensor Suite: `gFx` is the accelerometer in g, `wx` the gyroscope, times of day with a third colon.
+
+use super::texts::TextFormat;
+use crate::recording::look::{Look, numbered};
+use crate::recording::options::Role;
+use crate::recording::parts::Part;
+use crate::recording::units::{AccelUnit, GyroUnit};
+
+/// A table of the app Physics Toolbox.
+pub(super) static PHYSICS_TOOLBOX: TextFormat = TextFormat {
+    name: "physics_toolbox",
+    about: "a table of the app Physics Toolbox: `time,gFx,gFy,gFz,..,wx,wy,wz,..`",
+    parts,
+};
+
+const ACCEL: [&str; 3] = ["gFx", "gFy", "gFz"];
+const GYRO: [&str; 3] = ["wx", "wy", "wz"];
+
+fn parts(look: &Look) -> Option<Vec<Part>> {
+    let names = look.header(|names| names.iter().any(|name| name == ACCEL[0]))?;
+    let column = |name: &str| numbered(&names, name);
+    let mut columns = vec![(Role::Time, column("time")?)];
+    for axis in 0..3 {
+        columns.push((Role::Accel(axis), column(ACCEL[axis])?));
+        columns.extend(column(GYRO[axis]).map(|column| (Role::Gyro(axis), column)));
+    }
+    Some(vec![Part {
+        columns,
+        accel_unit: Some(AccelUnit::G),
+        gyro_unit: Some(GyroUnit::RadiansPerSecond),
+        change: Some(super::clock_text::change),
+        ..Part::default()
+    }])
+}
