@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 use serde::Serialize;
 
+use crate::averages::root_mean_square;
 use crate::calibration::{Calibration, apply_with};
 use crate::error::Error;
 use crate::intervals::{Segmentation, Span, StaticInterval, Turn};
@@ -64,18 +65,19 @@ pub fn evaluate(
     gravity: f64,
 ) -> Result<Evaluation, Error> {
     let misfits = misfits(recording, segmentation, calibration, gravity)?;
-    let rms = |all: &[Misfit]| root_mean_square(&all.iter().map(|m| m.value).collect::<Vec<_>>());
+    let rms = |values: Vec<f64>| (!values.is_empty()).then(|| root_mean_square(&values));
+    let values = |all: &[Misfit]| all.iter().map(|m| m.value).collect();
     let count = misfits.rates.len().max(1) as f64;
     let mean = misfits.rates.iter().sum::<Vector3<f64>>() / count;
     let scatter = misfits.rates.iter().map(|rate| (rate - mean).norm());
     let seen = !misfits.rates.is_empty();
     Ok(Evaluation {
         static_rate: seen.then(|| mean.into()),
-        static_rate_scatter: root_mean_square(&scatter.collect::<Vec<_>>()),
+        static_rate_scatter: rms(scatter.collect()),
         static_intervals: misfits.rests.len(),
-        modulus_rms: rms(&misfits.rests),
+        modulus_rms: rms(values(&misfits.rests)),
         turns: misfits.turns.len(),
-        direction_rms: rms(&misfits.turns),
+        direction_rms: rms(values(&misfits.turns)),
     })
 }
 
@@ -138,9 +140,4 @@ fn angle(rate: &Stream, rests: &Segmentation, turn: &Turn) -> Option<f64> {
     let attitude = attitude_of(Integrator::Exponential, t, |k| values[k] - bias);
     let foretold = attitude.into_body(&before.accelerometer?.mean);
     Some(foretold.angle(&after.accelerometer?.mean).to_degrees())
-}
-
-fn root_mean_square(values: &[f64]) -> Option<f64> {
-    let square = values.iter().map(|v| v * v).sum::<f64>() / values.len() as f64;
-    (!values.is_empty()).then(|| square.sqrt())
 }

@@ -8,6 +8,7 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod averages;
 pub mod calibrate;
 pub mod calibration;
 pub mod covariates;

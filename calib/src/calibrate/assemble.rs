@@ -40,6 +40,7 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
     } = parts;
     let mut table = Table::default();
     let mut failed_gates = Vec::new();
+    let norms = accelerometer.and_then(|fit| StaticNorms::of(fit, recordings, choices));
     let accelerometer_triad = accelerometer.map(|fit| {
         table.add(&fit.fitted);
         for (recording, choice) in recordings.iter().zip(choices) {
@@ -55,7 +56,7 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
             warnings.extend(checks::long_turns(recording, &choice.segmentation));
         }
         warnings.extend(of_the_unit(&fit.unit));
-        accelerometer_triad(fit, recordings, choices, request)
+        accelerometer_triad(fit, recordings, norms.as_ref(), request)
     });
     let gyroscope_triad = match (gyroscope, accelerometer) {
         (Some(fit), Some(force)) => {
@@ -74,8 +75,7 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
             .and_then(|(fit, triad)| {
                 let spare = fit.first.residuals.len().checked_sub(fit.fitted.rank)?;
                 let (rms, chi2) = (triad.residual_rms, triad.reduced_chi2?);
-                let norms = StaticNorms::of(fit, recordings, choices);
-                let shown = norms.and_then(|norms| norms.pattern());
+                let shown = norms.as_ref().and_then(StaticNorms::pattern);
                 Some(Remainder::new(Channel::Force, rms, chi2, spare as f64).depending(shown))
             }),
         gyroscope
@@ -159,7 +159,7 @@ impl Table {
 fn accelerometer_triad(
     fit: &AccelerometerFit,
     recordings: &[&Recording],
-    choices: &[Choice],
+    norms: Option<&StaticNorms>,
     request: &Request,
 ) -> Triad {
     let mut triad = triad(Sensor::Accelerometer, "a = T (A - b)", &fit.fitted);
@@ -191,8 +191,7 @@ fn accelerometer_triad(
             .collect();
     }
     if request.static_means.is_empty() {
-        triad.reduced_chi2 =
-            StaticNorms::of(fit, recordings, choices).and_then(|norms| norms.reduced_chi2());
+        triad.reduced_chi2 = norms.and_then(StaticNorms::reduced_chi2);
     }
     triad
 }

@@ -5,6 +5,7 @@ use sensor::{BASE_PARAMETERS, Model, Sensor};
 use super::assemble::{effect_values, of_the_gyro_unit, of_the_unit, triad};
 use super::same_device::of_one_device;
 use super::{Frame, Outcome, Request, checks, clocks, cut, refuse_unknowable};
+use crate::averages::root_mean_square;
 use crate::calibration::{
     BiasTime, Calibration, Provenance, RecordingBias, RecordingClock, Remainder, SCHEMA, Triad,
     WITH_WALKS, effect_named, in_symmetric_frame,
@@ -381,8 +382,4 @@ fn own_biases(
         }
     };
     recordings.iter().enumerate().map(of).collect()
-}
-
-fn root_mean_square(values: &[f64]) -> f64 {
-    (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()
 }

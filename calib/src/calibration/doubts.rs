@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::Calibration;
+use crate::averages::root_mean_square;
 use crate::error::Error;
 use crate::evaluate::{Misfits, misfits};
 use crate::intervals::{Detector, Segmentation};
@@ -135,8 +136,4 @@ fn norm_in_doubt(name: &str, calibration: &Calibration, left: &Misfits) -> Optio
              {usual:.3} of its own recordings: is it of this device?"
         )
     })
-}
-
-fn root_mean_square(values: &[f64]) -> f64 {
-    (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()
 }

@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::spans::Span;
 use super::stamps::Stamps;
+use crate::averages::median;
 use crate::recording::Stream;
 
 /// Rotation that may remain at an end, rad (0.04°): that of a direction after a good turn.
@@ -77,10 +78,7 @@ fn middle_rate(values: &[Vector3<f64>]) -> Vector3<f64> {
         .chunks(length)
         .map(|piece| piece.iter().sum::<Vector3<f64>>() / piece.len() as f64)
         .collect();
-    Vector3::from_fn(|axis, _| {
-        let mut of_axis: Vec<f64> = means.iter().map(|m| m[axis]).collect();
-        median(&mut of_axis)
-    })
+    Vector3::from_fn(|axis, _| median(means.iter().map(|m| m[axis])).unwrap_or(0.0))
 }
 
 /// The median over stretches of the farthest that the sum of the rate gets from its start.
@@ -93,8 +91,7 @@ fn usual_turn(values: &[Vector3<f64>], bias: &Vector3<f64>, length: usize) -> f6
         });
         squares.fold(0.0, f64::max).sqrt()
     };
-    let mut all: Vec<f64> = values.chunks_exact(length).map(farthest).collect();
-    median(&mut all)
+    median(values.chunks_exact(length).map(farthest)).unwrap_or(0.0)
 }
 
 /// Number of the last samples whose summed rate lies beyond the limit.
@@ -110,11 +107,6 @@ fn turned<'a>(
         beyond = if sum.norm() > limit { beyond + 1 } else { 0 };
     }
     beyond
-}
-
-fn median(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
 #[cfg(test)]

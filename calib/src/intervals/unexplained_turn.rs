@@ -4,6 +4,7 @@
 //! spread either. What betrays it is that the rate points along the vertical wherever that lies in the
 //! device, while a bias stays with the device's axes.
 
+use crate::averages::median;
 use nalgebra::{Matrix3, Vector3};
 
 /// Turns about the vertical below this are left to bias and its drift, rad/s (0.06 °/s).
@@ -47,8 +48,7 @@ pub(super) fn turning(rates: &[MeanRate]) -> Vec<Option<f64>> {
         (along, (deviation - rate.up * along).norm())
     };
     let parts: Vec<(f64, f64)> = rates.iter().map(split).collect();
-    let mut across: Vec<f64> = parts.iter().map(|p| p.1).collect();
-    let usual = middle(&mut across);
+    let usual = median(parts.iter().map(|p| p.1)).unwrap_or(0.0);
     let limit = |rate: &MeanRate| LEAST.max(BEYOND * usual.max(rate.error));
     let deviates =
         |(rate, &(along, across)): (&MeanRate, &(f64, f64))| along.hypot(across) > limit(rate);
@@ -70,19 +70,17 @@ pub(super) fn turning(rates: &[MeanRate]) -> Vec<Option<f64>> {
 /// The bias from what lies across the vertical, where no turn about it reaches; the median rate along
 /// directions in which the orientations do not tell. Weights of Cauchy keep an outlier from counting.
 fn bias(rates: &[MeanRate]) -> Vector3<f64> {
-    let median = Vector3::from_fn(|axis, _| {
-        let mut of_axis: Vec<f64> = rates.iter().map(|r| r.mean[axis]).collect();
-        middle(&mut of_axis)
-    });
+    let of_axis = |axis: usize| median(rates.iter().map(|r| r.mean[axis])).unwrap_or(0.0);
+    let start = Vector3::from_fn(|axis, _| of_axis(axis));
     let across = |rate: &MeanRate| Matrix3::identity() - rate.up * rate.up.transpose();
     let mut weights = vec![1.0; rates.len()];
-    let mut bias = median;
+    let mut bias = start;
     for _ in 0..ROUNDS {
         let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
         for (rate, &weight) in rates.iter().zip(&weights) {
             let across: Matrix3<f64> = across(rate) * weight;
             normal += across;
-            right += across * (rate.mean - median);
+            right += across * (rate.mean - start);
         }
         let eigen = normal.symmetric_eigen();
         let least = UNSEEN * eigen.eigenvalues.max();
@@ -93,12 +91,12 @@ fn bias(rates: &[MeanRate]) -> Vector3<f64> {
                 step += v * (v.dot(&right) / value);
             }
         }
-        bias = median + step;
+        bias = start + step;
         let left: Vec<f64> = rates
             .iter()
             .map(|rate| (across(rate) * (rate.mean - bias)).norm())
             .collect();
-        let usual = middle(&mut left.clone());
+        let usual = median(left.iter().copied()).unwrap_or(0.0);
         if usual <= 0.0 {
             break;
         }
@@ -107,12 +105,6 @@ fn bias(rates: &[MeanRate]) -> Vector3<f64> {
         }
     }
     bias
-}
-
-/// The median.
-fn middle(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ use super::first_guess::RawUnit;
 use super::fitted::Fitted;
 use super::gyro_guess::{GyroGuess, gyroscope_guess, perfect_chords};
 use super::small_sample::widening;
+use crate::averages::root_mean_square;
 use crate::error::Error;
 use crate::kernel::TurnProblem;
 use crate::residuals::{
@@ -366,8 +367,4 @@ fn map_readings(turn: &TurnData, map: impl Fn(&Vector3<f64>) -> Vector3<f64>) ->
 
 fn mean_rate(statics: &[StaticMean]) -> Vector3<f64> {
     statics.iter().map(|m| m.raw).sum::<Vector3<f64>>() / statics.len().max(1) as f64
-}
-
-fn root_mean_square(values: &[f64]) -> f64 {
-    (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()
 }

@@ -2,7 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::{FIRST_ROW, Finding, median};
+use super::{FIRST_ROW, Finding};
+use crate::averages::median;
 use crate::recording::{Recording, Stream};
 
 /// Fewest rows of a tail in both sensors; alone, a sensor needs more.
@@ -58,7 +59,7 @@ fn tail(values: &[Vector3<f64>]) -> usize {
 
 fn is_pattern(values: &[Vector3<f64>], start: usize) -> bool {
     let v = values[start];
-    let usual = median(values[..start].iter().map(Vector3::norm).collect()).unwrap_or(0.0);
+    let usual = median(values[..start].iter().map(Vector3::norm)).unwrap_or(0.0);
     let strange = v.norm() * NOT_GRAVITY < usual || v.norm() > NOT_GRAVITY * usual;
     strange || (v.x == v.y && v.y == v.z)
 }

@@ -2,7 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::{Finding, median};
+use super::Finding;
+use crate::averages::median;
 use crate::recording::{Recording, Stream};
 
 /// Length of the windows looked at and of the pieces whose means waver in a hand, s.
@@ -67,7 +68,7 @@ fn wavering(window: &[Vector3<f64>], per_piece: usize) -> (f64, f64) {
 
 /// Whether the readings can be rad/s: those of an accelerometer beside it in m/s².
 fn is_si(recording: &Recording) -> bool {
-    let norm = |stream: &Stream| median(stream.values.iter().map(Vector3::norm).collect());
+    let norm = |stream: &Stream| median(stream.values.iter().map(Vector3::norm));
     let force = recording.accelerometer.as_ref().and_then(norm);
     force.is_none_or(|f| (5.0..15.0).contains(&f))
 }

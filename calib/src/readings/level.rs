@@ -1,5 +1,6 @@
 //! A specific force that has another size from a row on: another unit, another range, or other columns.
 
+use crate::averages::median;
 use nalgebra::Vector3;
 
 /// Windows whose mean modulus is looked at, at most.
@@ -42,7 +43,10 @@ pub(crate) fn level_change(values: &[Vector3<f64>]) -> Option<LevelChange> {
     };
     let levels: Vec<f64> = values.chunks_exact(length).map(mean).collect();
     let split = split(&levels)?;
-    let (before, after) = (median(&levels[..split])?, median(&levels[split..])?);
+    let (before, after) = (
+        median(levels[..split].iter().copied())?,
+        median(levels[split..].iter().copied())?,
+    );
     let apart = after > FACTOR * before || before > FACTOR * after;
     let leaves =
         |side: &[f64], level: f64| share(side, |v| !near(v, level, FACTOR - 1.0)) >= OFF_LEVEL;
@@ -63,12 +67,6 @@ fn near(value: f64, level: f64, share: f64) -> bool {
 
 fn share(values: &[f64], holds: impl Fn(f64) -> bool) -> f64 {
     values.iter().filter(|&&v| holds(v)).count() as f64 / values.len().max(1) as f64
-}
-
-fn median(values: &[f64]) -> Option<f64> {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    sorted.get(sorted.len() / 2).copied()
 }
 
 /// The split of the logarithms into two means with the least sum of squares; `None` of too few.

@@ -29,6 +29,7 @@ pub(crate) use stuck::stuck;
 use nalgebra::Vector3;
 use sensor::Sensor;
 
+use crate::averages::median;
 use crate::intervals::{Moments, Segmentation, StaticInterval};
 use crate::recording::{Recording, Stream};
 
@@ -91,7 +92,7 @@ impl<'a> OfSensor<'a> {
     /// The median over the static intervals of the standard deviation of an axis; `None` without any.
     fn usual_spread(&self, axis: usize) -> Option<f64> {
         let spreads = self.moments.iter().map(|(_, m)| m.std()[axis]);
-        median(spreads.collect())
+        median(spreads)
     }
 
     /// The samples of all static intervals.
@@ -103,12 +104,6 @@ impl<'a> OfSensor<'a> {
 
 /// The row of the first sample, under a line of header.
 const FIRST_ROW: usize = 2;
-
-/// The middle value; `None` of none.
-fn median(mut values: Vec<f64>) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied()
-}
 
 /// The smallest difference of neighbouring values of an axis that differ; `None` where none do.
 fn least_step(values: &[Vector3<f64>], axis: usize) -> Option<f64> {

@@ -3,7 +3,8 @@
 use nalgebra::Vector3;
 use sensor::Sensor;
 
-use super::{FIRST_ROW, Finding, least_step, median};
+use super::{FIRST_ROW, Finding, least_step};
+use crate::averages::median;
 use crate::order_statistic::nth_smallest;
 use crate::recording::{Recording, Stream};
 
@@ -156,7 +157,7 @@ fn stands_out(values: &[Vector3<f64>], axis: usize, k: usize, size: f64, step: f
         return false;
     };
     let off = || around.iter().map(|v| (v - middle).abs());
-    let Some(usual) = median(off().collect()) else {
+    let Some(usual) = median(off()) else {
         return false;
     };
     let spread = (usual / 0.6745).max(step);

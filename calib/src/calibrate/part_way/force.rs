@@ -6,7 +6,8 @@ use sensor::Sensor;
 
 use super::Rest;
 use super::change::{Change, Kind, Place};
-use super::weigh::{Explanation, median, solved};
+use super::weigh::{Explanation, solved};
+use crate::averages::median;
 
 /// Parameters of the base: an upper triangular matrix and a bias.
 const BASE: usize = 9;
@@ -127,7 +128,7 @@ pub(super) fn force(rests: &[Rest], gravity: f64) -> Option<Force> {
     let stride = with.len().div_ceil(MOST).max(1);
     let used: Vec<&Rest> = with.iter().step_by(stride).copied().collect();
     let raw: Vec<Vector3<f64>> = used.iter().filter_map(|r| Some(r.force?.mean)).collect();
-    let unit = gravity / median(raw.iter().map(Vector3::norm).collect());
+    let unit = gravity / median(raw.iter().map(Vector3::norm))?;
     let raw: Vec<Vector3<f64>> = raw.iter().map(|v| v * unit).collect();
     if raw.len() < BASE + 3 || !unit.is_finite() {
         return None;
@@ -138,11 +139,7 @@ pub(super) fn force(rests: &[Rest], gravity: f64) -> Option<Force> {
         mixed: false,
     };
     let base = Fit::of(&raw, gravity, nothing)?;
-    let white = median(
-        used.iter()
-            .filter_map(|r| Some(r.force?.white_of_mean()))
-            .collect(),
-    );
+    let white = median(used.iter().filter_map(|r| Some(r.force?.white_of_mean())))?;
     let floor = raw.len() as f64 * (unit * white).powi(2).max(f64::MIN_POSITIVE);
     let found = if base.left > NOISE * floor {
         best(&raw, gravity, &base, floor)

@@ -5,7 +5,7 @@ use sensor::Sensor;
 
 use super::change::{Change, Kind, Place};
 use super::turns::Turning;
-use super::weigh::median;
+use crate::averages::median;
 
 /// Fewest turns on either side.
 const SIDE: usize = 4;
@@ -67,11 +67,12 @@ pub(super) fn change(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Option<Chan
                         .collect()
                 }
             };
+            let usual = |side: &[f64]| median(side.iter().copied()).unwrap_or(0.0);
             for at in SIDE..=turns.len() - SIDE {
                 for (first, last) in [(&plain, &other), (&other, &plain)] {
                     let met = most(&first[..at]).max(most(&last[at..]));
                     let sum: f64 = first[..at].iter().chain(&last[at..]).sum();
-                    let changes = median(plain[..at].to_vec()).max(median(plain[at..].to_vec()));
+                    let changes = usual(&plain[..at]).max(usual(&plain[at..]));
                     let counts = met < MEETS && changes > MISSES;
                     if counts && best.is_none_or(|(least, ..)| sum < least) {
                         best = Some((sum, at, reflection.kind));
@@ -108,7 +109,7 @@ pub(super) fn unit(turns: &[Turning<'_>], fitted: f64) -> f64 {
             let end: Vector3<f64> = turn.rates.rotation(&t) * turn.after;
             end.angle(&turn.before)
         });
-        median(each.collect())
+        median(each).unwrap_or(0.0)
     };
     let known = [fitted, 1.0, degree]
         .into_iter()

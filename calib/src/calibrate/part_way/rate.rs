@@ -4,7 +4,7 @@ use sensor::Sensor;
 
 use super::Rest;
 use super::change::{Change, Kind, Place};
-use super::weigh::median;
+use crate::averages::median;
 
 /// Fewest static intervals, and on either side of a step.
 const FEWEST: usize = 8;
@@ -35,15 +35,11 @@ fn of_axis(rests: &[&Rest], axis: usize) -> Option<Change> {
     let at = inner.max_by(|&a, &b| differences[a].abs().total_cmp(&differences[b].abs()))?;
     let step = differences[at];
     let others = differences.iter().enumerate().filter(|(k, _)| *k != at);
-    let usual = 1.4826 * median(others.map(|(_, d)| d.abs()).collect());
-    let white = median(
-        rests
-            .iter()
-            .filter_map(|r| Some(r.rate?.white_of_mean()))
-            .collect(),
-    );
+    let usual = 1.4826 * median(others.map(|(_, d)| d.abs()))?;
+    let white = median(rests.iter().filter_map(|r| Some(r.rate?.white_of_mean())))?;
+    let level = |side: &[f64]| median(side.iter().copied());
     let noise = usual.hypot(2f64.sqrt() * white);
-    let levels = median(mean[at + 1..].to_vec()) - median(mean[..=at].to_vec());
+    let levels = level(&mean[at + 1..])? - level(&mean[..=at])?;
     let stays = levels * step.signum() > STAYS * step.abs();
     (step.abs() > STANDS_OUT * noise && noise > 0.0 && stays).then(|| Change {
         kind: Kind::Bias(Sensor::Gyroscope, axis, step),

@@ -5,7 +5,8 @@ use sensor::Sensor;
 
 use super::change::{Change, Kind, Place};
 use super::turn::{Carried, Rates};
-use super::weigh::{Explanation, median, solved};
+use super::weigh::{Explanation, solved};
+use crate::averages::median;
 
 /// Elements of the matrix.
 const BASE: usize = 9;
@@ -39,13 +40,13 @@ pub(super) fn changes(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Vec<Change
         return Vec::new();
     }
     let mut t = *start;
-    let mut carried = carried(&used, &t);
+    let mut carried = all_carried(&used, &t);
     for _ in 0..PASSES {
         let Some(step) = robust_step(&carried) else {
             return Vec::new();
         };
         t += step;
-        carried = used.iter().map(|turn| carry(turn, &t)).collect();
+        carried = all_carried(&used, &t);
     }
     let n = used.len();
     let whole = sums_of(&carried, &t, n, false, &[]);
@@ -72,13 +73,13 @@ fn alone(
 ) -> Option<(Vec<Change>, Explanation)> {
     let n = turns.len();
     let angles: Vec<f64> = carried.iter().map(Carried::angle).collect();
-    let limit = (ALONE * median(angles.clone())).max(LEAST);
+    let limit = (ALONE * median(angles.iter().copied())?).max(LEAST);
     let outliers: Vec<usize> = (0..n).filter(|&k| angles[k] > limit).collect();
     if outliers.is_empty() || outliers.len() > (n / ONE_IN).max(1) {
         return None;
     }
     let mut sums = Sums::new(BASE);
-    for (one, _) in carried.iter().zip(&angles).filter(|(_, a)| **a <= limit) {
+    for one in carried.iter().filter(|one| one.angle() <= limit) {
         sums.add(one, &[], 1.0);
     }
     let explanation = Explanation {
@@ -94,12 +95,9 @@ fn alone(
         .then(|| (named.collect(), explanation))
 }
 
-fn carry(turn: &Turning<'_>, t: &Matrix3<f64>) -> Carried {
-    turn.rates.carry(t, &turn.before, &turn.after)
-}
-
-fn carried(turns: &[&Turning<'_>], t: &Matrix3<f64>) -> Vec<Carried> {
-    turns.iter().map(|turn| carry(turn, t)).collect()
+fn all_carried(turns: &[&Turning<'_>], t: &Matrix3<f64>) -> Vec<Carried> {
+    let carry = |turn: &&Turning<'_>| turn.rates.carry(t, &turn.before, &turn.after);
+    turns.iter().map(carry).collect()
 }
 
 /// The step of the matrix that most turns agree on: weights `1 / (1 + (q / 3 s)²)`, `s` the median of the misses
@@ -108,7 +106,7 @@ fn robust_step(carried: &[Carried]) -> Option<Matrix3<f64>> {
     let mut step = DVector::zeros(BASE);
     for _ in 0..WEIGHINGS {
         let missed: Vec<f64> = carried.iter().map(|c| left(c, &step).norm()).collect();
-        let scale = 3.0 * median(missed.clone()).max(1e-9);
+        let scale = 3.0 * median(missed.iter().copied())?.max(1e-9);
         let mut sums = Sums::new(BASE);
         for (one, q) in carried.iter().zip(&missed) {
             sums.add(one, &[], 1.0 / (1.0 + (q / scale).powi(2)));
@@ -128,7 +126,6 @@ struct Sums {
     normal: DMatrix<f64>,
     right: DVector<f64>,
     squares: f64,
-    rows: usize,
 }
 
 impl Sums {
@@ -137,7 +134,6 @@ impl Sums {
             normal: DMatrix::zeros(size, size),
             right: DVector::zeros(size),
             squares: 0.0,
-            rows: 0,
         }
     }
 
@@ -150,7 +146,6 @@ impl Sums {
             }
         }
         self.squares += weight * carried.miss.norm_squared();
-        self.rows += 1;
     }
 
     fn solution(&self) -> Option<DVector<f64>> {

@@ -55,9 +55,3 @@ pub(super) fn solved(
     }
     Some(damped.cholesky()?.solve(right)).filter(|x| x.iter().all(|v| v.is_finite()))
 }
-
-/// The middle value; zero of none.
-pub(super) fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
-}

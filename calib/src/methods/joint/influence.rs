@@ -39,27 +39,29 @@ impl JointFit {
         let covariance = self.covariance_of_weights();
         (0..self.data.rests.len())
             .map(|rest| {
-                let mut own = self.influence(rest, &basis, reduced, &shared, &covariance);
-                let worst = (0..shared.len())
-                    .max_by(|&a, &b| (own.1[a] / errors[a]).total_cmp(&(own.1[b] / errors[b])));
-                if let Some(k) = worst {
-                    own.0.parameter = self.parameters.names()[self.free[shared[k]]].clone();
-                    own.0.change = own.1[k] / errors[k];
+                let (leverage, moved) =
+                    self.leverage_and_changes(rest, &basis, reduced, &covariance);
+                let changes = moved.iter().zip(&errors).map(|(by, error)| by / error);
+                let largest = changes.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+                let name = |k: usize| self.parameters.names()[self.free[shared[k]]].clone();
+                Influence {
+                    rest,
+                    leverage,
+                    parameter: largest.map(|(k, _)| name(k)).unwrap_or_default(),
+                    change: largest.map_or(0.0, |(_, change)| change),
                 }
-                own.0
             })
             .collect()
     }
 
     /// The leverage of a rest, and by how much every shared parameter would move.
-    fn influence(
+    fn leverage_and_changes(
         &self,
         rest: usize,
         basis: &Mat<f64>,
         reduced: &Mat<f64>,
-        shared: &[usize],
         covariance: &[Vec<f64>],
-    ) -> (Influence, Vec<f64>) {
+    ) -> (f64, Vec<f64>) {
         let rows: Vec<usize> = (0..self.first_rows[1])
             .filter(|&i| self.rest_of_row[i] == rest)
             .collect();
@@ -79,30 +81,16 @@ impl JointFit {
             .cholesky()
             .filter(|c| c.l_dirty().diagonal().iter().all(|l| l * l > HELD_UP))
             .map(|c| c.solve(&r));
-        let moved: Vec<f64> = (0..shared.len())
-            .map(|a| match &own {
-                None => f64::INFINITY,
-                Some(d) => {
-                    let change: f64 = (0..shared.len())
-                        .map(|b| {
-                            let gradient: f64 = rows
-                                .iter()
-                                .zip(d.iter())
-                                .map(|(&i, v)| reduced[(i, b)] * v)
-                                .sum();
-                            covariance[a][b] * gradient
-                        })
-                        .sum();
-                    change.abs()
-                }
-            })
-            .collect();
-        let influence = Influence {
-            rest,
-            leverage,
-            parameter: String::new(),
-            change: 0.0,
+        let Some(deleted) = own else {
+            return (leverage, vec![f64::INFINITY; covariance.len()]);
         };
-        (influence, moved)
+        let gradient = |b: usize| -> f64 {
+            let own = rows.iter().zip(deleted.iter());
+            own.map(|(&i, v)| reduced[(i, b)] * v).sum()
+        };
+        let gradient: Vec<f64> = (0..covariance.len()).map(gradient).collect();
+        let change = |of: &Vec<f64>| of.iter().zip(&gradient).map(|(c, g)| c * g).sum::<f64>();
+        let changes = covariance.iter().map(|of| change(of).abs()).collect();
+        (leverage, changes)
     }
 }

@@ -5,6 +5,7 @@ use std::ops::Range;
 use nalgebra::Vector3;
 
 use super::data::Mean;
+use crate::averages::median;
 use crate::recording::{INSTANT, Stream};
 
 /// Longest batches whose means show noise that does not average out, s, and how many a stretch should have.
@@ -162,7 +163,7 @@ fn samples(length: f64, interval: f64) -> usize {
 /// Samples in a batch: [`BATCHES`] in the usual stretch, of [`BATCH`] at most.
 fn batch(rests: &[Range<usize>], interval: f64) -> Option<usize> {
     let lengths: Vec<f64> = rests.iter().map(|r| r.len() as f64 * interval).collect();
-    let length = (median(&lengths)? / BATCHES).min(BATCH);
+    let length = (median(lengths)? / BATCHES).min(BATCH);
     Some(samples(length, interval).max(1))
 }
 
@@ -180,7 +181,7 @@ fn parts(stream: &Stream, rests: &[Range<usize>], axis: usize) -> Vec<Vec<f64>> 
 fn white(parts: &[Vec<f64>]) -> Option<f64> {
     let scatters: Vec<(f64, f64)> = parts.iter().map(|p| scatter(p)).collect();
     let variances: Vec<f64> = scatters.iter().map(|(s, dof)| s / dof).collect();
-    let quiet = QUIET * median(&variances)?;
+    let quiet = QUIET * median(variances.iter().copied())?;
     let pooled = pool(scatters.iter().zip(&variances), quiet);
     Some(pooled.sqrt().max(FLOOR))
 }
@@ -198,7 +199,7 @@ fn long_run(parts: &[Vec<f64>], batch: usize, white: f64) -> f64 {
         })
         .collect();
     let variances: Vec<f64> = spreads.iter().map(|(sum, dof)| sum / dof).collect();
-    let Some(usual) = median(&variances) else {
+    let Some(usual) = median(variances.iter().copied()) else {
         return 1.0;
     };
     let spread = pool(spreads.iter().zip(&variances), LOUD * usual);
@@ -243,12 +244,6 @@ fn pool<'a>(parts: impl Iterator<Item = (&'a (f64, f64), &'a f64)>, most: f64) -
 }
 
 /// The value in the middle; `None` of none.
-pub(super) fn median(values: &[f64]) -> Option<f64> {
-    let mut sorted = values.to_vec();
-    let middle = sorted.len() / 2;
-    (!sorted.is_empty()).then(|| *sorted.select_nth_unstable_by(middle, f64::total_cmp).1)
-}
-
 /// The step of a converter: the smallest difference between two readings that differ, where readings
 /// repeat and all lie on the grid it makes; 0 elsewhere.
 fn smallest_step(parts: &[Vec<f64>]) -> f64 {

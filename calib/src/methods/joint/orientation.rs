@@ -236,11 +236,10 @@ impl Left {
                 0.0
             }
         });
-        // Nothing has no singular values: no turn may be left.
-        let svd = (!scaled.is_empty()).then(|| scaled.svd(true, false));
+        let svd = scaled.svd(true, false);
         let mut square = r.norm_squared();
         let (mut rank, mut log_gram) = (0, 0.0);
-        if let Some((svd, u)) = svd.as_ref().and_then(|svd| Some((svd, svd.u.as_ref()?))) {
+        if let Some(u) = &svd.u {
             for (k, value) in svd.singular_values.iter().enumerate() {
                 if *value > 1e-7 {
                     rank += 1;
