@@ -16,6 +16,9 @@ const STRETCH: f64 = 1.0;
 /// An end turns where it turns so many times as far as the stretches usually do.
 const BEYOND_USUAL: f64 = 3.0;
 
+/// A turn has begun at this share of the limit: what begins slowly turns far before it stands out.
+const BEGUN: f64 = 0.25;
+
 /// How far an end reaches into the interval, s.
 const REACH: f64 = 2.0;
 
@@ -48,7 +51,20 @@ impl<'a> Ends<'a> {
 
     /// The interval without the turns at its ends: from where the integrated rate, less that of the
     /// interval's middle, stays within [`REMAINDER`] or three times what the middle's own stretches do.
+    ///
+    /// An end that was cut is looked at again: of a turn that begins over many seconds one reach is a part.
     pub fn trimmed(&self, span: Span) -> Span {
+        let (mut span, mut ends) = (span, [true; 2]);
+        while ends.contains(&true) {
+            let cut = self.cut(span, ends);
+            ends = [cut.from > span.from, cut.to < span.to];
+            span = cut;
+        }
+        span
+    }
+
+    /// One reach of these ends without the turn in it.
+    fn cut(&self, span: Span, ends: [bool; 2]) -> Span {
         let samples = self.stamps.between(span.from, span.to);
         let values = &self.stream.values[samples.clone()];
         let n = values.len();
@@ -61,8 +77,15 @@ impl<'a> Ends<'a> {
         let usual = usual_turn(values, &bias, per_stretch) * factor;
         let limit = REMAINDER.max(BEYOND_USUAL * usual) / factor;
         let reach = ((REACH / self.step) as usize).min(n / 2);
-        let after = turned(values[..reach].iter().rev(), &bias, limit);
-        let before = turned(values[n - reach..].iter(), &bias, limit);
+        let turned = |looked_at: bool, values: &mut dyn ExactSizeIterator<Item = &Vector3<f64>>| {
+            if looked_at {
+                turned(values, &bias, limit)
+            } else {
+                0
+            }
+        };
+        let after = turned(ends[0], &mut values[..reach].iter().rev());
+        let before = turned(ends[1], &mut values[n - reach..].iter());
         let t = &self.stream.t[samples];
         Span {
             from: if after > 0 { t[after] } else { span.from },
@@ -94,19 +117,32 @@ fn usual_turn(values: &[Vector3<f64>], bias: &Vector3<f64>, length: usize) -> f6
     median(values.chunks_exact(length).map(farthest)).unwrap_or(0.0)
 }
 
-/// Number of the last samples whose summed rate lies beyond the limit.
+/// Number of the last samples that belong to a turn: those whose summed rate lies beyond the limit, those before them with
+/// which the sum leaves a quarter of it, and as many again, for a turn that begins smoothly has begun before: of an angle
+/// that grows with the cube of time a sixtieth of the limit is left then.
 fn turned<'a>(
-    values: impl Iterator<Item = &'a Vector3<f64>>,
+    values: impl ExactSizeIterator<Item = &'a Vector3<f64>>,
     bias: &Vector3<f64>,
     limit: f64,
 ) -> usize {
     let mut sum = Vector3::zeros();
-    let mut beyond = 0;
+    let (mut beyond, mut leaving) = (0, 0);
+    let all = values.len();
     for value in values {
         sum += value - bias;
-        beyond = if sum.norm() > limit { beyond + 1 } else { 0 };
+        let turned = sum.norm();
+        beyond = if turned > limit { beyond + 1 } else { 0 };
+        leaving = if turned > BEGUN * limit {
+            leaving + 1
+        } else {
+            0
+        };
     }
-    beyond
+    if beyond > 0 {
+        all.min(leaving + (leaving - beyond))
+    } else {
+        0
+    }
 }
 
 #[cfg(test)]

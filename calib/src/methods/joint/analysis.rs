@@ -13,7 +13,6 @@ use super::trial::Trial;
 use super::walks::Walks;
 use super::weights::{Component, ComponentKind, NoiseLevel, White, Whitening};
 use crate::methods::small_sample::by_chance;
-use crate::simulate::EARTH_RATE;
 use sensor::Sensor;
 
 /// A fit whose quieter three quarters are off by this much, as χ² per degree of freedom, does not
@@ -25,9 +24,6 @@ const QUIET: f64 = 2.0;
 
 /// Rows that leave so much by chance only do not scatter.
 const UNLIKELY: f64 = 1e-3;
-
-/// Standard deviation of a component of the earth's rotation where nothing is known of its direction, rad/s.
-pub const EARTH_COMPONENT: f64 = EARTH_RATE / 1.732_050_807_568_877_2;
 
 /// How far usual walks go, in standard deviations of a chunk's mean.
 const USUAL: f64 = 3.0;
@@ -198,9 +194,14 @@ impl Analysis {
         self.orientation.push((kind, columns));
     }
 
-    /// Adds the rotation of the earth to the noise; its columns are not whitened.
-    pub fn carry_earth(&mut self, columns: &Mat<f64>) {
-        self.components.push(earth(columns, &self.white));
+    /// Adds to the noise what `columns` (`m × q`, not whitened) do to the rows by unit sizes.
+    pub fn carry(&mut self, kind: ComponentKind, columns: &Mat<f64>) {
+        let mut whitened = columns.clone();
+        self.white.apply(whitened.as_mut());
+        self.components.push(Component {
+            kind,
+            covariance: &whitened * whitened.transpose(),
+        });
     }
 
     /// Lets the walk of the accelerometer's bias begin anew in every rest.
@@ -246,16 +247,15 @@ impl Analysis {
             self.components.iter().filter(|c| wanted(c.kind)).collect()
         };
         let (walks, scatter) = (of(ComponentKind::is_walk), of(|kind| !kind.is_noise()));
-        let earth = of(|kind| kind == ComponentKind::EarthRotation);
         let scatter = self.scatter(&jacobian, &walks, &scatter);
-        let earth: Vec<(&Component, f64)> = earth
-            .into_iter()
-            .map(|c| (c, EARTH_COMPONENT * EARTH_COMPONENT))
+        let known = self.components.iter();
+        let known: Vec<(&Component, f64)> = known
+            .filter_map(|c| Some((c, c.kind.known_variance()?)))
             .collect();
         let fixed =
             scatter
                 .iter()
-                .chain(&earth)
+                .chain(&known)
                 .fold(None, |sum: Option<Mat<f64>>, (c, variance)| {
                     let own = faer::Scale(*variance) * &c.covariance;
                     Some(sum.map_or_else(|| own.clone(), |sum| sum + &own))
@@ -269,7 +269,7 @@ impl Analysis {
             .into_iter()
             .zip(expected)
             .chain(scatter)
-            .chain(earth)
+            .chain(known)
             .map(|(component, variance)| NoiseLevel {
                 kind: component.kind,
                 size: variance.sqrt(),
@@ -357,16 +357,6 @@ impl Analysis {
                 added[(i, k - n)]
             }
         })
-    }
-}
-
-/// The rotation of the earth as a component, of unit size in every direction.
-pub fn earth(columns: &Mat<f64>, white: &White) -> Component {
-    let mut whitened = columns.clone();
-    white.apply(whitened.as_mut());
-    Component {
-        kind: ComponentKind::EarthRotation,
-        covariance: &whitened * whitened.transpose(),
     }
 }
 

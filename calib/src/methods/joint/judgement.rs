@@ -11,7 +11,7 @@ use super::oriented::At;
 use super::problem::Rows;
 use super::request::Known;
 use super::run::{Point, Run};
-use super::weights::{Component, NoiseLevel, White, Whitening};
+use super::weights::{Component, ComponentKind, NoiseLevel, White, Whitening};
 
 /// How rows are believed.
 pub(super) struct Weights {
@@ -71,7 +71,10 @@ impl Run<'_> {
         let linear = point.undisturbed();
         let mut analysis = Analysis::new(&rows, &linear, &rows.noise(x), &free);
         if let Some(columns) = earth {
-            analysis.carry_earth(columns);
+            analysis.carry(ComponentKind::EarthRotation, columns);
+        }
+        if let Some(columns) = rows.rounding_columns(x) {
+            analysis.carry(ComponentKind::CommonRounding, &columns);
         }
         let mut shown = Vec::new();
         let (levels, accused) = if self.request.disturbances {

@@ -45,6 +45,7 @@ mod prediction;
 mod problem;
 mod request;
 mod result;
+mod rounding;
 mod row_noise;
 mod run;
 mod sampling;

@@ -5,6 +5,7 @@ use std::ops::Range;
 use nalgebra::Vector3;
 
 use super::data::Mean;
+use super::rounding;
 use crate::averages::median;
 use crate::recording::{INSTANT, Stream};
 
@@ -51,6 +52,8 @@ pub struct SensorNoise {
     pub long_run: Vector3<f64>,
     /// Smallest step between two readings; 0 where they are continuous (3).
     pub step: Vector3<f64>,
+    /// Variance by rounding that no number of samples takes off a mean (3).
+    pub rounding: Vector3<f64>,
     /// Share of the samples that are as good as independent for a variance: 1 of white normal noise, less where
     /// neighbours agree or tails are heavy (3).
     pub freedom: Vector3<f64>,
@@ -78,6 +81,7 @@ impl SensorNoise {
             white: Vector3::new(x.white, y.white, z.white),
             long_run: Vector3::new(x.long_run, y.long_run, z.long_run),
             step: Vector3::new(x.step, y.step, z.step),
+            rounding: Vector3::new(x.rounding, y.rounding, z.rounding),
             freedom: Vector3::new(x.freedom, y.freedom, z.freedom),
             interval,
         })
@@ -96,12 +100,11 @@ impl SensorNoise {
         [0, 1, 2].map(of).iter().sum::<f64>() / 3.0
     }
 
-    /// Variance of the mean of `count` samples (3). Where the steps of the reading are wide against
-    /// the noise, their `LSB²/12` stays however many samples there are.
+    /// Variance of the mean of `count` samples (3).
     pub fn variance_of_mean(&self, count: usize) -> Vector3<f64> {
         Vector3::from_fn(|i, _| {
             let sampled = (self.white[i] * self.long_run[i]).powi(2) / count as f64;
-            sampled + self.undithered(i)
+            sampled + self.rounding[i]
         })
     }
 
@@ -119,18 +122,17 @@ impl SensorNoise {
         })
     }
 
-    /// Variance of a sample as its part in a long sum counts (3).
+    /// Variance of a sample as its part in a long sum counts (3). In a turn readings pass many steps, and what rounding
+    /// makes of each is independent of the next: `LSB²/12`, which readings at rest do not show where steps are wide.
     pub fn variance_in_sum(&self) -> Vector3<f64> {
-        Vector3::from_fn(|i, _| (self.white[i] * self.long_run[i]).powi(2))
-    }
-
-    fn undithered(&self, axis: usize) -> f64 {
-        let step = self.step[axis];
-        if step > DITHERED * self.white[axis] {
-            step * step / 12.0
-        } else {
-            0.0
-        }
+        Vector3::from_fn(|i, _| {
+            let rounded = if self.rounding[i] > 0.0 {
+                self.step[i].powi(2) / 12.0
+            } else {
+                0.0
+            };
+            (self.white[i] * self.long_run[i]).powi(2) + rounded
+        })
     }
 }
 
@@ -138,18 +140,29 @@ struct Axis {
     white: f64,
     long_run: f64,
     step: f64,
+    rounding: f64,
     freedom: f64,
 }
 
 impl Axis {
     /// `least` is the smallest step of the whole recording: readings that never change at rest show none.
     fn measure(parts: &[Vec<f64>], batch: usize, window: usize, least: f64) -> Option<Self> {
-        let white = white(parts)?;
+        let mut white = white(parts)?;
         let frozen = white <= FLOOR && least.is_finite() && least > FROZEN * FLOOR;
+        let step = if frozen { least } else { smallest_step(parts) };
+        let coarse = step > DITHERED * white;
+        if coarse {
+            white = rounding::spread(parts, step).max(FLOOR);
+        }
         Some(Self {
             white,
             long_run: long_run(parts, batch, white),
-            step: if frozen { least } else { smallest_step(parts) },
+            step,
+            rounding: if coarse {
+                rounding::of_means(parts, step, white)
+            } else {
+                0.0
+            },
             freedom: freedom(parts, window),
         })
     }
@@ -230,7 +243,7 @@ fn freedom(parts: &[Vec<f64>], window: usize) -> f64 {
 }
 
 /// Sum of squares about the mean, and its degrees of freedom.
-fn scatter(values: &[f64]) -> (f64, f64) {
+pub(super) fn scatter(values: &[f64]) -> (f64, f64) {
     let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
     let sum = values.iter().map(|v| (v - mean).powi(2)).sum();
     (sum, values.len().saturating_sub(1).max(1) as f64)
@@ -243,7 +256,6 @@ fn pool<'a>(parts: impl Iterator<Item = (&'a (f64, f64), &'a f64)>, most: f64) -
     if dof > 0.0 { sum / dof } else { 0.0 }
 }
 
-/// The value in the middle; `None` of none.
 /// The step of a converter: the smallest difference between two readings that differ, where readings
 /// repeat and all lie on the grid it makes; 0 elsewhere.
 fn smallest_step(parts: &[Vec<f64>]) -> f64 {

@@ -32,6 +32,10 @@ impl Rows<'_> {
             exposures: [Vec::new(), Vec::new()],
             by_share: Vec::with_capacity(self.data.turns.len()),
         };
+        let mut chunks = vec![0.0; self.data.rests.len()];
+        for chunk in &self.data.chunks {
+            chunks[chunk.rest] += 1.0;
+        }
         let mut row = 0;
         for (place, sensor) in [Sensor::Accelerometer, Sensor::Gyroscope]
             .into_iter()
@@ -47,7 +51,9 @@ impl Rows<'_> {
                 let (Some(mean), Some(own)) = (mean, own) else {
                     continue;
                 };
-                let variance = own.variance_of(&mean);
+                // What rounding makes of a mean is the same in all chunks of a rest, which count as one together.
+                let rounded = own.rounding * (chunks[chunk.rest] - 1.0);
+                let variance = own.variance_of(&mean) + rounded;
                 noise.variance[row..row + 3].copy_from_slice(variance.as_slice());
                 noise.exposures[place].push(Exposure::of_mean(
                     row..row + 3,

@@ -6,6 +6,10 @@ use nalgebra::DMatrix;
 
 use super::blocks::independent;
 use super::row_noise::RowNoise;
+use crate::simulate::EARTH_RATE;
+
+/// Standard deviation of a component of the earth's rotation where nothing is known of its direction, rad/s.
+const EARTH_COMPONENT: f64 = EARTH_RATE / 1.732_050_807_568_877_2;
 
 /// Error of the integration over a turn that is always granted, rad: what the coning terms leave out.
 const INTEGRATION: f64 = 1e-8;
@@ -117,6 +121,8 @@ pub enum ComponentKind {
     /// The rotation of the earth where nobody says the latitude: its size is known, its direction is not; rad/s per
     /// component.
     EarthRotation,
+    /// What rounding to steps wider than the noise makes of the gyroscope's bias, the same in every static interval.
+    CommonRounding,
 }
 
 impl ComponentKind {
@@ -135,7 +141,16 @@ impl ComponentKind {
 
     /// Whether it is noise as it was measured or is known, not what remains of a misfit.
     pub fn is_noise(self) -> bool {
-        self.is_walk() || self == Self::EarthRotation
+        self.is_walk() || self.known_variance().is_some()
+    }
+
+    /// Its variance where that is known before any fit, for a covariance of unit size.
+    pub fn known_variance(self) -> Option<f64> {
+        match self {
+            Self::EarthRotation => Some(EARTH_COMPONENT * EARTH_COMPONENT),
+            Self::CommonRounding => Some(1.0),
+            _ => None,
+        }
     }
 }
 
