@@ -28,6 +28,10 @@ const LEAST: usize = 4;
 /// The same of windows that shake with quiet on either side: no hand that turns the device.
 const LEAST_ALONE: usize = 3;
 
+/// A rest that goes on behind a touch is in the orientation of the rest before or after it within this, rad; one in
+/// another orientation is a pause between two turns, too short for a static interval.
+const SAME: f64 = 0.05;
+
 /// Both sensors of a recording with their noise.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair<'a> {
@@ -45,6 +49,8 @@ pub struct Beside {
     /// Variance of the accelerometer in the rest that shakes more, and of the gyroscope: on a table that
     /// vibrates that is how the device rests.
     pub variances: [Vector3<f64>; 2],
+    /// Mean specific force of the rest before and of the rest after.
+    pub forces: [Vector3<f64>; 2],
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,19 +73,20 @@ pub fn touched(pair: &Pair<'_>, turn: Span, beside: &Beside) -> Option<Span> {
     let alone = alone(&states);
     let (first, last) = ends(&states)?;
     let inner = longest(&states[first..=last], |s| s == State::Quiet);
-    let found = if shaking.len() >= LEAST {
-        shaking
-    } else if alone.len() >= LEAST_ALONE {
-        alone
-    } else if inner.len() >= LEAST {
-        inner.start + first..inner.end + first
-    } else {
-        return None;
+    let span = |windows: Range<usize>| Span {
+        from: window(windows.start).from,
+        to: window(windows.end.max(1) - 1).to,
     };
-    Some(Span {
-        from: window(found.start).from,
-        to: window(found.end - 1).to,
-    })
+    if shaking.len() >= LEAST {
+        Some(span(shaking))
+    } else if alone.len() >= LEAST_ALONE {
+        Some(span(alone))
+    } else {
+        let rest = span(inner.start + first..inner.end + first);
+        let (force, ..) = moments(pair.force.0, rest)?;
+        let goes_on = beside.forces.iter().any(|f| f.angle(&force) < SAME);
+        (inner.len() >= LEAST && goes_on).then_some(rest)
+    }
 }
 
 fn state(pair: &Pair<'_>, window: Span, beside: &Beside) -> State {
@@ -222,7 +229,16 @@ mod tests {
                 to: rests[k + 1].0 + 0.5,
             };
             let variances = [Vector3::zeros(); 2];
-            touched(&pair, turn, &Beside { bias, variances })
+            let mean = |(from, to): (f64, f64)| {
+                let values = &force.values[force.between(from, to)];
+                values.iter().sum::<Vector3<f64>>() / values.len() as f64
+            };
+            let beside = Beside {
+                bias,
+                variances,
+                forces: [mean(rests[k]), mean(rests[k + 1])],
+            };
+            touched(&pair, turn, &beside)
         };
         assert!((0..rests.len() - 1).all(|k| look(&force, k).is_none()));
         for k in force.between(rests[4].1 - 1.5, rests[4].1 - 0.5) {

@@ -266,7 +266,14 @@ impl Data {
     fn look_for_touches(&mut self, pair: &Pair<'_>, spans: &[Span], first: usize) {
         for (k, ends) in spans.windows(2).enumerate() {
             let chunks = self.rests[first + k].chunks.clone();
-            let Some(before) = self.chunks[chunks].last().and_then(|c| c.gyroscope) else {
+            let after = self.rests[first + k + 1].chunks.start;
+            let force = |chunk: &Chunk| Some(chunk.accelerometer?.value);
+            let (Some(chunk), Some(next)) = (self.chunks[chunks].last(), self.chunks.get(after))
+            else {
+                continue;
+            };
+            let (Some(rate), Some(one), Some(other)) = (chunk.gyroscope, force(chunk), force(next))
+            else {
                 continue;
             };
             let turn = Span {
@@ -274,7 +281,8 @@ impl Data {
                 to: ends[1].from,
             };
             let beside = Beside {
-                bias: before.value,
+                bias: rate.value,
+                forces: [one, other],
                 variances: self.restless(first + k),
             };
             if let Some(span) = touched(pair, turn, &beside) {
