@@ -17,6 +17,9 @@ const BATCHES: f64 = 6.0;
 /// stretches last three minutes in all.
 const COLOURED: f64 = 1.12;
 
+/// The density at low frequency is at most so many times what the longest batches show.
+const FARTHER: f64 = 1.5;
+
 /// Batches of a stretch that spread by more than this many times the median variance are not quiet.
 const LOUD: f64 = 4.0;
 
@@ -199,8 +202,25 @@ fn white(parts: &[Vec<f64>]) -> Option<f64> {
     Some(pooled.sqrt().max(FLOOR))
 }
 
-/// Standard deviation of batch means over that of white noise; 1 below [`COLOURED`].
+/// Standard deviation of long means over that of white noise; 1 below [`COLOURED`].
+///
+/// Means over a time `T` of noise that resembles itself for a time `τ` fall short of the density at low frequency by a share
+/// `τ/T`, those over `T/2` by twice that: what both say of means without end is `2 S(T) − S(T/2)`, `S` the variance
+/// of a batch times its length.
 fn long_run(parts: &[Vec<f64>], batch: usize, white: f64) -> f64 {
+    let whole = of_batches(parts, batch);
+    let ratio = whole.sqrt() / white;
+    if ratio <= COLOURED {
+        return 1.0;
+    }
+    let half = of_batches(parts, batch / 2);
+    let without_end = (2.0 * whole - half).clamp(whole, FARTHER * whole);
+    without_end.sqrt() / white
+}
+
+/// Variance of the means of batches times their length, those of touched stretches apart; 0 of none.
+fn of_batches(parts: &[Vec<f64>], batch: usize) -> f64 {
+    let batch = batch.max(1);
     let spreads: Vec<(f64, f64)> = parts
         .iter()
         .filter_map(|part| {
@@ -212,12 +232,8 @@ fn long_run(parts: &[Vec<f64>], batch: usize, white: f64) -> f64 {
         })
         .collect();
     let variances: Vec<f64> = spreads.iter().map(|(sum, dof)| sum / dof).collect();
-    let Some(usual) = median(variances.iter().copied()) else {
-        return 1.0;
-    };
-    let spread = pool(spreads.iter().zip(&variances), LOUD * usual);
-    let ratio = (spread * batch as f64).sqrt() / white;
-    if ratio > COLOURED { ratio } else { 1.0 }
+    let usual = median(variances.iter().copied()).unwrap_or(0.0);
+    pool(spreads.iter().zip(&variances), LOUD * usual) * batch as f64
 }
 
 /// Share of the samples that are independent, by how the variances of windows of `window` samples spread: with
