@@ -16,6 +16,9 @@ const STRETCH: f64 = 1.0;
 /// An end turns where it turns so many times as far as the stretches usually do.
 const BEYOND_USUAL: f64 = 3.0;
 
+/// The limit of an end that was cut before, as a share of it.
+const AGAIN: f64 = 0.5;
+
 /// A turn has begun at this share of the limit: what begins slowly turns far before it stands out.
 const BEGUN: f64 = 0.25;
 
@@ -52,19 +55,22 @@ impl<'a> Ends<'a> {
     /// The interval without the turns at its ends: from where the integrated rate, less that of the
     /// interval's middle, stays within [`REMAINDER`] or three times what the middle's own stretches do.
     ///
-    /// An end that was cut is looked at again: of a turn that begins over many seconds one reach is a part.
+    /// An end that was cut is looked at again, with half the limit: of a turn that begins over many seconds one reach is a
+    /// part.
     pub fn trimmed(&self, span: Span) -> Span {
-        let (mut span, mut ends) = (span, [true; 2]);
-        while ends.contains(&true) {
-            let cut = self.cut(span, ends);
-            ends = [cut.from > span.from, cut.to < span.to];
+        let (mut span, mut shares) = (span, [1.0; 2]);
+        while shares != [0.0; 2] {
+            let cut = self.cut(span, shares);
+            let again = |moved: bool| if moved { AGAIN } else { 0.0 };
+            shares = [again(cut.from > span.from), again(cut.to < span.to)];
             span = cut;
         }
         span
     }
 
-    /// One reach of these ends without the turn in it.
-    fn cut(&self, span: Span, ends: [bool; 2]) -> Span {
+    /// One reach of the ends without the turn in it, that turns by more than these shares of the limit; of a share of zero an
+    /// end is left as it is.
+    fn cut(&self, span: Span, shares: [f64; 2]) -> Span {
         let samples = self.stamps.between(span.from, span.to);
         let values = &self.stream.values[samples.clone()];
         let n = values.len();
@@ -77,15 +83,15 @@ impl<'a> Ends<'a> {
         let usual = usual_turn(values, &bias, per_stretch) * factor;
         let limit = REMAINDER.max(BEYOND_USUAL * usual) / factor;
         let reach = ((REACH / self.step) as usize).min(n / 2);
-        let turned = |looked_at: bool, values: &mut dyn ExactSizeIterator<Item = &Vector3<f64>>| {
-            if looked_at {
-                turned(values, &bias, limit)
+        let turned = |share: f64, values: &mut dyn ExactSizeIterator<Item = &Vector3<f64>>| {
+            if share > 0.0 {
+                turned(values, &bias, share * limit)
             } else {
                 0
             }
         };
-        let after = turned(ends[0], &mut values[..reach].iter().rev());
-        let before = turned(ends[1], &mut values[n - reach..].iter());
+        let after = turned(shares[0], &mut values[..reach].iter().rev());
+        let before = turned(shares[1], &mut values[n - reach..].iter());
         let t = &self.stream.t[samples];
         Span {
             from: if after > 0 { t[after] } else { span.from },
@@ -165,16 +171,43 @@ mod tests {
     }
 
     #[test]
-    fn a_turn_that_begins_is_cut_off_where_it_has_turned_by_its_limit() {
+    fn a_turn_that_begins_is_cut_off_where_it_begins() {
         let whole = Span {
             from: 0.0,
             to: 10.0,
         };
         let stream = stream(1e-3);
         let cut = Ends::of(&stream, 1.0).trimmed(whole);
-        // (t − 9.5)²/2 = 7e-4 at 9.537 s.
+        // (t − 9.5)²/2 reaches 7e-4 at 9.537 s and a quarter of it at 9.519 s: it began as long before.
         assert_eq!(cut.from, 0.0);
-        assert!((cut.to - 9.54).abs() < 0.03, "{cut:?}");
+        assert!((cut.to - 9.5).abs() < 0.03, "{cut:?}");
+    }
+
+    #[test]
+    fn a_turn_that_begins_over_many_seconds_is_cut_off_whole() {
+        let mut stream = stream(1e-3);
+        // A quarter turn in 30 s with least jerk, from 5 s on: 0.04° after 1.1 s, 10° at the end of the stretch.
+        let rate = |t: f64| {
+            let s = ((t - 5.0) / 30.0).max(0.0);
+            std::f64::consts::FRAC_PI_2 * 30.0 * s.powi(2) * (1.0 - s).powi(2) / 30.0
+        };
+        let turned = stream.t.iter().map(|&t| rate(t));
+        stream
+            .values
+            .iter_mut()
+            .zip(turned)
+            .for_each(|(v, w)| v.z = w);
+        let cut = Ends::of(&stream, 1.0).trimmed(Span {
+            from: 0.0,
+            to: 10.0,
+        });
+        let left: f64 = stream
+            .t
+            .iter()
+            .filter(|t| **t < cut.to)
+            .map(|&t| 0.01 * rate(t))
+            .sum();
+        assert!(cut.to > 4.0 && left < 2e-4, "{cut:?} {left}");
     }
 
     #[test]
