@@ -100,6 +100,10 @@ fn level_in_words(kind: ComponentKind, size: f64) -> String {
         ComponentKind::EarthRotation => format!(
             "the earth's rotation is taken to be anywhere within {size:.1e} rad/s per component (--latitude says it)"
         ),
+        ComponentKind::CommonRounding => {
+            "the gyroscope reads in steps wider than its noise: rounding is the same in every rest"
+                .into()
+        }
         ComponentKind::TurnScatter => format!(
             "the turns scatter by {:.3}°: more than the gyroscope's noise",
             size.to_degrees()
