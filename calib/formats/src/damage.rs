@@ -31,6 +31,7 @@ fn files() -> Vec<Vec<u8>> {
         make::mcap(&topics, Packer::Lz4),
         make::mcap(&topics, Packer::Zstd),
         make::bag(&topics, Packer::None),
+        make::db3("/imu", &rows),
         make::bag(&topics, Packer::Bz2),
         make::ulog(
             &[("sensor_accel", 0, &sensor), ("sensor_gyro", 0, &sensor)],
@@ -73,7 +74,7 @@ fn whole_files_of_every_format_give_every_sample() {
         assert_eq!(accel.stamps[1] - accel.stamps[0], 10_000_000);
         assert_eq!(content.cut, None);
     }
-    assert_eq!(FORMATS.len(), 6);
+    assert_eq!(FORMATS.len(), 7);
 }
 
 #[test]
@@ -151,7 +152,7 @@ fn big_endian_messages_are_refused_by_their_encapsulation() {
 #[test]
 fn bytes_that_are_no_messages_of_a_dataflash_log_are_counted() {
     let mut file = make::ardupilot(&rows(), &[]);
-    let at = file.len() - 3 * 39;
+    let at = file.len() - 3 * 40;
     file.splice(at..at, [0u8; 50]);
     let content = read(&file).unwrap().unwrap();
     assert!(
@@ -169,7 +170,7 @@ fn bytes_that_are_no_messages_of_a_dataflash_log_are_counted() {
 
 #[test]
 fn dropouts_of_a_log_are_told_with_their_time() {
-    let content = read(&files()[5]).unwrap().unwrap();
+    let content = read(&files()[6]).unwrap().unwrap();
     assert!(
         content
             .warnings
@@ -178,4 +179,72 @@ fn dropouts_of_a_log_are_told_with_their_time() {
         "{:?}",
         content.warnings
     );
+}
+
+/// Numbers by Marsaglia's xorshift, 2003.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, limit: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 % limit.max(1) as u64) as usize
+    }
+}
+
+/// One of the changes that find most: bytes of extremes, cuts, parts twice or not at all.
+fn changed(file: &[u8], random: &mut Random) -> Vec<u8> {
+    const EXTREMES: [u8; 6] = [0, 1, 0x7f, 0x80, 0xfe, 0xff];
+    let mut bytes = file.to_vec();
+    for _ in 0..=random.below(4) {
+        let at = random.below(bytes.len());
+        let end = (at + random.below(64)).min(bytes.len());
+        match random.below(6) {
+            0 if !bytes.is_empty() => bytes[at] ^= 1 << random.below(8),
+            1 if !bytes.is_empty() => bytes[at] = EXTREMES[random.below(6)],
+            2 => bytes[at..end].fill(EXTREMES[random.below(6)]),
+            3 => bytes.truncate(at),
+            4 => {
+                let part = bytes[at..end].to_vec();
+                bytes.splice(at..at, part);
+            }
+            _ => {
+                bytes.drain(at..end);
+            }
+        }
+    }
+    bytes
+}
+
+/// `MUTATIONS=10000000 cargo test --release -p stillpoint-formats -- --ignored` is the run that a release asks for.
+#[test]
+#[ignore = "minutes to hours, by MUTATIONS"]
+fn random_changes_of_every_format_never_panic() {
+    let count = std::env::var("MUTATIONS")
+        .ok()
+        .and_then(|count| count.parse().ok());
+    let count: u64 = count.unwrap_or(100_000);
+    for (kind, file) in files().iter().enumerate() {
+        let mut random = Random(0x9e37_79b9_7f4a_7c15 + kind as u64);
+        let format = recognise(file).unwrap();
+        let limits = Limits {
+            bytes: 16 << 20,
+            rows: 100_000,
+            ..Limits::default()
+        };
+        let mut read = 0;
+        for _ in 0..count {
+            let bytes = changed(file, &mut random);
+            read += u64::from(
+                format
+                    .read(&mut &bytes[..], &Wanted::default(), limits)
+                    .is_ok(),
+            );
+        }
+        println!(
+            "{}: {count} changed files, {read} of them read",
+            format.name()
+        );
+    }
 }

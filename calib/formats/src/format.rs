@@ -35,6 +35,7 @@ pub static FORMATS: &[&dyn Format] = &[
     &crate::ardupilot::ArduPilot,
     &crate::mcap::Mcap,
     &crate::bag::Bag,
+    &crate::db3::Db3,
     &crate::sensor_logger_json::SensorLoggerJson,
 ];
 

@@ -18,6 +18,7 @@ mod bytes;
 pub mod container;
 #[cfg(test)]
 mod damage;
+mod db3;
 mod error;
 mod format;
 mod limits;
@@ -27,6 +28,7 @@ mod mcap;
 mod ros_imu;
 mod sensor_logger_choice;
 mod sensor_logger_json;
+mod sqlite;
 mod stream;
 mod ulog;
 mod unpack;

@@ -10,7 +10,7 @@ use super::samples::Samples;
 use super::table::Table;
 use super::time;
 use super::units::{AccelUnit, GyroUnit, Stated, TemperatureUnit, TimeUnit};
-use super::{Recording, Stream, Temperature};
+use super::{Described, Recording, Stream, Temperature, UnitBy};
 use super::{checks, decide, held, rests, sort, unclear, values};
 use crate::Error;
 
@@ -49,7 +49,10 @@ pub(super) fn assemble(
         0 => String::new(),
         _ => format!(" (columns not used: `{}`)", unused.join("`, `")),
     };
-    unclear::refuse(&tables)?;
+    // Who says which columns are what knows what is left.
+    if options.columns.0.is_empty() {
+        unclear::refuse(&tables)?;
+    }
     let gyro = tables.iter().find(|table| !table.gyro.t.is_empty());
     let gyro = gyro.map(|table| (table.name.clone(), table.stated.gyro));
     for table in tables {
@@ -60,6 +63,10 @@ pub(super) fn assemble(
         let warnings = &mut recording.warnings;
         let unit = decide::gyro_unit(&name, &stream, accel, stated, options.gyro_unit, warnings)?;
         recording.gyroscope = Some(scaled(stream, unit.scale()));
+        let sensors = recording.description.sensors.iter_mut();
+        sensors
+            .filter(|described| described.sensor == Sensor::Gyroscope)
+            .for_each(|described| described.unit = unit.name());
     }
     refuse_swapped(&recording)?;
     if let Some(found) = crate::readings::cut_erased_tail(&mut recording) {
@@ -100,6 +107,7 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
             .iter_mut()
             .for_each(|value| *value = -*value);
     }
+    describe(recording, &table, options);
     let Table { name, stated, .. } = table;
     recording
         .warnings
@@ -111,20 +119,23 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
                 &name,
                 Sensor::Accelerometer,
                 table.accel,
-                |stream, warnings| Ok(decide::accel_unit(&name, stream, stated, warnings)?.scale()),
+                |stream, warnings| decide::accel_unit(&name, stream, stated, warnings),
             )
         },
         // Its unit is decided when the accelerometer is known.
-        || finish(&name, Sensor::Gyroscope, table.gyro, |_, _| Ok(1.0)),
+        || finish(&name, Sensor::Gyroscope, table.gyro, |_, _| Ok(())),
     );
-    for (place, finished) in [
-        (&mut recording.accelerometer, accelerometer?),
-        (&mut recording.gyroscope, gyroscope?),
-    ] {
-        if let Some((stream, mut warnings)) = finished {
-            *place = Some(stream);
-            recording.warnings.append(&mut warnings);
-        }
+    if let Some((stream, unit, mut warnings)) = accelerometer? {
+        recording.accelerometer = Some(scaled(stream, unit.scale()));
+        recording.warnings.append(&mut warnings);
+        let sensors = recording.description.sensors.iter_mut();
+        sensors
+            .filter(|described| described.sensor == Sensor::Accelerometer)
+            .for_each(|described| described.unit = unit.name());
+    }
+    if let Some((stream, (), mut warnings)) = gyroscope? {
+        recording.gyroscope = Some(stream);
+        recording.warnings.append(&mut warnings);
     }
     if !table.temperature.is_empty() {
         let unit = stated.temperature.unwrap_or(TemperatureUnit::Celsius);
@@ -137,6 +148,49 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
         }
     }
     Ok(())
+}
+
+/// Adds where the sensors of a table come from; their units are filled in when they are decided.
+fn describe(recording: &mut Recording, table: &Table, options: &ReadOptions) {
+    let by = |given: bool, stated: bool| match (given, stated) {
+        (true, _) => UnitBy::Option,
+        (_, true) => UnitBy::File,
+        _ => UnitBy::Data,
+    };
+    let sensors = [
+        (
+            Sensor::Accelerometer,
+            &table.accel,
+            by(options.accel_unit.is_some(), table.stated.accel.is_some()),
+        ),
+        (
+            Sensor::Gyroscope,
+            &table.gyro,
+            by(options.gyro_unit.is_some(), table.stated.gyro.is_some()),
+        ),
+    ];
+    for (sensor, samples, unit_by) in sensors {
+        if samples.t.is_empty() {
+            continue;
+        }
+        let is_of = |role: &Role| match role {
+            Role::Time => true,
+            Role::Accel(_) | Role::Temperature => sensor == Sensor::Accelerometer,
+            Role::Gyro(_) => sensor == Sensor::Gyroscope,
+        };
+        let columns = table.roles.iter().filter(|(role, _)| is_of(role));
+        recording.description.sensors.push(Described {
+            sensor,
+            source: table.name.clone(),
+            columns: columns
+                .map(|(role, column)| (role.name(), column.clone()))
+                .collect(),
+            unused: table.unused.clone(),
+            unit: "",
+            unit_by,
+            turned: table.negated && sensor == Sensor::Accelerometer,
+        });
+    }
 }
 
 /// What is said where an option contradicts the unit in the file.
@@ -159,12 +213,12 @@ fn overridden(name: &str, stated: Stated, options: &ReadOptions) -> impl Iterato
 
 /// The stream of one sensor, checked, held values removed, times the scale of its unit; and what was
 /// noticed. `None` without samples.
-fn finish(
+fn finish<U>(
     name: &str,
     sensor: Sensor,
     samples: Samples,
-    scale: impl FnOnce(&Stream, &mut Vec<String>) -> Result<f64, Error>,
-) -> Result<Option<(Stream, Vec<String>)>, Error> {
+    unit: impl FnOnce(&Stream, &mut Vec<String>) -> Result<U, Error>,
+) -> Result<Option<(Stream, U, Vec<String>)>, Error> {
     if samples.t.is_empty() {
         return Ok(None);
     }
@@ -184,8 +238,8 @@ fn finish(
     let gaps = stream.gaps();
     checks::bursts(name, sensor, &stream, &gaps, &mut warnings);
     checks::gaps(name, sensor, &gaps, &mut warnings);
-    let scale = scale(&stream, &mut warnings)?;
-    Ok(Some((scaled(stream, scale), warnings)))
+    let unit = unit(&stream, &mut warnings)?;
+    Ok(Some((stream, unit, warnings)))
 }
 
 fn scaled(mut stream: Stream, scale: f64) -> Stream {

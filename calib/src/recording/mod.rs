@@ -19,6 +19,7 @@ pub(crate) mod cut;
 mod decide;
 mod decimate;
 mod decode;
+mod description;
 mod dialect;
 mod even_clock;
 mod files;
@@ -30,6 +31,7 @@ mod look;
 mod memory;
 mod names;
 mod number;
+mod on_disk;
 mod options;
 #[cfg(test)]
 mod oracle;
@@ -55,18 +57,20 @@ mod turn_unit;
 mod unclear;
 mod unit_row;
 mod units;
+mod unnamed;
 mod values;
 mod write;
 
 use std::path::Path;
 
 pub(crate) use clock_offset::{clock_drift, clock_offset};
+pub use description::{Described, Description, UnitBy};
 pub(crate) use even_clock::{EvenClock, Stamps, bursts, even_clock};
+pub(crate) use on_disk::explained;
 pub use options::{ColumnMap, ReadOptions, Role};
 pub use place::figure;
 use sensor::Sensor;
 pub use source::Input;
-pub(crate) use source::explained;
 pub(crate) use stream::is_before;
 pub use stream::{Gap, INSTANT, Stream, Temperature};
 pub use units::{AccelUnit, GyroUnit, TemperatureUnit, TimeUnit};
@@ -91,6 +95,8 @@ pub struct Recording {
     pub temperature: Option<Temperature>,
     /// What the reader noticed and went on with.
     pub warnings: Vec<String>,
+    /// Where the samples come from.
+    pub description: Description,
 }
 
 impl Recording {
@@ -115,7 +121,12 @@ impl Recording {
         let source = Source::open(path, options)?;
         let format = options.format.or_else(|| formats::recognise(&source));
         let format = format.ok_or_else(|| in_file(&shown_path(path), "of no known format"))?;
-        format.read(source, options)
+        let mut recording = format.read(source, options)?;
+        let described = &mut recording.description.format;
+        if described.is_empty() {
+            *described = format.name();
+        }
+        Ok(recording)
     }
 
     /// Reads one file per sensor, both on one clock: `t x y z` without a header in any unit, or any

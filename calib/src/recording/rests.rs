@@ -4,6 +4,8 @@ use nalgebra::{Matrix4, Vector3, Vector4};
 
 use crate::order_statistic::nth_smallest;
 
+/// Samples looked at: three hours' at 100 Hz.
+const LOOKED_AT: usize = 1_000_000;
 /// Samples of a window.
 const WINDOW: usize = 40;
 /// Windows quieter than this times the quietest tenth are at rest.
@@ -77,6 +79,7 @@ pub(super) fn rests(first: &[Vector3<f64>], second: &[Vector3<f64>]) -> Vec<Rest
 /// Which of two sensors in the same rows is the accelerometer: its mean at rest turns with gravity, while a
 /// gyroscope's is always its bias. `None` where the rests do not tell.
 pub(super) fn accelerometer(sensors: [&[Vector3<f64>]; 2]) -> Option<usize> {
+    let sensors = sensors.map(|values| &values[..values.len().min(LOOKED_AT)]);
     let rests = rests(sensors[0], sensors[1]);
     if rests.len() < 3 {
         return None;

@@ -8,7 +8,7 @@ use super::dialect::{Cell, Dialect, Separator};
 use super::header::{self, Layout};
 use super::lines::lines;
 use super::number::{self, Dialects};
-use super::options::{ReadOptions, Role};
+use super::options::ReadOptions;
 use super::place::{at_column, at_line, in_file};
 use super::preface::{
     Finder, Kept, Preface, cells, decode, is_comment, is_row, without_comment_mark, words,
@@ -16,6 +16,7 @@ use super::preface::{
 use super::quotes::open_quote;
 use super::suggest::suggestion;
 use super::unit_row;
+use super::unnamed::{medians, two_triads, unnamed_roles};
 use crate::Error;
 
 /// Rows looked at.
@@ -368,7 +369,7 @@ fn first_row(kept: &[Kept], dialect: Dialect) -> Option<usize> {
 }
 
 /// The number of cells that most rows have.
-fn usual_width(rows: &[&Kept], dialect: Dialect) -> Option<usize> {
+pub(super) fn usual_width(rows: &[&Kept], dialect: Dialect) -> Option<usize> {
     let mut widths: Vec<usize> = rows
         .iter()
         .map(|row| cells(&row.bytes, dialect).len())
@@ -391,67 +392,4 @@ fn ends_empty(rows: &[&Kept], dialect: Dialect) -> bool {
 
 fn only_integers(rows: &[&Kept]) -> bool {
     rows.iter().all(|row| !row.bytes.contains(&b'.'))
-}
-
-/// The median of every triple of columns' norm: `norms[i]` is that of columns i, i+1, i+2.
-fn medians(rows: &[&Kept], dialect: Dialect) -> Vec<f64> {
-    let width = usual_width(rows, dialect).unwrap_or(0);
-    let table: Vec<Vec<f64>> = rows
-        .iter()
-        .map(|row| {
-            let value = |cell: Cell| {
-                number::parse(
-                    &row.bytes[cell],
-                    dialect.decimal_comma,
-                    &mut Dialects::default(),
-                )
-            };
-            cells(&row.bytes, dialect)
-                .into_iter()
-                .filter_map(|cell| value(cell).ok())
-                .collect()
-        })
-        .filter(|row: &Vec<f64>| row.len() == width)
-        .collect();
-    (0..width.saturating_sub(2))
-        .filter_map(|i| {
-            let norm = |row: &Vec<f64>| row[i].hypot(row[i + 1]).hypot(row[i + 2]);
-            let mut norms: Vec<f64> = table.iter().map(norm).collect();
-            let middle = norms.len() / 2;
-            (!norms.is_empty()).then(|| *norms.select_nth_unstable_by(middle, f64::total_cmp).1)
-        })
-        .collect()
-}
-
-/// Roles of unnamed columns of both sensors, until it is known which is which: the accelerometer first.
-fn two_triads(width: usize) -> Vec<(Role, usize)> {
-    let time = usize::from(width > 6);
-    let stamps = (0..time).map(|i| (Role::Time, i));
-    let axes = (0..3).flat_map(|i| [(Role::Accel(i), time + i), (Role::Gyro(i), time + 3 + i)]);
-    stamps.chain(axes).collect()
-}
-
-/// Roles of unnamed columns: by the known sensor, or by which triad has the length of gravity.
-fn unnamed_roles(width: usize, only: Option<Sensor>, norms: &[f64]) -> Option<Vec<(Role, usize)>> {
-    let gravity = |i: usize| {
-        norms
-            .get(i)
-            .is_some_and(|n| (7.0..13.0).contains(n) || (0.8..1.25).contains(n))
-    };
-    let accel = |at: usize| (0..3).map(move |i| (Role::Accel(i), at + i));
-    let gyro = |at: usize| (0..3).map(move |i| (Role::Gyro(i), at + i));
-    let time = usize::from(matches!(width, 4 | 7));
-    let mut roles: Vec<(Role, usize)> = (0..time).map(|i| (Role::Time, i)).collect();
-    match (width, only) {
-        (3 | 4, Some(Sensor::Accelerometer)) => roles.extend(accel(time)),
-        (3 | 4, Some(Sensor::Gyroscope)) => roles.extend(gyro(time)),
-        (3 | 4, None) if gravity(time) => roles.extend(accel(time)),
-        (6 | 7, None) => match (gravity(time), gravity(time + 3)) {
-            (true, false) => roles.extend(accel(time).chain(gyro(time + 3))),
-            (false, true) => roles.extend(gyro(time).chain(accel(time + 3))),
-            _ => return None,
-        },
-        _ => return None,
-    }
-    Some(roles)
 }

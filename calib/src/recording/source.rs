@@ -1,6 +1,6 @@
 //! Opening what the user named.
 
-use std::fs::{File, Metadata};
+use std::fs::File;
 use std::io::{self, Cursor, IsTerminal, Read};
 use std::path::{Path, PathBuf};
 
@@ -8,8 +8,9 @@ use super::batches::is_too_long;
 use super::decode;
 use super::files::{Files, limits};
 use super::lines::{end_of_line, lines};
+use super::on_disk::{Unchanged, explained};
 use super::options::ReadOptions;
-use super::place::{in_file, shown, shown_path};
+use super::place::{in_file, shown_path};
 use super::preface::is_comment;
 use super::sniff::Start;
 use crate::Error;
@@ -369,78 +370,4 @@ fn take_preface(name: &str, reader: &mut dyn Read, head: &mut Vec<u8>) -> Result
 /// True for lines that are neither names nor rows.
 fn is_skipped(line: &[u8]) -> bool {
     is_comment(line) || line.trim_ascii().is_empty()
-}
-
-/// A file's size and time of change, to be compared when it has been read.
-#[derive(Debug)]
-pub(super) struct Unchanged {
-    path: PathBuf,
-    size: u64,
-    modified: Option<std::time::SystemTime>,
-}
-
-impl Unchanged {
-    fn new(path: &Path, metadata: &Metadata) -> Self {
-        Self {
-            path: path.to_owned(),
-            size: metadata.len(),
-            modified: metadata.modified().ok(),
-        }
-    }
-
-    /// Its size when it was opened, bytes.
-    pub(super) fn size(&self) -> u64 {
-        self.size
-    }
-
-    /// Refuses a file that changed while it was read.
-    pub(super) fn check(&self) -> Result<(), Error> {
-        let now = std::fs::metadata(&self.path).map_err(|error| explained(&self.path, error))?;
-        if now.len() == self.size && now.modified().ok() == self.modified {
-            return Ok(());
-        }
-        Err(in_file(
-            &shown_path(&self.path),
-            "changed while it was read; wait until it is complete, or copy it first",
-        ))
-    }
-}
-
-/// The system's error, and what is there instead of a file that is not.
-pub(crate) fn explained(path: &Path, error: io::Error) -> Error {
-    let source = if error.kind() == io::ErrorKind::NotFound {
-        let mut words = error.to_string();
-        if path.is_relative()
-            && let Ok(here) = std::env::current_dir()
-        {
-            words += &format!(", in {}", shown_path(&here));
-        }
-        if path.is_symlink() {
-            words += "; it is a link to nothing";
-        } else if let Some(neighbour) = nearest(path) {
-            words += &format!("; nearest: {}", shown(&neighbour));
-        }
-        io::Error::new(error.kind(), words)
-    } else {
-        error
-    };
-    Error::Io {
-        path: path.to_owned(),
-        source,
-    }
-}
-
-/// The file beside `path` with the most similar name.
-fn nearest(path: &Path) -> Option<String> {
-    let wanted = path.file_name()?.to_string_lossy().into_owned();
-    let folder = path
-        .parent()
-        .filter(|p| !p.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
-    let names = std::fs::read_dir(folder).ok()?.take(10_000).flatten();
-    let names = names.map(|entry| entry.file_name().to_string_lossy().into_owned());
-    let likeness = |name: &String| strsim::jaro_winkler(&wanted, name);
-    names
-        .max_by(|a, b| likeness(a).total_cmp(&likeness(b)))
-        .filter(|name| likeness(name) > 0.8)
 }

@@ -6,13 +6,14 @@ use super::affine;
 use super::batches::Batches;
 use super::clock::Clock;
 use super::memory;
+use super::on_disk::Unchanged;
 use super::options::{ReadOptions, Role};
 use super::place::{at_line, in_file};
 use super::rests;
 use super::rows::Rows;
 use super::samples::Samples;
 use super::sniff::Start;
-use super::source::{Input, Unchanged};
+use super::source::Input;
 use super::suggest::suggestion;
 use super::units::Stated;
 use crate::Error;
@@ -72,11 +73,7 @@ impl Table {
             name: input.name.clone(),
             stated: start.layout.stated,
             unused: start.layout.unused(),
-            unclear: if options.columns.0.is_empty() {
-                start.unclear.clone()
-            } else {
-                Vec::new()
-            },
+            unclear: start.unclear.clone(),
             names: start.layout.names.clone(),
             roles: start.layout.roles(),
             has_time: start.layout.time.is_some(),

@@ -16,6 +16,8 @@ const UNITS: [GyroUnit; 3] = [
 const TILT: f64 = 0.4;
 /// Longer turns gather too much error, s.
 const LONGEST: f64 = 15.0;
+/// Samples looked at: an hour's, at 100 Hz.
+const LOOKED_AT: usize = 360_000;
 /// Turns looked at.
 const TURNS: usize = 60;
 /// The right unit predicts gravity to this, rad, and the others miss it by three times as much.
@@ -24,9 +26,9 @@ const WITHIN: f64 = 0.2;
 /// The unit in which the turns of `gyro` are those that `accel` saw; `None` where they do not tell. The scale of
 /// `accel` plays no part.
 pub(super) fn turn_unit(accel: &Stream, gyro: &Stream) -> Option<GyroUnit> {
-    let matched: Option<Vec<Vector3<f64>>> = gyro.t.iter().map(|&t| accel.at(t)).collect();
-    let matched = matched?;
-    let rests = rests(&matched, &gyro.values);
+    let count = gyro.len().min(LOOKED_AT);
+    let matched: Option<Vec<Vector3<f64>>> = gyro.t[..count].iter().map(|&t| accel.at(t)).collect();
+    let rests = rests(&matched?, &gyro.values[..count]);
     let means: Vec<Vector3<f64>> = rests.iter().map(|rest| rest.means[0]).collect();
     let centre = sphere(&means).map_or(Vector3::zeros(), |(centre, _)| centre);
     let mut errors: [Vec<f64>; 3] = Default::default();

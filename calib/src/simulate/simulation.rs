@@ -166,6 +166,7 @@ impl Simulation {
             gyroscope,
             temperature: self.thermometer(),
             warnings: Vec::new(),
+            ..Recording::default()
         };
         Ok(Session {
             recording,

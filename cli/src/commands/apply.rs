@@ -56,7 +56,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 }
 
 /// Where the corrected recording goes.
-enum Target {
+pub(super) enum Target {
     Stdout,
     File(Box<Output>),
     /// `acc.csv` and `gyro.csv` of a folder, each sensor on its own clock.
@@ -65,7 +65,7 @@ enum Target {
 
 impl Target {
     /// A name without an extension is a folder.
-    fn claim(path: &Path, replace: Replace, inputs: &[&Path]) -> Result<Self, Failure> {
+    pub(super) fn claim(path: &Path, replace: Replace, inputs: &[&Path]) -> Result<Self, Failure> {
         if path.extension().is_some() {
             let output = Output::claim(path, replace, inputs)?;
             return Ok(Self::File(Box::new(output)));
@@ -76,7 +76,7 @@ impl Target {
         Ok(Self::Folder(Box::new([acc, gyro]), folder))
     }
 
-    fn write(self, corrected: &mut Recording) -> Result<(), Failure> {
+    pub(super) fn write(self, corrected: &mut Recording) -> Result<(), Failure> {
         match self {
             Self::Stdout => {
                 show::print(&to_csv(corrected))?;

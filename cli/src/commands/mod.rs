@@ -5,10 +5,12 @@ mod apply;
 mod bias;
 mod calibrate;
 mod clocks;
+mod convert;
 mod demo;
 mod discover;
 mod effects;
 mod evaluate;
+mod info;
 mod inputs;
 mod joint;
 mod pictures;
@@ -26,9 +28,11 @@ use crate::exit::Failure;
 #[derive(Debug, Subcommand)]
 pub enum Command {
     Demo(demo::Args),
+    Info(info::Args),
     Calibrate(Box<calibrate::Args>),
     Segment(segment::Args),
     Apply(apply::Args),
+    Convert(convert::Args),
     Allan(allan::Args),
     Bias(bias::Args),
     Reckon(Box<reckon::Args>),
@@ -42,9 +46,11 @@ pub enum Command {
 pub fn run(command: Command) -> Result<(), Failure> {
     match command {
         Command::Demo(args) => demo::run(&args),
+        Command::Info(args) => info::run(&args),
         Command::Calibrate(args) => calibrate::run(&args),
         Command::Segment(args) => segment::run(&args),
         Command::Apply(args) => apply::run(&args),
+        Command::Convert(args) => convert::run(&args),
         Command::Allan(args) => allan::run(&args),
         Command::Bias(args) => bias::run(&args),
         Command::Reckon(args) => reckon::run(&args),

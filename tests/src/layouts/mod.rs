@@ -77,7 +77,7 @@ pub fn session() -> Recording {
         for k in 0..700 {
             // A smooth turn behind every rest of 5 s.
             let phase = ((k as f64 - 500.0) / 200.0).clamp(0.0, 1.0);
-            let speed = 1.2 * (std::f64::consts::PI * phase).sin().powi(2);
+            let speed = (1.0 + 0.05 * place as f64) * (std::f64::consts::PI * phase).sin().powi(2);
             attitude = Rotation3::from_axis_angle(&axis, -speed * 0.01) * attitude;
             let shake = Vector3::from_fn(|i, _| noise(sample, i));
             let t = sample as f64 * 0.01;

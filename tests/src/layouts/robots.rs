@@ -94,6 +94,12 @@ pub(super) fn layouts(s: &Samples) -> Vec<Layout> {
         file("MCAP, zstd", "imu.mcap", make::mcap(&imu, Packer::Zstd)).one_clock(),
         folder,
         file(
+            "ROS 2 bag, db3",
+            "bag_0.db3",
+            make::db3("/imu/data_raw", &together),
+        )
+        .one_clock(),
+        file(
             "PX4 log",
             "log.ulg",
             make::ulog(

@@ -7,6 +7,7 @@
 
 mod bench;
 mod calibrations;
+mod containers;
 mod corruption;
 mod device;
 mod encodings;

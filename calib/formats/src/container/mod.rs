@@ -70,22 +70,31 @@ impl Container {
         let mut entries = Vec::new();
         let mut folders = vec![(path.to_owned(), String::new(), 0)];
         while let Some((folder, prefix, depth)) = folders.pop() {
-            for item in std::fs::read_dir(&folder)? {
+            let items = match std::fs::read_dir(&folder) {
+                // A folder within that may not be looked into holds nothing for us.
+                Err(_) if depth > 0 => continue,
+                other => other?,
+            };
+            for item in items {
                 let path = item?.path();
                 let Some(name) = path.file_name() else {
                     continue;
                 };
                 let name = format!("{prefix}{}", name.to_string_lossy());
-                if path.is_dir() {
-                    if depth < DEPTH {
-                        folders.push((path, format!("{name}/"), depth + 1));
-                    }
+                let Ok(metadata) = path.metadata() else {
+                    continue;
+                };
+                if metadata.is_dir() && depth < DEPTH {
+                    folders.push((path, format!("{name}/"), depth + 1));
                     continue;
                 }
-                let size = path.metadata().map_or(0, |metadata| metadata.len());
+                // Pipes and devices would be waited for.
+                if !metadata.is_file() {
+                    continue;
+                }
                 entries.push(Entry {
                     name,
-                    size,
+                    size: metadata.len(),
                     place: Place::File(path),
                 });
                 if entries.len() > limits.entries {

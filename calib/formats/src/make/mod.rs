@@ -1,10 +1,12 @@
 //! Files of these formats, for tests: what the readers are given is written here.
 
+mod db3;
 mod logs;
 mod matlab;
 mod ros;
 mod zip;
 
+pub use db3::db3;
 pub use logs::{ardupilot, ulog};
 pub use matlab::mat;
 pub use ros::{Packer, Ros, bag, mcap};

@@ -60,7 +60,7 @@ impl Packer {
 }
 
 /// An Imu message; `provided` is the first entry of the covariances of force and rate.
-fn imu(ros: Ros, (stamp, force, rate): &ImuRow, provided: [f64; 2]) -> Vec<u8> {
+pub(super) fn imu(ros: Ros, (stamp, force, rate): &ImuRow, provided: [f64; 2]) -> Vec<u8> {
     let mut message = Vec::new();
     match ros {
         Ros::One => message.extend(7u32.to_le_bytes()),

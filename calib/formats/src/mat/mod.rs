@@ -283,8 +283,12 @@ impl File {
             );
             return Err(Error::refused(words));
         }
+        let whole = stamps.are_whole();
         for row in 0..rows {
-            let value = (x.get(row), y.get(row), z.get(row), stamps.get(row));
+            let stamp = stamps
+                .get(row)
+                .map(|stamp| if whole { rounded(stamp) } else { stamp });
+            let value = (x.get(row), y.get(row), z.get(row), stamp);
             if let (Some(x), Some(y), Some(z), Some(stamp)) = value {
                 self.recorder.push(stream, stamp, [x, y, z])?;
             }
@@ -337,6 +341,17 @@ impl File {
     }
 }
 
+/// Half of the resolution of days in a double at today's dates, ns, and what rounding adds.
+const DAYS_IN_DOUBLE: i64 = 6_000;
+
+/// A stamp to whole milliseconds, ns.
+fn rounded(stamp: i64) -> i64 {
+    stamp
+        .saturating_add(500_000)
+        .div_euclid(1_000_000)
+        .saturating_mul(1_000_000)
+}
+
 /// Row times: datetimes as milliseconds since 1970 with a correction in the imaginary part, or durations in
 /// milliseconds.
 struct Stamps<'v> {
@@ -355,6 +370,13 @@ impl<'v> Stamps<'v> {
 
     fn len(&self) -> usize {
         self.real.len()
+    }
+
+    /// True if every stamp is a whole millisecond to the resolution of a date that went through a double of days, as
+    /// MATLAB Mobile's do: 2⁻³³ days are 10 µs.
+    fn are_whole(&self) -> bool {
+        let near = |stamp: i64| (stamp - rounded(stamp)).abs() <= DAYS_IN_DOUBLE;
+        (0..self.len()).all(|row| self.get(row).is_some_and(near))
     }
 
     /// A stamp, ns. Whole milliseconds are counted apart: a double holds those of this century to 0.2 µs only.

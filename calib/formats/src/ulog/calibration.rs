@@ -45,6 +45,31 @@ impl Parameters {
             stored.is_some_and(|stored| stored as i64 as u32 == id && id != 0)
         })
     }
+
+    /// The one sensor that is calibrated, where there is one.
+    fn only(&self, kind: &str) -> Option<usize> {
+        let is_there = |k: &usize| {
+            self.get(&format!("CAL_{kind}{k}_ID"))
+                .is_some_and(|id| id != 0.0)
+        };
+        let mut there = (0..SENSORS).filter(is_there);
+        let first = there.next();
+        first.filter(|_| there.next().is_none())
+    }
+}
+
+/// How the board is mounted: the axis and the sign of the sensor behind each axis of the vehicle, for the rotations by
+/// quarters and halves that are common (PX4's `enum Rotation`).
+fn mounting(rotation: f64) -> Option<[(usize, f64); 3]> {
+    Some(match rotation as i64 {
+        0 => [(0, 1.0), (1, 1.0), (2, 1.0)],
+        2 => [(1, -1.0), (0, 1.0), (2, 1.0)],
+        4 => [(0, -1.0), (1, -1.0), (2, 1.0)],
+        6 => [(1, 1.0), (0, -1.0), (2, 1.0)],
+        8 => [(0, 1.0), (1, -1.0), (2, -1.0)],
+        12 => [(0, -1.0), (1, 1.0), (2, -1.0)],
+        _ => return None,
+    })
 }
 
 /// Takes the corrections off the streams of `sensor_combined` where the log has them, and says what was done.
@@ -56,7 +81,7 @@ pub(super) fn undo(content: &mut Content, parameters: &Parameters, selected: Opt
     {
         return;
     }
-    let turned = parameters.get("SENS_BOARD_ROT").unwrap_or(0.0) != 0.0;
+    let mounting = mounting(parameters.get("SENS_BOARD_ROT").unwrap_or(0.0));
     let mut undone = Vec::new();
     for stream in content.streams.iter_mut().filter(|stream| stream.processed) {
         let (kind, at) = match stream.quantity {
@@ -64,10 +89,13 @@ pub(super) fn undo(content: &mut Content, parameters: &Parameters, selected: Opt
             Quantity::AngularRate => ("GYRO", 1),
             _ => continue,
         };
-        let sensor = selected
-            .and_then(|ids| parameters.sensor(kind, ids[at]))
-            .filter(|_| !turned);
-        let Some(sensor) = sensor else { continue };
+        let sensor = match selected {
+            Some(ids) => parameters.sensor(kind, ids[at]),
+            None => parameters.only(kind),
+        };
+        let Some((sensor, mounting)) = sensor.zip(mounting) else {
+            continue;
+        };
         let value = |what: &str, axis: &str, default: f64| {
             let value = parameters.get(&format!("CAL_{kind}{sensor}_{axis}{what}"));
             value.unwrap_or(default)
@@ -81,9 +109,14 @@ pub(super) fn undo(content: &mut Content, parameters: &Parameters, selected: Opt
             continue;
         }
         for sample in &mut stream.values {
-            for axis in 0..3 {
-                sample[axis] = sample[axis] / scale[axis] + offset[axis];
+            let mut raw = [0.0; 3];
+            for (value, (axis, sign)) in sample.iter().zip(mounting) {
+                raw[axis] = sign * value;
             }
+            for axis in 0..3 {
+                raw[axis] = raw[axis] / scale[axis] + offset[axis];
+            }
+            *sample = raw;
         }
         undone.push(format!("CAL_{kind}{sensor}"));
     }

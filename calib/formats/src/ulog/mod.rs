@@ -21,6 +21,8 @@ pub(crate) struct Ulog;
 
 const MAGIC: &[u8] = b"ULog\x01\x12\x35";
 const HEADER: u64 = 16;
+/// No log is silent for so long, µs.
+const HOUR: u64 = 3_600_000_000;
 /// Dropouts that are told with their times.
 const LISTED: usize = 3;
 
@@ -139,7 +141,10 @@ impl File {
         if let Some((.., count)) = self.counts.get_mut(&id) {
             *count += 1;
         }
-        if let Some(stamp) = Fields(fields.0).u64() {
+        // Every message begins with its stamp, but for those of topics that leave it empty.
+        if let Some(stamp) = Fields(fields.0).u64()
+            && (self.last == 0 || (self.last..self.last.saturating_add(HOUR)).contains(&stamp))
+        {
             self.last = stamp;
         }
         match self.topics.get_mut(&id) {

@@ -36,6 +36,7 @@ impl Format for Bundle {
         let format = recognise(&source)
             .ok_or_else(|| in_file(&files.called(entry), "of no known format"))?;
         let mut recording = format.read(source, options)?;
+        recording.description.format = format.name();
         recording.warnings.extend(files.warnings());
         Ok(recording)
     }

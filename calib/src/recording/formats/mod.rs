@@ -56,6 +56,7 @@ pub static FORMATS: &[&dyn Format] = &[
     &measured::Measured("ardupilot"),
     &measured::Measured("mcap"),
     &measured::Measured("bag"),
+    &measured::Measured("db3"),
     &measured::Measured("sensor_logger_json"),
     &bundle::Bundle,
     &physics_toolbox::PHYSICS_TOOLBOX,

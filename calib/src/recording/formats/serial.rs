@@ -73,11 +73,12 @@ fn labelled(look: &Look) -> Option<Vec<Part>> {
             role_of(name, None).filter(|role| columns.iter().all(|(other, _)| other != role));
         columns.extend(role.map(|role| (role, (at + 1 + stamped).to_string())));
     }
-    let holds_sensor = columns
-        .iter()
-        .any(|(role, _)| !matches!(role, Role::Time | Role::Temperature));
-    if !holds_sensor {
-        // One label before all of them: which is which is told by the data.
+    let holds = |sensor: fn(usize) -> Role| columns.iter().any(|(role, _)| *role == sensor(0));
+    let both = holds(Role::Accel) && holds(Role::Gyro);
+    let one = holds(Role::Accel) || holds(Role::Gyro);
+    let unknown = first.pairs.len() - columns.len();
+    if !one || (!both && unknown >= 3) {
+        // One label before all of them, or names that are not understood: which is which is told by the data.
         columns.clear();
     } else if stamped == 1 {
         columns.retain(|(role, _)| *role != Role::Time);

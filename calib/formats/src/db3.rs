@@ -1,0 +1,106 @@
+//! ROS 2 bags in SQLite: `messages(id, topic_id, timestamp, data)` and `topics(id, name, type, ..)`.
+
+use std::collections::HashMap;
+use std::io::Read;
+
+use crate::format::Format;
+use crate::ros_imu::{Encoding, Kind, Topic, without_empty};
+use crate::sqlite::{Database, Value};
+use crate::stream::Recorder;
+use crate::{Content, Error, Limits, Wanted};
+
+/// `.db3` bags. The file is held in memory, since its rows lie anywhere in it.
+#[derive(Debug)]
+pub(crate) struct Db3;
+
+impl Format for Db3 {
+    fn name(&self) -> &'static str {
+        "db3"
+    }
+
+    fn about(&self) -> &'static str {
+        "a ROS 2 bag in SQLite (.db3) with sensor_msgs/msg/Imu; --topic chooses among several"
+    }
+
+    fn recognises(&self, head: &[u8]) -> bool {
+        head.starts_with(b"SQLite format 3\0")
+    }
+
+    fn read(
+        &self,
+        reader: &mut dyn Read,
+        wanted: &Wanted,
+        limits: Limits,
+    ) -> Result<Content, Error> {
+        let mut bytes = Vec::new();
+        reader
+            .take(limits.bytes.saturating_add(1))
+            .read_to_end(&mut bytes)?;
+        if bytes.len() as u64 > limits.bytes {
+            return Err(Error::refused(format!(
+                "a database of more than {} bytes",
+                limits.bytes
+            )));
+        }
+        let database = Database::new(&bytes)?;
+        let tables = database.tables()?;
+        let (Some(topics), Some(messages)) = (tables.get("topics"), tables.get("messages")) else {
+            let mut names: Vec<&str> = tables.keys().map(String::as_str).collect();
+            names.sort_unstable();
+            let words = format!(
+                "an SQLite database without the tables `topics` and `messages` of a ROS 2 bag; it has {}",
+                names.join(", ")
+            );
+            return Err(Error::refused(words));
+        };
+        let mut recorder = Recorder::new(wanted, limits);
+        let mut read: HashMap<i64, Option<Topic>> = HashMap::new();
+        let mut counts: HashMap<i64, (String, String, u64)> = HashMap::new();
+        database.rows(*topics, &mut |_, id, row| {
+            let text = |at: usize| match row.get(at) {
+                Some(Value::Text(text)) => String::from_utf8_lossy(text).into_owned(),
+                _ => String::new(),
+            };
+            let (name, kind) = (text(1), text(2));
+            let topic = Kind::of(&kind)
+                .and_then(|kind| Topic::new(&name, kind, Encoding::Cdr, &mut recorder));
+            read.insert(id, topic);
+            counts.insert(id, (name, kind, 0));
+            Ok(())
+        })?;
+        let walked = database.rows(*messages, &mut |at, _, row| {
+            let (Some(Value::Integer(topic)), Some(Value::Blob(data))) = (row.get(1), row.get(3))
+            else {
+                return Ok(());
+            };
+            if let Some((.., count)) = counts.get_mut(topic) {
+                *count += 1;
+            }
+            match read.get_mut(topic) {
+                Some(Some(topic)) => topic.take(data, at, &mut recorder),
+                _ => Ok(()),
+            }
+        });
+        match walked {
+            Err(Error::Damaged { at, what })
+                if recorder
+                    .content
+                    .streams
+                    .iter()
+                    .any(|s| !s.stamps.is_empty()) =>
+            {
+                recorder.content.cut =
+                    Some(format!("byte {at}: {what}; what is before it is read"));
+            }
+            other => other?,
+        }
+        without_empty(&mut recorder);
+        let listed = counts
+            .values()
+            .map(|(name, kind, count)| format!("{name} ({kind}, {count} messages)"));
+        let mut listed: Vec<String> = listed.collect();
+        listed.sort();
+        recorder.content.listed = listed;
+        Ok(recorder.finish())
+    }
+}

@@ -1,0 +1,65 @@
+//! `convert`: a recording in plain form.
+
+use std::path::{Path, PathBuf};
+
+use super::apply::Target;
+use super::inputs::read;
+use crate::exit::{Failure, USAGE};
+use crate::output::Replace;
+use crate::read_args::ReadArgs;
+use crate::show;
+
+/// Writes a recording as plain CSV: seconds, m/s², rad/s, °C.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+A name without an extension is a folder, in which each sensor keeps its own clock.
+
+Example:
+  stillpoint convert log.ulg -o plain/
+  stillpoint convert experiment.zip -o experiment.csv")]
+pub struct Args {
+    /// File or folder; `-` reads standard input
+    #[arg(value_name = "FILE")]
+    recording: PathBuf,
+    /// Write here: `.csv`, or a folder for acc.csv and gyro.csv
+    #[arg(short, value_name = "OUT", required = true)]
+    output: PathBuf,
+    #[command(flatten)]
+    replace: Replace,
+    #[command(flatten)]
+    read: ReadArgs,
+}
+
+/// Runs the command.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    let extension = args
+        .output
+        .extension()
+        .map(|e| e.to_string_lossy().to_lowercase());
+    if let Some(other) = extension.filter(|e| !matches!(e.as_str(), "csv" | "txt")) {
+        let message = format!(
+            "-o {}: .{other} is not written; name a .csv file or a folder",
+            show::path(&args.output)
+        );
+        return Err(Failure::new(USAGE, message));
+    }
+    let target = Target::claim(&args.output, args.replace, &[&args.recording])?;
+    args.replace.end_if_all_exist()?;
+    let mut recording = read(&args.recording, &args.read)?;
+    let written = target.write(&mut recording);
+    recording
+        .warnings
+        .iter()
+        .for_each(|warning| show::warn(warning));
+    written
+}
+
+/// A path as a shell takes it.
+pub fn command_line(path: &Path) -> String {
+    let text = show::path(path);
+    let plain = |c: char| c.is_alphanumeric() || matches!(c, '/' | '.' | '_' | '-' | '+');
+    match text.chars().all(plain) && !text.starts_with('-') || text == "-" {
+        true => text,
+        false => format!("'{}'", text.replace('\'', "'\\''")),
+    }
+}

@@ -1,0 +1,316 @@
+//! `info`: what is in a file, and the command that would calibrate it.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use calib::Recording;
+use calib::gravity::Gravity;
+use calib::intervals::Detector;
+use calib::methods::{Choice, cut};
+use calib::readings::findings;
+use calib::recording::{Described, Stream, UnitBy};
+use sensor::Sensor;
+use serde_json::{Value, json};
+
+use super::inputs::read;
+use crate::exit::Failure;
+use crate::read_args::ReadArgs;
+use crate::show;
+
+/// Shows what is in a file: format, sensors, columns, units and what decided them, clocks, gaps, rests.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  stillpoint info experiment.zip log.ulg")]
+pub struct Args {
+    /// Files or folders; `-` reads standard input
+    #[arg(value_name = "FILE", required = true)]
+    files: Vec<PathBuf>,
+    /// Print JSON instead of tables
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    read: ReadArgs,
+}
+
+/// Runs the command.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    let mut documents = Vec::new();
+    let mut pages = Vec::new();
+    for path in &args.files {
+        let recording = read(path, &args.read)?;
+        let facts = Facts::of(path, &recording);
+        documents.push(facts.document());
+        pages.push(facts.page());
+    }
+    if args.json {
+        return show::print(&show::json(
+            &json!({"schema": "stillpoint.info/1", "files": documents}),
+        )?);
+    }
+    show::print(&pages.join("\n"))
+}
+
+/// What is said of a file.
+struct Facts<'a> {
+    recording: &'a Recording,
+    choice: Option<Choice>,
+    remarks: Vec<String>,
+    command: String,
+}
+
+/// A clock in figures.
+struct Clock {
+    samples: usize,
+    start: f64,
+    duration: f64,
+    rate: f64,
+    /// Root mean square of the steps about their median, s.
+    jitter: f64,
+    gaps: usize,
+    longest_gap: f64,
+}
+
+impl Clock {
+    fn of(stream: &Stream) -> Option<Self> {
+        let (first, last) = stream.t.first().zip(stream.t.last())?;
+        let step = stream.median_step().unwrap_or(0.0);
+        let gaps = stream.gaps();
+        let lost: f64 = gaps.iter().map(|gap| gap.t1 - gap.t0).sum();
+        let usual = stream
+            .t
+            .windows(2)
+            .map(|pair| pair[1] - pair[0])
+            .filter(|s| *s < 5.0 * step.max(1e-9));
+        let (count, squares) = usual.fold((0usize, 0.0), |(n, sum), s| {
+            (n + 1, sum + (s - step).powi(2))
+        });
+        let steps = stream.len().saturating_sub(1 + gaps.len());
+        let duration = last - first;
+        Some(Self {
+            samples: stream.len(),
+            start: *first,
+            duration,
+            rate: if duration > lost {
+                steps as f64 / (duration - lost)
+            } else {
+                0.0
+            },
+            jitter: (squares / count.max(1) as f64).sqrt(),
+            gaps: gaps.len(),
+            longest_gap: gaps.iter().map(|gap| gap.t1 - gap.t0).fold(0.0, f64::max),
+        })
+    }
+}
+
+fn called(sensor: Sensor) -> &'static str {
+    match sensor {
+        Sensor::Accelerometer => "accelerometer",
+        Sensor::Gyroscope => "gyroscope",
+    }
+}
+
+fn decided(by: UnitBy) -> &'static str {
+    match by {
+        UnitBy::Option => "an option",
+        UnitBy::File => "the file",
+        UnitBy::Data => "the samples",
+    }
+}
+
+fn sign(sensor: &Described) -> Option<&'static str> {
+    (sensor.sensor == Sensor::Accelerometer).then_some(match sensor.turned {
+        true => "turned to +g on the axis that points up",
+        false => "as it is, +g on the axis that points up",
+    })
+}
+
+impl<'a> Facts<'a> {
+    fn of(path: &Path, recording: &'a Recording) -> Self {
+        let gravity = Gravity::of(None, None, None).value;
+        let choice = cut(
+            &recording.clone().decimated(),
+            &Detector::default(),
+            true,
+            gravity,
+        )
+        .ok();
+        let found = choice
+            .iter()
+            .flat_map(|choice| findings(recording, &choice.segmentation));
+        let remarks = recording
+            .warnings
+            .iter()
+            .cloned()
+            .chain(found.map(|finding| finding.to_string()));
+        let command = match &recording.accelerometer {
+            Some(_) => format!(
+                "stillpoint calibrate {} -o cal.json",
+                super::convert::command_line(path)
+            ),
+            None => {
+                "none: a calibration needs an accelerometer, and there is none in it".to_owned()
+            }
+        };
+        Self {
+            recording,
+            remarks: remarks.collect(),
+            choice,
+            command,
+        }
+    }
+
+    fn stream(&self, sensor: Sensor) -> Option<&Stream> {
+        match sensor {
+            Sensor::Accelerometer => self.recording.accelerometer.as_ref(),
+            Sensor::Gyroscope => self.recording.gyroscope.as_ref(),
+        }
+    }
+
+    fn temperature(&self) -> Option<[f64; 2]> {
+        let celsius = &self.recording.temperature.as_ref()?.celsius;
+        Some([
+            celsius.iter().copied().fold(f64::INFINITY, f64::min),
+            celsius.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        ])
+    }
+
+    fn rests(&self) -> Option<(usize, f64)> {
+        let statics = &self.choice.as_ref()?.segmentation.statics;
+        Some((
+            statics.len(),
+            statics.iter().map(|rest| rest.span.length()).sum(),
+        ))
+    }
+
+    fn document(&self) -> Value {
+        let sensors = self.recording.description.sensors.iter().map(|sensor| {
+            let clock = self.stream(sensor.sensor).and_then(Clock::of);
+            let columns: serde_json::Map<String, Value> = sensor
+                .columns
+                .iter()
+                .map(|(role, column)| ((*role).to_owned(), json!(column)))
+                .collect();
+            json!({
+                "sensor": called(sensor.sensor),
+                "source": sensor.source,
+                "columns": columns,
+                "columns_not_used": sensor.unused,
+                "unit": sensor.unit,
+                "unit_decided_by": decided(sensor.unit_by),
+                "sign": sign(sensor),
+                "samples": clock.as_ref().map(|c| c.samples),
+                "start": clock.as_ref().map(|c| c.start),
+                "duration": clock.as_ref().map(|c| c.duration),
+                "rate": clock.as_ref().map(|c| c.rate),
+                "jitter": clock.as_ref().map(|c| c.jitter),
+                "gaps": clock.as_ref().map(|c| c.gaps),
+                "longest_gap": clock.as_ref().map(|c| c.longest_gap),
+            })
+        });
+        json!({
+            "file": self.recording.name,
+            "format": self.recording.description.format,
+            "sensors": sensors.collect::<Vec<_>>(),
+            "one_clock": self.one_clock(),
+            "temperature": self.temperature(),
+            "static_intervals": self.rests().map(|(count, length)| json!({"count": count, "seconds": length})),
+            "warnings": self.remarks,
+            "command": self.command,
+        })
+    }
+
+    /// Both sensors have the same stamps; `None` with one sensor.
+    fn one_clock(&self) -> Option<bool> {
+        let pair = self
+            .recording
+            .accelerometer
+            .as_ref()
+            .zip(self.recording.gyroscope.as_ref())?;
+        Some(pair.0.t == pair.1.t)
+    }
+
+    fn page(&self) -> String {
+        let description = &self.recording.description;
+        let mut text = format!(
+            "{}: {}\n\n",
+            show::name(&self.recording.name),
+            description.format
+        );
+        let mut table = show::table(&[
+            "sensor",
+            "unit",
+            "decided by",
+            "samples",
+            "from s",
+            "duration s",
+            "rate Hz",
+            "jitter ms",
+            "gaps",
+        ]);
+        for sensor in &description.sensors {
+            let Some(clock) = self.stream(sensor.sensor).and_then(Clock::of) else {
+                continue;
+            };
+            table.add_row([
+                called(sensor.sensor).to_owned(),
+                sensor.unit.to_owned(),
+                decided(sensor.unit_by).to_owned(),
+                clock.samples.to_string(),
+                format!("{:.3}", clock.start),
+                format!("{:.3}", clock.duration),
+                format!("{:.2}", clock.rate),
+                format!("{:.3}", 1e3 * clock.jitter),
+                match clock.gaps {
+                    0 => "none".to_owned(),
+                    count => format!("{count}, longest {:.3} s", clock.longest_gap),
+                },
+            ]);
+        }
+        let _ = writeln!(text, "{table}\n");
+        for sensor in &description.sensors {
+            let columns: Vec<String> = sensor
+                .columns
+                .iter()
+                .map(|(role, column)| format!("{role}={}", show::name(column)))
+                .collect();
+            let _ = writeln!(
+                text,
+                "{}: {} from {}",
+                called(sensor.sensor),
+                columns.join(", "),
+                show::name(&sensor.source)
+            );
+            if let Some(sign) = sign(sensor) {
+                let _ = writeln!(text, "  sign: {sign}");
+            }
+            if !sensor.unused.is_empty() {
+                let names: Vec<String> =
+                    sensor.unused.iter().map(|name| show::name(name)).collect();
+                let _ = writeln!(text, "  not read: {}", names.join(", "));
+            }
+        }
+        match self.one_clock() {
+            Some(true) => text.push_str("clock: one for both sensors\n"),
+            Some(false) => text.push_str("clock: each sensor has its own stamps\n"),
+            None => {}
+        }
+        match self.temperature() {
+            Some([low, high]) => {
+                let _ = writeln!(text, "temperature: {low:.2} to {high:.2} °C");
+            }
+            None => text.push_str("temperature: none\n"),
+        }
+        match self.rests() {
+            Some((count, length)) => {
+                let _ = writeln!(text, "static intervals: {count}, {length:.1} s in all");
+            }
+            None => text.push_str("static intervals: none found\n"),
+        }
+        for remark in &self.remarks {
+            let _ = writeln!(text, "note: {remark}");
+        }
+        let _ = writeln!(text, "\nto calibrate: {}", self.command);
+        text
+    }
+}
