@@ -96,7 +96,13 @@ pub(crate) fn without_bursts(recordings: &[Recording]) -> Option<(Vec<Recording>
 pub(super) fn apart(recordings: &[Recording]) -> Vec<String> {
     let of = |recording: &Recording| {
         let force = recording.accelerometer.as_ref()?;
-        let offset = clock_offset(force, recording.gyroscope.as_ref()?)?;
+        let (offset, other) = clock_offset(force, recording.gyroscope.as_ref()?)?;
+        let shift = match other {
+            Some(other) => format!(
+                "an offset of {other:.1} s fits about as well: record both by one clock, or turn at uneven intervals"
+            ),
+            None => "shift its stamps by that".into(),
+        };
         let (late, early) = if offset > 0.0 {
             ("gyroscope", "accelerometer")
         } else {
@@ -104,7 +110,7 @@ pub(super) fn apart(recordings: &[Recording]) -> Vec<String> {
         };
         Some(format!(
             "{}: the clock of the {late} is {:.1} s late against that of the {early}, by when they move: static intervals \
-             of both do not fall together. Shift its stamps by that",
+             of both do not fall together; {shift}",
             recording.name,
             offset.abs()
         ))

@@ -23,7 +23,7 @@ use crate::calibration::{Calibration, Options, RecordingClock};
 use crate::error::Error;
 use crate::gravity::GravitySource;
 use crate::intervals::{Detector, Segmentation, Span, Turn, TurnFault};
-use crate::methods::joint::{ClockMode, JointFit, within_budget};
+use crate::methods::joint::{ClockMode, JointFit, MOST_STATIC_INTERVALS, within_budget};
 use crate::methods::{
     self, AccelerometerFit, AccelerometerRequest, Choice, GyroscopeData, GyroscopeFit,
     GyroscopeRequest, accelerometer_unit, fit_accelerometer, fit_gyroscope, static_means,
@@ -230,7 +230,11 @@ fn by_stamps(
         .map(|(k, recording)| cut(recording, request, Some(k)))
         .collect::<Result<Vec<_>, _>>()?;
     if request.method == Method::Joint {
-        warnings.extend(within_budget(&recordings, &mut choices));
+        warnings.extend(within_budget(
+            &recordings,
+            &mut choices,
+            MOST_STATIC_INTERVALS,
+        ));
     }
     for (recording, choice) in recordings.iter().zip(&choices) {
         warnings.extend(checks::of_the_detector(recording, choice));

@@ -100,6 +100,7 @@ fn discover_all(recordings: &[Recording], request: &Request) -> Result<Discovery
         .as_ref()
         .and_then(|rest| proposal(&session, request, &search.last, rest));
     let mut calibration = calibration(&session, &search.last, request)?;
+    calibration.warnings.extend(search.spent.clone());
     let named = |name: &&Name| matches!(name.claim, Claim::Effect(_));
     let mut effects = Vec::new();
     if search.names.iter().any(|name| named(&name)) {

@@ -8,7 +8,7 @@ use super::state::Extension;
 use crate::error::Error;
 use crate::gravity::GravitySource;
 use crate::intervals::Detector;
-use crate::methods::joint::{ClockMode, JointRequest, within_budget};
+use crate::methods::joint::{ClockMode, JointRequest, MOST_IN_A_SEARCH, within_budget};
 use crate::methods::{Choice, cut};
 use crate::recording::Recording;
 use crate::simulate::EARTH_RATE;
@@ -122,7 +122,7 @@ impl<'a> Session<'a> {
             .map(|recording| cut(recording, &detector, choose, request.gravity))
             .collect::<Result<Vec<_>, Error>>()?;
         let all: Vec<&Recording> = recordings.iter().collect();
-        let cut_down = within_budget(&all, &mut choices);
+        let cut_down = within_budget(&all, &mut choices, MOST_IN_A_SEARCH);
         Ok(Self {
             cut_down,
             recordings: all.into_iter().zip(choices).collect(),

@@ -96,9 +96,23 @@ pub(super) fn called(sensor: Sensor) -> &'static str {
     }
 }
 
+/// Sensors are hardly ever hotter than this, °C: those that are heated against drift stay below it.
+const HOT: f64 = 62.0;
+
 /// True if the readings can be temperatures in °C.
 pub(super) fn temperature(name: &str, celsius: &[f64], warnings: &mut Vec<String>) -> bool {
     let possible = celsius.iter().all(|c| (-60.0..=150.0).contains(c));
+    let least = celsius.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = celsius.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    if possible && least > HOT {
+        let of = |fahrenheit: f64| (fahrenheit - 32.0) / 1.8;
+        warnings.push(format!(
+            "{name}: temperatures of {least:.1} to {most:.1} are taken as °C: if they are °F ({:.1} to {:.1} °C), call the column \
+             `temp [F]`; if they are right, leave it",
+            of(least),
+            of(most)
+        ));
+    }
     if !possible {
         warnings.push(format!(
             "{name}: temperatures beyond -60 to 150 °C, left out; a unit in the column's name, as in `temp [K]`, helps"

@@ -7,8 +7,11 @@ use super::stream::Stream;
 /// Length of the stretches whose spread is compared, s.
 const STRETCH: f64 = 0.1;
 
-/// Offsets that are tried, in stretches, to either side.
-const FARTHEST: usize = 100;
+/// Offsets that are tried, in stretches, to either side; where the drift is looked for it is less.
+const FARTHEST: usize = 600;
+const FARTHEST_OF_HALVES: usize = 100;
+/// Stretches of the two sensors that are compared, at most.
+const MOST: usize = 20_000;
 
 /// Offsets below this are left to the fits, s.
 const LEAST: f64 = 0.3;
@@ -17,12 +20,17 @@ const LEAST: f64 = 0.3;
 const ALIKE: f64 = 0.6;
 const BETTER: f64 = 0.1;
 
+/// Another offset, farther from the best than so many stretches, that is as good to this is not told from it: a person turns
+/// a device at even intervals.
+const APART: u64 = 15;
+const AS_GOOD: f64 = 0.05;
+
 /// Stretches that suffice.
 const ENOUGH: usize = 300;
 
-/// By how much the stamps of `late` are later than those of `early` for the same motion, s; `None` where that is no
-/// more than a third of a second, and where the two do not move alike.
-pub(crate) fn clock_offset(early: &Stream, late: &Stream) -> Option<f64> {
+/// By how much the stamps of `late` are later than those of `early` for the same motion, s, and another offset that may be the
+/// true one as well; `None` where that is no more than a third of a second, and where the two do not move alike.
+pub(crate) fn clock_offset(early: &Stream, late: &Stream) -> Option<(f64, Option<f64>)> {
     if early.t == late.t {
         return None;
     }
@@ -32,13 +40,24 @@ pub(crate) fn clock_offset(early: &Stream, late: &Stream) -> Option<f64> {
     if count < ENOUGH {
         return None;
     }
+    let count = count.min(MOST);
     let (a, b) = (activity(early, from, count), activity(late, from, count));
-    let at = |lag: i64| correlation(&a, &b, lag);
-    let farthest = FARTHEST as i64;
-    let best = (-farthest..=farthest).max_by(|x, y| at(*x).total_cmp(&at(*y)))?;
+    // Offsets that leave too little to compare are not tried.
+    let farthest = FARTHEST.min(count - ENOUGH / 2) as i64;
+    let all: Vec<(i64, f64)> = (-farthest..=farthest)
+        .map(|lag| (lag, correlation(&a, &b, lag)))
+        .collect();
+    let best_of = |which: &dyn Fn(i64) -> bool| {
+        let of = all.iter().filter(|(lag, _)| which(*lag));
+        of.copied().max_by(|x, y| x.1.total_cmp(&y.1))
+    };
+    let (best, alike) = best_of(&|_| true)?;
+    let (_, without) = best_of(&|lag| lag == 0)?;
+    let other = best_of(&|lag| lag.abs_diff(best) > APART);
+    let other = other.filter(|(_, other)| *other > alike - AS_GOOD);
     let found = best as f64 * STRETCH;
-    let evident = at(best) > ALIKE && at(best) > at(0) + BETTER;
-    (evident && found.abs() > LEAST).then_some(found)
+    let evident = alike > ALIKE && alike > without + BETTER;
+    (evident && found.abs() > LEAST).then(|| (found, other.map(|(lag, _)| lag as f64 * STRETCH)))
 }
 
 /// Drifts below this change of the offset between the two halves are left to the fits, s.
@@ -59,7 +78,7 @@ pub(crate) fn clock_drift(own: &Stream, other: &Stream) -> Option<f64> {
     let offset = |begin: f64| {
         let (a, b) = (activity(own, begin, half), activity(other, begin, half));
         let at = |lag: i64| correlation(&a, &b, lag);
-        let farthest = FARTHEST as i64;
+        let farthest = FARTHEST_OF_HALVES as i64;
         let best = (1 - farthest..farthest).max_by(|x, y| at(*x).total_cmp(&at(*y)))?;
         // The vertex of the parabola through the best three.
         let (before, peak, after) = (at(best - 1), at(best), at(best + 1));
@@ -132,10 +151,14 @@ mod tests {
         let mut rate = recording.gyroscope.unwrap();
         rate.t.iter_mut().for_each(|t| *t += 1e-3);
         assert_eq!(clock_offset(&force, &rate), None);
-        rate.t.iter_mut().for_each(|t| *t += 1.5);
-        let found = clock_offset(&force, &rate).unwrap();
-        assert!((found - 1.5).abs() < 0.11, "{found}");
-        let found = clock_offset(&rate, &force).unwrap();
-        assert!((found + 1.5).abs() < 0.11, "{found}");
+        for offset in [1.5, -7.0, 15.0, 40.0] {
+            let mut late = rate.clone();
+            late.t.iter_mut().for_each(|t| *t += offset);
+            let (found, other) = clock_offset(&force, &late).unwrap();
+            assert!((found - offset).abs() < 0.11, "{found}");
+            assert_eq!(other, None);
+            let (found, _) = clock_offset(&late, &force).unwrap();
+            assert!((found + offset).abs() < 0.11, "{found}");
+        }
     }
 }

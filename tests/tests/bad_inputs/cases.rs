@@ -9,6 +9,8 @@ mod bench;
 mod calibrations;
 mod containers;
 mod corruption;
+#[cfg(unix)]
+mod cpu;
 mod device;
 mod encodings;
 mod files;

@@ -3,6 +3,8 @@
 mod pairs;
 mod review;
 
+use std::cell::Cell;
+
 use faer::Mat;
 use sensor::AnyEffect;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
@@ -29,6 +31,17 @@ const EARTH_LENGTH: f64 = 3.0;
 
 /// A rotation whose vertical part is fewer standard errors than this is not known to be the earth's.
 const EARTH_VERTICAL: f64 = 2.0;
+
+/// Work that the joint fits of a search may take, in [`cost_of_fit`]: twenty fits of forty static intervals.
+const MOST_WORK: f64 = 2e5;
+
+/// Fewest fits of a search, however long one takes.
+const FEWEST_FITS: usize = 6;
+
+/// How long a joint fit takes, in units of one that has a single static interval.
+fn cost_of_fit(static_intervals: usize) -> f64 {
+    (static_intervals as f64).powf(2.5)
+}
 
 /// Families whose pairs are tried, and that are shown in the first ranking.
 const PAIRED: usize = 10;
@@ -77,6 +90,8 @@ pub struct Search {
     pub first_ranking: Vec<(Claim, Ranked)>,
     /// Effects that the recordings would not show, had the device them.
     pub not_observable: Vec<String>,
+    /// That the search ended before its end, as it would have taken too long, in words.
+    pub spent: Option<String>,
 }
 
 impl Search {
@@ -89,6 +104,7 @@ impl Search {
             evidence: 0.0,
             first_ranking: Vec::new(),
             not_observable: Vec::new(),
+            spent: None,
         }
     }
 }
@@ -116,10 +132,13 @@ impl Held {
 /// As the joint fit.
 pub fn search(session: &Session<'_>, request: &Request, base: State) -> Result<Search, Error> {
     let candidates = request.candidates();
+    let most = MOST_WORK / cost_of_fit(base.fit.data.rests.len().max(1));
     let finder = Finder {
         session,
         catalogue: &candidates,
         threshold: request.threshold(),
+        most_fits: (most as usize).max(FEWEST_FITS),
+        fits: Cell::new(0),
     };
     finder.run(base)
 }
@@ -128,13 +147,22 @@ struct Finder<'a> {
     session: &'a Session<'a>,
     catalogue: &'a [&'static dyn AnyEffect],
     threshold: f64,
+    most_fits: usize,
+    /// Fits so far.
+    fits: Cell<usize>,
 }
 
 impl Finder<'_> {
+    /// Whether so many more fits are too many.
+    fn is_spent(&self, more: usize) -> bool {
+        self.fits.get() + more > self.most_fits
+    }
+
     fn run(&self, base: State) -> Result<Search, Error> {
         let mut held = Vec::new();
         let mut last = base.clone();
         let (mut first_ranking, mut not_observable) = (Vec::new(), Vec::new());
+        let mut spent = false;
         while held.len() < MOST_NAMES {
             let (families, ranked) = self.ranked(&last);
             let next = self.next(&families, &ranked);
@@ -143,11 +171,25 @@ impl Finder<'_> {
                 not_observable = silent(&families, &ranked);
             }
             let Some(next) = next else { break };
+            // The next name, and the review of all.
+            if self.is_spent(held.len() + 2) {
+                spent = true;
+                break;
+            }
             held.push(next);
             last = self.state(&held)?;
         }
         let reviewed = self.review(&base, last, held)?;
+        let spent = (spent || reviewed.is_spent).then(|| {
+            format!(
+                "the search for what is missing ended after {} fits, as many as it may make with {} static intervals: there \
+                 may be more to find. Look at a part of the recording with fewer of them",
+                self.fits.get(),
+                base.fit.data.rests.len()
+            )
+        });
         Ok(Search {
+            spent,
             base,
             last: reviewed.last,
             names: reviewed.names,
@@ -158,6 +200,7 @@ impl Finder<'_> {
     }
 
     fn state(&self, held: &[Held]) -> Result<State, Error> {
+        self.fits.set(self.fits.get() + 1);
         State::fit(self.session, self.extension(held))
     }
 

@@ -14,6 +14,8 @@ pub(super) struct Reviewed {
     pub names: Vec<Name>,
     pub evidence: f64,
     pub last: State,
+    /// Whether the fits that it may make ended it.
+    pub is_spent: bool,
 }
 
 enum Verdict {
@@ -31,7 +33,7 @@ impl Finder<'_> {
         last: State,
         mut held: Vec<Held>,
     ) -> Result<Reviewed, Error> {
-        let mut last = last;
+        let (mut last, mut is_spent) = (last, false);
         if held.len() == 2 && self.try_pairs(base, &mut held) {
             last = self.state(&held)?;
         }
@@ -82,7 +84,13 @@ impl Finder<'_> {
                     names,
                     evidence: found.max(beside),
                     last,
+                    is_spent: false,
                 });
+            }
+            // The model after this change, and each of its names once more.
+            if self.is_spent(held.len() + 1) && !held.is_empty() {
+                is_spent = true;
+                break;
             }
             last = if held.is_empty() {
                 base.clone()
@@ -94,6 +102,7 @@ impl Finder<'_> {
             names: Vec::new(),
             evidence: 0.0,
             last: base.clone(),
+            is_spent,
         })
     }
 

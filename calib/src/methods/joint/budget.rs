@@ -1,6 +1,9 @@
 //! How many static intervals the joint problem takes, and which of a recording that has more.
 
 use std::ops::Range;
+use std::sync::Arc;
+use std::sync::atomic::AtomicUsize;
+use std::sync::atomic::Ordering::Relaxed;
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -10,22 +13,67 @@ use crate::recording::Recording;
 
 /// Most static intervals of all recordings together. Every one has a direction of its own among the parameters, and noise
 /// joins all rows: time grows with the third power of their number and memory with the second.
-pub const MOST_STATIC_INTERVALS: usize = 150;
+pub const MOST_STATIC_INTERVALS: usize = 100;
+
+/// The same where many models are fitted one after the other.
+pub const MOST_IN_A_SEARCH: usize = 60;
+
+/// What the steps of the solver on the way to a fit may cost together, in samples of turns.
+const MOST_WORK: usize = 10_000_000;
+
+/// Steps of the solver in one run near the minimum: readings of which nothing is left to fit, as of a dead zone, would take
+/// thousands and converge no better. A fit that converges takes ten.
+const MOST_STEPS: usize = 500;
+/// Fewest of the last fit, and of one on the way when the budget is spent.
+const LAST_STEPS: usize = 40;
+const FEWEST_STEPS: usize = 3;
+
+/// The steps that the solver has taken in all its runs of one fit. What it is spent for are points on the way, which
+/// need not be exact; the last fit says by itself where it did not converge.
+#[derive(Clone, Debug, Default)]
+pub struct Steps(Arc<AtomicUsize>);
+
+impl Steps {
+    /// Most steps of the next run on the way, each of this cost.
+    pub fn on_the_way(&self, cost: usize) -> usize {
+        let left = (MOST_WORK / cost.max(1)).saturating_sub(self.0.load(Relaxed));
+        left.clamp(FEWEST_STEPS, MOST_STEPS)
+    }
+
+    /// Whether the runs on the way have used up what they may.
+    pub fn are_spent(&self, cost: usize) -> bool {
+        self.0.load(Relaxed) >= MOST_WORK / cost.max(1)
+    }
+
+    /// Counts the steps of a run.
+    pub fn took(&self, steps: usize) {
+        self.0.fetch_add(steps, Relaxed);
+    }
+
+    /// Most steps of the last run.
+    pub fn at_the_end(cost: usize) -> usize {
+        (MOST_WORK / cost.max(1)).clamp(LAST_STEPS, MOST_STEPS)
+    }
+}
 
 /// Fewest of them that one of several recordings keeps.
 const FEWEST: usize = 12;
 
-/// Cuts the choices down to [`MOST_STATIC_INTERVALS`], to the stretch of every recording whose orientations are spread
+/// Cuts the choices down to `most` static intervals together, to the stretch of every recording whose orientations are spread
 /// best, and says of each from where to where.
-pub fn within_budget(recordings: &[&Recording], choices: &mut [Choice]) -> Vec<String> {
+pub fn within_budget(
+    recordings: &[&Recording],
+    choices: &mut [Choice],
+    most: usize,
+) -> Vec<String> {
     let total: usize = choices.iter().map(|c| c.segmentation.statics.len()).sum();
-    if total <= MOST_STATIC_INTERVALS {
+    if total <= most {
         return Vec::new();
     }
     let mut said = Vec::new();
     for (recording, choice) in recordings.iter().zip(choices) {
         let statics = &choice.segmentation.statics;
-        let share = (MOST_STATIC_INTERVALS * statics.len() / total).max(FEWEST);
+        let share = (most * statics.len() / total).max(FEWEST);
         let Some(stretch) = spread_best(statics, share) else {
             continue;
         };
@@ -33,15 +81,14 @@ pub fn within_budget(recordings: &[&Recording], choices: &mut [Choice]) -> Vec<S
         said.push(format!(
             "{}: this method uses {share} of {} static intervals, number {} to {} (t = {:.2} to {:.2} s), where the \
              orientations are spread best: its time grows with the third power of their number, and {} is its limit. \
-             Intervals and turns are counted from there. Use --method stepwise, which takes all, or calibrate parts of the \
-             recording",
+             Intervals and turns are counted from there. `calibrate --method stepwise` takes all of them",
             recording.name,
             statics.len(),
             stretch.start + 1,
             stretch.end,
             first.span.from,
             last.span.to,
-            MOST_STATIC_INTERVALS,
+            most,
         ));
         choice.segmentation = choice.segmentation.stretch(stretch);
     }
@@ -113,10 +160,10 @@ mod tests {
     fn the_stretch_with_all_orientations_is_kept_and_said() {
         let (recording, choice) = session(400, 220..260);
         let mut cut = [choice];
-        let said = within_budget(&[&recording], &mut cut);
+        let said = within_budget(&[&recording], &mut cut, 150);
         let kept = &cut[0].segmentation;
-        assert_eq!(kept.statics.len(), MOST_STATIC_INTERVALS);
-        assert_eq!(kept.turns.len(), MOST_STATIC_INTERVALS - 1);
+        assert_eq!(kept.statics.len(), 150);
+        assert_eq!(kept.turns.len(), 149);
         let (from, to) = (kept.statics[0].span.from, kept.statics[149].span.to);
         assert!(from <= 440.0 && to >= 510.0, "{from} {to}");
         let turn = &kept.turns[7];
@@ -128,7 +175,10 @@ mod tests {
     fn recordings_within_the_budget_stay_as_they_are() {
         let (recording, choice) = session(70, 0..70);
         let mut cut = [choice.clone(), choice.clone()];
-        assert_eq!(within_budget(&[&recording, &recording], &mut cut), [""; 0]);
+        assert_eq!(
+            within_budget(&[&recording, &recording], &mut cut, 150),
+            [""; 0]
+        );
         assert_eq!(cut[1].segmentation, choice.segmentation);
     }
 }

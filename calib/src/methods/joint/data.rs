@@ -249,6 +249,13 @@ impl Data {
         });
     }
 
+    /// What a step of the solver costs, in samples of turns that it integrates: beside them it factors a matrix that
+    /// grows with the static intervals.
+    pub fn cost_of_a_step(&self) -> usize {
+        let samples: usize = self.turns.iter().map(|turn| turn.readings.len()).sum();
+        samples + self.rests.len().pow(3) / 4
+    }
+
     /// How many rests shake, where they are too many to have been touched one by one.
     pub fn shakes_throughout(&self) -> Option<usize> {
         let mut rests: Vec<usize> = self

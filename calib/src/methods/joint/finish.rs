@@ -4,6 +4,7 @@ use faer::Mat;
 use solver::{Termination, solve};
 
 use super::approach::{Weighted, approach};
+use super::budget::Steps;
 use super::centred::centred;
 use super::disturbance::{Disturbance, Suspect};
 use super::fit::JointFit;
@@ -48,7 +49,8 @@ impl Run<'_> {
             let x = near.settled(&weighted, &free);
             parameters.values_mut().copy_from_slice(&x);
         }
-        let mut report = solve(&weighted, &parameters, &point.mask, &options())?;
+        let options = options(Steps::at_the_end(self.data.cost_of_a_step()));
+        let mut report = solve(&weighted, &parameters, &point.mask, &options)?;
         let x = report.parameters.values();
         let linear = rows.linearize(x);
         let white = &weights.whitening.white;

@@ -1,10 +1,16 @@
 //! Levels of noise by restricted likelihood.
 
-use faer::linalg::solvers::DenseSolveCore;
+use std::cell::Cell;
+
+use faer::linalg::solvers::{DenseSolveCore, Solve};
 use faer::{Mat, Side};
 
-/// Steps of Fisher scoring at most.
+/// Steps of Fisher scoring at most: usual ones are ten.
 const STEPS: usize = 40;
+
+/// Third powers of the number of rows that all steps of one search may take together, and fewest steps.
+const MOST_WORK: f64 = 1.5e9;
+const FEWEST_STEPS: f64 = 40.0;
 
 /// A relative change of every variance below this ends the search.
 const SETTLED: f64 = 1e-3;
@@ -43,8 +49,10 @@ impl Restricted {
     pub fn variances(&self, kept: &[bool]) -> Vec<f64> {
         let mut active: Vec<bool> = self.covariances.iter().map(|_| true).collect();
         let mut from = vec![0.0; active.len()];
+        let cube = (self.z.len() as f64).powi(3).max(1.0);
+        let left = Cell::new((MOST_WORK / cube).max(FEWEST_STEPS) as usize);
         loop {
-            let (theta, whole) = self.maximise(&active, &from);
+            let (theta, whole) = self.maximise(&active, &from, &left);
             from.clone_from(&theta);
             for (on, value) in active.iter_mut().zip(&theta) {
                 *on &= *value > 0.0;
@@ -54,7 +62,7 @@ impl Restricted {
                 .map(|c| {
                     let mut without = active.clone();
                     without[c] = false;
-                    (c, 2.0 * (whole - self.maximise(&without, &theta).1))
+                    (c, 2.0 * (whole - self.maximise(&without, &theta, &left).1))
                 });
             match gains.min_by(|a, b| a.1.total_cmp(&b.1)) {
                 Some((c, gain)) if gain < WORTH_IT => {
@@ -70,19 +78,23 @@ impl Restricted {
     #[cfg(test)]
     pub(super) fn log_likelihood(&self, theta: &[f64]) -> Option<f64> {
         let active = vec![false; theta.len()];
-        Some(self.measure(theta, &active)?.log_likelihood)
+        Some(
+            self.measure(theta, &active, f64::NEG_INFINITY)?
+                .log_likelihood,
+        )
     }
 
-    /// Fisher scoring over the active components from the variances `from`, zero for the others; variances and
+    /// Fisher scoring, in no more than the steps that are left, over the active components from the variances `from`, zero for the others; variances and
     /// log-likelihood.
-    fn maximise(&self, active: &[bool], from: &[f64]) -> (Vec<f64>, f64) {
+    fn maximise(&self, active: &[bool], from: &[f64], left: &Cell<usize>) -> (Vec<f64>, f64) {
         let start = from.iter().zip(active);
         let mut theta: Vec<f64> = start.map(|(&t, &on)| if on { t } else { 0.0 }).collect();
-        let mut at = match self.measure(&theta, active) {
+        let mut at = match self.measure(&theta, active, f64::NEG_INFINITY) {
             Some(at) => at,
             None => return (theta, f64::NEG_INFINITY),
         };
-        for _ in 0..STEPS {
+        for _ in 0..STEPS.min(left.get()) {
+            left.set(left.get() - 1);
             let Some(step) = at.step(&theta, active) else {
                 break;
             };
@@ -94,13 +106,11 @@ impl Restricted {
                     .zip(&step)
                     .map(|(t, s)| (t + factor * s).max(0.0))
                     .collect();
-                match self.measure(&tried, active) {
-                    Some(measured) if measured.log_likelihood >= at.log_likelihood => {
-                        next = Some((tried, measured));
-                        break;
-                    }
-                    _ => factor *= 0.3,
+                if let Some(measured) = self.measure(&tried, active, at.log_likelihood) {
+                    next = Some((tried, measured));
+                    break;
                 }
+                factor *= 0.3;
             }
             let Some((tried, measured)) = next else { break };
             let moved = tried
@@ -116,7 +126,8 @@ impl Restricted {
         (theta, at.log_likelihood)
     }
 
-    fn measure(&self, theta: &[f64], active: &[bool]) -> Option<Measured> {
+    /// The log-likelihood and its derivatives; `None` where it is below `least`, which is known with half of the work.
+    fn measure(&self, theta: &[f64], active: &[bool], least: f64) -> Option<Measured> {
         let q = self.z.len();
         let mut v = Mat::<f64>::identity(q, q);
         for (c, value) in self.covariances.iter().zip(theta) {
@@ -125,11 +136,15 @@ impl Restricted {
             }
         }
         let factor = v.llt(Side::Lower).ok()?;
-        let inverse = factor.inverse();
         let log_determinant: f64 = (0..q).map(|k| 2.0 * factor.L()[(k, k)].ln()).sum();
         let z = Mat::from_fn(q, 1, |i, _| self.z[i]);
-        let weighted = &inverse * &z;
+        let weighted = factor.solve(&z);
         let square = (z.transpose() * &weighted)[(0, 0)];
+        let log_likelihood = -0.5 * (log_determinant + square);
+        if log_likelihood.is_nan() || log_likelihood < least {
+            return None;
+        }
+        let inverse = factor.inverse();
         let products: Vec<Option<Mat<f64>>> = self
             .covariances
             .iter()
@@ -152,7 +167,7 @@ impl Restricted {
             }
         }
         Some(Measured {
-            log_likelihood: -0.5 * (log_determinant + square),
+            log_likelihood,
             score,
             information,
         })

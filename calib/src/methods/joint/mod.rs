@@ -63,7 +63,7 @@ mod walks;
 mod weights;
 mod windows;
 
-pub use budget::{MOST_STATIC_INTERVALS, within_budget};
+pub use budget::{MOST_IN_A_SEARCH, MOST_STATIC_INTERVALS, within_budget};
 pub use chart::Chart;
 pub use clock::{ClockMode, ClockState, SourceClock, TurnClock};
 pub use data::{Chunk, Data, LostTurn, Mean, Rest, Source, TurnSamples};

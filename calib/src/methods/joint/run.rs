@@ -192,7 +192,9 @@ impl Run<'_> {
             let next = self.approach(&weights, Some(&point))?;
             let bend = self.bend(&point, &next, &weights.whitening);
             point = next;
-            if bend < STRAIGHT {
+            // Readings that no model fits are not judged over and over.
+            let spent = self.start.steps.are_spent(self.data.cost_of_a_step());
+            if bend < STRAIGHT || spent {
                 break;
             }
         }
@@ -223,7 +225,11 @@ impl Run<'_> {
                 near.linear
             }
             None => {
-                parameters = solve(&weighted, &parameters, &mask, &options())?.parameters;
+                let steps = &self.start.steps;
+                let options = options(steps.on_the_way(self.data.cost_of_a_step()));
+                let report = solve(&weighted, &parameters, &mask, &options)?;
+                steps.took(report.jacobian_evaluations);
+                parameters = report.parameters;
                 rows.linearize(parameters.values())
             }
         };
@@ -286,15 +292,11 @@ fn set(parameters: &mut Parameters, values: &[(String, f64)]) {
     }
 }
 
-/// Steps of the solver near the minimum: readings of which nothing is left to fit, as of a dead zone, would take
-/// thousands and converge no better.
-const MOST_STEPS: usize = 500;
-
 /// Of the solver, near the minimum.
-pub(super) fn options() -> Options {
+pub(super) fn options(most_steps: usize) -> Options {
     Options {
         variant: Variant::GaussNewton,
-        max_iterations: MOST_STEPS,
+        max_iterations: most_steps,
         ..Options::default()
     }
 }

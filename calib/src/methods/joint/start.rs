@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 use sensor::{BASE_PARAMETERS, Base, Model};
 
 use super::JointRequest;
+use super::budget::Steps;
 use super::chart::Chart;
 use super::data::Data;
 use crate::error::Error;
@@ -14,6 +15,10 @@ use crate::methods::{
 };
 use crate::recording::Recording;
 use crate::residuals::TurnData;
+
+/// Norms of specific force that scatter by more than this share of gravity about a fit that does not end are those of a device
+/// in motion: no other fit of them ends, and all take long.
+const NOT_STILL: f64 = 0.05;
 
 /// Units and first values.
 #[derive(Clone, Debug)]
@@ -26,6 +31,8 @@ pub struct Start {
     pub own_force_bias: bool,
     /// Parameters of the accelerometer's model near SI, for each recording.
     pub accelerometer: Vec<Vec<f64>>,
+    /// Steps that the solver may still take on the way to the last fit.
+    pub steps: Steps,
 }
 
 /// The stepwise accelerometer without effects, which are small, and the gyroscope's unit, from the static
@@ -58,6 +65,16 @@ pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
         model: Model::base(sensor::Sensor::Accelerometer),
         gravity: request.gravity,
     })?;
+    let (first, gravity) = (&fit.first, request.gravity);
+    let left = (2.0 * first.cost / first.residuals.len().max(1) as f64).sqrt();
+    if !first.termination.converged() && left > NOT_STILL * gravity {
+        return Err(Error::NotConverged(format!(
+            "the accelerometer's fit stopped after {} steps ({:?}) and leaves {left:.2} m/s² of the norms; is the gravity of \
+             {gravity} m/s² right, and was the device still in the intervals that `segment` shows?",
+            first.iterations.len(),
+            first.termination,
+        )));
+    }
     let nominal = request.accelerometer.parameters();
     let near_si = fit.first.parameters.values();
     let determined = fit.fitted.rank == fit.fitted.free.len() && fit.first.termination.converged();
@@ -99,6 +116,7 @@ pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
             ..scale
         },
         accelerometer,
+        steps: Steps::default(),
     })
 }
 
