@@ -223,6 +223,19 @@ impl From<Error> for Failure {
     }
 }
 
+impl From<exchange::Error> for Failure {
+    fn from(error: exchange::Error) -> Self {
+        use exchange::Error as E;
+        let code = match error {
+            E::Settings(_) => USAGE,
+            E::Lacks { .. } => NOT_ENOUGH,
+            E::LeftHanded { .. } => GATE,
+            _ => INPUT,
+        };
+        Self::new(code, error.to_string())
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

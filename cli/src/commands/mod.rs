@@ -10,6 +10,8 @@ mod demo;
 mod discover;
 mod effects;
 mod evaluate;
+mod export;
+mod import;
 mod info;
 mod inputs;
 mod joint;
@@ -40,6 +42,8 @@ pub enum Command {
     Simulate(simulate::Args),
     Discover(Box<discover::Args>),
     Effects(effects::Args),
+    Export(Box<export::Args>),
+    Import(import::Args),
 }
 
 /// Runs a command.
@@ -58,5 +62,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Simulate(args) => simulate::run(&args),
         Command::Discover(args) => discover::run(&args),
         Command::Effects(args) => effects::run(&args),
+        Command::Export(args) => export::run(&args),
+        Command::Import(args) => import::run(&args),
     }
 }

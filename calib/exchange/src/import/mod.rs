@@ -1,0 +1,87 @@
+//! Calibrations of other tools as ours, so that `evaluate` and `apply` take them.
+
+mod imu_tk;
+mod kalibr;
+
+pub use imu_tk::imu_tk;
+pub use kalibr::kalibr;
+
+use calib::Calibration;
+use calib::calibrate::STANDARD_GRAVITY;
+use calib::calibration::{EffectParameter, EffectValues, Provenance, SCHEMA, Triad, effect_named};
+use calib::gravity::GravitySource;
+use nalgebra::Matrix3;
+use sensor::Base;
+
+use crate::source::{G_SENSITIVITY, rows};
+
+/// A calibration without errors, of another tool.
+fn calibration(
+    tool: &str,
+    accelerometer: &Base<f64>,
+    gyroscope: &Base<f64>,
+    g_sensitivity: Option<&Matrix3<f64>>,
+    warnings: Vec<String>,
+) -> Calibration {
+    let effects = g_sensitivity.filter(|g| g.amax() > 0.0);
+    let mut calibration = Calibration {
+        schema: SCHEMA.into(),
+        created_by: concat!("stillpoint ", env!("CARGO_PKG_VERSION"), " import").into(),
+        gravity: STANDARD_GRAVITY,
+        gravity_source: GravitySource::Given,
+        method: tool.into(),
+        accelerometer: Some(triad("a = T (A - b)", accelerometer)),
+        gyroscope: Some(triad("w = T (W - b)", gyroscope)),
+        effects: effects.map(of_g_sensitivity).into_iter().collect(),
+        parameters: Vec::new(),
+        covariance: Vec::new(),
+        misfit: Vec::new(),
+        warnings,
+        failed_gates: Vec::new(),
+        clocks: Vec::new(),
+        history: Vec::new(),
+        provenance: Provenance::of(Vec::new(), None),
+    };
+    calibration.state_units();
+    calibration.seal();
+    calibration
+}
+
+fn triad(model: &str, base: &Base<f64>) -> Triad {
+    Triad {
+        model: model.into(),
+        t: std::array::from_fn(|i| std::array::from_fn(|j| base.t[(i, j)])),
+        bias: base.bias.into(),
+        t_std: [[None; 3]; 3],
+        bias_std: [None; 3],
+        bias_time: None,
+        residual_rms: 0.0,
+        reduced_chi2: None,
+        static_intervals: None,
+        dynamic_intervals: None,
+        rank: 0,
+        condition: 0.0,
+        unobservable: Vec::new(),
+        units: None,
+        recordings: Vec::new(),
+    }
+}
+
+fn of_g_sensitivity(g: &Matrix3<f64>) -> EffectValues {
+    let params = effect_named(G_SENSITIVITY).map_or(&[][..], |effect| effect.params());
+    let parameters = params
+        .iter()
+        .zip(rows(g))
+        .map(|(param, value)| EffectParameter {
+            name: param.name.into(),
+            value,
+            std: None,
+            unit: param.unit.into(),
+        });
+    EffectValues {
+        name: G_SENSITIVITY.into(),
+        definition: None,
+        parameters: parameters.collect(),
+        outside: None,
+    }
+}

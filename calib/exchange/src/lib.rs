@@ -1,0 +1,21 @@
+//! A calibration in another tool's form, and back: `f = T (A − b)`.
+//!
+//! ```text
+//! cal.json ──► Source ──► Target ──► files, and what of the calibration they do not hold (Loss)
+//! imu_tk, Kalibr ──► import ──► Calibration
+//! ```
+//! A target is one file in `targets/` and one line in [`TARGETS`]. It says by [`Target::keeps`] what its tool makes of a
+//! reading; what is lost, and how much that is for this device, follows from that.
+
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+pub mod import;
+mod loss;
+mod source;
+mod target;
+mod targets;
+
+pub use loss::Loss;
+pub use source::Source;
+pub use target::{Error, Export, Form, Kept, Settings, Target, Written, export};
+pub use targets::{TARGETS, by_name};

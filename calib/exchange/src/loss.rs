@@ -1,0 +1,199 @@
+//! What of a calibration a target does not hold, and how much that is for this device.
+
+use std::fmt;
+
+use nalgebra::{Matrix3, Vector3};
+use sensor::{Base, Kinematics, Model, Sensor};
+use serde::Serialize;
+
+use crate::source::{G_SENSITIVITY, Source, diagonal};
+use crate::target::Kept;
+
+/// A size below this is rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// Where effects of time and temperature are looked at: after a minute, ten degrees from the temperature they count from.
+const MINUTE: f64 = 60.0;
+const WARMER: f64 = 10.0;
+
+/// Something that a target does not hold.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Loss {
+    /// What.
+    pub what: String,
+    /// The largest error of the corrected signal without it, over faces, edges and corners, SI units; null where it is no
+    /// error of the signal.
+    pub size: Option<f64>,
+    /// Unit of the size.
+    pub unit: &'static str,
+    /// At which signal.
+    pub at: &'static str,
+}
+
+impl fmt::Display for Loss {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.what)?;
+        match (self.size, self.unit) {
+            (Some(size), "m/s^2") => write!(f, ": up to {:.3} mm/s² at {}", 1e3 * size, self.at),
+            (Some(size), unit) => write!(f, ": up to {size:.3e} {unit} at {}", self.at),
+            (None, _) => Ok(()),
+        }
+    }
+}
+
+/// What `kept` lacks of a calibration.
+pub(crate) fn losses(source: &Source<'_>, kept: &Kept) -> Vec<Loss> {
+    let mut lost = Vec::new();
+    for (sensor, own, left) in [
+        (
+            Sensor::Accelerometer,
+            &source.accelerometer,
+            &kept.accelerometer,
+        ),
+        (Sensor::Gyroscope, &source.gyroscope, &kept.gyroscope),
+    ] {
+        if let Some(own) = own {
+            lost.extend(of_base(
+                sensor,
+                own,
+                left.as_ref(),
+                source.calibration.gravity,
+            ));
+        }
+    }
+    lost.extend(of_effects(source, kept));
+    let has_errors = !source.calibration.covariance.is_empty();
+    if has_errors && !kept.errors {
+        lost.push(Loss {
+            what: "standard errors and covariance".into(),
+            size: None,
+            unit: "",
+            at: "",
+        });
+    }
+    lost
+}
+
+fn of_base(sensor: Sensor, own: &Base<f64>, left: Option<&Base<f64>>, gravity: f64) -> Vec<Loss> {
+    let name = called(sensor);
+    let size = |other: &Base<f64>| {
+        let errors = probes(sensor, gravity).filter_map(|signal| {
+            let raw = own.distort(&signal)?;
+            Some((other.correct(&raw) - signal).norm())
+        });
+        errors.fold(0.0, f64::max)
+    };
+    let Some(left) = left else {
+        let raw = Base::identity();
+        return vec![loss(
+            sensor,
+            format!("the whole calibration of the {name}"),
+            size(&raw),
+        )];
+    };
+    let off = |m: &Matrix3<f64>| m - diagonal(m);
+    let mut lost = Vec::new();
+    let mut say = |what: &str, without: Base<f64>| {
+        let size = size(&without);
+        if size > ROUNDING {
+            lost.push(loss(sensor, format!("{what} of the {name}"), size));
+        }
+    };
+    if off(&left.t) != off(&own.t) {
+        say(
+            "misalignments",
+            Base {
+                t: diagonal(&own.t) + off(&left.t),
+                ..*own
+            },
+        );
+    }
+    if diagonal(&left.t) != diagonal(&own.t) {
+        let scales = diagonal(&own.t) - diagonal(&left.t);
+        say(
+            "scale factors",
+            Base {
+                t: own.t - scales,
+                ..*own
+            },
+        );
+    }
+    if left.bias != own.bias {
+        say(
+            "bias",
+            Base {
+                bias: left.bias,
+                ..*own
+            },
+        );
+    }
+    lost
+}
+
+fn of_effects(source: &Source<'_>, kept: &Kept) -> Vec<Loss> {
+    let mut lost = Vec::new();
+    if kept.effects {
+        return lost;
+    }
+    let gravity = source.calibration.gravity;
+    for values in &source.calibration.effects {
+        if values.name == G_SENSITIVITY && kept.g_sensitivity {
+            continue;
+        }
+        let Ok(effect) = values.effect() else {
+            continue;
+        };
+        let sensor = effect.sensor();
+        let model = Model::base(sensor).with(effect);
+        let mut p = Base::identity().parameters().to_vec();
+        p.extend(values.parameters.iter().map(|v| v.value));
+        let errors = probes(Sensor::Accelerometer, gravity).flat_map(|force| {
+            let (model, p) = (&model, &p);
+            probes(Sensor::Gyroscope, gravity).map(move |rate| {
+                let mut truth = Kinematics::new(force, rate);
+                truth.time = MINUTE;
+                truth.temperature += WARMER;
+                truth.last_change = force.map(f64::signum);
+                let error: Vector3<f64> = model.error(&truth, p);
+                error.norm()
+            })
+        });
+        let size = errors.fold(0.0, f64::max);
+        lost.push(Loss {
+            at: "1 g and 1 rad/s, after a minute, 10 K from its reference",
+            ..loss(sensor, format!("the effect {}", values.name), size)
+        });
+    }
+    lost
+}
+
+fn loss(sensor: Sensor, what: String, size: f64) -> Loss {
+    let (unit, at) = match sensor {
+        Sensor::Accelerometer => ("m/s^2", "1 g"),
+        Sensor::Gyroscope => ("rad/s", "1 rad/s"),
+    };
+    Loss {
+        what,
+        size: Some(size),
+        unit,
+        at,
+    }
+}
+
+fn called(sensor: Sensor) -> &'static str {
+    match sensor {
+        Sensor::Accelerometer => "accelerometer",
+        Sensor::Gyroscope => "gyroscope",
+    }
+}
+
+/// One g or one radian per second along faces, edges and corners.
+fn probes(sensor: Sensor, gravity: f64) -> impl Iterator<Item = Vector3<f64>> {
+    let size = match sensor {
+        Sensor::Accelerometer => gravity,
+        Sensor::Gyroscope => 1.0,
+    };
+    let all = (0..27).map(|k| Vector3::new(k % 3, k / 3 % 3, k / 9).map(|v| f64::from(v) - 1.0));
+    all.filter(|v| v.norm() > 0.5)
+        .map(move |v| v.normalize() * size)
+}

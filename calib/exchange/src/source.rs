@@ -1,0 +1,140 @@
+//! What there is to export.
+
+use calib::Calibration;
+use calib::calibration::TriadUnits;
+use nalgebra::{Matrix3, Vector3};
+use sensor::{Base, Sensor};
+
+use crate::target::Error;
+
+/// The effect that some targets hold: `w = T (W − b) − G f`.
+pub(crate) const G_SENSITIVITY: &str = "gyro_g_sensitivity";
+
+/// A calibration ready to be written.
+#[derive(Clone, Debug)]
+pub struct Source<'a> {
+    /// As it was read.
+    pub calibration: &'a Calibration,
+    /// The accelerometer.
+    pub accelerometer: Option<Base<f64>>,
+    /// The gyroscope.
+    pub gyroscope: Option<Base<f64>>,
+    /// `G`, (rad/s)/(m/s²), where the calibration has it.
+    pub g_sensitivity: Option<Matrix3<f64>>,
+}
+
+impl<'a> Source<'a> {
+    /// Of a calibration.
+    pub fn new(calibration: &'a Calibration) -> Self {
+        let base = |sensor| calibration.triad(sensor).map(|triad| triad.base());
+        let own = calibration.effects.iter();
+        let own = own.filter(|e| e.name == G_SENSITIVITY && e.parameters.len() == 9);
+        let matrix = |e: &calib::calibration::EffectValues| {
+            Matrix3::from_fn(|i, j| e.parameters[3 * i + j].value)
+        };
+        Self {
+            calibration,
+            accelerometer: base(Sensor::Accelerometer),
+            gyroscope: base(Sensor::Gyroscope),
+            g_sensitivity: own.map(matrix).next(),
+        }
+    }
+
+    /// The accelerometer of a target that cannot do without.
+    ///
+    /// # Errors
+    /// [`Error::Lacks`].
+    pub fn needs_accelerometer(&self, target: &'static str) -> Result<&Base<f64>, Error> {
+        let what = "accelerometer";
+        self.accelerometer
+            .as_ref()
+            .ok_or(Error::Lacks { target, what })
+    }
+
+    /// The gyroscope of a target that cannot do without.
+    ///
+    /// # Errors
+    /// [`Error::Lacks`].
+    pub fn needs_gyroscope(&self, target: &'static str) -> Result<&Base<f64>, Error> {
+        let what = "gyroscope";
+        self.gyroscope.as_ref().ok_or(Error::Lacks { target, what })
+    }
+
+    /// Refuses readings in another unit than m/s² and rad/s: the target corrects those.
+    ///
+    /// # Errors
+    /// [`Error::Unit`].
+    pub fn needs_si(&self, target: &'static str) -> Result<(), Error> {
+        for (sensor, name, si) in [
+            (Sensor::Accelerometer, "accelerometer", "m/s^2"),
+            (Sensor::Gyroscope, "gyroscope", "rad/s"),
+        ] {
+            let unit = self.unit(sensor);
+            if let Some(unit) = unit.filter(|unit| unit != si) {
+                return Err(Error::Unit {
+                    target,
+                    sensor: name,
+                    unit,
+                    si,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// The unit of a sensor's readings.
+    pub fn unit(&self, sensor: Sensor) -> Option<String> {
+        let triad = self.calibration.triad(sensor)?;
+        Some(TriadUnits::of(sensor, triad).reading)
+    }
+
+    /// Where it comes from, in lines that may stand in a comment of any language: printable ASCII without what could end
+    /// a comment.
+    pub fn provenance(&self) -> Vec<String> {
+        let calibration = self.calibration;
+        let mut lines = vec![
+            format!("IMU calibration, written by {}", calibration.created_by),
+            format!(
+                "method {}, gravity {} m/s^2",
+                calibration.method, calibration.gravity
+            ),
+        ];
+        if let Some(hash) = &calibration.provenance.numbers_sha256 {
+            lines.push(format!("numbers_sha256 {hash}"));
+        }
+        for input in &calibration.provenance.inputs {
+            lines.push(format!(
+                "from {}, samples_sha256 {}",
+                input.recording, input.samples_sha256
+            ));
+        }
+        lines.iter().map(|line| plain(line)).collect()
+    }
+}
+
+/// Printable ASCII but for `*`, `/`, backslashes and quotes, at most 160 characters.
+fn plain(line: &str) -> String {
+    let kept = |c: char| match c {
+        ' '..='~' if !"*\\\"'`".contains(c) => c,
+        _ => '_',
+    };
+    line.chars().take(160).map(kept).collect()
+}
+
+/// The elements of a matrix, row by row.
+pub(crate) fn rows(m: &Matrix3<f64>) -> [f64; 9] {
+    std::array::from_fn(|k| m[(k / 3, k % 3)])
+}
+
+/// A matrix of the diagonal alone.
+pub(crate) fn diagonal(m: &Matrix3<f64>) -> Matrix3<f64> {
+    Matrix3::from_diagonal(&m.diagonal())
+}
+
+/// The axes by name.
+pub(crate) const AXES: [&str; 3] = ["X", "Y", "Z"];
+
+/// A vector's numbers with their axes.
+pub(crate) fn by_axis(v: Vector3<f64>) -> impl Iterator<Item = (&'static str, f64)> {
+    AXES.into_iter().zip([v.x, v.y, v.z])
+}

@@ -1,0 +1,32 @@
+//! `cal.json` as a tree, for targets that hold all of it.
+
+use serde_json::Value;
+
+use crate::source::Source;
+use crate::target::Error;
+
+/// The calibration as `calibrate` writes it.
+pub fn document(source: &Source<'_>) -> Result<Value, Error> {
+    serde_json::to_value(source.calibration).map_err(|e| Error::Format(e.to_string()))
+}
+
+/// A list of numbers, null as not a number; `None` of anything else.
+pub fn numbers(value: &Value) -> Option<Vec<f64>> {
+    let all = value.as_array()?;
+    let number = |v: &Value| {
+        if v.is_null() {
+            Some(f64::NAN)
+        } else {
+            v.as_f64()
+        }
+    };
+    all.iter().map(number).collect()
+}
+
+/// Rows of numbers, all of one length.
+pub fn matrix(value: &Value) -> Option<Vec<Vec<f64>>> {
+    let rows: Option<Vec<Vec<f64>>> = value.as_array()?.iter().map(numbers).collect();
+    let rows = rows?;
+    let width = rows.first()?.len();
+    rows.iter().all(|row| row.len() == width).then_some(rows)
+}

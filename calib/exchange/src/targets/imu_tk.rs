@@ -1,0 +1,60 @@
+//! imu_tk: two text files, `X' = T K (X − B)`.
+
+use std::fmt::Write as _;
+
+use sensor::Base;
+
+use crate::source::{Source, diagonal};
+use crate::target::{Error, Form, Kept, Settings, Target, Written};
+
+/// Tedaldi, Pretto and Menegatti's imu_tk reads per sensor the misalignment matrix `T`, the scale matrix `K` and the bias
+/// `B`, 21 numbers in rows (`CalibratedTriad_::load` and `unbiasNormalize` in `include/imu_tk/calibration.h`).
+///
+/// `K = diag T`, `T' = T K⁻¹`.
+#[derive(Debug)]
+pub struct ImuTk;
+
+impl Target for ImuTk {
+    fn name(&self) -> &'static str {
+        "imu_tk"
+    }
+
+    fn about(&self) -> &'static str {
+        "imu_tk: a folder with acc.calib and gyro.calib, f = T K (A - B)"
+    }
+
+    fn form(&self) -> Form {
+        Form::Folder(&["acc.calib", "gyro.calib"])
+    }
+
+    fn keeps(&self, source: &Source<'_>) -> Kept {
+        Kept::base_of(source)
+    }
+
+    fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
+        let accelerometer = source.needs_accelerometer("imu_tk")?;
+        let gyroscope = source.needs_gyroscope("imu_tk")?;
+        Ok(Written {
+            files: vec![text(accelerometer)?, text(gyroscope)?],
+            notes: Vec::new(),
+        })
+    }
+}
+
+fn text(base: &Base<f64>) -> Result<Vec<u8>, Error> {
+    let scale = diagonal(&base.t);
+    let inverse = scale.try_inverse().ok_or_else(|| {
+        Error::Format("imu_tk divides by the scale factors, and one of them is zero".into())
+    })?;
+    let mut text = String::new();
+    for matrix in [base.t * inverse, scale] {
+        for row in matrix.row_iter() {
+            let _ = writeln!(text, "{:.17e} {:.17e} {:.17e}", row[0], row[1], row[2]);
+        }
+        text.push('\n');
+    }
+    for b in base.bias.iter() {
+        let _ = writeln!(text, "{b:.17e}");
+    }
+    Ok(text.into_bytes())
+}

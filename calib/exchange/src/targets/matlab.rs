@@ -1,0 +1,105 @@
+//! MATLAB and Octave: a script that makes a struct and two functions.
+
+use std::fmt::Write as _;
+
+use serde_json::Value;
+
+use super::document::{document, matrix, numbers};
+use crate::source::Source;
+use crate::target::{Error, Kept, Settings, Target, Written};
+
+/// `cal.accelerometer.T` and so on with the keys of `cal.json`; `cal_accelerometer(A)` and `cal_gyroscope(W)` correct readings
+/// in the rows of a matrix.
+#[derive(Debug)]
+pub struct Matlab;
+
+impl Target for Matlab {
+    fn name(&self) -> &'static str {
+        "matlab"
+    }
+
+    fn about(&self) -> &'static str {
+        "a MATLAB or Octave script: the struct cal with all of cal.json, and functions for rows of readings"
+    }
+
+    fn keeps(&self, source: &Source<'_>) -> Kept {
+        Kept::all_of(source)
+    }
+
+    fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
+        let mut text = String::new();
+        for line in source.provenance() {
+            let _ = writeln!(text, "% {line}");
+        }
+        let _ = writeln!(text, "cal = {};", literal(&document(source)?));
+        let sensors = [
+            ("accelerometer", source.accelerometer.is_some()),
+            ("gyroscope", source.gyroscope.is_some()),
+        ];
+        for (name, there) in sensors {
+            if there {
+                let _ = writeln!(
+                    text,
+                    "cal_{name} = @(raw) (raw - cal.{name}.bias) * cal.{name}.T';"
+                );
+            }
+        }
+        let notes = if source.calibration.effects.is_empty() {
+            Vec::new()
+        } else {
+            vec!["the functions apply the base models; the effects are in cal.effects".into()]
+        };
+        Ok(Written {
+            notes,
+            ..Written::text(text)
+        })
+    }
+}
+
+fn literal(value: &Value) -> String {
+    if let Some(rows) = matrix(value) {
+        let rows: Vec<String> = rows.iter().map(|row| row_of(row)).collect();
+        return format!("[{}]", rows.join("; "));
+    }
+    if let Some(row) = numbers(value) {
+        return format!("[{}]", row_of(&row));
+    }
+    match value {
+        Value::Null => "[]".into(),
+        Value::Bool(v) => v.to_string(),
+        Value::Number(n) => number(n.as_f64().unwrap_or(f64::NAN)),
+        Value::String(s) => string(s),
+        Value::Array(all) => {
+            let all: Vec<String> = all.iter().map(literal).collect();
+            format!("{{{}}}", all.join(", "))
+        }
+        Value::Object(all) => {
+            // In a list of fields a cell would make an array of structs: it stands in a cell of its own.
+            let fields: Vec<String> = all
+                .iter()
+                .map(|(key, v)| format!("{}, {{{}}}", string(key), literal(v)))
+                .collect();
+            format!("struct({})", fields.join(", ...\n  "))
+        }
+    }
+}
+
+fn row_of(row: &[f64]) -> String {
+    let all: Vec<String> = row.iter().map(|v| number(*v)).collect();
+    all.join(" ")
+}
+
+fn number(v: f64) -> String {
+    if v.is_nan() {
+        "NaN".into()
+    } else {
+        format!("{v:?}")
+    }
+}
+
+/// A text of one line in single quotes, which are doubled in it.
+fn string(s: &str) -> String {
+    let kept = |c: char| if c.is_control() { ' ' } else { c };
+    let text: String = s.chars().map(kept).collect();
+    format!("'{}'", text.replace('\'', "''"))
+}

@@ -1,0 +1,101 @@
+//! Python with NumPy: a module.
+
+use std::fmt::Write as _;
+
+use serde_json::Value;
+
+use super::document::{document, matrix, numbers};
+use crate::source::Source;
+use crate::target::{Error, Kept, Settings, Target, Written};
+
+/// `calibration`, a dictionary with the keys of `cal.json`, and `accelerometer(A)`, `gyroscope(W)` for readings in the rows of
+/// an array.
+#[derive(Debug)]
+pub struct NumPy;
+
+impl Target for NumPy {
+    fn name(&self) -> &'static str {
+        "numpy"
+    }
+
+    fn about(&self) -> &'static str {
+        "a Python module: the dictionary calibration with all of cal.json in NumPy arrays, and functions"
+    }
+
+    fn keeps(&self, source: &Source<'_>) -> Kept {
+        Kept::all_of(source)
+    }
+
+    fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
+        let mut text = String::new();
+        for line in source.provenance() {
+            let _ = writeln!(text, "# {line}");
+        }
+        text.push_str("import numpy as np\n\n");
+        let _ = writeln!(text, "calibration = {}", literal(&document(source)?));
+        let sensors = [
+            ("accelerometer", source.accelerometer.is_some()),
+            ("gyroscope", source.gyroscope.is_some()),
+        ];
+        for (name, there) in sensors {
+            if there {
+                let _ = write!(
+                    text,
+                    "\n\ndef {name}(raw):\n    \"\"\"T (raw - b) of readings in rows.\"\"\"\n    own = calibration[\"{name}\"]\n    \
+                     return (np.asarray(raw) - own[\"bias\"]) @ own[\"T\"].T\n"
+                );
+            }
+        }
+        let notes = if source.calibration.effects.is_empty() {
+            Vec::new()
+        } else {
+            vec![
+                "the functions apply the base models; the effects are in calibration[\"effects\"]"
+                    .into(),
+            ]
+        };
+        Ok(Written {
+            notes,
+            ..Written::text(text)
+        })
+    }
+}
+
+fn literal(value: &Value) -> String {
+    if let Some(rows) = matrix(value) {
+        let rows: Vec<String> = rows.iter().map(|row| list(row)).collect();
+        return format!("np.array([{}])", rows.join(", "));
+    }
+    if let Some(row) = numbers(value).filter(|row| !row.is_empty()) {
+        return format!("np.array({})", list(&row));
+    }
+    match value {
+        Value::Null => "None".into(),
+        Value::Bool(v) => if *v { "True" } else { "False" }.into(),
+        // JSON's escapes are Python's.
+        Value::String(_) | Value::Number(_) => value.to_string(),
+        Value::Array(all) => {
+            let all: Vec<String> = all.iter().map(literal).collect();
+            format!("[{}]", all.join(", "))
+        }
+        Value::Object(all) => {
+            let entries: Vec<String> = all
+                .iter()
+                .map(|(key, v)| format!("{}: {}", Value::String(key.clone()), literal(v)))
+                .collect();
+            format!("{{{}}}", entries.join(",\n    "))
+        }
+    }
+}
+
+fn list(row: &[f64]) -> String {
+    let number = |v: &f64| {
+        if v.is_nan() {
+            "np.nan".into()
+        } else {
+            format!("{v:?}")
+        }
+    };
+    let all: Vec<String> = row.iter().map(number).collect();
+    format!("[{}]", all.join(", "))
+}

@@ -1,0 +1,88 @@
+//! PX4: a parameter file as QGroundControl loads it.
+
+use std::fmt::Write as _;
+
+use crate::source::{Source, by_axis};
+use crate::target::{Error, Kept, Settings, Target, Written, offset_alone, offset_and_scale};
+
+/// `MAV_PARAM_TYPE_REAL32`.
+const REAL32: u8 = 9;
+
+/// Scale factors that PX4 takes.
+const SCALES: (f64, f64) = (0.1, 3.0);
+
+/// Sensors of a kind that PX4 has parameters for.
+const MOST: usize = 4;
+
+/// `(data − offset) · scale` per axis for the accelerometer, `data − offset` for the gyroscope
+/// (`Accelerometer::Correct` and `Gyroscope::Correct` in `src/lib/sensor_calibration`).
+#[derive(Debug)]
+pub struct Px4;
+
+impl Target for Px4 {
+    fn name(&self) -> &'static str {
+        "px4"
+    }
+
+    fn about(&self) -> &'static str {
+        "PX4 parameters (CAL_ACC0_XOFF, CAL_ACC0_XSCALE, CAL_GYRO0_XOFF, ...); --instance for another sensor"
+    }
+
+    fn keeps(&self, source: &Source<'_>) -> Kept {
+        Kept {
+            accelerometer: source.accelerometer.as_ref().map(offset_and_scale),
+            gyroscope: source.gyroscope.as_ref().map(offset_alone),
+            ..Kept::default()
+        }
+    }
+
+    fn write(&self, source: &Source<'_>, settings: &Settings) -> Result<Written, Error> {
+        source.needs_si("px4")?;
+        let k = settings.instance;
+        if k >= MOST {
+            return Err(Error::Settings(format!(
+                "--instance {k}: PX4 has parameters for 0 to {}",
+                MOST - 1
+            )));
+        }
+        let mut text = String::from("# Onboard parameters for Vehicle 1\n#\n");
+        for line in source.provenance() {
+            let _ = writeln!(text, "# {line}");
+        }
+        text.push_str("#\n# Vehicle-Id Component-Id Name Value Type\n");
+        let mut put = |name: String, value: f64| {
+            // PX4 keeps 32-bit floats.
+            let _ = writeln!(text, "1\t1\t{name}\t{:?}\t{REAL32}", value as f32);
+        };
+        if let Some(base) = &source.accelerometer {
+            for (axis, value) in by_axis(base.bias) {
+                put(format!("CAL_ACC{k}_{axis}OFF"), value);
+            }
+            for (axis, value) in by_axis(base.t.diagonal()) {
+                let (least, most) = SCALES;
+                if !(least..=most).contains(&value) {
+                    return Err(Error::Range {
+                        target: "px4",
+                        name: format!("CAL_ACC{k}_{axis}SCALE"),
+                        value,
+                        least,
+                        most,
+                        next: "read the axis with the other sign (`calibrate --flip`), or check the unit",
+                    });
+                }
+                put(format!("CAL_ACC{k}_{axis}SCALE"), value);
+            }
+        }
+        if let Some(base) = &source.gyroscope {
+            for (axis, value) in by_axis(base.bias) {
+                put(format!("CAL_GYRO{k}_{axis}OFF"), value);
+            }
+        }
+        Ok(Written {
+            notes: vec![format!(
+                "PX4 uses them where CAL_ACC{k}_ID and CAL_GYRO{k}_ID are the sensors' own: let it calibrate once, then load these"
+            )],
+            ..Written::text(text)
+        })
+    }
+}

@@ -1,0 +1,51 @@
+//! ROS: the file of dpkoch/imu_calib, `out = SM raw − bias`.
+
+use std::fmt::Write as _;
+
+use crate::source::{Source, rows};
+use crate::target::{Error, Kept, Settings, Target, Written};
+
+/// `SM = T`, `bias = T b` (`AccelCalib::loadCalib` and `applyCalib` in `src/accel_calib/accel_calib.cpp`). The node has no
+/// parameters of the gyroscope: it takes off the mean of its first samples.
+#[derive(Debug)]
+pub struct Ros;
+
+impl Target for Ros {
+    fn name(&self) -> &'static str {
+        "ros"
+    }
+
+    fn about(&self) -> &'static str {
+        "ROS imu_calib's yaml: f = SM A - bias; the accelerometer only"
+    }
+
+    fn keeps(&self, source: &Source<'_>) -> Kept {
+        Kept {
+            accelerometer: source.accelerometer,
+            ..Kept::default()
+        }
+    }
+
+    fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
+        source.needs_si("ros")?;
+        let base = source.needs_accelerometer("ros")?;
+        let mut text = String::new();
+        for line in source.provenance() {
+            let _ = writeln!(text, "# {line}");
+        }
+        let sequence = |text: &mut String, key: &str, values: &[f64]| {
+            let _ = writeln!(text, "{key}:");
+            for value in values {
+                let _ = writeln!(text, "  - {value:?}");
+            }
+        };
+        sequence(&mut text, "SM", &rows(&base.t));
+        sequence(&mut text, "bias", (base.t * base.bias).as_slice());
+        Ok(Written {
+            notes: vec![
+                "imu_calib takes the gyroscope's bias from its first samples (calibrate_gyros): keep still then".into(),
+            ],
+            ..Written::text(text)
+        })
+    }
+}

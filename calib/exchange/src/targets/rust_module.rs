@@ -1,0 +1,96 @@
+//! A Rust module without dependencies, `no_std`.
+
+use std::fmt::Write as _;
+
+use sensor::{Base, Sensor};
+
+use crate::source::Source;
+use crate::target::{Error, Kept, Settings, Target, Written};
+
+/// `f = T (A − b)` and `w = T (W − b) − G f` in `f64`.
+#[derive(Debug)]
+pub struct RustModule;
+
+impl Target for RustModule {
+    fn name(&self) -> &'static str {
+        "rust"
+    }
+
+    fn about(&self) -> &'static str {
+        "a Rust module: correct_accelerometer(raw) and correct_gyroscope(raw) in f64, no dependencies"
+    }
+
+    fn keeps(&self, source: &Source<'_>) -> Kept {
+        Kept {
+            g_sensitivity: true,
+            ..Kept::base_of(source)
+        }
+    }
+
+    fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
+        let mut text = String::new();
+        for line in source.provenance() {
+            let _ = writeln!(text, "// {line}");
+        }
+        text.push_str(
+            "// At rest specific force is +g on the axis that points up; rates are right-handed about each axis.\n\n",
+        );
+        let sensors = [
+            (Sensor::Accelerometer, &source.accelerometer),
+            (Sensor::Gyroscope, &source.gyroscope),
+        ];
+        for (sensor, base) in sensors {
+            if let Some(base) = base {
+                text.push_str(&module(source, sensor, base));
+            }
+        }
+        Ok(Written::text(text))
+    }
+}
+
+fn module(source: &Source<'_>, sensor: Sensor, base: &Base<f64>) -> String {
+    let (name, unit) = match sensor {
+        Sensor::Accelerometer => ("accelerometer", "m/s^2"),
+        Sensor::Gyroscope => ("gyroscope", "rad/s"),
+    };
+    let upper = name.to_uppercase();
+    let reading = source.unit(sensor).unwrap_or_default();
+    let g = source.g_sensitivity.filter(|_| sensor == Sensor::Gyroscope);
+    let b = base.bias;
+    let mut text = format!(
+        "/// Scale factors and misalignments of the {name}, {unit} per {reading}.\npub const {upper}_T: [[f64; 3]; 3] = \
+         {};\n/// Its bias, {reading}.\npub const {upper}_BIAS: [f64; 3] = {:?};\n",
+        matrix(&base.t),
+        [b.x, b.y, b.z]
+    );
+    if let Some(g) = g {
+        let _ = writeln!(
+            text,
+            "/// Sensitivity of the gyroscope to specific force, (rad/s)/(m/s^2).\npub const G_SENSITIVITY: [[f64; 3]; 3] = {};",
+            matrix(&g)
+        );
+    }
+    let (argument, rule, term) = match g {
+        Some(_) => (
+            ", force: [f64; 3]",
+            "`T (raw - b) - G force`, `force` as `correct_accelerometer` gives it.",
+            "\n            - (G_SENSITIVITY[i][0] * force[0] + G_SENSITIVITY[i][1] * force[1] + G_SENSITIVITY[i][2] * force[2])",
+        ),
+        None => ("", "`T (raw - b)`.", ""),
+    };
+    let _ = writeln!(
+        text,
+        "\n/// The corrected reading, {unit}: {rule}\npub fn correct_{name}(raw: [f64; 3]{argument}) -> [f64; 3] {{\n\
+         \x20   let d = [0, 1, 2].map(|k: usize| raw[k] - {upper}_BIAS[k]);\n\
+         \x20   [0, 1, 2].map(|i: usize| {{\n        {upper}_T[i][0] * d[0] + {upper}_T[i][1] * d[1] + {upper}_T[i][2] * d[2]{term}\n    }})\n}}\n"
+    );
+    text
+}
+
+fn matrix(m: &nalgebra::Matrix3<f64>) -> String {
+    let rows: Vec<String> = m
+        .row_iter()
+        .map(|r| format!("    [{:?}, {:?}, {:?}],\n", r[0], r[1], r[2]))
+        .collect();
+    format!("[\n{}]", rows.concat())
+}

@@ -1,0 +1,63 @@
+//! TOML: `cal.json` key by key.
+
+use std::fmt::Write as _;
+
+use serde_json::Value;
+
+use super::document::document;
+use crate::source::Source;
+use crate::target::{Error, Kept, Settings, Target, Written};
+
+/// The same keys as `cal.json`; what is null is `nan` in a list of numbers and absent in a table, as TOML has no null.
+#[derive(Debug)]
+pub struct TomlTable;
+
+impl Target for TomlTable {
+    fn name(&self) -> &'static str {
+        "toml"
+    }
+
+    fn about(&self) -> &'static str {
+        "TOML with the keys of cal.json: all of it"
+    }
+
+    fn keeps(&self, source: &Source<'_>) -> Kept {
+        Kept::all_of(source)
+    }
+
+    fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
+        let mut text = String::new();
+        for line in source.provenance() {
+            let _ = writeln!(text, "# {line}");
+        }
+        text.push_str(
+            "# accelerometer: f = T (A - b), gyroscope: w = T (W - b), rows of T in order\n",
+        );
+        let tree = converted(&document(source)?, false);
+        let tree = tree.unwrap_or_else(|| toml::Value::Table(toml::Table::new()));
+        let body = toml::to_string_pretty(&tree).map_err(|e| Error::Format(e.to_string()))?;
+        text.push_str(&body);
+        Ok(Written::text(text))
+    }
+}
+
+fn converted(value: &Value, in_list: bool) -> Option<toml::Value> {
+    Some(match value {
+        Value::Null if in_list => toml::Value::Float(f64::NAN),
+        Value::Null => return None,
+        Value::Bool(v) => toml::Value::Boolean(*v),
+        Value::Number(n) => match n.as_i64() {
+            Some(whole) => toml::Value::Integer(whole),
+            None => toml::Value::Float(n.as_f64()?),
+        },
+        Value::String(s) => toml::Value::String(s.clone()),
+        Value::Array(all) => {
+            toml::Value::Array(all.iter().filter_map(|v| converted(v, true)).collect())
+        }
+        Value::Object(all) => {
+            let entries = all.iter();
+            let entries = entries.filter_map(|(k, v)| Some((k.clone(), converted(v, false)?)));
+            toml::Value::Table(entries.collect())
+        }
+    })
+}
