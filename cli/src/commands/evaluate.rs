@@ -6,6 +6,7 @@ use calib::calibrate::STANDARD_GRAVITY;
 use calib::calibrate::changes_part_way;
 use calib::calibration::load;
 use calib::methods::cut;
+use calib::readings::{findings, without_spikes};
 use calib::{Evaluation, evaluate};
 use serde_json::json;
 
@@ -61,6 +62,14 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         args.device.check(calibration, &[&recording])?;
     }
     let choice = cut(&recording, &detector, choose, args.gravity)?;
+    // What is wrong with the readings is in every misfit.
+    let spikes = without_spikes(&recording).map_or_else(Vec::new, |(_, found)| found);
+    for found in findings(&recording, &choice.segmentation)
+        .iter()
+        .chain(&spikes)
+    {
+        show::warn(&format!("{}: {found}", recording.name));
+    }
     let measure = |c| evaluate(&recording, &choice.segmentation, c, args.gravity);
     let mut rows: Vec<(String, Evaluation)> = vec![("raw".into(), measure(None)?)];
     for (name, calibration) in &calibrations {

@@ -83,17 +83,6 @@ fn named(rows: &[Row], kind: &str, place: Place) {
     assert_eq!(refused, [false, false], "refused: say so in the test");
 }
 
-/// As [`named`], but `evaluate`, which does not look at the readings themselves, only says of a failed gate, or nothing
-/// where the result is the one of the good recording.
-#[track_caller]
-fn named_by_calibrate(rows: &[Row], kind: &str, place: Place) {
-    runs(rows, |run, command| {
-        if command == "calibrate" {
-            names(run, kind, place);
-        }
-    });
-}
-
 /// Neither method writes a result; the message holds these words.
 #[track_caller]
 fn refused(rows: &[Row], status: i32, words: &[&str]) {
@@ -213,7 +202,7 @@ fn one_row_in_ten_twice_or_not_at_all() {
         rows.flat_map(|(k, row)| std::iter::repeat_n(*row, 1 + usize::from(is_chosen(k))))
     };
     let with_stamps: Vec<Row> = twice().collect();
-    named_by_calibrate(
+    named(
         &with_stamps,
         "repeat earlier rows",
         Place::Words("rows between lines"),
@@ -285,17 +274,17 @@ fn biases_that_step_half_way() {
 #[test]
 fn steps_of_four_times_the_noise() {
     let axes = Place::Words("on x, y, z");
-    named_by_calibrate(
+    named(
         &quantised(4..7, 3.9e-3),
         "the gyroscope reads in steps of",
         axes,
     );
-    named_by_calibrate(
+    named(
         &quantised(4..7, 9.75e-3),
         "the gyroscope reads in steps of",
         axes,
     );
-    named_by_calibrate(
+    named(
         &quantised(1..4, 0.081),
         "the accelerometer reads in steps of",
         axes,
@@ -311,12 +300,12 @@ fn ranges_that_are_too_small() {
                 .for_each(|v| *v = v.clamp(-limit, limit))
         })
     };
-    named_by_calibrate(
+    named(
         &clipped(4..7, 1.2),
         "is saturated at -1.2",
         Place::Words("gyroscope x"),
     );
-    named_by_calibrate(
+    named(
         &clipped(1..2, 8.0),
         "is saturated at 8",
         Place::Words("accelerometer x"),
@@ -330,7 +319,7 @@ fn readings_that_a_filter_or_a_bus_has_touched() {
             row[1] = 327.67;
         }
     });
-    named_by_calibrate(
+    named(
         &spikes,
         "single readings",
         Place::Words("rows 3002, 6002, 9002, 12002"),
@@ -341,9 +330,9 @@ fn readings_that_a_filter_or_a_bus_has_touched() {
             .filter(|v| v.abs() < 0.05)
             .for_each(|v| *v = 0.0);
     });
-    named_by_calibrate(&dead, "a dead zone", Place::Words("zero on x, y, z"));
+    named(&dead, "a dead zone", Place::Words("zero on x, y, z"));
     let held = spoilt(|k, row| row[1..4].copy_from_slice(&good()[k - k % 4][1..4]));
-    named_by_calibrate(&held, "its values are held", Place::Words("accelerometer"));
+    named(&held, "its values are held", Place::Words("accelerometer"));
     let noise = |k: usize, column: usize| {
         let phase = (k * 7 + column * 131) as f64;
         (phase * 12.9898).sin() + (phase * 78.233).sin() + (phase * 37.719).sin()
@@ -354,7 +343,7 @@ fn readings_that_a_filter_or_a_bus_has_touched() {
             (4..7).for_each(|c| row[c] += 0.008 * noise(k, c));
         }
     });
-    named_by_calibrate(
+    named(
         &fan,
         "noisier in static intervals 10, 11, 12",
         Place::Words("the gyroscope"),
