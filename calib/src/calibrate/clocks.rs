@@ -6,6 +6,9 @@ use crate::recording::{Recording, Stamps, Stream, bursts, clock_drift, clock_off
 /// Turns that miss by so much, as `χ²` per degree of freedom, with any clock: samples are not when any stamp says.
 const WITH_ANY: f64 = 60.0;
 
+/// Clocks farther apart than this are not asked for a drift, s.
+const FAR_APART: f64 = 9.0;
+
 /// Warnings about clocks that no choice makes right.
 pub(super) fn doubts(fit: &JointFit) -> Vec<String> {
     let mut doubts = Vec::new();
@@ -117,7 +120,13 @@ pub(super) fn apart(recordings: &[Recording]) -> Vec<String> {
     };
     let running = |recording: &Recording| {
         let force = recording.accelerometer.as_ref()?;
-        let drift = clock_drift(force, recording.gyroscope.as_ref()?)?;
+        let rate = recording.gyroscope.as_ref()?;
+        // The two halves are compared within ten seconds: farther apart they meet another turn.
+        let far = |(offset, _): (f64, Option<f64>)| offset.abs() > FAR_APART;
+        if clock_offset(force, rate).is_some_and(far) {
+            return None;
+        }
+        let drift = clock_drift(force, rate)?;
         Some(format!(
             "{}: the clock of the gyroscope runs {:.0} ppm {} than that of the accelerometer, by when they move: one of \
              the two is wrong by that, and the gyroscope's scale factors with it if it is its own. Say the rate by \

@@ -235,6 +235,10 @@ fn case_078_clocks_that_are_apart_or_drift_apart() {
     late.ends(0).says(&["the gyroscope is 0.5 s late"]);
     let early = apart(-3.0, 0.0).run(&["calibrate", "s"]);
     early.says(&["the accelerometer is 3.0 s late"]);
+    // More than a turn and a static interval, so that other turns nearly fall together.
+    let far = apart(15.0, 0.0).run(&["calibrate", "s"]);
+    far.says(&["the gyroscope is 15.0 s late"])
+        .is_silent_on(&["runs"]);
     let fast = apart(0.0, 1e-3).run(&["calibrate", "s"]);
     fast.ends(0)
         .says(&["the clock of the gyroscope runs", "ppm faster"]);

@@ -152,6 +152,13 @@ fn case_098_temperatures_that_cannot_be() {
     calibrate(with(&|t| 521.0 + t), &[])
         .ends(0)
         .says(&["temperatures beyond -60 to 150 °C, left out"]);
+    calibrate(with(&|t| 98.0 + 0.01 * t), &[])
+        .ends(0)
+        .says(&["are taken as °C: if they are °F (36.7 to", "temp [F]"]);
+    // Boards that heat their sensor keep it below.
+    calibrate(with(&|t| 55.0 + 0.01 * t), &[])
+        .ends(0)
+        .is_silent_on(&["°F"]);
     let bench = Bench::with("r.csv", with(&|_| 25.0));
     let run = bench.run(&["calibrate", "r.csv", "--effects", "accel_temperature"]);
     run.ends(4)
