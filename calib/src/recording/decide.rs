@@ -1,6 +1,7 @@
 //! Units that nobody stated, told from the samples.
 
 use super::place::in_file;
+use super::rests::{rests, sphere};
 use super::turn_unit::turn_unit;
 use super::units::{AccelUnit, GyroUnit};
 use super::{Stream, values};
@@ -9,6 +10,19 @@ use crate::order_statistic::nth_smallest;
 
 /// Rates beyond this are no hand-held motion in rad/s (29 turns per second): the unit is another.
 const FASTEST: f64 = 180.0;
+
+/// Gravity in g, in m/s², and in anything that is kept as counts.
+const KNOWN: [std::ops::Range<f64>; 3] = [0.8..1.25, 7.5..12.5, 100.0..f64::INFINITY];
+/// Samples looked at.
+const LOOKED_AT: usize = 360_000;
+
+/// The radius of the sphere that the means at rest lie on.
+fn gravity_at_rest(stream: &Stream) -> Option<f64> {
+    let values = &stream.values[..stream.len().min(LOOKED_AT)];
+    let rests = rests(values, values);
+    let means: Vec<_> = rests.iter().map(|rest| rest.means[0]).collect();
+    sphere(&means).map(|(_, radius)| radius)
+}
 
 /// The accelerometer's unit: stated, or told by the size of gravity, the median length of a sample.
 ///
@@ -20,7 +34,17 @@ pub(super) fn accel_unit(
     stated: Option<AccelUnit>,
     warnings: &mut Vec<String>,
 ) -> Result<AccelUnit, Error> {
-    let norm = median_norm(stream);
+    // A bias of half of gravity hides it from the median, but not from the sphere that the rests lie on.
+    let by_rests = stated.is_none().then(|| gravity_at_rest(stream)).flatten();
+    let norm = by_rests.unwrap_or_else(|| median_norm(stream));
+    if by_rests.is_some_and(|level| !KNOWN.iter().any(|range| range.contains(&level))) {
+        return Err(in_file(
+            name,
+            format!(
+                "at rest the accelerometer's readings lie on a sphere of radius {norm:.3}, which is gravity in no unit that is known; say the unit, as in --accel-unit m/s^2, or --accel-unit counts to keep them"
+            ),
+        ));
+    }
     let unit = stated.unwrap_or(match norm {
         0.8..1.25 => AccelUnit::G,
         0.0..100.0 => AccelUnit::MetresPerSecondSquared,
@@ -54,6 +78,13 @@ pub(super) fn accel_unit(
     Ok(unit)
 }
 
+/// False where one reading in two hundred is faster than a hand turns; spikes are fewer.
+fn turns_as_a_hand(stream: &Stream, unit: GyroUnit) -> bool {
+    let limit = FASTEST / unit.scale();
+    let faster = stream.values.iter().filter(|rate| rate.amax() > limit);
+    unit == GyroUnit::Counts || 200 * faster.count() <= stream.len()
+}
+
 /// The gyroscope's unit: stated, or told by the turns between rests, else rad/s unless a hand could not turn that
 /// fast.
 ///
@@ -85,7 +116,16 @@ pub(super) fn gyro_unit(
         ));
     }
     if let Some(unit) = stated {
-        return Ok(unit);
+        return match turns_as_a_hand(stream, unit) {
+            true => Ok(unit),
+            false => Err(in_file(
+                name,
+                format!(
+                    "the file states {} for the gyroscope, and it would turn faster than {FASTEST:.0} rad/s again and again; say the unit, as in --gyro-unit counts",
+                    unit.name()
+                ),
+            )),
+        };
     }
     let fastest = stream
         .values

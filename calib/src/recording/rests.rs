@@ -61,7 +61,9 @@ pub(super) fn rests(first: &[Vector3<f64>], second: &[Vector3<f64>]) -> Vec<Rest
         match (at < count && is_still(at), start) {
             (true, None) => start = Some(at),
             (false, Some(from)) => {
-                let range = from * WINDOW..at * WINDOW;
+                // The middle half: a slow turn begins and ends as if nothing moved.
+                let margin = (at - from) / 4;
+                let range = (from + margin) * WINDOW..(at - margin) * WINDOW;
                 let means = sensors.map(|values| moments(&values[range.clone()]).0);
                 rests.push(Rest {
                     from: range.start,

@@ -15,7 +15,7 @@ const UNITS: [GyroUnit; 3] = [
 /// Turns that tilt less say little, rad.
 const TILT: f64 = 0.4;
 /// Longer turns gather too much error, s.
-const LONGEST: f64 = 15.0;
+const LONGEST: f64 = 60.0;
 /// Samples looked at: an hour's, at 100 Hz.
 const LOOKED_AT: usize = 360_000;
 /// Turns looked at.
