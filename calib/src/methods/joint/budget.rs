@@ -11,7 +11,7 @@ use crate::intervals::StaticInterval;
 use crate::methods::Choice;
 use crate::recording::Recording;
 
-/// Most static intervals of all recordings together. Every one has a direction of its own among the parameters, and noise
+/// Most static intervals of a recording. Every one has a direction of its own among the parameters, and noise
 /// joins all rows: time grows with the third power of their number and memory with the second.
 pub const MOST_STATIC_INTERVALS: usize = 100;
 
@@ -56,31 +56,23 @@ impl Steps {
     }
 }
 
-/// Fewest of them that one of several recordings keeps.
-const FEWEST: usize = 12;
-
-/// Cuts the choices down to `most` static intervals together, to the stretch of every recording whose orientations are spread
-/// best, and says of each from where to where.
+/// Cuts every recording down to `most` static intervals, to the stretch whose orientations are spread best, and says from
+/// where to where. Several recordings are taken whole each: whoever records many of them wants them all.
 pub fn within_budget(
     recordings: &[&Recording],
     choices: &mut [Choice],
     most: usize,
 ) -> Vec<String> {
-    let total: usize = choices.iter().map(|c| c.segmentation.statics.len()).sum();
-    if total <= most {
-        return Vec::new();
-    }
     let mut said = Vec::new();
     for (recording, choice) in recordings.iter().zip(choices) {
         let statics = &choice.segmentation.statics;
-        let share = (most * statics.len() / total).max(FEWEST);
-        let Some(stretch) = spread_best(statics, share) else {
+        let Some(stretch) = spread_best(statics, most) else {
             continue;
         };
         let (first, last) = (&statics[stretch.start], &statics[stretch.end - 1]);
         said.push(format!(
-            "{}: this method uses {share} of {} static intervals, number {} to {} (t = {:.2} to {:.2} s), where the \
-             orientations are spread best: its time grows with the third power of their number, and {} is its limit. \
+            "{}: this method uses {most} of {} static intervals, number {} to {} (t = {:.2} to {:.2} s), where the \
+             orientations are spread best: its time grows with the third power of their number. \
              Intervals and turns are counted from there. `calibrate --method stepwise` takes all of them",
             recording.name,
             statics.len(),
@@ -88,7 +80,6 @@ pub fn within_budget(
             stretch.end,
             first.span.from,
             last.span.to,
-            most,
         ));
         choice.segmentation = choice.segmentation.stretch(stretch);
     }
@@ -173,7 +164,7 @@ mod tests {
 
     #[test]
     fn recordings_within_the_budget_stay_as_they_are() {
-        let (recording, choice) = session(70, 0..70);
+        let (recording, choice) = session(140, 0..140);
         let mut cut = [choice.clone(), choice.clone()];
         assert_eq!(
             within_budget(&[&recording, &recording], &mut cut, 150),
