@@ -5,8 +5,9 @@ use std::io::Read;
 
 use crate::bytes::{Bytes, Fields};
 use crate::format::Format;
-use crate::ros_imu::{Encoding, Kind, Topic, without_empty};
+use crate::ros_imu::{Encoding, Topics};
 use crate::stream::Recorder;
+use crate::unpack::Chunks;
 use crate::{Content, Error, Limits, Wanted};
 
 /// ROS 1 bags; chunks by lz4, bz2 or as they are. Indices are not needed, so that bags that were not closed are read.
@@ -42,10 +43,8 @@ impl Format for Bag {
         let mut file = File {
             recorder: Recorder::new(wanted, limits),
             connections: HashMap::new(),
-            topics: HashMap::new(),
-            counts: HashMap::new(),
-            limits,
-            unpacked: 0,
+            topics: Topics::default(),
+            chunks: Chunks::new(limits),
         };
         loop {
             let at = bytes.at();
@@ -63,7 +62,7 @@ impl Format for Bag {
             };
             file.record(&header, data, at)?;
         }
-        Ok(file.finish())
+        Ok(file.topics.finish(file.recorder))
     }
 }
 
@@ -99,11 +98,8 @@ struct File {
     recorder: Recorder,
     /// The topic of every connection; several connections may write to one.
     connections: HashMap<u32, String>,
-    topics: HashMap<String, Option<Topic>>,
-    /// Messages of every topic, with its kind.
-    counts: HashMap<String, (String, u64)>,
-    limits: Limits,
-    unpacked: u64,
+    topics: Topics<String>,
+    chunks: Chunks,
 }
 
 impl File {
@@ -135,26 +131,18 @@ impl File {
         let id = number(header, b"conn")?;
         let topic = String::from_utf8_lossy(field(header, b"topic")?).into_owned();
         let kind = String::from_utf8_lossy(field(data, b"type").unwrap_or_default()).into_owned();
-        if self.connections.insert(id, topic.clone()).is_none() && !self.topics.contains_key(&topic)
-        {
-            let read = Kind::of(&kind)
-                .and_then(|kind| Topic::new(&topic, kind, Encoding::Ros1, &mut self.recorder));
-            self.topics.insert(topic.clone(), read);
-            self.counts.insert(topic, (kind, 0));
+        if self.connections.insert(id, topic.clone()).is_none() && !self.topics.has(&topic) {
+            let encoding = Some(Encoding::Ros1);
+            self.topics
+                .add(topic.clone(), topic, kind, encoding, &mut self.recorder);
         }
         Some(())
     }
 
     fn message(&mut self, connection: u32, data: &[u8], at: u64) -> Result<(), Error> {
-        let Some(topic) = self.connections.get(&connection) else {
-            return Ok(());
-        };
-        if let Some((_, count)) = self.counts.get_mut(topic) {
-            *count += 1;
-        }
-        match self.topics.get_mut(topic) {
-            Some(Some(topic)) => topic.take(data, at, &mut self.recorder),
-            _ => Ok(()),
+        match self.connections.get(&connection) {
+            Some(topic) => self.topics.take(topic, data, at, &mut self.recorder),
+            None => Ok(()),
         }
     }
 
@@ -162,16 +150,7 @@ impl File {
         let method =
             String::from_utf8_lossy(field(header, b"compression").unwrap_or_default()).into_owned();
         let size = number(header, b"size").map_or(data.len() as u64, u64::from);
-        self.limits
-            .check_unpacked(&format!("the chunk at byte {at}"), data.len() as u64, size)?;
-        self.unpacked = self.unpacked.saturating_add(size);
-        if self.unpacked > self.limits.bytes {
-            return Err(Error::refused(format!(
-                "the chunks unpack to more than {} bytes",
-                self.limits.bytes
-            )));
-        }
-        let unpacked = match crate::unpack::unpack(&method, data, size) {
+        let unpacked = match self.chunks.unpack(at, &method, data, size)? {
             Ok(unpacked) => unpacked,
             Err(error) => {
                 let words = format!("byte {at}: a chunk is left out: {error}");
@@ -192,17 +171,5 @@ impl File {
             }
         }
         Ok(())
-    }
-
-    fn finish(mut self) -> Content {
-        without_empty(&mut self.recorder);
-        let mut listed: Vec<String> = self
-            .counts
-            .iter()
-            .map(|(topic, (kind, count))| format!("{topic} ({kind}, {count} messages)"))
-            .collect();
-        listed.sort();
-        self.recorder.content.listed = listed;
-        self.recorder.finish()
     }
 }

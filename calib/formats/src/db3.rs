@@ -1,10 +1,9 @@
 //! ROS 2 bags in SQLite: `messages(id, topic_id, timestamp, data)` and `topics(id, name, type, ..)`.
 
-use std::collections::HashMap;
 use std::io::Read;
 
 use crate::format::Format;
-use crate::ros_imu::{Encoding, Kind, Topic, without_empty};
+use crate::ros_imu::{Encoding, Topics};
 use crate::sqlite::{Database, Value};
 use crate::stream::Recorder;
 use crate::{Content, Error, Limits, Wanted};
@@ -54,18 +53,13 @@ impl Format for Db3 {
             return Err(Error::refused(words));
         };
         let mut recorder = Recorder::new(wanted, limits);
-        let mut read: HashMap<i64, Option<Topic>> = HashMap::new();
-        let mut counts: HashMap<i64, (String, String, u64)> = HashMap::new();
+        let mut read: Topics<i64> = Topics::default();
         database.rows(*topics, &mut |_, id, row| {
             let text = |at: usize| match row.get(at) {
                 Some(Value::Text(text)) => String::from_utf8_lossy(text).into_owned(),
                 _ => String::new(),
             };
-            let (name, kind) = (text(1), text(2));
-            let topic = Kind::of(&kind)
-                .and_then(|kind| Topic::new(&name, kind, Encoding::Cdr, &mut recorder));
-            read.insert(id, topic);
-            counts.insert(id, (name, kind, 0));
+            read.add(id, text(1), text(2), Some(Encoding::Cdr), &mut recorder);
             Ok(())
         })?;
         let walked = database.rows(*messages, &mut |at, _, row| {
@@ -73,13 +67,7 @@ impl Format for Db3 {
             else {
                 return Ok(());
             };
-            if let Some((.., count)) = counts.get_mut(topic) {
-                *count += 1;
-            }
-            match read.get_mut(topic) {
-                Some(Some(topic)) => topic.take(data, at, &mut recorder),
-                _ => Ok(()),
-            }
+            read.take(topic, data, at, &mut recorder)
         });
         match walked {
             Err(Error::Damaged { at, what })
@@ -94,13 +82,6 @@ impl Format for Db3 {
             }
             other => other?,
         }
-        without_empty(&mut recorder);
-        let listed = counts
-            .values()
-            .map(|(name, kind, count)| format!("{name} ({kind}, {count} messages)"));
-        let mut listed: Vec<String> = listed.collect();
-        listed.sort();
-        recorder.content.listed = listed;
-        Ok(recorder.finish())
+        Ok(read.finish(recorder))
     }
 }

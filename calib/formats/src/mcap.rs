@@ -5,8 +5,9 @@ use std::io::Read;
 
 use crate::bytes::{Bytes, Fields};
 use crate::format::Format;
-use crate::ros_imu::{Encoding, Kind, Topic, without_empty};
+use crate::ros_imu::{Encoding, Topics};
 use crate::stream::Recorder;
+use crate::unpack::Chunks;
 use crate::{Content, Error, Limits, Wanted};
 
 /// MCAP files; chunks by lz4, zstd or as they are. Indices are not needed.
@@ -45,10 +46,8 @@ impl Format for Mcap {
         let mut file = File {
             recorder: Recorder::new(wanted, limits),
             schemas: HashMap::new(),
-            channels: HashMap::new(),
-            counts: HashMap::new(),
-            limits,
-            unpacked: 0,
+            channels: Topics::default(),
+            chunks: Chunks::new(limits),
         };
         loop {
             let at = bytes.at();
@@ -67,7 +66,7 @@ impl Format for Mcap {
             };
             file.record(op, body, at)?;
         }
-        Ok(file.finish())
+        Ok(file.channels.finish(file.recorder))
     }
 }
 
@@ -75,12 +74,8 @@ struct File {
     recorder: Recorder,
     /// Names of the kinds of messages.
     schemas: HashMap<u16, String>,
-    /// Channels whose messages are read.
-    channels: HashMap<u16, Option<Topic>>,
-    /// Messages of every channel: its name, its kind, how many.
-    counts: HashMap<u16, (String, String, u64)>,
-    limits: Limits,
-    unpacked: u64,
+    channels: Topics<u16>,
+    chunks: Chunks,
 }
 
 impl File {
@@ -120,7 +115,7 @@ impl File {
         let mut fields = Fields(body);
         let (id, schema) = (fields.u16()?, fields.u16()?);
         let (topic, encoding) = (fields.text()?, fields.text()?);
-        if self.channels.contains_key(&id) {
+        if self.channels.has(&id) {
             return Some(());
         }
         let name = self.schemas.get(&schema).cloned().unwrap_or_default();
@@ -129,11 +124,8 @@ impl File {
             "ros1" => Some(Encoding::Ros1),
             _ => None,
         };
-        let kind = Kind::of(&name).zip(encoding);
-        let read = kind
-            .and_then(|(kind, encoding)| Topic::new(&topic, kind, encoding, &mut self.recorder));
-        self.channels.insert(id, read);
-        self.counts.insert(id, (topic, name, 0));
+        self.channels
+            .add(id, topic, name, encoding, &mut self.recorder);
         Some(())
     }
 
@@ -143,13 +135,8 @@ impl File {
         let (Some(channel), .., Some(_)) = head else {
             return Err(Error::at(at, "a damaged message record"));
         };
-        if let Some((.., count)) = self.counts.get_mut(&channel) {
-            *count += 1;
-        }
-        match self.channels.get_mut(&channel) {
-            Some(Some(topic)) => topic.take(fields.0, at, &mut self.recorder),
-            _ => Ok(()),
-        }
+        self.channels
+            .take(&channel, fields.0, at, &mut self.recorder)
     }
 
     fn chunk(&mut self, body: &[u8], at: u64) -> Result<(), Error> {
@@ -169,19 +156,7 @@ impl File {
         let packed = records.get(..length.min(usize::MAX as u64) as usize);
         let packed =
             packed.ok_or_else(|| Error::at(at, "a chunk that is longer than its record"))?;
-        self.limits.check_unpacked(
-            &format!("the chunk at byte {at}"),
-            packed.len() as u64,
-            size,
-        )?;
-        self.unpacked = self.unpacked.saturating_add(size);
-        if self.unpacked > self.limits.bytes {
-            return Err(Error::refused(format!(
-                "the chunks unpack to more than {} bytes",
-                self.limits.bytes
-            )));
-        }
-        let unpacked = match crate::unpack::unpack(&compression, packed, size) {
+        let unpacked = match self.chunks.unpack(at, &compression, packed, size)? {
             Ok(unpacked) => unpacked,
             Err(error) => return self.skip(at, &error.to_string()),
         };
@@ -210,17 +185,5 @@ impl File {
         let words = format!("byte {at}: a chunk is left out: {why}");
         self.recorder.content.warnings.push(words);
         Ok(())
-    }
-
-    fn finish(mut self) -> Content {
-        without_empty(&mut self.recorder);
-        let mut listed: Vec<String> = self
-            .counts
-            .values()
-            .map(|(topic, kind, count)| format!("{topic} ({kind}, {count} messages)"))
-            .collect();
-        listed.sort();
-        self.recorder.content.listed = listed;
-        self.recorder.finish()
     }
 }

@@ -1,8 +1,11 @@
 //! Messages of ROS: `sensor_msgs/Imu` and `sensor_msgs/MagneticField`, of ROS 1 packed and of ROS 2 in CDR.
 
+use std::collections::HashMap;
+use std::hash::Hash;
+
 use crate::bytes::Fields;
 use crate::stream::{Handle, Recorder};
-use crate::{Error, Quantity};
+use crate::{Content, Error, Quantity};
 
 /// How messages are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,14 +18,14 @@ pub(crate) enum Encoding {
 
 /// A kind of message that is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+enum Kind {
     Imu,
     MagneticField,
 }
 
 impl Kind {
     /// The kind called `name`, in the spelling of either ROS.
-    pub fn of(name: &str) -> Option<Self> {
+    fn of(name: &str) -> Option<Self> {
         match name {
             "sensor_msgs/Imu" | "sensor_msgs/msg/Imu" => Some(Self::Imu),
             "sensor_msgs/MagneticField" | "sensor_msgs/msg/MagneticField" => {
@@ -35,7 +38,7 @@ impl Kind {
 
 /// A topic with messages that are read.
 #[derive(Clone, Debug)]
-pub(crate) struct Topic {
+struct Topic {
     kind: Kind,
     encoding: Encoding,
     streams: [Option<Handle>; 2],
@@ -47,12 +50,7 @@ const NANO: i64 = 1_000_000_000;
 
 impl Topic {
     /// The topic `name`; `None` where it is not wanted.
-    pub fn new(
-        name: &str,
-        kind: Kind,
-        encoding: Encoding,
-        recorder: &mut Recorder,
-    ) -> Option<Self> {
+    fn new(name: &str, kind: Kind, encoding: Encoding, recorder: &mut Recorder) -> Option<Self> {
         let streams = match kind {
             Kind::Imu => [
                 recorder.stream(name, 0, Quantity::SpecificForce),
@@ -69,7 +67,7 @@ impl Topic {
     }
 
     /// Takes a message in; `at` is its byte for messages about it.
-    pub fn take(&mut self, message: &[u8], at: u64, recorder: &mut Recorder) -> Result<(), Error> {
+    fn take(&mut self, message: &[u8], at: u64, recorder: &mut Recorder) -> Result<(), Error> {
         self.count += 1;
         let short = || {
             Error::at(
@@ -149,8 +147,84 @@ impl Topic {
     }
 }
 
+/// The topics of a bag by the number or name that its messages call them.
+#[derive(Debug, Default)]
+pub(crate) struct Topics<K>(HashMap<K, Counted>);
+
+#[derive(Debug)]
+struct Counted {
+    name: String,
+    kind: String,
+    messages: u64,
+    /// Where its messages go, if they are read.
+    read: Option<Topic>,
+}
+
+impl<K: Eq + Hash> Topics<K> {
+    /// True for a topic that is known.
+    pub fn has(&self, key: &K) -> bool {
+        self.0.contains_key(key)
+    }
+
+    /// Adds a topic whose messages are of the kind called so; those of an unknown encoding are counted alone.
+    pub fn add(
+        &mut self,
+        key: K,
+        name: String,
+        kind: String,
+        encoding: Option<Encoding>,
+        recorder: &mut Recorder,
+    ) {
+        let read = Kind::of(&kind)
+            .zip(encoding)
+            .and_then(|(kind, encoding)| Topic::new(&name, kind, encoding, recorder));
+        let topic = Counted {
+            name,
+            kind,
+            messages: 0,
+            read,
+        };
+        self.0.insert(key, topic);
+    }
+
+    /// Counts a message of a topic and takes it in; one of no known topic is passed over.
+    pub fn take(
+        &mut self,
+        key: &K,
+        message: &[u8],
+        at: u64,
+        recorder: &mut Recorder,
+    ) -> Result<(), Error> {
+        let Some(topic) = self.0.get_mut(key) else {
+            return Ok(());
+        };
+        topic.messages += 1;
+        match &mut topic.read {
+            Some(read) => read.take(message, at, recorder),
+            None => Ok(()),
+        }
+    }
+
+    /// The streams of the topics, and a list of all topics.
+    pub fn finish(&self, mut recorder: Recorder) -> Content {
+        without_empty(&mut recorder);
+        let listed = self.0.values().map(|topic| {
+            let Counted {
+                name,
+                kind,
+                messages,
+                ..
+            } = topic;
+            format!("{name} ({kind}, {messages} messages)")
+        });
+        recorder.content.listed = listed.collect();
+        recorder.content.listed.sort();
+        recorder.finish()
+    }
+}
+
 /// Leaves out streams of nothing but zeros: a topic of one sensor fills in the other's place so.
-pub(crate) fn without_empty(recorder: &mut Recorder) {
+fn without_empty(recorder: &mut Recorder) {
     let is_empty = |stream: &crate::Stream| {
         let zero = |value: &[f64; 3]| value.iter().all(|v| *v == 0.0);
         stream.values.iter().all(zero)

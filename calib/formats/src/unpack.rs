@@ -1,15 +1,52 @@
 //! Chunks that are compressed by one of the usual ways.
 
+use std::borrow::Cow;
 use std::io::Read;
 
-use crate::Error;
+use crate::{Error, Limits};
+
+/// The chunks of a file, which together unpack to no more than the limit.
+#[derive(Debug)]
+pub(crate) struct Chunks {
+    limits: Limits,
+    unpacked: u64,
+}
+
+impl Chunks {
+    pub fn new(limits: Limits) -> Self {
+        Self {
+            limits,
+            unpacked: 0,
+        }
+    }
+
+    /// The `size` bytes of the chunk at byte `at`; the inner error is what is wrong with this chunk alone.
+    ///
+    /// # Errors
+    /// More than the limits allow.
+    pub fn unpack<'a>(
+        &mut self,
+        at: u64,
+        method: &str,
+        packed: &'a [u8],
+        size: u64,
+    ) -> Result<Result<Cow<'a, [u8]>, Error>, Error> {
+        let what = format!("the chunk at byte {at}");
+        self.limits
+            .check_unpacked(&what, packed.len() as u64, size)?;
+        self.unpacked = self.unpacked.saturating_add(size);
+        if self.unpacked > self.limits.bytes {
+            return Err(Error::refused(format!(
+                "the chunks unpack to more than {} bytes",
+                self.limits.bytes
+            )));
+        }
+        Ok(unpack(method, packed, size))
+    }
+}
 
 /// The `size` bytes that `packed` holds, compressed by the method called so in bags and MCAP files.
-pub(crate) fn unpack<'a>(
-    method: &str,
-    packed: &'a [u8],
-    size: u64,
-) -> Result<std::borrow::Cow<'a, [u8]>, Error> {
+fn unpack<'a>(method: &str, packed: &'a [u8], size: u64) -> Result<Cow<'a, [u8]>, Error> {
     let mut unpacked = Vec::new();
     let damaged = |error: String| Error::refused(format!("damaged {method} data: {error}"));
     let reader: Box<dyn Read> = match method {
