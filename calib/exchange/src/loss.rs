@@ -75,7 +75,7 @@ pub(crate) fn losses(source: &Source<'_>, kept: &Kept) -> Vec<Loss> {
 }
 
 fn of_base(sensor: Sensor, own: &Base<f64>, left: Option<&Base<f64>>, gravity: f64) -> Vec<Loss> {
-    let name = called(sensor);
+    let name = sensor.name();
     let size = |other: &Base<f64>| {
         let errors = probes(sensor, gravity).filter_map(|signal| {
             let raw = own.distort(&signal)?;
@@ -177,13 +177,6 @@ fn loss(sensor: Sensor, what: String, size: f64) -> Loss {
         size: Some(size),
         unit,
         at,
-    }
-}
-
-fn called(sensor: Sensor) -> &'static str {
-    match sensor {
-        Sensor::Accelerometer => "accelerometer",
-        Sensor::Gyroscope => "gyroscope",
     }
 }
 

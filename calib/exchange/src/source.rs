@@ -88,9 +88,9 @@ impl<'a> Source<'a> {
         Some(TriadUnits::of(sensor, triad).reading)
     }
 
-    /// Where it comes from, in lines that may stand in a comment of any language: printable ASCII without what could end
-    /// a comment.
-    pub fn provenance(&self) -> Vec<String> {
+    /// Where it comes from, in lines of comment that begin with `mark`: printable ASCII without what could end a comment of
+    /// any language.
+    pub fn provenance(&self, mark: &str) -> String {
         let calibration = self.calibration;
         let mut lines = vec![
             format!("IMU calibration, written by {}", calibration.created_by),
@@ -108,7 +108,8 @@ impl<'a> Source<'a> {
                 input.recording, input.samples_sha256
             ));
         }
-        lines.iter().map(|line| plain(line)).collect()
+        let commented = |line: &String| format!("{mark} {}\n", plain(line));
+        lines.iter().map(commented).collect()
     }
 }
 

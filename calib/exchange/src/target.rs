@@ -46,6 +46,23 @@ impl Kept {
         }
     }
 
+    /// Offsets of both sensors and the accelerometer's scale factors: flight controllers.
+    pub fn offsets_and_scales_of(source: &Source<'_>) -> Self {
+        let offset_and_scale = |base: &Base<f64>| Base {
+            t: crate::source::diagonal(&base.t),
+            bias: base.bias,
+        };
+        let offset_alone = |base: &Base<f64>| Base {
+            t: Matrix3::identity(),
+            bias: base.bias,
+        };
+        Self {
+            accelerometer: source.accelerometer.as_ref().map(offset_and_scale),
+            gyroscope: source.gyroscope.as_ref().map(offset_alone),
+            ..Self::default()
+        }
+    }
+
     /// Everything.
     pub fn all_of(source: &Source<'_>) -> Self {
         Self {
@@ -222,22 +239,6 @@ pub enum Error {
     /// A file of several that does not exist.
     #[error("{0}: missing")]
     Missing(PathBuf),
-}
-
-/// `b` and the diagonal of `T`: what a target without misalignments makes of a reading.
-pub(crate) fn offset_and_scale(base: &Base<f64>) -> Base<f64> {
-    Base {
-        t: crate::source::diagonal(&base.t),
-        bias: base.bias,
-    }
-}
-
-/// The bias alone.
-pub(crate) fn offset_alone(base: &Base<f64>) -> Base<f64> {
-    Base {
-        t: Matrix3::identity(),
-        bias: base.bias,
-    }
 }
 
 /// The matrix alone.

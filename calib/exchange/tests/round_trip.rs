@@ -361,19 +361,7 @@ fn compiled_c_makes_what_apply_makes_in_floats() {
             );
         }
         main.push_str("    return 0;\n}\n");
-        std::fs::write(dir.path().join("main.c"), main).unwrap();
-        let flags = [
-            "-std=c99",
-            "-Wall",
-            "-Wextra",
-            "-pedantic",
-            "-Werror",
-            "main.c",
-            "-o",
-            "main",
-        ];
-        ran(dir.path(), "cc", &flags);
-        let printed = lines_of_six(&ran(dir.path(), "./main", &[]));
+        let printed = compiled_and_run(dir.path(), &main);
         for (own, other) in applied(&calibration, &readings).iter().zip(printed) {
             assert!(
                 (own[0] - other[0]).norm() < 4e-6,
@@ -387,6 +375,23 @@ fn compiled_c_makes_what_apply_makes_in_floats() {
             );
         }
     }
+}
+
+/// What a C program prints, six numbers a line.
+fn compiled_and_run(dir: &Path, main: &str) -> Vec<[Vector3<f64>; 2]> {
+    std::fs::write(dir.join("main.c"), main).unwrap();
+    let flags = [
+        "-std=c99",
+        "-Wall",
+        "-Wextra",
+        "-pedantic",
+        "-Werror",
+        "main.c",
+        "-o",
+        "main",
+    ];
+    ran(dir, "cc", &flags);
+    lines_of_six(&ran(dir, "./main", &[]))
 }
 
 #[test]
@@ -426,19 +431,7 @@ fn compiled_c_corrects_counts_in_integers() {
         );
     }
     main.push_str("    return 0;\n}\n");
-    std::fs::write(dir.path().join("main.c"), main).unwrap();
-    let flags = [
-        "-std=c99",
-        "-Wall",
-        "-Wextra",
-        "-pedantic",
-        "-Werror",
-        "main.c",
-        "-o",
-        "main",
-    ];
-    ran(dir.path(), "cc", &flags);
-    let printed = lines_of_six(&ran(dir.path(), "./main", &[]));
+    let printed = compiled_and_run(dir.path(), &main);
     for (own, other) in applied(&calibration, &readings).iter().zip(printed) {
         // Half a unit of rounding, and what 16 binary places leave of the matrix.
         assert!(

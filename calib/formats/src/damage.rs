@@ -1,7 +1,7 @@
 //! Files that are cut, changed or strange: read as far as they go or refused, never a panic.
 
 use crate::make::{self, ImuRow, Packer, Rows};
-use crate::{Content, Error, FORMATS, Limits, Quantity, Wanted, recognise};
+use crate::{Content, Error, FORMATS, Limits, Quantity, Stream, Wanted, recognise};
 
 fn rows() -> Vec<ImuRow> {
     let row = |k: i64| {
@@ -61,15 +61,16 @@ fn samples(content: &Content) -> usize {
         .sum()
 }
 
+fn accel(content: &Content) -> &Stream {
+    let of = |stream: &&Stream| stream.quantity == Quantity::SpecificForce;
+    content.streams.iter().find(of).unwrap()
+}
+
 #[test]
 fn whole_files_of_every_format_give_every_sample() {
     for file in files() {
         let content = read(&file).unwrap().unwrap();
-        let accel = content
-            .streams
-            .iter()
-            .find(|s| s.quantity == Quantity::SpecificForce)
-            .unwrap();
+        let accel = accel(&content);
         assert_eq!(accel.stamps.len(), 20);
         assert_eq!(accel.stamps[1] - accel.stamps[0], 10_000_000);
         assert_eq!(content.cut, None);
@@ -160,11 +161,7 @@ fn bytes_that_are_no_messages_of_a_dataflash_log_are_counted() {
         "{:?}",
         content.warnings
     );
-    let accel = content
-        .streams
-        .iter()
-        .find(|s| s.quantity == Quantity::SpecificForce)
-        .unwrap();
+    let accel = accel(&content);
     assert_eq!(accel.stamps.len(), 20);
 }
 

@@ -95,49 +95,52 @@ pub(crate) fn without_bursts(recordings: &[Recording]) -> Option<(Vec<Recording>
     (!warnings.is_empty()).then_some((all, warnings))
 }
 
-/// Sensors whose clocks are apart.
+/// Sensors whose clocks are apart: offsets first, then drifts.
 pub(super) fn apart(recordings: &[Recording]) -> Vec<String> {
-    let of = |recording: &Recording| {
-        let force = recording.accelerometer.as_ref()?;
-        let (offset, other) = clock_offset(force, recording.gyroscope.as_ref()?)?;
-        let shift = match other {
-            Some(other) => format!(
-                "an offset of {other:.1} s fits about as well: record both by one clock, or turn at uneven intervals"
-            ),
-            None => "shift its stamps by that".into(),
+    let (mut offsets, mut drifts) = (Vec::new(), Vec::new());
+    for recording in recordings {
+        let sensors = recording.accelerometer.as_ref();
+        let Some((force, rate)) = sensors.zip(recording.gyroscope.as_ref()) else {
+            continue;
         };
-        let (late, early) = if offset > 0.0 {
-            ("gyroscope", "accelerometer")
-        } else {
-            ("accelerometer", "gyroscope")
-        };
-        Some(format!(
-            "{}: the clock of the {late} is {:.1} s late against that of the {early}, by when they move: static intervals \
-             of both do not fall together; {shift}",
-            recording.name,
-            offset.abs()
-        ))
-    };
-    let running = |recording: &Recording| {
-        let force = recording.accelerometer.as_ref()?;
-        let rate = recording.gyroscope.as_ref()?;
+        let offset = clock_offset(force, rate);
+        offsets.extend(offset.map(|found| late(&recording.name, found)));
         // The two halves are compared within ten seconds: farther apart they meet another turn.
-        let far = |(offset, _): (f64, Option<f64>)| offset.abs() > FAR_APART;
-        if clock_offset(force, rate).is_some_and(far) {
-            return None;
+        if offset.is_none_or(|(offset, _)| offset.abs() <= FAR_APART) {
+            drifts.extend(clock_drift(force, rate).map(|drift| running(&recording.name, drift)));
         }
-        let drift = clock_drift(force, rate)?;
-        Some(format!(
-            "{}: the clock of the gyroscope runs {:.0} ppm {} than that of the accelerometer, by when they move: one of \
-             the two is wrong by that, and the gyroscope's scale factors with it if it is its own. Say the rate by \
-             --rate, or stamp both by one clock",
-            recording.name,
-            1e6 * drift.abs(),
-            if drift > 0.0 { "faster" } else { "slower" }
-        ))
-    };
-    let offsets = recordings.iter().filter_map(of);
+    }
+    offsets.append(&mut drifts);
     offsets
-        .chain(recordings.iter().filter_map(running))
-        .collect()
+}
+
+/// That one clock is late, and perhaps by another offset.
+fn late(recording: &str, (offset, other): (f64, Option<f64>)) -> String {
+    let shift = match other {
+        Some(other) => format!(
+            "an offset of {other:.1} s fits about as well: record both by one clock, or turn at uneven intervals"
+        ),
+        None => "shift its stamps by that".into(),
+    };
+    let (late, early) = if offset > 0.0 {
+        ("gyroscope", "accelerometer")
+    } else {
+        ("accelerometer", "gyroscope")
+    };
+    format!(
+        "{recording}: the clock of the {late} is {:.1} s late against that of the {early}, by when they move: static intervals \
+         of both do not fall together; {shift}",
+        offset.abs()
+    )
+}
+
+/// That one clock runs faster than the other.
+fn running(recording: &str, drift: f64) -> String {
+    format!(
+        "{recording}: the clock of the gyroscope runs {:.0} ppm {} than that of the accelerometer, by when they move: one of \
+         the two is wrong by that, and the gyroscope's scale factors with it if it is its own. Say the rate by \
+         --rate, or stamp both by one clock",
+        1e6 * drift.abs(),
+        if drift > 0.0 { "faster" } else { "slower" }
+    )
 }

@@ -2,13 +2,12 @@
 
 use nalgebra::Vector3;
 
+use crate::averages::median;
 use crate::calibration::RecordingBias;
 use crate::intervals::{Moments, Segmentation};
 use crate::methods::small_sample::widening;
+use crate::readings::COARSE;
 use crate::recording::Recording;
-
-/// Steps wider than so many standard deviations of the readings do not average out.
-const COARSE: f64 = 1.7;
 
 /// The mean over the rests, with the scatter between them as its error.
 ///
@@ -36,9 +35,8 @@ pub(super) fn rest_bias(
         } else {
             first.covariance[(axis, axis)] / first.count as f64
         };
-        let mut spreads: Vec<f64> = rests.iter().map(|m| m.std()[axis]).collect();
-        spreads.sort_by(f64::total_cmp);
-        let quantised = COARSE * spreads[spreads.len() / 2] < least[axis];
+        let spread = median(rests.iter().map(|m| m.std()[axis]));
+        let quantised = spread.is_some_and(|spread| COARSE * spread < least[axis]);
         let floor = if quantised && least[axis].is_finite() {
             least[axis] / 12f64.sqrt()
         } else {

@@ -42,7 +42,7 @@ pub fn walks_in(path: &Path) -> Result<GivenWalks, Error> {
         (Sensor::Gyroscope, summary.gyroscope),
     ];
     for (place, (sensor, noise)) in sensors.into_iter().enumerate() {
-        let name = word(sensor);
+        let name = sensor.name();
         let noise = noise.ok_or_else(|| {
             let what = format!(" no {name}: densities of both sensors are needed");
             at(path, &what)
@@ -76,13 +76,6 @@ pub fn walks_in(path: &Path) -> Result<GivenWalks, Error> {
 
 fn at(path: &Path, what: &str) -> Error {
     Error::Input(format!("{}:{what}", shown_path(path)))
-}
-
-fn word(sensor: Sensor) -> &'static str {
-    match sensor {
-        Sensor::Accelerometer => "accelerometer",
-        Sensor::Gyroscope => "gyroscope",
-    }
 }
 
 fn parse(text: &str) -> Result<NoiseSummary, String> {

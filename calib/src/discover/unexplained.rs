@@ -105,7 +105,7 @@ fn shaped(state: &State) -> Vec<Trial> {
         log_p: s.log_p,
         words: format!(
             "{}: the bias of axis {} wanders from rest to rest, with a memory of about {:.0} s",
-            word(s.sensor),
+            s.sensor.name(),
             ["x", "y", "z"][s.axis],
             s.memory
         ),
@@ -137,7 +137,7 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
         let (chi2, dof) = slopes(state, sensor, state.walks);
         trials.push(Trial {
             log_p: log_tail(chi2, dof),
-            words: format!("readings of the {} drift within rests", word(sensor)),
+            words: format!("readings of the {} drift within rests", sensor.name()),
             channel: Some(channel_at_rest(sensor)),
             period: None,
         });
@@ -152,7 +152,7 @@ fn of_shape(family: &Family, ranked: &Ranked) -> Trial {
     };
     let value = family.hypotheses[ranked.hypothesis].shape.map(|(_, v)| v);
     let period = value.filter(|_| shape == Some(Shape::Periodic));
-    let of = word(sensor);
+    let of = sensor.name();
     let words = match (shape, period, sensor) {
         (_, Some(period), _) => format!("{of}: periodic with {period:.1} s"),
         (Some(Shape::Heading), None, Sensor::Gyroscope) => format!(
@@ -166,13 +166,6 @@ fn of_shape(family: &Family, ranked: &Ranked) -> Trial {
         words,
         channel: None,
         period,
-    }
-}
-
-fn word(sensor: Sensor) -> &'static str {
-    match sensor {
-        Sensor::Accelerometer => "accelerometer",
-        Sensor::Gyroscope => "gyroscope",
     }
 }
 

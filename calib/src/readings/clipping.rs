@@ -84,10 +84,7 @@ pub(super) fn found(of: &OfSensor<'_>, said: &[String]) -> Vec<Finding> {
         })
     };
     let named = |axis: usize| {
-        let sensor = match of.sensor {
-            sensor::Sensor::Accelerometer => "accelerometer",
-            sensor::Sensor::Gyroscope => "gyroscope",
-        };
+        let sensor = of.sensor.name();
         let words = format!("{sensor} {} is saturated", ["x", "y", "z"][axis]);
         said.iter().any(|warning| warning.contains(&words))
     };

@@ -96,14 +96,7 @@ pub enum Finding {
 
 /// The sensor's name for JSON.
 fn name<S: serde::Serializer>(sensor: &Sensor, to: S) -> Result<S::Ok, S::Error> {
-    to.serialize_str(called(*sensor))
-}
-
-fn called(sensor: Sensor) -> &'static str {
-    match sensor {
-        Sensor::Accelerometer => "accelerometer",
-        Sensor::Gyroscope => "gyroscope",
-    }
+    to.serialize_str(sensor.name())
 }
 
 fn axes_in_words(axes: &[usize]) -> String {
@@ -145,7 +138,7 @@ impl fmt::Display for Finding {
                 f,
                 "{} {} is saturated at {} in {rows} of the rows {from_row} to {to_row}: its range ends there, \
                  and the signal is larger; set a larger range",
-                called(*sensor),
+                sensor.name(),
                 axes_in_words(&[*axis]),
                 figure(*limit)
             ),
@@ -158,7 +151,7 @@ impl fmt::Display for Finding {
                 f,
                 "the {} reads in steps of {step:.3e} on {}, wider than its noise ({spread:.1e}): no static \
                  mean is known better than a step over √12, {:.1e}",
-                called(*sensor),
+                sensor.name(),
                 axes_in_words(axes),
                 step / 12f64.sqrt()
             ),
@@ -172,7 +165,7 @@ impl fmt::Display for Finding {
                 "the {} reads exactly zero on {} in {:.0} % of the samples of static intervals and nothing \
                  between zero and {least:.2e}: a dead zone, or readings from a fusion filter; its bias and the \
                  errors of slow turns cannot be known, record the raw sensor",
-                called(*sensor),
+                sensor.name(),
                 axes_in_words(axes),
                 100.0 * share
             ),
@@ -186,7 +179,7 @@ impl fmt::Display for Finding {
                 "{} single readings of the {} on {} leave their neighbours by up to {largest:.3e} and \
                  return (rows {}): transfer errors or knocks, replaced by the mean of their neighbours",
                 rows.len(),
-                called(*sensor),
+                sensor.name(),
                 axes_in_words(axes),
                 listed(rows)
             ),
@@ -198,7 +191,7 @@ impl fmt::Display for Finding {
                 f,
                 "the {} is up to {ratio:.1} times noisier in static interval{} {} than in the others: \
                  it vibrated there, or a hand held it",
-                called(*sensor),
+                sensor.name(),
                 if intervals.len() == 1 { "" } else { "s" },
                 listed(intervals)
             ),

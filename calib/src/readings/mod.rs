@@ -22,6 +22,7 @@ pub use finding::Finding;
 pub(crate) use hand::FASTEST_HAND;
 pub use hand::tremor;
 pub(crate) use level::{LevelChange, level_change};
+pub(crate) use quantisation::COARSE;
 pub use quietest::{Quiet, quietest};
 pub use spikes::without_spikes;
 pub(crate) use stuck::stuck;

@@ -3,7 +3,7 @@
 use super::{Finding, OfSensor, least_step};
 
 /// Steps wider than so many standard deviations of the readings no longer average out.
-const COARSE: f64 = 1.7;
+pub(crate) const COARSE: f64 = 1.7;
 
 /// The axes whose least step exceeds the spread by far within static intervals; those of a dead zone are named by
 /// that.

@@ -65,7 +65,7 @@ pub(super) fn bursts(
     if let Some(median) = median.filter(in_bursts) {
         warnings.push(format!(
             "{name}: stamps of the {} come in bursts (median step {median:.4} s, mean {mean:.4} s), as of arrival; --rate {:.1} reads the rows as evenly spaced",
-            called(sensor),
+            sensor.name(),
             1.0 / mean
         ));
     }
@@ -81,18 +81,10 @@ pub(super) fn gaps(name: &str, sensor: Sensor, gaps: &[Gap], warnings: &mut Vec<
             "{name}: {} gap{} in the {}, the longest {:.3} s from {:.3} s on",
             gaps.len(),
             if gaps.len() == 1 { "" } else { "s" },
-            called(sensor),
+            sensor.name(),
             longest.t1 - longest.t0,
             longest.t0
         ));
-    }
-}
-
-/// The sensor in words.
-pub(super) fn called(sensor: Sensor) -> &'static str {
-    match sensor {
-        Sensor::Accelerometer => "accelerometer",
-        Sensor::Gyroscope => "gyroscope",
     }
 }
 

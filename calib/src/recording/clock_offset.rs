@@ -31,11 +31,7 @@ const ENOUGH: usize = 300;
 /// By how much the stamps of `late` are later than those of `early` for the same motion, s, and another offset that may be the
 /// true one as well; `None` where that is no more than a third of a second, and where the two do not move alike.
 pub(crate) fn clock_offset(early: &Stream, late: &Stream) -> Option<(f64, Option<f64>)> {
-    if early.t == late.t {
-        return None;
-    }
-    let from = early.t.first()?.max(*late.t.first()?);
-    let to = early.t.last()?.min(*late.t.last()?);
+    let (from, to) = common(early, late)?;
     let count = ((to - from) / STRETCH) as usize;
     if count < ENOUGH {
         return None;
@@ -66,11 +62,7 @@ const LEAST_CHANGE: f64 = 0.06;
 /// By which share the stamps of `other` run faster than those of `own` for the same motion; `None` where the offsets of the
 /// two halves differ by no more than 0.06 s, and where the two do not move alike.
 pub(crate) fn clock_drift(own: &Stream, other: &Stream) -> Option<f64> {
-    if own.t == other.t {
-        return None;
-    }
-    let from = own.t.first()?.max(*other.t.first()?);
-    let to = own.t.last()?.min(*other.t.last()?);
+    let (from, to) = common(own, other)?;
     let half = ((to - from) / STRETCH / 2.0) as usize;
     if half < ENOUGH {
         return None;
@@ -93,6 +85,15 @@ pub(crate) fn clock_drift(own: &Stream, other: &Stream) -> Option<f64> {
     let length = half as f64 * STRETCH;
     let change = offset(from + length)? - offset(from)?;
     (change.abs() > LEAST_CHANGE).then_some(change / length)
+}
+
+/// The time in which both sensors have samples; `None` where they share their stamps.
+fn common(a: &Stream, b: &Stream) -> Option<(f64, f64)> {
+    if a.t == b.t {
+        return None;
+    }
+    let from = a.t.first()?.max(*b.t.first()?);
+    Some((from, a.t.last()?.min(*b.t.last()?)))
 }
 
 /// Logarithm of the spread of the readings in every stretch.

@@ -3,7 +3,6 @@
 use sensor::Sensor;
 
 use super::Stream;
-use super::checks::called;
 
 /// The stream with the first of every run of equal values, if the runs are those of a slower clock:
 /// at least 98 % of them of two neighbouring lengths, 1.4 rows or more on average. Equal values of a
@@ -33,7 +32,7 @@ pub(super) fn without_held(
     }
     warnings.push(format!(
         "{name}: the {} is {mean:.2} times slower than the rows and its values are held; {} repetitions left out",
-        called(sensor),
+        sensor.name(),
         stream.len() - starts.len()
     ));
     Stream {

@@ -5,6 +5,7 @@ use nalgebra::{Rotation3, Unit, Vector3};
 use super::Stream;
 use super::rests::{rests, sphere};
 use super::units::GyroUnit;
+use crate::averages::median;
 
 /// Units that are told apart.
 const UNITS: [GyroUnit; 3] = [
@@ -47,13 +48,9 @@ pub(super) fn turn_unit(accel: &Stream, gyro: &Stream) -> Option<GyroUnit> {
     if errors[0].len() < 3 {
         return None;
     }
-    let mut medians: Vec<(f64, GyroUnit)> = errors
-        .iter_mut()
-        .zip(UNITS)
-        .map(|(errors, unit)| {
-            errors.sort_by(f64::total_cmp);
-            (errors[errors.len() / 2], unit)
-        })
+    let usual = errors.into_iter().map(median).zip(UNITS);
+    let mut medians: Vec<(f64, GyroUnit)> = usual
+        .filter_map(|(error, unit)| Some((error?, unit)))
         .collect();
     medians.sort_by(|a, b| a.0.total_cmp(&b.0));
     let (best, unit) = medians[0];

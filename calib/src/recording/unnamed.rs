@@ -7,6 +7,7 @@ use super::number::{self, Dialects};
 use super::options::Role;
 use super::preface::{Kept, cells};
 use super::sniff::usual_width;
+use crate::averages::median;
 
 /// The median of every triple of columns' norm: `norms[i]` is that of columns i, i+1, i+2.
 pub(super) fn medians(rows: &[&Kept], dialect: Dialect) -> Vec<f64> {
@@ -31,9 +32,7 @@ pub(super) fn medians(rows: &[&Kept], dialect: Dialect) -> Vec<f64> {
     (0..width.saturating_sub(2))
         .filter_map(|i| {
             let norm = |row: &Vec<f64>| row[i].hypot(row[i + 1]).hypot(row[i + 2]);
-            let mut norms: Vec<f64> = table.iter().map(norm).collect();
-            let middle = norms.len() / 2;
-            (!norms.is_empty()).then(|| *norms.select_nth_unstable_by(middle, f64::total_cmp).1)
+            median(table.iter().map(norm))
         })
         .collect()
 }

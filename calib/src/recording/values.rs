@@ -5,7 +5,6 @@ use std::ops::Range;
 use nalgebra::Vector3;
 use sensor::Sensor;
 
-use super::checks::called;
 use super::options::Role;
 use super::place::{at_line, figure, in_file};
 use super::samples::Samples;
@@ -38,7 +37,7 @@ pub(super) fn check(
     let sixteen_bits = are_integers(samples.values.iter());
     let ranges = ranges(&samples.values);
     for (axis, (low, high)) in ranges.into_iter().enumerate() {
-        let called = format!("{} {}", called(sensor), ["x", "y", "z"][axis]);
+        let called = format!("{} {}", sensor.name(), ["x", "y", "z"][axis]);
         if samples.t.len() >= ENOUGH && low == high {
             return Err(stuck(name, &called, samples, low));
         }

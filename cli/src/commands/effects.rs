@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use calib::effect_file::catalogue_with;
-use sensor::Sensor;
 use serde_json::json;
 
 use super::inputs::own_effects;
@@ -41,7 +40,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
                     .collect();
                 json!({
                     "name": effect.name(),
-                    "sensor": sensor_name(effect.sensor()),
+                    "sensor": effect.sensor().name(),
                     "equation": effect.equation(),
                     "parameters": parameters,
                 })
@@ -58,20 +57,13 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     for effect in catalogue_with(&own) {
         table.add_row([
             effect.name().to_owned(),
-            sensor_name(effect.sensor()).to_owned(),
+            effect.sensor().name().to_owned(),
             effect.equation().to_owned(),
             parameters(effect.params()),
         ]);
     }
     show::print(&table.to_string())?;
     Ok(())
-}
-
-fn sensor_name(sensor: Sensor) -> &'static str {
-    match sensor {
-        Sensor::Accelerometer => "accelerometer",
-        Sensor::Gyroscope => "gyroscope",
-    }
 }
 
 /// `x y z (m/s^2), tau (s)`: neighbours of one unit together.

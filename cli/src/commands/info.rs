@@ -35,13 +35,15 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
-    let mut documents = Vec::new();
-    let mut pages = Vec::new();
+    let (mut documents, mut pages) = (Vec::new(), Vec::new());
     for path in &args.files {
         let recording = read(path, &args.read)?;
         let facts = Facts::of(path, &recording);
-        documents.push(facts.document());
-        pages.push(facts.page());
+        if args.json {
+            documents.push(facts.document());
+        } else {
+            pages.push(facts.page());
+        }
     }
     if args.json {
         return show::print(&show::json(
@@ -100,13 +102,6 @@ impl Clock {
             gaps: gaps.len(),
             longest_gap: gaps.iter().map(|gap| gap.t1 - gap.t0).fold(0.0, f64::max),
         })
-    }
-}
-
-fn called(sensor: Sensor) -> &'static str {
-    match sensor {
-        Sensor::Accelerometer => "accelerometer",
-        Sensor::Gyroscope => "gyroscope",
     }
 }
 
@@ -192,7 +187,7 @@ impl<'a> Facts<'a> {
                 .map(|(role, column)| ((*role).to_owned(), json!(column)))
                 .collect();
             json!({
-                "sensor": called(sensor.sensor),
+                "sensor": sensor.sensor.name(),
                 "source": sensor.source,
                 "columns": columns,
                 "columns_not_used": sensor.unused,
@@ -253,7 +248,7 @@ impl<'a> Facts<'a> {
                 continue;
             };
             table.add_row([
-                called(sensor.sensor).to_owned(),
+                sensor.sensor.name().to_owned(),
                 sensor.unit.to_owned(),
                 decided(sensor.unit_by).to_owned(),
                 clock.samples.to_string(),
@@ -277,7 +272,7 @@ impl<'a> Facts<'a> {
             let _ = writeln!(
                 text,
                 "{}: {} from {}",
-                called(sensor.sensor),
+                sensor.sensor.name(),
                 columns.join(", "),
                 show::name(&sensor.source)
             );

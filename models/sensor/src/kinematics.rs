@@ -17,6 +17,14 @@ pub enum Sensor {
 }
 
 impl Sensor {
+    /// `accelerometer` or `gyroscope`: the sensor in words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Accelerometer => "accelerometer",
+            Self::Gyroscope => "gyroscope",
+        }
+    }
+
     /// `accel` or `gyro`: the prefix of parameter names.
     pub fn prefix(self) -> &'static str {
         match self {

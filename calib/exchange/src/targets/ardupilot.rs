@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use sensor::Base;
 
 use crate::source::{Source, by_axis, diagonal};
-use crate::target::{Error, Kept, Settings, Target, Written, offset_alone, offset_and_scale};
+use crate::target::{Error, Kept, Settings, Target, Written};
 
 /// What ArduPilot's own calibration takes for a scale factor, and for an offset in m/s².
 const SCALES: (f64, f64) = (0.8, 1.2);
@@ -31,11 +31,7 @@ impl Target for ArduPilot {
     }
 
     fn keeps(&self, source: &Source<'_>) -> Kept {
-        Kept {
-            accelerometer: source.accelerometer.as_ref().map(offset_and_scale),
-            gyroscope: source.gyroscope.as_ref().map(offset_alone),
-            ..Kept::default()
-        }
+        Kept::offsets_and_scales_of(source)
     }
 
     fn write(&self, source: &Source<'_>, settings: &Settings) -> Result<Written, Error> {
@@ -50,10 +46,7 @@ impl Target for ArduPilot {
                 value.copied().unwrap_or(default)
             }))
         };
-        let mut text = String::new();
-        for line in source.provenance() {
-            let _ = writeln!(text, "# {line}");
-        }
+        let mut text = source.provenance("#");
         let mut put = |name: &str, values: Vector3<f64>, limits: Option<(f64, f64)>| {
             for (axis, value) in by_axis(values) {
                 let name = format!("{name}_{axis}");

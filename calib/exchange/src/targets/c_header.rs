@@ -38,9 +38,7 @@ impl Target for CHeader {
 
     fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
         let mut text = String::from("/*\n");
-        for line in source.provenance() {
-            let _ = writeln!(text, " * {line}");
-        }
+        text.push_str(&source.provenance(" *"));
         text.push_str(
             " * at rest specific force is +g on the axis that points up; rates are right-handed about each axis\n */\n\
              #ifndef STILLPOINT_CALIBRATION_H\n#define STILLPOINT_CALIBRATION_H\n\n#include <stdint.h>\n\n",

@@ -44,10 +44,7 @@ impl Target for Kalibr {
         let g = source.g_sensitivity.unwrap_or_else(Matrix3::zeros);
         let a = of_rate * g * q.transpose() * c.transpose();
         let (densities, mut notes) = densities(source, settings);
-        let mut text = String::new();
-        for line in source.provenance() {
-            let _ = writeln!(text, "# {line}");
-        }
+        let mut text = source.provenance("#");
         text.push_str("imu0:\n  model: scale-misalignment\n");
         text.push_str(&densities);
         let _ = write!(

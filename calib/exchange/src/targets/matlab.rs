@@ -27,10 +27,7 @@ impl Target for Matlab {
     }
 
     fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
-        let mut text = String::new();
-        for line in source.provenance() {
-            let _ = writeln!(text, "% {line}");
-        }
+        let mut text = source.provenance("%");
         let _ = writeln!(text, "cal = {};", literal(&document(source)?));
         let sensors = [
             ("accelerometer", source.accelerometer.is_some()),

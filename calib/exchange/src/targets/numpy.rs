@@ -27,10 +27,7 @@ impl Target for NumPy {
     }
 
     fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
-        let mut text = String::new();
-        for line in source.provenance() {
-            let _ = writeln!(text, "# {line}");
-        }
+        let mut text = source.provenance("#");
         text.push_str("import numpy as np\n\n");
         let _ = writeln!(text, "calibration = {}", literal(&document(source)?));
         let sensors = [

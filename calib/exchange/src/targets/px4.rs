@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::source::{Source, by_axis};
-use crate::target::{Error, Kept, Settings, Target, Written, offset_alone, offset_and_scale};
+use crate::target::{Error, Kept, Settings, Target, Written};
 
 /// `MAV_PARAM_TYPE_REAL32`.
 const REAL32: u8 = 9;
@@ -29,11 +29,7 @@ impl Target for Px4 {
     }
 
     fn keeps(&self, source: &Source<'_>) -> Kept {
-        Kept {
-            accelerometer: source.accelerometer.as_ref().map(offset_and_scale),
-            gyroscope: source.gyroscope.as_ref().map(offset_alone),
-            ..Kept::default()
-        }
+        Kept::offsets_and_scales_of(source)
     }
 
     fn write(&self, source: &Source<'_>, settings: &Settings) -> Result<Written, Error> {
@@ -46,9 +42,7 @@ impl Target for Px4 {
             )));
         }
         let mut text = String::from("# Onboard parameters for Vehicle 1\n#\n");
-        for line in source.provenance() {
-            let _ = writeln!(text, "# {line}");
-        }
+        text.push_str(&source.provenance("#"));
         text.push_str("#\n# Vehicle-Id Component-Id Name Value Type\n");
         let mut put = |name: String, value: f64| {
             // PX4 keeps 32-bit floats.

@@ -29,10 +29,7 @@ impl Target for Ros {
     fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
         source.needs_si("ros")?;
         let base = source.needs_accelerometer("ros")?;
-        let mut text = String::new();
-        for line in source.provenance() {
-            let _ = writeln!(text, "# {line}");
-        }
+        let mut text = source.provenance("#");
         let sequence = |text: &mut String, key: &str, values: &[f64]| {
             let _ = writeln!(text, "{key}:");
             for value in values {

@@ -31,10 +31,7 @@ impl Target for Ros2 {
 
     fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
         source.needs_si("ros2")?;
-        let mut text = String::new();
-        for line in source.provenance() {
-            let _ = writeln!(text, "# {line}");
-        }
+        let mut text = source.provenance("#");
         text.push_str(
             "# f = T (A - b), w = T (W - b) - G f; matrices in rows\n/**:\n  ros__parameters:\n",
         );

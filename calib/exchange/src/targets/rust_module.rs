@@ -28,10 +28,7 @@ impl Target for RustModule {
     }
 
     fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
-        let mut text = String::new();
-        for line in source.provenance() {
-            let _ = writeln!(text, "// {line}");
-        }
+        let mut text = source.provenance("//");
         text.push_str(
             "// At rest specific force is +g on the axis that points up; rates are right-handed about each axis.\n\n",
         );

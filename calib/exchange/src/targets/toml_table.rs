@@ -1,7 +1,5 @@
 //! TOML: `cal.json` key by key.
 
-use std::fmt::Write as _;
-
 use serde_json::Value;
 
 use super::document::document;
@@ -26,10 +24,7 @@ impl Target for TomlTable {
     }
 
     fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
-        let mut text = String::new();
-        for line in source.provenance() {
-            let _ = writeln!(text, "# {line}");
-        }
+        let mut text = source.provenance("#");
         text.push_str(
             "# accelerometer: f = T (A - b), gyroscope: w = T (W - b), rows of T in order\n",
         );

@@ -37,13 +37,6 @@ pub(in crate::calibrate) struct Change {
     pub place: Place,
 }
 
-fn called(sensor: Sensor) -> &'static str {
-    match sensor {
-        Sensor::Accelerometer => "accelerometer",
-        Sensor::Gyroscope => "gyroscope",
-    }
-}
-
 fn axis_name(axis: usize) -> &'static str {
     ["x", "y", "z"][axis.min(2)]
 }
@@ -62,13 +55,13 @@ impl fmt::Display for Change {
             Kind::Bias(sensor, axis, size) => write!(
                 f,
                 "the {}'s bias on {} steps by {size:+.2e} {place}",
-                called(sensor),
+                sensor.name(),
                 axis_name(axis)
             ),
             Kind::Scale(sensor, Some(axis), share) => write!(
                 f,
                 "the {}'s scale factor on {} changes by {:+.2} % {place}",
-                called(sensor),
+                sensor.name(),
                 axis_name(axis),
                 100.0 * share
             ),
@@ -86,19 +79,19 @@ impl fmt::Display for Change {
             Kind::Turned(sensor, angle) => write!(
                 f,
                 "the {}'s axes turn by {:.2}° against its own errors {place}",
-                called(sensor),
+                sensor.name(),
                 angle.to_degrees()
             ),
             Kind::Flipped(sensor, axis) => write!(
                 f,
                 "the {}'s {} axis changes its sign {place}",
-                called(sensor),
+                sensor.name(),
                 axis_name(axis)
             ),
             Kind::Swapped(sensor, [one, other]) => write!(
                 f,
                 "the {}'s columns {} and {} are exchanged {place}",
-                called(sensor),
+                sensor.name(),
                 axis_name(one),
                 axis_name(other)
             ),

@@ -35,27 +35,26 @@ pub(super) struct Turning<'a> {
 
 /// What changes in the course of the turns; `start` is about what carries the readings to rad/s.
 pub(super) fn changes(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Vec<Change> {
-    let used: Vec<&Turning<'_>> = turns.iter().collect();
-    if used.len() < FEWEST {
+    if turns.len() < FEWEST {
         return Vec::new();
     }
     let mut t = *start;
-    let mut carried = all_carried(&used, &t);
+    let mut carried = all_carried(turns, &t);
     for _ in 0..PASSES {
         let Some(step) = robust_step(&carried) else {
             return Vec::new();
         };
         t += step;
-        carried = all_carried(&used, &t);
+        carried = all_carried(turns, &t);
     }
-    let n = used.len();
+    let n = turns.len();
     let whole = sums_of(&carried, &t, n, false, &[]);
     let Some(base) = whole.solution().map(|solution| whole.left(&solution)) else {
         return Vec::new();
     };
     let floor = FLOOR * n as f64;
-    let changed = change(&used, &carried, &t, base);
-    let alone = alone(&used, &carried, base);
+    let changed = change(turns, &carried, &t, base);
+    let alone = alone(turns, &carried, base);
     let criterion = |e: &Explanation| e.criterion(2 * n, floor);
     match (changed, alone) {
         (Some((one, by)), Some((_, other))) if criterion(&by) < criterion(&other) => vec![one],
@@ -67,7 +66,7 @@ pub(super) fn changes(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Vec<Change
 
 /// Single turns that miss gravity where the others meet it.
 fn alone(
-    turns: &[&Turning<'_>],
+    turns: &[Turning<'_>],
     carried: &[Carried],
     base: f64,
 ) -> Option<(Vec<Change>, Explanation)> {
@@ -95,8 +94,8 @@ fn alone(
         .then(|| (named.collect(), explanation))
 }
 
-fn all_carried(turns: &[&Turning<'_>], t: &Matrix3<f64>) -> Vec<Carried> {
-    let carry = |turn: &&Turning<'_>| turn.rates.carry(t, &turn.before, &turn.after);
+fn all_carried(turns: &[Turning<'_>], t: &Matrix3<f64>) -> Vec<Carried> {
+    let carry = |turn: &Turning<'_>| turn.rates.carry(t, &turn.before, &turn.after);
     turns.iter().map(carry).collect()
 }
 
@@ -204,29 +203,31 @@ impl What {
 
 /// A change from a turn on; the turn itself may be mixed and is then left out.
 fn change(
-    turns: &[&Turning<'_>],
+    turns: &[Turning<'_>],
     carried: &[Carried],
     t: &Matrix3<f64>,
     base: f64,
 ) -> Option<(Change, Explanation)> {
     let n = turns.len();
-    let tries: Vec<(usize, bool, What)> = (SIDE..=n.checked_sub(SIDE)?)
+    let places: Vec<(usize, bool)> = (SIDE..=n.checked_sub(SIDE)?)
         .flat_map(|at| [false, true].map(|mixed| (at, mixed)))
         .filter(|&(at, mixed)| at + usize::from(mixed) + SIDE <= n)
-        .flat_map(|(at, mixed)| What::ALL.map(|what| (at, mixed, what)))
         .collect();
-    let count = tries.len();
-    let holding = tries.into_iter().filter_map(|(at, mixed, what)| {
+    let count = places.len() * What::ALL.len();
+    // Against the base without a mixed turn: that one turn misses is no change of the others.
+    let with_base = places.into_iter().filter_map(|(at, mixed)| {
+        let without = || {
+            let sums = sums_of(carried, t, at, true, &[]);
+            Some((sums.left(&sums.solution()?), 2))
+        };
+        let (base, lost) = if mixed { without()? } else { (base, 0) };
+        Some((at, mixed, base, lost))
+    });
+    let tries = with_base.flat_map(|place| What::ALL.map(|what| (place, what)));
+    let holding = tries.filter_map(|((at, mixed, base, lost), what)| {
         let generators = what.generators();
         let sums = sums_of(carried, t, at, mixed, &generators);
         let solution = sums.solution()?;
-        // Against the base without the turn: that one turn misses is no change of the others.
-        let (base, lost) = if mixed {
-            let without = sums_of(carried, t, at, true, &[]);
-            (without.left(&without.solution()?), 2)
-        } else {
-            (base, 0)
-        };
         let mut explanation = Explanation {
             left: sums.left(&solution),
             parameters: generators.len(),

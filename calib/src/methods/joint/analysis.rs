@@ -11,7 +11,7 @@ use super::problem::{Linear, Rows};
 use super::row_noise::RowNoise;
 use super::trial::Trial;
 use super::walks::Walks;
-use super::weights::{Component, ComponentKind, NoiseLevel, White, Whitening};
+use super::weights::{Component, ComponentKind, NoiseLevel, White, Whitening, weighing};
 use crate::methods::small_sample::by_chance;
 use sensor::Sensor;
 
@@ -301,9 +301,7 @@ impl Analysis {
 
     /// The whitening of the final fit, which what depends on the orientation has no part in.
     pub fn weighting(&self, levels: &[NoiseLevel]) -> Whitening {
-        let mut levels = levels.to_vec();
-        levels.retain(|level| !level.kind.is_of_orientation());
-        self.whitening(&levels)
+        self.whitening(&weighing(levels))
     }
 
     /// What depends on the orientation at these levels, whitened by the white noise (`m × q`).

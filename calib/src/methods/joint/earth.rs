@@ -31,8 +31,7 @@ impl Rows<'_> {
         for (number, turn) in self.data.turns.iter().enumerate() {
             let p = self.local(x, Sensor::Gyroscope, turn.recording);
             let (carried, _) = self.carried(turn, &p);
-            let foretold = carried.rotation * self.direction(x, turn.from);
-            let across = self.charts[turn.from + 1].across.transpose() * foretold.cross_matrix();
+            let by_rotation = self.by_rotation(x, turn, &carried.rotation);
             let sum: Matrix3<f64> = carried
                 .gains
                 .iter()
@@ -40,7 +39,7 @@ impl Rows<'_> {
                 .map(|(gain, attitude)| gain * into_body(attitude))
                 .sum();
             // The corrected rate contains it: what the rows gain at rest they lose here.
-            let change = -(across * sum);
+            let change = -(by_rotation * sum);
             for i in 0..2 {
                 for (k, place) in places(turn.recording).into_iter().enumerate() {
                     columns[(row + i, place)] = change[(i, k)];

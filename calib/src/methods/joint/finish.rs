@@ -12,7 +12,7 @@ use super::judgement::Weights;
 use super::marginal::{orthonormal, reduced};
 use super::request::Accused;
 use super::run::{Point, Run, options};
-use super::weights::Whitening;
+use super::weights::{Whitening, weighing};
 use crate::error::Error;
 
 /// A minimum nearer than this, in standard errors, is reached.
@@ -25,8 +25,7 @@ impl Run<'_> {
         let white = &weights.whitening.white;
         let noise = rows.noise(point.plain_values());
         let components = centred(&rows, &noise, white, &weights.components);
-        let mut levels = weights.levels.clone();
-        levels.retain(|level| !level.kind.is_of_orientation());
+        let levels = weighing(&weights.levels);
         Weights {
             whitening: Whitening::new(white.clone(), &components, &levels),
             components,

@@ -1,7 +1,7 @@
 //! The rows of the joint problem and their Jacobian.
 
 use faer::Mat;
-use nalgebra::{Matrix3, Vector2, Vector3};
+use nalgebra::{Matrix2x3, Matrix3, Vector2, Vector3};
 use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, PLACES, Sensor, inverse};
 
 use super::chart::Chart;
@@ -258,14 +258,25 @@ impl<'a> Rows<'a> {
         };
         let p = self.local(x, Sensor::Gyroscope, turn.recording);
         let (carried, _) = self.carried(turn, &p);
-        let predicted = carried.rotation * self.direction(x, turn.from);
         let windows = clock.slack.iter().zip(&turn.lengths);
         let rates = self.rates(turn, &p);
         let moved: Vector3<f64> = windows
             .zip(carried.gains.iter().zip(&rates))
             .map(|((slack, length), (gain, rate))| gain * rate * (slack / length))
             .sum();
-        self.charts[turn.from + 1].across.transpose() * predicted.cross_matrix() * moved
+        self.by_rotation(x, turn, &carried.rotation) * moved
+    }
+
+    /// `∂r/∂δ = Eᵀ [Rᵀ u_k]×` of the two rows of a turn by a small rotation `δ` at its end, where `Rᵀ` carries the direction
+    /// before it.
+    pub(super) fn by_rotation(
+        &self,
+        x: &[f64],
+        turn: &TurnSamples,
+        rotation: &Matrix3<f64>,
+    ) -> Matrix2x3<f64> {
+        let predicted = rotation * self.direction(x, turn.from);
+        self.charts[turn.from + 1].across.transpose() * predicted.cross_matrix()
     }
 
     /// The rotation over a turn, and the derivative of the corrected rate by the base's `T (W − b)` per

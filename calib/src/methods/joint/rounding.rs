@@ -2,7 +2,7 @@
 
 use faer::Mat;
 use nalgebra::{Matrix2x3, Vector3};
-use sensor::{Base, Sensor};
+use sensor::Sensor;
 
 use super::data::TurnSamples;
 use super::noise::scatter;
@@ -130,16 +130,10 @@ impl Rows<'_> {
         level: &Vector3<f64>,
         step: &Vector3<f64>,
     ) -> Matrix2x3<f64> {
-        let p = self.local(x, Sensor::Gyroscope, turn.recording);
-        let base = Base::from_parameters(&p);
-        let (carried, _) = self.carried(turn, &p);
-        let predicted = carried.rotation * self.direction(x, turn.from);
-        let across = self.charts[turn.from + 1].across.transpose() * predicted.cross_matrix();
         let mut held = Matrix2x3::zeros();
-        for k in MARGIN..turn.t.len() - MARGIN {
-            let gain = across * carried.gains[k] * base.t;
+        for (reading, gain) in turn.readings[MARGIN..].iter().zip(self.gains(x, turn)) {
             for axis in 0..3 {
-                if (turn.readings[k][axis] - level[axis]).abs() < step[axis] {
+                if (reading[axis] - level[axis]).abs() < step[axis] {
                     held.set_column(axis, &(held.column(axis) + gain.column(axis)));
                 }
             }

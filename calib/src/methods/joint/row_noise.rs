@@ -72,22 +72,26 @@ impl Rows<'_> {
         noise
     }
 
+    /// `∂r/∂W_k` of the two rows of a turn by the readings of its inner samples.
+    pub(super) fn gains(&self, x: &[f64], turn: &TurnSamples) -> Vec<Matrix2x3<f64>> {
+        let p = self.local(x, Sensor::Gyroscope, turn.recording);
+        let base = Base::from_parameters(&p);
+        let (carried, _) = self.carried(turn, &p);
+        let by_rotation = self.by_rotation(x, turn, &carried.rotation);
+        carried.gains[MARGIN..turn.t.len() - MARGIN]
+            .iter()
+            .map(|gain| by_rotation * gain * base.t)
+            .collect()
+    }
+
     fn turn_noise(&self, x: &[f64], turn: &TurnSamples, row: usize, noise: &mut RowNoise) {
         let source = &self.data.sources[turn.recording];
         let Some(own) = source.gyroscope else {
             noise.by_share.push(Matrix2::zeros());
             return;
         };
-        let p = self.local(x, Sensor::Gyroscope, turn.recording);
-        let base = Base::from_parameters(&p);
-        let (carried, _) = self.carried(turn, &p);
-        let foretold = carried.rotation * self.direction(x, turn.from);
-        let across = self.charts[turn.from + 1].across.transpose() * foretold.cross_matrix();
         let inner = MARGIN..turn.t.len() - MARGIN;
-        let gains: Vec<Matrix2x3<f64>> = carried.gains[inner.clone()]
-            .iter()
-            .map(|gain| across * gain * base.t)
-            .collect();
+        let gains = self.gains(x, turn);
         let shocks = turn.shocks.iter().zip(&gains);
         let by_share: Matrix2<f64> = shocks.map(|(e, gain)| outer(&(gain * e))).sum();
         let covariance = white(&gains, &own.variance_in_sum())

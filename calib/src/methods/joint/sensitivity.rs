@@ -97,9 +97,7 @@ impl Rows<'_> {
         let samples = &self.data.turns[turn];
         let p = self.local(x, Sensor::Gyroscope, samples.recording);
         let (carried, slopes) = self.carried(samples, &p);
-        let foretold = carried.rotation * self.direction(x, samples.from);
-        let by_rotation =
-            self.charts[samples.from + 1].across.transpose() * foretold.cross_matrix();
+        let by_rotation = self.by_rotation(x, samples, &carried.rotation);
         let base = Base::from_parameters(&p);
         let truth = samples.readings.iter().enumerate().map(|(k, reading)| {
             let known = samples.known.get(k).copied();

@@ -175,6 +175,12 @@ impl NoiseLevel {
     }
 }
 
+/// The levels that rows are weighted by: those of what depends on the orientation enlarge the errors alone.
+pub fn weighing(levels: &[NoiseLevel]) -> Vec<NoiseLevel> {
+    let weighs = |level: &&NoiseLevel| !level.kind.is_of_orientation();
+    levels.iter().filter(weighs).copied().collect()
+}
+
 /// `I + Σ size² C` (`m × m`), white-whitened; `None` where that is the identity.
 pub fn covariance_at(components: &[Component], levels: &[NoiseLevel]) -> Option<Mat<f64>> {
     let mut sum: Option<Mat<f64>> = None;
