@@ -11,6 +11,7 @@ use super::gyro_guess::{GyroGuess, gyroscope_guess, perfect_chords};
 use super::small_sample::widening;
 use crate::averages::root_mean_square;
 use crate::error::Error;
+use crate::watch::{Stage, step};
 use crate::kernel::TurnProblem;
 use crate::residuals::{
     Integrator, OwnBias, PropagatedGravity, Recordings, Stacked, StaticMean, StaticRate, TurnData,
@@ -91,6 +92,7 @@ impl GyroscopeFit {
 /// # Errors
 /// No sound turn, and what the solver refuses.
 pub fn fit_gyroscope(request: &GyroscopeRequest) -> Result<GyroscopeFit, Error> {
+    step(Stage::Fitting)?;
     // One copy of all readings, changed in place: a long recording has no room for more.
     let mut turns: Vec<TurnData> = request.recordings.iter().flat_map(without_bias).collect();
     if turns.is_empty() {

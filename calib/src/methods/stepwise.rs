@@ -10,6 +10,7 @@ use super::fitted::Fitted;
 use super::outliers::{Outlier, outliers};
 use super::small_sample::residual_std;
 use crate::error::Error;
+use crate::watch::{Stage, step};
 use crate::residuals::{GravityNorm, OwnBias, StaticMean};
 
 /// Recordings get biases of their own where a common one is refuted at this level.
@@ -69,6 +70,7 @@ impl AccelerometerFit {
 /// # Errors
 /// Means that lie on no sphere, and what the solver refuses.
 pub fn fit_accelerometer(request: &AccelerometerRequest) -> Result<AccelerometerFit, Error> {
+    step(Stage::Fitting)?;
     let all: Vec<_> = request.recordings.iter().flatten().map(|m| m.raw).collect();
     let unit = accelerometer_unit(&all, request.gravity).ok_or_else(|| {
         Error::NotEnough(format!(

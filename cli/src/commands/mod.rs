@@ -11,6 +11,7 @@ mod discover;
 mod effects;
 mod evaluate;
 mod export;
+pub mod figures;
 mod import;
 mod info;
 mod inputs;
