@@ -85,10 +85,7 @@ impl Drop for Restored {
 /// let ended = watched(never, || Spec::still(1, 2.0).run());
 /// assert_eq!(ended.unwrap_err().to_string(), "cancelled");
 /// ```
-pub fn watched<T>(
-    callback: Callback,
-    work: impl FnOnce() -> Result<T, Error>,
-) -> Result<T, Error> {
+pub fn watched<T>(callback: Callback, work: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
     let watch = Watch {
         callback,
         steps: 0,

@@ -15,8 +15,8 @@ mod threads;
 
 pub use commands::figures;
 
-use std::panic::AssertUnwindSafe;
 use std::ffi::OsString;
+use std::panic::AssertUnwindSafe;
 
 use clap::Parser;
 

@@ -3,9 +3,7 @@
 
 use std::sync::Arc;
 
-use stillpoint::effect::{
-    AnyEffect, Effect, Kinematics, Param, Scalar, Sensor, Vector3, params,
-};
+use stillpoint::effect::{AnyEffect, Effect, Kinematics, Param, Scalar, Sensor, Vector3, params};
 use stillpoint::{
     Calibration, Catalogue, Error, Method, Recording, Request, apply, calibrate, example,
 };
@@ -43,7 +41,13 @@ fn main() -> Result<(), Error> {
     };
     let calibration = calibrate(&[recording.clone()], &request)?;
     for p in calibration.parameters().iter().skip(24) {
-        println!("{} = {:.2e} ± {:.0e} {}", p.name, p.value, p.std.unwrap_or(0.0), p.unit);
+        println!(
+            "{} = {:.2e} ± {:.0e} {}",
+            p.name,
+            p.value,
+            p.std.unwrap_or(0.0),
+            p.unit
+        );
     }
     let again = Calibration::from_json(&calibration.to_json()?, &catalogue)?;
     let rows = |c: &Calibration| -> Result<Vec<[f64; 3]>, Error> {

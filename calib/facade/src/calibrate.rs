@@ -47,7 +47,9 @@ pub fn calibrate(recordings: &[Recording], request: &Request) -> Result<Calibrat
         })?;
         return Ok(Calibration::of(solved.calibration));
     }
-    let outcome = under(request.watch.as_ref(), || calibrate_all(&all, &turned, &how))?;
+    let outcome = under(request.watch.as_ref(), || {
+        calibrate_all(&all, &turned, &how)
+    })?;
     Ok(Calibration::made(outcome, recordings))
 }
 

@@ -109,7 +109,9 @@ impl Catalogue {
     /// assert!(stillpoint::Catalogue::default().names().contains(&"gyro_g_sensitivity"));
     /// ```
     pub fn names(&self) -> Vec<&'static str> {
-        catalogue_with(&self.0).map(|effect| effect.name()).collect()
+        catalogue_with(&self.0)
+            .map(|effect| effect.name())
+            .collect()
     }
 
     pub(crate) fn own(&self) -> &[&'static dyn AnyEffect] {
@@ -120,7 +122,11 @@ impl Catalogue {
         let name = effect.name();
         let taken = catalogue_with(&self.0).find(|other| other.name() == name);
         match taken {
-            Some(other) if std::ptr::addr_eq(other, effect) && std::mem::size_of_val(effect) > 0 => Ok(()),
+            Some(other)
+                if std::ptr::addr_eq(other, effect) && std::mem::size_of_val(effect) > 0 =>
+            {
+                Ok(())
+            }
             Some(_) => Err(Error::usage(format!(
                 "`{name}` is the name of another effect already; choose another"
             ))),
@@ -136,9 +142,8 @@ impl Catalogue {
 fn kept(effect: Arc<dyn AnyEffect>) -> &'static dyn AnyEffect {
     static KEPT: Mutex<Vec<&'static Arc<dyn AnyEffect>>> = Mutex::new(Vec::new());
     let mut all = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
-    let same = |known: &&&Arc<dyn AnyEffect>| {
-        std::ptr::addr_eq(Arc::as_ptr(known), Arc::as_ptr(&effect))
-    };
+    let same =
+        |known: &&&Arc<dyn AnyEffect>| std::ptr::addr_eq(Arc::as_ptr(known), Arc::as_ptr(&effect));
     let known = all.iter().find(same).copied();
     if let Some(known) = known {
         return known.as_ref();

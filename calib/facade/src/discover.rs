@@ -88,7 +88,10 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Findings,
 }
 
 /// Refuses a validation recording with the samples of one of `recordings`, whatever its stamps.
-fn refuse_seen(validation: &calib::Recording, recordings: &[&calib::Recording]) -> Result<(), Error> {
+fn refuse_seen(
+    validation: &calib::Recording,
+    recordings: &[&calib::Recording],
+) -> Result<(), Error> {
     let own = [&validation.accelerometer, &validation.gyroscope];
     let same = |recording: &&&calib::Recording| {
         let others = [&recording.accelerometer, &recording.gyroscope];

@@ -145,9 +145,7 @@ impl Request {
         Ok(CalibRequest {
             method: match self.method {
                 Method::Joint => calib::calibrate::Method::Joint,
-                Method::Stepwise | Method::SixPosition { .. } => {
-                    calib::calibrate::Method::Stepwise
-                }
+                Method::Stepwise | Method::SixPosition { .. } => calib::calibrate::Method::Stepwise,
             },
             gravity: gravity.value,
             gravity_source: gravity.source,
@@ -196,7 +194,9 @@ impl Request {
             let span = |&(from, to): &(f64, f64)| {
                 let fits = from.is_finite() && to.is_finite() && from < to;
                 fits.then_some(Span { from, to }).ok_or_else(|| {
-                    Error::usage(format!("a section from {from} to {to} s: begin before end expected"))
+                    Error::usage(format!(
+                        "a section from {from} to {to} s: begin before end expected"
+                    ))
                 })
             };
             list.iter().map(span).collect()

@@ -30,9 +30,7 @@ pub struct Watch(Callback);
 impl Watch {
     /// A watch that calls `told` with every step. Steps are milliseconds apart on recordings of minutes, and seconds on
     /// ten million samples.
-    pub fn new(
-        told: impl Fn(Progress) -> ControlFlow<()> + Send + Sync + 'static,
-    ) -> Self {
+    pub fn new(told: impl Fn(Progress) -> ControlFlow<()> + Send + Sync + 'static) -> Self {
         Self(Arc::new(told))
     }
 }

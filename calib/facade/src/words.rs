@@ -71,7 +71,8 @@ mod tests {
 
     #[test]
     fn flags_become_options() {
-        let said = of_the_library("at rest; say the unit, as in --accel-unit m/s^2 (--force-device)");
+        let said =
+            of_the_library("at rest; say the unit, as in --accel-unit m/s^2 (--force-device)");
         assert_eq!(
             said,
             "at rest; say the unit, as in `ReadOptions::accel_unit` m/s^2 (`Request::force_device`)"
@@ -83,12 +84,19 @@ mod tests {
     #[test]
     fn every_flag_that_a_library_names_has_a_name_here() {
         let mut flags = std::collections::BTreeSet::new();
-        for folder in ["../src", "../formats/src", "../../models", "../../solver/src"] {
+        for folder in [
+            "../src",
+            "../formats/src",
+            "../../models",
+            "../../solver/src",
+        ] {
             let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
             for source in sources(&folder) {
                 let text = std::fs::read_to_string(source).unwrap();
                 let own = text.split("#[cfg(test)]").next().unwrap_or_default();
-                let code = own.lines().filter(|line| !line.trim_start().starts_with("//"));
+                let code = own
+                    .lines()
+                    .filter(|line| !line.trim_start().starts_with("//"));
                 for line in code {
                     flags.extend(named_in(line));
                 }

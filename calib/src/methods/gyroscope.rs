@@ -11,11 +11,11 @@ use super::gyro_guess::{GyroGuess, gyroscope_guess, perfect_chords};
 use super::small_sample::widening;
 use crate::averages::root_mean_square;
 use crate::error::Error;
-use crate::watch::{Stage, step};
 use crate::kernel::TurnProblem;
 use crate::residuals::{
     Integrator, OwnBias, PropagatedGravity, Recordings, Stacked, StaticMean, StaticRate, TurnData,
 };
+use crate::watch::{Stage, step};
 
 /// Rounds in which the two kinds of rows are weighted by what the fit before left of them.
 const WEIGHT_ROUNDS: usize = 6;

@@ -10,8 +10,8 @@ use super::fitted::Fitted;
 use super::outliers::{Outlier, outliers};
 use super::small_sample::residual_std;
 use crate::error::Error;
-use crate::watch::{Stage, step};
 use crate::residuals::{GravityNorm, OwnBias, StaticMean};
+use crate::watch::{Stage, step};
 
 /// Recordings get biases of their own where a common one is refuted at this level.
 const OWN_BIAS_LEVEL: f64 = 0.01;

@@ -15,7 +15,11 @@ impl Recording {
     /// Whether [`Recording::decimated`] would change it.
     pub fn is_fast(&self) -> bool {
         let streams = [&self.accelerometer, &self.gyroscope];
-        let fast = |stream: &Stream| stream.median_step().is_some_and(|step| step * FASTEST < 1.0);
+        let fast = |stream: &Stream| {
+            stream
+                .median_step()
+                .is_some_and(|step| step * FASTEST < 1.0)
+        };
         streams.into_iter().flatten().any(fast)
     }
 

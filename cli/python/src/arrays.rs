@@ -41,6 +41,9 @@ fn check_width(py: Python<'_>, shape: &[usize], name: &str) -> PyResult<()> {
             py,
             format!("{name}: an array of shape ({n}, {other}), (N, 3) expected"),
         )),
-        _ => Err(usage(py, format!("{name}: an array of shape (N, 3) expected"))),
+        _ => Err(usage(
+            py,
+            format!("{name}: an array of shape (N, 3) expected"),
+        )),
     }
 }

@@ -34,10 +34,7 @@ pub fn bug(py: Python<'_>, message: &str) -> PyErr {
 fn of_kind(py: Python<'_>, kind: ErrorKind, message: &str) -> PyErr {
     let none: Option<&str> = None;
     let made = py.import("stillpoint._errors").and_then(|module| {
-        module.call_method1(
-            "exception",
-            (kind.name(), message, none, none, none, none),
-        )
+        module.call_method1("exception", (kind.name(), message, none, none, none, none))
     });
     made.map_or_else(|error| error, PyErr::from_value)
 }

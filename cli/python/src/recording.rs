@@ -10,7 +10,7 @@ use crate::arrays::{numbers, rows, rows_to_fill};
 use crate::error::{exception, usage};
 
 /// A recording that was checked.
-#[pyclass(frozen, skip_from_py_object, module = "stillpoint._native")]
+#[pyclass(frozen, module = "stillpoint._native")]
 #[derive(Clone, Debug)]
 pub struct Recording(pub stillpoint::Recording);
 

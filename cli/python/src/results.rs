@@ -13,7 +13,7 @@ use crate::progress::watched;
 use crate::recording::{Recording, sensor};
 
 /// A calibration of one device.
-#[pyclass(frozen, skip_from_py_object, module = "stillpoint._native")]
+#[pyclass(frozen, module = "stillpoint._native")]
 #[derive(Clone, Debug)]
 pub struct Calibration(pub stillpoint::Calibration);
 
@@ -81,8 +81,10 @@ impl Calibration {
     /// The corrected recording.
     fn apply(&self, py: Python<'_>, recording: &Recording) -> PyResult<Recording> {
         let (own, raw) = (self.0.clone(), recording.0.clone());
-        watched(py, None, move |watch| stillpoint::apply_watched(&own, &raw, Some(&watch)))
-            .map(Recording)
+        watched(py, None, move |watch| {
+            stillpoint::apply_watched(&own, &raw, Some(&watch))
+        })
+        .map(Recording)
     }
 
     fn figures(&self, py: Python<'_>) -> PyResult<Figures> {
@@ -91,7 +93,7 @@ impl Calibration {
 }
 
 /// What was found.
-#[pyclass(frozen, skip_from_py_object, module = "stillpoint._native")]
+#[pyclass(frozen, module = "stillpoint._native")]
 #[derive(Clone, Debug)]
 pub struct Findings(pub stillpoint::Findings);
 

@@ -1,8 +1,8 @@
 //! The figures of reports as pictures, for programs that show them elsewhere than in a page.
 
+use calib::Recording;
 use calib::calibrate::Outcome;
 use calib::discover::Discovery;
-use calib::Recording;
 
 use super::{calibrate, discover};
 use crate::exit::Failure;
