@@ -120,7 +120,8 @@ class Calibration:
             recording: base model and effects are applied, each sensor on its own clock.
             accel: readings, m/s², (N, 3), read where they are; for calibrations without effects.
             gyro: readings, rad/s, (N, 3), the same.
-            out: where to write corrected readings, (N, 3), contiguous float64; a new array where it is None.
+            out: where to write corrected readings, (N, 3), contiguous float64, not the readings themselves; a new array
+                where it is None.
 
         Raises:
             UsageError: not exactly one of the three; readings alone where there are effects, which look at more.
