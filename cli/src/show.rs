@@ -151,7 +151,10 @@ pub fn failure(failure: &Failure) {
         return;
     }
     let label = terminal::coloured("stillpoint:", 31);
-    say_after(&label, &format!("stillpoint: {}", shortened(&failure.message)));
+    say_after(
+        &label,
+        &format!("stillpoint: {}", shortened(&failure.message)),
+    );
     let asked = std::env::args_os()
         .take_while(|arg| arg != "--")
         .any(|arg| arg == "--json");
@@ -282,7 +285,12 @@ mod tests {
 
     #[test]
     fn warnings_that_differ_in_their_numbers_are_said_once_with_a_count() {
-        let texts = ["stretch 1.25 to 3.5 s", "stretch 7 to 8.25 s", "other", "stretch 9.1 to 10 s"];
+        let texts = [
+            "stretch 1.25 to 3.5 s",
+            "stretch 7 to 8.25 s",
+            "other",
+            "stretch 9.1 to 10 s",
+        ];
         assert_eq!(
             folded(&texts.map(str::to_owned)),
             ["stretch 1.25 to 3.5 s (and 2 more like this)", "other"]

@@ -165,7 +165,10 @@ mod tests {
 
     #[test]
     fn long_lines_are_broken_between_words_and_keep_their_indent() {
-        assert_eq!(wrapped("  one two three\nfour", 10), "  one two\n  three\nfour");
+        assert_eq!(
+            wrapped("  one two three\nfour", 10),
+            "  one two\n  three\nfour"
+        );
         let long = "x".repeat(30);
         assert_eq!(wrapped(&format!("a {long} b"), 10), format!("a\n{long}\nb"));
     }

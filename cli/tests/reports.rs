@@ -138,7 +138,10 @@ fn six_positions_far_from_level_fail_with_status_1_and_the_report_says_so_first(
 fn is_accessible(page: &str) {
     assert!(page.contains("<html lang=\"en\">") && page.matches("<h1>").count() == 1);
     assert!(!page.contains("<h3") && page.matches("<main>").count() == 1);
-    for (tag, name) in [("role=\"img\"", "aria-label=\""), ("role=\"region\"", "aria-label=\"")] {
+    for (tag, name) in [
+        ("role=\"img\"", "aria-label=\""),
+        ("role=\"region\"", "aria-label=\""),
+    ] {
         for part in page.split(tag).skip(1) {
             let end = part.find('>').unwrap();
             let label = part[..end].split(name).nth(1);
@@ -153,7 +156,16 @@ fn is_accessible(page: &str) {
 fn a_refusal_writes_a_report_with_what_there_is_and_the_placements_to_add() {
     let dir = tempfile::tempdir().unwrap();
     recording(&dir.path().join("few.csv"), &leaning(0.0)[..4], 10.0);
-    let args = ["calibrate", "few.csv", "--gravity", "9.8", "--report", "few.html", "-o", "few.json"];
+    let args = [
+        "calibrate",
+        "few.csv",
+        "--gravity",
+        "9.8",
+        "--report",
+        "few.html",
+        "-o",
+        "few.json",
+    ];
     let output = stillpoint(dir.path(), &args);
     assert_eq!(output.status.code(), Some(4), "{}", stderr(&output));
     assert!(!dir.path().join("few.json").exists());
@@ -171,13 +183,28 @@ fn a_refusal_writes_a_report_with_what_there_is_and_the_placements_to_add() {
 fn an_evaluation_has_a_report_that_compares_with_the_raw_readings() {
     let dir = tempfile::tempdir().unwrap();
     sessions(dir.path());
-    let made = stillpoint(dir.path(), &["calibrate", "one", "--gravity", "9.80665", "-o", "cal.json"]);
+    let made = stillpoint(
+        dir.path(),
+        &["calibrate", "one", "--gravity", "9.80665", "-o", "cal.json"],
+    );
     assert!(made.status.success(), "{}", stderr(&made));
-    let args = ["evaluate", "one", "--calibration", "own=cal.json", "--report", "e.html"];
+    let args = [
+        "evaluate",
+        "one",
+        "--calibration",
+        "own=cal.json",
+        "--report",
+        "e.html",
+    ];
     let output = stillpoint(dir.path(), &args);
     assert!(output.status.success(), "{}", stderr(&output));
     let page = std::fs::read_to_string(dir.path().join("e.html")).unwrap();
-    for words in ["own leaves", "What to do next", "calibrated, mm/s²", "SHA-256"] {
+    for words in [
+        "own leaves",
+        "What to do next",
+        "calibrated, mm/s²",
+        "SHA-256",
+    ] {
         assert!(page.contains(words), "{words}");
     }
     is_accessible(&page);
@@ -218,7 +245,10 @@ fn a_calibrations_report_tells_recordings_rests_and_turns_apart() {
     );
     let page = std::fs::read_to_string(dir.path().join("cal.html")).unwrap();
     // One drawing serves light and dark pages.
-    assert_eq!(page.matches("<svg").count(), page.matches("<figure>").count());
+    assert_eq!(
+        page.matches("<svg").count(),
+        page.matches("<figure>").count()
+    );
     assert!(page.len() < 250_000, "{}", page.len());
     // Fourteen placements each, numbered through both recordings.
     for words in [
@@ -234,7 +264,14 @@ fn a_calibrations_report_tells_recordings_rests_and_turns_apart() {
         assert!(page.contains(words), "{words}");
     }
     assert!(!page.contains("<link"));
-    for name in ["modulus", "direction", "coverage", "parameters", "rests-1", "rests-2"] {
+    for name in [
+        "modulus",
+        "direction",
+        "coverage",
+        "parameters",
+        "rests-1",
+        "rests-2",
+    ] {
         for ending in ["svg", "png"] {
             let file = dir.path().join(format!("p/{name}.{ending}"));
             assert!(file.is_file(), "{name}.{ending}");

@@ -6,8 +6,21 @@ mod common;
 use common::{files, folder, status, stderr, stdout, stillpoint};
 
 const COMMANDS: [&str; 15] = [
-    "demo", "info", "calibrate", "segment", "apply", "convert", "allan", "bias", "reckon", "evaluate", "simulate",
-    "discover", "effects", "export", "import",
+    "demo",
+    "info",
+    "calibrate",
+    "segment",
+    "apply",
+    "convert",
+    "allan",
+    "bias",
+    "reckon",
+    "evaluate",
+    "simulate",
+    "discover",
+    "effects",
+    "export",
+    "import",
 ];
 
 /// No line is wider than a terminal of 80 columns.
@@ -42,17 +55,38 @@ fn every_table_fits_into_80_columns() {
                   [effects.gyro_g_sensitivity]\nsize = 3.0\n[[faults]]\nslip = { interval = 12, angle = 5e-3 }\n";
     std::fs::write(folder.join("spec.toml"), effect).unwrap();
     let calls: [&[&str]; 12] = [
-        &["simulate", "spec.toml", "-o", "a_session_with_a_rather_long_name"],
+        &[
+            "simulate",
+            "spec.toml",
+            "-o",
+            "a_session_with_a_rather_long_name",
+        ],
         &["calibrate", "good.csv", "-o", "cal.json"],
         &["calibrate", "good.csv", "--method", "joint"],
-        &["calibrate", "good.csv", "a_session_with_a_rather_long_name", "--force-device"],
+        &[
+            "calibrate",
+            "good.csv",
+            "a_session_with_a_rather_long_name",
+            "--force-device",
+        ],
         &["segment", "good.csv"],
         &["info", "good.csv", "a_session_with_a_rather_long_name"],
-        &["evaluate", "good.csv", "--calibration", "a_rather_long_name_of_a_calibration=cal.json"],
+        &[
+            "evaluate",
+            "good.csv",
+            "--calibration",
+            "a_rather_long_name_of_a_calibration=cal.json",
+        ],
         &["bias", "cal.json", "good.csv", "--accelerometer"],
         &["allan", "good.csv", "--rest", "0,19"],
         &["discover", "a_session_with_a_rather_long_name"],
-        &["discover", "good.csv", "--validation", "a_session_with_a_rather_long_name", "--force-device"],
+        &[
+            "discover",
+            "good.csv",
+            "--validation",
+            "a_session_with_a_rather_long_name",
+            "--force-device",
+        ],
         &["effects"],
     ];
     for call in calls {
@@ -70,10 +104,19 @@ fn a_file_alone_is_said_to_be_what_it_is_with_the_next_command() {
     assert!(stdout(&run).contains("stillpoint calibrate good.csv -o cal.json"));
     let info = stillpoint(&folder, &["info", "good.csv"]);
     assert_eq!(run.stdout, info.stdout);
-    assert_eq!(status(&stillpoint(&folder, &["calibrate", "good.csv", "-o", "cal.json"])), 0);
+    assert_eq!(
+        status(&stillpoint(
+            &folder,
+            &["calibrate", "good.csv", "-o", "cal.json"]
+        )),
+        0
+    );
     let run = stillpoint(&folder, &["cal.json"]);
     let said = stdout(&run);
-    assert!(said.contains("a calibration") && said.contains("stillpoint apply cal.json"), "{said}");
+    assert!(
+        said.contains("a calibration") && said.contains("stillpoint apply cal.json"),
+        "{said}"
+    );
     assert_eq!(status(&stillpoint(&folder, &["nothing.csv"])), 2);
 }
 

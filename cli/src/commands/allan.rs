@@ -276,11 +276,21 @@ fn plot(sensor: Sensor, noise: &SensorNoise) -> Plot {
 
 fn report(summary: &NoiseSummary, recording: &Path, plots: &[(String, Picture)]) -> Report {
     let title = format!("Noise of {}", show::path(recording));
-    let mut figures: Vec<Figure> = sensors(summary).map(|(n, s, noise)| figure(n, s, noise)).collect();
+    let mut figures: Vec<Figure> = sensors(summary)
+        .map(|(n, s, noise)| figure(n, s, noise))
+        .collect();
     let time = summary.initial_static_time;
     let time = time.map_or("unknown".into(), |t| format!("{} s", t.ceil()));
-    figures.push(Figure::new("Initial static time", time, "to rest before a calibration"));
-    let level = if summary.warnings.is_empty() { Level::Good } else { Level::Care };
+    figures.push(Figure::new(
+        "Initial static time",
+        time,
+        "to rest before a calibration",
+    ));
+    let level = if summary.warnings.is_empty() {
+        Level::Good
+    } else {
+        Level::Care
+    };
     let next = [
         "Write the terms for `discover`, which then tells drift from noise sooner: stillpoint allan RECORDING -o noise.json"
             .to_owned(),
@@ -322,7 +332,10 @@ fn sentence(summary: &NoiseSummary) -> String {
         format!("{} of 15 terms of the {}", told(noise), name.to_lowercase())
     });
     let parts: Vec<String> = parts.collect();
-    format!("The recording bounds {} on both sides.", parts.join(" and "))
+    format!(
+        "The recording bounds {} on both sides.",
+        parts.join(" and ")
+    )
 }
 
 /// The white noise of a sensor: the mean over its axes.
@@ -335,7 +348,11 @@ fn figure(name: &str, sensor: Sensor, noise: &SensorNoise) -> Figure {
         .collect();
     let mean = white.iter().sum::<f64>() / white.len().max(1) as f64;
     let label = format!("{name}, white noise");
-    Figure::new(&label, format!("{} {unit}", significant(mean)), extent(noise))
+    Figure::new(
+        &label,
+        format!("{} {unit}", significant(mean)),
+        extent(noise),
+    )
 }
 
 fn provenance(summary: &NoiseSummary, recording: &Path) -> Vec<[String; 2]> {

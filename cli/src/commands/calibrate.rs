@@ -250,7 +250,15 @@ fn refused(
     }
     let choices: Vec<_> = recordings
         .iter()
-        .map(|r| cut(r, &request.detector, request.choose_multiplier, request.gravity).ok())
+        .map(|r| {
+            cut(
+                r,
+                &request.detector,
+                request.choose_multiplier,
+                request.gravity,
+            )
+            .ok()
+        })
         .collect();
     let cut: Vec<_> = recordings
         .iter()

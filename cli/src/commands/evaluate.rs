@@ -60,10 +60,15 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         calibrations.push((name.to_owned(), load(path.as_ref())?));
     }
     check_gravity(args.gravity)?;
-    let named = args.calibration.iter().filter_map(|named| named.split_once('='));
+    let named = args
+        .calibration
+        .iter()
+        .filter_map(|named| named.split_once('='));
     let mut inputs = vec![args.recording.clone()];
     inputs.extend(named.map(|(_, path)| PathBuf::from(path)));
-    let pictures = args.pictures.claim(&evaluation::PLOTS, args.replace, &as_paths(&inputs))?;
+    let pictures = args
+        .pictures
+        .claim(&evaluation::PLOTS, args.replace, &as_paths(&inputs))?;
     args.replace.end_if_all_exist()?;
     let (detector, choose) = args.detector.detector()?;
     let recording = read(&args.recording, &args.read)?.decimated();
@@ -93,10 +98,18 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         let t = calibration.gyroscope.as_ref()?.base().t;
         Some((t, evaluation.direction_rms?.to_radians()))
     });
-    warnings.extend(changes_part_way(&recording, &choice.segmentation, args.gravity, gyroscope));
+    warnings.extend(changes_part_way(
+        &recording,
+        &choice.segmentation,
+        args.gravity,
+        gyroscope,
+    ));
     show::warn_all(&warnings);
     if pictures.wanted() {
-        let named: Vec<_> = calibrations.iter().map(|(name, c)| (name.as_str(), c)).collect();
+        let named: Vec<_> = calibrations
+            .iter()
+            .map(|(name, c)| (name.as_str(), c))
+            .collect();
         let (page, plots) = evaluation::page(
             &recording,
             &choice.segmentation,

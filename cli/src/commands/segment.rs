@@ -163,7 +163,7 @@ fn report(
     gravity: f64,
 ) -> Result<Report, Failure> {
     let segmentation = &choice.segmentation;
-    let mut intervals = ReportTable::new(["interval", "from, s", "to, s", "length, s", ""]);
+    let mut intervals = ReportTable::new(["interval", "from, s", "to, s", "length, s", "note"]);
     let row = |name: String, span: &Span, note: String| {
         let [from, to, length] = [span.from, span.to, span.length()].map(|v| format!("{v:.2}"));
         [name, from, to, length, note]
@@ -200,7 +200,11 @@ fn report(
     let mut warnings = recording.warnings.clone();
     warnings.extend(remarks(recording, choice));
     let next: Vec<String> = coverage.advice().into_iter().collect();
-    let turns = segmentation.turns.iter().filter(|t| t.fault.is_none()).count();
+    let turns = segmentation
+        .turns
+        .iter()
+        .filter(|t| t.fault.is_none())
+        .count();
     let count = format!("{} static intervals", segmentation.statics.len());
     Ok(Report::new(format!(
         "Static intervals and turns of {}",

@@ -116,12 +116,19 @@ fn report(
         (mean / mean.norm()).into()
     });
     let coverage = Coverage::of(&directions.collect::<Vec<_>>());
-    let judged = judge::judged(calibration, None);
+    let judged = judge::judged(calibration, None, None);
     let residual = format!("{:.1} mm/s²", 1e3 * solution.residual_rms);
-    let tilt = format!("placements tilted by about {:.2}°", solution.tilt().to_degrees());
+    let tilt = format!(
+        "placements tilted by about {:.2}°",
+        solution.tilt().to_degrees()
+    );
     let mut figures = vec![Figure::new("Residual, calibrated", residual, tilt)];
     figures.extend(parameters::weakest(calibration));
-    figures.push(Figure::new("Directions covered", coverage.value(), coverage.note()));
+    figures.push(Figure::new(
+        "Directions covered",
+        coverage.value(),
+        coverage.note(),
+    ));
     let mut report = Report::new("Calibration by six positions")
         .verdict(judged.level, &judged.sentence)
         .figures(figures)

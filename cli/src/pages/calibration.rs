@@ -40,8 +40,14 @@ pub fn pictures(
 ) -> Vec<(String, Picture)> {
     let measured = residuals::noise(calibration);
     let mut all: Vec<(String, Picture)> = vec![
-        ("modulus".into(), residuals::norm(session, measured[0]).into()),
-        ("direction".into(), residuals::direction(session, measured[1]).into()),
+        (
+            "modulus".into(),
+            residuals::norm(session, measured[0]).into(),
+        ),
+        (
+            "direction".into(),
+            residuals::direction(session, measured[1]).into(),
+        ),
     ];
     all.retain(|(_, picture)| !matches!(picture, Picture::Plot(plot) if plot.is_empty()));
     if let Some(coverage) = covered(session) {
@@ -77,7 +83,7 @@ pub fn page(
     units: [&str; 2],
 ) -> Result<Report, Failure> {
     let coverage = covered(session);
-    let judged = verdict::judged(calibration, coverage.as_ref());
+    let judged = verdict::judged(calibration, Some(session), coverage.as_ref());
     let mut report = Report::new(format!("Calibration from {}", names(session)))
         .verdict(judged.level, &judged.sentence)
         .figures(verdict::figures(calibration, session, coverage.as_ref()))
@@ -94,10 +100,23 @@ pub fn page(
         "Each point is a static interval or a turn; bars are two standard errors of its mean. The rate left in the two static \
          intervals beside a turn is taken off as bias.",
     );
-    report = drawn(report.section("Placements and parameters"), &["coverage", "parameters"]);
+    report = drawn(
+        report.section("Placements and parameters"),
+        &["coverage", "parameters"],
+    );
     for (heading, triad, unit, prefix) in [
-        ("Accelerometer, a = T (A − b)", &calibration.accelerometer, units[0], "accel"),
-        ("Gyroscope, w = T (W − b)", &calibration.gyroscope, units[1], "gyro"),
+        (
+            "Accelerometer, a = T (A − b)",
+            &calibration.accelerometer,
+            units[0],
+            "accel",
+        ),
+        (
+            "Gyroscope, w = T (W − b)",
+            &calibration.gyroscope,
+            units[1],
+            "gyro",
+        ),
     ] {
         if let Some(triad) = triad {
             report = sensor(report, heading, triad, unit, prefix);
@@ -108,7 +127,10 @@ pub fn page(
         report.section("What the misfit goes with"),
         &["against", "quantiles"],
     );
-    report = drawn(report.section("Noise and correlations"), &["noise", "correlation"]);
+    report = drawn(
+        report.section("Noise and correlations"),
+        &["noise", "correlation"],
+    );
     report = drawn(report.section("Static intervals and turns"), &["rests"]);
     if !session.rests.is_empty() {
         report = report

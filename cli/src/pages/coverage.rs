@@ -60,7 +60,10 @@ impl Coverage {
 
     /// How large the largest gap is, and where.
     pub fn note(&self) -> String {
-        let place = self.missing.first().map(|at| format!(", with {} up", words(at)));
+        let place = self
+            .missing
+            .first()
+            .map(|at| format!(", with {} up", words(at)));
         format!(
             "{} placements; the largest gap is {:.0}°{}",
             self.placements,
@@ -76,7 +79,11 @@ impl Coverage {
         (!all.is_empty()).then(|| {
             format!(
                 "Add {} with these directions up: {}.",
-                if all.len() == 1 { "a placement" } else { "placements" },
+                if all.len() == 1 {
+                    "a placement"
+                } else {
+                    "placements"
+                },
                 all.join("; ")
             )
         })
@@ -119,7 +126,9 @@ fn face(at: &[f64; 3]) -> (usize, bool) {
 /// far, since a hand finds those.
 fn loneliest(placements: &[[f64; 3]]) -> Option<([f64; 3], f64)> {
     let angle = |at: &[f64; 3]| {
-        let near = placements.iter().map(|p| p.iter().zip(at).map(|(a, b)| a * b).sum::<f64>());
+        let near = placements
+            .iter()
+            .map(|p| p.iter().zip(at).map(|(a, b)| a * b).sum::<f64>());
         near.fold(-1.0, f64::max).clamp(-1.0, 1.0).acos()
     };
     let furthest = |all: Vec<[f64; 3]>| {
@@ -128,7 +137,11 @@ fn loneliest(placements: &[[f64; 3]]) -> Option<([f64; 3], f64)> {
     };
     let anywhere = furthest(spread())?;
     let handy = furthest(faces_edges_corners())?;
-    Some(if handy.1 > 0.85 * anywhere.1 { (handy.0, anywhere.1) } else { anywhere })
+    Some(if handy.1 > 0.85 * anywhere.1 {
+        (handy.0, anywhere.1)
+    } else {
+        anywhere
+    })
 }
 
 fn faces_edges_corners() -> Vec<[f64; 3]> {
@@ -165,7 +178,11 @@ mod tests {
             .collect();
         let all = Coverage::of(&faces);
         // Corners of a cube are acos(1/√3) = 54.74° from its faces.
-        assert!((all.gap.to_degrees() - 54.74).abs() < 1.0, "{}", all.gap.to_degrees());
+        assert!(
+            (all.gap.to_degrees() - 54.74).abs() < 1.0,
+            "{}",
+            all.gap.to_degrees()
+        );
         assert_eq!(all.faces, 6);
         let five: Vec<_> = faces.into_iter().filter(|v| v[2] < 0.9).collect();
         let five = Coverage::of(&five);

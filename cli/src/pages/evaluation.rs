@@ -1,7 +1,7 @@
 //! The page of an evaluation: calibrations side by side on a recording that they have not seen.
 
-use calib::{Calibration, Evaluation, Recording};
 use calib::intervals::Segmentation;
+use calib::{Calibration, Evaluation, Recording};
 
 use super::calibration::covered;
 use super::session::Session;
@@ -38,18 +38,34 @@ pub fn page(
     let (level, sentence, next) = judged(rows, warnings);
     let mut figures = vec![verdict::residual(first)];
     figures.push(bias(rows));
-    figures.extend(coverage.as_ref().map(|c| Figure::new("Directions covered", c.value(), c.note())));
+    figures.extend(
+        coverage
+            .as_ref()
+            .map(|c| Figure::new("Directions covered", c.value(), c.note())),
+    );
     let mut table = ReportTable::new(header.iter().copied());
     cells.iter().for_each(|row| table.row(row.clone()));
     let mut pictures: Vec<(String, Picture)> = Vec::new();
-    let norm = compared(&raw, &sessions, "Norm of specific force less gravity", "mm/s²", |s| {
-        let rests = s.rests.iter();
-        rests.map(|r| (r.key.clone(), r.raw, r.left)).collect()
-    });
-    let direction = compared(&raw, &sessions, "Error of gravity's direction after each turn", "°", |s| {
-        let turns = s.turns.iter();
-        turns.map(|t| (t.key.clone(), t.raw, t.left)).collect()
-    });
+    let norm = compared(
+        &raw,
+        &sessions,
+        "Norm of specific force less gravity",
+        "mm/s²",
+        |s| {
+            let rests = s.rests.iter();
+            rests.map(|r| (r.key.clone(), r.raw, r.left)).collect()
+        },
+    );
+    let direction = compared(
+        &raw,
+        &sessions,
+        "Error of gravity's direction after each turn",
+        "°",
+        |s| {
+            let turns = s.turns.iter();
+            turns.map(|t| (t.key.clone(), t.raw, t.left)).collect()
+        },
+    );
     pictures.push(("norm".into(), norm.into()));
     pictures.push(("direction".into(), direction.into()));
     pictures.retain(|(_, p)| !matches!(p, Picture::Plot(plot) if plot.is_empty()));
@@ -57,10 +73,17 @@ pub fn page(
         pictures.push(("coverage".into(), coverage::picture(first, coverage)));
     }
     let units = ["m/s²", "rad/s"];
-    for (k, p) in residuals::against(first, [None, None]).into_iter().enumerate() {
+    for (k, p) in residuals::against(first, [None, None])
+        .into_iter()
+        .enumerate()
+    {
         pictures.push((format!("against-{}", k + 1), p));
     }
-    pictures.extend(residuals::over_time(first, units).into_iter().map(|p| ("intervals".into(), p)));
+    pictures.extend(
+        residuals::over_time(first, units)
+            .into_iter()
+            .map(|p| ("intervals".into(), p)),
+    );
     let noise = noise::pictures(first, units).into_iter().enumerate();
     pictures.extend(noise.map(|(k, p)| (format!("noise-{}", k + 1), p)));
     let mut report = Report::new(format!("Evaluation on {}", show::name(&recording.name)))
@@ -71,7 +94,9 @@ pub fn page(
         .section("Side by side")
         .table(table)
         .section("What is left");
-    report = pictures.iter().fold(report, |report, (_, picture)| report.plot(picture));
+    report = pictures
+        .iter()
+        .fold(report, |report, (_, picture)| report.plot(picture));
     report = report.table(first.table());
     let mut rows = provenance::of_recordings(std::slice::from_ref(recording));
     rows.push(["gravity".into(), format!("{gravity} m/s²")]);
@@ -84,7 +109,16 @@ pub fn page(
 
 /// Names of the pictures, as files are called.
 pub const PLOTS: [&str; 10] = [
-    "norm", "direction", "coverage", "against-1", "against-2", "against-3", "against-4", "intervals", "noise-1", "noise-2",
+    "norm",
+    "direction",
+    "coverage",
+    "against-1",
+    "against-2",
+    "against-3",
+    "against-4",
+    "intervals",
+    "noise-1",
+    "noise-2",
 ];
 
 /// The best calibration against the raw readings.
@@ -101,13 +135,19 @@ fn judged(rows: &[(String, Evaluation)], warnings: &[String]) -> (Level, String,
         let all: Vec<f64> = norm.into_iter().chain(direction).collect();
         all.iter().sum::<f64>() / all.len().max(1) as f64
     };
-    let best = calibrated.iter().min_by(|a, b| share(&a.1).total_cmp(&share(&b.1)));
+    let best = calibrated
+        .iter()
+        .min_by(|a, b| share(&a.1).total_cmp(&share(&b.1)));
     let Some((name, e)) = best else {
         return (Level::Care, "Nothing could be compared.".into(), Vec::new());
     };
     let part = |what: &str, left: Option<f64>, raw: Option<f64>, factor: f64, unit: &str| {
         let (left, raw) = (left?, raw?);
-        Some(format!("{:.2}{unit} of the {what} (raw {:.2}{unit})", factor * left, factor * raw))
+        Some(format!(
+            "{:.2}{unit} of the {what} (raw {:.2}{unit})",
+            factor * left,
+            factor * raw
+        ))
     };
     let parts: Vec<String> = [
         part("norm", e.modulus_rms, raw.1.modulus_rms, 1e3, " mm/s²"),
@@ -117,7 +157,10 @@ fn judged(rows: &[(String, Evaluation)], warnings: &[String]) -> (Level, String,
     .flatten()
     .collect();
     let name = show::name(name);
-    let sentence = format!("On this recording {name} leaves {} rms.", parts.join(" and "));
+    let sentence = format!(
+        "On this recording {name} leaves {} rms.",
+        parts.join(" and ")
+    );
     if share(e) > OF_USE {
         let next = "Check that recording and calibration are of one device and one unit, then calibrate on this recording and \
                     compare.";
@@ -126,13 +169,20 @@ fn judged(rows: &[(String, Evaluation)], warnings: &[String]) -> (Level, String,
     }
     let next = format!("Use {name}: stillpoint apply CAL RECORDING -o corrected.csv");
     let estimate = "If the rate at rest is far from zero, estimate the gyroscope's bias again: stillpoint bias CAL RECORDING";
-    let level = if warnings.is_empty() { Level::Good } else { Level::Care };
+    let level = if warnings.is_empty() {
+        Level::Good
+    } else {
+        Level::Care
+    };
     (level, sentence, vec![next, estimate.into()])
 }
 
 /// What the gyroscope's bias is off by under the first calibration.
 fn bias(rows: &[(String, Evaluation)]) -> Figure {
-    let rate = rows.get(1).or(rows.first()).and_then(|(_, e)| e.static_rate);
+    let rate = rows
+        .get(1)
+        .or(rows.first())
+        .and_then(|(_, e)| e.static_rate);
     let value = rate.map_or("none".into(), |rate| {
         let norm = rate.iter().map(|v| v * v).sum::<f64>().sqrt();
         format!("{:.4} °/s", norm.to_degrees())
@@ -159,14 +209,21 @@ fn compared(
         }
         Series::dots(name, colour, dots).of(keys)
     };
-    let plot = Plot::new(title, Axis::linear("static interval or turn"), Axis::linear(format!("raw, {unit}")))
-        .with(series(raw, "raw", residuals::GREY, true));
+    let plot = Plot::new(
+        title,
+        Axis::linear("static interval or turn"),
+        Axis::linear(format!("raw, {unit}")),
+    )
+    .with(series(raw, "raw", residuals::GREY, true));
     if sessions.is_empty() {
         return plot;
     }
     let plot = plot.panel(Axis::linear(format!("calibrated, {unit}")));
     let colours = [0, 1, 3, 4, 5];
-    sessions.iter().enumerate().fold(plot, |plot, (k, (name, session))| {
-        plot.with(series(session, &show::name(name), colours[k % 5], false))
-    })
+    sessions
+        .iter()
+        .enumerate()
+        .fold(plot, |plot, (k, (name, session))| {
+            plot.with(series(session, &show::name(name), colours[k % 5], false))
+        })
 }

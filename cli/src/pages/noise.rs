@@ -37,7 +37,11 @@ pub fn pictures(session: &Session<'_>, units: [&str; 2]) -> Vec<Picture> {
             Axis::log("averaging time τ, s"),
             Axis::log(format!("Allan deviation, {unit}")),
         );
-        let first = curves.iter().filter_map(|curve| curve.first()).next().copied();
+        let first = curves
+            .iter()
+            .filter_map(|curve| curve.first())
+            .next()
+            .copied();
         let last = curves.iter().flatten().map(|p| p.0).fold(0.0, f64::max);
         let plot = match first {
             Some((tau, deviation)) => plot.with(Series::dashed(
@@ -77,7 +81,9 @@ fn curves(streams: &[(&Stream, &Segmentation)]) -> Curves {
     loop {
         let (mut sum, mut count) = (Vector3::zeros(), 0);
         for run in &runs {
-            let means = run.chunks_exact(blocks).map(|b| b.iter().sum::<Vector3<f64>>() / blocks as f64);
+            let means = run
+                .chunks_exact(blocks)
+                .map(|b| b.iter().sum::<Vector3<f64>>() / blocks as f64);
             let means: Vec<_> = means.collect();
             for pair in means.windows(2) {
                 let d = pair[1] - pair[0];
@@ -112,11 +118,25 @@ mod tests {
             state = 16_807 * state % 2_147_483_647;
             state as f64 / 2_147_483_647.0 - 0.5
         };
-        let values: Vec<_> = (0..20_000).map(|_| Vector3::new(noise(), noise(), noise())).collect();
+        let values: Vec<_> = (0..20_000)
+            .map(|_| Vector3::new(noise(), noise(), noise()))
+            .collect();
         let t = (0..20_000).map(|k| f64::from(k) * 0.01).collect();
         let stream = Stream { t, values };
-        let spans = [Span { from: 0.0, to: 99.0 }, Span { from: 100.0, to: 200.0 }];
-        let recording = Recording { accelerometer: Some(stream.clone()), ..Recording::default() };
+        let spans = [
+            Span {
+                from: 0.0,
+                to: 99.0,
+            },
+            Span {
+                from: 100.0,
+                to: 200.0,
+            },
+        ];
+        let recording = Recording {
+            accelerometer: Some(stream.clone()),
+            ..Recording::default()
+        };
         let cut = Segmentation::from_spans(&recording, &spans, 1.0);
         let curves = curves(&[(&stream, &cut)]);
         for (k, (tau, deviation)) in curves[0].iter().take(6).enumerate() {
@@ -124,7 +144,10 @@ mod tests {
             assert!((tau - 0.01 * samples).abs() < 1e-12);
             let due = (1.0 / 12.0 / samples).sqrt();
             // 20,000 samples in blocks of 32 leave 600 differences: 4 % of one standard deviation.
-            assert!((deviation / due - 1.0).abs() < 0.12, "{tau}: {deviation} {due}");
+            assert!(
+                (deviation / due - 1.0).abs() < 0.12,
+                "{tau}: {deviation} {due}"
+            );
         }
     }
 }

@@ -53,7 +53,14 @@ fn sensors(calibration: &Calibration) -> Vec<Sensor<'_>> {
 pub fn forest(calibration: &Calibration) -> Picture {
     let mut groups = Vec::new();
     for sensor in sensors(calibration) {
-        let Sensor { name, angle, triad, scale, bias, .. } = sensor;
+        let Sensor {
+            name,
+            angle,
+            triad,
+            scale,
+            bias,
+            ..
+        } = sensor;
         let half = |std: Option<f64>, factor: f64| std.map(|std| HALF * factor * std);
         let diagonal = |k: usize| Row {
             name: format!("s_{}", AXES[k]),
@@ -69,7 +76,9 @@ pub fn forest(calibration: &Calibration) -> Picture {
             rows: (0..3).map(diagonal).collect(),
         });
         let pairs = [(0, 1), (0, 2), (1, 0), (1, 2), (2, 0), (2, 1)];
-        let pairs = pairs.into_iter().filter(|(i, j)| triad.t_std[*i][*j].is_some());
+        let pairs = pairs
+            .into_iter()
+            .filter(|(i, j)| triad.t_std[*i][*j].is_some());
         let misalignment = |(i, j): (usize, usize)| Row {
             name: misalignment(angle, i, j),
             value: 1e3 * triad.t[i][j] / scale,
@@ -129,15 +138,30 @@ pub fn correlation(calibration: &Calibration) -> Option<Picture> {
 pub fn weakest(calibration: &Calibration) -> Option<Figure> {
     let mut all: Vec<(f64, String, String)> = Vec::new();
     for sensor in sensors(calibration) {
-        let Sensor { name, angle, triad, scale, bias, at } = sensor;
+        let Sensor {
+            name,
+            angle,
+            triad,
+            scale,
+            bias,
+            at,
+        } = sensor;
         for i in 0..3 {
             for j in 0..3 {
-                let Some(std) = triad.t_std[i][j] else { continue };
+                let Some(std) = triad.t_std[i][j] else {
+                    continue;
+                };
                 let std = std / scale;
                 let (parameter, text) = if i == j {
-                    (format!("s_{}", AXES[i]), format!("± {} ppm", figures(HALF * 1e6 * std)))
+                    (
+                        format!("s_{}", AXES[i]),
+                        format!("± {} ppm", figures(HALF * 1e6 * std)),
+                    )
                 } else {
-                    (misalignment(angle, i, j), format!("± {} mrad", figures(HALF * 1e3 * std)))
+                    (
+                        misalignment(angle, i, j),
+                        format!("± {} mrad", figures(HALF * 1e3 * std)),
+                    )
                 };
                 all.push((std, format!("{name} {parameter}"), text));
             }
@@ -153,7 +177,11 @@ pub fn weakest(calibration: &Calibration) -> Option<Figure> {
     let note = format!(
         "{name}, 95 % interval: {} % of {}",
         figures(HALF * 100.0 * share),
-        if name.starts_with('a') { "one g" } else { "a turn at 1 rad/s" }
+        if name.starts_with('a') {
+            "one g"
+        } else {
+            "a turn at 1 rad/s"
+        }
     );
     Some(Figure::new("Weakest parameter", text, note))
 }
@@ -175,8 +203,17 @@ mod tests {
     fn elements_beside_the_diagonal_have_the_names_of_the_tables() {
         let name = |i, j| misalignment("alpha", i, j);
         assert_eq!(
-            [name(0, 1), name(0, 2), name(1, 0), name(1, 2), name(2, 0), name(2, 1)],
-            ["alpha_yz", "alpha_zy", "alpha_xz", "alpha_zx", "alpha_xy", "alpha_yx"]
+            [
+                name(0, 1),
+                name(0, 2),
+                name(1, 0),
+                name(1, 2),
+                name(2, 0),
+                name(2, 1)
+            ],
+            [
+                "alpha_yz", "alpha_zy", "alpha_xz", "alpha_zx", "alpha_xy", "alpha_yx"
+            ]
         );
     }
 }

@@ -1,9 +1,9 @@
 //! Where a result comes from: recordings, gravity, options, version.
 
 use calib::Calibration;
+use calib::Recording;
 use calib::calibration::{Input, Provenance};
 use calib::gravity::GravitySource;
-use calib::Recording;
 
 use crate::show;
 
@@ -34,7 +34,10 @@ pub fn rows(calibration: &Calibration) -> Vec<[String; 2]> {
 pub fn of_recordings(recordings: &[Recording]) -> Vec<[String; 2]> {
     let all = recordings.iter().map(|r| Input::of(r, None, [None, None]));
     let mut rows = inputs(&all.collect::<Vec<_>>());
-    rows.push(["program".into(), concat!("stillpoint ", env!("CARGO_PKG_VERSION")).into()]);
+    rows.push([
+        "program".into(),
+        concat!("stillpoint ", env!("CARGO_PKG_VERSION")).into(),
+    ]);
     rows
 }
 
@@ -42,10 +45,18 @@ fn inputs(all: &[Input]) -> Vec<[String; 2]> {
     let mut rows = Vec::new();
     for input in all {
         let mut parts = Vec::new();
-        for (name, sensor) in [("accelerometer", &input.accelerometer), ("gyroscope", &input.gyroscope)] {
+        for (name, sensor) in [
+            ("accelerometer", &input.accelerometer),
+            ("gyroscope", &input.gyroscope),
+        ] {
             if let Some(sensor) = sensor {
-                let rate = sensor.rate.map_or(String::new(), |rate| format!(" at {rate:.2} Hz"));
-                parts.push(format!("{name} {} samples{rate} in {}", sensor.samples, sensor.unit));
+                let rate = sensor
+                    .rate
+                    .map_or(String::new(), |rate| format!(" at {rate:.2} Hz"));
+                parts.push(format!(
+                    "{name} {} samples{rate} in {}",
+                    sensor.samples, sensor.unit
+                ));
             }
         }
         parts.push(match &input.temperature {
@@ -81,7 +92,11 @@ fn options(provenance: &Provenance) -> Option<[String; 2]> {
         format!("static intervals of {} s and more", o.min_static),
         format!(
             "multipliers {}",
-            o.multipliers.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
+            o.multipliers
+                .iter()
+                .map(ToString::to_string)
+                .collect::<Vec<_>>()
+                .join(", ")
         ),
     ];
     if o.sections {

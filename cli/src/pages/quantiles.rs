@@ -42,14 +42,21 @@ fn picture(
     let count = all.len() as f64;
     // Plotting positions of Blom (Statistical estimates and transformed beta-variables, 1958).
     let at = |k: usize| quantile((k as f64 + 0.625) / (count + 0.25));
-    let dots = all.iter().enumerate().map(|(k, (value, _))| (at(k), *value));
+    let dots = all
+        .iter()
+        .enumerate()
+        .map(|(k, (value, _))| (at(k), *value));
     let (low, high) = (at(0), at(all.len() - 1));
     let plot = Plot::new(
         title,
         Axis::linear(axis),
         Axis::linear("residual over its noise"),
     )
-    .with(Series::dashed("noise alone", GREY, vec![(low, low), (high, high)]))
+    .with(Series::dashed(
+        "noise alone",
+        GREY,
+        vec![(low, low), (high, high)],
+    ))
     .with(
         Series::dots("measured", 0, dots.collect())
             .of(all.iter().map(|(_, key)| key.clone()).collect()),

@@ -1,8 +1,8 @@
 //! What is left in static intervals and through turns, as pictures.
 
+use calib::Calibration;
 use calib::calibration::Remainder;
 use calib::methods::joint::Channel;
-use calib::Calibration;
 
 use super::session::{Moved, Rest, Session};
 use crate::report::{Axis, Picture, Plot, Series};
@@ -27,10 +27,16 @@ struct Point {
 /// What a calibration says its measured noise is: norm in mm/s², direction in °.
 pub fn noise(calibration: &Calibration) -> [Option<f64>; 2] {
     let of = |channel: Channel, factor: f64| {
-        let found = calibration.misfit.iter().find(|m: &&Remainder| m.channel == channel);
+        let found = calibration
+            .misfit
+            .iter()
+            .find(|m: &&Remainder| m.channel == channel);
         found.map(|m| factor * m.noise).filter(|n| *n > 0.0)
     };
-    [of(Channel::Force, 1e3), of(Channel::Direction, 1f64.to_degrees())]
+    [
+        of(Channel::Force, 1e3),
+        of(Channel::Direction, 1f64.to_degrees()),
+    ]
 }
 
 /// The norm of specific force in every static interval, against its number.
@@ -73,7 +79,11 @@ pub fn direction(session: &Session<'_>, noise: Option<f64>) -> Plot {
 /// What is left against orientation, temperature, time and rate, where those vary.
 pub fn against(session: &Session<'_>, noise: [Option<f64>; 2]) -> Vec<Picture> {
     let mut all = Vec::new();
-    if session.rests.iter().any(|rest| rest.left.is_some() && rest.up.is_some()) {
+    if session
+        .rests
+        .iter()
+        .any(|rest| rest.left.is_some() && rest.up.is_some())
+    {
         all.push(orientation(session, noise[0]).into());
     }
     let band = noise[0].map(|n| (-2.0 * n, 2.0 * n));
@@ -82,7 +92,11 @@ pub fn against(session: &Session<'_>, noise: [Option<f64>; 2]) -> Vec<Picture> {
         session.rests.iter().filter_map(point).collect()
     };
     let norm = |title: &str, x: &str| {
-        Plot::new(title, Axis::linear(x), Axis::linear("norm less gravity, mm/s²"))
+        Plot::new(
+            title,
+            Axis::linear(x),
+            Axis::linear("norm less gravity, mm/s²"),
+        )
     };
     let middle = |rest: &Rest| Some(0.5 * (rest.span.0 + rest.span.1));
     let time = norm("What is left against time", "time, s");
@@ -106,7 +120,12 @@ pub fn against(session: &Session<'_>, noise: [Option<f64>; 2]) -> Vec<Picture> {
 
 /// Three panels: against the component of the upward direction along each axis.
 fn orientation(session: &Session<'_>, noise: Option<f64>) -> Plot {
-    let axis = |k: usize| Axis::linear(format!("against {}: norm less gravity, mm/s²", ["x", "y", "z"][k]));
+    let axis = |k: usize| {
+        Axis::linear(format!(
+            "against {}: norm less gravity, mm/s²",
+            ["x", "y", "z"][k]
+        ))
+    };
     let mut plot = Plot::new(
         "What is left against the orientation",
         Axis::linear("component of the upward direction along the axis").from_to(-1.0, 1.0),
@@ -117,8 +136,16 @@ fn orientation(session: &Session<'_>, noise: Option<f64>) -> Plot {
             plot = plot.panel(axis(k));
         }
         let points = session.rests.iter();
-        let points = points.filter_map(|rest| Some(of_rest(rest, rest.up?[k]))).collect();
-        plot = filled(plot, session, &points, noise.map(|n| (-2.0 * n, 2.0 * n)), |p| p.left);
+        let points = points
+            .filter_map(|rest| Some(of_rest(rest, rest.up?[k])))
+            .collect();
+        plot = filled(
+            plot,
+            session,
+            &points,
+            noise.map(|n| (-2.0 * n, 2.0 * n)),
+            |p| p.left,
+        );
     }
     plot
 }
@@ -147,7 +174,9 @@ fn of_turn(turn: &Moved, x: f64) -> Point {
 
 fn spread(points: &[Point]) -> f64 {
     let xs = points.iter().map(|p| p.x);
-    let (low, high) = xs.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+    let (low, high) = xs.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| {
+        (l.min(x), h.max(x))
+    });
     high - low
 }
 
@@ -160,7 +189,10 @@ fn two_panels(
     band: Option<(f64, f64)>,
 ) -> Plot {
     let raw: Vec<&Point> = points.iter().filter(|p| p.raw.is_some()).collect();
-    let dots = raw.iter().map(|p| (p.x, p.raw.unwrap_or(f64::NAN))).collect();
+    let dots = raw
+        .iter()
+        .map(|p| (p.x, p.raw.unwrap_or(f64::NAN)))
+        .collect();
     let keys = raw.iter().map(|p| p.key.clone()).collect();
     let raw = Series::dots("raw", GREY, dots).of(keys);
     if points.iter().all(|p| p.left.is_none()) {
@@ -175,7 +207,12 @@ fn two_panels(
     filled(plot, session, &points, band, |p| p.left)
 }
 
-fn one_panel(plot: Plot, session: &Session<'_>, points: Vec<Point>, band: Option<(f64, f64)>) -> Plot {
+fn one_panel(
+    plot: Plot,
+    session: &Session<'_>,
+    points: Vec<Point>,
+    band: Option<(f64, f64)>,
+) -> Plot {
     filled(plot, session, &points, band, |p| p.left)
 }
 
@@ -199,7 +236,11 @@ fn filled(
                 keys.push(point.key.clone());
             }
         }
-        let name = if session.parts.len() > 1 { part.name.as_str() } else { "calibrated" };
+        let name = if session.parts.len() > 1 {
+            part.name.as_str()
+        } else {
+            "calibrated"
+        };
         // The palette ends in the grey of the raw readings, and the third is the noise.
         let colour = [0, 1, 3, 4, 5][number % 5];
         plot = plot.with(Series::bars(name, colour, bars).of(keys));

@@ -110,7 +110,12 @@ impl<'a> Session<'a> {
         calibration: Option<&Calibration>,
         gravity: f64,
     ) -> Result<(), calib::Error> {
-        let Part { recording, segmentation, first, .. } = part;
+        let Part {
+            recording,
+            segmentation,
+            first,
+            ..
+        } = part;
         let measure = |c| misfits(recording, segmentation, c, gravity);
         let own = calibration.map(|c| with_own_bias(c, &recording.name));
         let left = own.as_ref().map(|own| measure(Some(own))).transpose()?;
@@ -156,7 +161,15 @@ impl<'a> Session<'a> {
     /// The table that points in pictures refer to.
     pub fn table(&self) -> ReportTable {
         let mut table = ReportTable::new([
-            "interval", "from, s", "to, s", "up", "raw", "left", "std error", "unit", "",
+            "interval",
+            "from, s",
+            "to, s",
+            "up",
+            "raw",
+            "left",
+            "std error",
+            "unit",
+            "note",
         ]);
         let mut turns = self.turns.iter().peekable();
         for rest in &self.rests {
@@ -177,7 +190,10 @@ impl<'a> Session<'a> {
             );
             if let Some(turn) = turns.next_if(|turn| turn.key[1..] == rest.key) {
                 let number = |v: Option<f64>| v.map_or(String::new(), |v| format!("{v:.3}"));
-                let note = turn.fault.as_ref().map(|fault| format!("not used: {fault}"));
+                let note = turn
+                    .fault
+                    .as_ref()
+                    .map(|fault| format!("not used: {fault}"));
                 table.keyed(
                     &turn.key,
                     [
@@ -226,7 +242,11 @@ fn std(rest: &StaticInterval, triad: Option<&Triad>) -> Option<f64> {
 /// The largest rate in a turn, °/s.
 fn largest_rate(recording: &Recording, turn: &Turn, triad: Option<&Triad>) -> Option<f64> {
     let base = triad.map(Triad::base);
-    let values = recording.gyroscope.as_ref()?.values.get(turn.samples.clone())?;
+    let values = recording
+        .gyroscope
+        .as_ref()?
+        .values
+        .get(turn.samples.clone())?;
     let rates = values.iter().map(|w| match &base {
         Some(base) => base.correct(w).norm(),
         None => w.norm(),
@@ -261,18 +281,27 @@ pub fn in_si(calibration: &Calibration) -> bool {
 pub fn short_names(names: &[&str]) -> Vec<String> {
     let mut all: Vec<String> = Vec::new();
     for name in names {
-        let last = name.trim_end_matches(['/', '\\']).rsplit(['/', '\\']).next().unwrap_or(name);
+        let last = name
+            .trim_end_matches(['/', '\\'])
+            .rsplit(['/', '\\'])
+            .next()
+            .unwrap_or(name);
         let stem = last.rsplit_once('.').map_or(last, |(stem, _)| stem);
         let stem = show::name(if stem.is_empty() { last } else { stem });
         let letters: Vec<char> = stem.chars().collect();
         let short: String = if letters.len() > LETTERS {
-            let (head, tail) = (&letters[..LETTERS / 2], &letters[letters.len() - LETTERS / 2 + 1..]);
+            let (head, tail) = (
+                &letters[..LETTERS / 2],
+                &letters[letters.len() - LETTERS / 2 + 1..],
+            );
             head.iter().chain(['…'].iter()).chain(tail).collect()
         } else {
             stem
         };
         let numbered = (2..).map(|k| format!("{short} ({k})"));
-        let free = std::iter::once(short.clone()).chain(numbered).find(|n| !all.contains(n));
+        let free = std::iter::once(short.clone())
+            .chain(numbered)
+            .find(|n| !all.contains(n));
         all.push(free.unwrap_or(short));
     }
     all
@@ -284,7 +313,12 @@ mod tests {
 
     #[test]
     fn recordings_of_one_name_are_told_apart() {
-        let names = short_names(&["a/run.csv", "b/run.csv", "session/", "a_very_long_name_of_a_recording.csv"]);
+        let names = short_names(&[
+            "a/run.csv",
+            "b/run.csv",
+            "session/",
+            "a_very_long_name_of_a_recording.csv",
+        ]);
         assert_eq!(names, ["run", "run (2)", "session", "a_very_lo…ecording"]);
     }
 }

@@ -50,28 +50,58 @@ pub struct Judged {
 }
 
 /// Judges a calibration by its gates and warnings.
-pub fn judged(calibration: &Calibration, coverage: Option<&Coverage>) -> Judged {
+pub fn judged(
+    calibration: &Calibration,
+    session: Option<&Session<'_>>,
+    coverage: Option<&Coverage>,
+) -> Judged {
     let (cause, warning) = gravest(&calibration.warnings);
     let mut next = Vec::new();
-    let (level, sentence) = if let Some(gate) = calibration.failed_gates.first() {
+    let (level, mut sentence) = if let Some(gate) = calibration.failed_gates.first() {
         next.push(advice_in(gate).unwrap_or_else(|| {
-            cause.map_or("Record again, as the verdict says.".into(), |k| CAUSES[k].1.into())
+            cause.map_or("Record again, as the verdict says.".into(), |k| {
+                CAUSES[k].1.into()
+            })
         }));
-        (Level::Bad, format!("Do not use this calibration: {}.", trimmed(gate)))
+        (
+            Level::Bad,
+            format!("Do not use this calibration: {}.", trimmed(gate)),
+        )
     } else if let (Some(k), Some(warning)) = (cause, warning) {
         next.push(CAUSES[k].1.into());
         // A wrong unit or rate is in every figure of the sensor.
         if k == 0 {
-            (Level::Bad, format!("Do not use this calibration yet: {}.", trimmed(warning)))
+            (
+                Level::Bad,
+                format!("Do not use this calibration yet: {}.", trimmed(warning)),
+            )
         } else {
-            (Level::Care, format!("Usable with care: {}.", trimmed(warning)))
+            (
+                Level::Care,
+                format!("Usable with care: {}.", trimmed(warning)),
+            )
         }
     } else if let Some(warning) = calibration.warnings.iter().find(|w| !is_of_gravity(w)) {
-        (Level::Care, format!("Usable with care: {}.", trimmed(warning)))
+        (
+            Level::Care,
+            format!("Usable with care: {}.", trimmed(warning)),
+        )
     } else {
         let what = "The model explains the recording to within its measured noise";
         (Level::Good, format!("{what}; the calibration can be used."))
     };
+    let flagged = session.map_or(Vec::new(), flagged);
+    if !flagged.is_empty() && level != Level::Good {
+        sentence = format!("{} Flagged: {}.", sentence, flagged.join("; "));
+        next.insert(
+            0,
+            format!(
+                "Look at {} in the pictures below. If the device was touched or moved there, record again without, or leave \
+                 it out with --sections.",
+                if flagged.len() == 1 { "the flagged static interval" } else { "the flagged static intervals" }
+            ),
+        );
+    }
     if let Some(advice) = coverage.and_then(Coverage::advice) {
         next.push(advice);
     }
@@ -88,10 +118,42 @@ pub fn judged(calibration: &Calibration, coverage: Option<&Coverage>) -> Judged 
                 .into(),
         );
         next.push(
-            "Correct recordings with it: stillpoint apply cal.json RECORDING -o corrected.csv".into(),
+            "Correct recordings with it: stillpoint apply cal.json RECORDING -o corrected.csv"
+                .into(),
         );
     }
-    Judged { level, sentence, next }
+    Judged {
+        level,
+        sentence,
+        next,
+    }
+}
+
+/// A static interval that leaves so many times the median of all is flagged.
+const STANDS_OUT: f64 = 4.0;
+/// At most so many are named.
+const NAMED: usize = 3;
+
+/// Static intervals whose norm stands out from the others', the largest first, in words.
+fn flagged(session: &Session<'_>) -> Vec<String> {
+    let rests = session.rests.iter();
+    let mut left: Vec<(f64, &str)> = rests
+        .filter_map(|r| Some((r.left?, r.key.as_str())))
+        .collect();
+    left.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
+    let Some((median, _)) = left.get(left.len() / 2).copied() else {
+        return Vec::new();
+    };
+    let out = left
+        .iter()
+        .take_while(|(v, _)| v.abs() > STANDS_OUT * median.abs());
+    let words = out.map(|(v, key)| {
+        format!(
+            "static interval {key} ({v:+.1} mm/s² where the median is {:.1})",
+            median.abs()
+        )
+    });
+    words.take(NAMED).collect()
 }
 
 /// Raw to calibrated residual, weakest parameter, coverage.
@@ -128,15 +190,24 @@ pub fn residual(session: &Session<'_>) -> Figure {
         (None, None) => None,
     };
     let used = turns.iter().filter(|t| t.raw.or(t.left).is_some()).count();
-    let through = arrow(direction, "°").map(|text| format!("; direction through {used} turns {text}"));
+    let through =
+        arrow(direction, "°").map(|text| format!("; direction through {used} turns {text}"));
     match arrow(norm, " mm/s²") {
         Some(value) => {
-            let note = format!("norm of {} static intervals{}", rests.len(), through.unwrap_or_default());
+            let note = format!(
+                "norm of {} static intervals{}",
+                rests.len(),
+                through.unwrap_or_default()
+            );
             Figure::new("Residual, raw → calibrated", value, note)
         }
         None => {
             let value = arrow(direction, "°").unwrap_or("none".into());
-            Figure::new("Residual, raw → calibrated", value, format!("direction through {used} turns"))
+            Figure::new(
+                "Residual, raw → calibrated",
+                value,
+                format!("direction through {used} turns"),
+            )
         }
     }
 }
@@ -199,7 +270,10 @@ mod tests {
 
     #[test]
     fn advice_is_what_follows_the_semicolon() {
-        assert_eq!(advice_in("too few; add placements").unwrap(), "Add placements.");
+        assert_eq!(
+            advice_in("too few; add placements").unwrap(),
+            "Add placements."
+        );
         assert_eq!(advice_in("too few"), None);
     }
 }

@@ -88,7 +88,8 @@ impl Axis {
     /// Ends and ticks that hold all `values`.
     pub(super) fn scale(&self, values: impl Iterator<Item = f64>) -> Scale {
         let given = self.ends.iter().flat_map(|&(from, to)| [from, to]);
-        let (low, high) = given.chain(values)
+        let (low, high) = given
+            .chain(values)
             .filter_map(|value| self.place(value))
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
                 (l.min(v), h.max(v))

@@ -194,12 +194,7 @@ impl Frame<'_> {
         );
         for tick in &self.y.ticks {
             let name = fitted(&self.y.text(*tick), 0.4 * WIDTH);
-            svg.text(
-                (self.left - PAD, self.at_y(*tick) + 4.0),
-                "end",
-                "",
-                &name,
-            );
+            svg.text((self.left - PAD, self.at_y(*tick) + 4.0), "end", "", &name);
         }
     }
 
@@ -254,13 +249,7 @@ impl Frame<'_> {
         }
     }
 
-    fn strokes(
-        &self,
-        svg: &mut Svg,
-        strokes: &[[(f64, f64); 2]],
-        thick: bool,
-        keys: &[String],
-    ) {
+    fn strokes(&self, svg: &mut Svg, strokes: &[[(f64, f64); 2]], thick: bool, keys: &[String]) {
         let class = if thick { "thick" } else { "thin" };
         let placed = |&[from, to]: &[(f64, f64); 2]| Some([self.place(from)?, self.place(to)?]);
         if keys.is_empty() {

@@ -65,7 +65,10 @@ fn group(svg: &mut Svg, group: &Group, left: f64) {
         let words = escaped(&format!("{}: {numbers}, {}", row.name, group.label));
         svg.open(&format!("class=\"c0\" data-t=\"{words}\""));
         if let Some(half) = row.half {
-            svg.strokes("line", &[[(at(row.value - half), y), (at(row.value + half), y)]]);
+            svg.strokes(
+                "line",
+                &[[(at(row.value - half), y), (at(row.value + half), y)]],
+            );
         }
         svg.circle((at(row.value), y), 3.0, "class=\"dot\"");
         svg.close();

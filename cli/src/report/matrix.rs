@@ -56,7 +56,10 @@ pub(super) fn drawing(names: &[String], rows: &[Vec<f64>]) -> Svg {
     svg.height = top + size + 24.0;
     let y = svg.height - 6.0;
     let mut x = 4.0;
-    for (colour, words) in [(1, "−1"), (0, "+1: strength of the colour is the correlation")] {
+    for (colour, words) in [
+        (1, "−1"),
+        (0, "+1: strength of the colour is the correlation"),
+    ] {
         svg.raw(&format!(
             "<rect class=\"cell c{colour}\" x=\"{}\" y=\"{}\" width=\"12\" height=\"12\"/>",
             num(x),

@@ -213,10 +213,19 @@ fn thin(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     }
     let length = points.len().div_ceil(DENSEST / 2).max(1);
     let ends = |stretch: &[(f64, f64)]| {
-        let least = stretch.iter().enumerate().min_by(|a, b| a.1.1.total_cmp(&b.1.1));
-        let most = stretch.iter().enumerate().max_by(|a, b| a.1.1.total_cmp(&b.1.1));
-        let mut both: Vec<(usize, (f64, f64))> =
-            least.into_iter().chain(most).map(|(k, p)| (k, *p)).collect();
+        let least = stretch
+            .iter()
+            .enumerate()
+            .min_by(|a, b| a.1.1.total_cmp(&b.1.1));
+        let most = stretch
+            .iter()
+            .enumerate()
+            .max_by(|a, b| a.1.1.total_cmp(&b.1.1));
+        let mut both: Vec<(usize, (f64, f64))> = least
+            .into_iter()
+            .chain(most)
+            .map(|(k, p)| (k, *p))
+            .collect();
         both.sort_by_key(|(k, _)| *k);
         both.dedup_by_key(|(k, _)| *k);
         both.into_iter().map(|(_, p)| p).collect::<Vec<_>>()

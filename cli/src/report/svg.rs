@@ -122,7 +122,11 @@ fn through(points: &[(f64, f64)]) -> String {
 pub(super) fn num(v: f64) -> String {
     let text = format!("{:.1}", v + 0.0);
     let text = text.strip_suffix(".0").unwrap_or(&text);
-    if text == "-0" { "0".into() } else { text.into() }
+    if text == "-0" {
+        "0".into()
+    } else {
+        text.into()
+    }
 }
 
 /// Text in an element or in a quoted attribute.

@@ -27,13 +27,15 @@ pub fn plot(stretches: &[Stretch]) -> Plot {
 }
 
 /// Warnings, the biases before and now, the picture.
-pub fn page(
-    name: &str,
-    warnings: &[String],
-    new: &Calibration,
-    plot: Option<&Picture>,
-) -> Report {
-    let mut table = ReportTable::new(["bias", "before", "now", "change", "std error", "static intervals"]);
+pub fn page(name: &str, warnings: &[String], new: &Calibration, plot: Option<&Picture>) -> Report {
+    let mut table = ReportTable::new([
+        "bias",
+        "before",
+        "now",
+        "change",
+        "std error",
+        "static intervals",
+    ]);
     for row in updates(new) {
         table.row(row);
     }

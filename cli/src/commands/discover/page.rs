@@ -26,7 +26,15 @@ pub fn page(
     let calibration = &findings.calibration;
     let choices: Vec<_> = recordings
         .iter()
-        .map(|r| cut(r, &request.detector, request.choose_multiplier, calibration.gravity).ok())
+        .map(|r| {
+            cut(
+                r,
+                &request.detector,
+                request.choose_multiplier,
+                calibration.gravity,
+            )
+            .ok()
+        })
         .collect();
     let pairs = recordings.iter().zip(&choices);
     let pairs = pairs.filter_map(|(r, choice)| Some((r, &choice.as_ref()?.segmentation)));
@@ -75,7 +83,9 @@ pub fn page(
         tables::not_seen(findings),
     );
     report = calibrated(report, discovery);
-    report = report.section("Parameters").plot(&pictured::forest(calibration));
+    report = report
+        .section("Parameters")
+        .plot(&pictured::forest(calibration));
     if let Some(correlation) = pictured::correlation(calibration) {
         report = report.plot(&correlation);
     }
@@ -98,12 +108,24 @@ fn figures(findings: &Findings, coverage: Option<&Coverage>) -> Vec<Figure> {
     let gap = match findings.effects.first() {
         Some(effect) => {
             let [before, after] = super::words::gaps(effect.gap_before, effect.gap_after);
-            let note = format!("{} with {}; 1 is explained to the noise", effect.channel.words(), effect.name);
+            let note = format!(
+                "{} with {}; 1 is explained to the noise",
+                effect.channel.words(),
+                effect.name
+            );
             Figure::new("Gap, before → after", format!("{before} → {after}"), note)
         }
         None => {
-            let worst = findings.disagreement.iter().map(|d| d.size).fold(1.0, f64::max);
-            Figure::new("Largest gap", format!("{worst:.2}"), "1 is explained to the noise")
+            let worst = findings
+                .disagreement
+                .iter()
+                .map(|d| d.size)
+                .fold(1.0, f64::max);
+            Figure::new(
+                "Largest gap",
+                format!("{worst:.2}"),
+                "1 is explained to the noise",
+            )
         }
     };
     let mut all = vec![gap];
@@ -119,7 +141,11 @@ fn next(findings: &Findings) -> Vec<String> {
         all.push("Look at the faults of the recording below: leave those intervals out with --sections, or record again.".into());
     }
     if !findings.effects.is_empty() {
-        let names: Vec<String> = findings.effects.iter().map(|e| show::name(&e.name)).collect();
+        let names: Vec<String> = findings
+            .effects
+            .iter()
+            .map(|e| show::name(&e.name))
+            .collect();
         all.push(format!(
             "Use the calibration with {} in it: write the findings with -o findings.json, then stillpoint apply findings.json \
              RECORDING -o corrected.csv",
@@ -128,7 +154,9 @@ fn next(findings: &Findings) -> Vec<String> {
     }
     all.extend(next_recordings(findings));
     if all.is_empty() {
-        all.push("Calibrate with the base models: stillpoint calibrate RECORDING -o cal.json".into());
+        all.push(
+            "Calibrate with the base models: stillpoint calibrate RECORDING -o cal.json".into(),
+        );
     }
     all
 }

@@ -85,19 +85,28 @@ fn gap(findings: &Findings) -> Plot {
         }
     };
     let numbered = || rows.iter().enumerate();
-    let dots = |of: fn(&(String, f64, f64)) -> f64| numbered().map(|(k, row)| (of(row), at(k))).collect();
+    let dots =
+        |of: fn(&(String, f64, f64)) -> f64| numbered().map(|(k, row)| (of(row), at(k))).collect();
     let joined = numbered().map(|(k, row)| (row.1.min(row.2), row.1.max(row.2), at(k)));
     let joined = joined.collect();
     let names = rows.iter().rev().map(|row| row.0.clone()).collect();
-    Plot::new(title, axis, Axis::categories("where it was measured", names))
-        .with(Series::dashed(
-            "explained to the noise",
-            NOISE,
-            vec![(1.0, 0.5), (1.0, count + 0.5)],
-        ))
-        .with(Series::levels("", GREY, joined))
-        .with(Series::dots("without the effect", BEFORE, dots(|row| row.1)))
-        .with(Series::dots("with it", AFTER, dots(|row| row.2)))
+    Plot::new(
+        title,
+        axis,
+        Axis::categories("where it was measured", names),
+    )
+    .with(Series::dashed(
+        "explained to the noise",
+        NOISE,
+        vec![(1.0, 0.5), (1.0, count + 0.5)],
+    ))
+    .with(Series::levels("", GREY, joined))
+    .with(Series::dots(
+        "without the effect",
+        BEFORE,
+        dots(|row| row.1),
+    ))
+    .with(Series::dots("with it", AFTER, dots(|row| row.2)))
 }
 
 /// The residuals against what the effect predicts, and against what it goes with.

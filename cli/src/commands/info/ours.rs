@@ -11,12 +11,36 @@ const LARGEST: u64 = 64 << 20;
 
 /// Kinds of documents: beginning of the schema, what it is, what to do with it.
 const KINDS: [(&str, &str, &str); 7] = [
-    ("stillpoint.calibration/", "a calibration", "stillpoint apply FILE RECORDING -o corrected.csv"),
-    ("stillpoint.findings/", "the findings of discover", "stillpoint apply FILE RECORDING -o corrected.csv"),
-    ("stillpoint.segments/", "the static intervals of a recording", "stillpoint calibrate RECORDING -o cal.json"),
-    ("stillpoint.noise/", "the noise of a sensor", "stillpoint discover RECORDING --noise FILE"),
-    ("stillpoint.truth/", "the truth of a simulated recording", "stillpoint calibrate FOLDER -o cal.json"),
-    ("stillpoint.reckon/", "dead reckoning", "stillpoint reckon RECORDING --calibration NAME=CAL"),
+    (
+        "stillpoint.calibration/",
+        "a calibration",
+        "stillpoint apply FILE RECORDING -o corrected.csv",
+    ),
+    (
+        "stillpoint.findings/",
+        "the findings of discover",
+        "stillpoint apply FILE RECORDING -o corrected.csv",
+    ),
+    (
+        "stillpoint.segments/",
+        "the static intervals of a recording",
+        "stillpoint calibrate RECORDING -o cal.json",
+    ),
+    (
+        "stillpoint.noise/",
+        "the noise of a sensor",
+        "stillpoint discover RECORDING --noise FILE",
+    ),
+    (
+        "stillpoint.truth/",
+        "the truth of a simulated recording",
+        "stillpoint calibrate FOLDER -o cal.json",
+    ),
+    (
+        "stillpoint.reckon/",
+        "dead reckoning",
+        "stillpoint reckon RECORDING --calibration NAME=CAL",
+    ),
     ("stillpoint.", "a file of this program", "stillpoint --help"),
 ];
 
@@ -52,6 +76,12 @@ impl Ours {
 
     /// For people.
     pub fn page(&self, path: &Path) -> String {
-        format!("{}: {} ({})\n\nnext: {}\n", show::path(path), self.what, self.schema, self.next)
+        format!(
+            "{}: {} ({})\n\nnext: {}\n",
+            show::path(path),
+            self.what,
+            self.schema,
+            self.next
+        )
     }
 }
