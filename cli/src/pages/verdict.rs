@@ -26,7 +26,7 @@ const CAUSES: [(&[&str], &str); 6] = [
     ),
     (
         &["misfit of the"],
-        "Run `stillpoint discover` on the same recordings: it looks for what the model lacks.",
+        "Learn what the model lacks: stillpoint discover RECORDING --report findings.html",
     ),
     (
         &["placements", "orientations", "spare"],
@@ -37,6 +37,9 @@ const CAUSES: [(&[&str], &str); 6] = [
         "Lay the device down where nothing moves or turns, for at least three seconds each time.",
     ),
 ];
+
+/// The place of a misfit among the causes.
+const MISFIT: usize = 3;
 
 /// The level, the sentence under it, and what to do.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,11 +61,10 @@ pub fn judged(
     let (cause, warning) = gravest(&calibration.warnings);
     let mut next = Vec::new();
     let (level, mut sentence) = if let Some(gate) = calibration.failed_gates.first() {
-        next.push(advice_in(gate).unwrap_or_else(|| {
-            cause.map_or("Record again, as the verdict says.".into(), |k| {
-                CAUSES[k].1.into()
-            })
-        }));
+        let by_gate = gravest(std::slice::from_ref(gate)).0.or(cause);
+        let advice = by_gate.map(|k| CAUSES[k].1.to_owned());
+        let advice = advice.or_else(|| advice_in(gate));
+        next.push(advice.unwrap_or("Record again, as the verdict says.".into()));
         (
             Level::Bad,
             format!("Do not use this calibration: {}.", trimmed(gate)),
@@ -78,7 +80,7 @@ pub fn judged(
         } else {
             (
                 Level::Care,
-                format!("Usable with care: {}.", trimmed(warning)),
+                format!("Usable with care: {}{}.", lacking(k), trimmed(warning)),
             )
         }
     } else if let Some(warning) = calibration.warnings.iter().find(|w| !is_of_gravity(w)) {
@@ -219,6 +221,15 @@ fn short(v: f64) -> String {
     }
     let decimals = (2.0 - v.abs().log10().floor()).clamp(0.0, 6.0) as usize;
     format!("{v:.decimals$}")
+}
+
+/// What a misfit means, before its figures.
+fn lacking(cause: usize) -> &'static str {
+    if cause == MISFIT {
+        "the model lacks something: "
+    } else {
+        ""
+    }
 }
 
 /// The gravest cause that the warnings speak of, and the warning.
