@@ -100,7 +100,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     show::print(&if args.json {
         json
     } else {
-        text(&new, &stretches)
+        show::wrapped(&text(&new, &stretches))
     })?;
     Ok(())
 }

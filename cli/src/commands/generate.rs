@@ -44,7 +44,9 @@ fn manual(dir: &Path, replace: Replace) -> Result<(), Failure> {
     let mut command = crate::Cli::command();
     command.build();
     let mut pages = vec![("stillpoint".to_owned(), command.clone())];
-    let commands = command.get_subcommands().filter(|c| !c.is_hide_set());
+    let commands = command
+        .get_subcommands()
+        .filter(|c| !c.is_hide_set() && c.get_name() != "help");
     pages.extend(commands.map(|c| {
         let name = format!("stillpoint-{}", c.get_name());
         // The parser wants names that live as long as itself.

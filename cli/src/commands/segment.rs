@@ -163,7 +163,7 @@ fn report(
     gravity: f64,
 ) -> Result<Report, Failure> {
     let segmentation = &choice.segmentation;
-    let mut intervals = ReportTable::new(["interval", "from, s", "to, s", "length, s", ""]);
+    let mut intervals = ReportTable::new(["interval", "from, s", "to, s", "length, s", "note"]);
     let row = |name: String, span: &Span, note: String| {
         let [from, to, length] = [span.from, span.to, span.length()].map(|v| format!("{v:.2}"));
         [name, from, to, length, note]

@@ -17,12 +17,13 @@ pub fn page(
     cut: &[(&Recording, &Segmentation)],
     gravity: f64,
 ) -> (Report, Vec<(String, Picture)>) {
-    let why = failure.message.trim_end_matches('.');
+    let (why, more) = in_short(&failure.message);
     let mut report = Report::new("No calibration")
         .verdict(Level::Bad, format!("There is no calibration: {why}."))
         .provenance(provenance::of_recordings(recordings));
     let mut next = Vec::new();
-    let mut warnings: Vec<String> = recordings.iter().flat_map(|r| r.warnings.clone()).collect();
+    let mut warnings: Vec<String> = more.into_iter().collect();
+    warnings.extend(recordings.iter().flat_map(|r| r.warnings.clone()));
     warnings = show::folded(&warnings);
     let session = Session::of(cut.iter().copied(), None, gravity).ok();
     let Some(session) = session.filter(|s| !s.parts.is_empty()) else {
@@ -72,4 +73,13 @@ pub fn page(
         .iter()
         .fold(report, |report, (_, picture)| report.plot(picture));
     (report.table(session.table()), pictures)
+}
+
+/// The message up to what only an expert reads, and the whole of it where something was cut off.
+fn in_short(message: &str) -> (&str, Option<String>) {
+    let message = message.trim_end_matches('.');
+    match message.find("; not observable") {
+        Some(end) => (&message[..end], Some(message.to_owned())),
+        None => (message, None),
+    }
 }

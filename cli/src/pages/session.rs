@@ -169,7 +169,7 @@ impl<'a> Session<'a> {
             "left",
             "std error",
             "unit",
-            "",
+            "note",
         ]);
         let mut turns = self.turns.iter().peekable();
         for rest in &self.rests {

@@ -26,7 +26,7 @@ const CAUSES: [(&[&str], &str); 6] = [
     ),
     (
         &["misfit of the"],
-        "Run `stillpoint discover` on the same recordings: it looks for what the model lacks.",
+        "Learn what the model lacks: stillpoint discover RECORDING --report findings.html",
     ),
     (
         &["placements", "orientations", "spare"],
@@ -37,6 +37,9 @@ const CAUSES: [(&[&str], &str); 6] = [
         "Lay the device down where nothing moves or turns, for at least three seconds each time.",
     ),
 ];
+
+/// The place of a misfit among the causes.
+const MISFIT: usize = 3;
 
 /// The level, the sentence under it, and what to do.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,15 +53,18 @@ pub struct Judged {
 }
 
 /// Judges a calibration by its gates and warnings.
-pub fn judged(calibration: &Calibration, coverage: Option<&Coverage>) -> Judged {
+pub fn judged(
+    calibration: &Calibration,
+    session: Option<&Session<'_>>,
+    coverage: Option<&Coverage>,
+) -> Judged {
     let (cause, warning) = gravest(&calibration.warnings);
     let mut next = Vec::new();
-    let (level, sentence) = if let Some(gate) = calibration.failed_gates.first() {
-        next.push(advice_in(gate).unwrap_or_else(|| {
-            cause.map_or("Record again, as the verdict says.".into(), |k| {
-                CAUSES[k].1.into()
-            })
-        }));
+    let (level, mut sentence) = if let Some(gate) = calibration.failed_gates.first() {
+        let by_gate = gravest(std::slice::from_ref(gate)).0.or(cause);
+        let advice = by_gate.map(|k| CAUSES[k].1.to_owned());
+        let advice = advice.or_else(|| advice_in(gate));
+        next.push(advice.unwrap_or("Record again, as the verdict says.".into()));
         (
             Level::Bad,
             format!("Do not use this calibration: {}.", trimmed(gate)),
@@ -74,7 +80,7 @@ pub fn judged(calibration: &Calibration, coverage: Option<&Coverage>) -> Judged 
         } else {
             (
                 Level::Care,
-                format!("Usable with care: {}.", trimmed(warning)),
+                format!("Usable with care: {}{}.", lacking(k), trimmed(warning)),
             )
         }
     } else if let Some(warning) = calibration.warnings.iter().find(|w| !is_of_gravity(w)) {
@@ -86,6 +92,18 @@ pub fn judged(calibration: &Calibration, coverage: Option<&Coverage>) -> Judged 
         let what = "The model explains the recording to within its measured noise";
         (Level::Good, format!("{what}; the calibration can be used."))
     };
+    let flagged = session.map_or(Vec::new(), flagged);
+    if !flagged.is_empty() && level != Level::Good {
+        sentence = format!("{} Flagged: {}.", sentence, flagged.join("; "));
+        next.insert(
+            0,
+            format!(
+                "Look at {} in the pictures below. If the device was touched or moved there, record again without, or leave \
+                 it out with --sections.",
+                if flagged.len() == 1 { "the flagged static interval" } else { "the flagged static intervals" }
+            ),
+        );
+    }
     if let Some(advice) = coverage.and_then(Coverage::advice) {
         next.push(advice);
     }
@@ -111,6 +129,33 @@ pub fn judged(calibration: &Calibration, coverage: Option<&Coverage>) -> Judged 
         sentence,
         next,
     }
+}
+
+/// A static interval that leaves so many times the median of all is flagged.
+const STANDS_OUT: f64 = 4.0;
+/// At most so many are named.
+const NAMED: usize = 3;
+
+/// Static intervals whose norm stands out from the others', the largest first, in words.
+fn flagged(session: &Session<'_>) -> Vec<String> {
+    let rests = session.rests.iter();
+    let mut left: Vec<(f64, &str)> = rests
+        .filter_map(|r| Some((r.left?, r.key.as_str())))
+        .collect();
+    left.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
+    let Some((median, _)) = left.get(left.len() / 2).copied() else {
+        return Vec::new();
+    };
+    let out = left
+        .iter()
+        .take_while(|(v, _)| v.abs() > STANDS_OUT * median.abs());
+    let words = out.map(|(v, key)| {
+        format!(
+            "static interval {key} ({v:+.1} mm/s² where the median is {:.1})",
+            median.abs()
+        )
+    });
+    words.take(NAMED).collect()
 }
 
 /// Raw to calibrated residual, weakest parameter, coverage.
@@ -176,6 +221,15 @@ fn short(v: f64) -> String {
     }
     let decimals = (2.0 - v.abs().log10().floor()).clamp(0.0, 6.0) as usize;
     format!("{v:.decimals$}")
+}
+
+/// What a misfit means, before its figures.
+fn lacking(cause: usize) -> &'static str {
+    if cause == MISFIT {
+        "the model lacks something: "
+    } else {
+        ""
+    }
 }
 
 /// The gravest cause that the warnings speak of, and the warning.

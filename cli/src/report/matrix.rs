@@ -32,16 +32,17 @@ pub(super) fn drawing(names: &[String], rows: &[Vec<f64>]) -> Svg {
             num(top - 4.0),
         ));
     }
+    // The other triangle is the mirror of this one.
     for (i, row) in rows.iter().enumerate() {
-        for (j, value) in row.iter().enumerate().filter(|(_, v)| v.abs() >= FAINT) {
+        let lower = row.iter().enumerate().take(i + 1);
+        for (j, value) in lower.filter(|(_, v)| v.abs() >= FAINT) {
             let (x, y) = (left + j as f64 * side, top + i as f64 * side);
             let colour = if *value < 0.0 { 1 } else { 0 };
-            // Only one of the two triangles has words, the other is its mirror.
-            let words = if i > j {
+            let words = if i == j {
+                String::new()
+            } else {
                 let pair = format!("{} and {}: {value:+.2}", names[i], names[j]);
                 format!(" data-t=\"{}\"", escaped(&pair))
-            } else {
-                String::new()
             };
             svg.raw(&format!(
                 "<rect class=\"cell c{colour}\" x=\"{}\" y=\"{}\" width=\"{2}\" height=\"{2}\" opacity=\"{3:.2}\"{words}/>",

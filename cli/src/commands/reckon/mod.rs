@@ -174,7 +174,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     show::print(&if args.json {
         json
     } else {
-        show_runs::text(&runs)
+        show::wrapped(&show_runs::text(&runs))
     })?;
     Ok(())
 }
