@@ -16,6 +16,7 @@ mod info;
 mod inputs;
 mod joint;
 mod pictures;
+mod plan;
 mod reckon;
 mod rests_plot;
 mod segment;
@@ -42,6 +43,7 @@ pub enum Command {
     Simulate(simulate::Args),
     Discover(Box<discover::Args>),
     Effects(effects::Args),
+    Plan(Box<plan::Args>),
     Export(Box<export::Args>),
     Import(import::Args),
 }
@@ -62,6 +64,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Simulate(args) => simulate::run(&args),
         Command::Discover(args) => discover::run(&args),
         Command::Effects(args) => effects::run(&args),
+        Command::Plan(args) => plan::run(&args),
         Command::Export(args) => export::run(&args),
         Command::Import(args) => import::run(&args),
     }

@@ -218,18 +218,20 @@ fn directions(fit: &AccelerometerFit, request: &AccelerometerRequest) -> Vec<Vec
     all
 }
 
-/// The parameters that have a part in what the data cannot see.
+/// The parameters that lead a combination that the data cannot see: no factor stands before them in its words.
 fn involved(fitted: &Fitted) -> Vec<&str> {
-    let has_part = |name: &&String| {
-        let combinations = fitted.unobservable.iter();
-        let words = |c: &String| {
-            c.split(|k: char| k.is_whitespace())
-                .any(|word| word == name.as_str())
-        };
-        combinations.map(words).any(|part| part)
+    let is_factor = |word: &&str| word.parse::<f64>().is_ok();
+    let leads = |name: &&String| {
+        fitted.unobservable.iter().any(|combination| {
+            let words: Vec<&str> = combination.split_whitespace().collect();
+            (0..words.len()).any(|k| {
+                let before = k.checked_sub(1).map(|k| words[k]);
+                words[k] == name.as_str() && !before.as_ref().is_some_and(is_factor)
+            })
+        })
     };
     let free = fitted.free.iter();
-    free.filter(has_part).map(String::as_str).collect()
+    free.filter(leads).map(String::as_str).collect()
 }
 
 struct Weak {
