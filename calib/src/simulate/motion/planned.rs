@@ -68,7 +68,7 @@ impl Default for Planned {
 impl Planned {
     pub(crate) fn path(&self, around: &Surroundings) -> Path {
         let mut random = Random::new(around.seed, Purpose::Motion);
-        let mut off = |random: &mut Random| random.normal3() * self.scatter;
+        let off = |random: &mut Random| random.normal3() * self.scatter;
         let hand = Hand {
             lift: self.lift,
             tremor: self.tremor,

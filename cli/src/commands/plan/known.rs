@@ -102,7 +102,11 @@ fn of_recording(
     let unit = accelerometer_unit(&means, args.gravity);
     let ups: Vec<Vector3<f64>> = means
         .iter()
-        .map(|raw| unit.map_or(*raw, |unit| unit.to_si(raw)).normalize())
+        .map(|raw| {
+            unit.as_ref()
+                .map_or(*raw, |unit| unit.to_si(raw))
+                .normalize()
+        })
         .collect();
     let found = coverage(&ups);
     let information = (!ups.is_empty()).then(|| plan::recorded(&ups, noise, timing));

@@ -44,7 +44,6 @@ pub fn text(plan: &Plan, input: Option<&Input>, notes: &[String], force_only: bo
 pub fn instruction(step: &Step, force_only: bool) -> String {
     let turn = step.turn_words.as_ref().filter(|_| !force_only);
     let turn = turn.map_or(String::new(), |turn| format!("; turn it {turn}"));
-    let _ = &step.axes;
     format!(
         "{} ({}), {:.0} s{turn}",
         capital(&step.words),
