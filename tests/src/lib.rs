@@ -12,5 +12,6 @@ pub mod needed_data;
 pub mod noise_source;
 pub mod one_truth;
 pub mod phone;
+pub mod plan_study;
 pub mod power;
 pub mod problems;

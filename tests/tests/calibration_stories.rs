@@ -198,7 +198,7 @@ fn refusal(spec: &Spec) -> String {
 fn a_device_that_never_turns_is_refused_with_what_to_do() {
     let what = refusal(&Spec::still(1, 60.0));
     assert!(
-        what.contains("all static") && what.contains("ten orientations"),
+        what.contains("all static") && what.contains(&plan::REQUIREMENT.to_string()),
         "{what}"
     );
 }
@@ -215,7 +215,10 @@ fn three_placements_name_what_is_not_observable() {
         what.contains("not observable: ") && what.contains("accel."),
         "{what}"
     );
-    assert!(what.contains("add placements with"), "{what}");
+    assert!(
+        what.contains("; add ") && what.contains(" placements: 1) "),
+        "{what}"
+    );
 }
 
 #[test]

@@ -100,7 +100,7 @@ fn the_unknown_is_named(recording: &Recording, normal: &Vector3<f64>, seed: u64)
         // What cannot be seen of it at all is more than a sixth of its variance.
         let right = !named.is_empty() && named.iter().all(|&k| unseen[k] > 0.17);
         assert!(right, "{seed} {method:?} {normal:?}: {words} ({unseen:?})");
-        assert!(words.contains("add placements with"), "{seed}: {words}");
+        assert!(words.contains("; add "), "{seed}: {words}");
     }
 }
 

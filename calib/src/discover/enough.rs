@@ -4,9 +4,6 @@ use super::request::Session;
 use super::state::State;
 use crate::error::Error;
 
-/// Rests below which the base models alone use up what the data say.
-const FEWEST_RESTS: usize = 9;
-
 /// Refuses a session without an accelerometer or with too few rests.
 ///
 /// # Errors
@@ -25,15 +22,26 @@ pub fn enough_rests(session: &Session<'_>) -> Result<(), Error> {
         .iter()
         .map(|(_, choice)| choice.segmentation.statics.len())
         .sum();
-    if rests >= FEWEST_RESTS {
+    if rests >= plan::REQUIREMENT.placements {
         return Ok(());
     }
     Err(Error::NotEnough(format!(
-        "{}: {rests} static interval{}, at least {FEWEST_RESTS} needed to tell a missing effect from a scale factor: hold the \
-         device still for 5 s in twenty orientations or more, each face up and down among them",
+        "{}: {rests} static interval{}, too few to tell a missing effect from a scale factor; {}; {}",
         names(session),
-        if rests == 1 { "" } else { "s" }
+        if rests == 1 { "" } else { "s" },
+        plan::REQUIREMENT,
+        wanted(session)
     )))
+}
+
+/// The placements to add, from the directions of the readings at rest.
+fn wanted(session: &Session<'_>) -> String {
+    let recordings = session.recordings.iter();
+    let statics = recordings.flat_map(|(_, choice)| &choice.segmentation.statics);
+    let readings: Vec<_> = statics
+        .filter_map(|rest| Some(rest.accelerometer?.mean.normalize()))
+        .collect();
+    plan::coverage(&readings).advice()
 }
 
 /// Refuses a session that leaves nothing to compare once the base models are fitted.
@@ -45,10 +53,11 @@ pub fn enough_to_compare(session: &Session<'_>, base: &State) -> Result<(), Erro
         return Ok(());
     }
     Err(Error::NotEnough(format!(
-        "{}: the base models use up all {} readings: nothing is left that an effect could show in; record more \
-         orientations",
+        "{}: the base models use up all {} readings: nothing is left that an effect could show in; {}; record \
+         more placements",
         names(session),
-        base.rows()
+        base.rows(),
+        plan::REQUIREMENT
     )))
 }
 

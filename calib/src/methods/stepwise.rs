@@ -74,9 +74,10 @@ pub fn fit_accelerometer(request: &AccelerometerRequest) -> Result<Accelerometer
     let all: Vec<_> = request.recordings.iter().flatten().map(|m| m.raw).collect();
     let unit = accelerometer_unit(&all, request.gravity).ok_or_else(|| {
         Error::NotEnough(format!(
-            "{} static means lie on no sphere: the unit of the accelerometer cannot be told; \
-             record at least ten different orientations",
-            all.len()
+            "{} static means lie on no sphere: the unit of the accelerometer cannot be told; {}; run \
+             `stillpoint plan` for the orientations",
+            all.len(),
+            plan::REQUIREMENT
         ))
     })?;
     let near_si: Vec<Vec<StaticMean>> = request

@@ -31,7 +31,7 @@ pub use effects::{Effects, SIZE, catalogue};
 pub use hidden::{
     Heading, Hidden, HiddenTruth, Pattern, Periodic, Relaxation, SizeEffect, Telegraph,
 };
-pub use motion::{Cart, HandHeld, SixPosition, Still, Walking};
+pub use motion::{Cart, HandHeld, Planned, PlannedLeg, PlannedStep, SixPosition, Still, Walking};
 pub use noise::{Distribution, Noise, Spikes};
 pub use samples::{Sample, Samples};
 pub use sampling::{Between, Clock, Resampled, Sampling, Stamp};

@@ -18,6 +18,7 @@ mod info;
 mod inputs;
 mod joint;
 mod pictures;
+mod plan;
 mod reckon;
 mod segment;
 mod simulate;
@@ -44,6 +45,7 @@ pub enum Command {
     Simulate(simulate::Args),
     Discover(Box<discover::Args>),
     Effects(effects::Args),
+    Plan(Box<plan::Args>),
     Export(Box<export::Args>),
     Import(import::Args),
     #[command(hide = true)]
@@ -66,6 +68,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Simulate(args) => simulate::run(&args),
         Command::Discover(args) => discover::run(&args),
         Command::Effects(args) => effects::run(&args),
+        Command::Plan(args) => plan::run(&args),
         Command::Export(args) => export::run(&args),
         Command::Import(args) => import::run(&args),
         Command::Generate(args) => generate::run(&args),

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use solver::Report;
 
-use super::coverage::{Coverage, coverage};
+use super::coverage::refusal;
 use super::mounting::LOST;
 use crate::error::Error;
 use crate::methods::{AccelerometerFit, AccelerometerRequest, Fitted, GyroscopeFit};
@@ -15,9 +15,6 @@ const RELATIVE_REFUSE: f64 = 0.05;
 /// The same for biases, as a fraction of gravity or rad/s.
 const BIAS_WARN: f64 = 0.01;
 const BIAS_REFUSE: f64 = 0.05;
-
-/// More unobservable combinations than this are counted, not written out.
-const MOST_COMBINATIONS: usize = 2;
 
 /// The fit of an accelerometer, by whatever method.
 pub(in crate::calibrate) struct ForceEvidence<'a> {
@@ -78,26 +75,18 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
     warnings: &mut Vec<String>,
 ) -> Result<(), Error> {
     let directions = &fit.directions;
-    let Coverage {
-        words: coverage,
-        complete,
-    } = coverage(directions);
     let free = fit.fitted.free.len();
     let count = directions.len();
     if fit.fitted.rank < free {
-        return Err(Error::NotEnough(format!(
-            "{coverage}: too few for {free} parameters (rank {}); not observable: {}",
-            fit.fitted.rank,
-            not_observable(fit.fitted)
-        )));
+        let unknown = format!("not observable: {}", involved(fit.fitted).join(", "));
+        return Err(Error::NotEnough(refusal(directions, &unknown)));
     }
     if count <= free {
-        return Err(Error::NotEnough(format!(
-            "{coverage}{}: {free} parameters leave nothing to check them with; record at least \
-             {} placements",
-            least_known(fit),
-            free + 1
-        )));
+        let unknown = format!(
+            "{free} parameters leave nothing to check them with{}",
+            least_known(fit)
+        );
+        return Err(Error::NotEnough(refusal(directions, &unknown)));
     }
     if !fit.report.termination.converged() {
         return Err(Error::NotConverged(format!(
@@ -109,24 +98,26 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
         )));
     }
     let weak = weak_parameters(fit.fitted, fit.scale, fit.gravity);
-    let refused: Vec<&Weak> = weak.iter().filter(|w| w.refused).collect();
+    let refused: Vec<&str> = weak
+        .iter()
+        .filter(|w| w.refused)
+        .map(|w| w.name.as_str())
+        .collect();
     if !refused.is_empty() {
-        return Err(Error::NotEnough(format!(
-            "{coverage}: {}",
-            refused
-                .iter()
-                .map(|w| w.words.as_str())
-                .collect::<Vec<_>>()
-                .join("; ")
-        )));
+        let unknown = format!("not known: {}{}", refused.join(", "), least_known(fit));
+        return Err(Error::NotEnough(refusal(directions, &unknown)));
     }
-    if !complete {
-        warnings.push(format!("{coverage}{}", least_known(fit)));
+    let found = plan::coverage(directions);
+    if !found.is_complete() {
+        warnings.push(format!(
+            "{}{}; {}",
+            found.found(),
+            least_known(fit),
+            found.advice()
+        ));
     }
-    warnings.extend(
-        weak.into_iter()
-            .map(|w| format!("{} ({coverage})", w.words)),
-    );
+    let found = found.found();
+    warnings.extend(weak.into_iter().map(|w| format!("{} ({found})", w.words)));
     Ok(())
 }
 
@@ -163,22 +154,30 @@ pub(in crate::calibrate) fn gyroscope_is_determined(
     warnings: &mut Vec<String>,
 ) -> Result<(), Error> {
     let RateEvidence { fitted, turns, .. } = *fit;
+    let refusal = |unknown: String, names: &[&str]| {
+        let wanted = plan::turns_wanted(names.iter().copied());
+        Error::NotEnough(format!(
+            "{turns} turns: {unknown}; {}; {wanted}",
+            plan::REQUIREMENT
+        ))
+    };
     if fitted.rank < fitted.free.len() {
-        return Err(Error::NotEnough(format!(
-            "{turns} turns determine {} of the gyroscope's {} parameters; not observable: {}; turn \
-             the device about other axes too",
+        let open = involved(fitted);
+        let unknown = format!(
+            "they determine {} of the gyroscope's {} parameters, not observable: {}",
             fitted.rank,
             fitted.free.len(),
-            not_observable(fitted)
-        )));
+            open.join(", ")
+        );
+        return Err(refusal(unknown, &open));
     }
     if 2 * turns <= fitted.free.len() {
-        return Err(Error::NotEnough(format!(
-            "{turns} turns leave nothing to check the gyroscope's {} parameters with; record at \
-             least {} turns",
+        let unknown = format!(
+            "they leave nothing to check the gyroscope's {} parameters with, at least {} turns are needed",
             fitted.free.len(),
             fitted.free.len() / 2 + 1
-        )));
+        );
+        return Err(refusal(unknown, &[]));
     }
     if !fit.report.termination.converged() {
         return Err(Error::NotConverged(format!(
@@ -191,13 +190,11 @@ pub(in crate::calibrate) fn gyroscope_is_determined(
     let refused: Vec<&str> = weak
         .iter()
         .filter(|w| w.refused)
-        .map(|w| w.words.as_str())
+        .map(|w| w.name.as_str())
         .collect();
     if !refused.is_empty() && fit.rms < LOST {
-        return Err(Error::NotEnough(format!(
-            "{turns} turns: {}; turn the device about other axes too",
-            refused.join("; ")
-        )));
+        let unknown = format!("not known: {}", refused.join(", "));
+        return Err(refusal(unknown, &refused));
     }
     warnings.extend(
         weak.into_iter()
@@ -221,30 +218,24 @@ fn directions(fit: &AccelerometerFit, request: &AccelerometerRequest) -> Vec<Vec
     all
 }
 
-/// The combinations that the data cannot see; with more than a few, how many and of what.
-fn not_observable(fitted: &Fitted) -> String {
-    let combinations = &fitted.unobservable;
-    if combinations.len() <= MOST_COMBINATIONS {
-        return combinations.join("; ");
-    }
-    let involved: Vec<&str> = fitted
-        .free
-        .iter()
-        .filter(|name| {
-            combinations
-                .iter()
-                .any(|words| words.contains(name.as_str()))
+/// The parameters that lead a combination that the data cannot see: no factor stands before them in its words.
+fn involved(fitted: &Fitted) -> Vec<&str> {
+    let is_factor = |word: &&str| word.parse::<f64>().is_ok();
+    let leads = |name: &&String| {
+        fitted.unobservable.iter().any(|combination| {
+            let words: Vec<&str> = combination.split_whitespace().collect();
+            (0..words.len()).any(|k| {
+                let before = k.checked_sub(1).map(|k| words[k]);
+                words[k] == name.as_str() && !before.as_ref().is_some_and(is_factor)
+            })
         })
-        .map(String::as_str)
-        .collect();
-    format!(
-        "{} combinations of {}",
-        combinations.len(),
-        involved.join(", ")
-    )
+    };
+    let free = fitted.free.iter();
+    free.filter(leads).map(String::as_str).collect()
 }
 
 struct Weak {
+    name: String,
     words: String,
     refused: bool,
 }
@@ -260,12 +251,14 @@ fn weak_parameters(fitted: &Fitted, scale: f64, size: f64) -> Vec<Weak> {
             if name.contains(".b_") {
                 let relative = std * scale / size;
                 (relative > BIAS_WARN).then(|| Weak {
+                    name: name.clone(),
                     words: format!("{name} is known to {std:.2} only"),
                     refused: relative > BIAS_REFUSE,
                 })
             } else {
                 let relative = std / scale;
                 (relative > RELATIVE_WARN).then(|| Weak {
+                    name: name.clone(),
                     words: format!("{name} is known to {:.1} % only", 100.0 * relative),
                     refused: relative > RELATIVE_REFUSE,
                 })

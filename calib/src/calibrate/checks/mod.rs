@@ -131,10 +131,12 @@ pub(super) fn enough_rests(
     }
     match found {
         0 => Err(Error::NotEnough(format!(
-            "{}: no static interval: the device is never still for long enough{}; lay it down for 5 s \
+            "{}: no static interval: the device is never still for long enough{}; {}; lay it down for {:.0} s \
              between the turns, or lower --min-static or raise --multiplier",
             names.join(", "),
-            quietest_in_words(recordings)
+            quietest_in_words(recordings),
+            plan::REQUIREMENT,
+            plan::REQUIREMENT.rest
         ))),
         1 => {
             let length: f64 = choices
@@ -143,10 +145,9 @@ pub(super) fn enough_rests(
                 .map(|rest| rest.span.length())
                 .sum();
             Err(Error::NotEnough(format!(
-                "{}: all static: one rest of {length:.1} s and no turn; turn the device to at least \
-                 ten orientations (each face up and down, then edges and corners) and hold it still \
-                 for 5 s in each",
-                names.join(", ")
+                "{}: all static: one rest of {length:.1} s and no turn; {}; run `stillpoint plan` for the orientations",
+                names.join(", "),
+                plan::REQUIREMENT
             )))
         }
         _ => Ok(()),

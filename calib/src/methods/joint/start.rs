@@ -49,9 +49,10 @@ pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
     let raw: Vec<Vector3<f64>> = means.iter().flatten().map(|m| m.raw).collect();
     let force_unit = accelerometer_unit(&raw, request.gravity).ok_or_else(|| {
         Error::NotEnough(format!(
-            "{} static means lie on no sphere: the unit of the accelerometer cannot be told; record \
-             at least ten different orientations",
-            raw.len()
+            "{} static means lie on no sphere: the unit of the accelerometer cannot be told; {}; run \
+             `stillpoint plan` for the orientations",
+            raw.len(),
+            plan::REQUIREMENT
         ))
     })?;
     let names = request

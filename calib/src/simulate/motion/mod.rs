@@ -8,6 +8,7 @@ mod hand_held;
 mod orientation;
 mod path;
 mod placements;
+mod planned;
 mod profile;
 mod quadrature;
 mod segment;
@@ -21,6 +22,7 @@ use nalgebra::Vector3;
 
 pub use cart::Cart;
 pub use hand_held::HandHeld;
+pub use planned::{Planned, PlannedLeg, PlannedStep};
 pub use six_position::SixPosition;
 pub use still::Still;
 pub use walking::Walking;

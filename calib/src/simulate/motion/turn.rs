@@ -45,10 +45,7 @@ pub(crate) fn turn_to(
 ) {
     let (start, end) = (path.end(), path.end() + length);
     let mut twists = two_rotations(&(path.attitude().inverse() * target), start, end, random);
-    let mut moves = carry(hand.lift, start, end, random);
-    if hand.tremor > 0.0 {
-        tremble(hand.tremor, start, end, random, &mut twists, &mut moves);
-    }
+    let mut moves = hand_moves(hand, (start, end), random, &mut twists);
     if hand.shock > 0.0 {
         knock(hand.shock, end, shocks, &mut twists, &mut moves);
     }
@@ -57,6 +54,20 @@ pub(crate) fn turn_to(
         twists.push(quick_knock(hand.knock_rate, start, end, last, knocks));
     }
     path.movement(length, twists, moves);
+}
+
+/// What a hand adds to rotations between two times: it lifts, carries sideways and trembles.
+pub(crate) fn hand_moves(
+    hand: &Hand,
+    (start, end): (f64, f64),
+    random: &mut Random,
+    twists: &mut Vec<Twist>,
+) -> Vec<Move> {
+    let mut moves = carry(hand.lift, start, end, random);
+    if hand.tremor > 0.0 {
+        tremble(hand.tremor, start, end, random, twists, &mut moves);
+    }
+    moves
 }
 
 /// `exp(r₁) exp(r₂) = turn` with `r₁` about half of it, off its axis.

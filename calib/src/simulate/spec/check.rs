@@ -75,6 +75,26 @@ impl Spec {
                 number(&key("knocks"), m.knocks as f64, 0.0..=1000.0)?;
                 number(&key("knock_rate"), m.knock_rate, 0.0..=1000.0)
             }
+            Motion::Planned(m) => {
+                let key = |name: &str| format!("motion.planned.{name}");
+                direction(&key("up"), m.up)?;
+                number(&key("first_rest"), m.first_rest, 0.1..=LONGEST)?;
+                number(&key("steps"), m.steps.len() as f64, 0.0..=PLACEMENTS as f64)?;
+                number(&key("scatter"), m.scatter, 0.0..=1.0)?;
+                number(&key("lift"), m.lift, 0.0..=10.0)?;
+                number(&key("tremor"), m.tremor, 0.0..=100.0)?;
+                for (k, step) in m.steps.iter().enumerate() {
+                    let key = |name: &str| format!("motion.planned.steps.{k}.{name}");
+                    number(&key("rest"), step.rest, 0.1..=LONGEST)?;
+                    number(&key("legs"), step.legs.len() as f64, 1.0..=100.0)?;
+                    for leg in &step.legs {
+                        direction(&key("axis"), leg.axis)?;
+                        number(&key("angle"), leg.angle, -100.0..=100.0)?;
+                        number(&key("duration"), leg.duration, SHORTEST_TURN..=3600.0)?;
+                    }
+                }
+                Ok(())
+            }
             Motion::SixPosition(m) => {
                 number("motion.six_position.rest", m.rest, 0.1..=LONGEST / 6.0)?;
                 number("motion.six_position.turn", m.turn, SHORTEST_TURN..=3600.0)?;

@@ -19,7 +19,9 @@ use crate::effect_file::effects_of;
 use crate::simulate::device::Grade;
 use crate::simulate::effects::{Effects, SIZE, catalogue};
 use crate::simulate::hidden::Hidden;
-use crate::simulate::motion::{Cart, HandHeld, Path, SixPosition, Still, Surroundings, Walking};
+use crate::simulate::motion::{
+    Cart, HandHeld, Path, Planned, SixPosition, Still, Surroundings, Walking,
+};
 use crate::simulate::noise::{Distribution, Noise, Spikes};
 use crate::simulate::sampling::{Clock, Readout, Resampled, Sampling, Stamp};
 use crate::simulate::simulation::{Session, Simulation};
@@ -112,6 +114,8 @@ impl Default for Spec {
 pub enum Motion {
     /// Many placements by hand.
     HandHeld(HandHeld),
+    /// Placements and turns as a plan says.
+    Planned(Planned),
     /// Every axis up and down.
     SixPosition(SixPosition),
     /// At rest.
@@ -132,6 +136,7 @@ impl Motion {
     pub(crate) fn path(&self, around: &Surroundings) -> Path {
         match self {
             Self::HandHeld(motion) => motion.path(around),
+            Self::Planned(motion) => motion.path(around),
             Self::SixPosition(motion) => motion.path(around),
             Self::Still(motion) => motion.path(around),
             Self::Cart(motion) => motion.path(around),

@@ -1,0 +1,46 @@
+//! Which placements and turns a hand-held calibration needs: optimal design of experiments for what a hand can hold.
+//!
+//! ```text
+//! directions ──► exchange (V, D) ──► sequence: order and ways ──► Plan ──► words, predictions
+//!  26, tilts     relaxation: bound    both sensors' information
+//! placements there ──► coverage: covered, unknown, wanted ◄── REQUIREMENT
+//! ```
+//!
+//! The accelerometer knows a placement by the norm of its reading, `‖T (A − b)‖ = g`: one row `h(u)` of nine. The
+//! gyroscope's error carries the direction of gravity through a turn to the wrong place: what it does along gravity
+//! shows nowhere, so order and way of the turns count. The criterion is the mean square error of a corrected reading over
+//! all directions.
+//!
+//! The noise is white within a rest and a turn. What depends on the device beyond that (a misfit of the model, walks of
+//! the biases) is in `placement` and `turn` of [`Noise`]. The earth's rotation is taken as known.
+
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+mod accelerometer;
+mod direction;
+mod exchange;
+mod protocol;
+mod relaxation;
+mod requirement;
+mod sequence;
+mod session;
+mod turn;
+
+pub use accelerometer::{
+    FORCE_NAMES, FORCE_PARAMETERS, FORCE_PLACES, ForceMatrix, ForceRow, error_weights,
+    force_covariance, force_information, force_row, placement_error, reading_error,
+};
+pub use direction::{Words, axes_up, corners, edges, faces, faces_edges_corners, tilts};
+pub use exchange::{Criterion, exchange};
+pub use protocol::{Known, Plan, Protocol, Step, best, force_part, plan, recorded};
+pub use relaxation::{d_efficiency, relaxation, weighted_information};
+pub use requirement::{
+    Coverage, REQUIREMENT, Requirement, Wanted, best_next, coverage, fewest, is_determined,
+    turns_wanted, worth,
+};
+pub use sequence::{Sequence, sequence};
+pub use session::{
+    Information, Noise, PARAMETERS, Prediction, Timing, information_of, parameter_names, predict,
+    session_information,
+};
+pub use turn::{Carried, Leg, Pace, Turn, Way, ways};

@@ -1,0 +1,136 @@
+//! What an input knows already.
+
+use std::path::Path;
+
+use calib::calibration::load;
+use calib::methods::{accelerometer_unit, cut, static_means};
+use nalgebra::Vector3;
+use plan::{
+    Coverage, ForceMatrix, Known, Noise, Timing, best, coverage, force_part, information_of,
+};
+use serde_json::Value;
+
+use super::Args;
+use crate::commands::inputs::read as read_recording;
+use crate::exit::{Failure, INPUT};
+use crate::show;
+
+/// Placements that are asked for where nothing is missing.
+const FEWEST: usize = 3;
+
+/// A recording, a calibration or findings.
+pub struct Input {
+    /// What it is called.
+    pub name: String,
+    /// What is known with it.
+    pub known: Known,
+    /// Which placements are there, of a recording.
+    pub coverage: Option<Coverage>,
+    /// What would tell tied effects apart, of findings.
+    pub ties: Vec<String>,
+    /// The accelerometer's information in noises of one placement.
+    force: ForceMatrix,
+}
+
+impl Input {
+    /// The placements to add.
+    pub fn next(&self, count: Option<usize>) -> Vec<Vector3<f64>> {
+        let wanted = self.coverage.iter().flat_map(|found| &found.wanted);
+        let wanted: Vec<Vector3<f64>> = wanted.map(|w| Vector3::from(w.up)).collect();
+        match count {
+            Some(count) => best(count, &self.force),
+            None if wanted.is_empty() => best(FEWEST, &self.force),
+            None => wanted,
+        }
+    }
+}
+
+/// Reads it.
+pub fn read(path: &Path, args: &Args, noise: &Noise, timing: &Timing) -> Result<Input, Failure> {
+    match document(path) {
+        Some(document) => of_calibration(path, &document, noise, timing),
+        None => of_recording(path, args, noise, timing),
+    }
+}
+
+/// A document of ours; `None` for everything else.
+fn document(path: &Path) -> Option<Value> {
+    let bytes = std::fs::read(path).ok()?;
+    let document: Value = serde_json::from_slice(&bytes).ok()?;
+    let schema = document.get("schema")?.as_str()?;
+    schema.starts_with("stillpoint.").then_some(document)
+}
+
+fn of_calibration(
+    path: &Path,
+    document: &Value,
+    noise: &Noise,
+    timing: &Timing,
+) -> Result<Input, Failure> {
+    let calibration = load(path)?;
+    let name = show::path(path);
+    let information =
+        information_of(&calibration.parameters, &calibration.covariance).ok_or_else(|| {
+            let why = "its covariance is missing or no covariance; calibrate again";
+            Failure::new(INPUT, format!("{name}: {why}"))
+        })?;
+    Ok(Input {
+        name,
+        known: Known {
+            information: Some(information),
+            up: None,
+        },
+        coverage: None,
+        ties: ties(document),
+        force: force_part(&information, noise, timing.used(1)),
+    })
+}
+
+fn of_recording(
+    path: &Path,
+    args: &Args,
+    noise: &Noise,
+    timing: &Timing,
+) -> Result<Input, Failure> {
+    let (detector, choose) = args.detector.detector()?;
+    let recording = read_recording(path, &args.read)?.decimated();
+    let choice = cut(&recording, &detector, choose, args.gravity)?;
+    let means: Vec<Vector3<f64>> = static_means(&recording, &choice.segmentation)
+        .iter()
+        .map(|mean| mean.raw)
+        .collect();
+    let unit = accelerometer_unit(&means, args.gravity);
+    let ups: Vec<Vector3<f64>> = means
+        .iter()
+        .map(|raw| {
+            unit.as_ref()
+                .map_or(*raw, |unit| unit.to_si(raw))
+                .normalize()
+        })
+        .collect();
+    let found = coverage(&ups);
+    let information = (!ups.is_empty()).then(|| plan::recorded(&ups, noise, timing));
+    Ok(Input {
+        name: show::path(path),
+        force: plan::force_information(&ups),
+        known: Known {
+            information,
+            up: ups.last().copied(),
+        },
+        coverage: Some(found),
+        ties: Vec::new(),
+    })
+}
+
+/// What the findings say would tell effects apart.
+fn ties(document: &Value) -> Vec<String> {
+    let effects = document.get("effects").and_then(Value::as_array);
+    let words = |effect: &Value| {
+        let ties = effect.get("indistinguishable_from")?.as_array()?;
+        let ties: Vec<&str> = ties.iter().filter_map(Value::as_str).collect();
+        let by = effect.get("told_apart_by")?.as_str()?;
+        let name = effect.get("name")?.as_str()?;
+        (!ties.is_empty()).then(|| format!("To tell {name} from {}: {by}.", ties.join(", ")))
+    };
+    effects.into_iter().flatten().filter_map(words).collect()
+}

@@ -1,0 +1,162 @@
+//! A page to print: a picture of every placement.
+
+use std::fmt::Write as _;
+
+use nalgebra::{Matrix3, Rotation3, Vector3};
+use plan::{Plan, Step};
+
+use super::tables::instruction;
+use crate::show;
+
+/// Half the sides of a phone.
+const HALF: [f64; 3] = [0.36, 0.72, 0.06];
+/// Where the eye is: turned about the vertical, then raised, °.
+const EYE: [f64; 2] = [28.0, 22.0];
+/// Pixels per length, and half the picture.
+const SCALE: f64 = 74.0;
+const MIDDLE: [f64; 2] = [100.0, 92.0];
+
+/// The page.
+pub fn page(plan: &Plan, notes: &[String], force_only: bool) -> String {
+    let mut page = String::from(HEAD);
+    let _ = write!(
+        page,
+        "<h1>{} placements, {:.0} minutes</h1><ol>",
+        plan.steps.len(),
+        (plan.duration / 60.0).ceil()
+    );
+    for step in &plan.steps {
+        let words = escaped(&instruction(step, force_only));
+        let _ = write!(page, "<li>{}<p>{words}</p></li>", picture(step));
+    }
+    page.push_str("</ol>");
+    for note in notes {
+        let _ = write!(page, "<p>{}</p>", escaped(note));
+    }
+    page.push_str("</body></html>\n");
+    page
+}
+
+const HEAD: &str = "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\">\
+<meta name=\"viewport\" content=\"width=device-width\"><title>Placements to record</title><style>\
+:root{color-scheme:light dark;--ink:#1d2733;--paper:#fff;--side:#c9d3de;--edge:#44566b;--screen:#2f6fb3;--line:#d5dce4}\
+@media (prefers-color-scheme:dark){:root{--ink:#e6ebf1;--paper:#14191f;--side:#4d5c6d;--edge:#b8c6d6;--screen:#5c9be0;\
+--line:#313b46}}@media print{:root{--ink:#000;--paper:#fff;--side:#ddd;--edge:#333;--screen:#88a}}\
+body{font:15px/1.4 system-ui,sans-serif;color:var(--ink);background:var(--paper);max-width:72rem;margin:1.5rem auto;\
+padding:0 1rem}ol{display:grid;grid-template-columns:repeat(auto-fill,minmax(15rem,1fr));gap:1rem;padding:0;\
+list-style-position:inside}li{border:1px solid var(--line);border-radius:.5rem;padding:.6rem;break-inside:avoid}\
+li::marker{font-weight:600}svg{display:block;width:100%;max-height:11rem}p{margin:.4rem 0}text{fill:var(--ink);\
+font:11px system-ui,sans-serif}.side{fill:var(--side)}.screen{fill:var(--screen)}\
+.box{stroke:var(--edge);stroke-width:1.5;stroke-linejoin:round}.table{fill:none;stroke:var(--line);stroke-width:2}\
+.name{fill:var(--paper);text-anchor:middle}</style></head><body>";
+
+/// The box with its placement's direction up.
+fn picture(step: &Step) -> String {
+    let up = Vector3::from(step.up);
+    let attitude = eye() * upright(&up);
+    let mut svg = format!(
+        "<svg viewBox=\"0 0 200 190\" role=\"img\" aria-label=\"{}\"><ellipse class=\"table\" cx=\"100\" cy=\"158\" \
+         rx=\"88\" ry=\"24\"/>",
+        escaped(&step.words)
+    );
+    let names = ["", "", "top", "", "screen", "back"];
+    let mut faces: Vec<usize> = (0..6).collect();
+    let depth = |k: usize| (attitude * (normal(k) * HALF[k / 2])).y;
+    faces.sort_by(|a, b| depth(*b).total_cmp(&depth(*a)));
+    for k in faces {
+        if (attitude * normal(k)).y >= -1e-9 {
+            continue;
+        }
+        let corners: Vec<String> = corners(k)
+            .iter()
+            .map(|c| at(&(attitude * c)))
+            .map(|[x, y]| format!("{x:.1},{y:.1}"))
+            .collect();
+        let class = if k == 4 { "box screen" } else { "box side" };
+        let _ = write!(
+            svg,
+            "<polygon class=\"{class}\" points=\"{}\"/>",
+            corners.join(" ")
+        );
+        if !names[k].is_empty() && k >= 4 {
+            let [x, y] = at(&(attitude * (normal(k) * HALF[k / 2])));
+            let class = if k == 4 { "name" } else { "" };
+            let _ = write!(
+                svg,
+                "<text class=\"{class}\" text-anchor=\"middle\" x=\"{x:.0}\" y=\"{y:.0}\">{}</text>",
+                names[k]
+            );
+        }
+    }
+    let [x, y] = at(&(attitude * Vector3::new(0.0, 1.18 * HALF[1], 0.0)));
+    let _ = write!(
+        svg,
+        "<text text-anchor=\"middle\" x=\"{x:.0}\" y=\"{y:.0}\">top</text></svg>"
+    );
+    svg
+}
+
+fn normal(k: usize) -> Vector3<f64> {
+    Vector3::ith(k / 2, if k.is_multiple_of(2) { 1.0 } else { -1.0 })
+}
+
+fn corners(k: usize) -> [Vector3<f64>; 4] {
+    let (a, b) = ((k / 2 + 1) % 3, (k / 2 + 2) % 3);
+    [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(s, t)| {
+        let mut c = normal(k) * HALF[k / 2];
+        c[a] = s * HALF[a];
+        c[b] = t * HALF[b];
+        c
+    })
+}
+
+/// On the picture: x to the right, z up, the eye looks along y.
+fn at(v: &Vector3<f64>) -> [f64; 2] {
+    [MIDDLE[0] + SCALE * v.x, MIDDLE[1] - SCALE * v.z]
+}
+
+fn eye() -> Rotation3<f64> {
+    let [around, raised] = EYE.map(f64::to_radians);
+    Rotation3::from_axis_angle(&Vector3::x_axis(), raised)
+        * Rotation3::from_axis_angle(&Vector3::z_axis(), around)
+}
+
+/// Body to room with `up` vertical and the screen, else the top, towards the eye.
+fn upright(up: &Vector3<f64>) -> Rotation3<f64> {
+    let front = if up.z.abs() > 0.95 {
+        -Vector3::y() * up.z.signum()
+    } else {
+        Vector3::z()
+    };
+    let front = (front - up * up.dot(&front)).normalize();
+    // The eye looks along +y: what faces it points to -y.
+    let back = -front;
+    let right = back.cross(up);
+    Rotation3::from_matrix_unchecked(Matrix3::from_rows(&[
+        right.transpose(),
+        back.transpose(),
+        up.transpose(),
+    ]))
+}
+
+fn escaped(text: &str) -> String {
+    let text = show::printable(text);
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_placement_is_drawn_upright_and_not_mirrored() {
+        for up in plan::tilts() {
+            let attitude = upright(&up);
+            assert!((attitude * up - Vector3::z()).norm() < 1e-12);
+            assert!((attitude.matrix().determinant() - 1.0).abs() < 1e-12);
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! A plan in the terminal.
+
+use std::fmt::Write as _;
+
+use plan::{Plan, Prediction, Step, parameter_names};
+
+use super::known::Input;
+use crate::show;
+
+/// Columns that text is wrapped at.
+const WIDTH: usize = 78;
+
+/// The plan.
+pub fn text(plan: &Plan, input: Option<&Input>, notes: &[String], force_only: bool) -> String {
+    let mut text = String::new();
+    if let Some(found) = input.and_then(|input| input.coverage.as_ref()) {
+        let unknown = match found.unknown.as_slice() {
+            [] => "every parameter of the accelerometer is determined".into(),
+            names => format!("not known: {}", names.join(", ")),
+        };
+        push(&mut text, "", &format!("{}; {unknown}.", found.found()));
+        text.push('\n');
+    }
+    for (k, step) in plan.steps.iter().enumerate() {
+        push(
+            &mut text,
+            &format!("{:>3}. ", k + 1),
+            &instruction(step, force_only),
+        );
+    }
+    let _ = writeln!(
+        text,
+        "\n{:.0} minutes in all.\n",
+        (plan.duration / 60.0).ceil()
+    );
+    let _ = writeln!(text, "{}\n", errors(plan, force_only));
+    for note in notes {
+        push(&mut text, "", note);
+    }
+    text
+}
+
+/// One placement as a sentence.
+pub fn instruction(step: &Step, force_only: bool) -> String {
+    let turn = step.turn_words.as_ref().filter(|_| !force_only);
+    let turn = turn.map_or(String::new(), |turn| format!("; turn it {turn}"));
+    format!(
+        "{} ({}), {:.0} s{turn}",
+        capital(&step.words),
+        step.axes,
+        step.rest
+    )
+}
+
+fn capital(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or(String::new(), |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
+}
+
+/// Adds words wrapped, lines after the first indented like it.
+fn push(text: &mut String, begin: &str, words: &str) {
+    let indent = " ".repeat(begin.chars().count());
+    let mut line = begin.to_owned();
+    for word in words.split_whitespace() {
+        if line.chars().count() + 1 + word.chars().count() > WIDTH
+            && line.trim().len() > begin.trim().len()
+        {
+            let _ = writeln!(text, "{}", line.trim_end());
+            line.clone_from(&indent);
+        }
+        line.push_str(word);
+        line.push(' ');
+    }
+    let _ = writeln!(text, "{}", line.trim_end());
+}
+
+/// The standard errors before and after.
+fn errors(plan: &Plan, force_only: bool) -> comfy_table::Table {
+    let mut table = show::table(&["standard error", "unit", "before", "after"]);
+    let number = |v: Option<&f64>, factor: f64| {
+        v.filter(|v| v.is_finite())
+            .map_or("open".into(), |v| format!("{:.3}", v * factor))
+    };
+    for (k, name) in parameter_names().iter().enumerate() {
+        if force_only && name.starts_with("gyro") {
+            continue;
+        }
+        let (factor, unit) = unit_of(name);
+        let of = |p: &Prediction| number(p.standard_errors.get(k), factor);
+        table.add_row([name.clone(), unit.into(), of(&plan.before), of(&plan.after)]);
+    }
+    let of = |v: f64, factor: f64| number(Some(&v), factor);
+    let reading = "a reading of 1 g, rms".to_owned();
+    table.add_row([
+        reading,
+        "mm/s²".into(),
+        of(plan.before.force_error, 1e3),
+        of(plan.after.force_error, 1e3),
+    ]);
+    if !force_only {
+        let reading = "a reading of 1 rad/s, rms".to_owned();
+        table.add_row([
+            reading,
+            "mrad/s".into(),
+            of(plan.before.rate_error, 1e3),
+            of(plan.after.rate_error, 1e3),
+        ]);
+    }
+    table
+}
+
+fn unit_of(name: &str) -> (f64, &'static str) {
+    match name {
+        "accel.b_x" | "accel.b_y" | "accel.b_z" => (1e3, "mm/s²"),
+        "gyro.b_x" | "gyro.b_y" | "gyro.b_z" => (3600_f64.to_degrees(), "°/h"),
+        name if name.contains(".s_") => (1e6, "ppm"),
+        _ => (1e3, "mrad"),
+    }
+}

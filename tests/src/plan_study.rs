@@ -1,0 +1,112 @@
+//! A planned session simulated many times over, against its prediction.
+
+use calib::Error;
+use calib::intervals::Detector;
+use calib::methods::cut;
+use calib::methods::joint::{JointRequest, fit_joint};
+use calib::simulate::{HandHeld, Motion, Planned, PlannedLeg, PlannedStep, Spec};
+use plan::{Known, Noise, Plan, Protocol, Timing, Words, parameter_names};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+
+/// One parameter.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Its name.
+    pub name: String,
+    /// The standard error that the plan predicts.
+    pub predicted: f64,
+    /// Root mean square error of the estimates of sessions that follow the plan.
+    pub found: f64,
+    /// The same of as many placements in random order.
+    pub random: f64,
+    /// Sessions that follow the plan and were calibrated.
+    pub sessions: usize,
+}
+
+/// The plan as a motion that can be simulated.
+pub fn motion(plan: &Plan, timing: &Timing) -> Planned {
+    let step = |step: &plan::Step| {
+        let legs = step.turn.iter().flat_map(|turn| &turn.legs);
+        PlannedStep {
+            legs: legs
+                .map(|leg| PlannedLeg {
+                    axis: leg.axis.into(),
+                    angle: leg.angle,
+                    duration: timing.pace.duration(leg),
+                })
+                .collect(),
+            rest: step.rest,
+        }
+    };
+    Planned {
+        up: plan.steps.first().map_or([0.0, 0.0, 1.0], |first| first.up),
+        first_rest: timing.first_rest,
+        steps: plan.steps.iter().skip(1).map(step).collect(),
+        ..Planned::default()
+    }
+}
+
+/// Simulates `sessions` that follow the plan of `placements`, and as many in random order, and calibrates all jointly.
+///
+/// # Errors
+/// A spec that contradicts itself, or no session that could be calibrated.
+pub fn study(placements: usize, sessions: u64) -> Result<Vec<Row>, Error> {
+    let (noise, timing) = (Noise::default(), Timing::default());
+    let ups = Protocol::Optimal.placements(placements);
+    let plan = plan::plan(&ups, &Known::default(), &noise, &timing, Words::Phone);
+    let planned = Motion::Planned(motion(&plan, &timing));
+    let random = Motion::HandHeld(HandHeld {
+        placements: Some(placements),
+        initial_rest: Some(timing.first_rest),
+        rest: [timing.rest, timing.rest + 1e-3],
+        ..HandHeld::default()
+    });
+    let found = errors(&planned, sessions)?;
+    let others = errors(&random, sessions)?;
+    let rows = parameter_names().into_iter().enumerate();
+    Ok(rows
+        .map(|(k, name)| Row {
+            name,
+            predicted: plan
+                .after
+                .standard_errors
+                .get(k)
+                .copied()
+                .unwrap_or(f64::INFINITY),
+            found: root_mean_square(&found, k),
+            random: root_mean_square(&others, k),
+            sessions: found.len(),
+        })
+        .collect())
+}
+
+fn root_mean_square(errors: &[Vec<f64>], k: usize) -> f64 {
+    let sum: f64 = errors.iter().map(|e| e[k] * e[k]).sum();
+    (sum / errors.len().max(1) as f64).sqrt()
+}
+
+/// Estimate less truth of every parameter, of the sessions that can be calibrated.
+fn errors(motion: &Motion, sessions: u64) -> Result<Vec<Vec<f64>>, Error> {
+    let of = |seed: u64| -> Result<Option<Vec<f64>>, Error> {
+        let spec = Spec {
+            seed,
+            motion: motion.clone(),
+            ..Spec::default()
+        };
+        let session = spec.run()?;
+        let choice = cut(&session.recording, &Detector::default(), true, spec.gravity)?;
+        let recordings = vec![(&session.recording, &choice.segmentation)];
+        let Ok(fit) = fit_joint(&JointRequest::new(recordings, spec.gravity)) else {
+            return Ok(None);
+        };
+        let fitted = fit.all_fitted();
+        let error = |name: &String| Some(fitted.parameters.get(name)? - session.truth.get(name)?);
+        Ok(parameter_names().iter().map(error).collect())
+    };
+    let all: Result<Vec<_>, Error> = (0..sessions).into_par_iter().map(of).collect();
+    let all: Vec<Vec<f64>> = all?.into_iter().flatten().collect();
+    if all.is_empty() {
+        return Err(Error::NotEnough("no session could be calibrated".into()));
+    }
+    Ok(all)
+}
