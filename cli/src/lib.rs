@@ -8,17 +8,20 @@ mod commands;
 mod exit;
 mod interrupt;
 mod output;
+mod pages;
 mod read_args;
 mod report;
 mod show;
+mod terminal;
 mod threads;
 
 pub use commands::figures;
 
 use std::ffi::OsString;
 use std::panic::AssertUnwindSafe;
+use std::path::Path;
 
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches, Parser};
 
 use exit::{Failure, USAGE};
 
@@ -28,14 +31,18 @@ use exit::{Failure, USAGE};
 #[command(
     name = "stillpoint",
     version,
+    max_term_width = terminal::COLUMNS,
     after_help = "\
 Example:
   stillpoint demo                              a simulated session, its hidden effect discovered
+  stillpoint phone.csv                         what is in a file, and what to do
   stillpoint calibrate phone.csv -o cal.json   the calibration of a recording
   stillpoint discover phone.csv                what its model lacks
   stillpoint apply cal.json run.csv -o corrected.csv"
 )]
 struct Cli {
+    #[command(flatten)]
+    terminal: terminal::TerminalArgs,
     #[command(subcommand)]
     command: commands::Command,
 }
@@ -50,7 +57,7 @@ struct Cli {
 pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
     interrupt::install();
     threads::install();
-    let cli = match Cli::try_parse_from(args) {
+    let cli = match parsed(args.into_iter().collect()) {
         Ok(cli) => cli,
         // Help and version go to standard output; one that is closed is no error.
         Err(error) if !error.use_stderr() => {
@@ -59,12 +66,28 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
         }
         Err(error) => return ended(&wrong_call(&error)),
     };
+    cli.terminal.install();
     let result = std::panic::catch_unwind(AssertUnwindSafe(|| commands::run(cli.command)));
     match result {
         Ok(Ok(())) => 0,
         Ok(Err(failure)) => ended(&failure),
         Err(_) => ended(&Failure::bug()),
     }
+}
+
+/// The call; a file alone is one to look at.
+fn parsed(mut words: Vec<OsString>) -> Result<Cli, clap::Error> {
+    let colour = terminal::Colour::in_call(&words).choice();
+    let mut command = Cli::command().color(colour);
+    if let [_, file] = words.as_slice()
+        && !file.is_empty()
+        && command.find_subcommand(file).is_none()
+        && Path::new(file).exists()
+    {
+        words.insert(1, "info".into());
+    }
+    let matches = command.try_get_matches_from_mut(words)?;
+    Cli::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
 }
 
 fn ended(failure: &Failure) -> u8 {

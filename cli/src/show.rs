@@ -7,16 +7,20 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use calib::document::{is_obeyed, to_json};
 use comfy_table::presets::NOTHING;
-use comfy_table::{CellAlignment, LineStyle, Table};
+use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table};
 
 use serde::Serialize;
 
 use crate::exit::{BUG, Failure, OUTPUT};
+use crate::terminal;
 
 /// A table whose columns after the first are aligned right.
 pub fn table(header: &[&str]) -> Table {
     let mut table = Table::new();
     table.load_style(NOTHING.header_separator(LineStyle::new('─', '─', '─', '─')));
+    table.set_content_arrangement(ContentArrangement::Dynamic);
+    // A space on either side of the outer columns is cut off again.
+    table.set_width(u16::try_from(terminal::width()).unwrap_or(u16::MAX));
     table.set_header(header.to_vec());
     for column in table.column_iter_mut().skip(1) {
         column.set_cell_alignment(CellAlignment::Right);
@@ -53,7 +57,71 @@ pub fn json(document: &impl Serialize) -> Result<String, Failure> {
 
 /// A note or a warning.
 pub fn warn(text: &str) {
-    say(&format!("warning: {}", shortened(text)));
+    if !terminal::is_quiet() {
+        let label = terminal::coloured("warning:", 33);
+        say_after(&label, &format!("warning: {}", shortened(text)));
+    }
+}
+
+/// What a person may like to know.
+pub fn note(text: &str) {
+    if !terminal::is_quiet() {
+        say(text);
+    }
+}
+
+/// A message whose first word is `label`, perhaps coloured.
+fn say_after(label: &str, text: &str) {
+    let text = printable(text);
+    let text = match terminal::error_width() {
+        Some(width) => terminal::wrapped(&text, width),
+        None => text.into_owned(),
+    };
+    let rest = text.split_once(':').map_or(text.as_str(), |(_, rest)| rest);
+    let _ = writeln!(std::io::stderr(), "{label}{rest}");
+}
+
+/// A text for people in lines that fit on standard output.
+pub fn wrapped(text: &str) -> String {
+    terminal::wrapped(text, terminal::width())
+}
+
+/// Warnings, those alike in one line with their number.
+pub fn warn_all(texts: &[String]) {
+    if terminal::is_verbose() {
+        return texts.iter().for_each(|text| warn(text));
+    }
+    folded(texts).iter().for_each(|text| warn(text));
+}
+
+/// Warnings that differ in their numbers only are alike: the first of them stands for all.
+pub fn folded(texts: &[String]) -> Vec<String> {
+    let mut kinds: Vec<(String, &String, usize)> = Vec::new();
+    for text in texts {
+        let shape = shape(text);
+        match kinds.iter_mut().find(|(other, ..)| *other == shape) {
+            Some((.., count)) => *count += 1,
+            None => kinds.push((shape, text, 1)),
+        }
+    }
+    let said = |(_, first, count): (String, &String, usize)| match count {
+        1 => first.clone(),
+        n => format!("{first} (and {} more like this)", n - 1),
+    };
+    kinds.into_iter().map(said).collect()
+}
+
+/// A text without its numbers.
+fn shape(text: &str) -> String {
+    let mut shape = String::new();
+    for c in text.chars() {
+        if !(c.is_ascii_digit() || (c == '.' && shape.ends_with('#'))) {
+            shape.push(c);
+        } else if !shape.ends_with('#') {
+            shape.push('#');
+        }
+    }
+    shape
 }
 
 /// A line on standard error; one that is closed is no error.
@@ -66,7 +134,11 @@ pub fn failure(failure: &Failure) {
     if failure.message.is_empty() {
         return;
     }
-    say(&format!("stillpoint: {}", shortened(&failure.message)));
+    let label = terminal::coloured("stillpoint:", 31);
+    say_after(
+        &label,
+        &format!("stillpoint: {}", shortened(&failure.message)),
+    );
     let asked = std::env::args_os()
         .take_while(|arg| arg != "--")
         .any(|arg| arg == "--json");
@@ -182,6 +254,20 @@ mod tests {
         assert_eq!(printable("a\u{1b}[2J\u{9b}b\nc"), "a\\u{1b}[2J\\u{9b}b\nc");
         assert_eq!(name("a\n\u{202e}b"), "a\\n\\u{202e}b");
         assert!(matches!(printable("plain °/√h"), Cow::Borrowed(_)));
+    }
+
+    #[test]
+    fn warnings_that_differ_in_their_numbers_are_said_once_with_a_count() {
+        let texts = [
+            "stretch 1.25 to 3.5 s",
+            "stretch 7 to 8.25 s",
+            "other",
+            "stretch 9.1 to 10 s",
+        ];
+        assert_eq!(
+            folded(&texts.map(str::to_owned)),
+            ["stretch 1.25 to 3.5 s (and 2 more like this)", "other"]
+        );
     }
 
     #[test]

@@ -113,7 +113,7 @@ fn a_hidden_effect_is_named_added_and_its_gap_shrinks() {
     }
     assert!(!page.contains("<script"));
     let plots = names(&folder.join("plots"));
-    for plot in ["gap.svg", "residual-1.png", "residual-2-dark.svg"] {
+    for plot in ["gap.svg", "residual-1.png", "residual-2.svg"] {
         assert!(plots.iter().any(|p| p == plot), "{plots:?}");
     }
     assert!(plots.iter().all(|p| !p.ends_with(".partial")), "{plots:?}");

@@ -131,7 +131,84 @@ fn six_positions_far_from_level_fail_with_status_1_and_the_report_says_so_first(
         page.find("Do not use").unwrap(),
         page.find("carry about").unwrap(),
     );
-    assert!(gate < warning && warning < page.find("<section").unwrap());
+    let next = page.find("What to do next").unwrap();
+    assert!(gate < next && next < warning && warning < page.find("<section>").unwrap());
+}
+
+/// What a parser can see: one title, named pictures and tables, headings without a jump, ids once, no inline style.
+fn is_accessible(page: &str) {
+    assert!(page.contains("<html lang=\"en\">") && page.matches("<h1>").count() == 1);
+    assert!(!page.contains("<h3") && page.matches("<main>").count() == 1);
+    for (tag, name) in [
+        ("role=\"img\"", "aria-label=\""),
+        ("role=\"region\"", "aria-label=\""),
+    ] {
+        for part in page.split(tag).skip(1) {
+            let end = part.find('>').unwrap();
+            let label = part[..end].split(name).nth(1);
+            assert!(label.is_some_and(|label| !label.starts_with('"')), "{tag}");
+        }
+    }
+    assert_eq!(page.matches(" id=").count(), 1);
+    assert!(!page.contains(" style="));
+}
+
+#[test]
+fn a_refusal_writes_a_report_with_what_there_is_and_the_placements_to_add() {
+    let dir = tempfile::tempdir().unwrap();
+    recording(&dir.path().join("few.csv"), &leaning(0.0)[..4], 10.0);
+    let args = [
+        "calibrate",
+        "few.csv",
+        "--gravity",
+        "9.8",
+        "--report",
+        "few.html",
+        "-o",
+        "few.json",
+    ];
+    let output = stillpoint(dir.path(), &args);
+    assert_eq!(output.status.code(), Some(4), "{}", stderr(&output));
+    assert!(!dir.path().join("few.json").exists());
+    let page = std::fs::read_to_string(dir.path().join("few.html")).unwrap();
+    let at = |words: &str| page.find(words).unwrap_or_else(|| panic!("no {words}"));
+    assert!(at("There is no calibration") < at("What to do next"));
+    // Four of six faces are there: z is missing both ways.
+    let next = &page[at("What to do next")..at("What there is")];
+    assert!(next.contains("+z") && next.contains("−z"), "{next}");
+    assert!(page.contains("4 of 6 faces") && page.contains("class=\"sphere\""));
+    is_accessible(&page);
+}
+
+#[test]
+fn an_evaluation_has_a_report_that_compares_with_the_raw_readings() {
+    let dir = tempfile::tempdir().unwrap();
+    sessions(dir.path());
+    let made = stillpoint(
+        dir.path(),
+        &["calibrate", "one", "--gravity", "9.80665", "-o", "cal.json"],
+    );
+    assert!(made.status.success(), "{}", stderr(&made));
+    let args = [
+        "evaluate",
+        "one",
+        "--calibration",
+        "own=cal.json",
+        "--report",
+        "e.html",
+    ];
+    let output = stillpoint(dir.path(), &args);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let page = std::fs::read_to_string(dir.path().join("e.html")).unwrap();
+    for words in [
+        "own leaves",
+        "What to do next",
+        "calibrated, mm/s²",
+        "SHA-256",
+    ] {
+        assert!(page.contains(words), "{words}");
+    }
+    is_accessible(&page);
 }
 
 const SESSION: &str = "seed = 7\nrate = 100.0\ngrade = \"consumer\"\n[motion.hand_held]\n\
@@ -168,26 +245,40 @@ fn a_calibrations_report_tells_recordings_rests_and_turns_apart() {
         stderr(&output)
     );
     let page = std::fs::read_to_string(dir.path().join("cal.html")).unwrap();
-    // Modulus, direction and the rests of two recordings, each for light and dark pages.
-    assert_eq!(page.matches("<svg").count(), 2 * 4);
+    // One drawing serves light and dark pages.
+    assert_eq!(
+        page.matches("<svg").count(),
+        page.matches("<figure>").count()
+    );
+    assert!(page.len() < 250_000, "{}", page.len());
     // Fourteen placements each, numbered through both recordings.
     for words in [
         "alpha_yz",
         "beta_xy",
         "std error",
-        "Rests of one",
-        "Rests of two",
-        "28</td>",
+        "Static intervals of one",
+        "Static intervals of two",
+        "static 28</td>",
+        "What to do next",
+        "SHA-256 of the samples",
     ] {
         assert!(page.contains(words), "{words}");
     }
-    assert!(!page.contains("<script") && !page.contains("<link"));
-    for name in ["modulus", "direction", "rests-1", "rests-2"] {
-        assert!(
-            dir.path().join(format!("p/{name}-dark.svg")).is_file(),
-            "{name}"
-        );
+    assert!(!page.contains("<link"));
+    for name in [
+        "modulus",
+        "direction",
+        "coverage",
+        "parameters",
+        "rests-1",
+        "rests-2",
+    ] {
+        for ending in ["svg", "png"] {
+            let file = dir.path().join(format!("p/{name}.{ending}"));
+            assert!(file.is_file(), "{name}.{ending}");
+        }
     }
+    is_accessible(&page);
 }
 
 #[test]
@@ -198,7 +289,7 @@ fn segment_draws_the_rests_it_found() {
     assert!(output.status.success(), "{}", stderr(&output));
     let page = std::fs::read_to_string(dir.path().join("cut.html")).unwrap();
     assert_eq!(page.matches("<svg").count(), 2);
-    assert!(page.contains("rest 2") && page.contains("turn 1") && !page.contains("rest 3"));
+    assert!(page.contains("static 2") && page.contains("turn 1") && !page.contains("static 3"));
 }
 
 #[test]

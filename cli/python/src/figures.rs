@@ -17,15 +17,14 @@ pub fn calibration(py: Python<'_>, own: &stillpoint::Calibration) -> PyResult<Fi
         let all: Vec<&calib::Recording> = recordings.iter().map(AsRef::as_ref).collect();
         of_calibration(&all, outcome)
     });
-    pairs(py, drawn)
+    Ok(pairs(drawn.map_err(|message| bug(py, &message))?))
 }
 
 /// Of a discovery.
-pub fn findings(py: Python<'_>, own: &stillpoint::Findings) -> PyResult<Figures> {
-    pairs(py, py.detach(|| of_discovery(own.as_ref())))
+pub fn findings(py: Python<'_>, own: &stillpoint::Findings) -> Figures {
+    pairs(py.detach(|| of_discovery(own.as_ref())))
 }
 
-fn pairs(py: Python<'_>, drawn: Result<Vec<Figure>, String>) -> PyResult<Figures> {
-    let drawn = drawn.map_err(|message| bug(py, &message))?;
-    Ok(drawn.into_iter().map(|f| (f.title, f.svg)).collect())
+fn pairs(drawn: Vec<Figure>) -> Figures {
+    drawn.into_iter().map(|f| (f.title, f.svg)).collect()
 }

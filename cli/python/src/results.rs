@@ -118,7 +118,7 @@ impl Findings {
         Calibration(self.0.calibration())
     }
 
-    fn figures(&self, py: Python<'_>) -> PyResult<Figures> {
+    fn figures(&self, py: Python<'_>) -> Figures {
         figures::findings(py, &self.0)
     }
 }

@@ -10,11 +10,11 @@ use calib::noise::{AtRest, CurvePoint, NoiseSummary, NoiseTerm, SensorNoise, Ter
 use sensor::Sensor;
 
 use super::inputs::numbers;
-use super::pictures::PictureArgs;
+use super::pictures::{PictureArgs, named};
 use crate::exit::{Failure, USAGE};
 use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;
-use crate::report::{Axis, Plot, Report, ReportTable, Series};
+use crate::report::{Axis, Figure, Level, Picture, Plot, Report, ReportTable, Series};
 use crate::show;
 use source::{Source, listed, moved};
 
@@ -63,21 +63,25 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let pictures = args.pictures.claim(&PLOTS, args.replace, &inputs)?;
     args.replace.end_if_all_exist()?;
     let summary = summary(args)?;
-    summary
-        .warnings
-        .iter()
-        .for_each(|warning| show::warn(warning));
+    show::warn_all(&summary.warnings);
     let json = show::json(&summary)?;
     if let Some(output) = output {
         output.write(json.as_bytes())?;
     }
     if pictures.wanted() {
-        let plots: Vec<Plot> = sensors(&summary)
-            .map(|(_, s, noise)| plot(s, noise))
-            .collect();
-        pictures.write(&plots, &report(&summary, &args.recording, &plots)?)?;
+        let plots = sensors(&summary).map(|(_, s, noise)| plot(s, noise));
+        let names = sensors(&summary).map(|(_, s, _)| match s {
+            Sensor::Gyroscope => PLOTS[0],
+            Sensor::Accelerometer => PLOTS[1],
+        });
+        let plots = named(names, plots);
+        pictures.write(&plots, &report(&summary, &args.recording, &plots))?;
     }
-    show::print(&if args.json { json } else { text(&summary) })?;
+    show::print(&if args.json {
+        json
+    } else {
+        show::wrapped(&text(&summary))
+    })?;
     Ok(())
 }
 
@@ -271,10 +275,35 @@ fn plot(sensor: Sensor, noise: &SensorNoise) -> Plot {
     plot
 }
 
-fn report(summary: &NoiseSummary, recording: &Path, plots: &[Plot]) -> Result<Report, Failure> {
+fn report(summary: &NoiseSummary, recording: &Path, plots: &[(String, Picture)]) -> Report {
     let title = format!("Noise of {}", show::path(recording));
-    let mut report = Report::new(title).warnings(&summary.warnings);
-    for ((name, sensor, noise), plot) in sensors(summary).zip(plots) {
+    let mut figures: Vec<Figure> = sensors(summary)
+        .map(|(n, s, noise)| figure(n, s, noise))
+        .collect();
+    let time = summary.initial_static_time;
+    let time = time.map_or("unknown".into(), |t| format!("{} s", t.ceil()));
+    figures.push(Figure::new(
+        "Initial static time",
+        time,
+        "to rest before a calibration",
+    ));
+    let level = if summary.warnings.is_empty() {
+        Level::Good
+    } else {
+        Level::Care
+    };
+    let next = [
+        "Write the terms for `discover`, which then tells drift from noise sooner: stillpoint allan RECORDING -o noise.json"
+            .to_owned(),
+        format!("Record a calibration: {}.", advice(summary)),
+    ];
+    let mut report = Report::new(title)
+        .verdict(level, sentence(summary))
+        .figures(figures)
+        .next(&next)
+        .warnings(&show::folded(&summary.warnings))
+        .provenance(provenance(summary, recording));
+    for ((name, sensor, noise), (_, plot)) in sensors(summary).zip(plots) {
         let mut table = ReportTable::new(HEADER);
         for row in rows(sensor, noise) {
             table.row(row);
@@ -282,13 +311,59 @@ fn report(summary: &NoiseSummary, recording: &Path, plots: &[Plot]) -> Result<Re
         report = report
             .section(name)
             .text(extent(noise))
-            .plot(plot)?
+            .plot(plot)
             .text("Points: overlapping Allan deviation with 95 % intervals. Broken lines: the sum of the \
                    five noise terms.")
             .table(table)
             .text(INTERVALS);
     }
-    Ok(report.section("Advice").text(advice(summary)))
+    report
+}
+
+/// Which terms were told, in a sentence.
+fn sentence(summary: &NoiseSummary) -> String {
+    if let Some(warning) = summary.warnings.first() {
+        return format!("The noise was measured, with care: {warning}.");
+    }
+    let told = |noise: &SensorNoise| {
+        let all = noise.axes.iter().flat_map(|axis| &axis.terms);
+        all.filter(|t| t.lower > 0.0 && t.upper.is_some()).count()
+    };
+    let parts = sensors(summary).map(|(name, _, noise)| {
+        format!("{} of 15 terms of the {}", told(noise), name.to_lowercase())
+    });
+    let parts: Vec<String> = parts.collect();
+    format!(
+        "The recording bounds {} on both sides.",
+        parts.join(" and ")
+    )
+}
+
+/// The white noise of a sensor: the mean over its axes.
+fn figure(name: &str, sensor: Sensor, noise: &SensorNoise) -> Figure {
+    let (unit, factor) = human(NoiseTerm::WhiteNoise, sensor);
+    let terms = noise.axes.iter().flat_map(|axis| &axis.terms);
+    let white: Vec<f64> = terms
+        .filter(|t| t.term == NoiseTerm::WhiteNoise)
+        .map(|t| factor * t.value)
+        .collect();
+    let mean = white.iter().sum::<f64>() / white.len().max(1) as f64;
+    let label = format!("{name}, white noise");
+    Figure::new(
+        &label,
+        format!("{} {unit}", significant(mean)),
+        extent(noise),
+    )
+}
+
+fn provenance(summary: &NoiseSummary, recording: &Path) -> Vec<[String; 2]> {
+    let mut rows = vec![["recording".to_owned(), show::path(recording)]];
+    rows.extend(sensors(summary).map(|(name, _, noise)| [name.to_lowercase(), extent(noise)]));
+    rows.push([
+        "program".into(),
+        concat!("stillpoint ", env!("CARGO_PKG_VERSION")).into(),
+    ]);
+    rows
 }
 
 #[cfg(test)]

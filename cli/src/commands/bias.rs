@@ -12,7 +12,7 @@ use calib::methods::online_bias::{
 };
 
 use super::inputs::{DetectorArgs, DeviceArgs, read};
-use super::pictures::PictureArgs;
+use super::pictures::{PictureArgs, named};
 use crate::exit::Failure;
 use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;
@@ -92,13 +92,15 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     if pictures.wanted() {
         let plot = (!stretches.is_empty()).then(|| page::plot(&stretches));
         let name = show::name(&recording.name);
-        let page = page::page(&name, &recording.warnings, &new, plot.as_ref())?;
-        pictures.write(plot.as_slice(), &page)?;
+        let plots = named(names.iter().copied(), plot);
+        let drawn = plots.first().map(|(_, picture)| picture);
+        let page = page::page(&name, &recording.warnings, &new, drawn);
+        pictures.write(&plots, &page)?;
     }
     show::print(&if args.json {
         json
     } else {
-        text(&new, &stretches)
+        show::wrapped(&text(&new, &stretches))
     })?;
     Ok(())
 }

@@ -1,7 +1,6 @@
 //! `calibrate`: recordings to a calibration.
 
-pub(super) mod report;
-pub(super) mod tables;
+pub mod tables;
 
 use std::path::PathBuf;
 
@@ -11,6 +10,7 @@ use calib::calibrate::{
 use calib::effect_file::catalogue_with;
 use calib::gravity::Gravity;
 use calib::intervals::{Span, read_sections};
+use calib::methods::cut;
 use calib::recording::figure;
 use calib::residuals::Integrator;
 use calib::{Calibration, Recording};
@@ -23,8 +23,10 @@ use super::inputs::{
 };
 use super::pictures::{PictureArgs, Pictures};
 use super::six_position;
-use crate::exit::{Failure, GATE, USAGE};
+use crate::exit::{Failure, GATE, INPUT, NOT_CONVERGED, NOT_ENOUGH, USAGE};
 use crate::output::{Output, Replace};
+use crate::pages::session::Session;
+use crate::pages::{calibration, refusal};
 use crate::read_args::ReadArgs;
 use crate::show;
 
@@ -130,9 +132,9 @@ enum IntegratorArg {
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum GyroBiasArg {
-    /// Mean of the rests beside the turn
+    /// Mean of the static intervals beside the turn
     Adjacent,
-    /// First rest of the recording, as published
+    /// First static interval of the recording, as published
     Initial,
 }
 
@@ -158,7 +160,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .pictures
         .claim(&names, args.replace, &as_paths(&inputs))?;
     args.replace.end_if_all_exist()?;
-    let recordings = args.recordings.read(&args.read)?;
+    let recordings = match args.recordings.read(&args.read) {
+        Ok(recordings) => recordings,
+        Err(failure) => return Err(refused(failure, pictures, &[], &request)),
+    };
     if let Method::SixPosition = args.method {
         let (detector, gravity) = (
             request.detector,
@@ -185,16 +190,17 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .map(|p| read(p, &args.read).map(calib::Recording::decimated))
         .collect::<Result<Vec<_>, _>>()?;
     request.sections = sections(args, &recordings)?;
-    let outcome = {
-        let spinner = spinner("calibrating");
-        // A calibration carries the readers' warnings; where there is none they may explain why.
-        let outcome = calibrate(&recordings, &gyro_recordings, &request).inspect_err(|_| {
-            let warnings = recordings.iter().flat_map(|r| &r.warnings);
-            warnings.for_each(|warning| show::warn(warning));
-        })?;
-        spinner.finish_and_clear();
-        outcome
+    let spinner = spinner("calibrating");
+    let outcome = match calibrate(&recordings, &gyro_recordings, &request) {
+        Ok(outcome) => outcome,
+        Err(error) => {
+            // A calibration carries the readers' warnings; where there is none they may explain why.
+            let warnings = recordings.iter().flat_map(|r| r.warnings.clone());
+            show::warn_all(&warnings.collect::<Vec<_>>());
+            return Err(refused(error.into(), pictures, &recordings, &request));
+        }
     };
+    spinner.finish_and_clear();
     if pictures.wanted() {
         draw(pictures, &recordings, &outcome)?;
     }
@@ -206,14 +212,14 @@ fn plot_names(args: &Args) -> Vec<String> {
     if let Method::SixPosition = args.method {
         return six_position::PLOTS.map(str::to_owned).to_vec();
     }
-    report::plot_names(args.recordings.recordings.len().max(1))
+    calibration::plot_names(args.recordings.recordings.len().max(1))
 }
 
-/// What the report shows of each recording. One that repeats another's data was counted once and is shown as that one.
-pub(super) fn parts<'a>(
+/// What pages show of the recordings. One that repeats another's data was counted once and is shown as that one.
+pub(super) fn session<'a>(
     recordings: impl IntoIterator<Item = &'a Recording>,
     outcome: &'a Outcome,
-) -> Result<Vec<report::Part<'a>>, Failure> {
+) -> Result<Session<'a>, Failure> {
     let mut counted: Vec<&Recording> = Vec::new();
     for recording in recordings {
         let same = |other: &&Recording| {
@@ -225,16 +231,52 @@ pub(super) fn parts<'a>(
     }
     let segmentations = outcome.choices.iter().map(|choice| &choice.segmentation);
     let cut = counted.into_iter().zip(segmentations);
-    Ok(report::parts(cut, &outcome.calibration)?)
+    let calibration = &outcome.calibration;
+    Ok(Session::of(cut, Some(calibration), calibration.gravity)?)
 }
 
 /// Writes plots and report. Every recording has a plot of its own.
 fn draw(pictures: Pictures, recordings: &[Recording], outcome: &Outcome) -> Result<(), Failure> {
     let calibration = &outcome.calibration;
-    let parts = parts(recordings, outcome)?;
-    let plots = report::plots(&parts);
-    let page = report::page(calibration, &parts, &plots, tables::units(outcome))?;
+    let session = session(recordings, outcome)?;
+    let units = tables::units(outcome);
+    let plots = calibration::pictures(calibration, &session, units);
+    let page = calibration::page(calibration, &session, &plots, units)?;
     pictures.write(&plots, &page)
+}
+
+/// The failure itself; where a report was asked for, it says why and shows what there is.
+fn refused(
+    failure: Failure,
+    pictures: Pictures,
+    recordings: &[Recording],
+    request: &Request,
+) -> Failure {
+    if !pictures.wanted() || ![INPUT, NOT_ENOUGH, NOT_CONVERGED].contains(&failure.code) {
+        return failure;
+    }
+    let choices: Vec<_> = recordings
+        .iter()
+        .map(|r| {
+            cut(
+                r,
+                &request.detector,
+                request.choose_multiplier,
+                request.gravity,
+            )
+            .ok()
+        })
+        .collect();
+    let cut: Vec<_> = recordings
+        .iter()
+        .zip(&choices)
+        .filter_map(|(r, choice)| Some((r, &choice.as_ref()?.segmentation)))
+        .collect();
+    let (page, plots) = refusal::page(&failure, recordings, &cut, request.gravity);
+    match pictures.write(&plots, &page) {
+        Ok(()) => failure,
+        Err(other) => other,
+    }
 }
 
 /// Refuses options that the method would ignore.
@@ -387,16 +429,14 @@ fn sections(args: &Args, recordings: &[Recording]) -> Result<Vec<Vec<Span>>, Fai
 fn finish(args: &Args, output: Option<Output>, outcome: &Outcome) -> Result<(), Failure> {
     let calibration = &outcome.calibration;
     let json = show::json(&calibration)?;
-    for warning in &calibration.warnings {
-        show::warn(warning);
-    }
+    show::warn_all(&calibration.warnings);
     if let Some(output) = output {
         output.write(json.as_bytes())?;
     }
     if args.json {
         show::print(&json)?;
     } else {
-        show::print(&tables::text(outcome))?;
+        show::print(&show::wrapped(&tables::text(outcome)))?;
     }
     gate(calibration)
 }

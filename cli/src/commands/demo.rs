@@ -7,8 +7,9 @@ use calib::calibrate::{Outcome, Request as CalibrationRequest, calibrate};
 use calib::discover::{Discovery, Request};
 use calib::simulate::{Session, Spec};
 
-use super::discover::{json, look, page, plots, verdict};
+use super::discover::{PLOTS, json, look, page, plots, verdict};
 use super::inputs::spinner;
+use super::pictures::named;
 use crate::exit::Failure;
 use crate::output::{Filled, Folder, Output, Replace};
 use crate::show;
@@ -56,9 +57,16 @@ impl Files {
         })
     }
 
-    fn write(self, session: &mut Session, discovery: &Discovery) -> Result<(), Failure> {
+    fn write(
+        self,
+        session: &mut Session,
+        discovery: &Discovery,
+        request: &Request,
+    ) -> Result<(), Failure> {
         let calibration = show::json(&discovery.findings.calibration)?;
-        let page = page(discovery, &plots(discovery))?.html()?;
+        let plots = named(PLOTS, plots(discovery));
+        let recordings = [session.recording.clone()];
+        let page = page(discovery, &recordings, request, &plots)?.html()?;
         let csv = calib::recording::to_csv(&mut session.recording);
         let findings = json(&discovery.findings)?;
         let mut filled = Vec::new();
@@ -92,9 +100,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     };
     let outcome = calibrate(&recordings, &[], &request)?;
     progress.finish_and_clear();
-    let discovery = look(&recordings, None, &Request::new(gravity))?;
+    let request = Request::new(gravity);
+    let discovery = look(&recordings, None, &request)?;
     if let Some(files) = files {
-        files.write(&mut session, &discovery)?;
+        files.write(&mut session, &discovery, &request)?;
     }
     let mut text = simulated(&session, &outcome);
     text.push_str(&discovered(&discovery));
@@ -103,7 +112,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         let report = dir.join("report.html");
         let _ = writeln!(text, "The report is in {}.", show::path(&report));
     }
-    show::print(&text)
+    show::print(&show::wrapped(&text))
 }
 
 /// What was simulated, and what the base models make of it.
@@ -119,8 +128,8 @@ fn simulated(session: &Session, outcome: &Outcome) -> String {
     if let (Some(accelerometer), Some(gyroscope)) = (&outcome.accelerometer, &outcome.gyroscope) {
         let _ = writeln!(
             text,
-            "calibrate: gravity's modulus holds to {:.2} mm/s² rms; its direction is foretold through a turn to\n\
-             {:.4}° rms (raw: {:.2}°).",
+            "calibrate: gravity's norm holds to {:.2} mm/s² rms; its direction is predicted through a turn\n\
+             to {:.4}° rms (raw: {:.2}°).",
             1e3 * accelerometer.first.rms(),
             gyroscope.rms().to_degrees(),
             gyroscope.rms_before().to_degrees()

@@ -10,18 +10,21 @@ use calib::readings::{findings, without_spikes};
 use calib::{Evaluation, evaluate};
 use serde_json::json;
 
-use super::inputs::{DetectorArgs, DeviceArgs, check_gravity, read};
+use super::inputs::{DetectorArgs, DeviceArgs, as_paths, check_gravity, read, spinner};
+use super::pictures::PictureArgs;
 use crate::exit::{Failure, USAGE};
+use crate::output::Replace;
+use crate::pages::evaluation;
 use crate::read_args::ReadArgs;
 use crate::show;
 
-/// Compares calibrations on a recording, the raw readings always among them: the modulus of gravity
+/// Compares calibrations on a recording, the raw readings always among them: the norm of gravity
 /// at rest, its direction after each turn with what is left of the rate at rest taken off, and that rate:
 /// the error of the gyroscope's bias.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
-  stillpoint evaluate evening/ --calibration morning=cal.json")]
+  stillpoint evaluate evening/ --calibration morning=cal.json --report check.html")]
 pub struct Args {
     /// File or folder; `-` reads standard input
     #[arg(value_name = "RECORDING")]
@@ -35,6 +38,10 @@ pub struct Args {
     /// Print JSON instead of a table
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    replace: Replace,
+    #[command(flatten)]
+    pictures: PictureArgs,
     #[command(flatten)]
     detector: DetectorArgs,
     #[command(flatten)]
@@ -53,14 +60,23 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         calibrations.push((name.to_owned(), load(path.as_ref())?));
     }
     check_gravity(args.gravity)?;
+    let named = args
+        .calibration
+        .iter()
+        .filter_map(|named| named.split_once('='));
+    let mut inputs = vec![args.recording.clone()];
+    inputs.extend(named.map(|(_, path)| PathBuf::from(path)));
+    let pictures = args
+        .pictures
+        .claim(&evaluation::PLOTS, args.replace, &as_paths(&inputs))?;
+    args.replace.end_if_all_exist()?;
     let (detector, choose) = args.detector.detector()?;
     let recording = read(&args.recording, &args.read)?.decimated();
-    for warning in &recording.warnings {
-        show::warn(warning);
-    }
+    let mut warnings = recording.warnings.clone();
     for (_, calibration) in &calibrations {
         args.device.check(calibration, &[&recording])?;
     }
+    let progress = spinner("comparing");
     let choice = cut(&recording, &detector, choose, args.gravity)?;
     // What is wrong with the readings is in every misfit.
     let spikes = without_spikes(&recording).map_or_else(Vec::new, |(_, found)| found);
@@ -68,21 +84,41 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .iter()
         .chain(&spikes)
     {
-        show::warn(&format!("{}: {found}", recording.name));
+        warnings.push(format!("{}: {found}", recording.name));
     }
     let measure = |c| evaluate(&recording, &choice.segmentation, c, args.gravity);
     let mut rows: Vec<(String, Evaluation)> = vec![("raw".into(), measure(None)?)];
     for (name, calibration) in &calibrations {
         rows.push((name.clone(), measure(Some(calibration))?));
     }
+    progress.finish_and_clear();
     // Misfits of a recording in which something changes say nothing of a calibration.
     let by_first = calibrations.first().zip(rows.get(1));
     let gyroscope = by_first.and_then(|((_, calibration), (_, evaluation))| {
         let t = calibration.gyroscope.as_ref()?.base().t;
         Some((t, evaluation.direction_rms?.to_radians()))
     });
-    for warning in changes_part_way(&recording, &choice.segmentation, args.gravity, gyroscope) {
-        show::warn(&warning);
+    warnings.extend(changes_part_way(
+        &recording,
+        &choice.segmentation,
+        args.gravity,
+        gyroscope,
+    ));
+    show::warn_all(&warnings);
+    if pictures.wanted() {
+        let named: Vec<_> = calibrations
+            .iter()
+            .map(|(name, c)| (name.as_str(), c))
+            .collect();
+        let (page, plots) = evaluation::page(
+            &recording,
+            &choice.segmentation,
+            &named,
+            &rows,
+            (&HEADER, &cells(&rows)),
+            (args.gravity, &warnings),
+        )?;
+        pictures.write(&plots, &page)?;
     }
     if args.json {
         let rows: Vec<_> = rows
@@ -97,19 +133,20 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     Ok(())
 }
 
-fn table(rows: &[(String, Evaluation)]) -> comfy_table::Table {
-    let mut table = show::table(&[
-        "calibration",
-        "rests",
-        "|f| - g rms (mm/s²)",
-        "turns",
-        "direction rms (°)",
-        "rate at rest (°/s)",
-    ]);
+const HEADER: [&str; 6] = [
+    "calibration",
+    "static",
+    "|f| - g, mm/s²",
+    "turns",
+    "direction, °",
+    "rate at rest, °/s",
+];
+
+fn cells(rows: &[(String, Evaluation)]) -> Vec<Vec<String>> {
     let number =
         |value: Option<f64>, digits: usize| value.map_or("-".into(), |v| format!("{v:.digits$}"));
-    for (name, e) in rows {
-        table.add_row([
+    let row = |(name, e): &(String, Evaluation)| {
+        vec![
             show::name(name),
             e.static_intervals.to_string(),
             number(e.modulus_rms.map(|v| 1e3 * v), 2),
@@ -119,7 +156,15 @@ fn table(rows: &[(String, Evaluation)]) -> comfy_table::Table {
                 let [x, y, z] = rate.map(f64::to_degrees);
                 format!("{x:.4} {y:.4} {z:.4}")
             }),
-        ]);
+        ]
+    };
+    rows.iter().map(row).collect()
+}
+
+fn table(rows: &[(String, Evaluation)]) -> comfy_table::Table {
+    let mut table = show::table(&HEADER);
+    for row in cells(rows) {
+        table.add_row(row);
     }
     table
 }

@@ -78,7 +78,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         show::warn(&format!("the calibration failed a gate: {gate}"));
     }
     for note in &export.notes {
-        show::say(&format!("note: {note}"));
+        show::note(&format!("note: {note}"));
     }
     if args.json {
         let document = json!({
@@ -96,7 +96,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     for lost in &export.lost {
         let _ = writeln!(text, "lost: {lost}");
     }
-    show::print(&text)
+    show::print(&show::wrapped(&text))
 }
 
 /// Refuses options that the target would ignore.

@@ -5,15 +5,15 @@ use calib::calibrate::Outcome;
 use calib::discover::Discovery;
 
 use super::{calibrate, discover};
-use crate::exit::Failure;
-use crate::report::{Plot, Theme};
+use crate::pages::calibration;
+use crate::report::Picture;
 
 /// A figure of a report.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Figure {
     /// Its title.
     pub title: String,
-    /// The picture, SVG for a light page.
+    /// The picture, SVG for light and dark pages.
     pub svg: String,
 }
 
@@ -22,25 +22,22 @@ pub struct Figure {
 /// # Errors
 /// What cannot be measured or drawn, in words.
 pub fn of_calibration(recordings: &[&Recording], outcome: &Outcome) -> Result<Vec<Figure>, String> {
-    calibrate::parts(recordings.iter().copied(), outcome)
-        .and_then(|parts| drawn(&calibrate::report::plots(&parts)))
-        .map_err(|failure| failure.message)
+    let session = calibrate::session(recordings.iter().copied(), outcome);
+    let session = session.map_err(|failure| failure.message)?;
+    let units = calibrate::tables::units(outcome);
+    let all = calibration::pictures(&outcome.calibration, &session, units);
+    Ok(all.iter().map(|(_, picture)| drawn(picture)).collect())
 }
 
 /// The figures in the report of `discover`.
-///
-/// # Errors
-/// What cannot be drawn, in words.
-pub fn of_discovery(discovery: &Discovery) -> Result<Vec<Figure>, String> {
-    drawn(&discover::plots(discovery)).map_err(|failure| failure.message)
+pub fn of_discovery(discovery: &Discovery) -> Vec<Figure> {
+    let plots = discover::plots(discovery).into_iter();
+    plots.map(|plot| drawn(&plot.into())).collect()
 }
 
-fn drawn(plots: &[Plot]) -> Result<Vec<Figure>, Failure> {
-    let figure = |plot: &Plot| {
-        Ok(Figure {
-            title: plot.title.clone(),
-            svg: plot.svg(Theme::Light)?,
-        })
-    };
-    plots.iter().map(figure).collect()
+fn drawn(picture: &Picture) -> Figure {
+    Figure {
+        title: picture.title().to_owned(),
+        svg: picture.svg(),
+    }
 }

@@ -1,5 +1,7 @@
 //! `info`: what is in a file, and the command that would calibrate it.
 
+mod ours;
+
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -9,6 +11,7 @@ use calib::intervals::Detector;
 use calib::methods::{Choice, cut};
 use calib::readings::findings;
 use calib::recording::{Described, Stream, UnitBy};
+use ours::Ours;
 use sensor::Sensor;
 use serde_json::{Value, json};
 
@@ -37,6 +40,11 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<(), Failure> {
     let (mut documents, mut pages) = (Vec::new(), Vec::new());
     for path in &args.files {
+        if let Some(ours) = Ours::of(path) {
+            documents.push(ours.document(path));
+            pages.push(ours.page(path));
+            continue;
+        }
         let recording = read(path, &args.read)?;
         let facts = Facts::of(path, &recording);
         if args.json {
@@ -50,7 +58,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             &json!({"schema": "stillpoint.info/1", "files": documents}),
         )?);
     }
-    show::print(&pages.join("\n"))
+    show::print(&show::wrapped(&pages.join("\n")))
 }
 
 /// What is said of a file.
@@ -235,13 +243,13 @@ impl<'a> Facts<'a> {
         let mut table = show::table(&[
             "sensor",
             "unit",
-            "decided by",
+            "by",
             "samples",
-            "from s",
-            "duration s",
-            "rate Hz",
-            "jitter ms",
-            "gaps",
+            "from, s",
+            "lasts, s",
+            "Hz",
+            "jitter, ms",
+            "interruptions",
         ]);
         for sensor in &description.sensors {
             let Some(clock) = self.stream(sensor.sensor).and_then(Clock::of) else {
@@ -252,13 +260,13 @@ impl<'a> Facts<'a> {
                 sensor.unit.to_owned(),
                 decided(sensor.unit_by).to_owned(),
                 clock.samples.to_string(),
-                format!("{:.3}", clock.start),
-                format!("{:.3}", clock.duration),
+                format!("{:.2}", clock.start),
+                format!("{:.2}", clock.duration),
                 format!("{:.2}", clock.rate),
                 format!("{:.3}", 1e3 * clock.jitter),
                 match clock.gaps {
                     0 => "none".to_owned(),
-                    count => format!("{count}, longest {:.3} s", clock.longest_gap),
+                    count => format!("{count}, to {:.3} s", clock.longest_gap),
                 },
             ]);
         }

@@ -16,6 +16,7 @@ use sensor::AnyEffect;
 use crate::exit::{Failure, USAGE};
 use crate::read_args::ReadArgs;
 use crate::show;
+use crate::terminal;
 
 /// Recordings of one device, as files or as a pair of texts.
 #[derive(Debug, clap::Args)]
@@ -244,6 +245,9 @@ impl DeviceArgs {
 
 /// A sign of life on a terminal; nothing elsewhere.
 pub fn spinner(what: &str) -> ProgressBar {
+    if terminal::is_quiet() {
+        return ProgressBar::hidden();
+    }
     let bar = ProgressBar::new_spinner().with_message(what.to_owned());
     // Its thread is one that a limit of memory may not allow.
     if !bar.is_hidden() {

@@ -20,7 +20,7 @@ pub fn text(fit: &JointFit) -> String {
         let rms = (turns.iter().sum::<f64>() / turns.len() as f64).sqrt();
         let _ = writeln!(
             text,
-            "{} turns, gravity foretold to {:.3}° rms",
+            "{} turns, gravity predicted to {:.3}° rms",
             turns.len(),
             rms.to_degrees()
         );

@@ -12,17 +12,18 @@ mod effects;
 mod evaluate;
 mod export;
 pub mod figures;
+mod generate;
 mod import;
 mod info;
 mod inputs;
 mod joint;
 mod pictures;
 mod reckon;
-mod rests_plot;
 mod segment;
 mod simulate;
 mod six_position;
 
+pub use calibrate::tables;
 use clap::Subcommand;
 
 use crate::exit::Failure;
@@ -45,6 +46,8 @@ pub enum Command {
     Effects(effects::Args),
     Export(Box<export::Args>),
     Import(import::Args),
+    #[command(hide = true)]
+    Generate(generate::Args),
 }
 
 /// Runs a command.
@@ -65,5 +68,6 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Effects(args) => effects::run(&args),
         Command::Export(args) => export::run(&args),
         Command::Import(args) => import::run(&args),
+        Command::Generate(args) => generate::run(&args),
     }
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::exit::Failure;
 use crate::output::{Filled, Folder, Output, Replace};
-use crate::report::{Plot, Report, Theme};
+use crate::report::{Picture, Plot, Report};
 
 /// Options of commands that draw.
 #[derive(Clone, Debug, clap::Args)]
@@ -13,7 +13,7 @@ pub struct PictureArgs {
     /// Write a report with tables and plots here: one HTML file that needs no network
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
-    /// Write every plot into this folder, as SVG (NAME-dark.svg for dark pages) and as PNG
+    /// Write every plot into this folder, as SVG (for light and dark pages) and as PNG
     #[arg(long, value_name = "DIR")]
     plots: Option<PathBuf>,
 }
@@ -30,8 +30,8 @@ pub struct Pictures {
 /// The files of one plot.
 #[derive(Debug)]
 struct PlotFiles {
-    light: Output,
-    dark: Output,
+    name: String,
+    svg: Output,
     png: Output,
 }
 
@@ -52,8 +52,8 @@ impl PictureArgs {
             for name in names {
                 let file = |ending: &str| claim(&folder.join(format!("{name}{ending}")));
                 plots.push(PlotFiles {
-                    light: file(".svg")?,
-                    dark: file("-dark.svg")?,
+                    name: (*name).to_owned(),
+                    svg: file(".svg")?,
                     png: file(".png")?,
                 });
             }
@@ -72,17 +72,19 @@ impl Pictures {
         self.report.is_some() || !self.plots.is_empty()
     }
 
-    /// Writes the plots, in the order of the names claimed, and the report.
-    pub fn write(self, plots: &[Plot], report: &Report) -> Result<(), Failure> {
+    /// Writes the plots whose names were claimed, and the report.
+    pub fn write(self, plots: &[(String, Picture)], report: &Report) -> Result<(), Failure> {
         let mut filled = Vec::new();
         let mut fill = |output: Output, contents: &[u8]| {
             filled.push(output.fill(|out| out.write_all(contents))?);
             Ok::<(), Failure>(())
         };
-        for (files, plot) in self.plots.into_iter().zip(plots) {
-            fill(files.light, plot.svg(Theme::Light)?.as_bytes())?;
-            fill(files.dark, plot.svg(Theme::Dark)?.as_bytes())?;
-            fill(files.png, &plot.png()?)?;
+        for files in self.plots {
+            // A plot that there is nothing for leaves no file.
+            if let Some((_, plot)) = plots.iter().find(|(name, _)| *name == files.name) {
+                fill(files.svg, plot.svg().as_bytes())?;
+                fill(files.png, &plot.png()?)?;
+            }
         }
         if let Some(output) = self.report {
             fill(output, report.html()?.as_bytes())?;
@@ -90,4 +92,13 @@ impl Pictures {
         // Nothing is put in place before all of it is on the disk.
         filled.into_iter().try_for_each(Filled::publish)
     }
+}
+
+/// Plots with the names that were claimed for them, in order.
+pub fn named<'a>(
+    names: impl IntoIterator<Item = &'a str>,
+    plots: impl IntoIterator<Item = Plot>,
+) -> Vec<(String, Picture)> {
+    let names = names.into_iter().map(str::to_owned);
+    names.zip(plots.into_iter().map(Picture::from)).collect()
 }

@@ -9,13 +9,15 @@ use calib::methods::{Choice, cut};
 use calib::readings::findings;
 use serde_json::json;
 
-use super::inputs::{DetectorArgs, PlaceArgs, as_paths, read};
-use super::pictures::PictureArgs;
-use super::rests_plot::rests_plot;
+use super::inputs::{DetectorArgs, PlaceArgs, as_paths, read, spinner};
+use super::pictures::{PictureArgs, named};
 use crate::exit::Failure;
 use crate::output::{Output, Replace};
+use crate::pages::coverage::{self, Coverage};
+use crate::pages::session::Session;
+use crate::pages::{intervals_plot, provenance};
 use crate::read_args::ReadArgs;
-use crate::report::{Plot, Report, ReportTable};
+use crate::report::{Figure, Picture, Report, ReportTable};
 use crate::show;
 
 /// Shows when the device was still and when it turned.
@@ -64,27 +66,29 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     )?;
     args.replace.end_if_all_exist()?;
     let recording = read(&args.recording, &args.read)?.decimated();
-    for warning in &recording.warnings {
-        show::warn(warning);
-    }
+    let progress = spinner("finding static intervals");
     let choice = cut(&recording, &detector, choose, gravity)?;
-    for remark in remarks(&recording, &choice) {
-        show::warn(&remark);
-    }
+    progress.finish_and_clear();
+    let mut warnings = recording.warnings.clone();
+    warnings.extend(remarks(&recording, &choice));
+    show::warn_all(&warnings);
     let document = document(&recording, &choice);
     let json = show::json(&document)?;
     if let Some(output) = output {
         output.write(json.as_bytes())?;
     }
     if pictures.wanted() {
-        let plot = rests_plot(&recording, &choice.segmentation, ["m/s²", "rad/s"]);
-        let page = report(&recording, &choice, &plot)?;
-        pictures.write(&[plot], &page)?;
+        let segmentation = &choice.segmentation;
+        let keys = (1..=segmentation.statics.len()).map(|k| k.to_string());
+        let plot = intervals_plot(&recording, segmentation, ["m/s²", "rad/s"], keys.collect());
+        let plots = named(["rests"], [plot]);
+        let page = report(&recording, &choice, &plots[0].1, gravity)?;
+        pictures.write(&plots, &page)?;
     }
     show::print(&if args.json {
         json
     } else {
-        text(&recording, &choice)
+        show::wrapped(&text(&recording, &choice))
     })?;
     Ok(())
 }
@@ -152,15 +156,21 @@ fn document(recording: &Recording, choice: &Choice) -> serde_json::Value {
 }
 
 /// The page: the picture, the intervals, and how the multiplier was chosen.
-fn report(recording: &Recording, choice: &Choice, plot: &Plot) -> Result<Report, Failure> {
+fn report(
+    recording: &Recording,
+    choice: &Choice,
+    plot: &Picture,
+    gravity: f64,
+) -> Result<Report, Failure> {
     let segmentation = &choice.segmentation;
-    let mut intervals = ReportTable::new(["interval", "from, s", "to, s", "length, s", ""]);
+    let mut intervals = ReportTable::new(["interval", "from, s", "to, s", "length, s", "note"]);
     let row = |name: String, span: &Span, note: String| {
         let [from, to, length] = [span.from, span.to, span.length()].map(|v| format!("{v:.2}"));
         [name, from, to, length, note]
     };
     for (k, rest) in segmentation.statics.iter().enumerate() {
-        intervals.row(row(format!("rest {}", k + 1), &rest.span, String::new()));
+        let name = format!("static {}", k + 1);
+        intervals.keyed(&(k + 1).to_string(), row(name, &rest.span, String::new()));
         if let Some(turn) = segmentation.turns.get(k) {
             let note = turn
                 .fault
@@ -172,7 +182,7 @@ fn report(recording: &Recording, choice: &Choice, plot: &Plot) -> Result<Report,
     }
     let mut trials = ReportTable::new([
         "multiplier",
-        "rests",
+        "static intervals",
         "residual per degree of freedom, mm/s²",
     ]);
     for trial in &choice.trials {
@@ -185,13 +195,31 @@ fn report(recording: &Recording, choice: &Choice, plot: &Plot) -> Result<Report,
             residual,
         ]);
     }
+    let session = Session::of(std::iter::once((recording, segmentation)), None, gravity)?;
+    let coverage = Coverage::of(&session.directions());
+    let mut warnings = recording.warnings.clone();
+    warnings.extend(remarks(recording, choice));
+    let next: Vec<String> = coverage.advice().into_iter().collect();
+    let turns = segmentation
+        .turns
+        .iter()
+        .filter(|t| t.fault.is_none())
+        .count();
+    let count = format!("{} static intervals", segmentation.statics.len());
     Ok(Report::new(format!(
-        "Rests and turns of {}",
+        "Static intervals and turns of {}",
         show::name(&recording.name)
     ))
-    .warnings(&recording.warnings)
-    .section("Rests")
-    .plot(plot)?
+    .figures([
+        Figure::new("Found", count, format!("and {turns} turns between them")),
+        Figure::new("Directions covered", coverage.value(), coverage.note()),
+    ])
+    .next(&next)
+    .warnings(&show::folded(&warnings))
+    .provenance(provenance::of_recordings(std::slice::from_ref(recording)))
+    .section("Static intervals")
+    .plot(plot)
+    .plot(&coverage::picture(&session, &coverage))
     .table(intervals)
     .section("Threshold")
     .text(format!(
@@ -205,24 +233,23 @@ fn text(recording: &Recording, choice: &Choice) -> String {
     let segmentation = &choice.segmentation;
     let mut table = show::table(&[
         "interval",
-        "t0 s",
-        "t1 s",
-        "length s",
-        "mean a (m/s²)",
-        "std a",
-        "mean w (rad/s)",
-        "std w",
+        "from, s",
+        "to, s",
+        "mean a, m/s²",
+        "std",
+        "mean w, rad/s",
+        "std",
     ]);
     let triple = |v: &[f64], digits: usize| {
         v.iter()
-            .map(|x| format!("{x:>w$.digits$}", w = digits + 4))
+            .map(|x| format!("{x:>w$.digits$}", w = digits + 3))
             .collect::<Vec<_>>()
             .join(" ")
     };
     let cells = |m: &Option<Moments>, digits: usize| match m {
         Some(m) => [
             triple(m.mean.as_slice(), digits),
-            format!("{:.5}", m.std().norm()),
+            format!("{:.4}", m.std().norm()),
         ],
         None => ["no samples".into(), String::new()],
     };
@@ -231,17 +258,15 @@ fn text(recording: &Recording, choice: &Choice) -> String {
             format!("static {}", k + 1),
             format!("{:.2}", rest.span.from),
             format!("{:.2}", rest.span.to),
-            format!("{:.2}", rest.span.length()),
         ];
-        row.extend(cells(&rest.accelerometer, 4));
-        row.extend(cells(&rest.gyroscope, 5));
+        row.extend(cells(&rest.accelerometer, 2));
+        row.extend(cells(&rest.gyroscope, 3));
         table.add_row(row);
         if let Some(turn) = segmentation.turns.get(k) {
             table.add_row(vec![
                 format!("turn {}", k + 1),
                 format!("{:.2}", turn.span.from),
                 format!("{:.2}", turn.span.to),
-                format!("{:.2}", turn.span.length()),
                 turn.fault
                     .as_ref()
                     .map_or(String::new(), |fault| format!("not used: {fault}")),

@@ -85,7 +85,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         filled.publish()?;
     }
     progress.finish_and_clear();
-    show::print(&format!(
+    show::print(&show::wrapped(&format!(
         "{}: {:.0} s, {} placements, seed {}, effects: {}",
         show::path(folder),
         simulation.duration(),
@@ -96,7 +96,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         } else {
             truth.effects.join(", ")
         }
-    ))?;
+    )))?;
     Ok(())
 }
 

@@ -11,10 +11,12 @@ use calib::{Calibration, Recording};
 use nalgebra::Vector3;
 
 use super::calibrate::gate;
-use super::pictures::Pictures;
+use super::pictures::{Pictures, named};
 use crate::exit::Failure;
 use crate::output::Output;
-use crate::report::{Axis, Plot, Report, ReportTable, Series};
+use crate::pages::coverage::Coverage;
+use crate::pages::{calibration, parameters, provenance, verdict as judge};
+use crate::report::{Axis, Figure, Picture, Plot, Report, ReportTable, Series};
 use crate::show;
 
 /// What the options of `calibrate` say to this method.
@@ -39,7 +41,7 @@ pub struct Call<'a> {
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Names of the plots.
-pub const PLOTS: [&str; 1] = ["modulus"];
+pub const PLOTS: [&str; 2] = ["modulus", "parameters"];
 
 /// Runs the method.
 pub fn run(call: Call<'_>) -> Result<(), Failure> {
@@ -62,37 +64,41 @@ pub fn run(call: Call<'_>) -> Result<(), Failure> {
         output.write(json.as_bytes())?;
     }
     if call.pictures.wanted() {
-        let plot = plot(&solution);
-        let page = report(&solution, &labels, &calibration, &plot)?;
-        call.pictures.write(&[plot], &page)?;
+        let mut plots = named(PLOTS, [plot(&solution)]);
+        plots.push((PLOTS[1].into(), parameters::forest(&calibration)));
+        let page = report(&solution, &labels, &calibration, &plots)?;
+        call.pictures.write(&plots, &page)?;
     }
     show::print(&if call.json {
         json
     } else {
-        text(&solution, &labels)
+        show::wrapped(&text(&solution, &labels))
     })?;
     gate(&calibration)
 }
 
-/// What is left of gravity's modulus on each face.
+/// What is left of gravity's norm on each face.
 fn plot(solution: &SixPosition) -> Plot {
     let left = |correct: &dyn Fn(&Vector3<f64>) -> Vector3<f64>| {
         (0..6)
             .map(|k| {
                 let mean: Vector3<f64> = solution.means.column(k).into();
-                let modulus = correct(&mean).norm();
-                ((k + 1) as f64, 1e3 * (modulus - solution.gravity))
+                let norm = correct(&mean).norm();
+                ((k + 1) as f64, 1e3 * (norm - solution.gravity))
             })
             .collect::<Vec<_>>()
     };
+    let faces = ["x down", "x up", "y down", "y up", "z down", "z up"];
     let plot = Plot::new(
-        "What is left of gravity's modulus on each face",
-        Axis::linear("face: x down, x up, y down, y up, z down, z up"),
-        Axis::linear("modulus less gravity, mm/s²"),
+        "What is left of gravity's norm on each face",
+        Axis::categories("face", faces.map(str::to_owned).to_vec()),
+        Axis::linear("raw: norm less gravity, mm/s²"),
     )
     .with(Series::dots("raw", 6, left(&|mean| *mean)));
     match solution.base() {
-        Some(base) => plot.with(Series::dots("six positions", 0, left(&|m| base.correct(m)))),
+        Some(base) => plot
+            .panel(Axis::linear("calibrated: norm less gravity, mm/s²"))
+            .with(Series::dots("six positions", 0, left(&|m| base.correct(m)))),
         None => plot,
     }
 }
@@ -101,23 +107,43 @@ fn report(
     solution: &SixPosition,
     labels: &[String; 6],
     calibration: &Calibration,
-    plot: &Plot,
+    plots: &[(String, Picture)],
 ) -> Result<Report, Failure> {
-    let failed = calibration.failed_gates.iter();
-    let mut notes: Vec<String> = failed.map(|gate| format!("Do not use: {gate}")).collect();
-    notes.extend(calibration.warnings.iter().cloned());
     let table = |(header, rows): ([&str; 5], Vec<[String; 5]>)| {
         let mut table = ReportTable::new(header);
         rows.into_iter().for_each(|row| table.row(row));
         table
     };
+    let directions = solution.means.column_iter().map(|c| {
+        let mean: Vector3<f64> = c.into();
+        (mean / mean.norm()).into()
+    });
+    let coverage = Coverage::of(&directions.collect::<Vec<_>>());
+    let judged = judge::judged(calibration, None, None);
+    let residual = format!("{:.1} mm/s²", 1e3 * solution.residual_rms);
+    let tilt = format!(
+        "placements tilted by about {:.2}°",
+        solution.tilt().to_degrees()
+    );
+    let mut figures = vec![Figure::new("Residual, calibrated", residual, tilt)];
+    figures.extend(parameters::weakest(calibration));
+    figures.push(Figure::new(
+        "Directions covered",
+        coverage.value(),
+        coverage.note(),
+    ));
     let mut report = Report::new("Calibration by six positions")
-        .warnings(&notes)
+        .verdict(judged.level, &judged.sentence)
+        .figures(figures)
+        .next(&judged.next)
+        .warnings(&calibration::notes(calibration))
+        .provenance(provenance::rows(calibration))
         .section("Accelerometer")
         .text(format!("Gravity {} m/s².", solution.gravity))
         .table(table(matrix(solution)))
         .text(misfit(solution))
-        .plot(plot)?
+        .plot(&plots[0].1)
+        .plot(&plots[1].1)
         .section("Placements")
         .table(table(faces(solution, labels)));
     if let Some(part) = &solution.gyroscope {
@@ -126,7 +152,7 @@ fn report(
             .table(table(rates(part)))
             .text(verdict(part));
     }
-    Ok(report)
+    calibration::exports(report, calibration)
 }
 
 /// A table of the result.

@@ -1,10 +1,10 @@
 //! An axis: its label with a unit, its scale, its ticks.
 
 /// Ticks wanted on a linear axis.
-const TICKS: f64 = 9.0;
+const TICKS: f64 = 5.0;
 
 /// Decades above which only some are labelled.
-const LABELLED_DECADES: i32 = 9;
+const LABELLED_DECADES: i32 = 6;
 
 /// An axis of a plot.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +14,8 @@ pub struct Axis {
     logarithmic: bool,
     /// Words at 1, 2, … instead of numbers; none for numbers.
     names: Vec<String>,
+    /// The ends where they are given.
+    ends: Option<(f64, f64)>,
 }
 
 /// An axis with its ends and ticks, in coordinates that are linear on paper.
@@ -34,6 +36,7 @@ impl Axis {
             label: label.into(),
             logarithmic: false,
             names: Vec::new(),
+            ends: None,
         }
     }
 
@@ -45,12 +48,30 @@ impl Axis {
         }
     }
 
+    /// With given ends, whatever is drawn.
+    #[must_use]
+    pub fn from_to(mut self, from: f64, to: f64) -> Self {
+        self.ends = Some((from, to));
+        self
+    }
+
+    /// Number of places with words; 0 of an axis of numbers.
+    pub(super) fn named(&self) -> usize {
+        self.names.len()
+    }
+
+    /// Whether it is logarithmic.
+    pub(super) fn is_log(&self) -> bool {
+        self.logarithmic
+    }
+
     /// A logarithmic axis; values that are not positive have no place on it.
     pub fn log(label: impl Into<String>) -> Self {
         Self {
             label: label.into(),
             logarithmic: true,
             names: Vec::new(),
+            ends: None,
         }
     }
 
@@ -66,7 +87,9 @@ impl Axis {
 
     /// Ends and ticks that hold all `values`.
     pub(super) fn scale(&self, values: impl Iterator<Item = f64>) -> Scale {
-        let (low, high) = values
+        let given = self.ends.iter().flat_map(|&(from, to)| [from, to]);
+        let (low, high) = given
+            .chain(values)
             .filter_map(|value| self.place(value))
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
                 (l.min(v), h.max(v))
@@ -206,8 +229,8 @@ mod tests {
     #[test]
     fn linear_ticks_are_round_and_inside() {
         let scale = Axis::linear("m").scale([-1.3, 5.2].into_iter());
-        assert_eq!(scale.ticks, [-1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0]);
-        assert_eq!(scale.text(-1.0), "−1");
+        assert_eq!(scale.ticks, [0.0, 2.0, 4.0]);
+        assert_eq!(scale.text(-2.0), "−2");
         assert_eq!(scale.text(-0.0), "0");
     }
 
@@ -223,7 +246,7 @@ mod tests {
     #[test]
     fn decades_are_labelled_by_their_powers() {
         let scale = Axis::log("s").scale([2e-5, 300.0].into_iter());
-        assert_eq!(scale.ticks, [-4.0, -3.0, -2.0, -1.0, 0.0, 1.0, 2.0]);
+        assert_eq!(scale.ticks, [-4.0, -2.0, 0.0, 2.0]);
         assert_eq!(scale.text(-4.0), "10⁻⁴");
         assert_eq!(scale.text(2.0), "100");
     }

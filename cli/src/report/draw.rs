@@ -1,276 +1,302 @@
-//! Plots drawn by `plotters`, with an embedded font: the same picture on every machine.
+//! Plots as SVG: panels with their y label above them, the legend above all, nothing on the data.
 
-use std::ops::Range;
-use std::sync::OnceLock;
-
-use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, ValueFormatter};
-use plotters::prelude::*;
-use plotters::style::{FontStyle, register_font};
+use std::fmt::Write as _;
 
 use super::axis::Scale;
-use super::plot::{Mark, Plot, Series};
-use super::theme::Theme;
-use crate::exit::{BUG, Failure};
+use super::plot::{Mark, Panel, Plot, Series};
+use super::svg::{Svg, WIDTH, escaped, fitted, num, text_width};
+use super::theme::SERIES;
 
-/// Size of a picture, in dots of the SVG.
-const SIZE: (u32, u32) = (760, 460);
+/// Dots between the numbers of the y axis and its line, and at the right.
+const PAD: f64 = 6.0;
+const RIGHT: f64 = 12.0;
+/// Height of a panel that is alone, of one of several, of a line of words.
+const ALONE: f64 = 210.0;
+const STACKED: f64 = 130.0;
+const LINE: f64 = 18.0;
+/// Radius of a dot, and of one of very many.
+const DOT: f64 = 3.0;
+const SMALL: f64 = 2.0;
+const MANY: usize = 150;
 
-/// Dots of a PNG per dot of the SVG.
-const PNG_SCALE: u32 = 2;
-
-/// The part of a side that a legend may take.
-const LEGEND_SHARE: f64 = 0.27;
-
-/// Width of a level stroke, in dots of the SVG.
-const STROKE: u32 = 5;
-
-/// How a series looks in the legend.
-#[derive(Clone, Copy, PartialEq)]
-enum Legend {
-    Line,
-    Dashed,
-    Dot,
-    Thick,
+/// Where values lie in a panel.
+struct Frame<'a> {
+    plot: &'a Plot,
+    panel: &'a Panel,
+    x: &'a Scale,
+    y: Scale,
+    left: f64,
+    top: f64,
+    width: f64,
+    height: f64,
 }
-
-impl Legend {
-    fn of(mark: &Mark) -> Self {
-        match mark {
-            Mark::Line { dashed: false, .. } | Mark::Strokes { thick: false, .. } => Self::Line,
-            Mark::Line { dashed: true, .. } => Self::Dashed,
-            Mark::Bars(_) => Self::Dot,
-            Mark::Strokes { thick: true, .. } => Self::Thick,
-        }
-    }
-}
-
-/// The name under which the font is known to plotters; a browser finds its own sans-serif by it.
-const FONT: &str = "sans-serif";
 
 impl Plot {
-    /// The picture as an SVG document.
-    ///
-    /// # Errors
-    /// What the drawing library refuses (a bug of ours).
-    pub fn svg(&self, theme: Theme) -> Result<String, Failure> {
-        let mut text = String::new();
-        let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
-        draw(self, theme, 1, &area).map_err(bug)?;
-        drop(area);
-        Ok(text)
-    }
-
-    /// The picture as a PNG file, on white, at twice the size.
-    ///
-    /// # Errors
-    /// What the drawing library refuses (a bug of ours).
-    pub fn png(&self) -> Result<Vec<u8>, Failure> {
-        let (width, height) = (PNG_SCALE * SIZE.0, PNG_SCALE * SIZE.1);
-        let mut pixels = vec![0; 3 * (width * height) as usize];
-        let area = BitMapBackend::with_buffer(&mut pixels, (width, height)).into_drawing_area();
-        draw(self, Theme::Light, PNG_SCALE as i32, &area).map_err(bug)?;
-        drop(area);
-        let mut file = Vec::new();
-        let mut encoder = png::Encoder::new(&mut file, width, height);
-        encoder.set_color(png::ColorType::Rgb);
-        encoder.set_depth(png::BitDepth::Eight);
-        let written = encoder
-            .write_header()
-            .and_then(|mut w| w.write_image_data(&pixels));
-        written.map_err(bug)?;
-        Ok(file)
-    }
-}
-
-fn bug(error: impl std::fmt::Display) -> Failure {
-    Failure::new(BUG, format!("a plot could not be drawn: {error}"))
-}
-
-/// Makes the font known, once.
-fn font() -> Result<(), String> {
-    static REGISTERED: OnceLock<bool> = OnceLock::new();
-    let load = || register_font(FONT, FontStyle::Normal, dejavu::sans::regular()).is_ok();
-    if *REGISTERED.get_or_init(load) {
-        Ok(())
-    } else {
-        Err("the embedded font is unreadable".into())
-    }
-}
-
-/// The corner with the fewest points, for the legend.
-fn emptiest_corner(plot: &Plot, x: &Scale, y: &Scale) -> SeriesLabelPosition {
-    let share = |scale: &Scale, place: f64| (place - scale.from) / (scale.to - scale.from);
-    let places: Vec<(f64, f64)> = plot
-        .series
-        .iter()
-        .flat_map(Series::extent)
-        .filter_map(|(px, py)| Some((share(x, plot.x.place(px)?), share(y, plot.y.place(py)?))))
-        .collect();
-    let in_corner = |right: bool, upper: bool| {
-        let near = |share: f64, far_end: bool| {
-            if far_end {
-                share > 1.0 - LEGEND_SHARE
-            } else {
-                share < LEGEND_SHARE
-            }
-        };
-        places
+    /// The drawing.
+    pub(super) fn drawing(&self) -> Svg {
+        let mut svg = Svg::default();
+        let everything = self.panels.iter().flat_map(|panel| &panel.series);
+        let xs: Vec<f64> = everything.flat_map(Series::extent).map(|p| p.0).collect();
+        let x = self.x.scale(xs.into_iter());
+        let ys: Vec<Scale> = self.panels.iter().map(y_scale).collect();
+        let widest = ys
             .iter()
-            .filter(|(px, py)| near(*px, right) && near(*py, upper))
-            .count()
-    };
-    [
-        (SeriesLabelPosition::UpperRight, in_corner(true, true)),
-        (SeriesLabelPosition::UpperLeft, in_corner(false, true)),
-        (SeriesLabelPosition::LowerRight, in_corner(true, false)),
-        (SeriesLabelPosition::LowerLeft, in_corner(false, false)),
-    ]
-    .into_iter()
-    .min_by_key(|(_, points)| *points)
-    .map_or(SeriesLabelPosition::UpperRight, |(corner, _)| corner)
+            .flat_map(|y| y.ticks.iter().map(|tick| text_width(&y.text(*tick))));
+        let left = widest.fold(24.0, f64::max).min(0.4 * WIDTH) + PAD + 2.0;
+        legend(&mut svg, self);
+        for (panel, y) in self.panels.iter().zip(ys) {
+            let height = match (self.panels.len(), panel.y.named()) {
+                (_, names) if names > 0 => 24.0 * names as f64,
+                (1, _) => ALONE,
+                _ => STACKED,
+            };
+            svg.height += LINE;
+            let label = fitted(&panel.y.label, WIDTH - 8.0);
+            svg.text((4.0, svg.height - 5.0), "start", "soft", &label);
+            let frame = Frame {
+                plot: self,
+                panel,
+                x: &x,
+                y,
+                left,
+                top: svg.height,
+                width: WIDTH - left - RIGHT,
+                height,
+            };
+            frame.draw(&mut svg);
+            svg.height += height + 6.0;
+        }
+        let last = Frame {
+            plot: self,
+            panel: &self.panels[self.panels.len() - 1],
+            x: &x,
+            y: x.clone(),
+            left,
+            top: 0.0,
+            width: WIDTH - left - RIGHT,
+            height: 0.0,
+        };
+        last.x_numbers(&mut svg);
+        svg
+    }
 }
 
-impl Ranged for Scale {
-    type FormatOption = NoDefaultFormatting;
-    type ValueType = f64;
+fn y_scale(panel: &Panel) -> Scale {
+    let all = panel.series.iter().flat_map(Series::extent);
+    panel.y.scale(all.map(|p| p.1))
+}
 
-    fn map(&self, place: &f64, (first, last): (i32, i32)) -> i32 {
-        let share = (place - self.from) / (self.to - self.from);
-        first + (share * f64::from(last - first)).round() as i32
+/// Every name once, in lines.
+fn legend(svg: &mut Svg, plot: &Plot) {
+    let mut named: Vec<&Series> = Vec::new();
+    for series in plot.panels.iter().flat_map(|panel| &panel.series) {
+        let same = |other: &&Series| other.name == series.name && other.colour == series.colour;
+        if !series.name.is_empty() && !named.iter().any(same) {
+            named.push(series);
+        }
+    }
+    if named.len() < 2 {
+        return;
+    }
+    let mut x = 4.0;
+    svg.height += LINE;
+    for series in named {
+        let name = fitted(&series.name, WIDTH - 60.0);
+        let width = 30.0 + text_width(&name) + 12.0;
+        if x + width > WIDTH && x > 4.0 {
+            (x, svg.height) = (4.0, svg.height + LINE);
+        }
+        let middle = svg.height - 9.0;
+        svg.open(&format!("class=\"c{}\"", series.colour % SERIES));
+        let stroke = [[(x, middle), (x + 22.0, middle)]];
+        match &series.mark {
+            Mark::Line { dashed: true, .. } => svg.strokes("dash", &stroke),
+            Mark::Line { .. } | Mark::Strokes { thick: false, .. } => svg.strokes("line", &stroke),
+            Mark::Strokes { .. } => svg.strokes("thick", &stroke),
+            Mark::Bars(_) => svg.circle((x + 14.0, middle), DOT, "class=\"dot\""),
+            Mark::Band { .. } => {
+                let (x, y) = (num(x), num(middle - 5.0));
+                svg.raw(&format!(
+                    "<rect class=\"band\" x=\"{x}\" y=\"{y}\" width=\"22\" height=\"10\"/>"
+                ));
+            }
+        }
+        svg.close();
+        svg.text((x + 28.0, middle + 4.0), "start", "", &name);
+        x += width;
+    }
+    svg.height += 2.0;
+}
+
+impl Frame<'_> {
+    fn at_x(&self, place: f64) -> f64 {
+        self.left + self.width * (place - self.x.from) / (self.x.to - self.x.from)
     }
 
-    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
-        if hint.weight().allow_light_points() {
-            self.fine_ticks.clone()
-        } else {
-            self.ticks.clone()
+    fn at_y(&self, place: f64) -> f64 {
+        self.top + self.height * (self.y.to - place) / (self.y.to - self.y.from)
+    }
+
+    /// Where a value lies in dots.
+    fn place(&self, (x, y): (f64, f64)) -> Option<(f64, f64)> {
+        let (x, y) = (self.plot.x.place(x)?, self.panel.y.place(y)?);
+        Some((self.at_x(x), self.at_y(y)))
+    }
+
+    fn draw(&self, svg: &mut Svg) {
+        let mut attributes = String::from("class=\"panel\"");
+        let ends = |axis: &super::axis::Axis, scale: &Scale| {
+            let log = u8::from(axis.is_log());
+            format!("{} {} {log} {}", scale.from, scale.to, axis.named())
+        };
+        let _ = write!(
+            attributes,
+            " data-x=\"{}\" data-y=\"{}\" data-b=\"{} {} {} {}\" data-n=\"{}\"",
+            ends(&self.plot.x, self.x),
+            ends(&self.panel.y, &self.y),
+            num(self.left),
+            num(self.top),
+            num(self.width),
+            num(self.height),
+            escaped(&format!("{}|{}", self.plot.x.label, self.panel.y.label)),
+        );
+        svg.open(&attributes);
+        self.grid(svg);
+        svg.open("class=\"data\"");
+        for series in &self.panel.series {
+            self.series(svg, series);
+        }
+        svg.close();
+        svg.close();
+    }
+
+    fn grid(&self, svg: &mut Svg) {
+        let (right, bottom) = (self.left + self.width, self.top + self.height);
+        let ys = self.y.ticks.iter().map(|tick| self.at_y(*tick));
+        let level: Vec<_> = ys.map(|y| [(self.left, y), (right, y)]).collect();
+        svg.strokes("grid", &level);
+        svg.open("class=\"xg\"");
+        let xs = self.x.ticks.iter().map(|tick| self.at_x(*tick));
+        let upright: Vec<_> = xs.map(|x| [(x, self.top), (x, bottom)]).collect();
+        svg.strokes("grid", &upright);
+        svg.close();
+        if let (false, Some(zero)) = (self.panel.y.is_log(), self.panel.y.place(0.0))
+            && zero > self.y.from
+            && zero < self.y.to
+            && self.panel.y.named() == 0
+        {
+            let y = self.at_y(zero);
+            svg.strokes("zero", &[[(self.left, y), (right, y)]]);
+        }
+        svg.path(
+            "axis",
+            &[(self.left, self.top), (self.left, bottom), (right, bottom)],
+        );
+        for tick in &self.y.ticks {
+            let name = fitted(&self.y.text(*tick), 0.4 * WIDTH);
+            svg.text((self.left - PAD, self.at_y(*tick) + 4.0), "end", "", &name);
         }
     }
 
-    fn range(&self) -> Range<f64> {
-        self.from..self.to
-    }
-}
-
-impl ValueFormatter<f64> for Scale {
-    fn format(tick: &f64) -> String {
-        tick.to_string()
-    }
-
-    fn format_ext(&self, tick: &f64) -> String {
-        self.text(*tick)
-    }
-}
-
-fn draw<B: DrawingBackend>(
-    plot: &Plot,
-    theme: Theme,
-    scale: i32,
-    area: &DrawingArea<B, plotters::coord::Shift>,
-) -> Result<(), String> {
-    font()?;
-    let text = |size: i32| (FONT, size * scale).into_font().color(&theme.ink());
-    let words = |e: DrawingAreaErrorKind<B::ErrorType>| e.to_string();
-    let points = || plot.series.iter().flat_map(Series::extent);
-    let x = plot.x.scale(points().map(|(x, _)| x));
-    let y = plot.y.scale(points().map(|(_, y)| y));
-    area.fill(&theme.background()).map_err(words)?;
-    let mut chart = ChartBuilder::on(area)
-        .caption(&plot.title, text(19))
-        .margin(14 * scale)
-        .x_label_area_size(50 * scale)
-        .y_label_area_size(74 * scale)
-        .build_cartesian_2d(x.clone(), y.clone())
-        .map_err(words)?;
-    chart
-        .configure_mesh()
-        .bold_line_style(theme.grid().stroke_width(scale as u32))
-        .light_line_style(theme.fine_grid().stroke_width(scale as u32))
-        .axis_style(theme.ink().stroke_width(scale as u32))
-        .x_desc(&plot.x.label)
-        .y_desc(&plot.y.label)
-        .axis_desc_style(text(16))
-        .label_style(text(14))
-        .draw()
-        .map_err(words)?;
-    for series in &plot.series {
-        let colour = theme.series(series.colour);
-        let stroke = colour.stroke_width(2 * scale as u32);
-        let thick = colour.stroke_width(STROKE * scale as u32);
-        let place = |(px, py): (f64, f64)| Some((plot.x.place(px)?, plot.y.place(py)?));
-        let drawn = match &series.mark {
+    fn series(&self, svg: &mut Svg, series: &Series) {
+        let name = escaped(&series.name);
+        svg.open(&format!(
+            "class=\"c{}\" data-s=\"{name}\"",
+            series.colour % SERIES
+        ));
+        match &series.mark {
             Mark::Line { points, dashed } => {
-                let line: Vec<_> = points.iter().filter_map(|&p| place(p)).collect();
-                if *dashed {
-                    chart.draw_series(DashedLineSeries::new(line, 7 * scale, 4 * scale, stroke))
-                } else {
-                    chart.draw_series(LineSeries::new(line, stroke))
+                let line: Vec<_> = points.iter().filter_map(|&p| self.place(p)).collect();
+                svg.path(if *dashed { "dash" } else { "line" }, &line);
+            }
+            Mark::Bars(points) => self.bars(svg, points, &series.keys),
+            Mark::Strokes { strokes, thick } => self.strokes(svg, strokes, *thick, &series.keys),
+            Mark::Band { low, high } => {
+                let place = |v: f64| self.panel.y.place(v).map(|v| self.at_y(v));
+                if let (Some(bottom), Some(top)) = (place(*low), place(*high)) {
+                    svg.raw(&format!(
+                        "<rect class=\"band\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>",
+                        num(self.left),
+                        num(top),
+                        num(self.width),
+                        num(bottom - top)
+                    ));
                 }
             }
-            Mark::Bars(points) => {
-                let floor = y.from;
-                let bars = points.iter().filter_map(|&(px, _, low, high)| {
-                    let (bx, top) = place((px, high))?;
-                    let bottom = plot.y.place(low).unwrap_or(floor);
-                    (bottom < top).then(|| PathElement::new(vec![(bx, bottom), (bx, top)], stroke))
-                });
-                chart.draw_series(bars).map_err(words)?;
-                let dots = points
-                    .iter()
-                    .filter_map(|&(px, py, ..)| place((px, py)))
-                    .map(|at| Circle::new(at, 3 * scale, colour.filled()));
-                chart.draw_series(dots)
+        }
+        svg.close();
+    }
+
+    fn bars(&self, svg: &mut Svg, points: &[(f64, f64, f64, f64)], keys: &[String]) {
+        let floor = self.top + self.height;
+        let bars = points.iter().filter_map(|&(x, _, low, high)| {
+            let (bx, top) = self.place((x, high))?;
+            let bottom = self.place((x, low)).map_or(floor, |p| p.1);
+            (bottom > top).then_some([(bx, bottom), (bx, top)])
+        });
+        let bars: Vec<_> = bars.collect();
+        svg.strokes("thin", &bars);
+        let radius = if points.len() > MANY { SMALL } else { DOT };
+        for (k, &(x, y, ..)) in points.iter().enumerate() {
+            if let Some(at) = self.place((x, y)) {
+                let key = keys.get(k).map(|key| format!(" data-k=\"{key}\""));
+                svg.circle(
+                    at,
+                    radius,
+                    &format!("class=\"dot\"{}", key.unwrap_or_default()),
+                );
             }
-            Mark::Strokes { strokes, thick: t } => {
-                let style = if *t { thick } else { stroke };
-                let strokes = strokes.iter().filter_map(|&[from, to]| {
-                    Some(PathElement::new(vec![place(from)?, place(to)?], style))
-                });
-                chart.draw_series(strokes)
-            }
-        };
-        let drawn = drawn.map_err(words)?;
-        if !series.name.is_empty() {
-            let (kind, length) = (Legend::of(&series.mark), 22 * scale);
-            drawn.label(&series.name).legend(move |(x, y)| {
-                let dash = |from: i32, to: i32| {
-                    let style = if kind == Legend::Thick { thick } else { stroke };
-                    PathElement::new(vec![(x + from, y), (x + to, y)], style)
-                };
-                let (first, second) = match kind {
-                    Legend::Dot => (dash(0, 0), dash(0, 0)),
-                    Legend::Dashed => (dash(0, 9 * scale), dash(13 * scale, length)),
-                    Legend::Line | Legend::Thick => (dash(0, length), dash(0, 0)),
-                };
-                // A circle of no size is a dot still: it hides in the stroke.
-                let (middle, radius) = match kind {
-                    Legend::Dot => (length / 2, 3 * scale),
-                    _ => (scale, 0),
-                };
-                EmptyElement::at((0, 0))
-                    + first
-                    + second
-                    + Circle::new((x + middle, y), radius, colour.filled())
-            });
         }
     }
-    if plot
-        .series
-        .iter()
-        .filter(|series| !series.name.is_empty())
-        .count()
-        > 1
-    {
-        chart
-            .configure_series_labels()
-            .position(emptiest_corner(plot, &x, &y))
-            .legend_area_size(30 * scale)
-            .margin(8 * scale)
-            .label_font(text(14))
-            .background_style(theme.background().mix(0.85))
-            .border_style(theme.grid())
-            .draw()
-            .map_err(words)?;
+
+    fn strokes(&self, svg: &mut Svg, strokes: &[[(f64, f64); 2]], thick: bool, keys: &[String]) {
+        let class = if thick { "thick" } else { "thin" };
+        let placed = |&[from, to]: &[(f64, f64); 2]| Some([self.place(from)?, self.place(to)?]);
+        if keys.is_empty() {
+            let all: Vec<_> = strokes.iter().filter_map(placed).collect();
+            return svg.strokes(class, &all);
+        }
+        for (stroke, key) in strokes.iter().zip(keys) {
+            if let Some([(x0, y0), (x1, y1)]) = placed(stroke) {
+                svg.raw(&format!(
+                    "<path class=\"{class}\" data-k=\"{key}\" d=\"M{} {}L{} {}\"/>",
+                    num(x0),
+                    num(y0),
+                    num(x1),
+                    num(y1)
+                ));
+            }
+        }
     }
-    area.present().map_err(words)
+
+    /// The numbers and the label under the last panel.
+    fn x_numbers(&self, svg: &mut Svg) {
+        let y = svg.height + 9.0;
+        svg.open("class=\"xn\"");
+        let texts: Vec<(f64, String)> = self
+            .x
+            .ticks
+            .iter()
+            .map(|tick| (self.at_x(*tick), self.x.text(*tick)))
+            .collect();
+        let mut free = 0.0;
+        for (x, text) in texts {
+            let half = 0.5 * text_width(&text);
+            let x = x.min(WIDTH - half - 1.0);
+            if x - half >= free {
+                svg.text((x, y), "middle", "", &text);
+                free = x + half + 6.0;
+            }
+        }
+        svg.close();
+        let label = fitted(&self.plot.x.label, WIDTH - 8.0);
+        if !label.is_empty() {
+            let half = 0.5 * text_width(&label);
+            let middle = self.left + 0.5 * self.width;
+            let x = middle.clamp(half.min(0.5 * WIDTH), (WIDTH - half).max(0.5 * WIDTH));
+            svg.text((x, y + 17.0), "middle", "soft", &label);
+            svg.height += 17.0;
+        }
+        svg.height += 15.0;
+    }
 }

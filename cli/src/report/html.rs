@@ -1,27 +1,100 @@
-//! One self-contained HTML page.
+//! One self-contained HTML page: verdict and next step first, everything else below.
 
 use askama::Template;
+use base64::Engine as _;
+use base64::prelude::BASE64_STANDARD;
+use sha2::{Digest, Sha256};
 
-use super::plot::Plot;
-use super::theme::Theme;
+use super::picture::Picture;
+use super::theme;
 use crate::exit::{BUG, Failure};
 use crate::show;
 
-/// A report: a title, warnings, and sections of text, tables and plots.
+/// The one script of every page: it adds what a pointer can do, and the page says all without it.
+const SCRIPT: &str = include_str!("../../templates/report.js");
+/// The style of a page, beside that of its plots.
+const STYLE: &str = include_str!("../../templates/report.css");
+
+/// A report: verdict, next steps, warnings, and sections of text, tables and pictures.
 ///
-/// Everything given to it is plain text and is escaped; the page runs no script and loads nothing.
+/// Everything given to it is plain text and is escaped. The page loads nothing and runs one fixed script, whose hash
+/// stands in its content security policy.
 #[derive(Debug, Template)]
 #[template(path = "report.html")]
 pub struct Report {
     title: String,
     by: &'static str,
+    verdict: Option<(Level, String)>,
+    figures: Vec<Figure>,
+    next: Vec<String>,
+    limits: Vec<Limit>,
     warnings: Vec<String>,
     sections: Vec<Section>,
+    provenance: Vec<[String; 2]>,
+    exports: Vec<[String; 2]>,
+}
+
+/// How good it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// Nothing speaks against it.
+    Good,
+    /// To be used with the warnings in mind.
+    Care,
+    /// Not to be used.
+    Bad,
+}
+
+impl Level {
+    fn class(self) -> &'static str {
+        match self {
+            Self::Good => "good",
+            Self::Care => "care",
+            Self::Bad => "bad",
+        }
+    }
+
+    fn words(self) -> &'static str {
+        match self {
+            Self::Good => "✓ Good",
+            Self::Care => "! With care",
+            Self::Bad => "✗ Not to be used",
+        }
+    }
+}
+
+/// One of the figures under the verdict.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figure {
+    label: String,
+    value: String,
+    note: String,
+}
+
+impl Figure {
+    /// What it is, how much, and what to think of it.
+    pub fn new(label: &str, value: impl Into<String>, note: impl Into<String>) -> Self {
+        Self {
+            label: safe(label),
+            value: safe(value.into()),
+            note: safe(note.into()),
+        }
+    }
+}
+
+/// A limit that was asked for, and whether it holds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limit {
+    /// Whether it holds.
+    pub passed: bool,
+    /// What was asked and what was found.
+    pub words: String,
 }
 
 #[derive(Debug)]
 struct Section {
     heading: String,
+    folded: bool,
     blocks: Vec<Block>,
 }
 
@@ -29,22 +102,21 @@ struct Section {
 enum Block {
     Text(String),
     Table(ReportTable),
-    Plot(Drawn),
+    Figures(Vec<Drawn>),
 }
 
-/// Both versions of a picture, drawn by us: no text in it is markup.
+/// A picture drawn by us: no text in it is markup.
 #[derive(Debug)]
 struct Drawn {
     title: String,
-    light: String,
-    dark: String,
+    svg: String,
 }
 
 /// A table of plain text; the first column is aligned left, the others right.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ReportTable {
     header: Vec<String>,
-    rows: Vec<Vec<String>>,
+    rows: Vec<(Option<String>, Vec<String>)>,
 }
 
 impl ReportTable {
@@ -59,7 +131,15 @@ impl ReportTable {
     /// Appends a row.
     pub fn row<S: Into<String>>(&mut self, cells: impl IntoIterator<Item = S>) {
         let safe = cells.into_iter().map(|cell| safe(cell.into()));
-        self.rows.push(safe.collect());
+        self.rows.push((None, safe.collect()));
+    }
+
+    /// Appends the row of an interval, which points of that key in pictures show.
+    pub fn keyed<S: Into<String>>(&mut self, key: &str, cells: impl IntoIterator<Item = S>) {
+        self.row(cells);
+        if let Some(row) = self.rows.last_mut() {
+            row.0 = Some(safe(key));
+        }
     }
 }
 
@@ -69,16 +149,71 @@ impl Report {
         Self {
             title: safe(title.into()),
             by: concat!("stillpoint ", env!("CARGO_PKG_VERSION")),
+            verdict: None,
+            figures: Vec::new(),
+            next: Vec::new(),
+            limits: Vec::new(),
             warnings: Vec::new(),
             sections: Vec::new(),
+            provenance: Vec::new(),
+            exports: Vec::new(),
         }
     }
 
-    /// With warnings at the top.
+    /// With the verdict in one sentence, first of all.
+    #[must_use]
+    pub fn verdict(mut self, level: Level, sentence: impl AsRef<str>) -> Self {
+        self.verdict = Some((level, safe(show::shortened(sentence.as_ref()))));
+        self
+    }
+
+    /// With the figures under the verdict.
+    #[must_use]
+    pub fn figures(mut self, figures: impl IntoIterator<Item = Figure>) -> Self {
+        self.figures.extend(figures);
+        self
+    }
+
+    /// With what to do next, a sentence each, the most telling first.
+    #[must_use]
+    pub fn next(mut self, sentences: &[String]) -> Self {
+        let safe = sentences.iter().map(|s| safe(show::shortened(s)));
+        self.next.extend(safe);
+        self
+    }
+
+    /// With the limits that were asked for, above the figures.
+    #[must_use]
+    #[expect(dead_code, reason = "the seam for `--limits`")]
+    pub fn limits(mut self, limits: impl IntoIterator<Item = Limit>) -> Self {
+        let safe = limits.into_iter().map(|limit| Limit {
+            words: safe(limit.words),
+            ..limit
+        });
+        self.limits.extend(safe);
+        self
+    }
+
+    /// With warnings, folded under what to do next.
     #[must_use]
     pub fn warnings(mut self, warnings: &[String]) -> Self {
         let safe = warnings.iter().map(|w| safe(show::shortened(w)));
         self.warnings.extend(safe);
+        self
+    }
+
+    /// With where it comes from: what, and which.
+    #[must_use]
+    pub fn provenance(mut self, rows: impl IntoIterator<Item = [String; 2]>) -> Self {
+        let safe = rows.into_iter().map(|row| row.map(safe));
+        self.provenance.extend(safe);
+        self
+    }
+
+    /// With a text to be copied: its name and itself.
+    #[must_use]
+    pub fn export(mut self, name: &str, text: impl Into<String>) -> Self {
+        self.exports.push([safe(name), safe(text.into())]);
         self
     }
 
@@ -87,8 +222,19 @@ impl Report {
     pub fn section(mut self, heading: impl Into<String>) -> Self {
         self.sections.push(Section {
             heading: safe(heading.into()),
+            folded: false,
             blocks: Vec::new(),
         });
+        self
+    }
+
+    /// Opens a section that is folded up on a screen and open on paper.
+    #[must_use]
+    pub fn folded(mut self, heading: impl Into<String>) -> Self {
+        self = self.section(heading);
+        if let Some(section) = self.sections.last_mut() {
+            section.folded = true;
+        }
         self
     }
 
@@ -104,17 +250,19 @@ impl Report {
         self.block(Block::Table(table))
     }
 
-    /// With a plot.
-    ///
-    /// # Errors
-    /// What the drawing library refuses (a bug of ours).
-    pub fn plot(self, plot: &Plot) -> Result<Self, Failure> {
+    /// With a picture, beside the one before it where the page is wide.
+    #[must_use]
+    pub fn plot(mut self, picture: &Picture) -> Self {
         let drawn = Drawn {
-            title: plot.title.clone(),
-            light: plot.svg(Theme::Light)?,
-            dark: plot.svg(Theme::Dark)?,
+            title: safe(picture.title()),
+            svg: picture.element(),
         };
-        Ok(self.block(Block::Plot(drawn)))
+        let last = self.sections.last_mut().and_then(|s| s.blocks.last_mut());
+        if let Some(Block::Figures(figures)) = last {
+            figures.push(drawn);
+            return self;
+        }
+        self.block(Block::Figures(vec![drawn]))
     }
 
     /// The page.
@@ -124,6 +272,25 @@ impl Report {
     pub fn html(&self) -> Result<String, Failure> {
         self.render()
             .map_err(|e| Failure::new(BUG, format!("the report could not be made: {e}")))
+    }
+
+    /// The style, exactly as it stands in the page.
+    fn style(&self) -> String {
+        theme::of_page() + STYLE
+    }
+
+    /// The script, exactly as it stands in the page.
+    fn script(&self) -> &'static str {
+        SCRIPT
+    }
+
+    /// What the page may do: nothing but its own style and script.
+    fn policy(&self) -> String {
+        format!(
+            "default-src 'none'; style-src '{}'; script-src '{}'; base-uri 'none'; form-action 'none'",
+            hash(&self.style()),
+            hash(self.script())
+        )
     }
 
     fn block(mut self, block: Block) -> Self {
@@ -137,6 +304,11 @@ impl Report {
     }
 }
 
+/// The source expression of an inline text (Content Security Policy Level 3, section 2.3.1).
+fn hash(text: &str) -> String {
+    format!("sha256-{}", BASE64_STANDARD.encode(Sha256::digest(text)))
+}
+
 /// The text without characters that would turn the direction of writing or end a line.
 fn safe<'a>(text: impl Into<std::borrow::Cow<'a, str>>) -> String {
     show::printable(&text.into()).into_owned()
@@ -144,56 +316,52 @@ fn safe<'a>(text: impl Into<std::borrow::Cow<'a, str>>) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Axis, Series};
+    use super::super::{Axis, Plot, Series};
     use super::*;
 
     const NASTY: &str = "<img src=x onerror=alert(1)></script>&\"'";
 
     fn page() -> String {
         let mut table = ReportTable::new([NASTY, "value"]);
-        table.row([NASTY, "1"]);
+        table.keyed(NASTY, [NASTY, "1"]);
         let plot = Plot::new(NASTY, Axis::log(NASTY), Axis::linear(NASTY))
             .with(Series::line(NASTY, 0, vec![(1.0, 1.0), (10.0, 2.0)]))
             .with(Series::dashed("b", 1, vec![(1.0, 2.0), (10.0, 2.0)]));
         let report = Report::new(NASTY)
+            .verdict(Level::Care, NASTY)
+            .figures([Figure::new(NASTY, NASTY, NASTY)])
+            .next(&[NASTY.into()])
             .warnings(&[NASTY.into()])
+            .provenance([[NASTY.into(), NASTY.into()]])
+            .export(NASTY, NASTY)
             .section(NASTY)
             .text(NASTY);
-        report.table(table).plot(&plot).unwrap().html().unwrap()
+        let report = report.table(table).plot(&plot.into());
+        report.html().unwrap()
     }
 
     #[test]
     fn nothing_a_user_supplies_becomes_markup() {
         let page = page();
-        assert!(
-            !page.contains("<img") && !page.contains("</script"),
-            "{page}"
-        );
+        assert!(!page.contains("<img"), "{page}");
+        assert_eq!(page.matches("</script").count(), 1);
         assert!(page.contains("&lt;img") || page.contains("&#60;img"));
     }
 
     #[test]
-    fn the_page_loads_nothing_and_forbids_scripts() {
+    fn the_page_loads_nothing_and_its_policy_lets_one_script_and_one_style_run() {
         let page = page();
-        assert!(page.contains("Content-Security-Policy\" content=\"default-src 'none'"));
-        // The only addresses are the name spaces of SVG.
-        let addresses = page.matches("http://").count() + page.matches("https://").count();
-        assert_eq!(
-            addresses,
-            page.matches("http://www.w3.org/2000/svg").count()
-        );
-        assert!(!page.contains("<script") && !page.contains("<link"));
-    }
-
-    #[test]
-    fn a_png_has_its_signature_and_size() {
-        let plot = Plot::new("t", Axis::log("x, s"), Axis::log("y, m")).with(Series::bars(
-            "a",
-            0,
-            vec![(1.0, 1.0, 0.0, 2.0), (0.0, 1.0, 1.0, 1.0)],
-        ));
-        let file = plot.png().unwrap();
-        assert_eq!(&file[..8], b"\x89PNG\r\n\x1a\n");
-        assert_eq!(file[16..24], [0, 0, 5, 240, 0, 0, 3, 152]);
+        assert!(page.contains("Content-Security-Policy\" content=\"default-src 'none'; style-src"));
+        assert!(!page.contains("unsafe") && !page.contains("://"));
+        let inside = |tag: &str| {
+            let (open, close) = (format!("<{tag}>"), format!("</{tag}>"));
+            assert_eq!(page.matches(&open).count(), 1, "{tag}");
+            let from = page.find(&open).unwrap() + open.len();
+            &page[from..from + page[from..].find(&close).unwrap()]
+        };
+        for tag in ["style", "script"] {
+            assert!(page.contains(&hash(inside(tag))), "{tag}");
+        }
+        assert!(!page.contains(" style=") && !page.contains("<link"));
     }
 }

@@ -2,17 +2,29 @@
 //! network.
 //!
 //! ```text
-//! Plot (axes with units, series) ──► svg(theme) · png()
-//! Report (sections of text, tables, plots) ──► html(): light and dark, wide and narrow
+//! Plot (panels of series) · Forest · Matrix · Sphere ──► Picture ──► svg() · png()
+//! Report (verdict, figures, next steps, sections)    ──► html(): light and dark, wide, narrow, paper
 //! ```
+//!
+//! Every picture is drawn once, 420 dots wide with letters of 12: a phone shows it at about that size, a wide page two
+//! side by side. Colours are variables of the style, so that one drawing serves light, dark and paper.
 
 mod axis;
 mod draw;
+mod forest;
 mod html;
+mod matrix;
+mod picture;
 mod plot;
+mod sphere;
+mod svg;
 mod theme;
 
 pub use axis::Axis;
-pub use html::{Report, ReportTable};
+pub use forest::{Group, Row};
+#[expect(unused_imports, reason = "the seam for `--limits`")]
+pub use html::Limit;
+pub use html::{Figure, Level, Report, ReportTable};
+pub use picture::Picture;
 pub use plot::{Plot, Series};
-pub use theme::Theme;
+pub use sphere::{Placed, Sphere};

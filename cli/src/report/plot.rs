@@ -3,17 +3,23 @@
 use super::axis::Axis;
 use crate::show;
 
-/// More points than this in a line are thinned: the page is a thousand dots wide.
-const DENSEST: usize = 1500;
+/// More points than this in a line are thinned: a picture is some four hundred dots wide.
+const DENSEST: usize = 400;
 
-/// A plot of series over one pair of axes.
+/// Panels of series, one above the other, over one x axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plot {
     /// Above the plot.
     pub title: String,
     pub(super) x: Axis,
-    pub(super) y: Axis,
-    pub(super) series: Vec<Series>,
+    pub(super) panels: Vec<Panel>,
+}
+
+/// Series over one y axis.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Panel {
+    pub y: Axis,
+    pub series: Vec<Series>,
 }
 
 /// Points with a name and a way to be drawn.
@@ -23,6 +29,8 @@ pub struct Series {
     pub(super) name: String,
     pub(super) colour: usize,
     pub(super) mark: Mark,
+    /// The interval that each point belongs to; empty where they belong to none.
+    pub(super) keys: Vec<String>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -39,40 +47,49 @@ pub(super) enum Mark {
         strokes: Vec<[(f64, f64); 2]>,
         thick: bool,
     },
+    /// The area between `low` and `high` over the whole width.
+    Band { low: f64, high: f64 },
 }
 
 impl Series {
-    /// A line; `colour` counts through the palette.
-    pub fn line(name: impl Into<String>, colour: usize, points: Vec<(f64, f64)>) -> Self {
+    fn new(name: impl Into<String>, colour: usize, mark: Mark) -> Self {
         Self {
             name: show::printable(&name.into()).into_owned(),
             colour,
-            mark: Mark::Line {
-                points: thin(points),
+            mark,
+            keys: Vec::new(),
+        }
+    }
+
+    /// A line; `colour` counts through the palette.
+    pub fn line(name: impl Into<String>, colour: usize, points: Vec<(f64, f64)>) -> Self {
+        let points = thin(points);
+        Self::new(
+            name,
+            colour,
+            Mark::Line {
+                points,
                 dashed: false,
             },
-        }
+        )
     }
 
     /// A broken line, for what is computed rather than measured.
     pub fn dashed(name: impl Into<String>, colour: usize, points: Vec<(f64, f64)>) -> Self {
-        Self {
-            name: show::printable(&name.into()).into_owned(),
+        let points = thin(points);
+        Self::new(
+            name,
             colour,
-            mark: Mark::Line {
-                points: thin(points),
+            Mark::Line {
+                points,
                 dashed: true,
             },
-        }
+        )
     }
 
     /// Dots with intervals `(x, y, low, high)`.
     pub fn bars(name: impl Into<String>, colour: usize, points: Vec<(f64, f64, f64, f64)>) -> Self {
-        Self {
-            name: show::printable(&name.into()).into_owned(),
-            colour,
-            mark: Mark::Bars(points),
-        }
+        Self::new(name, colour, Mark::Bars(points))
     }
 
     /// Dots at `(x, y)`.
@@ -84,21 +101,51 @@ impl Series {
     /// Level strokes `(x0, x1, y)`, thick, for stretches of time.
     pub fn stretches(name: impl Into<String>, colour: usize, all: Vec<(f64, f64, f64)>) -> Self {
         let strokes = all.into_iter().map(|(from, to, y)| [(from, y), (to, y)]);
-        Self::strokes(name.into(), colour, strokes.collect(), true)
+        let strokes = strokes.collect();
+        Self::new(
+            name,
+            colour,
+            Mark::Strokes {
+                strokes,
+                thick: true,
+            },
+        )
+    }
+
+    /// Level strokes `(x0, x1, y)`, thin.
+    pub fn levels(name: impl Into<String>, colour: usize, all: Vec<(f64, f64, f64)>) -> Self {
+        let mut series = Self::stretches(name, colour, all);
+        if let Mark::Strokes { thick, .. } = &mut series.mark {
+            *thick = false;
+        }
+        series
     }
 
     /// Upright strokes `(x, low, high)`, for the range of many samples.
     pub fn ranges(name: impl Into<String>, colour: usize, all: Vec<(f64, f64, f64)>) -> Self {
         let strokes = all.into_iter().map(|(x, low, high)| [(x, low), (x, high)]);
-        Self::strokes(name.into(), colour, strokes.collect(), false)
-    }
-
-    fn strokes(name: String, colour: usize, strokes: Vec<[(f64, f64); 2]>, thick: bool) -> Self {
-        Self {
+        let strokes = strokes.collect();
+        Self::new(
             name,
             colour,
-            mark: Mark::Strokes { strokes, thick },
-        }
+            Mark::Strokes {
+                strokes,
+                thick: false,
+            },
+        )
+    }
+
+    /// The area between two values.
+    pub fn band(name: impl Into<String>, colour: usize, low: f64, high: f64) -> Self {
+        Self::new(name, colour, Mark::Band { low, high })
+    }
+
+    /// With the interval that each point belongs to, in order: the same key is the same interval in every plot and in
+    /// the table of intervals.
+    #[must_use]
+    pub fn of(mut self, keys: Vec<String>) -> Self {
+        self.keys = keys;
+        self
     }
 
     /// All `(x, y)` that must be in the picture.
@@ -110,38 +157,96 @@ impl Series {
                 .flat_map(|&(x, y, low, high)| [(x, y), (x, low), (x, high)])
                 .collect(),
             Mark::Strokes { strokes, .. } => strokes.concat(),
+            Mark::Band { low, high } => vec![(f64::NAN, *low), (f64::NAN, *high)],
         }
     }
 }
 
 impl Plot {
-    /// An empty plot.
+    /// An empty plot of one panel.
     pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
+        let series = Vec::new();
         Self {
             title: show::printable(&title.into()).into_owned(),
             x,
-            y,
-            series: Vec::new(),
+            panels: vec![Panel { y, series }],
         }
     }
 
-    /// With one more series.
+    /// With one more series in the last panel.
     #[must_use]
     pub fn with(mut self, series: Series) -> Self {
-        self.series.push(series);
+        if let Some(panel) = self.panels.last_mut() {
+            panel.series.push(series);
+        }
         self
+    }
+
+    /// With one more panel below, over the same x axis.
+    #[must_use]
+    pub fn panel(mut self, y: Axis) -> Self {
+        let series = Vec::new();
+        self.panels.push(Panel { y, series });
+        self
+    }
+
+    /// With another axis for its last panel.
+    #[must_use]
+    pub fn labelled(mut self, y: Axis) -> Self {
+        if let Some(panel) = self.panels.last_mut() {
+            panel.y = y;
+        }
+        self
+    }
+
+    /// Whether there is nothing in any panel.
+    pub fn is_empty(&self) -> bool {
+        let mut all = self.panels.iter().flat_map(|panel| &panel.series);
+        all.all(|series| series.extent().iter().all(|(x, _)| !x.is_finite()))
     }
 }
 
-/// Every `k`-th point, and the last.
+/// The smallest and the largest of every stretch of points, so that no short excursion is lost.
 fn thin(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
-    let every = points.len().div_ceil(DENSEST).max(1);
-    let last = points.len().saturating_sub(1);
-    let kept = |k: usize| k.is_multiple_of(every) || k == last;
-    points
-        .into_iter()
-        .enumerate()
-        .filter(|(k, _)| kept(*k))
-        .map(|(_, point)| point)
-        .collect()
+    if points.len() <= DENSEST {
+        return points;
+    }
+    let length = points.len().div_ceil(DENSEST / 2).max(1);
+    let ends = |stretch: &[(f64, f64)]| {
+        let least = stretch
+            .iter()
+            .enumerate()
+            .min_by(|a, b| a.1.1.total_cmp(&b.1.1));
+        let most = stretch
+            .iter()
+            .enumerate()
+            .max_by(|a, b| a.1.1.total_cmp(&b.1.1));
+        let mut both: Vec<(usize, (f64, f64))> = least
+            .into_iter()
+            .chain(most)
+            .map(|(k, p)| (k, *p))
+            .collect();
+        both.sort_by_key(|(k, _)| *k);
+        both.dedup_by_key(|(k, _)| *k);
+        both.into_iter().map(|(_, p)| p).collect::<Vec<_>>()
+    };
+    let mut thinned: Vec<(f64, f64)> = points.chunks(length).flat_map(ends).collect();
+    if let Some(last) = points.last().filter(|last| thinned.last() != Some(last)) {
+        thinned.push(*last);
+    }
+    thinned
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_excursion_among_many_points_stays() {
+        let mut points: Vec<(f64, f64)> = (0..100_000).map(|k| (f64::from(k), 0.0)).collect();
+        points[54_321].1 = 7.0;
+        let thinned = thin(points);
+        assert!(thinned.len() <= DENSEST + 1);
+        assert!(thinned.contains(&(54_321.0, 7.0)) && thinned.ends_with(&[(99_999.0, 0.0)]));
+    }
 }

@@ -1,66 +1,98 @@
-//! Colours of plots on light and on dark pages.
+//! Colours of plots on light and on dark pages, as style sheets.
 
-use plotters::style::RGBColor;
+/// Rules that pages, pictures and the PNG share; colours are variables.
+const RULES: &str = include_str!("../../templates/plot.css");
 
-/// The page that a plot is drawn for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Theme {
-    /// Dark ink on white.
-    Light,
-    /// Light ink on near black.
-    Dark,
-}
-
-/// Distinguishable with every kind of colour vision (Okabe and Ito, Color universal design, 2008);
-/// black, which comes first there, is the ink here.
-const SERIES: [RGBColor; 7] = [
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(230, 159, 0),
-    RGBColor(86, 180, 233),
-    RGBColor(128, 128, 128),
+/// Name of a variable, on light pages, on dark pages. The series are distinguishable with every kind of colour vision
+/// (Okabe and Ito, Color universal design, 2008), darkened where they were too pale on white.
+const COLOURS: [(&str, &str, &str); 12] = [
+    ("--ink", "#202124", "#e6e8ec"),
+    ("--soft", "#555b64", "#a9b0ba"),
+    ("--page", "#ffffff", "#16181c"),
+    ("--line", "#c9cdd4", "#4a5059"),
+    ("--band", "#f1f3f6", "#23272e"),
+    ("--s0", "#0072b2", "#56b4e9"),
+    ("--s1", "#c45500", "#ff9147"),
+    ("--s2", "#00805f", "#2bc49a"),
+    ("--s3", "#a64d84", "#e59ac6"),
+    ("--s4", "#946400", "#f0b429"),
+    ("--s5", "#4a56c8", "#9aa5ff"),
+    ("--s6", "#737880", "#8f959e"),
 ];
 
-/// The dark blue is lost on black: its lighter sister takes its place there.
-const FIRST_ON_DARK: RGBColor = RGBColor(86, 180, 233);
-const SIXTH_ON_DARK: RGBColor = RGBColor(100, 143, 255);
+/// Number of colours for series; the last is the grey of what is not calibrated.
+pub(super) const SERIES: usize = 7;
 
-impl Theme {
-    pub(super) fn background(self) -> RGBColor {
-        match self {
-            Self::Light => RGBColor(255, 255, 255),
-            Self::Dark => RGBColor(22, 24, 28),
+/// The style of a page's plots: variables for light, dark and paper, and the rules.
+pub(super) fn of_page() -> String {
+    let [light, dark] = [variables(|c| c.1), variables(|c| c.2)];
+    format!(
+        ":root{{{light}}}@media(prefers-color-scheme:dark){{:root{{{dark}}}}}@media print{{:root{{{light}}}}}{RULES}"
+    )
+}
+
+/// The style of a picture of its own.
+pub(super) fn of_picture() -> String {
+    let [light, dark] = [variables(|c| c.1), variables(|c| c.2)];
+    format!("svg{{{light}}}@media(prefers-color-scheme:dark){{svg{{{dark}}}}}{RULES}")
+}
+
+/// The rules with colours for white paper in them, for a renderer without variables.
+pub(super) fn of_paper() -> String {
+    COLOURS
+        .iter()
+        .fold(RULES.to_owned(), |css, (name, light, _)| {
+            css.replace(&format!("var({name})"), light)
+        })
+}
+
+fn variables(of: fn(&(&'static str, &'static str, &'static str)) -> &'static str) -> String {
+    let all = COLOURS.iter().map(|c| format!("{}:{};", c.0, of(c)));
+    all.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Relative luminance (WCAG 2.2, definition).
+    fn luminance(colour: &str) -> f64 {
+        let part = |k: usize| {
+            let byte = u8::from_str_radix(&colour[k..k + 2], 16).unwrap();
+            let c = f64::from(byte) / 255.0;
+            if c <= 0.04045 {
+                c / 12.92
+            } else {
+                ((c + 0.055) / 1.055).powf(2.4)
+            }
+        };
+        0.2126 * part(1) + 0.7152 * part(3) + 0.0722 * part(5)
+    }
+
+    fn contrast(one: &str, other: &str) -> f64 {
+        let (a, b) = (luminance(one), luminance(other));
+        (a.max(b) + 0.05) / (a.min(b) + 0.05)
+    }
+
+    #[test]
+    fn words_and_marks_stand_out_on_either_page() {
+        let page = COLOURS[2];
+        for (name, light, dark) in COLOURS {
+            // WCAG 2.2: 4.5 for text (1.4.3), 3 for graphics (1.4.11).
+            let asked = match name {
+                "--ink" | "--soft" => 4.5,
+                _ if name.starts_with("--s") => 3.0,
+                _ => continue,
+            };
+            for (colour, page) in [(light, page.1), (dark, page.2)] {
+                let found = contrast(colour, page);
+                assert!(found >= asked, "{name} {colour}: {found:.2}");
+            }
         }
     }
 
-    pub(super) fn ink(self) -> RGBColor {
-        match self {
-            Self::Light => RGBColor(32, 33, 36),
-            Self::Dark => RGBColor(226, 228, 233),
-        }
-    }
-
-    pub(super) fn grid(self) -> RGBColor {
-        match self {
-            Self::Light => RGBColor(208, 211, 217),
-            Self::Dark => RGBColor(66, 71, 80),
-        }
-    }
-
-    pub(super) fn fine_grid(self) -> RGBColor {
-        match self {
-            Self::Light => RGBColor(237, 239, 242),
-            Self::Dark => RGBColor(36, 39, 45),
-        }
-    }
-
-    pub(super) fn series(self, k: usize) -> RGBColor {
-        match (self, k % SERIES.len()) {
-            (Self::Dark, 0) => FIRST_ON_DARK,
-            (Self::Dark, 5) => SIXTH_ON_DARK,
-            (_, k) => SERIES[k],
-        }
+    #[test]
+    fn the_paper_has_no_variable_left() {
+        assert!(!of_paper().contains("var("));
     }
 }

@@ -4,15 +4,16 @@ use calib::calibration::Calibration;
 use calib::methods::online_bias::Stretch;
 
 use super::updates;
-use crate::exit::Failure;
-use crate::report::{Axis, Plot, Report, ReportTable, Series};
+use crate::pages::provenance;
+use crate::report::{Axis, Picture, Plot, Report, ReportTable, Series};
+use crate::show;
 
-/// The corrected rate in every long rest, 95 % intervals: where the old bias holds it is zero.
+/// The corrected rate in every long static interval, 95 % intervals: where the old bias holds it is zero.
 pub fn plot(stretches: &[Stretch]) -> Plot {
     let axes = ["x", "y", "z"].into_iter().enumerate();
     let empty = Plot::new(
-        "What the old bias leaves in the rests",
-        Axis::linear("middle of the rest, s"),
+        "What the old bias leaves in the static intervals",
+        Axis::linear("middle of the static interval, s"),
         Axis::linear("corrected rate, rad/s"),
     );
     axes.fold(empty, |plot, (k, axis)| {
@@ -26,22 +27,25 @@ pub fn plot(stretches: &[Stretch]) -> Plot {
 }
 
 /// Warnings, the biases before and now, the picture.
-pub fn page(
-    name: &str,
-    warnings: &[String],
-    new: &Calibration,
-    plot: Option<&Plot>,
-) -> Result<Report, Failure> {
-    let mut table = ReportTable::new(["bias", "before", "now", "change", "std error", "rests"]);
+pub fn page(name: &str, warnings: &[String], new: &Calibration, plot: Option<&Picture>) -> Report {
+    let mut table = ReportTable::new([
+        "bias",
+        "before",
+        "now",
+        "change",
+        "std error",
+        "static intervals",
+    ]);
     for row in updates(new) {
         table.row(row);
     }
     let page = Report::new(format!("Biases from {name}"))
-        .warnings(warnings)
+        .warnings(&show::folded(warnings))
+        .provenance(provenance::rows(new))
         .section("Biases")
         .table(table);
     match plot {
         Some(plot) => page.section("Rates at rest").plot(plot),
-        None => Ok(page),
+        None => page,
     }
 }

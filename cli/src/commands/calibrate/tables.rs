@@ -81,7 +81,7 @@ pub fn text(outcome: &Outcome) -> String {
         if let Some(fit) = &outcome.gyroscope {
             let _ = writeln!(
                 text,
-                "{} turns, gravity foretold to {:.3}° rms (raw {:.3}°){}, condition {:.1}, rank {}",
+                "{} turns, gravity predicted to {:.3}° rms (raw {:.3}°){}, condition {:.1}, rank {}",
                 fit.chords.len(),
                 fit.rms().to_degrees(),
                 fit.rms_before().to_degrees(),

@@ -23,7 +23,7 @@ use super::calibrate::gate;
 use super::inputs::{
     ClockArg, DetectorArgs, PlaceArgs, RecordingArgs, as_paths, own_effects, read, spinner,
 };
-use super::pictures::PictureArgs;
+use super::pictures::{PictureArgs, named};
 use crate::exit::{Failure, USAGE};
 use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;
@@ -133,17 +133,12 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let recordings = args.recordings.read(&args.read)?;
     let validation = args.validation.as_ref();
     let validation = validation.map(|path| read(path, &args.read)).transpose()?;
-    for recording in recordings.iter().chain(&validation) {
-        recording.warnings.iter().for_each(|w| show::warn(w));
-    }
+    let read = recordings.iter().chain(&validation);
+    show::warn_all(&read.flat_map(|r| r.warnings.clone()).collect::<Vec<_>>());
     held_out::refuse_same_data(validation.as_ref(), &recordings)?;
     let discovery = look(&recordings, validation.as_ref(), &request)?;
     let findings = &discovery.findings;
-    findings
-        .calibration
-        .warnings
-        .iter()
-        .for_each(|w| show::warn(w));
+    show::warn_all(&findings.calibration.warnings);
     let json = json(findings)?;
     if let Some(output) = output {
         output.write(json.as_bytes())?;
@@ -152,10 +147,14 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         emit.write(findings)?;
     }
     if pictures.wanted() {
-        let plots = plots(&discovery);
-        pictures.write(&plots, &page(&discovery, &plots)?)?;
+        let plots = named(PLOTS, plots(&discovery));
+        pictures.write(&plots, &page(&discovery, &recordings, &request, &plots)?)?;
     }
-    show::print(&if args.json { json } else { text(&discovery) })?;
+    show::print(&if args.json {
+        json
+    } else {
+        show::wrapped(&text(&discovery))
+    })?;
     gate(&findings.calibration)
 }
 

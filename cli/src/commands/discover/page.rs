@@ -1,25 +1,57 @@
 //! The report of a discovery.
 
-use calib::discover::{Discovery, Findings};
+use calib::Recording;
+use calib::discover::{Discovery, Findings, Request, Verdict};
+use calib::methods::cut;
 
 use super::super::calibrate::tables::{PARAMETERS, parameters};
 use super::tables::{self, Rows};
 use super::words::{next_recordings, proposed, verdict};
 use crate::exit::Failure;
-use crate::report::{Plot, Report, ReportTable};
+use crate::pages::coverage::{self, Coverage};
+use crate::pages::session::Session;
+use crate::pages::{calibration as pages, parameters as pictured, provenance};
+use crate::report::{Figure, Level, Picture, Report, ReportTable};
+use crate::show;
 
 /// The page: verdict, gap, every named effect with its residuals, the ranking, what could not be told, what to
 /// record next, faults, the calibration.
-pub fn page(discovery: &Discovery, plots: &[Plot]) -> Result<Report, Failure> {
+pub fn page(
+    discovery: &Discovery,
+    recordings: &[Recording],
+    request: &Request,
+    plots: &[(String, Picture)],
+) -> Result<Report, Failure> {
     let findings = &discovery.findings;
     let calibration = &findings.calibration;
-    let failed = calibration.failed_gates.iter();
-    let gates: Vec<String> = failed.map(|gate| format!("Do not use: {gate}")).collect();
+    let choices: Vec<_> = recordings
+        .iter()
+        .map(|r| {
+            cut(
+                r,
+                &request.detector,
+                request.choose_multiplier,
+                calibration.gravity,
+            )
+            .ok()
+        })
+        .collect();
+    let pairs = recordings.iter().zip(&choices);
+    let pairs = pairs.filter_map(|(r, choice)| Some((r, &choice.as_ref()?.segmentation)));
+    let session = Session::of(pairs, Some(calibration), calibration.gravity)?;
+    let coverage = pages::covered(&session);
     let mut report = Report::new("What is missing")
-        .section("Verdict")
-        .text(verdict(findings));
-    if let Some(gap) = plots.first() {
-        report = report.plot(gap)?;
+        .verdict(level(findings), verdict(findings))
+        .figures(figures(findings, coverage.as_ref()))
+        .next(&next(findings))
+        .warnings(&pages::notes(calibration))
+        .provenance(provenance::rows(calibration))
+        .section("The gap");
+    if let Some((_, gap)) = plots.first() {
+        report = report.plot(gap);
+    }
+    if let Some(coverage) = &coverage {
+        report = report.plot(&coverage::picture(&session, coverage));
     }
     report = filled(report, tables::gaps(findings));
     report = tables::validated(findings)
@@ -28,7 +60,7 @@ pub fn page(discovery: &Discovery, plots: &[Plot]) -> Result<Report, Failure> {
     if !findings.effects.is_empty() || !findings.validation.is_empty() {
         report = report.text(GAP);
     }
-    report = named(report, discovery, plots)?;
+    report = named(report, discovery, plots);
     report = section(report, "Faults of the recording", tables::faults(findings));
     report = unexplained(report, findings);
     report = section(
@@ -45,29 +77,99 @@ pub fn page(discovery: &Discovery, plots: &[Plot]) -> Result<Report, Failure> {
         "What could not be told apart",
         tables::ties(findings),
     );
-    report = lines(report, "What to record next", next_recordings(findings));
     report = lines(
         report,
         "What cannot be seen here",
         tables::not_seen(findings),
     );
-    report = lines(
-        report,
-        "Notes on the recordings",
-        calibration.warnings.clone(),
-    );
-    Ok(calibrated(report, discovery).warnings(&gates))
+    report = calibrated(report, discovery);
+    report = report
+        .section("Parameters")
+        .plot(&pictured::forest(calibration));
+    if let Some(correlation) = pictured::correlation(calibration) {
+        report = report.plot(&correlation);
+    }
+    pages::exports(report, calibration)
+}
+
+/// What is named is in the calibration; what is unexplained or at fault in the recording is not.
+fn level(findings: &Findings) -> Level {
+    if !findings.calibration.failed_gates.is_empty() {
+        return Level::Bad;
+    }
+    match findings.verdict {
+        Verdict::Nothing => Level::Good,
+        _ => Level::Care,
+    }
+}
+
+/// Gap before and after, weakest parameter, coverage.
+fn figures(findings: &Findings, coverage: Option<&Coverage>) -> Vec<Figure> {
+    let gap = match findings.effects.first() {
+        Some(effect) => {
+            let [before, after] = super::words::gaps(effect.gap_before, effect.gap_after);
+            let note = format!(
+                "{} with {}; 1 is explained to the noise",
+                effect.channel.words(),
+                effect.name
+            );
+            Figure::new("Gap, before → after", format!("{before} → {after}"), note)
+        }
+        None => {
+            let worst = findings
+                .disagreement
+                .iter()
+                .map(|d| d.size)
+                .fold(1.0, f64::max);
+            Figure::new(
+                "Largest gap",
+                format!("{worst:.2}"),
+                "1 is explained to the noise",
+            )
+        }
+    };
+    let mut all = vec![gap];
+    all.extend(pictured::weakest(&findings.calibration));
+    all.extend(coverage.map(|c| Figure::new("Directions covered", c.value(), c.note())));
+    all
+}
+
+/// What to do next: use what was named, mend what is at fault, then the recordings that would tell more.
+fn next(findings: &Findings) -> Vec<String> {
+    let mut all = Vec::new();
+    if !findings.integrity.is_empty() {
+        all.push("Look at the faults of the recording below: leave those intervals out with --sections, or record again.".into());
+    }
+    if !findings.effects.is_empty() {
+        let names: Vec<String> = findings
+            .effects
+            .iter()
+            .map(|e| show::name(&e.name))
+            .collect();
+        all.push(format!(
+            "Use the calibration with {} in it: write the findings with -o findings.json, then stillpoint apply findings.json \
+             RECORDING -o corrected.csv",
+            names.join(", ")
+        ));
+    }
+    all.extend(next_recordings(findings));
+    if all.is_empty() {
+        all.push(
+            "Calibrate with the base models: stillpoint calibrate RECORDING -o cal.json".into(),
+        );
+    }
+    all
 }
 
 const GAP: &str = "A gap is the root of chi² per degree of freedom of one kind of comparison: 1 is explained to the noise that \
-                   was measured in the recording. “Left out” are blocks of intervals that the fit did not see, foretold \
+                   was measured in the recording. “Left out” are blocks of intervals that the fit did not see, predicted \
                    by the others.";
 
 const RANKING: &str = "Each effect on its own against the base models, the random walk of the biases estimated under each. The \
                        chance is that of so much by any test of the catalogue where nothing is missing.";
 
 /// Every named effect: equation, parameters, evidence, residuals.
-fn named(mut report: Report, discovery: &Discovery, plots: &[Plot]) -> Result<Report, Failure> {
+fn named(mut report: Report, discovery: &Discovery, plots: &[(String, Picture)]) -> Report {
     let findings = &discovery.findings;
     let (header, evidence) = tables::evidence(findings);
     let held = &discovery.search.last.extension.effects;
@@ -79,11 +181,12 @@ fn named(mut report: Report, discovery: &Discovery, plots: &[Plot]) -> Result<Re
         report = filled(report, (PARAMETERS, tables::parameters(effect)));
         report = filled(report, (header, vec![row]));
         let own = format!("{}:", effect.name);
-        for plot in plots.iter().filter(|plot| plot.title.starts_with(&own)) {
-            report = report.plot(plot)?;
+        let plots = plots.iter().map(|(_, plot)| plot);
+        for plot in plots.filter(|plot| plot.title().starts_with(&own)) {
+            report = report.plot(plot);
         }
     }
-    Ok(report)
+    report
 }
 
 fn unexplained(report: Report, findings: &Findings) -> Report {
@@ -142,7 +245,7 @@ fn section<const N: usize>(report: Report, heading: &str, rows: Rows<N>) -> Repo
     if rows.1.is_empty() {
         return report;
     }
-    filled(report.section(heading), rows)
+    filled(report.folded(heading), rows)
 }
 
 /// With a table, where it has rows.

@@ -33,9 +33,8 @@ const GREY: usize = 6;
 /// A gap above this wants a logarithmic axis.
 const WIDE: f64 = 6.0;
 
-/// Letters that fit under the axis, of one effect and of several.
+/// Letters of a place beside the axis.
 const LETTERS: usize = 18;
-const FEW: usize = 8;
 
 /// The plots: the gap, then for every named effect its residuals; none where nothing is named.
 pub fn plots(discovery: &Discovery) -> Vec<Plot> {
@@ -53,35 +52,28 @@ pub fn plots(discovery: &Discovery) -> Vec<Plot> {
 /// The gap before and after everywhere it was measured.
 fn gap(findings: &Findings) -> Plot {
     let several = findings.effects.len() > 1;
-    let (mut names, mut before, mut after, mut joined) = (vec![], vec![], vec![], vec![]);
+    let mut rows: Vec<(String, f64, f64)> = Vec::new();
     for (order, effect) in findings.effects.iter().enumerate() {
-        for (place, b, a) in places(findings, effect) {
-            names.push(if several {
-                let place: String = place
-                    .trim_start_matches("in the ")
-                    .chars()
-                    .take(FEW)
-                    .collect();
+        for (place, before, after) in places(findings, effect) {
+            let place: String = place.chars().take(LETTERS).collect();
+            let name = if several {
                 format!("{} {place}", order + 1)
             } else {
-                place.chars().take(LETTERS).collect()
-            });
-            let x = names.len() as f64;
-            before.push((x, b));
-            after.push((x, a));
-            joined.push((x, a.min(b), a.max(b)));
+                place
+            };
+            rows.push((name, before, after));
         }
     }
-    let widest = before.iter().chain(&after).map(|p| p.1).fold(0.0, f64::max);
+    // The first is the topmost.
+    let count = rows.len() as f64;
+    let at = |k: usize| count - k as f64;
+    let widest = rows.iter().map(|row| row.1.max(row.2)).fold(0.0, f64::max);
     let label = "gap, root of chi² per degree of freedom";
     let axis = if widest > WIDE {
         Axis::log(label)
     } else {
         Axis::linear(label)
     };
-    // One empty place for the legend.
-    names.push(String::new());
-    let end = names.len() as f64 + 0.5;
     let title = match findings.effects.as_slice() {
         [one] => format!("The gap of the {}", one.channel.words()),
         many => {
@@ -92,26 +84,40 @@ fn gap(findings: &Findings) -> Plot {
             format!("The gap of {}", names.join(", "))
         }
     };
-    Plot::new(title, Axis::categories("", names), axis)
-        .with(Series::dashed(
-            "explained to the noise",
-            NOISE,
-            vec![(0.5, 1.0), (end, 1.0)],
-        ))
-        .with(Series::ranges("", GREY, joined))
-        .with(Series::dots("without the effect", BEFORE, before))
-        .with(Series::dots("with it", AFTER, after))
+    let numbered = || rows.iter().enumerate();
+    let dots =
+        |of: fn(&(String, f64, f64)) -> f64| numbered().map(|(k, row)| (of(row), at(k))).collect();
+    let joined = numbered().map(|(k, row)| (row.1.min(row.2), row.1.max(row.2), at(k)));
+    let joined = joined.collect();
+    let names = rows.iter().rev().map(|row| row.0.clone()).collect();
+    Plot::new(
+        title,
+        axis,
+        Axis::categories("where it was measured", names),
+    )
+    .with(Series::dashed(
+        "explained to the noise",
+        NOISE,
+        vec![(1.0, 0.5), (1.0, count + 0.5)],
+    ))
+    .with(Series::levels("", GREY, joined))
+    .with(Series::dots(
+        "without the effect",
+        BEFORE,
+        dots(|row| row.1),
+    ))
+    .with(Series::dots("with it", AFTER, dots(|row| row.2)))
 }
 
-/// The residuals against what the effect foretells, and against what it goes with.
+/// The residuals against what the effect predicts, and against what it goes with.
 fn residual_plots(picture: &Picture) -> Vec<Plot> {
     let (measured, unit, factor) = measured(picture.channel);
     let label = format!("{measured}, {unit}");
     let effect = show::name(&picture.effect);
-    let foretold = against(
+    let predicted = against(
         Plot::new(
-            format!("{effect}: what it foretells, and what was measured"),
-            Axis::linear(format!("foretold by {effect}, {unit}")),
+            format!("{effect}: predicted and measured"),
+            Axis::linear(format!("predicted by {effect}, {unit}")),
             Axis::linear(&label),
         )
         .with(diagonal(&picture.points, factor)),
@@ -119,7 +125,7 @@ fn residual_plots(picture: &Picture) -> Vec<Plot> {
         factor,
         |p| Some(factor * p.foretold),
     );
-    let mut plots = vec![foretold];
+    let mut plots = vec![predicted];
     if let Some(covariate) = &picture.covariate {
         let x = match covariate.unit {
             "" => covariate.name.clone(),
@@ -138,8 +144,8 @@ fn residual_plots(picture: &Picture) -> Vec<Plot> {
 /// What the residual of a channel is, its unit, and how many of it make the SI unit.
 fn measured(channel: Channel) -> (&'static str, &'static str, f64) {
     match channel {
-        Channel::StaticNorm => ("modulus less gravity", "mm/s²", 1e3),
-        Channel::StaticRate => ("rate at rest", "mrad/s", 1e3),
+        Channel::StaticNorm => ("norm less gravity", "mm/s²", 1e3),
+        Channel::StaticRate => ("rate at static intervals", "mrad/s", 1e3),
         Channel::Direction => ("gravity's direction after the turn", "°", 1f64.to_degrees()),
         Channel::MovingForce => ("specific force while turning", "mm/s²", 1e3),
     }
@@ -148,7 +154,7 @@ fn measured(channel: Channel) -> (&'static str, &'static str, f64) {
 fn diagonal(points: &[Point], factor: f64) -> Series {
     let values = points.iter().map(|p| factor * p.foretold);
     let (low, high) = values.fold((0.0_f64, 0.0_f64), |(l, h), v| (l.min(v), h.max(v)));
-    Series::dashed("as foretold", GREY, vec![(low, low), (high, high)])
+    Series::dashed("as predicted", GREY, vec![(low, low), (high, high)])
 }
 
 /// Dots with 95 % of the white noise, before and after; before axis by axis, where there are several.

@@ -13,7 +13,7 @@ use clap::ValueEnum;
 use nalgebra::Vector3;
 
 use super::inputs::{as_paths, numbers, read};
-use super::pictures::PictureArgs;
+use super::pictures::{PictureArgs, named};
 use crate::exit::{Failure, USAGE};
 use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;
@@ -168,13 +168,13 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         output.write(json.as_bytes())?;
     }
     if pictures.wanted() {
-        let plots = show_runs::plots(&runs);
-        pictures.write(&plots, &show_runs::report(&runs, &plots)?)?;
+        let plots = named(names.iter().copied(), show_runs::plots(&runs));
+        pictures.write(&plots, &show_runs::report(&runs, &plots))?;
     }
     show::print(&if args.json {
         json
     } else {
-        show_runs::text(&runs)
+        show::wrapped(&show_runs::text(&runs))
     })?;
     Ok(())
 }

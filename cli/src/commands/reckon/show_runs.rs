@@ -4,8 +4,7 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 
 use super::solve::{Outcome, Run};
-use crate::exit::Failure;
-use crate::report::{Axis, Plot, Report, ReportTable, Series};
+use crate::report::{Axis, Picture, Plot, Report, ReportTable, Series};
 use crate::show;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -161,9 +160,9 @@ pub(super) fn text(runs: &[Run]) -> String {
     text
 }
 
-pub(super) fn report(runs: &[Run], plots: &[Plot]) -> Result<Report, Failure> {
+pub(super) fn report(runs: &[Run], plots: &[(String, Picture)]) -> Report {
     let warnings: Vec<String> = runs.iter().flat_map(|run| run.warnings.clone()).collect();
-    let mut report = Report::new("Dead reckoning").warnings(&warnings);
+    let mut report = Report::new("Dead reckoning").warnings(&show::folded(&warnings));
     let means = means(runs);
     if !means.is_empty() {
         let mut table = ReportTable::new(["all recordings", "mean |error|, m"]);
@@ -177,11 +176,11 @@ pub(super) fn report(runs: &[Run], plots: &[Plot]) -> Result<Report, Failure> {
         let mut table = ReportTable::new(header);
         rows.into_iter().for_each(|row| table.row(row));
         report = report.section(heading(run)).table(table);
-        for plot in plots {
-            report = report.plot(plot)?;
+        for (_, plot) in plots {
+            report = report.plot(plot);
         }
     }
-    Ok(report)
+    report
 }
 
 #[cfg(test)]

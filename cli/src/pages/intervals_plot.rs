@@ -8,15 +8,20 @@ use nalgebra::Vector3;
 use crate::report::{Axis, Plot, Series};
 use crate::show;
 
-/// Colour of the samples behind the rests.
+/// Colour of the samples behind the static intervals.
 const GREY: usize = 6;
 
 /// Stretches in which the range of the samples is drawn.
 const STRETCHES: usize = 300;
 
-/// The modulus of the accelerometer's readings over time (of the gyroscope's, without one), rests
-/// marked; `units` of accelerometer and gyroscope.
-pub fn rests_plot(recording: &Recording, segmentation: &Segmentation, units: [&str; 2]) -> Plot {
+/// The norm of the accelerometer's readings over time (of the gyroscope's, without one), static intervals
+/// marked with their `keys`; `units` of accelerometer and gyroscope.
+pub fn intervals_plot(
+    recording: &Recording,
+    segmentation: &Segmentation,
+    units: [&str; 2],
+    keys: Vec<String>,
+) -> Plot {
     type Mean = fn(&StaticInterval) -> Option<f64>;
     let force: Mean = |rest| Some(rest.accelerometer?.mean.norm());
     let rate: Mean = |rest| Some(rest.gyroscope?.mean.norm());
@@ -30,19 +35,19 @@ pub fn rests_plot(recording: &Recording, segmentation: &Segmentation, units: [&s
         .filter_map(|rest| Some((rest.span.from, rest.span.to, mean(rest)?)))
         .collect();
     Plot::new(
-        format!("Rests of {}", show::name(&recording.name)),
+        format!("Static intervals of {}", show::name(&recording.name)),
         Axis::linear("time, s"),
-        Axis::linear(format!("modulus of the readings, {unit}")),
+        Axis::linear(format!("norm of the readings, {unit}")),
     )
     .with(Series::ranges(
         "readings",
         GREY,
         stream.map_or_else(Vec::new, ranges),
     ))
-    .with(Series::stretches("rests", 0, stretches))
+    .with(Series::stretches("static intervals", 0, stretches).of(keys))
 }
 
-/// Smallest and largest modulus in each of a few hundred stretches `(t, low, high)`: a line through
+/// Smallest and largest norm in each of a few hundred stretches `(t, low, high)`: a line through
 /// every k-th sample would miss short motions.
 fn ranges(stream: &Stream) -> Vec<(f64, f64, f64)> {
     let length = stream.len().div_ceil(STRETCHES).max(1);

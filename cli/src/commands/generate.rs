@@ -1,0 +1,72 @@
+//! `generate`: completions and manual pages, for packagers.
+
+use std::path::{Path, PathBuf};
+
+use clap::CommandFactory;
+use clap_complete::Shell;
+use clap_mangen::Man;
+
+use crate::exit::{BUG, Failure};
+use crate::output::{Filled, Folder, Output, Replace};
+use crate::show;
+
+/// Writes completions of a shell to standard output, or manual pages into a folder.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  stillpoint generate --completions bash > stillpoint.bash
+  stillpoint generate --man man1/")]
+pub struct Args {
+    /// The shell to complete for
+    #[arg(long, value_name = "SHELL", required_unless_present = "man")]
+    completions: Option<Shell>,
+    /// Write a manual page for every command into this folder
+    #[arg(long, value_name = "DIR", conflicts_with = "completions")]
+    man: Option<PathBuf>,
+    #[command(flatten)]
+    replace: Replace,
+}
+
+/// Runs the command.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    if let Some(shell) = args.completions {
+        let mut text = Vec::new();
+        clap_complete::generate(shell, &mut crate::Cli::command(), "stillpoint", &mut text);
+        return show::print(&String::from_utf8_lossy(&text));
+    }
+    match &args.man {
+        Some(dir) => manual(dir, args.replace),
+        None => Ok(()),
+    }
+}
+
+fn manual(dir: &Path, replace: Replace) -> Result<(), Failure> {
+    let mut command = crate::Cli::command();
+    command.build();
+    let mut pages = vec![("stillpoint".to_owned(), command.clone())];
+    let commands = command
+        .get_subcommands()
+        .filter(|c| !c.is_hide_set() && c.get_name() != "help");
+    pages.extend(commands.map(|c| {
+        let name = format!("stillpoint-{}", c.get_name());
+        // The parser wants names that live as long as itself.
+        (name.clone(), c.clone().name(&*name.leak()))
+    }));
+    let folder = Folder::make(dir)?;
+    let mut claimed = Vec::new();
+    for (name, command) in pages {
+        let output = Output::claim(&dir.join(format!("{name}.1")), replace, &[])?;
+        let mut page = Vec::new();
+        let written = Man::new(command).render(&mut page);
+        written.map_err(|e| Failure::new(BUG, e.to_string()))?;
+        claimed.push((output, page));
+    }
+    replace.end_if_all_exist()?;
+    let mut filled = Vec::new();
+    for (output, page) in claimed {
+        filled.push(output.fill(|out| out.write_all(&page))?);
+    }
+    filled.into_iter().try_for_each(Filled::publish)?;
+    drop(folder);
+    Ok(())
+}

@@ -1,0 +1,87 @@
+//! Files that this program writes: what they are, and what to do with them.
+
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use crate::show;
+
+/// Files above this are recordings, bytes.
+const LARGEST: u64 = 64 << 20;
+
+/// Kinds of documents: beginning of the schema, what it is, what to do with it.
+const KINDS: [(&str, &str, &str); 7] = [
+    (
+        "stillpoint.calibration/",
+        "a calibration",
+        "stillpoint apply FILE RECORDING -o corrected.csv",
+    ),
+    (
+        "stillpoint.findings/",
+        "the findings of discover",
+        "stillpoint apply FILE RECORDING -o corrected.csv",
+    ),
+    (
+        "stillpoint.segments/",
+        "the static intervals of a recording",
+        "stillpoint calibrate RECORDING -o cal.json",
+    ),
+    (
+        "stillpoint.noise/",
+        "the noise of a sensor",
+        "stillpoint discover RECORDING --noise FILE",
+    ),
+    (
+        "stillpoint.truth/",
+        "the truth of a simulated recording",
+        "stillpoint calibrate FOLDER -o cal.json",
+    ),
+    (
+        "stillpoint.reckon/",
+        "dead reckoning",
+        "stillpoint reckon RECORDING --calibration NAME=CAL",
+    ),
+    ("stillpoint.", "a file of this program", "stillpoint --help"),
+];
+
+/// What a document of ours is and the next command; `None` for any other file.
+#[derive(Debug, PartialEq)]
+pub struct Ours {
+    schema: String,
+    what: &'static str,
+    next: String,
+}
+
+impl Ours {
+    /// Looks at a file.
+    pub fn of(path: &Path) -> Option<Self> {
+        let size = std::fs::metadata(path).ok().filter(|m| m.is_file())?.len();
+        if size > LARGEST || path.extension().is_none_or(|e| e != "json") {
+            return None;
+        }
+        let document: Value = serde_json::from_str(&std::fs::read_to_string(path).ok()?).ok()?;
+        let schema = document.get("schema")?.as_str()?;
+        let (_, what, next) = KINDS.iter().find(|(kind, ..)| schema.starts_with(kind))?;
+        Some(Self {
+            schema: show::name(schema),
+            what,
+            next: next.replace("FILE", &super::super::convert::command_line(path)),
+        })
+    }
+
+    /// For programs.
+    pub fn document(&self, path: &Path) -> Value {
+        json!({"file": show::path(path), "format": self.schema, "command": self.next})
+    }
+
+    /// For people.
+    pub fn page(&self, path: &Path) -> String {
+        format!(
+            "{}: {} ({})\n\nnext: {}\n",
+            show::path(path),
+            self.what,
+            self.schema,
+            self.next
+        )
+    }
+}

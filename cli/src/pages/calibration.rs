@@ -1,0 +1,209 @@
+//! The page of a calibration.
+
+use calib::Calibration;
+use calib::calibration::Triad;
+
+use super::coverage::{self, Coverage};
+use super::session::Session;
+use super::{noise, parameters, provenance, quantiles, residuals, verdict};
+use crate::commands::tables::{PARAMETERS, over_noise, parameters as rows};
+use crate::exit::Failure;
+use crate::report::{Picture, Report, ReportTable};
+use crate::show;
+
+/// Pictures that every calibration may have, as files are called.
+const NAMES: [&str; 9] = [
+    "modulus",
+    "direction",
+    "coverage",
+    "parameters",
+    "correlation",
+    "noise-1",
+    "noise-2",
+    "quantiles-1",
+    "quantiles-2",
+];
+
+/// Names of the plots of `recordings` recordings, as files are called.
+pub fn plot_names(recordings: usize) -> Vec<String> {
+    let cuts = (1..=recordings).map(|k| format!("rests-{k}"));
+    let against = (1..=4).map(|k| format!("against-{k}"));
+    let names = NAMES.map(str::to_owned).into_iter();
+    names.chain(against).chain(cuts).collect()
+}
+
+/// The pictures with their names.
+pub fn pictures(
+    calibration: &Calibration,
+    session: &Session<'_>,
+    units: [&str; 2],
+) -> Vec<(String, Picture)> {
+    let measured = residuals::noise(calibration);
+    let mut all: Vec<(String, Picture)> = vec![
+        (
+            "modulus".into(),
+            residuals::norm(session, measured[0]).into(),
+        ),
+        (
+            "direction".into(),
+            residuals::direction(session, measured[1]).into(),
+        ),
+    ];
+    all.retain(|(_, picture)| !matches!(picture, Picture::Plot(plot) if plot.is_empty()));
+    if let Some(coverage) = covered(session) {
+        all.push(("coverage".into(), coverage::picture(session, &coverage)));
+    }
+    all.push(("parameters".into(), parameters::forest(calibration)));
+    all.extend(parameters::correlation(calibration).map(|p| ("correlation".into(), p)));
+    let mut several = |name: &str, pictures: Vec<Picture>| {
+        let named = pictures.into_iter().enumerate();
+        all.extend(named.map(|(k, p)| (format!("{name}-{}", k + 1), p)));
+    };
+    several("against", residuals::against(session, measured));
+    several("quantiles", quantiles::pictures(session, measured));
+    several("noise", noise::pictures(session, units));
+    several("rests", residuals::over_time(session, units));
+    all
+}
+
+/// What is covered, where an accelerometer tells.
+pub fn covered(session: &Session<'_>) -> Option<Coverage> {
+    let directions = session.directions();
+    (!directions.is_empty()).then(|| Coverage::of(&directions))
+}
+
+/// The page.
+///
+/// # Errors
+/// What the calibration cannot be exported to.
+pub fn page(
+    calibration: &Calibration,
+    session: &Session<'_>,
+    pictures: &[(String, Picture)],
+    units: [&str; 2],
+) -> Result<Report, Failure> {
+    let coverage = covered(session);
+    let judged = verdict::judged(calibration, Some(session), coverage.as_ref());
+    let mut report = Report::new(format!("Calibration from {}", names(session)))
+        .verdict(judged.level, &judged.sentence)
+        .figures(verdict::figures(calibration, session, coverage.as_ref()))
+        .next(&judged.next)
+        .warnings(&notes(calibration))
+        .provenance(provenance::rows(calibration));
+    let drawn = |report: Report, wanted: &[&str]| {
+        let is_wanted = |name: &str| wanted.iter().any(|w| name.starts_with(w));
+        let all = pictures.iter().filter(|(name, _)| is_wanted(name));
+        all.fold(report, |report, (_, picture)| report.plot(picture))
+    };
+    report = drawn(report.section("What is left"), &["modulus", "direction"]);
+    report = report.text(
+        "Each point is a static interval or a turn; bars are two standard errors of its mean. The rate left in the two static \
+         intervals beside a turn is taken off as bias.",
+    );
+    report = drawn(
+        report.section("Placements and parameters"),
+        &["coverage", "parameters"],
+    );
+    for (heading, triad, unit, prefix) in [
+        (
+            "Accelerometer, a = T (A − b)",
+            &calibration.accelerometer,
+            units[0],
+            "accel",
+        ),
+        (
+            "Gyroscope, w = T (W − b)",
+            &calibration.gyroscope,
+            units[1],
+            "gyro",
+        ),
+    ] {
+        if let Some(triad) = triad {
+            report = sensor(report, heading, triad, unit, prefix);
+        }
+    }
+    report = effects(report, calibration);
+    report = drawn(
+        report.section("What the misfit goes with"),
+        &["against", "quantiles"],
+    );
+    report = drawn(
+        report.section("Noise and correlations"),
+        &["noise", "correlation"],
+    );
+    report = drawn(report.section("Static intervals and turns"), &["rests"]);
+    if !session.rests.is_empty() {
+        report = report
+            .text("Raw and left are the norm of specific force less gravity, and the error of gravity's direction after a turn.")
+            .table(session.table());
+    }
+    exports(report, calibration)
+}
+
+/// Gates first, then warnings.
+pub fn notes(calibration: &Calibration) -> Vec<String> {
+    let failed = calibration.failed_gates.iter();
+    let mut notes: Vec<String> = failed.map(|gate| format!("Do not use: {gate}")).collect();
+    notes.extend(calibration.warnings.iter().cloned());
+    show::folded(&notes)
+}
+
+fn names(session: &Session<'_>) -> String {
+    match session.parts.as_slice() {
+        [] => "static means".into(),
+        [one] => one.name.clone(),
+        many => format!("{} recordings", many.len()),
+    }
+}
+
+fn sensor(report: Report, heading: &str, triad: &Triad, unit: &str, prefix: &str) -> Report {
+    let mut table = ReportTable::new(PARAMETERS);
+    for row in rows(triad, unit, prefix) {
+        table.row(row);
+    }
+    let mut report = report.folded(heading).table(table).text(format!(
+        "Condition {:.1}, rank {}{}.",
+        triad.condition,
+        triad.rank,
+        over_noise(triad)
+    ));
+    for what in &triad.unobservable {
+        report = report.text(format!("Not observable: {what}"));
+    }
+    report
+}
+
+fn effects(mut report: Report, calibration: &Calibration) -> Report {
+    for effect in &calibration.effects {
+        let mut table = ReportTable::new(PARAMETERS);
+        for p in &effect.parameters {
+            let digits = |v: f64| format!("{v:.3e}");
+            table.row([
+                p.name.clone(),
+                digits(p.value),
+                p.std.map_or("fixed".into(), digits),
+                p.unit.clone(),
+            ]);
+        }
+        report = report.section(effect.name.clone()).table(table);
+    }
+    report
+}
+
+/// The calibration to be copied: as C, where that can hold it, and as JSON without the covariance.
+pub fn exports(report: Report, calibration: &Calibration) -> Result<Report, Failure> {
+    let mut report = report;
+    let settings = exchange::Settings::default();
+    if let Some(target) = exchange::by_name("c") {
+        let source = exchange::Source::new(calibration);
+        if let Ok(written) = exchange::export(target, &source, &settings) {
+            for file in written.files.iter().take(1) {
+                report = report.export("C", String::from_utf8_lossy(file));
+            }
+        }
+    }
+    let mut small = calibration.clone();
+    small.covariance.clear();
+    small.parameters.clear();
+    Ok(report.export("JSON, without the covariance", show::json(&small)?))
+}

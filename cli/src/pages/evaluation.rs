@@ -1,0 +1,229 @@
+//! The page of an evaluation: calibrations side by side on a recording that they have not seen.
+
+use calib::intervals::Segmentation;
+use calib::{Calibration, Evaluation, Recording};
+
+use super::calibration::covered;
+use super::session::Session;
+use super::{coverage, noise, provenance, residuals, verdict};
+use crate::report::{Axis, Figure, Level, Picture, Plot, Report, ReportTable, Series};
+use crate::show;
+
+/// A calibration must leave less than this share of the raw misfit to be of use.
+const OF_USE: f64 = 0.9;
+
+/// A calibration by its name, with what it leaves.
+pub type Named<'a> = (&'a str, &'a Calibration);
+
+/// Page and pictures; `rows` are the raw readings and then every calibration.
+///
+/// # Errors
+/// As [`Session::of`].
+pub fn page(
+    recording: &Recording,
+    segmentation: &Segmentation,
+    calibrations: &[Named<'_>],
+    rows: &[(String, Evaluation)],
+    (header, cells): (&[&str], &[Vec<String>]),
+    (gravity, warnings): (f64, &[String]),
+) -> Result<(Report, Vec<(String, Picture)>), calib::Error> {
+    let cut = || std::iter::once((recording, segmentation));
+    let mut sessions = Vec::new();
+    for (name, calibration) in calibrations {
+        sessions.push((*name, Session::of(cut(), Some(calibration), gravity)?));
+    }
+    let raw = Session::of(cut(), None, gravity)?;
+    let first = sessions.first().map_or(&raw, |(_, session)| session);
+    let coverage = covered(first);
+    let (level, sentence, next) = judged(rows, warnings);
+    let mut figures = vec![verdict::residual(first)];
+    figures.push(bias(rows));
+    figures.extend(
+        coverage
+            .as_ref()
+            .map(|c| Figure::new("Directions covered", c.value(), c.note())),
+    );
+    let mut table = ReportTable::new(header.iter().copied());
+    cells.iter().for_each(|row| table.row(row.clone()));
+    let mut pictures: Vec<(String, Picture)> = Vec::new();
+    let norm = compared(
+        &raw,
+        &sessions,
+        "Norm of specific force less gravity",
+        "mm/s²",
+        |s| {
+            let rests = s.rests.iter();
+            rests.map(|r| (r.key.clone(), r.raw, r.left)).collect()
+        },
+    );
+    let direction = compared(
+        &raw,
+        &sessions,
+        "Error of gravity's direction after each turn",
+        "°",
+        |s| {
+            let turns = s.turns.iter();
+            turns.map(|t| (t.key.clone(), t.raw, t.left)).collect()
+        },
+    );
+    pictures.push(("norm".into(), norm.into()));
+    pictures.push(("direction".into(), direction.into()));
+    pictures.retain(|(_, p)| !matches!(p, Picture::Plot(plot) if plot.is_empty()));
+    if let Some(coverage) = &coverage {
+        pictures.push(("coverage".into(), coverage::picture(first, coverage)));
+    }
+    let units = ["m/s²", "rad/s"];
+    for (k, p) in residuals::against(first, [None, None])
+        .into_iter()
+        .enumerate()
+    {
+        pictures.push((format!("against-{}", k + 1), p));
+    }
+    pictures.extend(
+        residuals::over_time(first, units)
+            .into_iter()
+            .map(|p| ("intervals".into(), p)),
+    );
+    let noise = noise::pictures(first, units).into_iter().enumerate();
+    pictures.extend(noise.map(|(k, p)| (format!("noise-{}", k + 1), p)));
+    let mut report = Report::new(format!("Evaluation on {}", show::name(&recording.name)))
+        .verdict(level, sentence)
+        .figures(figures)
+        .next(&next)
+        .warnings(&show::folded(warnings))
+        .section("Side by side")
+        .table(table)
+        .section("What is left");
+    report = pictures
+        .iter()
+        .fold(report, |report, (_, picture)| report.plot(picture));
+    report = report.table(first.table());
+    let mut rows = provenance::of_recordings(std::slice::from_ref(recording));
+    rows.push(["gravity".into(), format!("{gravity} m/s²")]);
+    for (name, calibration) in calibrations {
+        let made = format!("{}, by {}", calibration.method, calibration.created_by);
+        rows.push([format!("calibration {}", show::name(name)), made]);
+    }
+    Ok((report.provenance(rows), pictures))
+}
+
+/// Names of the pictures, as files are called.
+pub const PLOTS: [&str; 10] = [
+    "norm",
+    "direction",
+    "coverage",
+    "against-1",
+    "against-2",
+    "against-3",
+    "against-4",
+    "intervals",
+    "noise-1",
+    "noise-2",
+];
+
+/// The best calibration against the raw readings.
+fn judged(rows: &[(String, Evaluation)], warnings: &[String]) -> (Level, String, Vec<String>) {
+    let Some((raw, calibrated)) = rows.split_first().filter(|(_, rest)| !rest.is_empty()) else {
+        let what = "Only the raw readings were measured: no calibration was named.";
+        let next = "Name a calibration: stillpoint evaluate RECORDING --calibration cal=cal.json";
+        return (Level::Care, what.into(), vec![next.into()]);
+    };
+    let share = |e: &Evaluation| {
+        let of = |left: Option<f64>, raw: Option<f64>| Some(left? / raw?);
+        let norm = of(e.modulus_rms, raw.1.modulus_rms);
+        let direction = of(e.direction_rms, raw.1.direction_rms);
+        let all: Vec<f64> = norm.into_iter().chain(direction).collect();
+        all.iter().sum::<f64>() / all.len().max(1) as f64
+    };
+    let best = calibrated
+        .iter()
+        .min_by(|a, b| share(&a.1).total_cmp(&share(&b.1)));
+    let Some((name, e)) = best else {
+        return (Level::Care, "Nothing could be compared.".into(), Vec::new());
+    };
+    let part = |what: &str, left: Option<f64>, raw: Option<f64>, factor: f64, unit: &str| {
+        let (left, raw) = (left?, raw?);
+        Some(format!(
+            "{:.2}{unit} of the {what} (raw {:.2}{unit})",
+            factor * left,
+            factor * raw
+        ))
+    };
+    let parts: Vec<String> = [
+        part("norm", e.modulus_rms, raw.1.modulus_rms, 1e3, " mm/s²"),
+        part("direction", e.direction_rms, raw.1.direction_rms, 1.0, "°"),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    let name = show::name(name);
+    let sentence = format!(
+        "On this recording {name} leaves {} rms.",
+        parts.join(" and ")
+    );
+    if share(e) > OF_USE {
+        let next = "Check that recording and calibration are of one device and one unit, then calibrate on this recording and \
+                    compare.";
+        let bad = format!("{name} is no better than the raw readings. {sentence}");
+        return (Level::Bad, bad, vec![next.into()]);
+    }
+    let next = format!("Use {name}: stillpoint apply CAL RECORDING -o corrected.csv");
+    let estimate = "If the rate at rest is far from zero, estimate the gyroscope's bias again: stillpoint bias CAL RECORDING";
+    let level = if warnings.is_empty() {
+        Level::Good
+    } else {
+        Level::Care
+    };
+    (level, sentence, vec![next, estimate.into()])
+}
+
+/// What the gyroscope's bias is off by under the first calibration.
+fn bias(rows: &[(String, Evaluation)]) -> Figure {
+    let rate = rows
+        .get(1)
+        .or(rows.first())
+        .and_then(|(_, e)| e.static_rate);
+    let value = rate.map_or("none".into(), |rate| {
+        let norm = rate.iter().map(|v| v * v).sum::<f64>().sqrt();
+        format!("{:.4} °/s", norm.to_degrees())
+    });
+    Figure::new("Rate at rest", value, "what the gyroscope's bias is off by")
+}
+
+/// A panel of raw readings and one of every calibration.
+fn compared(
+    raw: &Session<'_>,
+    sessions: &[(&str, Session<'_>)],
+    title: &str,
+    unit: &str,
+    of: fn(&Session<'_>) -> Vec<(String, Option<f64>, Option<f64>)>,
+) -> Plot {
+    let number = |key: &str| key.trim_start_matches('t').parse::<f64>().unwrap_or(0.0);
+    let series = |session: &Session<'_>, name: &str, colour: usize, raw: bool| {
+        let (mut dots, mut keys) = (Vec::new(), Vec::new());
+        for (key, before, after) in of(session) {
+            if let Some(value) = if raw { before } else { after } {
+                dots.push((number(&key), value));
+                keys.push(key);
+            }
+        }
+        Series::dots(name, colour, dots).of(keys)
+    };
+    let plot = Plot::new(
+        title,
+        Axis::linear("static interval or turn"),
+        Axis::linear(format!("raw, {unit}")),
+    )
+    .with(series(raw, "raw", residuals::GREY, true));
+    if sessions.is_empty() {
+        return plot;
+    }
+    let plot = plot.panel(Axis::linear(format!("calibrated, {unit}")));
+    let colours = [0, 1, 3, 4, 5];
+    sessions
+        .iter()
+        .enumerate()
+        .fold(plot, |plot, (k, (name, session))| {
+            plot.with(series(session, &show::name(name), colours[k % 5], false))
+        })
+}

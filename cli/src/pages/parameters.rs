@@ -1,0 +1,219 @@
+//! Parameters in the units that people use, with their intervals and correlations.
+
+use calib::Calibration;
+use calib::calibrate::STANDARD_GRAVITY;
+use calib::calibration::Triad;
+
+use crate::report::{Figure, Group, Picture, Row};
+use crate::show;
+
+/// Half of a 95 % interval in standard errors.
+const HALF: f64 = 1.96;
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// A sensor's parameters with what an error of each makes of a reading.
+struct Sensor<'a> {
+    name: &'static str,
+    angle: &'static str,
+    triad: &'a Triad,
+    /// SI units per unit of the readings.
+    scale: f64,
+    /// People's unit of the bias and how many of it make the SI unit.
+    bias: (&'static str, f64),
+    /// A reading that errors are compared at, SI.
+    at: f64,
+}
+
+fn sensors(calibration: &Calibration) -> Vec<Sensor<'_>> {
+    let scale = |triad: &Triad| {
+        let all = triad.base().t.determinant().abs().cbrt();
+        if (0.5..2.0).contains(&all) { 1.0 } else { all }
+    };
+    let accelerometer = calibration.accelerometer.as_ref().map(|triad| Sensor {
+        name: "accelerometer",
+        angle: "alpha",
+        scale: scale(triad),
+        triad,
+        bias: ("mg", 1e3 / STANDARD_GRAVITY),
+        at: STANDARD_GRAVITY,
+    });
+    let gyroscope = calibration.gyroscope.as_ref().map(|triad| Sensor {
+        name: "gyroscope",
+        angle: "beta",
+        scale: scale(triad),
+        triad,
+        bias: ("°/h", 3600.0 * 1f64.to_degrees()),
+        // A brisk turn by hand.
+        at: 1.0,
+    });
+    accelerometer.into_iter().chain(gyroscope).collect()
+}
+
+/// All parameters, an axis for each unit.
+pub fn forest(calibration: &Calibration) -> Picture {
+    let mut groups = Vec::new();
+    for sensor in sensors(calibration) {
+        let Sensor {
+            name,
+            angle,
+            triad,
+            scale,
+            bias,
+            ..
+        } = sensor;
+        let half = |std: Option<f64>, factor: f64| std.map(|std| HALF * factor * std);
+        let diagonal = |k: usize| Row {
+            name: format!("s_{}", AXES[k]),
+            value: 1e6 * (triad.t[k][k] / scale - 1.0),
+            half: half(triad.t_std[k][k], 1e6 / scale),
+        };
+        groups.push(Group {
+            label: if scale == 1.0 {
+                format!("{name}: scale factor less one, ppm")
+            } else {
+                format!("{name}: scale factor over {scale:.4e} less one, ppm")
+            },
+            rows: (0..3).map(diagonal).collect(),
+        });
+        let pairs = [(0, 1), (0, 2), (1, 0), (1, 2), (2, 0), (2, 1)];
+        let pairs = pairs
+            .into_iter()
+            .filter(|(i, j)| triad.t_std[*i][*j].is_some());
+        let misalignment = |(i, j): (usize, usize)| Row {
+            name: misalignment(angle, i, j),
+            value: 1e3 * triad.t[i][j] / scale,
+            half: half(triad.t_std[i][j], 1e3 / scale),
+        };
+        groups.push(Group {
+            label: format!("{name}: misalignment, mrad"),
+            rows: pairs.map(misalignment).collect(),
+        });
+        let (unit, factor) = bias;
+        let bias = |k: usize| Row {
+            name: format!("b_{}", AXES[k]),
+            value: factor * scale * triad.bias[k],
+            half: half(triad.bias_std[k], factor * scale),
+        };
+        groups.push(Group {
+            label: format!("{name}: bias, {unit}"),
+            rows: (0..3).map(bias).collect(),
+        });
+    }
+    groups.retain(|group| !group.rows.is_empty());
+    Picture::Forest("Parameters with 95 % intervals".into(), groups)
+}
+
+/// Name of an element beside the diagonal: row `i`, column `j`, as the tables of parameters have it.
+fn misalignment(angle: &str, i: usize, j: usize) -> String {
+    let other = 3 - i - j;
+    format!("{angle}_{}{}", AXES[j], AXES[other])
+}
+
+/// Correlations of all free parameters; `None` where there is no covariance.
+pub fn correlation(calibration: &Calibration) -> Option<Picture> {
+    let covariance = &calibration.covariance;
+    let std: Vec<f64> = (0..covariance.len())
+        .map(|k| covariance[k].get(k).map_or(0.0, |v| v.sqrt()))
+        .collect();
+    if covariance.len() < 2 || std.iter().any(|s| s.is_nan()) {
+        return None;
+    }
+    let row = |(i, row): (usize, &Vec<f64>)| {
+        let cell = |(j, v): (usize, &f64)| {
+            let scale = std[i] * std[j];
+            if scale > 0.0 { v / scale } else { 0.0 }
+        };
+        row.iter().enumerate().map(cell).collect()
+    };
+    let rows = covariance.iter().enumerate().map(row).collect();
+    let names = calibration.parameters.iter().map(|name| {
+        let short = name.replacen("accel.", "a.", 1).replacen("gyro.", "g.", 1);
+        show::printable(&short).into_owned()
+    });
+    let title = "Correlations of the parameters".to_owned();
+    Some(Picture::Matrix(title, names.collect(), rows))
+}
+
+/// The parameter that makes the largest share of a reading's error.
+pub fn weakest(calibration: &Calibration) -> Option<Figure> {
+    let mut all: Vec<(f64, String, String)> = Vec::new();
+    for sensor in sensors(calibration) {
+        let Sensor {
+            name,
+            angle,
+            triad,
+            scale,
+            bias,
+            at,
+        } = sensor;
+        for i in 0..3 {
+            for j in 0..3 {
+                let Some(std) = triad.t_std[i][j] else {
+                    continue;
+                };
+                let std = std / scale;
+                let (parameter, text) = if i == j {
+                    (
+                        format!("s_{}", AXES[i]),
+                        format!("± {} ppm", figures(HALF * 1e6 * std)),
+                    )
+                } else {
+                    (
+                        misalignment(angle, i, j),
+                        format!("± {} mrad", figures(HALF * 1e3 * std)),
+                    )
+                };
+                all.push((std, format!("{name} {parameter}"), text));
+            }
+            if let Some(std) = triad.bias_std[i] {
+                let (unit, factor) = bias;
+                let text = format!("± {} {unit}", figures(HALF * factor * scale * std));
+                all.push((scale * std / at, format!("{name} b_{}", AXES[i]), text));
+            }
+        }
+    }
+    all.retain(|(share, ..)| share.is_finite());
+    let (share, name, text) = all.into_iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let note = format!(
+        "{name}, 95 % interval: {} % of {}",
+        figures(HALF * 100.0 * share),
+        if name.starts_with('a') {
+            "one g"
+        } else {
+            "a turn at 1 rad/s"
+        }
+    );
+    Some(Figure::new("Weakest parameter", text, note))
+}
+
+/// Two significant figures.
+pub fn figures(v: f64) -> String {
+    if v == 0.0 || !v.is_finite() {
+        return format!("{v}");
+    }
+    let decimals = (1.0 - v.abs().log10().floor()).clamp(0.0, 6.0) as usize;
+    format!("{v:.decimals$}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn elements_beside_the_diagonal_have_the_names_of_the_tables() {
+        let name = |i, j| misalignment("alpha", i, j);
+        assert_eq!(
+            [
+                name(0, 1),
+                name(0, 2),
+                name(1, 0),
+                name(1, 2),
+                name(2, 0),
+                name(2, 1)
+            ],
+            [
+                "alpha_yz", "alpha_zy", "alpha_xz", "alpha_zx", "alpha_xy", "alpha_yx"
+            ]
+        );
+    }
+}

@@ -1,0 +1,290 @@
+//! Is the calibration good, and what next: in sentences.
+
+use calib::Calibration;
+use calib::gravity::GravitySource;
+
+use super::coverage::Coverage;
+use super::parameters;
+use super::session::Session;
+use crate::report::{Figure, Level};
+
+/// What warnings speak of, the gravest first, and what to do then.
+const CAUSES: [(&[&str], &str); 6] = [
+    (
+        &["wrong time base", "unit rather than", "unit or"],
+        "Check the unit and the sampling rate of the sensor named in the verdict: give --gyro-unit, --accel-unit or --rate, \
+         then calibrate again.",
+    ),
+    (
+        &["saturat", "cut off at the end of its range"],
+        "Record again with a larger range of the sensor, or turn more slowly.",
+    ),
+    (
+        &["touched", "pushed", "disturbed", "fit neither", "outl"],
+        "Look at the intervals named in the warnings. Record again without touching the device while it is still, or leave \
+         those intervals out with --sections.",
+    ),
+    (
+        &["misfit of the"],
+        "Learn what the model lacks: stillpoint discover RECORDING --report findings.html",
+    ),
+    (
+        &["placements", "orientations", "spare"],
+        "Record more placements: see the directions that are missing below.",
+    ),
+    (
+        &["no static interval", "quiet stretch"],
+        "Lay the device down where nothing moves or turns, for at least three seconds each time.",
+    ),
+];
+
+/// The place of a misfit among the causes.
+const MISFIT: usize = 3;
+
+/// The level, the sentence under it, and what to do.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Judged {
+    /// How good it is.
+    pub level: Level,
+    /// Why, in one sentence.
+    pub sentence: String,
+    /// What to do next.
+    pub next: Vec<String>,
+}
+
+/// Judges a calibration by its gates and warnings.
+pub fn judged(
+    calibration: &Calibration,
+    session: Option<&Session<'_>>,
+    coverage: Option<&Coverage>,
+) -> Judged {
+    let (cause, warning) = gravest(&calibration.warnings);
+    let mut next = Vec::new();
+    let (level, mut sentence) = if let Some(gate) = calibration.failed_gates.first() {
+        let by_gate = gravest(std::slice::from_ref(gate)).0.or(cause);
+        let advice = by_gate.map(|k| CAUSES[k].1.to_owned());
+        let advice = advice.or_else(|| advice_in(gate));
+        next.push(advice.unwrap_or("Record again, as the verdict says.".into()));
+        (
+            Level::Bad,
+            format!("Do not use this calibration: {}.", trimmed(gate)),
+        )
+    } else if let (Some(k), Some(warning)) = (cause, warning) {
+        next.push(CAUSES[k].1.into());
+        // A wrong unit or rate is in every figure of the sensor.
+        if k == 0 {
+            (
+                Level::Bad,
+                format!("Do not use this calibration yet: {}.", trimmed(warning)),
+            )
+        } else {
+            (
+                Level::Care,
+                format!("Usable with care: {}{}.", lacking(k), trimmed(warning)),
+            )
+        }
+    } else if let Some(warning) = calibration.warnings.iter().find(|w| !is_of_gravity(w)) {
+        (
+            Level::Care,
+            format!("Usable with care: {}.", trimmed(warning)),
+        )
+    } else {
+        let what = "The model explains the recording to within its measured noise";
+        (Level::Good, format!("{what}; the calibration can be used."))
+    };
+    let flagged = session.map_or(Vec::new(), flagged);
+    if !flagged.is_empty() && level != Level::Good {
+        sentence = format!("{} Flagged: {}.", sentence, flagged.join("; "));
+        next.insert(
+            0,
+            format!(
+                "Look at {} in the pictures below. If the device was touched or moved there, record again without, or leave \
+                 it out with --sections.",
+                if flagged.len() == 1 { "the flagged static interval" } else { "the flagged static intervals" }
+            ),
+        );
+    }
+    if let Some(advice) = coverage.and_then(Coverage::advice) {
+        next.push(advice);
+    }
+    if calibration.gravity_source == GravitySource::Assumed {
+        next.push(
+            "Give the local gravity (--gravity) or the place (--latitude, --altitude): gravity was assumed, and its error is \
+             in every scale factor of the accelerometer."
+                .into(),
+        );
+    }
+    if level != Level::Bad {
+        next.push(
+            "Record a second session and check the calibration on it: stillpoint evaluate SECOND --calibration cal=cal.json"
+                .into(),
+        );
+        next.push(
+            "Correct recordings with it: stillpoint apply cal.json RECORDING -o corrected.csv"
+                .into(),
+        );
+    }
+    Judged {
+        level,
+        sentence,
+        next,
+    }
+}
+
+/// A static interval that leaves so many times the median of all is flagged.
+const STANDS_OUT: f64 = 4.0;
+/// At most so many are named.
+const NAMED: usize = 3;
+
+/// Static intervals whose norm stands out from the others', the largest first, in words.
+fn flagged(session: &Session<'_>) -> Vec<String> {
+    let rests = session.rests.iter();
+    let mut left: Vec<(f64, &str)> = rests
+        .filter_map(|r| Some((r.left?, r.key.as_str())))
+        .collect();
+    left.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
+    let Some((median, _)) = left.get(left.len() / 2).copied() else {
+        return Vec::new();
+    };
+    let out = left
+        .iter()
+        .take_while(|(v, _)| v.abs() > STANDS_OUT * median.abs());
+    let words = out.map(|(v, key)| {
+        format!(
+            "static interval {key} ({v:+.1} mm/s² where the median is {:.1})",
+            median.abs()
+        )
+    });
+    words.take(NAMED).collect()
+}
+
+/// Raw to calibrated residual, weakest parameter, coverage.
+pub fn figures(
+    calibration: &Calibration,
+    session: &Session<'_>,
+    coverage: Option<&Coverage>,
+) -> Vec<Figure> {
+    let mut all = vec![residual(session)];
+    all.extend(parameters::weakest(calibration));
+    all.extend(coverage.map(|c| Figure::new("Directions covered", c.value(), c.note())));
+    all
+}
+
+/// What is left of the raw readings' misfit.
+pub fn residual(session: &Session<'_>) -> Figure {
+    let rms = |all: Vec<f64>| {
+        let squares: f64 = all.iter().map(|v| v * v).sum();
+        (!all.is_empty()).then(|| (squares / all.len() as f64).sqrt())
+    };
+    let (rests, turns) = (&session.rests, &session.turns);
+    let norm = [
+        rms(rests.iter().filter_map(|r| r.raw).collect()),
+        rms(rests.iter().filter_map(|r| r.left).collect()),
+    ];
+    let direction = [
+        rms(turns.iter().filter_map(|t| t.raw).collect()),
+        rms(turns.iter().filter_map(|t| t.left).collect()),
+    ];
+    let arrow = |[raw, left]: [Option<f64>; 2], unit: &str| match (raw, left) {
+        (Some(raw), Some(left)) => Some(format!("{} → {}{unit}", short(raw), short(left))),
+        (None, Some(one)) => Some(format!("{}{unit}", short(one))),
+        (Some(one), None) => Some(format!("raw {}{unit}", short(one))),
+        (None, None) => None,
+    };
+    let used = turns.iter().filter(|t| t.raw.or(t.left).is_some()).count();
+    let through =
+        arrow(direction, "°").map(|text| format!("; direction through {used} turns {text}"));
+    match arrow(norm, " mm/s²") {
+        Some(value) => {
+            let note = format!(
+                "norm of {} static intervals{}",
+                rests.len(),
+                through.unwrap_or_default()
+            );
+            Figure::new("Residual, raw → calibrated", value, note)
+        }
+        None => {
+            let value = arrow(direction, "°").unwrap_or("none".into());
+            Figure::new(
+                "Residual, raw → calibrated",
+                value,
+                format!("direction through {used} turns"),
+            )
+        }
+    }
+}
+
+/// Three significant figures.
+fn short(v: f64) -> String {
+    if v == 0.0 || !v.is_finite() {
+        return format!("{v}");
+    }
+    let decimals = (2.0 - v.abs().log10().floor()).clamp(0.0, 6.0) as usize;
+    format!("{v:.decimals$}")
+}
+
+/// What a misfit means, before its figures.
+fn lacking(cause: usize) -> &'static str {
+    if cause == MISFIT {
+        "the model lacks something: "
+    } else {
+        ""
+    }
+}
+
+/// The gravest cause that the warnings speak of, and the warning.
+fn gravest(warnings: &[String]) -> (Option<usize>, Option<&String>) {
+    for (k, (words, _)) in CAUSES.iter().enumerate() {
+        let speaks = |w: &&String| words.iter().any(|word| w.contains(word));
+        if let Some(warning) = warnings.iter().filter(|w| !is_of_gravity(w)).find(speaks) {
+            return (Some(k), Some(warning));
+        }
+    }
+    (None, None)
+}
+
+/// Whether a warning only says that gravity was assumed.
+fn is_of_gravity(warning: &str) -> bool {
+    warning.starts_with("gravity") || warning.contains("--gravity")
+}
+
+/// The advice after the semicolon of a message.
+pub fn advice_in(message: &str) -> Option<String> {
+    let (_, advice) = message.rsplit_once("; ")?;
+    let advice = advice.trim().trim_end_matches('.');
+    let mut letters = advice.chars();
+    let first = letters.next()?.to_uppercase();
+    Some(format!("{first}{}.", letters.as_str()))
+}
+
+/// Up to the first full stop of a message, without one.
+fn trimmed(message: &str) -> &str {
+    let end = message.find(". ").unwrap_or(message.len());
+    message[..end].trim_end_matches('.')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_gravest_warning_is_named_and_gravity_is_none() {
+        let warnings = [
+            "--gravity was not given".to_owned(),
+            "misfit of the norm: 3".to_owned(),
+            "the scale is 0.49: a wrong time base or unit".to_owned(),
+        ];
+        assert_eq!(gravest(&warnings).0, Some(0));
+        assert_eq!(gravest(&warnings[..2]).0, Some(3));
+        assert_eq!(gravest(&warnings[..1]).0, None);
+    }
+
+    #[test]
+    fn advice_is_what_follows_the_semicolon() {
+        assert_eq!(
+            advice_in("too few; add placements").unwrap(),
+            "Add placements."
+        );
+        assert_eq!(advice_in("too few"), None);
+    }
+}
