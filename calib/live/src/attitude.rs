@@ -40,7 +40,8 @@ impl Attitude {
         let up = self.to_room * (force / norm);
         let share = if is_lost { 1.0 } else { (step / PULL).min(1.0) };
         if let Some(tilt) = UnitQuaternion::rotation_between(&up, &Vector3::z()) {
-            self.to_room = UnitQuaternion::from_scaled_axis(tilt.scaled_axis() * share) * self.to_room;
+            self.to_room =
+                UnitQuaternion::from_scaled_axis(tilt.scaled_axis() * share) * self.to_room;
         }
     }
 

@@ -24,12 +24,24 @@ const AS_GOOD: f64 = 0.9;
 fn feature(up: &Vector3<f64>) -> Feature {
     let (x, y, z) = (up.x, up.y, up.z);
     let root = std::f64::consts::SQRT_2;
-    Feature::from([x * x, y * y, z * z, root * x * y, root * x * z, root * y * z, x, y, z])
+    Feature::from([
+        x * x,
+        y * y,
+        z * z,
+        root * x * y,
+        root * x * z,
+        root * y * z,
+        x,
+        y,
+        z,
+    ])
 }
 
 fn information(covered: &[Vector3<f64>]) -> Information {
     let all = covered.iter().map(feature);
-    all.fold(Information::identity() * BEFOREHAND, |m, h| m + h * h.transpose())
+    all.fold(Information::identity() * BEFOREHAND, |m, h| {
+        m + h * h.transpose()
+    })
 }
 
 /// What one more placement tells: `hᵀ M⁻¹ h`, the variance of its prediction by those before.
@@ -54,8 +66,15 @@ pub fn next_direction(covered: &[Vector3<f64>], now: Option<&Vector3<f64>>) -> D
     let best = gains.iter().fold(0.0, |a: f64, b| a.max(*b));
     // How far from a right angle, then simple placements first, which the order of all is.
     let turn = |d: &Direction| now.map_or(0.0, |now| d.unit().dot(now).abs());
-    let good = all.iter().zip(&gains).filter(|(_, gain)| **gain >= AS_GOOD * best);
-    let wanted = good.min_by(|a, b| (a.0.axes(), turn(a.0)).partial_cmp(&(b.0.axes(), turn(b.0))).unwrap_or(std::cmp::Ordering::Equal));
+    let good = all
+        .iter()
+        .zip(&gains)
+        .filter(|(_, gain)| **gain >= AS_GOOD * best);
+    let wanted = good.min_by(|a, b| {
+        (a.0.axes(), turn(a.0))
+            .partial_cmp(&(b.0.axes(), turn(b.0)))
+            .unwrap_or(std::cmp::Ordering::Equal)
+    });
     wanted.map_or(Direction { signs: [0, 0, 1] }, |(d, _)| *d)
 }
 
@@ -68,7 +87,11 @@ pub(crate) fn worth(covered: &[Vector3<f64>], up: &Vector3<f64>, wanted: &Direct
 /// How much the placements so far tell of what a plan of `planned` placements would: the ninth root of the ratio of
 /// determinants (D-efficiency), 1 for as much.
 pub fn efficiency(covered: &[Vector3<f64>], planned: usize) -> f64 {
-    let log = |ups: &[Vector3<f64>]| information(ups).cholesky().map_or(f64::NEG_INFINITY, |c| c.ln_determinant());
+    let log = |ups: &[Vector3<f64>]| {
+        information(ups)
+            .cholesky()
+            .map_or(f64::NEG_INFINITY, |c| c.ln_determinant())
+    };
     ((log(covered) - log(&plan(planned))) / 9.0).exp()
 }
 
@@ -97,7 +120,10 @@ mod tests {
 
     #[test]
     fn placements_in_one_plane_are_worth_nothing_however_many() {
-        let ring: Vec<_> = (0..24).map(|k| (0.26 * f64::from(k)).sin_cos()).map(|(s, c)| Vector3::new(c, s, 0.0)).collect();
+        let ring: Vec<_> = (0..24)
+            .map(|k| (0.26 * f64::from(k)).sin_cos())
+            .map(|(s, c)| Vector3::new(c, s, 0.0))
+            .collect();
         assert!(efficiency(&ring, 12) < 0.1);
         let next = next_direction(&ring, None);
         assert!(next.signs[2] != 0, "{next:?}");

@@ -7,7 +7,9 @@ use std::path::PathBuf;
 #[non_exhaustive]
 pub enum Error {
     /// The source is no address, path or `-`.
-    #[error("{0}: neither the address of a phone (http://192.168.0.12:8080) nor a file that exists, nor `-`")]
+    #[error(
+        "{0}: neither the address of a phone (http://192.168.0.12:8080) nor a file that exists, nor `-`"
+    )]
     NoSource(String),
     /// Nothing answers, or not for too long.
     #[error("{address}: no answer in {attempts} attempts ({cause})")]
@@ -28,7 +30,9 @@ pub enum Error {
         found: String,
     },
     /// The experiment that is open on the phone lacks a sensor.
-    #[error("{address}: the experiment `{experiment}` has no {sensor} with x, y, z and time (found: {found})")]
+    #[error(
+        "{address}: the experiment `{experiment}` has no {sensor} with x, y, z and time (found: {found})"
+    )]
     NoSensor {
         /// The address asked.
         address: String,

@@ -126,7 +126,9 @@ impl Lines {
             Err(error) => {
                 let reason = error.to_string();
                 if self.refusal.as_ref() != Some(&reason) && self.lines >= FEWEST_LINES {
-                    batch.events.push(Event::NotUnderstood { reason: reason.clone() });
+                    batch.events.push(Event::NotUnderstood {
+                        reason: reason.clone(),
+                    });
                 }
                 self.refusal = Some(reason);
             }
@@ -149,7 +151,9 @@ impl Source for Lines {
     fn poll(&mut self) -> Result<Batch, Error> {
         let mut batch = Batch::default();
         if !std::mem::replace(&mut self.greeted, true) {
-            batch.events.push(Event::Connected { name: self.name.clone() });
+            batch.events.push(Event::Connected {
+                name: self.name.clone(),
+            });
         }
         self.keep()?;
         let is_due = self.ended || self.not_before.is_none_or(|then| Instant::now() >= then);
@@ -211,7 +215,13 @@ mod tests {
     }
 
     fn rows(from: usize, to: usize) -> String {
-        let row = |k: usize| format!("{},0.1,0.2,9.8{},0.001,0.002,0.003\n", 0.01 * k as f64, k % 10);
+        let row = |k: usize| {
+            format!(
+                "{},0.1,0.2,9.8{},0.001,0.002,0.003\n",
+                0.01 * k as f64,
+                k % 10
+            )
+        };
         (from..to).map(row).collect()
     }
 
@@ -239,7 +249,10 @@ mod tests {
         let (send, mut lines) = lines(folder.path());
         send.send("hello, world\n".repeat(30).into()).unwrap();
         let events = lines.poll().unwrap().events;
-        assert!(matches!(events.last(), Some(Event::NotUnderstood { .. })), "{events:?}");
+        assert!(
+            matches!(events.last(), Some(Event::NotUnderstood { .. })),
+            "{events:?}"
+        );
         send.send(b"hello\n".to_vec()).unwrap();
         drop(send);
         assert!(matches!(lines.poll(), Err(Error::Unreadable(_))));

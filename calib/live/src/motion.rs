@@ -99,7 +99,11 @@ impl Detector {
     }
 
     fn level(&self) -> f64 {
-        if self.biases.is_empty() { ANY_BIAS } else { LEVEL }
+        if self.biases.is_empty() {
+            ANY_BIAS
+        } else {
+            LEVEL
+        }
     }
 
     /// The rate beyond the bias, which is the median of those of the placements, rad/s.
@@ -143,11 +147,24 @@ mod tests {
         assert_eq!(detector.judge(&quiet_f, &quiet_w), Motion::Still);
         detector.learn(&quiet_w);
         let about_vertical = window(Vector3::z() * 0.05, 0.0, 0.003);
-        assert_eq!(detector.judge(&quiet_f, &about_vertical), Motion::Turning, "a steady turn is no rest");
+        assert_eq!(
+            detector.judge(&quiet_f, &about_vertical),
+            Motion::Turning,
+            "a steady turn is no rest"
+        );
         let tremor = window(Vector3::zeros(), 0.05, 0.003);
-        assert_eq!(detector.judge(&window(up, 0.01, 0.001), &tremor), Motion::InHand);
-        assert_eq!(detector.judge(&window(up, 0.05, 0.001), &quiet_w), Motion::Shaken);
-        assert_eq!(detector.judge(&quiet_f, &window(Vector3::x() * 2.0, 0.3, 0.003)), Motion::Turning);
+        assert_eq!(
+            detector.judge(&window(up, 0.01, 0.001), &tremor),
+            Motion::InHand
+        );
+        assert_eq!(
+            detector.judge(&window(up, 0.05, 0.001), &quiet_w),
+            Motion::Shaken
+        );
+        assert_eq!(
+            detector.judge(&quiet_f, &window(Vector3::x() * 2.0, 0.3, 0.003)),
+            Motion::Turning
+        );
         assert_eq!(detector.judge(&quiet_f[..3], &quiet_w), Motion::Unknown);
     }
 }

@@ -33,7 +33,14 @@ mod tests {
     #[test]
     fn equal_readings_are_a_rail_only_where_they_are_fast() {
         let mut rails = Rails::default();
-        let mut look = |x: f64| (0..4).filter_map(|_| rails.look_at(&Vector3::new(0.0, x, 0.0), 1.0)).last();
-        assert_eq!([look(0.01), look(4.36), look(-4.36)], [None, Some(1), Some(1)]);
+        let mut look = |x: f64| {
+            (0..4)
+                .filter_map(|_| rails.look_at(&Vector3::new(0.0, x, 0.0), 1.0))
+                .last()
+        };
+        assert_eq!(
+            [look(0.01), look(4.36), look(-4.36)],
+            [None, Some(1), Some(1)]
+        );
     }
 }

@@ -42,7 +42,12 @@ impl Recorder {
     /// # Errors
     /// A disk that takes no more.
     pub fn append(&mut self, accelerometer: &Stream, gyroscope: &Stream) -> Result<(), Error> {
-        for ((file, stream), (name, _)) in self.files.iter_mut().zip([accelerometer, gyroscope]).zip(FILES) {
+        for ((file, stream), (name, _)) in self
+            .files
+            .iter_mut()
+            .zip([accelerometer, gyroscope])
+            .zip(FILES)
+        {
             if stream.is_empty() {
                 continue;
             }
@@ -85,7 +90,8 @@ fn create(folder: &Path, which: usize) -> Result<File, Error> {
     let path = folder.join(format!("{name}.csv"));
     let file = OpenOptions::new().append(true).create_new(true).open(&path);
     let mut file = file.map_err(Error::at(&path))?;
-    file.write_all(header.as_bytes()).map_err(Error::at(&path))?;
+    file.write_all(header.as_bytes())
+        .map_err(Error::at(&path))?;
     Ok(file)
 }
 
@@ -107,6 +113,9 @@ mod tests {
         let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
         assert_eq!(read("before_1/acc.csv"), "t,ax,ay,az\n0.25,1,-2.5,9.81\n");
         assert_eq!(read("acc.csv"), "t,ax,ay,az\n");
-        assert!(Recorder::begin(folder.path()).is_err(), "an old recording is not overwritten");
+        assert!(
+            Recorder::begin(folder.path()).is_err(),
+            "an old recording is not overwritten"
+        );
     }
 }

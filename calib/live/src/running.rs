@@ -68,7 +68,9 @@ impl Estimate {
 impl Errors {
     /// `None` where a free parameter has none that is finite.
     fn of(triad: &Triad) -> Option<Self> {
-        let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |a: f64, b| if b > a || b.is_nan() { b } else { a });
+        let largest = |values: &mut dyn Iterator<Item = f64>| {
+            values.fold(0.0, |a: f64, b| if b > a || b.is_nan() { b } else { a })
+        };
         let entries = |diagonal: bool| {
             let all = (0..9).filter(move |k| (k / 3 == k % 3) == diagonal);
             all.filter_map(|k| triad.t_std[k / 3][k % 3])
@@ -79,6 +81,7 @@ impl Errors {
             bias: largest(&mut triad.bias_std.iter().flatten().copied()),
         };
         let all = [errors.scale, errors.misalignment, errors.bias];
-        (triad.unobservable.is_empty() && all.iter().all(|e| e.is_finite() && *e > 0.0)).then_some(errors)
+        (triad.unobservable.is_empty() && all.iter().all(|e| e.is_finite() && *e > 0.0))
+            .then_some(errors)
     }
 }

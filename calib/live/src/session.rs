@@ -187,10 +187,15 @@ impl Session {
         }
         if self.motion == Motion::Still && !self.counted {
             let lain = self.at.unwrap_or(self.since) - self.since;
-            return Instruction::Hold { remaining: (self.aim.hold - lain).max(0.0) };
+            return Instruction::Hold {
+                remaining: (self.aim.hold - lain).max(0.0),
+            };
         }
         match (self.wanted, self.placements.last()) {
-            (Some(to), Some(last)) => Instruction::Turn { to, last: last.verdict },
+            (Some(to), Some(last)) => Instruction::Turn {
+                to,
+                last: last.verdict,
+            },
             _ => Instruction::LayDown,
         }
     }
@@ -259,23 +264,43 @@ impl Session {
 
     /// Gravity's reading is the median of a second: a device in the hand is near it too.
     fn learn_gravity(&mut self) {
-        let Some(stream) = self.recording.accelerometer.as_ref().filter(|_| self.gravity.is_none()) else {
+        let Some(stream) = self
+            .recording
+            .accelerometer
+            .as_ref()
+            .filter(|_| self.gravity.is_none())
+        else {
             return;
         };
-        if stream.t.first().zip(stream.t.last()).is_none_or(|(a, b)| b - a < WINDOW) {
+        if stream
+            .t
+            .first()
+            .zip(stream.t.last())
+            .is_none_or(|(a, b)| b - a < WINDOW)
+        {
             return;
         }
         let mut norms: Vec<f64> = stream.values.iter().map(Vector3::norm).collect();
         norms.sort_by(f64::total_cmp);
-        self.gravity = norms.get(norms.len() / 2).copied().filter(|norm| *norm > 0.0);
+        self.gravity = norms
+            .get(norms.len() / 2)
+            .copied()
+            .filter(|norm| *norm > 0.0);
     }
 
     /// Looks one step on; false where there are no samples yet.
     fn look(&mut self) -> bool {
-        let (Some(force), Some(rate), Some(units)) = (&self.recording.accelerometer, &self.recording.gyroscope, self.units()) else {
+        let (Some(force), Some(rate), Some(units)) = (
+            &self.recording.accelerometer,
+            &self.recording.gyroscope,
+            self.units(),
+        ) else {
             return false;
         };
-        let (Some(first), Some(last)) = (both(force, rate, |s| s.t.first(), f64::max), both(force, rate, |s| s.t.last(), f64::min)) else {
+        let (Some(first), Some(last)) = (
+            both(force, rate, |s| s.t.first(), f64::max),
+            both(force, rate, |s| s.t.last(), f64::min),
+        ) else {
             return false;
         };
         let at = self.at.map_or(first + WINDOW, |at| at + STEP);
@@ -289,7 +314,8 @@ impl Session {
         self.follow(at, units);
         self.turn_to(motion, at);
         self.speak(at);
-        if self.motion == Motion::Still && !self.counted && at - self.since >= self.aim.hold - 1e-9 {
+        if self.motion == Motion::Still && !self.counted && at - self.since >= self.aim.hold - 1e-9
+        {
             self.count(at, &rate);
         }
         true
@@ -297,16 +323,29 @@ impl Session {
 
     /// Attitude and rails by the samples up to `at`.
     fn follow(&mut self, at: f64, units: [f64; 2]) {
-        let (Some(force), Some(rate)) = (&self.recording.accelerometer, &self.recording.gyroscope) else {
+        let (Some(force), Some(rate)) = (&self.recording.accelerometer, &self.recording.gyroscope)
+        else {
             return;
         };
-        while let Some((&t, reading)) = rate.t.get(self.seen).zip(rate.values.get(self.seen)).filter(|(t, _)| **t <= at) {
+        while let Some((&t, reading)) = rate
+            .t
+            .get(self.seen)
+            .zip(rate.values.get(self.seen))
+            .filter(|(t, _)| **t <= at)
+        {
             self.seen += 1;
             if let Some(force) = force.at(t) {
-                self.attitude.advance(t, &(reading * units[1]), &(force * units[0]));
+                self.attitude
+                    .advance(t, &(reading * units[1]), &(force * units[0]));
             }
             if let Some(axis) = self.rails.look_at(reading, units[1]) {
-                self.spoken = Some((Instruction::TooFast { axis, at: reading[axis] }, at + SPOKEN));
+                self.spoken = Some((
+                    Instruction::TooFast {
+                        axis,
+                        at: reading[axis],
+                    },
+                    at + SPOKEN,
+                ));
             }
         }
     }
@@ -315,13 +354,20 @@ impl Session {
         if motion == self.motion {
             return;
         }
-        if self.motion == Motion::Still && self.counted && let Some(placement) = self.placements.last_mut() {
+        if self.motion == Motion::Still
+            && self.counted
+            && let Some(placement) = self.placements.last_mut()
+        {
             placement.span.to = (at - END).max(placement.span.from);
         }
         self.motion = motion;
         self.counted = false;
         // A window that is still was so from its begin.
-        self.since = if motion == Motion::Still { at - WINDOW } else { at };
+        self.since = if motion == Motion::Still {
+            at - WINDOW
+        } else {
+            at
+        };
     }
 
     /// What is worth a word besides the next placement.
@@ -347,12 +393,17 @@ impl Session {
     fn count(&mut self, at: f64, rate: &[Vector3<f64>]) {
         self.counted = true;
         self.detector.learn(rate);
-        let span = Span { from: self.since + BEGIN, to: at };
+        let span = Span {
+            from: self.since + BEGIN,
+            to: at,
+        };
         let Some(up) = self.mean_direction(span) else {
             return;
         };
         let ups: Vec<_> = self.placements.iter().map(|p| p.up).collect();
-        if let Some(last) = self.placements.last_mut() && last.up.dot(&up) > SAME {
+        if let Some(last) = self.placements.last_mut()
+            && last.up.dot(&up) > SAME
+        {
             // Touched, not turned: the longer of the two stands for it.
             if span.length() > last.span.length() {
                 last.span = span;
@@ -361,7 +412,11 @@ impl Session {
         }
         let verdict = match self.wanted {
             Some(wanted) if wanted.unit().dot(&up) < REACHED => {
-                if worth(&ups, &up, &wanted) >= AS_GOOD { Verdict::GoodToo } else { Verdict::Repeated }
+                if worth(&ups, &up, &wanted) >= AS_GOOD {
+                    Verdict::GoodToo
+                } else {
+                    Verdict::Repeated
+                }
             }
             _ => Verdict::Good,
         };
@@ -386,7 +441,9 @@ impl Session {
 
     fn mean_direction(&self, span: Span) -> Option<Vector3<f64>> {
         let stream = self.recording.accelerometer.as_ref()?;
-        moments(&stream.values[stream.between(span.from, span.to)]).0.try_normalize(0.0)
+        moments(&stream.values[stream.between(span.from, span.to)])
+            .0
+            .try_normalize(0.0)
     }
 }
 
@@ -408,6 +465,11 @@ fn within(stream: &Stream, at: f64, unit: f64) -> Vec<Vector3<f64>> {
 }
 
 /// A stamp of both streams.
-fn both<'a>(a: &'a Stream, b: &'a Stream, stamp: impl Fn(&'a Stream) -> Option<&'a f64>, of: fn(f64, f64) -> f64) -> Option<f64> {
+fn both<'a>(
+    a: &'a Stream,
+    b: &'a Stream,
+    stamp: impl Fn(&'a Stream) -> Option<&'a f64>,
+    of: fn(f64, f64) -> f64,
+) -> Option<f64> {
     Some(of(*stamp(a)?, *stamp(b)?))
 }

@@ -123,7 +123,9 @@ fn address(name: &str) -> Option<String> {
     let (host, port) = bare.rsplit_once(':').unwrap_or((bare, "80"));
     let is_host = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '-');
     let is_port = port.parse::<u16>().is_ok_and(|port| port > 0);
-    let marked = name.starts_with("http://") || bare.contains(':') || bare.parse::<std::net::Ipv4Addr>().is_ok();
+    let marked = name.starts_with("http://")
+        || bare.contains(':')
+        || bare.parse::<std::net::Ipv4Addr>().is_ok();
     let host_fits = !host.is_empty() && host.chars().all(is_host);
     (marked && is_port && host_fits).then(|| format!("http://{host}:{port}"))
 }
@@ -134,10 +136,22 @@ mod tests {
 
     #[test]
     fn an_address_is_told_from_a_path() {
-        assert_eq!(address("192.168.0.12:8080").as_deref(), Some("http://192.168.0.12:8080"));
-        assert_eq!(address("http://phone.local:8080/").as_deref(), Some("http://phone.local:8080"));
+        assert_eq!(
+            address("192.168.0.12:8080").as_deref(),
+            Some("http://192.168.0.12:8080")
+        );
+        assert_eq!(
+            address("http://phone.local:8080/").as_deref(),
+            Some("http://phone.local:8080")
+        );
         assert_eq!(address("10.0.0.7").as_deref(), Some("http://10.0.0.7:80"));
-        for path in ["log.txt", "/dev/ttyUSB9", "a b:80", "https://phone:80", "phone:0"] {
+        for path in [
+            "log.txt",
+            "/dev/ttyUSB9",
+            "a b:80",
+            "https://phone:80",
+            "phone:0",
+        ] {
             assert_eq!(address(path), None, "{path}");
         }
     }

@@ -40,11 +40,17 @@ impl View {
     pub fn of(session: &Session) -> Self {
         let recording = session.recording();
         let streams = [&recording.accelerometer, &recording.gyroscope].map(Option::as_ref);
-        let length = |stream: &calib::recording::Stream| stream.t.first().zip(stream.t.last()).map(|(a, b)| b - a);
+        let length = |stream: &calib::recording::Stream| {
+            stream.t.first().zip(stream.t.last()).map(|(a, b)| b - a)
+        };
         Self {
             instruction: session.instruction(),
             motion: session.motion(),
-            placements: session.placements().iter().map(|p| (p.up.into(), p.verdict)).collect(),
+            placements: session
+                .placements()
+                .iter()
+                .map(|p| (p.up.into(), p.verdict))
+                .collect(),
             planned: session.aim().placements,
             hold: session.aim().hold,
             wanted: session.wanted(),

@@ -15,6 +15,7 @@ mod import;
 mod info;
 mod inputs;
 mod joint;
+mod live;
 mod pictures;
 mod reckon;
 mod rests_plot;
@@ -32,6 +33,7 @@ pub enum Command {
     Demo(demo::Args),
     Info(info::Args),
     Calibrate(Box<calibrate::Args>),
+    Live(Box<live::Args>),
     Segment(segment::Args),
     Apply(apply::Args),
     Convert(convert::Args),
@@ -52,6 +54,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Demo(args) => demo::run(&args),
         Command::Info(args) => info::run(&args),
         Command::Calibrate(args) => calibrate::run(&args),
+        Command::Live(args) => live::run(&args),
         Command::Segment(args) => segment::run(&args),
         Command::Apply(args) => apply::run(&args),
         Command::Convert(args) => convert::run(&args),

@@ -29,31 +29,47 @@ impl Experiment {
             let source = input.get("source")?.as_str()?.to_owned();
             Some((source, input.get("outputs").and_then(buffers)))
         };
-        let title = ["localTitle", "title"].iter().find_map(|key| document.get(key)?.as_str());
+        let title = ["localTitle", "title"]
+            .iter()
+            .find_map(|key| document.get(key)?.as_str());
         Some(Self {
             title: title.unwrap_or("").to_owned(),
             inputs: inputs.iter().filter_map(input).collect(),
-            export_sets: document.get("export").and_then(Value::as_array).map_or(0, Vec::len),
+            export_sets: document
+                .get("export")
+                .and_then(Value::as_array)
+                .map_or(0, Vec::len),
         })
     }
 
     /// The buffers of an input, by phyphox's name of it.
     pub(super) fn sensor(&self, source: &str) -> Option<&Buffers> {
-        let of = |(name, buffers): &'_ (String, Option<Buffers>)| name == source && buffers.is_some();
-        self.inputs.iter().find(|input| of(input)).and_then(|(_, buffers)| buffers.as_ref())
+        let of =
+            |(name, buffers): &'_ (String, Option<Buffers>)| name == source && buffers.is_some();
+        self.inputs
+            .iter()
+            .find(|input| of(input))
+            .and_then(|(_, buffers)| buffers.as_ref())
     }
 
     /// The names of its inputs.
     pub(super) fn found(&self) -> String {
         let names: Vec<&str> = self.inputs.iter().map(|(name, _)| name.as_str()).collect();
-        if names.is_empty() { "none".to_owned() } else { names.join(", ") }
+        if names.is_empty() {
+            "none".to_owned()
+        } else {
+            names.join(", ")
+        }
     }
 }
 
 /// `[{"x": "accX"}, {"y": "accY"}, …, {"t": "acc_time"}]`, in any order.
 fn buffers(outputs: &Value) -> Option<Buffers> {
     let name = |of: &str| {
-        let named = outputs.as_array()?.iter().find_map(|output| output.get(of)?.as_str());
+        let named = outputs
+            .as_array()?
+            .iter()
+            .find_map(|output| output.get(of)?.as_str());
         named.map(str::to_owned)
     };
     Some(Buffers {
@@ -76,8 +92,14 @@ mod tests {
         let buffers = experiment.sensor("accelerometer").unwrap();
         assert_eq!(buffers.values, ["accX", "accY", "accZ"]);
         assert_eq!(buffers.time, "acc_time");
-        assert!(experiment.sensor("gyroscope").is_none() && experiment.sensor("linear_acceleration").is_none());
-        assert_eq!((experiment.found().as_str(), experiment.export_sets), ("linear_acceleration, accelerometer", 1));
+        assert!(
+            experiment.sensor("gyroscope").is_none()
+                && experiment.sensor("linear_acceleration").is_none()
+        );
+        assert_eq!(
+            (experiment.found().as_str(), experiment.export_sets),
+            ("linear_acceleration, accelerometer", 1)
+        );
         assert!(Experiment::parse(b"<html>").is_none());
     }
 }

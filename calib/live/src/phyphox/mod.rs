@@ -79,7 +79,10 @@ impl Phyphox {
             cause,
         })?;
         let experiment = Experiment::parse(&text).ok_or_else(|| not_phyphox(address, &text))?;
-        let sensors = [sensor(address, &experiment, "accelerometer")?, sensor(address, &experiment, "gyroscope")?];
+        let sensors = [
+            sensor(address, &experiment, "accelerometer")?,
+            sensor(address, &experiment, "gyroscope")?,
+        ];
         Ok(Self {
             recorder: Recorder::begin(&how.folder.join(RECEIVED))?,
             export: how.folder.join("phyphox.zip"),
@@ -102,7 +105,9 @@ impl Phyphox {
     fn path(&self) -> String {
         let all = self.barren >= BARREN;
         let queries = self.sensors.iter().zip(self.last);
-        let queries: Vec<String> = queries.map(|(s, last)| reply::query(s, last.filter(|_| !all))).collect();
+        let queries: Vec<String> = queries
+            .map(|(s, last)| reply::query(s, last.filter(|_| !all)))
+            .collect();
         format!("/get?{}", queries.join("&"))
     }
 
@@ -111,7 +116,11 @@ impl Phyphox {
         let attempts = self.failures;
         if attempts >= self.attempts {
             let address = self.client.address.clone();
-            return Err(Error::Lost { address, attempts, cause });
+            return Err(Error::Lost {
+                address,
+                attempts,
+                cause,
+            });
         }
         Ok(Batch {
             events: vec![Event::Reconnecting { attempts, cause }],
@@ -142,8 +151,13 @@ impl Phyphox {
         batch.accelerometer = self.newer(0, accelerometer);
         batch.gyroscope = self.newer(1, gyroscope);
         let barren = batch.accelerometer.is_empty() && batch.gyroscope.is_empty();
-        self.barren = if barren && self.measuring && self.barren < BARREN { self.barren + 1 } else { 0 };
-        self.recorder.append(&batch.accelerometer, &batch.gyroscope)?;
+        self.barren = if barren && self.measuring && self.barren < BARREN {
+            self.barren + 1
+        } else {
+            0
+        };
+        self.recorder
+            .append(&batch.accelerometer, &batch.gyroscope)?;
         Ok(batch)
     }
 
@@ -152,7 +166,10 @@ impl Phyphox {
         let Some(last) = self.last[0] else {
             return false;
         };
-        let other = self.session.as_ref().is_some_and(|session| *session != reply.status.session);
+        let other = self
+            .session
+            .as_ref()
+            .is_some_and(|session| *session != reply.status.session);
         let newest = fresh[0].t.last().copied().unwrap_or(0.0);
         other || reply.is_full(&self.sensors[0]) && newest < last - BEGUN_ANEW
     }
@@ -194,7 +211,10 @@ impl Phyphox {
             self.last[sensor] = Some(*t);
         }
         Stream {
-            t: fresh.t[from..].iter().map(|t| self.pauses.counted(*t)).collect(),
+            t: fresh.t[from..]
+                .iter()
+                .map(|t| self.pauses.counted(*t))
+                .collect(),
             values: fresh.values[from..].to_vec(),
         }
     }
@@ -203,13 +223,19 @@ impl Phyphox {
     fn export(&self) -> Result<PathBuf, String> {
         let sets = 0..self.experiment.export_sets.max(1);
         let sets: String = sets.map(|k| format!("&set{k}=On")).collect();
-        let bytes = self.client.export(&format!("/export?format={FORMAT}{sets}"))?;
+        let bytes = self
+            .client
+            .export(&format!("/export?format={FORMAT}{sets}"))?;
         let path = &self.export;
         std::fs::write(path, &bytes).map_err(|e| format!("{}: {e}", path.display()))?;
-        let recording = Recording::read(path, &ReadOptions::default()).map_err(|e| e.to_string())?;
-        let [accelerometer, gyroscope] = [recording.accelerometer, recording.gyroscope].map(|s| s.map_or(0, |s| s.len()));
+        let recording =
+            Recording::read(path, &ReadOptions::default()).map_err(|e| e.to_string())?;
+        let [accelerometer, gyroscope] =
+            [recording.accelerometer, recording.gyroscope].map(|s| s.map_or(0, |s| s.len()));
         if accelerometer == 0 || gyroscope == 0 {
-            return Err(format!("{accelerometer} and {gyroscope} samples in the exported file"));
+            return Err(format!(
+                "{accelerometer} and {gyroscope} samples in the exported file"
+            ));
         }
         Ok(path.clone())
     }
@@ -243,23 +269,34 @@ impl Source for Phyphox {
         }
         let plain = self.recorder.folder().to_owned();
         Ok(match exported {
-            Ok(recording) => Finished { recording, fallback: None },
-            Err(reason) => Finished { recording: plain, fallback: Some(reason) },
+            Ok(recording) => Finished {
+                recording,
+                fallback: None,
+            },
+            Err(reason) => Finished {
+                recording: plain,
+                fallback: Some(reason),
+            },
         })
     }
 }
 
 fn sensor(address: &str, experiment: &Experiment, source: &'static str) -> Result<Buffers, Error> {
-    experiment.sensor(source).cloned().ok_or_else(|| Error::NoSensor {
-        address: address.to_owned(),
-        experiment: experiment.title.clone(),
-        sensor: source,
-        found: experiment.found(),
-    })
+    experiment
+        .sensor(source)
+        .cloned()
+        .ok_or_else(|| Error::NoSensor {
+            address: address.to_owned(),
+            experiment: experiment.title.clone(),
+            sensor: source,
+            found: experiment.found(),
+        })
 }
 
 fn not_phyphox(address: &str, text: &[u8]) -> Error {
-    let begin = String::from_utf8_lossy(&text[..text.len().min(60)]).trim().to_owned();
+    let begin = String::from_utf8_lossy(&text[..text.len().min(60)])
+        .trim()
+        .to_owned();
     Error::NotPhyphox {
         address: address.to_owned(),
         found: format!("`{begin}` from /config"),

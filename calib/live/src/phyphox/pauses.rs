@@ -42,7 +42,12 @@ impl Pauses {
 
     /// The stamp with the pauses before it counted.
     pub(super) fn counted(&self, t: f64) -> f64 {
-        t + self.0.iter().filter(|[at, _]| t > *at).map(|[_, length]| length).sum::<f64>()
+        t + self
+            .0
+            .iter()
+            .filter(|[at, _]| t > *at)
+            .map(|[_, length]| length)
+            .sum::<f64>()
     }
 
     /// The length of the last, s.

@@ -13,7 +13,11 @@ use super::config::Buffers;
 pub(super) fn query(buffers: &Buffers, since: Option<f64>) -> String {
     let time = encoded(&buffers.time);
     let newer = since.map_or("full".to_owned(), |t| format!("{t}%7C{time}"));
-    let names = buffers.values.iter().map(|name| encoded(name)).chain([time.clone()]);
+    let names = buffers
+        .values
+        .iter()
+        .map(|name| encoded(name))
+        .chain([time.clone()]);
     let parts: Vec<String> = names.map(|name| format!("{name}={newer}")).collect();
     parts.join("&")
 }
@@ -46,7 +50,9 @@ impl Reply {
 
     /// Whether all of a sensor's buffers was sent, asked for or not.
     pub(super) fn is_full(&self, buffers: &Buffers) -> bool {
-        self.buffer.get(&buffers.time).is_some_and(|part| part.mode == "full")
+        self.buffer
+            .get(&buffers.time)
+            .is_some_and(|part| part.mode == "full")
     }
 
     /// The samples of a sensor in order of time. Those without a number are left out.
@@ -91,6 +97,8 @@ mod tests {
         let samples = reply.samples(&buffers);
         assert_eq!(samples.t, [1.26, 1.28]);
         assert_eq!(samples.values[0], Vector3::new(1.0, 1.0, 9.806_650_1));
-        assert!(reply.status.measuring && reply.status.session == "a1b2c3" && !reply.is_full(&buffers));
+        assert!(
+            reply.status.measuring && reply.status.session == "a1b2c3" && !reply.is_full(&buffers)
+        );
     }
 }
