@@ -311,6 +311,9 @@ impl Session {
         let rate = within(rate, at, units[1]);
         let motion = self.detector.judge(&force, &rate);
         self.at = Some(at);
+        if force.is_empty() {
+            self.skip(at);
+        }
         self.follow(at, units);
         self.turn_to(motion, at);
         self.speak(at);
@@ -319,6 +322,13 @@ impl Session {
             self.count(at, &rate);
         }
         true
+    }
+
+    /// Goes on to where samples come again: an interruption may be long.
+    fn skip(&mut self, at: f64) {
+        let stream = self.recording.accelerometer.as_ref();
+        let next = stream.and_then(|s| s.t.get(s.t.partition_point(|t| *t <= at)));
+        self.at = next.copied().or(self.at);
     }
 
     /// Attitude and rails by the samples up to `at`.
@@ -357,6 +367,7 @@ impl Session {
         if self.motion == Motion::Still
             && self.counted
             && let Some(placement) = self.placements.last_mut()
+            && placement.span.from >= self.since
         {
             placement.span.to = (at - END).max(placement.span.from);
         }

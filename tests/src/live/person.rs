@@ -1,6 +1,6 @@
 //! A person with a device in the hand.
 
-use live::{Direction, Instruction, Verdict};
+use live::{Direction, Instruction};
 use nalgebra::{UnitQuaternion, Vector3};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -15,7 +15,7 @@ pub struct Habits {
     pub wrong_face: f64,
     /// Turns are too fast for the gyroscope until the person is told.
     pub hasty: bool,
-    /// Share of placements that are given up early and taken again.
+    /// How often a placement is touched before it is complete, percent of the samples.
     pub impatient: f64,
 }
 
@@ -41,6 +41,8 @@ pub struct Person {
     doing: Doing,
     told: Instruction,
     told_at: f64,
+    /// What was done last.
+    done: Instruction,
     /// Delay before the person follows, s.
     reaction: f64,
     /// Placements made, each orientation that the device was brought to.
@@ -48,8 +50,8 @@ pub struct Person {
     phases: [f64; 6],
 }
 
-/// Before an instruction that has not changed is followed once more, s.
-const WAIT: f64 = 3.0;
+/// Before an instruction that has been followed already is followed once more, s.
+const WAIT: f64 = 6.0;
 /// Rotation of the device while it is laid out of the hand, rad.
 const LAID: f64 = 0.05;
 
@@ -68,6 +70,7 @@ impl Person {
             },
             told: Instruction::Wait,
             told_at: 0.0,
+            done: Instruction::Wait,
             reaction: 0.7,
             placements: 0,
             phases,
@@ -127,7 +130,7 @@ impl Person {
         if let Doing::Turning { from, seconds, by } = self.doing {
             if t >= from + seconds {
                 self.attitude *= UnitQuaternion::from_scaled_axis(by);
-                let is_placement = by.norm() > 2.0 * LAID;
+                let is_placement = by.norm() > 1.5 * LAID;
                 let in_the_hand = is_placement && self.chance(self.habits.in_the_hand);
                 self.placements += usize::from(is_placement);
                 self.doing = Doing::Resting {
@@ -140,42 +143,34 @@ impl Person {
         let Doing::Resting { since, in_the_hand } = self.doing else {
             return;
         };
-        let follows =
-            t > self.told_at + self.reaction && (self.told_at > since || t > since + WAIT);
-        if !follows {
+        let is_new = self.told != self.done || t > since + WAIT;
+        if !is_new || t < self.told_at.max(since) + self.reaction {
             return;
         }
-        match self.told {
-            Instruction::LayDown if in_the_hand => {
+        let nudge = |person: &mut Self| Doing::Turning {
+            from: t,
+            seconds: 0.6,
+            by: person.any().normalize() * LAID,
+        };
+        let told = self.told;
+        match told {
+            Instruction::LayDown | Instruction::LetGo { .. }
+                if in_the_hand && self.placements == 0 =>
+            {
                 let k = self.rng.random_range(0..6);
                 self.turn_to(&Direction::all()[k], t);
             }
-            Instruction::LetGo { .. } if in_the_hand => {
-                let by = self.any() * LAID;
-                self.doing = Doing::Turning {
-                    from: t,
-                    seconds: 0.6,
-                    by,
-                };
-                self.told_at = t;
-            }
+            Instruction::LetGo { .. } if in_the_hand => self.doing = nudge(self),
             Instruction::Turn { to, .. } => {
-                let to = if self.chance(self.habits.wrong_face) {
-                    self.another()
-                } else {
-                    to
-                };
+                self.done = self.told;
+                let wrong = self.chance(self.habits.wrong_face);
+                let to = if wrong { self.another() } else { to };
                 self.turn_to(&to, t);
             }
             Instruction::Hold { remaining }
                 if remaining > 1.0 && self.chance(self.habits.impatient / 100.0) =>
             {
-                let by = self.any() * LAID;
-                self.doing = Doing::Turning {
-                    from: t,
-                    seconds: 0.6,
-                    by,
-                };
+                self.doing = nudge(self);
             }
             _ => {}
         }
@@ -213,13 +208,5 @@ impl Person {
 
     fn any(&mut self) -> Vector3<f64> {
         Vector3::from_fn(|_, _| StandardNormal.sample(&mut self.rng))
-    }
-
-    /// The last verdict that the person heard.
-    pub fn heard(&self) -> Option<Verdict> {
-        match self.told {
-            Instruction::Turn { last, .. } => Some(last),
-            _ => None,
-        }
     }
 }

@@ -115,14 +115,16 @@ impl Phone {
     /// The answer to a request; `None` where the connection breaks.
     pub(super) fn answer(&mut self, path: &str) -> Option<Vec<u8>> {
         let (path, query) = path.split_once('?').unwrap_or((path, ""));
-        if path == "/get" {
+        let is_out = |phone: &Self| {
+            phone
+                .drops
+                .iter()
+                .any(|[from, to]| (*from..*to).contains(&phone.now))
+        };
+        if path == "/get" || is_out(self) {
             self.advance();
         }
-        if self
-            .drops
-            .iter()
-            .any(|[from, to]| (*from..*to).contains(&self.now))
-        {
+        if is_out(self) {
             return None;
         }
         Some(match path {

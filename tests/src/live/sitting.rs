@@ -55,7 +55,7 @@ pub fn phone(seed: u64) -> Phone {
         in_the_hand: if has(1) { 0.4 } else { 0.0 },
         wrong_face: if has(2) { 0.15 } else { 0.0 },
         hasty: has(3),
-        impatient: if has(3) { 0.2 } else { 0.0 },
+        impatient: if has(3) { 0.05 } else { 0.0 },
     };
     let mut times =
         |count: usize| -> Vec<f64> { (0..count).map(|_| rng.random_range(8.0..90.0)).collect() };

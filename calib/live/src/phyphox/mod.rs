@@ -39,6 +39,8 @@ const DOUBLINGS: u32 = 4;
 const BARREN: u32 = 40;
 /// A clock that is behind by more than this has begun anew, s.
 const BEGUN_ANEW: f64 = 0.5;
+/// Times that the export is asked for again.
+const EXPORTS: u32 = 4;
 /// Folder of the samples as they came.
 const RECEIVED: &str = "received";
 /// CSV with comma and point, by phyphox's count of its formats.
@@ -261,10 +263,11 @@ impl Source for Phyphox {
             let _ = self.client.get("/control?cmd=stop");
         }
         let mut exported = self.export();
-        for _ in 1..self.attempts.min(5) {
+        for attempt in 0..EXPORTS {
             if exported.is_ok() {
                 break;
             }
+            std::thread::sleep(FIRST_WAIT * 2u32.pow(attempt));
             exported = self.export();
         }
         let plain = self.recorder.folder().to_owned();
