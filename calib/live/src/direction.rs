@@ -1,10 +1,10 @@
 //! Directions to place a device in.
 
 use nalgebra::Vector3;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Which of a device's axes point up: one for a face, two for an edge, three for a corner.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct Direction {
     /// −1, 0 or 1 for each axis, not all 0.

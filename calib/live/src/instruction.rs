@@ -1,11 +1,11 @@
 //! What the person is told, as values; words are the caller's.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::direction::Direction;
 
 /// What to do now.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", tag = "do")]
 #[non_exhaustive]
 pub enum Instruction {
@@ -48,7 +48,7 @@ pub enum Instruction {
 }
 
 /// What became of a placement.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// It was the one asked for.

@@ -15,4 +15,4 @@ mod sitting;
 pub use person::{Habits, Person};
 pub use phone::Phone;
 pub use server::Server;
-pub use sitting::{Sitting, sit};
+pub use sitting::{Sitting, phone, sit};

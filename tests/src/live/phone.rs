@@ -1,5 +1,7 @@
 //! A phone with phyphox open: samples into buffers, pauses, answers.
 
+use std::path::{Path, PathBuf};
+
 use file_formats::make::{Packing, zip};
 use live::Instruction;
 use nalgebra::{Matrix3, Vector3};
@@ -53,6 +55,10 @@ pub struct Phone {
     drops: Vec<[f64; 2]>,
     /// The gyroscope's range, rad/s.
     range: f64,
+    /// Lines of instructions that the person reads, and how many bytes of them were read.
+    read: Option<(PathBuf, usize)>,
+    /// Samples of both sensors that were sent.
+    pub sent: [usize; 2],
 }
 
 impl Phone {
@@ -87,6 +93,8 @@ impl Phone {
             pauses: Vec::new(),
             drops: Vec::new(),
             range: 8.727,
+            read: None,
+            sent: [0; 2],
         }
     }
 
@@ -100,6 +108,28 @@ impl Phone {
     pub fn dropping(mut self, stretches: Vec<[f64; 2]>) -> Self {
         self.drops = stretches;
         self
+    }
+
+    /// The person reads instructions from a file that `stillpoint live --events` writes.
+    pub fn reading(mut self, events: &Path) -> Self {
+        self.read = Some((events.to_owned(), 0));
+        self
+    }
+
+    fn read_instructions(&mut self) {
+        let Some((path, read)) = &mut self.read else {
+            return;
+        };
+        let text = std::fs::read_to_string(path).unwrap_or_default();
+        let new = text.get(*read..).unwrap_or("");
+        *read += new.len();
+        let told = new.lines().filter_map(|line| {
+            let document: serde_json::Value = serde_json::from_str(line).ok()?;
+            serde_json::from_value::<Instruction>(document.get("instruction")?.clone()).ok()
+        });
+        for instruction in told.collect::<Vec<_>>() {
+            self.tell(instruction);
+        }
     }
 
     /// Tells the person.
@@ -129,7 +159,10 @@ impl Phone {
         }
         Some(match path {
             "/config" => CONFIG.into(),
-            "/get" => self.get(query).into_bytes(),
+            "/get" => {
+                self.sent = [0, 1].map(|k| self.buffers[k].len());
+                self.get(query).into_bytes()
+            }
             "/control" => self.control(query),
             "/time" => self.times().into_bytes(),
             "/export" => self.export(),
@@ -138,6 +171,7 @@ impl Phone {
     }
 
     fn advance(&mut self) {
+        self.read_instructions();
         let until = self.now + POLL;
         loop {
             let k = usize::from(self.next[1] < self.next[0]);

@@ -106,7 +106,8 @@ pub fn sit(seed: u64, planned: usize) -> Result<Sitting, Box<dyn std::error::Err
             break;
         }
     }
-    let (made, seconds) = (server.phone().person.placements, server.phone().seconds());
+    let made = server.phone().person.placements;
+    let seconds = server.phone().seconds();
     let finished = source.finish()?;
     let recording = Recording::read(&finished.recording, &ReadOptions::default());
     let outcome =

@@ -164,7 +164,7 @@ fn folder(args: &Args) -> Result<(PathBuf, Folder), Failure> {
 
 /// The session, until enough is known or nothing comes any more.
 fn guide(args: &Args, source: &mut dyn Source, mut session: Session) -> Result<(), Failure> {
-    let mut screen = Screen::new();
+    let screen = Screen::new();
     let mut events = Events::open(args.events.as_deref())?;
     let web = args.web.then(Web::start).transpose()?;
     if let Some(web) = &web {

@@ -91,7 +91,7 @@ fn missing(view: &View) -> String {
     let there = |face: &Direction| {
         view.placements
             .iter()
-            .any(|(up, _)| face.unit().dot(&(*up).into()) > FACE)
+            .any(|(up, _)| face.unit().dot(&nalgebra::Vector3::from(*up)) > FACE)
     };
     let faces = Direction::all().into_iter().filter(|d| d.axes() == 1);
     let missing: Vec<String> = faces
