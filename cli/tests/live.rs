@@ -39,7 +39,7 @@ fn start(folder: &Path, server: &Server, poll: &str, more: &[&str]) -> Child {
 #[test]
 fn a_person_who_does_what_it_says_gets_a_calibration() {
     let dir = tempfile::tempdir().unwrap();
-    let server = Server::start(phone(5).reading(&dir.path().join("events.ndjson"))).unwrap();
+    let server = Server::start(phone(5).with_events(&dir.path().join("events.ndjson"))).unwrap();
     let run = start(
         dir.path(),
         &server,
@@ -77,7 +77,7 @@ fn a_person_who_does_what_it_says_gets_a_calibration() {
 fn nothing_that_came_is_lost_when_it_is_killed() {
     let dir = tempfile::tempdir().unwrap();
     let events = dir.path().join("events.ndjson");
-    let server = Server::start(phone(0).reading(&events)).unwrap();
+    let server = Server::start(phone(0).with_events(&events)).unwrap();
     let mut run = start(dir.path(), &server, "0", &[]);
     let begin = Instant::now();
     let placements = |text: &str| text.contains("\"placements\":4");

@@ -111,7 +111,7 @@ impl Phone {
     }
 
     /// The person reads instructions from a file that `stillpoint live --events` writes.
-    pub fn reading(mut self, events: &Path) -> Self {
+    pub fn with_events(mut self, events: &Path) -> Self {
         self.read = Some((events.to_owned(), 0));
         self
     }
