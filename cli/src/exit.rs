@@ -143,6 +143,35 @@ impl From<Error> for Failure {
     }
 }
 
+impl From<live::Error> for Failure {
+    fn from(error: live::Error) -> Self {
+        use live::Error as E;
+        let advice = match &error {
+            E::NoSource(_) => "name one of them",
+            E::Lost { .. } => {
+                "check that remote access is on (⋮, Allow remote access), that the phone's screen is on and that \
+                 it is in the same network"
+            }
+            E::NotPhyphox { .. } => "name the address that the app shows",
+            E::NoSensor { .. } => {
+                "add a simple experiment with Accelerometer and Gyroscope in phyphox (+), open it and allow \
+                 remote access (⋮)"
+            }
+            _ => "",
+        };
+        let code = match &error {
+            E::NoSource(_) => USAGE,
+            E::File { .. } => OUTPUT,
+            _ => INPUT,
+        };
+        match (error, advice) {
+            (E::Unreadable(error), _) => error.into(),
+            (error, "") => Self::new(code, error.to_string()),
+            (error, advice) => Self::new(code, format!("{error}; {advice}")),
+        }
+    }
+}
+
 impl From<exchange::Error> for Failure {
     fn from(error: exchange::Error) -> Self {
         use exchange::Error as E;

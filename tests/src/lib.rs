@@ -8,6 +8,7 @@ pub mod faults;
 pub mod fuzz;
 pub mod layouts;
 pub mod leave_one_out;
+pub mod live;
 pub mod needed_data;
 pub mod noise_source;
 pub mod one_truth;

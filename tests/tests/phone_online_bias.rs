@@ -133,7 +133,9 @@ fn from_the_authors_means() -> Calibration {
         static_means,
         ..Request::default()
     };
-    calibrate(&[], &[], &request).unwrap().calibration
+    calibrate::<Recording>(&[], &[], &request)
+        .unwrap()
+        .calibration
 }
 
 fn rms(corrected: &Stream, rests: &Segmentation) -> f64 {

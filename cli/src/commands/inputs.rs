@@ -68,7 +68,7 @@ pub struct PlaceArgs {
     /// Local gravity, m/s²; a wrong one goes into the accelerometer's scale factors in full [default: that of
     /// --latitude and --altitude, else 9.80665 with errors that cover the whole earth]
     #[arg(long, value_name = "M/S²")]
-    gravity: Option<f64>,
+    pub gravity: Option<f64>,
     /// Latitude, degrees, north positive: gives gravity and, in the joint fit, the earth's rotation
     #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub latitude: Option<f64>,
@@ -79,7 +79,7 @@ pub struct PlaceArgs {
         requires = "latitude",
         allow_negative_numbers = true
     )]
-    altitude: Option<f64>,
+    pub altitude: Option<f64>,
 }
 
 /// Refuses a gravity that is nowhere on the earth.

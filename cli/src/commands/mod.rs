@@ -17,6 +17,7 @@ mod import;
 mod info;
 mod inputs;
 mod joint;
+mod live;
 mod pictures;
 mod plan;
 mod reckon;
@@ -35,6 +36,7 @@ pub enum Command {
     Demo(demo::Args),
     Info(info::Args),
     Calibrate(Box<calibrate::Args>),
+    Live(Box<live::Args>),
     Segment(segment::Args),
     Apply(apply::Args),
     Convert(convert::Args),
@@ -58,6 +60,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Demo(args) => demo::run(&args),
         Command::Info(args) => info::run(&args),
         Command::Calibrate(args) => calibrate::run(&args),
+        Command::Live(args) => live::run(&args),
         Command::Segment(args) => segment::run(&args),
         Command::Apply(args) => apply::run(&args),
         Command::Convert(args) => convert::run(&args),

@@ -37,6 +37,16 @@ static CLAIMED: AtomicUsize = AtomicUsize::new(0);
 static KEPT: AtomicUsize = AtomicUsize::new(0);
 
 impl Replace {
+    /// Whether existing files are replaced.
+    pub fn force(self) -> bool {
+        self.force
+    }
+
+    /// Whether existing files are kept.
+    pub fn skip_existing(self) -> bool {
+        self.skip_existing
+    }
+
     /// Ends the command where every output exists and is kept. To be called when all are claimed.
     ///
     /// # Errors

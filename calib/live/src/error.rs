@@ -1,0 +1,67 @@
+//! What can end a session before it is complete.
+
+use std::path::PathBuf;
+
+/// Why samples do not come or cannot be kept.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The source is no address, path or `-`.
+    #[error(
+        "{0}: neither the address of a phone (http://192.168.0.12:8080) nor a file that exists, nor `-`"
+    )]
+    NoSource(String),
+    /// Nothing answers, or not for too long.
+    #[error("{address}: no answer in {attempts} attempts ({cause})")]
+    Lost {
+        /// The address asked.
+        address: String,
+        /// Attempts in a row without an answer.
+        attempts: u32,
+        /// What the last one met.
+        cause: String,
+    },
+    /// Something answers that does not speak the protocol.
+    #[error("{address}: not phyphox's remote access ({found})")]
+    NotPhyphox {
+        /// The address asked.
+        address: String,
+        /// What was found instead.
+        found: String,
+    },
+    /// The experiment that is open on the phone lacks a sensor.
+    #[error(
+        "{address}: the experiment `{experiment}` has no {sensor} with x, y, z and time (found: {found})"
+    )]
+    NoSensor {
+        /// The address asked.
+        address: String,
+        /// The experiment's title.
+        experiment: String,
+        /// The sensor that is missing.
+        sensor: &'static str,
+        /// The inputs that it has.
+        found: String,
+    },
+    /// A file cannot be read or written.
+    #[error("{path}: {cause}", path = path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        cause: std::io::Error,
+    },
+    /// Text arrives that is no recording.
+    #[error(transparent)]
+    Unreadable(#[from] calib::Error),
+}
+
+impl Error {
+    /// Names the file that an operation failed on.
+    pub(crate) fn at(path: &std::path::Path) -> impl FnOnce(std::io::Error) -> Self + '_ {
+        |cause| Self::File {
+            path: path.to_owned(),
+            cause,
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! Guided sessions: samples as they come, and what to do next.
+//!
+//! ```text
+//! phyphox over HTTP ─┐
+//! standard input     ├─ Source::poll ─► Batch ─► Session::take ─► Instruction  (hold still, turn to …, enough)
+//! serial port        │      │ writes              │ detector, coverage, running calibration
+//! file that grows ───┘      ▼                     ▼
+//!                    the recording on disk       View  (what a terminal or a page shows)
+//! ```
+//!
+//! A [`Source`] writes what it receives before it hands it on, so that a process that is killed loses nothing that it had.
+//! A [`Session`] is a state machine without a clock: time is that of the stamps, so that a simulated session runs as fast as
+//! it can be computed. What it says are values ([`Instruction`]); words are those of the command line.
+//!
+//! A placement is counted when both sensors have been still in level and spread for [`Aim::hold`] seconds. What is wanted
+//! next is the direction that tells most ([`next_direction`]); a placement elsewhere is taken for what it tells. After each,
+//! the ordinary calibration runs on the samples so far and gives the standard errors ([`Estimate`]). A session is complete
+//! when the planned number of placements tells nearly as much as the plan and both sensors are determined.
+
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+mod attitude;
+mod coverage;
+mod direction;
+mod error;
+mod instruction;
+mod lines;
+mod motion;
+mod phyphox;
+mod rails;
+mod recorder;
+mod running;
+mod serial;
+mod session;
+mod source;
+mod view;
+
+pub use coverage::{efficiency, next_direction};
+pub use direction::Direction;
+pub use error::Error;
+pub use instruction::{Instruction, Verdict};
+pub use lines::Lines;
+pub use motion::Motion;
+pub use phyphox::Phyphox;
+pub use recorder::Recorder;
+pub use running::{Errors, Estimate};
+pub use session::{Aim, Placement, Session};
+pub use source::{Batch, Event, Finished, Opening, Source, open};
+pub use view::View;

@@ -1,0 +1,307 @@
+//! phyphox's remote access over HTTP.
+//!
+//! | request | answer |
+//! |---|---|
+//! | `/config` | the experiment: inputs with the buffer of `x`, `y`, `z`, `t`; sets of the export |
+//! | `/get?B=T%7CTIME` | values of buffer `B` where buffer `TIME` exceeds `T`, eight digits; `B=full` for all |
+//! | `/control?cmd=start`, `stop`, `clear` | `{"result": true}` |
+//! | `/time` | `START` and `PAUSE` in experiment time and system time |
+//! | `/export?format=1&set0=On` | a zip archive of CSV tables, full precision |
+//!
+//! Source: phyphox wiki, "Remote-interface communication"; `RemoteServer.java` of phyphox-android. The server moves the
+//! threshold on by one unit of its eighth digit, so that the last stamp received is the next threshold and no sample comes
+//! twice. After `clear` it answers one request in full, asked for or not. Experiment time stands still in a pause.
+
+mod client;
+mod config;
+mod pauses;
+mod reply;
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use calib::Recording;
+use calib::recording::{ReadOptions, Stream};
+
+use crate::error::Error;
+use crate::recorder::Recorder;
+use crate::source::{Batch, Event, Finished, Opening, Source};
+use client::Client;
+use config::{Buffers, Experiment};
+use pauses::Pauses;
+use reply::Reply;
+
+/// First wait after a request without an answer; doubled up to sixteen times that.
+const FIRST_WAIT: Duration = Duration::from_millis(250);
+const DOUBLINGS: u32 = 4;
+/// Polls in a row without a sample, though it measures, after which all is asked for: its clock may have begun anew
+/// unseen.
+const BARREN: u32 = 40;
+/// A clock that is behind by more than this has begun anew, s.
+const BEGUN_ANEW: f64 = 0.5;
+/// Times that the export is asked for again.
+const EXPORTS: u32 = 4;
+/// Folder of the samples as they came.
+const RECEIVED: &str = "received";
+/// CSV with comma and point, by phyphox's count of its formats.
+const FORMAT: usize = 1;
+
+/// A phone on which phyphox measures.
+#[derive(Debug)]
+pub struct Phyphox {
+    client: Client,
+    experiment: Experiment,
+    sensors: [Buffers; 2],
+    recorder: Recorder,
+    /// Where the exported file goes.
+    export: PathBuf,
+    /// Last stamps of both sensors by the phone's clock, s.
+    last: [Option<f64>; 2],
+    pauses: Pauses,
+    session: Option<String>,
+    measuring: bool,
+    /// Measuring was begun here, so that it is ended here.
+    started: bool,
+    failures: u32,
+    attempts: u32,
+    barren: u32,
+    greeted: bool,
+}
+
+impl Phyphox {
+    /// Asks what is open on the phone, and begins to measure if it does not.
+    ///
+    /// # Errors
+    /// No answer, another server, an experiment without one of the sensors, a folder that cannot be written.
+    pub fn connect(address: &str, how: &Opening) -> Result<Self, Error> {
+        let client = Client::new(address);
+        let text = client.get("/config").map_err(|cause| Error::Lost {
+            address: address.to_owned(),
+            attempts: 1,
+            cause,
+        })?;
+        let experiment = Experiment::parse(&text).ok_or_else(|| not_phyphox(address, &text))?;
+        let sensors = [
+            sensor(address, &experiment, "accelerometer")?,
+            sensor(address, &experiment, "gyroscope")?,
+        ];
+        Ok(Self {
+            recorder: Recorder::begin(&how.folder.join(RECEIVED))?,
+            export: how.folder.join("phyphox.zip"),
+            client,
+            experiment,
+            sensors,
+            last: [None; 2],
+            pauses: Pauses::default(),
+            session: None,
+            measuring: false,
+            started: false,
+            failures: 0,
+            attempts: how.attempts,
+            barren: 0,
+            greeted: false,
+        })
+    }
+
+    /// The next request.
+    fn path(&self) -> String {
+        let all = self.barren >= BARREN;
+        let queries = self.sensors.iter().zip(self.last);
+        let queries: Vec<String> = queries
+            .map(|(s, last)| reply::query(s, last.filter(|_| !all)))
+            .collect();
+        format!("/get?{}", queries.join("&"))
+    }
+
+    fn no_answer(&mut self, cause: String) -> Result<Batch, Error> {
+        self.failures += 1;
+        let attempts = self.failures;
+        if attempts >= self.attempts {
+            let address = self.client.address.clone();
+            return Err(Error::Lost {
+                address,
+                attempts,
+                cause,
+            });
+        }
+        Ok(Batch {
+            events: vec![Event::Reconnecting { attempts, cause }],
+            pause: Some(FIRST_WAIT * 2u32.pow((attempts - 1).min(DOUBLINGS))),
+            ..Batch::default()
+        })
+    }
+
+    fn taken(&mut self, reply: &Reply) -> Result<Batch, Error> {
+        let mut batch = Batch::default();
+        let events = &mut batch.events;
+        if std::mem::take(&mut self.failures) > 0 {
+            events.push(Event::Reconnected);
+        }
+        if self.session.is_none() {
+            self.ask_for_pauses();
+        }
+        let fresh = [0, 1].map(|k| reply.samples(&self.sensors[k]));
+        if self.has_begun_anew(reply, &fresh) {
+            events.push(Event::Restarted);
+            self.recorder.restart()?;
+            self.last = [None; 2];
+            self.ask_for_pauses();
+        }
+        self.session = Some(reply.status.session.clone());
+        self.note_measuring(reply.status.measuring, events);
+        let [accelerometer, gyroscope] = fresh;
+        batch.accelerometer = self.newer(0, accelerometer);
+        batch.gyroscope = self.newer(1, gyroscope);
+        let barren = batch.accelerometer.is_empty() && batch.gyroscope.is_empty();
+        self.barren = if barren && self.measuring && self.barren < BARREN {
+            self.barren + 1
+        } else {
+            0
+        };
+        self.recorder
+            .append(&batch.accelerometer, &batch.gyroscope)?;
+        Ok(batch)
+    }
+
+    /// Whether the app was started again or its data were cleared.
+    fn has_begun_anew(&self, reply: &Reply, fresh: &[Stream; 2]) -> bool {
+        let Some(last) = self.last[0] else {
+            return false;
+        };
+        let other = self
+            .session
+            .as_ref()
+            .is_some_and(|session| *session != reply.status.session);
+        let newest = fresh[0].t.last().copied().unwrap_or(0.0);
+        other || reply.is_full(&self.sensors[0]) && newest < last - BEGUN_ANEW
+    }
+
+    fn note_measuring(&mut self, measuring: bool, events: &mut Vec<Event>) {
+        let before = std::mem::replace(&mut self.measuring, measuring);
+        let known = self.last[0].is_some();
+        match (before, measuring) {
+            (false, true) if known => {
+                let counted = self.pauses.count();
+                self.ask_for_pauses();
+                if self.pauses.count() == counted {
+                    let at = self.last.iter().flatten().fold(0.0, |a: f64, b| a.max(*b));
+                    self.pauses = std::mem::take(&mut self.pauses).and_unknown(at);
+                }
+                let seconds = self.pauses.last().unwrap_or(0.0);
+                events.push(Event::Resumed { seconds });
+            }
+            (true, false) => events.push(Event::Paused),
+            // Not begun yet: a guided session is what was asked for.
+            (_, false) if !known && !self.started => {
+                self.started = self.client.get("/control?cmd=start").is_ok();
+            }
+            _ => {}
+        }
+    }
+
+    fn ask_for_pauses(&mut self) {
+        let text = self.client.get("/time").ok();
+        if let Some(pauses) = text.and_then(|text| Pauses::parse(&text)) {
+            self.pauses = pauses;
+        }
+    }
+
+    /// What is later than all before, with pauses counted.
+    fn newer(&mut self, sensor: usize, fresh: Stream) -> Stream {
+        let from = self.last[sensor].map_or(0, |last| fresh.t.partition_point(|t| *t <= last));
+        if let Some(t) = fresh.t.last().filter(|_| from < fresh.len()) {
+            self.last[sensor] = Some(*t);
+        }
+        Stream {
+            t: fresh.t[from..]
+                .iter()
+                .map(|t| self.pauses.counted(*t))
+                .collect(),
+            values: fresh.values[from..].to_vec(),
+        }
+    }
+
+    /// The file of full precision, checked to be a recording of both sensors.
+    fn export(&self) -> Result<PathBuf, String> {
+        let sets = 0..self.experiment.export_sets.max(1);
+        let sets: String = sets.map(|k| format!("&set{k}=On")).collect();
+        let bytes = self
+            .client
+            .export(&format!("/export?format={FORMAT}{sets}"))?;
+        let path = &self.export;
+        std::fs::write(path, &bytes).map_err(|e| format!("{}: {e}", path.display()))?;
+        let recording =
+            Recording::read(path, &ReadOptions::default()).map_err(|e| e.to_string())?;
+        let [accelerometer, gyroscope] =
+            [recording.accelerometer, recording.gyroscope].map(|s| s.map_or(0, |s| s.len()));
+        if accelerometer == 0 || gyroscope == 0 {
+            return Err(format!(
+                "{accelerometer} and {gyroscope} samples in the exported file"
+            ));
+        }
+        Ok(path.clone())
+    }
+}
+
+impl Source for Phyphox {
+    fn poll(&mut self) -> Result<Batch, Error> {
+        let answer = self.client.get(&self.path());
+        let reply = answer.and_then(|text| Reply::parse(&text));
+        let mut batch = match reply {
+            Ok(reply) => self.taken(&reply)?,
+            Err(cause) => self.no_answer(cause)?,
+        };
+        if !std::mem::replace(&mut self.greeted, true) {
+            let name = format!("phyphox, {}", self.experiment.title);
+            batch.events.insert(0, Event::Connected { name });
+        }
+        Ok(batch)
+    }
+
+    fn finish(&mut self) -> Result<Finished, Error> {
+        if self.started {
+            let _ = self.client.get("/control?cmd=stop");
+        }
+        let mut exported = self.export();
+        for attempt in 0..EXPORTS {
+            if exported.is_ok() {
+                break;
+            }
+            std::thread::sleep(FIRST_WAIT * 2u32.pow(attempt));
+            exported = self.export();
+        }
+        let plain = self.recorder.folder().to_owned();
+        Ok(match exported {
+            Ok(recording) => Finished {
+                recording,
+                fallback: None,
+            },
+            Err(reason) => Finished {
+                recording: plain,
+                fallback: Some(reason),
+            },
+        })
+    }
+}
+
+fn sensor(address: &str, experiment: &Experiment, source: &'static str) -> Result<Buffers, Error> {
+    experiment
+        .sensor(source)
+        .cloned()
+        .ok_or_else(|| Error::NoSensor {
+            address: address.to_owned(),
+            experiment: experiment.title.clone(),
+            sensor: source,
+            found: experiment.found(),
+        })
+}
+
+fn not_phyphox(address: &str, text: &[u8]) -> Error {
+    let begin = String::from_utf8_lossy(&text[..text.len().min(60)])
+        .trim()
+        .to_owned();
+    Error::NotPhyphox {
+        address: address.to_owned(),
+        found: format!("`{begin}` from /config"),
+    }
+}

@@ -1,0 +1,104 @@
+//! `/get`: what is newer, to eight digits.
+
+use std::collections::HashMap;
+
+use calib::recording::Stream;
+use nalgebra::Vector3;
+use serde::Deserialize;
+
+use super::client::encoded;
+use super::config::Buffers;
+
+/// The query for everything of a sensor that is newer than `since`; for all of it with `None`.
+pub(super) fn query(buffers: &Buffers, since: Option<f64>) -> String {
+    let time = encoded(&buffers.time);
+    let newer = since.map_or("full".to_owned(), |t| format!("{t}%7C{time}"));
+    let names = buffers
+        .values
+        .iter()
+        .map(|name| encoded(name))
+        .chain([time.clone()]);
+    let parts: Vec<String> = names.map(|name| format!("{name}={newer}")).collect();
+    parts.join("&")
+}
+
+/// The answer.
+#[derive(Debug, Deserialize)]
+pub(super) struct Reply {
+    buffer: HashMap<String, Part>,
+    pub(super) status: Status,
+}
+
+/// The state of the experiment.
+#[derive(Debug, Deserialize)]
+pub(super) struct Status {
+    pub(super) session: String,
+    pub(super) measuring: bool,
+}
+
+#[derive(Debug, Deserialize)]
+struct Part {
+    #[serde(rename = "updateMode")]
+    mode: String,
+    buffer: Vec<Option<f64>>,
+}
+
+impl Reply {
+    pub(super) fn parse(text: &[u8]) -> Result<Self, String> {
+        serde_json::from_slice(text).map_err(|e| e.to_string())
+    }
+
+    /// Whether all of a sensor's buffers was sent, asked for or not.
+    pub(super) fn is_full(&self, buffers: &Buffers) -> bool {
+        self.buffer
+            .get(&buffers.time)
+            .is_some_and(|part| part.mode == "full")
+    }
+
+    /// The samples of a sensor in order of time. Those without a number are left out.
+    pub(super) fn samples(&self, buffers: &Buffers) -> Stream {
+        let part = |name: &str| self.buffer.get(name).map_or(&[][..], |part| &part.buffer);
+        let [x, y, z] = buffers.values.each_ref().map(|name| part(name));
+        let mut stream = Stream::default();
+        for (((t, x), y), z) in part(&buffers.time).iter().zip(x).zip(y).zip(z) {
+            let (Some(t), Some(x), Some(y), Some(z)) = (*t, *x, *y, *z) else {
+                continue;
+            };
+            if stream.t.last().is_none_or(|last| t > *last) {
+                stream.t.push(t);
+                stream.values.push(Vector3::new(x, y, z));
+            }
+        }
+        stream
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn samples_are_put_together_from_four_buffers() {
+        let buffers = Buffers {
+            values: ["accX", "accY", "accZ"].map(str::to_owned),
+            time: "acc time".to_owned(),
+        };
+        assert_eq!(
+            query(&buffers, Some(1.25)),
+            "accX=1.25%7Cacc%20time&accY=1.25%7Cacc%20time&accZ=1.25%7Cacc%20time&acc%20time=1.25%7Cacc%20time"
+        );
+        let text = r#"{"buffer":{
+            "accX":{"size":0,"updateMode":"partial", "buffer":[1E0,2E0,3E0]},
+            "accY":{"size":0,"updateMode":"partial", "buffer":[1E0,null,3E0]},
+            "accZ":{"size":0,"updateMode":"partial", "buffer":[9.8066501E0,9E0,9.5E0]},
+            "acc time":{"size":0,"updateMode":"partial", "buffer":[1.26E0,1.27E0,1.28E0]}
+            },"status":{"session":"a1b2c3", "measuring":true, "timedRun":false, "countDown":0}}"#;
+        let reply = Reply::parse(text.as_bytes()).unwrap();
+        let samples = reply.samples(&buffers);
+        assert_eq!(samples.t, [1.26, 1.28]);
+        assert_eq!(samples.values[0], Vector3::new(1.0, 1.0, 9.806_650_1));
+        assert!(
+            reply.status.measuring && reply.status.session == "a1b2c3" && !reply.is_full(&buffers)
+        );
+    }
+}

@@ -1,0 +1,215 @@
+//! `live`: a guided session.
+
+mod events;
+mod ordinary;
+mod screen;
+mod web;
+mod words;
+
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use calib::calibrate::Request;
+use live::{Aim, Batch, Event, Instruction, Opening, Session, Source, View, open};
+
+use super::convert::command_line;
+use super::inputs::PlaceArgs;
+use crate::exit::{Failure, USAGE};
+use crate::output::{Folder, Replace};
+use crate::read_args::ReadArgs;
+use crate::show;
+use events::Events;
+use screen::Screen;
+use web::Web;
+
+/// Guides through a recording while it is made, and calibrates it.
+///
+/// Says when the device lies still for long enough, where to turn it next, what is wrong (in the hand, shaken, too fast,
+/// paused) and how well the parameters are known so far. What comes is written as it comes.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+phyphox: open an experiment with Accelerometer and Gyroscope (+, Add simple
+experiment; not Linear acceleration), then ⋮, Allow remote access. The address
+is shown below. Serial ports: a line for each sample, in any layout that
+`calibrate` reads.
+
+Example:
+  stillpoint live http://192.168.0.12:8080 --gravity 9.8055 -o cal.json
+  stillpoint live 192.168.0.12:8080 --web      the same, with a page to look at
+  stillpoint live /dev/ttyUSB0 --baud 115200 -- --method joint
+  logger | stillpoint live - --out session/")]
+pub struct Args {
+    /// Address of phyphox's remote access, serial port, file that grows, or `-` for standard input
+    source: String,
+    /// Show the session as a page on 127.0.0.1
+    #[arg(long)]
+    web: bool,
+    /// Folder for what comes, new or empty [default: live-1, or the next number that is free]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Write the calibration here
+    #[arg(short, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Placements to aim at
+    #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u16).range(9..=60))]
+    placements: u16,
+    /// How long each placement lies still, s
+    #[arg(long, value_name = "SECONDS", default_value_t = 5.0)]
+    hold: f64,
+    /// Speed of a serial port, bits per second
+    #[arg(long, value_name = "BAUD", default_value_t = 115_200)]
+    baud: u32,
+    /// Time between two requests, s
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.25)]
+    poll: f64,
+    /// Write instructions and events here as they come, a JSON document a line
+    #[arg(long, value_name = "FILE")]
+    events: Option<PathBuf>,
+    /// Print the calibration as JSON instead of tables
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    replace: Replace,
+    #[command(flatten)]
+    place: PlaceArgs,
+    #[command(flatten)]
+    read: ReadArgs,
+    /// Options of `calibrate` for the recording, after `--`
+    #[arg(last = true, value_name = "CALIBRATE OPTIONS")]
+    calibrate: Vec<String>,
+}
+
+/// Attempts in a row without an answer before a phone is given up: about two minutes.
+const ATTEMPTS: u32 = 30;
+
+/// Runs the command.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    check(args)?;
+    ordinary::parse(args, Path::new("recording"))?;
+    ordinary::refuse_existing(args)?;
+    let gravity = args.place.gravity()?;
+    let (path, folder) = folder(args)?;
+    let how = Opening {
+        folder: path.clone(),
+        read: args.read.clone().into(),
+        baud: args.baud,
+        attempts: ATTEMPTS,
+    };
+    let mut source = open(&args.source, &how)?;
+    drop(folder);
+    let aim = Aim {
+        placements: args.placements.into(),
+        hold: args.hold,
+        request: Request {
+            gravity: gravity.value,
+            gravity_source: gravity.source,
+            latitude: args.place.latitude,
+            ..Request::default()
+        },
+    };
+    show::say(&format!("recording in {}", show::path(&path)));
+    guide(args, source.as_mut(), Session::new(aim))?;
+    let finished = source.finish()?;
+    if let Some(reason) = &finished.fallback {
+        show::warn(&format!(
+            "the phone's own file could not be fetched ({reason}): what came live, to eight digits, is calibrated"
+        ));
+    }
+    let recording = &finished.recording;
+    show::say(&format!(
+        "calibrating {}; again with: stillpoint calibrate {}",
+        show::path(recording),
+        command_line(recording)
+    ));
+    ordinary::calibrate(args, recording)
+}
+
+fn check(args: &Args) -> Result<(), Failure> {
+    let limits = [
+        ("--hold", args.hold, 4.0..=60.0),
+        ("--poll", args.poll, 0.0..=5.0),
+    ];
+    for (name, value, range) in limits {
+        if !range.contains(&value) {
+            let words = format!(
+                "{name} {value}: {} to {} s expected",
+                range.start(),
+                range.end()
+            );
+            return Err(Failure::new(USAGE, words));
+        }
+    }
+    Ok(())
+}
+
+/// The folder for what comes. It is removed again where nothing came.
+fn folder(args: &Args) -> Result<(PathBuf, Folder), Failure> {
+    let numbered = || {
+        (1..)
+            .map(|k| PathBuf::from(format!("live-{k}")))
+            .find(|path| !path.exists())
+    };
+    let path = args.out.clone().or_else(numbered).unwrap_or_default();
+    let is_empty = std::fs::read_dir(&path).map_or(true, |mut entries| entries.next().is_none());
+    if path.exists() && !is_empty {
+        let words = format!(
+            "{}: exists already; name a new or an empty folder with --out",
+            show::path(&path)
+        );
+        return Err(Failure::exists(words));
+    }
+    let folder = Folder::make(&path)?;
+    Ok((path, folder))
+}
+
+/// The session, until enough is known or nothing comes any more.
+fn guide(args: &Args, source: &mut dyn Source, mut session: Session) -> Result<(), Failure> {
+    let screen = Screen::new();
+    let mut events = Events::open(args.events.as_deref())?;
+    let web = args.web.then(Web::start).transpose()?;
+    if let Some(web) = &web {
+        screen.line(&format!(
+            "open {} in a browser on this machine",
+            web.address()
+        ));
+    }
+    loop {
+        let batch = match source.poll() {
+            Ok(batch) => batch,
+            Err(error @ live::Error::Lost { .. }) if !session.placements().is_empty() => {
+                screen.line(&format!("warning: {error}: the session ends here"));
+                break;
+            }
+            Err(error) => return Err(error.into()),
+        };
+        let said = session.take(&batch);
+        let view = View::of(&session);
+        for event in &batch.events {
+            screen.event(event);
+            events.event(&view, event)?;
+        }
+        for instruction in &said {
+            screen.instruction(instruction, &view);
+            events.instruction(&view, instruction)?;
+        }
+        screen.show(&view);
+        if let Some(web) = &web {
+            web.publish(&view);
+        }
+        if session.instruction() == Instruction::Enough || has_ended(&batch) {
+            break;
+        }
+        std::thread::sleep(
+            batch
+                .pause
+                .unwrap_or_default()
+                .max(Duration::from_secs_f64(args.poll)),
+        );
+    }
+    screen.end(&View::of(&session));
+    Ok(())
+}
+
+fn has_ended(batch: &Batch) -> bool {
+    batch.events.contains(&Event::Ended)
+}

@@ -1,0 +1,74 @@
+//! The ordinary calibration of what a session left.
+
+use std::ffi::OsString;
+use std::path::Path;
+
+use clap::Parser;
+
+use super::Args;
+use crate::commands::calibrate;
+use crate::exit::{Failure, USAGE};
+use crate::show;
+
+/// The command `calibrate` by itself.
+#[derive(Debug, Parser)]
+#[command(no_binary_name = true)]
+struct Ordinary {
+    #[command(flatten)]
+    args: calibrate::Args,
+}
+
+/// The call of `calibrate` for `recording`.
+pub(super) fn parse(args: &Args, recording: &Path) -> Result<calibrate::Args, Failure> {
+    let mut call: Vec<OsString> = vec![recording.into()];
+    let place = [
+        ("--gravity", args.place.gravity),
+        ("--latitude", args.place.latitude),
+        ("--altitude", args.place.altitude),
+    ];
+    for (option, value) in place {
+        if let Some(value) = value {
+            call.push(format!("{option}={value}").into());
+        }
+    }
+    if let Some(output) = &args.output {
+        call.extend(["-o".into(), output.into()]);
+    }
+    let flags = [
+        ("--json", args.json),
+        ("--force", args.replace.force()),
+        ("--skip-existing", args.replace.skip_existing()),
+    ];
+    call.extend(
+        flags
+            .iter()
+            .filter(|(_, given)| *given)
+            .map(|(flag, _)| (*flag).into()),
+    );
+    call.extend(args.calibrate.iter().map(OsString::from));
+    let parsed = Ordinary::try_parse_from(call);
+    parsed.map(|ordinary| ordinary.args).map_err(|error| {
+        let words = error.render().to_string();
+        Failure::new(
+            USAGE,
+            format!("after `--`: {}", words.trim().trim_start_matches("error: ")),
+        )
+    })
+}
+
+/// Refuses an output that is there before a session is held for it.
+pub(super) fn refuse_existing(args: &Args) -> Result<(), Failure> {
+    let replaced = args.replace.force() || args.replace.skip_existing();
+    match &args.output {
+        Some(path) if path.exists() && !replaced => Err(Failure::exists(format!(
+            "{}: exists already; add --force to replace it or --skip-existing to keep it",
+            show::path(path)
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// Calibrates `recording`.
+pub(super) fn calibrate(args: &Args, recording: &Path) -> Result<(), Failure> {
+    calibrate::run(&parse(args, recording)?)
+}

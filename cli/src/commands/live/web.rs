@@ -1,0 +1,207 @@
+//! The session as a page on 127.0.0.1.
+//!
+//! The address holds a random token, requests must name this machine as their host (so that a name that an attacker points
+//! here is refused), and the page may run and load nothing but itself.
+
+use std::io::{Read, Write};
+use std::net::{SocketAddr, TcpListener, TcpStream};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use live::{Direction, View};
+use serde_json::json;
+
+use super::words;
+use crate::exit::{Failure, OUTPUT};
+
+const PAGE: &str = include_str!("page.html");
+/// Longest request, bytes, and longest wait for it.
+const LONGEST: usize = 8 << 10;
+const PATIENCE: Duration = Duration::from_secs(2);
+
+/// What requests are answered with.
+#[derive(Debug)]
+struct Shared {
+    address: SocketAddr,
+    token: String,
+    page: String,
+    policy: String,
+    state: Mutex<String>,
+}
+
+/// A page that follows the session.
+#[derive(Debug)]
+pub(super) struct Web(Arc<Shared>);
+
+impl Web {
+    /// Begins to answer, on a port that is free.
+    pub(super) fn start() -> Result<Self, Failure> {
+        let refused = |why: String| Failure::new(OUTPUT, format!("--web: {why}; leave it out"));
+        let listener = TcpListener::bind(("127.0.0.1", 0)).map_err(|e| refused(e.to_string()))?;
+        let address = listener.local_addr().map_err(|e| refused(e.to_string()))?;
+        let [token, nonce] = [random().map_err(&refused)?, random().map_err(&refused)?];
+        let policy = format!(
+            "default-src 'none'; script-src 'nonce-{nonce}'; style-src 'nonce-{nonce}'; connect-src 'self'; base-uri 'none'; \
+             form-action 'none'; frame-ancestors 'none'"
+        );
+        let shared = Arc::new(Shared {
+            address,
+            token,
+            page: PAGE.replace("NONCE", &nonce),
+            policy,
+            state: Mutex::new("{}".to_owned()),
+        });
+        let answering = Arc::clone(&shared);
+        let thread = std::thread::Builder::new().name("page".into());
+        let thread = thread.spawn(move || {
+            for stream in listener.incoming().flatten() {
+                // A browser that went away is no loss.
+                let _ = answer(stream, &answering);
+            }
+        });
+        thread.map_err(|e| refused(e.to_string()))?;
+        Ok(Self(shared))
+    }
+
+    /// Where it is.
+    pub(super) fn address(&self) -> String {
+        format!("http://{}/{}/", self.0.address, self.0.token)
+    }
+
+    /// Shows this from now on.
+    pub(super) fn publish(&self, view: &View) {
+        let [what, more] = words::instruction(&view.instruction, view.planned);
+        let candidates: Vec<_> = Direction::all()
+            .iter()
+            .map(|d| json!({"up": <[f64; 3]>::from(d.unit()), "name": words::axes(d)}))
+            .collect();
+        let document = json!({
+            "view": view,
+            "what": what,
+            "more": more,
+            "known": words::known(view),
+            "aim": view.wanted.map(|d| <[f64; 3]>::from(d.unit())),
+            "candidates": candidates,
+        });
+        *self.0.state.lock().unwrap_or_else(PoisonError::into_inner) = document.to_string();
+    }
+}
+
+/// 128 bits that nobody can foresee.
+fn random() -> Result<String, String> {
+    let mut bytes = [0; 16];
+    getrandom::fill(&mut bytes).map_err(|e| e.to_string())?;
+    Ok(bytes.iter().map(|b| format!("{b:02x}")).collect())
+}
+
+fn answer(mut stream: TcpStream, shared: &Shared) -> std::io::Result<()> {
+    stream.set_read_timeout(Some(PATIENCE))?;
+    stream.set_write_timeout(Some(PATIENCE))?;
+    let mut request = Vec::new();
+    let mut chunk = [0; 1024];
+    while !request.windows(4).any(|w| w == b"\r\n\r\n") && request.len() < LONGEST {
+        match stream.read(&mut chunk)? {
+            0 => break,
+            count => request.extend(&chunk[..count]),
+        }
+    }
+    let (status, kind, body) = shared.reply(&request);
+    let head = format!(
+        "HTTP/1.1 {status}\r\nContent-Type: {kind}; charset=utf-8\r\nContent-Length: {}\r\nContent-Security-Policy: {}\r\n\
+         X-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\nCross-Origin-Resource-Policy: same-origin\r\n\
+         Cache-Control: no-store\r\nConnection: close\r\n\r\n",
+        body.len(),
+        shared.policy
+    );
+    stream.write_all(&[head.as_bytes(), body.as_bytes()].concat())
+}
+
+impl Shared {
+    /// Status, kind and content of the answer to a request.
+    fn reply(&self, request: &[u8]) -> (&'static str, &'static str, String) {
+        let mut headers = [httparse::EMPTY_HEADER; 64];
+        let mut parsed = httparse::Request::new(&mut headers);
+        let refused = |status, why: &str| (status, "text/plain", format!("{why}\n"));
+        if !parsed
+            .parse(request)
+            .is_ok_and(|status| status.is_complete())
+        {
+            return refused("400 Bad Request", "no request");
+        }
+        let mut hosts = parsed
+            .headers
+            .iter()
+            .filter(|h| h.name.eq_ignore_ascii_case("host"));
+        let port = self.address.port();
+        let own = [format!("127.0.0.1:{port}"), format!("localhost:{port}")];
+        let is_own =
+            |host: &httparse::Header<'_>| own.iter().any(|name| name.as_bytes() == host.value);
+        if !hosts.next().is_some_and(is_own) || hosts.next().is_some() {
+            return refused("403 Forbidden", "this page answers to its own address only");
+        }
+        if parsed.method != Some("GET") {
+            return refused("405 Method Not Allowed", "GET only");
+        }
+        let path = parsed.path.unwrap_or("").strip_prefix('/').unwrap_or("");
+        match path.split_once('/') {
+            Some((token, "")) if token == self.token => ("200 OK", "text/html", self.page.clone()),
+            Some((token, "state")) if token == self.token => {
+                let state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+                ("200 OK", "application/json", state.clone())
+            }
+            _ => refused(
+                "404 Not Found",
+                "nothing here; the address that the program prints has a token",
+            ),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn status(web: &Web, host: &str, path: &str) -> &'static str {
+        let request = format!("GET {path} HTTP/1.1\r\nHost: {host}\r\n\r\n");
+        web.0.reply(request.as_bytes()).0
+    }
+
+    #[test]
+    fn only_the_own_host_with_the_token_is_answered() {
+        let web = Web::start().unwrap();
+        let own = web.0.address.to_string();
+        let page = format!("/{}/", web.0.token);
+        assert_eq!(status(&web, &own, &page), "200 OK");
+        assert_eq!(status(&web, &own, &format!("{page}state")), "200 OK");
+        assert_eq!(status(&web, "evil.example:80", &page), "403 Forbidden");
+        assert_eq!(
+            status(&web, &format!("{own}\r\nHost: evil.example"), &page),
+            "403 Forbidden"
+        );
+        for path in ["/", "/state", "/0123/", &format!("{page}other")] {
+            assert_eq!(status(&web, &own, path), "404 Not Found", "{path}");
+        }
+        assert_eq!(web.0.reply(b"POST / HTTP/1.1\r\n\r\n").0, "403 Forbidden");
+        assert_eq!(web.0.reply(b"\0\0\r\n\r\n").0, "400 Bad Request");
+    }
+
+    #[test]
+    fn the_page_loads_and_runs_nothing_but_itself() {
+        let web = Web::start().unwrap();
+        assert!(
+            !web.0.page.contains("src=")
+                && !web.0.page.contains("http://")
+                && !web.0.page.contains("https://")
+        );
+        assert!(
+            !web.0.page.contains("NONCE")
+                && !web.0.page.contains(" style=\"")
+                && !web.0.page.contains(" onclick")
+        );
+        assert!(
+            web.0
+                .policy
+                .starts_with("default-src 'none'; script-src 'nonce-")
+        );
+    }
+}

@@ -1,0 +1,20 @@
+//! Guided sessions with a simulated phone and a simulated person.
+#![allow(clippy::unwrap_used)]
+
+use stillpoint_tests::live::sit;
+
+#[test]
+fn clumsy_people_with_failing_phones_end_with_a_calibration_in_at_most_1_2_times_the_plan() {
+    // One seed for each habit, and one with all of them.
+    for seed in [0, 1, 2, 3, 4, 6] {
+        let sitting = sit(seed, 12).unwrap();
+        assert!(sitting.is_good(), "seed {seed}: {sitting:?}");
+        assert!(
+            sitting.fallback.is_none(),
+            "the phone's own file is what is calibrated: {:?}",
+            sitting.fallback
+        );
+        let far = sitting.normalised.iter().filter(|z| z.abs() > 4.0).count();
+        assert!(far == 0, "seed {seed}: {:?}", sitting.normalised);
+    }
+}
