@@ -13,4 +13,5 @@ pub mod noise_source;
 pub mod one_truth;
 pub mod phone;
 pub mod power;
+pub mod prior_study;
 pub mod problems;

@@ -5,13 +5,14 @@ pub(super) mod tables;
 
 use std::path::PathBuf;
 
+use calib::Recording;
 use calib::calibrate::{Frame, GyroBias, Outcome, Request, calibrate, read_static_means};
 use calib::effect_file::catalogue_with;
 use calib::gravity::Gravity;
 use calib::intervals::{Span, read_sections};
+use calib::prior::Prior;
 use calib::recording::figure;
 use calib::residuals::Integrator;
-use calib::{Calibration, Recording};
 use clap::ValueEnum;
 use nalgebra::Vector3;
 use sensor::AnyEffect;
@@ -19,9 +20,11 @@ use sensor::AnyEffect;
 use super::inputs::{
     ClockArg, DetectorArgs, PlaceArgs, RecordingArgs, as_paths, own_effects, read, spinner,
 };
+use super::limits::{self, LimitArgs, gate};
 use super::pictures::{PictureArgs, Pictures};
+use super::prior;
 use super::six_position;
-use crate::exit::{Failure, GATE, USAGE};
+use crate::exit::{Failure, USAGE};
 use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;
 use crate::show;
@@ -35,7 +38,24 @@ use crate::show;
 Signs: at rest specific force is +g on the axis that points up; rates are right-handed about each axis.
 
 Example:
-  stillpoint calibrate morning/ evening/ --gravity 9.8055 -o cal.json --report cal.html")]
+  stillpoint calibrate morning/ evening/ --gravity 9.8055 -o cal.json --report cal.html
+  stillpoint calibrate morning/ --limits limits.toml   exit 1 and the reasons where one is not kept
+
+limits.toml (every key may be left out):
+  required = [\"accelerometer\", \"gyroscope\"]
+  [accelerometer]              # gyroscope the same, with residual_deg
+  residual_mm_s2 = 5.0
+  reduced_chi2 = 9.0
+  scale = 1e-3                 # largest standard errors: relative,
+  misalignment = 1e-3          # rad,
+  bias = 0.01                  # m/s^2 (rad/s)
+  intervals = 12               # static intervals (turns), at least
+  [effects]
+  gyro_g_sensitivity = 1e-4    # largest parameter
+  [standard_errors]
+  \"accel.s_x\" = 5e-4
+  [values]
+  \"gyro.b_z\" = [-0.02, 0.02]")]
 pub struct Args {
     #[command(flatten)]
     recordings: RecordingArgs,
@@ -48,6 +68,10 @@ pub struct Args {
     /// Effects to fit on top of the base models, such as gyro_g_sensitivity
     #[arg(long, value_name = "A,B", value_delimiter = ',')]
     effects: Vec<String>,
+    /// What the device's type has in common, from `batch prior`: its information is added to that of the recording, its effects
+    /// are fitted
+    #[arg(long, value_name = "FILE.json")]
+    prior: Option<PathBuf>,
     /// File that defines effects as expressions (TOML), to be named in `--effects`
     #[arg(long, value_name = "FILE.toml")]
     effect_file: Vec<PathBuf>,
@@ -90,6 +114,8 @@ pub struct Args {
     json: bool,
     #[command(flatten)]
     pictures: PictureArgs,
+    #[command(flatten)]
+    limits: LimitArgs,
     #[command(flatten)]
     place: PlaceArgs,
     #[command(flatten)]
@@ -148,7 +174,13 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             "no recording given: name a file or a folder",
         ));
     }
+    inputs.extend(args.limits.limits.iter().chain(&args.prior).cloned());
     let mut request = request(args)?;
+    let limits = args.limits.read()?;
+    let prior = args.prior.as_deref().map(Prior::read).transpose()?;
+    if let Some(prior) = &prior {
+        prior::with_effects(prior, &mut request)?;
+    }
     let output = match &args.output {
         Some(path) => Some(Output::claim(path, args.replace, &as_paths(&inputs))?),
         None => None,
@@ -176,6 +208,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             gravity,
             first_order,
             json,
+            limits,
             output,
             pictures,
         });
@@ -186,7 +219,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .map(|p| read(p, &args.read).map(calib::Recording::decimated))
         .collect::<Result<Vec<_>, _>>()?;
     request.sections = sections(args, &recordings)?;
-    let outcome = {
+    let mut outcome = {
         let spinner = spinner("calibrating");
         // A calibration carries the readers' warnings; where there is none they may explain why.
         let outcome = calibrate(&recordings, &gyro_recordings, &request).inspect_err(|_| {
@@ -196,6 +229,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         spinner.finish_and_clear();
         outcome
     };
+    if let Some(prior) = &prior {
+        prior.inform(&mut outcome.calibration)?;
+    }
+    limits::state(&mut outcome.calibration, limits.as_ref());
     if pictures.wanted() {
         draw(pictures, &recordings, &outcome)?;
     }
@@ -253,6 +290,11 @@ fn check_method(args: &Args) -> Result<(), Failure> {
         (
             "--effects",
             !args.effects.is_empty() && six,
+            "--method stepwise or joint",
+        ),
+        (
+            "--prior",
+            args.prior.is_some() && six,
             "--method stepwise or joint",
         ),
         (
@@ -389,15 +431,12 @@ fn finish(args: &Args, output: Option<Output>, outcome: &Outcome) -> Result<(), 
     if args.json {
         show::print(&json)?;
     } else {
-        show::print(&tables::text(outcome))?;
+        let verdict = limits::text(&calibration.limits);
+        let shares = calibration
+            .prior
+            .as_ref()
+            .map_or_else(String::new, prior::text);
+        show::print(&(verdict + &tables::text(outcome) + &shares))?;
     }
     gate(calibration)
-}
-
-/// Status 1 with the reasons where a quality gate failed.
-pub fn gate(calibration: &Calibration) -> Result<(), Failure> {
-    match calibration.failed_gates.as_slice() {
-        [] => Ok(()),
-        gates => Err(Failure::new(GATE, gates.join("\nstillpoint: "))),
-    }
 }

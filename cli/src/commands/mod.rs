@@ -2,6 +2,7 @@
 
 mod allan;
 mod apply;
+mod batch;
 mod bias;
 mod calibrate;
 mod clocks;
@@ -15,7 +16,9 @@ mod import;
 mod info;
 mod inputs;
 mod joint;
+mod limits;
 mod pictures;
+mod prior;
 mod reckon;
 mod rests_plot;
 mod segment;
@@ -32,6 +35,7 @@ pub enum Command {
     Demo(demo::Args),
     Info(info::Args),
     Calibrate(Box<calibrate::Args>),
+    Batch(Box<batch::Args>),
     Segment(segment::Args),
     Apply(apply::Args),
     Convert(convert::Args),
@@ -52,6 +56,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Demo(args) => demo::run(&args),
         Command::Info(args) => info::run(&args),
         Command::Calibrate(args) => calibrate::run(&args),
+        Command::Batch(args) => batch::run_command(&args),
         Command::Segment(args) => segment::run(&args),
         Command::Apply(args) => apply::run(&args),
         Command::Convert(args) => convert::run(&args),

@@ -4,11 +4,12 @@ use std::fmt::Write as _;
 
 use calib::gravity::Gravity;
 use calib::intervals::Detector;
+use calib::limits::Limits;
 use calib::methods::six_position::{EarthRate, Face, GyroscopePart, SixPosition, placements};
 use calib::{Calibration, Recording};
 use nalgebra::Vector3;
 
-use super::calibrate::gate;
+use super::limits::{self, gate};
 use super::pictures::Pictures;
 use crate::exit::Failure;
 use crate::output::Output;
@@ -28,6 +29,8 @@ pub struct Call<'a> {
     pub first_order: bool,
     /// Print JSON.
     pub json: bool,
+    /// Limits that it must keep.
+    pub limits: Option<Limits>,
     /// Where the calibration goes.
     pub output: Option<Output>,
     /// Where the report goes.
@@ -50,6 +53,7 @@ pub fn run(call: Call<'_>) -> Result<(), Failure> {
     let solution = SixPosition::solve(&six, gravity.value);
     let mut calibration = solution.calibration(call.first_order)?;
     calibration.carry_gravity(gravity.source);
+    limits::state(&mut calibration, call.limits.as_ref());
     calibration
         .warnings
         .iter()
@@ -66,7 +70,7 @@ pub fn run(call: Call<'_>) -> Result<(), Failure> {
     show::print(&if call.json {
         json
     } else {
-        text(&solution, &labels)
+        limits::text(&calibration.limits) + &text(&solution, &labels)
     })?;
     gate(&calibration)
 }
@@ -100,7 +104,7 @@ fn report(
     calibration: &Calibration,
     plot: &Plot,
 ) -> Result<Report, Failure> {
-    let failed = calibration.failed_gates.iter();
+    let failed = limits::reasons(calibration).into_iter();
     let mut notes: Vec<String> = failed.map(|gate| format!("Do not use: {gate}")).collect();
     notes.extend(calibration.warnings.iter().cloned());
     let table = |(header, rows): ([&str; 5], Vec<[String; 5]>)| {

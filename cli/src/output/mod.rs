@@ -37,6 +37,14 @@ static CLAIMED: AtomicUsize = AtomicUsize::new(0);
 static KEPT: AtomicUsize = AtomicUsize::new(0);
 
 impl Replace {
+    /// Replace what is there.
+    pub fn forced() -> Self {
+        Self {
+            force: true,
+            skip_existing: false,
+        }
+    }
+
     /// Ends the command where every output exists and is kept. To be called when all are claimed.
     ///
     /// # Errors

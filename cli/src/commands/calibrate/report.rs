@@ -4,6 +4,7 @@ use calib::calibration::{RecordingBias, Triad};
 use calib::intervals::Segmentation;
 use calib::{Calibration, Misfit, Misfits, Recording, misfits};
 
+use super::super::limits;
 use super::super::rests_plot::rests_plot;
 use super::tables::{self, PARAMETERS};
 use crate::exit::Failure;
@@ -146,7 +147,7 @@ pub fn page(
     plots: &[Plot],
     units: [&str; 2],
 ) -> Result<Report, Failure> {
-    let failed = calibration.failed_gates.iter();
+    let failed = limits::reasons(calibration).into_iter();
     let mut notes: Vec<String> = failed.map(|gate| format!("Do not use: {gate}")).collect();
     notes.extend(calibration.warnings.iter().cloned());
     let mut report = Report::new("Calibration")

@@ -3,6 +3,7 @@
 use calib::discover::{Discovery, Findings};
 
 use super::super::calibrate::tables::{PARAMETERS, parameters};
+use super::super::limits;
 use super::tables::{self, Rows};
 use super::words::{next_recordings, proposed, verdict};
 use crate::exit::Failure;
@@ -13,7 +14,7 @@ use crate::report::{Plot, Report, ReportTable};
 pub fn page(discovery: &Discovery, plots: &[Plot]) -> Result<Report, Failure> {
     let findings = &discovery.findings;
     let calibration = &findings.calibration;
-    let failed = calibration.failed_gates.iter();
+    let failed = limits::reasons(calibration).into_iter();
     let gates: Vec<String> = failed.map(|gate| format!("Do not use: {gate}")).collect();
     let mut report = Report::new("What is missing")
         .section("Verdict")
