@@ -5,7 +5,7 @@ mod common;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::time::Duration;
+use std::time::Instant;
 
 use calib::recording::to_csv;
 use calib::simulate::{HandHeld, Motion, Spec};
@@ -186,38 +186,61 @@ fn bad_devices_have_their_reasons_and_the_others_are_as_without_them() {
     );
 }
 
+/// Kills by SIGKILL; `STILLPOINT_KILLS=50` is the large version.
+fn kills() -> u64 {
+    let asked = std::env::var("STILLPOINT_KILLS").ok();
+    asked.and_then(|n| n.parse().ok()).unwrap_or(8)
+}
+
 #[test]
 fn a_batch_killed_at_any_time_resumes_to_the_same_bytes() {
     let (_dir, folder) = devices(4);
-    let call = ["batch", "devices", "-o", "calm"];
-    assert_eq!(stillpoint(&folder, &call).status.code(), Some(0));
-    for k in 1..=6_u64 {
+    let begin = Instant::now();
+    assert_eq!(
+        stillpoint(&folder, &["batch", "devices", "-o", "calm"])
+            .status
+            .code(),
+        Some(0)
+    );
+    let length = begin.elapsed();
+    let same = || {
+        let ids = ["d00", "d01", "d02", "d03"].map(|id| format!("devices/{id}/cal.json"));
+        for file in ids.iter().map(String::as_str).chain(["part-1-of-1.jsonl"]) {
+            assert_eq!(
+                bytes(&folder.join("calm").join(file)),
+                bytes(&folder.join("killed").join(file)),
+                "{file}"
+            );
+        }
+        std::fs::remove_dir_all(folder.join("killed")).unwrap();
+    };
+    let resume = ["batch", "devices", "-o", "killed", "--resume"];
+    let (mut killed, mut random) = (0, 1_u64);
+    while killed < kills() {
         let mut child = Command::new(env!("CARGO_BIN_EXE_stillpoint"))
             .current_dir(&folder)
-            .args(["batch", "devices", "-o", "killed", "--resume"])
+            .args(resume)
             .stdout(Stdio::null())
             .stderr(Stdio::null())
             .spawn()
             .unwrap();
-        std::thread::sleep(Duration::from_millis(37 * k));
-        // SIGKILL: nothing of the program runs any more.
+        // At any time of a run (Knuth's generator).
+        random = random
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        std::thread::sleep(length.mul_f64((random >> 32) as f64 / 2f64.powi(32)));
         child.kill().unwrap();
-        child.wait().unwrap();
+        match child.wait().unwrap().code() {
+            None => killed += 1,
+            Some(code) => {
+                assert_eq!(code, 0);
+                same();
+            }
+        }
     }
-    let run = stillpoint(&folder, &["batch", "devices", "-o", "killed", "--resume"]);
+    let run = stillpoint(&folder, &resume);
     assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
-    let part = "part-1-of-1.jsonl";
-    assert_eq!(
-        bytes(&folder.join("calm").join(part)),
-        bytes(&folder.join("killed").join(part))
-    );
-    for id in ["d00", "d01", "d02", "d03"] {
-        let cal = format!("devices/{id}/cal.json");
-        assert_eq!(
-            bytes(&folder.join("calm").join(&cal)),
-            bytes(&folder.join("killed").join(&cal))
-        );
-    }
+    same();
 }
 
 #[test]

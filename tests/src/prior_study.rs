@@ -114,11 +114,12 @@ impl Simulator {
     /// A device and its session; `off` moves one parameter by so many standard deviations of type and session.
     fn session(&mut self, off: f64) -> (DVector<f64>, Session) {
         let n = self.names.len();
-        let mut theta = &self.mean + &self.root * self.normals();
+        let drawn = self.normals();
+        let mut theta = &self.mean + &self.root * drawn;
         let mix =
             DMatrix::from_fn(n, n, |_, _| 0.3 * normal(&mut self.random)) + DMatrix::identity(n, n);
         // Sessions differ in length: errors from half to twice the usual.
-        let length = ChiSquared::new(8.0).map_or(1.0, |d| d.sample(&mut self.random) / 8.0);
+        let length: f64 = ChiSquared::new(8.0).map_or(1.0, |d| d.sample(&mut self.random) / 8.0);
         let scale = DVector::from_fn(n, |k, _| {
             self.unit[k] / mix.row(k).norm() / length.max(0.1).sqrt()
         });

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::error::Error;
 use crate::manifest::Shard;
-use crate::part::{PartHeader, read_part};
+use crate::part::{Part, PartHeader, read_part};
 use crate::record::Record;
 
 /// All devices of a run, in the order of its manifest.
@@ -54,41 +54,46 @@ pub enum Fault {
 /// [`Error::Parts`] with everything that is missing, foreign or incomplete; [`Error::Io`].
 pub fn merge(paths: &[PathBuf]) -> Result<Merged, Error> {
     let mut faults = Vec::new();
-    let mut parts: Vec<(PathBuf, PartHeader, Vec<Record>)> = Vec::new();
+    let mut parts: Vec<(PathBuf, Part)> = Vec::new();
     for path in files(paths)? {
         let text = std::fs::read_to_string(&path);
         match text
             .map_err(|e| e.to_string())
             .and_then(|text| read_part(&text))
         {
-            Ok((header, records)) => parts.push((path, header, records)),
+            Ok(part) => parts.push((path, part)),
             Err(what) => faults.push(Fault::Unreadable { path, what }),
         }
     }
     let Some(expected) = commonest(&parts) else {
         return Err(Error::Parts(faults));
     };
+    let n = expected.shard.n;
     let mut merged: Vec<Option<Record>> = vec![None; expected.devices];
-    let mut seen: Vec<Option<usize>> = vec![None; expected.shard.n];
-    for (k, (path, header, records)) in parts.iter().enumerate() {
-        let own = identity(header);
-        let twin = seen.get(header.shard.k.wrapping_sub(1)).copied().flatten();
-        let differs = twin.is_some_and(|twin| parts[twin].2 != *records);
-        let beyond = records.iter().any(|r| r.index >= merged.len());
-        if own != identity(&expected) || differs || beyond {
-            faults.push(Fault::Foreign {
-                path: path.clone(),
+    let mut seen: Vec<Option<String>> = vec![None; n];
+    for (path, part) in parts {
+        let own = identity(&part.header);
+        let shard = part.header.shard;
+        let place = seen.get_mut(shard.k.wrapping_sub(1));
+        let place = place.filter(|_| own == identity(&expected));
+        let beyond = |r: &Record| r.index >= expected.devices || !shard.has(r.index);
+        match place.filter(|_| !part.records.iter().any(beyond)) {
+            // Run twice.
+            Some(Some(sha256)) if *sha256 == part.sha256 => {}
+            Some(place @ None) => {
+                *place = Some(part.sha256);
+                for record in part.records {
+                    let index = record.index;
+                    merged[index] = Some(record);
+                }
+            }
+            _ => faults.push(Fault::Foreign {
+                path,
                 found: own,
                 expected: identity(&expected),
-            });
-            continue;
-        }
-        seen[header.shard.k - 1] = Some(k);
-        for record in records {
-            merged[record.index] = Some(record.clone());
+            }),
         }
     }
-    let n = expected.shard.n;
     for (k, _) in seen.iter().enumerate().filter(|(_, part)| part.is_none()) {
         faults.push(Fault::Missing {
             shard: Shard { k: k + 1, n },
@@ -121,17 +126,16 @@ fn identity(header: &PartHeader) -> String {
 }
 
 /// The header that most parts agree with, the first of equals.
-fn commonest(parts: &[(PathBuf, PartHeader, Vec<Record>)]) -> Option<PartHeader> {
+fn commonest(parts: &[(PathBuf, Part)]) -> Option<PartHeader> {
     let count = |header: &PartHeader| {
-        let same =
-            |part: &&(PathBuf, PartHeader, Vec<Record>)| identity(&part.1) == identity(header);
+        let same = |part: &&(PathBuf, Part)| identity(&part.1.header) == identity(header);
         parts.iter().filter(same).count()
     };
     let mut best: Option<(usize, &PartHeader)> = None;
-    for (_, header, _) in parts {
-        let own = count(header);
+    for (_, part) in parts {
+        let own = count(&part.header);
         if best.is_none_or(|(most, _)| own > most) {
-            best = Some((own, header));
+            best = Some((own, &part.header));
         }
     }
     best.map(|(_, header)| header.clone())

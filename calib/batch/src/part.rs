@@ -72,8 +72,19 @@ pub fn part_text<'a>(header: &PartHeader, records: impl IntoIterator<Item = &'a 
     text + &line(&end)
 }
 
+/// A part that is whole.
+#[derive(Clone, Debug)]
+pub(crate) struct Part {
+    /// Its first line.
+    pub header: PartHeader,
+    /// Its records.
+    pub records: Vec<Record>,
+    /// SHA-256 of both.
+    pub sha256: String,
+}
+
 /// What is in a part; or why it is none, in words.
-pub(crate) fn read_part(text: &str) -> Result<(PartHeader, Vec<Record>), String> {
+pub(crate) fn read_part(text: &str) -> Result<Part, String> {
     let header: PartHeader = text
         .lines()
         .next()
@@ -92,7 +103,11 @@ pub(crate) fn read_part(text: &str) -> Result<(PartHeader, Vec<Record>), String>
     let records = before.lines().skip(1).map(serde_json::from_str);
     let records: Result<Vec<Record>, _> = records.collect();
     let records = records.map_err(|e| format!("of another version: {e}"))?;
-    Ok((header, records))
+    Ok(Part {
+        header,
+        records,
+        sha256: end.sha256,
+    })
 }
 
 mod erased {

@@ -8,7 +8,8 @@
 use calib::Calibration;
 use calib::limits::parameter;
 use calib::prior::{PRIOR_SCHEMA, Prior, belonging};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use rayon::prelude::*;
 
 use crate::error::Error;
 use crate::statistics::robust_location_scatter;
@@ -17,9 +18,14 @@ use crate::statistics::robust_location_scatter;
 const OUTSIDE: f64 = 1e-3;
 /// Rounds of leaving out and fitting.
 const ROUNDS: usize = 8;
-/// Steps of a fit, and the change of the covariance (relative to its diagonal) at which it ends.
-const STEPS: usize = 2000;
-const SETTLED: f64 = 1e-6;
+/// Steps of a fit, and the change of the covariance (in units of the robust spread) at which it ends. The start is a moment
+/// estimate, so that few are needed.
+const STEPS: usize = 200;
+const SETTLED: f64 = 1e-5;
+/// Variance of the type against the session's mean one that a start has at least: from nothing there is no way up.
+const LEAST: f64 = 0.02;
+/// Devices whose sums are made together: the order of sums does not depend on the number of threads.
+const TOGETHER: usize = 32;
 
 /// What one device's session says.
 #[derive(Clone, Debug)]
@@ -127,7 +133,7 @@ pub fn fit_prior(names: &[String], sessions: &[Session]) -> Result<Prior, Error>
         .iter()
         .map(|(y, _)| belonging(y, &start).is_some_and(|b| b.p_value < OUTSIDE))
         .collect();
-    let mut fit = Fit::start(&start);
+    let mut fit = None;
     for _ in 0..ROUNDS {
         let kept: Vec<_> = scaled
             .iter()
@@ -142,19 +148,21 @@ pub fn fit_prior(names: &[String], sessions: &[Session]) -> Result<Prior, Error>
                 needed,
             });
         }
-        fit = fit.maximised(&kept);
+        let found = Fit::start(&kept).maximised(&kept);
         let judged: Vec<bool> = scaled
             .iter()
             .map(|(y, c)| {
-                let total = &fit.sigma + c;
-                belonging(&(y - &fit.mu), &total).is_none_or(|b| b.p_value < OUTSIDE)
+                let total = &found.sigma + c;
+                belonging(&(y - &found.mu), &total).is_none_or(|b| b.p_value < OUTSIDE)
             })
             .collect();
+        fit = Some(found);
         if judged == outside {
             break;
         }
         outside = judged;
     }
+    let fit = fit.unwrap_or_else(|| Fit::start(&[]));
     let rows = |m: &DMatrix<f64>| -> Vec<Vec<f64>> {
         (0..p)
             .map(|i| (0..p).map(|j| m[(i, j)] * unit[i] * unit[j]).collect())
@@ -186,53 +194,93 @@ struct Fit {
     of_mu: DMatrix<f64>,
 }
 
+type Scaled = (DVector<f64>, DMatrix<f64>);
+
 impl Fit {
-    fn start(scatter: &DMatrix<f64>) -> Self {
+    /// By moments: the covariance of the devices less their sessions' mean one, no less than a part of that in any direction.
+    fn start(kept: &[&Scaled]) -> Self {
+        let p = kept.first().map_or(0, |(y, _)| y.len());
+        let n = kept.len().max(2) as f64;
+        let mu = kept.iter().fold(DVector::zeros(p), |sum, (y, _)| sum + y) / n;
+        let error = kept
+            .iter()
+            .fold(DMatrix::zeros(p, p), |sum, (_, c)| sum + c)
+            / n;
+        let whole = kept.iter().fold(DMatrix::zeros(p, p), |sum, (y, _)| {
+            let d = y - &mu;
+            sum + &d * d.transpose()
+        }) / (n - 1.0);
+        let of_mu = &whole / n;
+        let sigma = error.clone().cholesky().and_then(|factor| {
+            let l = factor.l();
+            let white = l.solve_lower_triangular(&whole)?;
+            let white = l.solve_lower_triangular(&white.transpose())?;
+            let axes = SymmetricEigen::new((&white + white.transpose()) * 0.5);
+            let spread = axes.eigenvalues.map(|v| (v - 1.0).max(LEAST));
+            let back = l * axes.eigenvectors;
+            Some(&back * DMatrix::from_diagonal(&spread) * back.transpose())
+        });
         Self {
-            mu: DVector::zeros(scatter.nrows()),
-            sigma: scatter.clone(),
-            of_mu: DMatrix::zeros(scatter.nrows(), scatter.nrows()),
+            mu,
+            sigma: sigma.unwrap_or(whole),
+            of_mu,
         }
     }
 
     /// The restricted likelihood's maximum over these devices, from here.
-    fn maximised(mut self, kept: &[&(DVector<f64>, DMatrix<f64>)]) -> Self {
-        let p = self.mu.len();
+    fn maximised(mut self, kept: &[&Scaled]) -> Self {
         for _ in 0..STEPS {
-            let Some(weights) = kept
-                .iter()
-                .map(|(_, c)| inverse(&(&self.sigma + c)))
-                .collect::<Option<Vec<_>>>()
-            else {
+            let Some(next) = self.step(kept) else {
                 return self;
             };
-            let total: DMatrix<f64> = weights.iter().fold(DMatrix::zeros(p, p), |sum, w| sum + w);
-            let Some(of_mu) = inverse(&total) else {
-                return self;
-            };
-            let mut sum = DVector::zeros(p);
-            for ((y, _), w) in kept.iter().zip(&weights) {
-                sum += w * y;
-            }
-            let mu = &of_mu * sum;
-            let mut sigma = DMatrix::zeros(p, p);
-            for ((y, _), w) in kept.iter().zip(&weights) {
-                let u = &self.sigma * (w * (y - &mu));
-                // Of Σ − Σ W Σ + Σ W V(μ) W Σ, the second restricted: μ was estimated too.
-                let left = &self.sigma * w;
-                sigma += &self.sigma - &left * &self.sigma
-                    + &left * &of_mu * left.transpose()
-                    + &u * u.transpose();
-            }
-            sigma /= kept.len() as f64;
-            sigma = (&sigma + sigma.transpose()) * 0.5;
-            let change = (&sigma - &self.sigma).amax();
-            self = Self { mu, sigma, of_mu };
+            let change = (&next.sigma - &self.sigma).amax();
+            self = next;
             if change < SETTLED {
                 break;
             }
         }
         self
+    }
+
+    fn step(&self, kept: &[&Scaled]) -> Option<Self> {
+        let p = self.mu.len();
+        let weigh = |group: &[&Scaled]| -> Option<Vec<DMatrix<f64>>> {
+            group
+                .iter()
+                .map(|(_, c)| inverse(&(&self.sigma + c)))
+                .collect()
+        };
+        let groups: Vec<&[&Scaled]> = kept.chunks(TOGETHER).collect();
+        let weights: Vec<Vec<DMatrix<f64>>> =
+            groups.par_iter().map(|g| weigh(g)).collect::<Option<_>>()?;
+        let (mut total, mut sum) = (DMatrix::zeros(p, p), DVector::zeros(p));
+        for ((y, _), w) in kept.iter().zip(weights.iter().flatten()) {
+            total += w;
+            sum += w * y;
+        }
+        let of_mu = inverse(&total)?;
+        let mu = &of_mu * sum;
+        // Of Σ − Σ W Σ + Σ W V(μ) W Σ + u uᵀ the outer Σ are drawn out of the sum; the third term is what restricts: μ was estimated too.
+        let inner = |(group, weights): (&&[&Scaled], &Vec<DMatrix<f64>>)| {
+            let mut sum = DMatrix::zeros(p, p);
+            for ((y, _), w) in group.iter().zip(weights) {
+                let u = w * (y - &mu);
+                sum += w * &of_mu * w - w;
+                sum.ger(1.0, &u, &u, 1.0);
+            }
+            sum
+        };
+        let inner: Vec<DMatrix<f64>> = groups.par_iter().zip(&weights).map(inner).collect();
+        let inner = inner
+            .iter()
+            .fold(DMatrix::zeros(p, p), |sum, own| sum + own)
+            / kept.len() as f64;
+        let sigma = &self.sigma + &self.sigma * inner * &self.sigma;
+        Some(Self {
+            mu,
+            sigma: (&sigma + sigma.transpose()) * 0.5,
+            of_mu,
+        })
     }
 }
 

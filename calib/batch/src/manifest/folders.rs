@@ -27,7 +27,7 @@ pub(super) fn devices(folder: &Path) -> Result<Vec<Device>, Error> {
             false => path.file_stem(),
         };
         Device {
-            id: name.unwrap_or_default().to_string_lossy().into_owned(),
+            id: without_ending(&name.unwrap_or_default().to_string_lossy()),
             inputs: vec![path],
             lot: None,
             station: None,
@@ -36,4 +36,10 @@ pub(super) fn devices(folder: &Path) -> Result<Vec<Device>, Error> {
         }
     };
     Ok(all.into_iter().filter(recorded).map(device).collect())
+}
+
+/// `a` of `a.csv`, where that is what is left of `a.csv.gz`.
+fn without_ending(name: &str) -> String {
+    let inner = name.strip_suffix(".csv").or(name.strip_suffix(".txt"));
+    inner.unwrap_or(name).to_owned()
 }

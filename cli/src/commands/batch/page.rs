@@ -20,6 +20,11 @@ const ALPHA: f64 = 0.01;
 const SHOWN: f64 = 0.01;
 /// Rows of a table of devices.
 const ROWS: usize = 30;
+/// Spreads from the median beyond which a device is drawn by itself, and how many of each parameter.
+const FAR: f64 = 3.5;
+const DOTS: usize = 200;
+/// Dots of a chart, what is beyond its limits not counted.
+const CHARTED: usize = 1500;
 /// Bars of a histogram.
 const BARS: usize = 24;
 
@@ -45,6 +50,7 @@ fn reasons(report: Report, records: &[Record]) -> Result<Report, Failure> {
     }
     let failed: usize = causes.iter().map(|c| c.count).sum();
     let mut table = ReportTable::new([
+        "number",
         "reason",
         "devices",
         "share of failures",
@@ -52,30 +58,36 @@ fn reasons(report: Report, records: &[Record]) -> Result<Report, Failure> {
         "example",
     ]);
     let mut so_far = 0;
-    for cause in causes.iter().take(ROWS) {
+    for (k, cause) in causes.iter().take(ROWS).enumerate() {
         so_far += cause.count;
         let share = |n: usize| format!("{:.1} %", 100.0 * n as f64 / failed as f64);
         table.row([
-            show::name(&cause.words),
+            (k + 1).to_string(),
+            short(&cause.words, 80),
             cause.count.to_string(),
             share(cause.count),
             share(so_far),
             show::name(&cause.example),
         ]);
     }
-    let bars = causes.iter().take(BARS).enumerate();
-    let bars = bars
-        .map(|(k, c)| ((k + 1) as f64, 0.0, c.count as f64))
-        .collect();
+    let corners = causes.iter().take(BARS).enumerate();
+    let corners = corners.flat_map(|(k, c)| {
+        let (at, n) = ((k + 1) as f64, c.count as f64);
+        [
+            (at - 0.4, 0.0),
+            (at - 0.4, n),
+            (at + 0.4, n),
+            (at + 0.4, 0.0),
+        ]
+    });
     let plot = Plot::new(
         "Failed devices by reason",
         Axis::linear("reason, numbered as in the table"),
         Axis::linear("devices"),
-    );
+    )
+    .with(Series::line("", 0, corners.collect()));
     let report = report.section("Why devices fail");
-    Ok(report
-        .plot(&plot.with(Series::ranges("", 0, bars)))?
-        .table(table))
+    Ok(report.plot(&plot)?.table(table))
 }
 
 /// Names of the parameters that most calibrated devices have.
@@ -102,6 +114,7 @@ fn values(records: &[Record], name: &str) -> Vec<f64> {
 /// Each parameter's median, spread, the sessions' own error, and its limits.
 fn distributions(report: Report, records: &[Record], names: &[String]) -> Result<Report, Failure> {
     let mut table = ReportTable::new([
+        "number",
         "parameter",
         "median",
         "spread",
@@ -111,7 +124,7 @@ fn distributions(report: Report, records: &[Record], names: &[String]) -> Result
         "limits",
     ]);
     let mut report = report.section("Parameters");
-    for name in names {
+    for (k, name) in names.iter().enumerate() {
         let all = values(records, name);
         let errors: Vec<f64> = records
             .iter()
@@ -124,6 +137,7 @@ fn distributions(report: Report, records: &[Record], names: &[String]) -> Result
             format!("{} to {}", number(low), number(high))
         });
         table.row([
+            (k + 1).to_string(),
             name.clone(),
             number(median(&all)),
             number(spread(&all)),
@@ -133,13 +147,48 @@ fn distributions(report: Report, records: &[Record], names: &[String]) -> Result
             limit,
         ]);
     }
+    if !names.is_empty() {
+        report = report.plot(&spreads(records, names))?;
+    }
     report = report.table(table);
-    for name in names {
+    for name in names
+        .iter()
+        .filter(|name| limits_of(records, name).is_some())
+    {
         if let Some(plot) = histogram(records, name) {
             report = report.plot(&plot)?;
         }
     }
     Ok(report)
+}
+
+/// All parameters in one picture: the middle 90 % of the devices as a bar, those further out than `FAR` spreads as dots.
+fn spreads(records: &[Record], names: &[String]) -> Plot {
+    let (mut bars, mut dots) = (Vec::new(), Vec::new());
+    for (k, name) in names.iter().enumerate() {
+        let mut all = values(records, name);
+        let (centre, width) = (median(&all), spread(&all));
+        if width.is_nan() || width <= 0.0 {
+            continue;
+        }
+        all.sort_by(f64::total_cmp);
+        let at = (k + 1) as f64;
+        let quantile =
+            |share: f64| (all[((all.len() - 1) as f64 * share).round() as usize] - centre) / width;
+        bars.push((at, 0.0, quantile(0.05), quantile(0.95)));
+        let far = all
+            .iter()
+            .map(|v| (v - centre) / width)
+            .filter(|z| z.abs() > FAR);
+        dots.extend(far.take(DOTS).map(|z| (at, z)));
+    }
+    Plot::new(
+        "Parameters: middle 90 % of the devices, and those far out",
+        Axis::linear("parameter, numbered as in the table"),
+        Axis::linear("from the median, in spreads"),
+    )
+    .with(Series::bars("middle 90 %", 0, bars))
+    .with(Series::dots("far out", 1, dots))
 }
 
 /// The limits of a parameter's value.

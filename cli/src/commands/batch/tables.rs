@@ -25,7 +25,7 @@ pub fn of_run(records: &[Record]) -> String {
             short(&r.id, 12),
             r.status.name().into(),
             r.exit.to_string(),
-            short(reason, 42),
+            short(reason, 37),
         ]);
     }
     let more = match records.len().saturating_sub(LISTED) {
