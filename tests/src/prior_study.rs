@@ -56,8 +56,10 @@ pub const POPULATIONS: [Population; 4] = [
 /// What was measured of a population.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Measured {
-    /// Root mean square error in session errors: without the prior, with it, and the bound.
+    /// Root mean square error in session errors: without the prior, with it, and the bound; of the devices that are not flagged.
     pub rms: [f64; 3],
+    /// The same of all: a device that is flagged, one in a hundred, keeps what its session says.
+    pub rms_of_all: [f64; 3],
     /// Share of 95 % intervals that hold.
     pub coverage: f64,
     /// Share of devices of the population that are flagged.
@@ -224,7 +226,7 @@ pub fn study(
     let sigma = &simulator.root * simulator.root.transpose();
     let template = template()?;
     let mut measured = Measured::default();
-    let (mut held, mut intervals) = (0_u32, 0_u32);
+    let (mut held, mut intervals, mut used_intervals) = (0_u32, 0_u32, 0_u32);
     for _ in 0..others {
         let (theta, session) = simulator.session(0.0);
         let found = informed(&template, &simulator.names, &session, &prior)?;
@@ -236,13 +238,12 @@ pub fn study(
             let (value, _) = parameter(&found, name).ok_or("lost")?;
             let std = found.covariance[k][k].sqrt();
             let square = |v: f64| ((v - theta[k]) / simulator.unit[k]).powi(2);
-            for (sum, v) in measured
-                .rms
-                .iter_mut()
-                .zip([session.values[k], value, best[k]])
-            {
-                *sum += square(v);
+            let own = [session.values[k], value, best[k]].map(square);
+            for (at, v) in own.into_iter().enumerate() {
+                measured.rms_of_all[at] += v;
+                measured.rms[at] += if used { v } else { 0.0 };
             }
+            used_intervals += u32::from(used);
             held += u32::from((value - theta[k]).abs() < 1.959_964 * std);
             intervals += 1;
         }
@@ -251,7 +252,12 @@ pub fn study(
         let flagged = found.prior.as_ref().is_some_and(|used| !used.belongs);
         measured.flagged += f64::from(u8::from(flagged)) / others as f64;
     }
-    measured.rms = measured.rms.map(|sum| (sum / f64::from(intervals)).sqrt());
+    measured.rms_of_all = measured
+        .rms_of_all
+        .map(|sum| (sum / f64::from(intervals)).sqrt());
+    measured.rms = measured
+        .rms
+        .map(|sum| (sum / f64::from(used_intervals)).sqrt());
     measured.coverage = f64::from(held) / f64::from(intervals);
     Ok(measured)
 }

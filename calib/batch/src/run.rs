@@ -80,7 +80,10 @@ pub(crate) fn run_with(
     let failure: Mutex<Option<Error>> = Mutex::new(None);
     let work = || {
         let mut pool = None;
-        while let Some((index, device)) = lock(&waiting).pop_front() {
+        loop {
+            // In a statement of its own: the lock must not be held while the device is computed.
+            let next = lock(&waiting).pop_front();
+            let Some((index, device)) = next else { break };
             let begin = Instant::now();
             match one(plan, store, &compute, &mut pool, threads, (index, device)) {
                 Ok((record, resumed)) => {
@@ -252,7 +255,8 @@ mod tests {
             },
             resume: true,
             jobs: 2,
-            budget: Duration::from_millis(200),
+            // Printing a panic takes long on a busy machine.
+            budget: Duration::from_secs(4),
         }
     }
 

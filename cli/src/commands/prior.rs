@@ -8,6 +8,9 @@ use super::limits::number;
 use crate::exit::{Failure, INPUT};
 use crate::show;
 
+/// Values with a smaller standard error are shown by their powers of ten.
+const SMALL: f64 = 1e-5;
+
 /// Adds the effects of the prior to those that are fitted.
 pub fn with_effects(prior: &Prior, request: &mut Request) -> Result<(), Failure> {
     for name in &prior.effects {
@@ -28,8 +31,13 @@ pub fn with_effects(prior: &Prior, request: &mut Request) -> Result<(), Failure>
 pub fn text(used: &PriorUse) -> String {
     let mut table = show::table(&["parameter", "type", "recording", "both", "by the type"]);
     for p in &used.parameters {
-        let pair = |value: f64, std: f64| {
-            format!("{} ± {}", show::value(value, Some(std)), number_short(std))
+        let pair = |value: f64, std: f64| match std < SMALL {
+            true => format!("{value:.3e} ± {std:.1e}"),
+            false => format!(
+                "{} ± {}",
+                show::value(value, Some(std)),
+                show::error(Some(std))
+            ),
         };
         table.add_row([
             p.name.clone(),
@@ -50,9 +58,4 @@ pub fn text(used: &PriorUse) -> String {
         (false, None) => "the device is NOT of the type; the prior is not used".to_owned(),
     };
     format!("\nPrior of {} devices: {verdict}\n{table}\n", used.devices)
-}
-
-/// Two figures.
-fn number_short(value: f64) -> String {
-    show::error(Some(value))
 }

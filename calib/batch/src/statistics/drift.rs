@@ -39,7 +39,7 @@ pub fn seconds(time: &str) -> Option<f64> {
     let era = year.div_euclid(400);
     let of_era = year - 400 * era;
     let of_year = (153 * ((month + 9) % 12) + 2) / 5 + day - 1;
-    let days = era * 146_097 + of_era * 365 + of_era / 4 - of_era / 100 + of_year;
+    let days = era * 146_097 + of_era * 365 + of_era / 4 - of_era / 100 + of_year - 719_468;
     let clock = match time.get(10..) {
         Some("") | None => 0,
         Some(_) => 3600 * part(11, 13)? + 60 * part(14, 16)? + part(17, 19).unwrap_or(0),

@@ -25,6 +25,8 @@ const FAR: f64 = 3.5;
 const DOTS: usize = 200;
 /// Dots of a chart, what is beyond its limits not counted.
 const CHARTED: usize = 1500;
+/// Parameters with charts of their own.
+const CHARTS: usize = 2;
 /// Bars of a histogram.
 const BARS: usize = 24;
 
@@ -413,7 +415,7 @@ fn charts(report: Report, records: &[Record], names: &[String]) -> Result<Report
         let out = beyond.iter().any(|n| n != "0" && n != "-");
         let [a, b, c, d] = beyond;
         table.row([name.clone(), a, b, c, d]);
-        if out && drawn < 6 || drawn == 0 {
+        if out && drawn < CHARTS || drawn == 0 {
             drawn += 1;
             report = report.plot(&chart(name, "device", &own))?;
             report = report.plot(&chart(&format!("{name}: moving range"), "device", &ranges))?;
@@ -433,12 +435,9 @@ fn charts(report: Report, records: &[Record], names: &[String]) -> Result<Report
 
 fn chart(title: &str, what: &str, chart: &batch::statistics::Chart) -> Plot {
     let at = |k: usize| (k + 1) as f64;
-    let points = chart
-        .points
-        .iter()
-        .enumerate()
-        .map(|(k, v)| (at(k), *v))
-        .collect();
+    let every = chart.points.len().div_ceil(CHARTED).max(1);
+    let points = chart.points.iter().enumerate().step_by(every);
+    let points = points.map(|(k, v)| (at(k), *v)).collect();
     let beyond = chart
         .beyond
         .iter()
