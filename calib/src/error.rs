@@ -37,6 +37,9 @@ pub enum Error {
     /// The fit did not reach a minimum.
     #[error("{0}")]
     NotConverged(String),
+    /// A watch ended the work ([`crate::watch`]).
+    #[error("cancelled")]
+    Cancelled,
     /// The solver refused the problem.
     #[error(transparent)]
     Solver(#[from] solver::Error),

@@ -8,6 +8,15 @@ pub const STANDARD_GRAVITY: f64 = 9.806_65;
 /// Gravity on the earth's surface lies between these, m/s²: mountains near the equator to the poles.
 pub const ON_EARTH: std::ops::RangeInclusive<f64> = 9.764..=9.834;
 
+/// A given gravity is refused beyond these, m/s².
+pub const ACCEPTED: std::ops::RangeInclusive<f64> = 9.76..=9.84;
+
+/// A latitude is refused beyond these, °.
+pub const LATITUDES: std::ops::RangeInclusive<f64> = -90.0..=90.0;
+
+/// A height is refused beyond these, m.
+pub const ALTITUDES: std::ops::RangeInclusive<f64> = -500.0..=9000.0;
+
 /// Standard deviation of gravity about [`STANDARD_GRAVITY`] where nothing is known of the place, m/s²: the
 /// root mean square distance of a value that lies anywhere in [`ON_EARTH`] with the same chance.
 const ANYWHERE: f64 = 0.021_6;
@@ -49,7 +58,49 @@ pub struct Gravity {
     pub source: GravitySource,
 }
 
+/// Something that is nowhere on the earth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NotOnEarth {
+    /// Gravity, m/s², not in [`ACCEPTED`].
+    Gravity(f64),
+    /// Latitude, °, not in [`LATITUDES`].
+    Latitude(f64),
+    /// Height, m, not in [`ALTITUDES`].
+    Altitude(f64),
+}
+
 impl Gravity {
+    /// [`Gravity::of`] what can be so.
+    ///
+    /// # Errors
+    /// The first of the three that is nowhere on the earth.
+    ///
+    /// # Examples
+    /// ```
+    /// use stillpoint_calib::gravity::{Gravity, NotOnEarth};
+    ///
+    /// assert_eq!(Gravity::checked(Some(981.0), None, None), Err(NotOnEarth::Gravity(981.0)));
+    /// ```
+    pub fn checked(
+        value: Option<f64>,
+        latitude: Option<f64>,
+        altitude: Option<f64>,
+    ) -> Result<Self, NotOnEarth> {
+        let beyond = |given: Option<f64>, range: &std::ops::RangeInclusive<f64>| {
+            given.filter(|given| !range.contains(given))
+        };
+        if let Some(latitude) = beyond(latitude, &LATITUDES) {
+            return Err(NotOnEarth::Latitude(latitude));
+        }
+        if let Some(altitude) = beyond(altitude, &ALTITUDES) {
+            return Err(NotOnEarth::Altitude(altitude));
+        }
+        if let Some(gravity) = beyond(value, &ACCEPTED) {
+            return Err(NotOnEarth::Gravity(gravity));
+        }
+        Ok(Self::of(value, latitude, altitude))
+    }
+
     /// A value that is known.
     pub fn given(value: f64) -> Self {
         Self {

@@ -1,6 +1,7 @@
 //! Exit statuses and the messages that go with them.
 
 use calib::Error;
+use calib::message::{Place, advice};
 use serde_json::{Value, json};
 
 use crate::show;
@@ -102,11 +103,7 @@ impl Failure {
 
     /// What to do about it: the advice in the message, else where help is.
     fn next<'a>(&self, message: &'a str) -> &'a str {
-        let advice = message.rsplit_once("; ").map(|(_, advice)| advice.trim());
-        let first =
-            |advice: &&str| ADVICE.contains(&advice.split([' ', ',', ':']).next().unwrap_or(""));
-        let advice = advice.filter(first);
-        match (advice, self.code) {
+        match (advice(message), self.code) {
             (Some(advice), _) => advice,
             (None, USAGE) => "see stillpoint COMMAND --help",
             (None, INPUT) => "correct the input at the place named, or export it again",
@@ -118,84 +115,6 @@ impl Failure {
             (None, _) => "report the command and its message",
         }
     }
-}
-
-/// Words that advice begins with.
-const ADVICE: [&str; 39] = [
-    "add",
-    "allow",
-    "calibrate",
-    "check",
-    "choose",
-    "cut",
-    "delete",
-    "did",
-    "download",
-    "export",
-    "fetch",
-    "give",
-    "leave",
-    "make",
-    "name",
-    "nearest",
-    "pipe",
-    "raise",
-    "record",
-    "remove",
-    "rotate",
-    "run",
-    "save",
-    "say",
-    "see",
-    "set",
-    "split",
-    "take",
-    "turn",
-    "try",
-    "unpack",
-    "use",
-    "wait",
-    "write",
-    "--max-rows",
-    "--max-bytes",
-    "--na",
-    "--skip-bad-rows",
-    "--sort-time",
-];
-
-/// `file:line:column` at the beginning of a message.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Place<'a> {
-    file: &'a str,
-    line: u64,
-    column: Option<u64>,
-}
-
-impl<'a> Place<'a> {
-    fn of(message: &'a str) -> Option<Self> {
-        let colons = message.match_indices(':');
-        colons.filter(|(at, _)| *at > 0).find_map(|(at, _)| {
-            if message[..at].contains(": ") {
-                return None;
-            }
-            let (line, rest) = number(&message[at + 1..])?;
-            let rest = rest.strip_prefix(':')?;
-            let column = number(rest).filter(|(_, rest)| rest.starts_with(": "));
-            (column.is_some() || rest.starts_with(' ')).then(|| Self {
-                file: &message[..at],
-                line,
-                column: column.map(|(column, _)| column),
-            })
-        })
-    }
-}
-
-/// The whole number that `text` begins with, and what follows it.
-fn number(text: &str) -> Option<(u64, &str)> {
-    let end = text
-        .find(|c: char| !c.is_ascii_digit())
-        .unwrap_or(text.len());
-    Some((text[..end].parse().ok()?, &text[end..]))
 }
 
 /// Whether the call has this as an argument.
@@ -210,6 +129,7 @@ impl From<Error> for Failure {
             Error::NotEnough(_) => NOT_ENOUGH,
             Error::Output { .. } => OUTPUT,
             Error::NotConverged(_) | Error::Solver(_) => NOT_CONVERGED,
+            Error::Cancelled => INTERRUPTED,
             _ => INPUT,
         };
         let file = match &error {
@@ -239,22 +159,6 @@ impl From<exchange::Error> for Failure {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_place_is_what_a_message_begins_with() {
-        let place = |file, line, column| Some(Place { file, line, column });
-        assert_eq!(
-            Place::of("a.csv:2:7: `x` found"),
-            place("a.csv", 2, Some(7))
-        );
-        assert_eq!(Place::of("a.csv:2: more than"), place("a.csv", 2, None));
-        assert_eq!(
-            Place::of("C:\\a:b.csv:2:7: x"),
-            place("C:\\a:b.csv", 2, Some(7))
-        );
-        assert_eq!(Place::of("a.csv: at 12:30:00 and"), None);
-        assert_eq!(Place::of("no place"), None);
-    }
 
     #[test]
     fn the_document_has_every_entry() {

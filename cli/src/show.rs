@@ -1,11 +1,11 @@
 //! Tables and numbers for people.
 
 use std::borrow::Cow;
-use std::fmt::Write as _;
 use std::io::Write;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use calib::document::{is_obeyed, to_json};
 use comfy_table::presets::NOTHING;
 use comfy_table::{CellAlignment, LineStyle, Table};
 
@@ -43,28 +43,12 @@ pub fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// A document for `-o` and `--json`, with a line end.
-///
-/// Characters that a terminal may obey are escaped: they stand in strings, where JSON has a way to write them.
+/// A document for `-o` and `--json`, as [`to_json`] writes it.
 ///
 /// # Errors
 /// Status 7: the document holds what JSON cannot.
 pub fn json(document: &impl Serialize) -> Result<String, Failure> {
-    let text = serde_json::to_string_pretty(document);
-    let mut text = text.map_err(|e| Failure::new(BUG, e.to_string()))?;
-    text.push('\n');
-    if !text.chars().any(is_obeyed) {
-        return Ok(text);
-    }
-    let mut escaped = String::with_capacity(text.len());
-    for c in text.chars() {
-        if is_obeyed(c) {
-            let _ = write!(escaped, "\\u{:04x}", u32::from(c));
-        } else {
-            escaped.push(c);
-        }
-    }
-    Ok(escaped)
+    to_json(document).map_err(|e| Failure::new(BUG, e.to_string()))
 }
 
 /// A note or a warning.
@@ -95,13 +79,6 @@ pub fn failure(failure: &Failure) {
             .write_all(document.as_bytes())
             .and_then(|()| out.flush());
     }
-}
-
-/// True for characters that a terminal or a reader's eye may obey: controls but line ends, marks of writing
-/// direction, separators of lines and paragraphs.
-fn is_obeyed(c: char) -> bool {
-    let marks = matches!(c, '\u{200e}' | '\u{200f}' | '\u{061c}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-    marks || c.is_control() && c != '\n'
 }
 
 /// The text with control characters shown instead of obeyed: a file name may hold any.
@@ -205,10 +182,6 @@ mod tests {
         assert_eq!(printable("a\u{1b}[2J\u{9b}b\nc"), "a\\u{1b}[2J\\u{9b}b\nc");
         assert_eq!(name("a\n\u{202e}b"), "a\\n\\u{202e}b");
         assert!(matches!(printable("plain °/√h"), Cow::Borrowed(_)));
-        let document = json(&["\u{9b}31m\u{7f}\u{1b}"]).unwrap();
-        assert!(!document.chars().any(is_obeyed), "{document}");
-        let back: Vec<String> = serde_json::from_str(&document).unwrap();
-        assert_eq!(back, ["\u{9b}31m\u{7f}\u{1b}"]);
     }
 
     #[test]

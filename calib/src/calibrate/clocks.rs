@@ -38,9 +38,9 @@ pub(super) fn doubts(fit: &JointFit) -> Vec<String> {
 }
 
 /// The recordings with the gyroscope's stamps of an even clock, where theirs scatter about one.
-pub(super) fn on_even_clocks(recordings: &[Recording]) -> Vec<Recording> {
-    let evened = |recording: &Recording| {
-        let mut recording = recording.clone();
+pub(super) fn on_even_clocks(recordings: &[&Recording]) -> Vec<Recording> {
+    let evened = |recording: &&Recording| {
+        let mut recording = (*recording).clone();
         recording.gyroscope =
             recording
                 .gyroscope
@@ -58,8 +58,8 @@ pub(super) fn on_even_clocks(recordings: &[Recording]) -> Vec<Recording> {
 }
 
 /// The recordings with even clocks where their stamps come in bursts, and what is said of it; `None` where none do.
-pub(crate) fn without_bursts(recordings: &[Recording]) -> Option<(Vec<Recording>, Vec<String>)> {
-    let in_bursts = |recording: &Recording| {
+pub(crate) fn without_bursts(recordings: &[&Recording]) -> Option<(Vec<Recording>, Vec<String>)> {
+    let in_bursts = |recording: &&Recording| {
         let streams = [&recording.accelerometer, &recording.gyroscope];
         streams
             .into_iter()
@@ -72,7 +72,7 @@ pub(crate) fn without_bursts(recordings: &[Recording]) -> Option<(Vec<Recording>
     let mut warnings = Vec::new();
     let mut all = Vec::with_capacity(recordings.len());
     for recording in recordings {
-        let mut own = recording.clone();
+        let mut own = (*recording).clone();
         let sensors = [
             ("accelerometer", &mut own.accelerometer),
             ("gyroscope", &mut own.gyroscope),
@@ -96,7 +96,7 @@ pub(crate) fn without_bursts(recordings: &[Recording]) -> Option<(Vec<Recording>
 }
 
 /// Sensors whose clocks are apart: offsets first, then drifts.
-pub(super) fn apart(recordings: &[Recording]) -> Vec<String> {
+pub(super) fn apart(recordings: &[&Recording]) -> Vec<String> {
     let (mut offsets, mut drifts) = (Vec::new(), Vec::new());
     for recording in recordings {
         let sensors = recording.accelerometer.as_ref();

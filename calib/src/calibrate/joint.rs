@@ -28,7 +28,7 @@ const INFLUENTIAL: f64 = 4.0;
 /// Calibrates by the joint method.
 pub(super) fn calibrate(
     recordings: &[&Recording],
-    gyro_recordings: &[Recording],
+    gyro_recordings: &[&Recording],
     choices: Vec<Choice>,
     request: &Request,
     mut warnings: Vec<String>,

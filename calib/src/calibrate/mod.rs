@@ -16,6 +16,8 @@ mod static_norm;
 pub use means_file::read_static_means;
 pub use part_way::changes_part_way;
 
+use std::borrow::Borrow;
+
 use nalgebra::Vector3;
 use sensor::{AnyEffect, Model, Quantity, Sensor};
 
@@ -35,6 +37,9 @@ use crate::residuals::{Integrator, StaticMean};
 use crate::truth::{Models, Sensing, Truth, require, silent_at_static_intervals, without_instant};
 
 pub use crate::gravity::STANDARD_GRAVITY;
+
+/// Sampling rates of sensors that may be assumed instead of stamps, Hz.
+pub const NOMINAL_RATES: std::ops::RangeInclusive<f64> = 0.1..=1e5;
 
 /// Fits at most after which the signs of changes of force are settled.
 const HISTORIES: usize = 4;
@@ -149,17 +154,28 @@ pub struct Outcome {
 /// # Errors
 /// Recordings that cannot be cut, too few orientations, a parameter that the data do not determine,
 /// a fit that does not converge.
-pub fn calibrate(
-    recordings: &[Recording],
-    gyro_recordings: &[Recording],
+pub fn calibrate<R: Borrow<Recording>>(
+    recordings: &[R],
+    gyro_recordings: &[R],
     request: &Request,
 ) -> Result<Outcome, Error> {
-    own_effects::grant_steps(&request.effects, recordings.iter().chain(gyro_recordings));
+    let recordings: Vec<&Recording> = recordings.iter().map(R::borrow).collect();
+    let gyro_recordings: Vec<&Recording> = gyro_recordings.iter().map(R::borrow).collect();
+    calibrate_all(&recordings, &gyro_recordings, request)
+}
+
+fn calibrate_all(
+    recordings: &[&Recording],
+    gyro_recordings: &[&Recording],
+    request: &Request,
+) -> Result<Outcome, Error> {
+    let all = recordings.iter().chain(gyro_recordings);
+    own_effects::grant_steps(&request.effects, all.copied());
     let mut said = Vec::new();
     let outcome = match clocks::without_bursts(recordings) {
-        Some((recordings, warnings)) => {
+        Some((evened, warnings)) => {
             said = warnings;
-            by_clock(&recordings, gyro_recordings, request)
+            by_clock(&evened.iter().collect::<Vec<_>>(), gyro_recordings, request)
         }
         None => by_clock(recordings, gyro_recordings, request),
     };
@@ -175,8 +191,8 @@ pub fn calibrate(
 /// Writes down from what the calibration was made.
 fn state_inputs(
     outcome: &mut Outcome,
-    recordings: &[Recording],
-    gyro_recordings: &[Recording],
+    recordings: &[&Recording],
+    gyro_recordings: &[&Recording],
     request: &Request,
 ) {
     let same = |a: &Recording, b: &Recording| {
@@ -199,12 +215,13 @@ fn state_inputs(
 
 /// Calibrates by the clock that was asked for.
 fn by_clock(
-    recordings: &[Recording],
-    gyro_recordings: &[Recording],
+    recordings: &[&Recording],
+    gyro_recordings: &[&Recording],
     request: &Request,
 ) -> Result<Outcome, Error> {
     if request.clock == ClockMode::Even && request.method == Method::Stepwise {
         let [recordings, others] = [recordings, gyro_recordings].map(clocks::on_even_clocks);
+        let [recordings, others] = [&recordings, &others].map(|all| all.iter().collect::<Vec<_>>());
         return by_stamps(&recordings, &others, request);
     }
     by_stamps(recordings, gyro_recordings, request)
@@ -212,14 +229,14 @@ fn by_clock(
 
 /// Calibrates by the stamps of the recordings, but for what the joint method makes of them.
 fn by_stamps(
-    recordings: &[Recording],
-    gyro_recordings: &[Recording],
+    recordings: &[&Recording],
+    gyro_recordings: &[&Recording],
     request: &Request,
 ) -> Result<Outcome, Error> {
-    let cleaned: Vec<_> = recordings.iter().map(without_spikes).collect();
+    let cleaned: Vec<_> = recordings.iter().map(|r| without_spikes(r)).collect();
     let mut warnings = Vec::new();
     let clean = recordings.iter().zip(&cleaned);
-    let clean = clean.map(|(raw, cleaned)| cleaned.as_ref().map_or(raw, |(clean, _)| clean));
+    let clean = clean.map(|(raw, cleaned)| cleaned.as_ref().map_or(*raw, |(clean, _)| clean));
     let recordings = checks::without_repeats(clean, &mut warnings);
     for (recording, found) in cleaned.iter().flatten() {
         warnings.extend(found.iter().map(|f| format!("{}: {f}", recording.name)));
@@ -296,7 +313,7 @@ fn in_the_hand(reason: String, recordings: &[&Recording]) -> String {
 /// What a calibration is made from.
 struct Parts<'a> {
     recordings: &'a [&'a Recording],
-    gyro_recordings: &'a [Recording],
+    gyro_recordings: &'a [&'a Recording],
     request: &'a Request,
     warnings: &'a [String],
 }
@@ -360,7 +377,7 @@ const NO_GYROSCOPE: &str = "no gyroscope in the recording: only the acceleromete
 /// Accelerometer first, then the gyroscope.
 fn stepwise(
     recordings: &[&Recording],
-    gyro_recordings: &[Recording],
+    gyro_recordings: &[&Recording],
     choices: Vec<Choice>,
     request: &Request,
     mut warnings: Vec<String>,
@@ -385,7 +402,7 @@ fn stepwise(
             .zip(choices.iter().map(|c| &c.segmentation))
             .collect()
     } else {
-        separate.iter().map(|(r, s)| (*r, s)).collect()
+        separate.iter().map(|(r, s)| (**r, s)).collect()
     };
     if !separate.is_empty() {
         refuse_unknowable(turning.iter().copied(), &request.effects)?;

@@ -8,6 +8,10 @@ use crate::intervals::{Detector, Segmentation, StaticInterval, segment};
 use crate::methods::MULTIPLIERS;
 use crate::recording::{Recording, Stream};
 use crate::truth::{Models, Truth};
+use crate::watch::{Stage, step};
+
+/// Readings between two looks at whether the work is to end.
+const BETWEEN_STEPS: usize = 1 << 12;
 
 /// A static interval shows gravity to within this share: more than effects and moved biases make of it.
 const AT_GRAVITY: f64 = 0.03;
@@ -56,7 +60,7 @@ pub fn apply_with(
                 let base = Base::from_parameters(&sensing.parameters);
                 stream.values.iter_mut().for_each(|v| *v = base.correct(v));
             }
-            Some(_) => correct(stream, sensor, &truth, &models),
+            Some(_) => correct(stream, sensor, &truth, &models)?,
             None => corrected.warnings.push(format!(
                 "the calibration has no {name}: its readings are left as they are"
             )),
@@ -65,13 +69,22 @@ pub fn apply_with(
     Ok(corrected)
 }
 
-fn correct(stream: &mut Stream, sensor: Sensor, truth: &Truth<'_>, models: &Models) {
+fn correct(
+    stream: &mut Stream,
+    sensor: Sensor,
+    truth: &Truth<'_>,
+    models: &Models,
+) -> Result<(), Error> {
     let Some(sensing) = models.get(sensor) else {
-        return;
+        return Ok(());
     };
-    for (t, value) in stream.t.iter().zip(&mut stream.values) {
+    for (k, (t, value)) in stream.t.iter().zip(&mut stream.values).enumerate() {
+        if k % BETWEEN_STEPS == 0 {
+            step(Stage::Correcting)?;
+        }
         *value = sensing.correct(value, &truth.at(*t));
     }
+    Ok(())
 }
 
 /// Refuses effects with an instant or a heading of another recording. What to say where the calibration does not tell

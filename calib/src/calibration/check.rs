@@ -34,9 +34,20 @@ pub fn load(path: &Path) -> Result<Calibration, Error> {
 /// # Errors
 /// As [`load`].
 pub fn load_with(path: &Path, outside: &[&'static dyn AnyEffect]) -> Result<Calibration, Error> {
-    let text = crate::read_text(path)?;
-    refuse_newer(path, &text, SCHEMA)?;
-    parse(&text, outside).map_err(|what| Error::Input(format!("{}:{what}", shown_path(path))))
+    read_calibration(&crate::read_text(path)?, path, outside)
+}
+
+/// [`load_with`] of a text that was read; `path` is what messages call it.
+///
+/// # Errors
+/// As [`load`].
+pub fn read_calibration(
+    text: &str,
+    path: &Path,
+    outside: &[&'static dyn AnyEffect],
+) -> Result<Calibration, Error> {
+    refuse_newer(path, text, SCHEMA)?;
+    parse(text, outside).map_err(|what| Error::Input(format!("{}:{what}", shown_path(path))))
 }
 
 /// Refuses a file of a version of `schema` that this program is too old for: another program is to be called.

@@ -14,7 +14,7 @@ mod units;
 
 pub use apply::{apply, apply_with};
 pub(crate) use check::refuse_newer;
-pub use check::{load, load_with};
+pub use check::{load, load_with, read_calibration};
 pub use clock::{BetweenSamples, RecordingClock};
 pub use doubts::doubts;
 pub use frame::in_symmetric_frame;

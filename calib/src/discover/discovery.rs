@@ -1,5 +1,7 @@
 //! The whole way from recordings to findings.
 
+use std::borrow::Borrow;
+
 use crate::calibrate::own_effects;
 use crate::calibrate::same_device::of_one_device;
 use crate::calibrate::{Request as CalibrationRequest, joint::written_down};
@@ -53,15 +55,19 @@ pub struct Discovery {
 ///
 /// # Errors
 /// Recordings that cannot be cut or have too few rests, a fit that fails, a calibration that the data do not determine.
-pub fn discover(recordings: &[Recording], request: &Request) -> Result<Discovery, Error> {
-    own_effects::grant_steps(&request.catalogue, recordings.iter());
-    let mut discovery = discover_all(recordings, request)?;
+pub fn discover<R: Borrow<Recording>>(
+    recordings: &[R],
+    request: &Request,
+) -> Result<Discovery, Error> {
+    let recordings: Vec<&Recording> = recordings.iter().map(R::borrow).collect();
+    own_effects::grant_steps(&request.catalogue, recordings.iter().copied());
+    let mut discovery = discover_all(&recordings, request)?;
     let warnings = &mut discovery.findings.calibration.warnings;
     warnings.extend(own_effects::left_out(&request.catalogue));
     Ok(discovery)
 }
 
-fn discover_all(recordings: &[Recording], request: &Request) -> Result<Discovery, Error> {
+fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discovery, Error> {
     let session = Session::new(recordings, request)?;
     enough_rests(&session)?;
     if !request.force_device {
@@ -121,7 +127,7 @@ fn discover_all(recordings: &[Recording], request: &Request) -> Result<Discovery
         (true, true) => Verdict::NamedAndUnexplained,
     };
     let cut = |k: usize| session.recordings.get(k).map(|(_, c)| &c.segmentation);
-    let inputs = recordings.iter().enumerate().map(|(k, r)| (r, cut(k)));
+    let inputs = recordings.iter().enumerate().map(|(k, r)| (*r, cut(k)));
     calibration.state_inputs(inputs, None);
     let findings = Findings {
         schema: FINDINGS_SCHEMA,

@@ -1,5 +1,7 @@
 //! What to look into.
 
+use std::borrow::Borrow;
+
 use sensor::AnyEffect;
 
 use super::family::{TIME_CONSTANT, reference_of};
@@ -110,18 +112,21 @@ impl<'a> Session<'a> {
     ///
     /// # Errors
     /// As [`cut`].
-    pub fn new(recordings: &'a [Recording], request: &Request) -> Result<Self, Error> {
+    pub fn new<R: Borrow<Recording>>(
+        recordings: &'a [R],
+        request: &Request,
+    ) -> Result<Self, Error> {
         let detector = Detector {
             shaken: true,
             creeping: true,
             ..request.detector
         };
         let choose = request.choose_multiplier;
-        let mut choices = recordings
+        let all: Vec<&Recording> = recordings.iter().map(R::borrow).collect();
+        let mut choices = all
             .iter()
             .map(|recording| cut(recording, &detector, choose, request.gravity))
             .collect::<Result<Vec<_>, Error>>()?;
-        let all: Vec<&Recording> = recordings.iter().collect();
         let cut_down = within_budget(&all, &mut choices, MOST_IN_A_SEARCH);
         Ok(Self {
             cut_down,

@@ -13,6 +13,7 @@ use crate::methods::joint::{
     ComponentKind, Disturbance, JointFit, Known, Sensitivities, Suspect, columns, fit_joint,
     suspects, without,
 };
+use crate::watch::{Stage, step};
 
 /// The parameter that shapes an effect (`tau`, `t0`), by its place, and its value, which the fit holds.
 pub type Held = Option<(usize, f64)>;
@@ -51,6 +52,7 @@ impl State {
     /// # Errors
     /// As [`fit_joint`].
     pub fn fit(session: &Session<'_>, extension: Extension) -> Result<Self, Error> {
+        step(Stage::Searching)?;
         let fit = fit_joint(&session.joint(&extension))?;
         let sensitivities = fit.sensitivities();
         let walk = |kind| {

@@ -6,6 +6,7 @@
 //! ```
 
 mod detector;
+mod detector_options;
 mod ends;
 mod moments;
 mod rejected;
@@ -22,6 +23,7 @@ mod tilt;
 mod unexplained_turn;
 
 pub use detector::{Detector, Level};
+pub use detector_options::DetectorOptions;
 pub use moments::Moments;
 pub use rejected::{Reason, Rejected};
 pub use saturation::Rails;

@@ -15,6 +15,7 @@ use crate::kernel::TurnProblem;
 use crate::residuals::{
     Integrator, OwnBias, PropagatedGravity, Recordings, Stacked, StaticMean, StaticRate, TurnData,
 };
+use crate::watch::{Stage, step};
 
 /// Rounds in which the two kinds of rows are weighted by what the fit before left of them.
 const WEIGHT_ROUNDS: usize = 6;
@@ -91,6 +92,7 @@ impl GyroscopeFit {
 /// # Errors
 /// No sound turn, and what the solver refuses.
 pub fn fit_gyroscope(request: &GyroscopeRequest) -> Result<GyroscopeFit, Error> {
+    step(Stage::Fitting)?;
     // One copy of all readings, changed in place: a long recording has no room for more.
     let mut turns: Vec<TurnData> = request.recordings.iter().flat_map(without_bias).collect();
     if turns.is_empty() {

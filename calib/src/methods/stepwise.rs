@@ -11,6 +11,7 @@ use super::outliers::{Outlier, outliers};
 use super::small_sample::residual_std;
 use crate::error::Error;
 use crate::residuals::{GravityNorm, OwnBias, StaticMean};
+use crate::watch::{Stage, step};
 
 /// Recordings get biases of their own where a common one is refuted at this level.
 const OWN_BIAS_LEVEL: f64 = 0.01;
@@ -69,6 +70,7 @@ impl AccelerometerFit {
 /// # Errors
 /// Means that lie on no sphere, and what the solver refuses.
 pub fn fit_accelerometer(request: &AccelerometerRequest) -> Result<AccelerometerFit, Error> {
+    step(Stage::Fitting)?;
     let all: Vec<_> = request.recordings.iter().flatten().map(|m| m.raw).collect();
     let unit = accelerometer_unit(&all, request.gravity).ok_or_else(|| {
         Error::NotEnough(format!(

@@ -22,6 +22,6 @@ pub use identify::{Estimate, NoiseTerms, identify};
 pub use interval::Interval;
 pub use long_csv::curves_of_long_csv;
 pub use settling::settling_time;
-pub use stillness::Stillness;
+pub use stillness::{AtRest, Stillness};
 pub use summary::{AxisNoise, CurvePoint, NOISE_SCHEMA, NoiseSummary, SensorNoise, TermValue};
 pub use term::NoiseTerm;

@@ -114,7 +114,31 @@ pub struct Stillness {
     pub rests: Vec<Span>,
 }
 
+/// What of a recording an Allan analysis may look at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum AtRest {
+    /// All of it: nothing moved.
+    Throughout,
+    /// This stretch, the longest without motion.
+    For(Span),
+    /// Nothing: the longest stretch without motion is too short.
+    TooShort(Option<Span>),
+}
+
+/// A shorter stretch at rest in a recording that also moves is not worth analysing, s.
+const SHORTEST_REST: f64 = 60.0;
+
 impl Stillness {
+    /// What may be analysed.
+    pub fn at_rest(&self) -> AtRest {
+        let longest = self.longest_rest();
+        match longest.filter(|rest| rest.length() >= SHORTEST_REST) {
+            _ if self.motions.is_empty() => AtRest::Throughout,
+            Some(rest) => AtRest::For(rest),
+            None => AtRest::TooShort(longest),
+        }
+    }
+
     /// From the spreads of the sensors there are.
     pub(super) fn of(sensors: impl IntoIterator<Item = Spreads>) -> Self {
         let (mut wholes, mut moving) = (Vec::new(), Vec::new());

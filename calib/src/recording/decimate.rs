@@ -12,6 +12,17 @@ const ENOUGH: f64 = 1000.0;
 const GAP: f64 = 5.0;
 
 impl Recording {
+    /// Whether [`Recording::decimated`] would change it.
+    pub fn is_fast(&self) -> bool {
+        let streams = [&self.accelerometer, &self.gyroscope];
+        let fast = |stream: &Stream| {
+            stream
+                .median_step()
+                .is_some_and(|step| step * FASTEST < 1.0)
+        };
+        streams.into_iter().flatten().any(fast)
+    }
+
     /// The recording with sensors faster than 5 kHz read as means over blocks of samples, at about 1 kHz, and a warning
     /// that says so. A mean over `m` samples is a filter `sin(π f m/r) / (m sin(π f/r))` at the rate `r`: it takes 0.02 % off
     /// a motion of 10 Hz, and nothing off a turn as a whole.

@@ -9,6 +9,7 @@
 //! (`rows`).
 
 mod affine;
+mod arrays;
 mod assemble;
 pub(crate) mod batches;
 mod by_unit;
@@ -63,6 +64,7 @@ mod write;
 
 use std::path::Path;
 
+pub use arrays::Rows;
 pub(crate) use clock_offset::{clock_drift, clock_offset};
 pub use description::{Described, Description, UnitBy};
 pub(crate) use even_clock::{EvenClock, Stamps, bursts, even_clock};

@@ -57,6 +57,15 @@ impl Samples {
         }
     }
 
+    /// None yet, with memory for `count`.
+    pub fn with_room(count: usize) -> Self {
+        Self {
+            t: Vec::with_capacity(count),
+            values: Vec::with_capacity(count),
+            ..Self::default()
+        }
+    }
+
     /// Adds a sample; stamps that do not increase are looked into.
     pub fn push(&mut self, t: f64, value: Vector3<f64>, line: u64) -> Pushed {
         match self.t.last() {

@@ -20,9 +20,13 @@ use super::truth::{StaticInterval, TRUTH_SCHEMA, Truth};
 use super::world::{Delays, World};
 use crate::Error;
 use crate::recording::{Recording, Stream, Temperature};
+use crate::watch::{Stage, step};
 
 /// Most samples of a sensor that are kept in memory: 32 bytes each.
 pub const MOST_SAMPLES: f64 = 5e7;
+
+/// Samples between two looks at whether the work is to end.
+const BETWEEN_STEPS: usize = 1 << 15;
 
 /// A simulated recording and the truth behind it.
 #[derive(Clone, Debug)]
@@ -152,14 +156,17 @@ impl Simulation {
         let mut stream = |sensor: Sensor| {
             let mut stream = Stream::default();
             for sample in self.samples(sensor) {
+                if stream.len() % BETWEEN_STEPS == 0 {
+                    step(Stage::Simulating)?;
+                }
                 drift.add(sensor, &sample);
                 stream.t.push(sample.t);
                 stream.values.push(sample.value);
             }
-            Some(stream)
+            Ok::<_, Error>(Some(stream))
         };
-        let accelerometer = stream(Sensor::Accelerometer);
-        let gyroscope = stream(Sensor::Gyroscope);
+        let accelerometer = stream(Sensor::Accelerometer)?;
+        let gyroscope = stream(Sensor::Gyroscope)?;
         let recording = Recording {
             name: format!("simulated, seed {}", self.spec.seed),
             accelerometer,

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use calib::intervals::Span;
-use calib::noise::{CurvePoint, NoiseSummary, NoiseTerm, SensorNoise, TermValue};
+use calib::noise::{AtRest, CurvePoint, NoiseSummary, NoiseTerm, SensorNoise, TermValue};
 use sensor::Sensor;
 
 use super::inputs::numbers;
@@ -16,7 +16,7 @@ use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;
 use crate::report::{Axis, Plot, Report, ReportTable, Series};
 use crate::show;
-use source::{Source, listed, longest_rest};
+use source::{Source, listed, moved};
 
 /// Names of the plots.
 const PLOTS: [&str; 2] = ["allan-gyroscope", "allan-accelerometer"];
@@ -92,10 +92,11 @@ fn summary(args: &Args) -> Result<NoiseSummary, Failure> {
         return Ok(NoiseSummary::of(&curves)?);
     }
     let curves = source.curves(None)?;
-    if curves.stillness.motions.is_empty() {
-        return Ok(NoiseSummary::of(&curves)?);
-    }
-    let rest = longest_rest(&curves.stillness)?;
+    let rest = match curves.stillness.at_rest() {
+        AtRest::Throughout => return Ok(NoiseSummary::of(&curves)?),
+        AtRest::For(rest) => rest,
+        AtRest::TooShort(longest) => return Err(moved(&curves.stillness, longest)),
+    };
     let mut summary = NoiseSummary::of(&source.curves(Some(rest))?)?;
     let warning = format!(
         "the device moved ({}): only the longest rest, t = {:.2} to {:.2} s, is analysed; --rest {:.2},{:.2} \

@@ -1,12 +1,14 @@
 //! `calibrate`: recordings to a calibration.
 
-mod report;
+pub(super) mod report;
 pub(super) mod tables;
 
 use std::path::PathBuf;
 
 use calib::Recording;
-use calib::calibrate::{Frame, GyroBias, Outcome, Request, calibrate, read_static_means};
+use calib::calibrate::{
+    Frame, GyroBias, NOMINAL_RATES, Outcome, Request, calibrate, read_static_means,
+};
 use calib::effect_file::catalogue_with;
 use calib::gravity::Gravity;
 use calib::intervals::{Span, read_sections};
@@ -160,9 +162,6 @@ enum GyroBiasArg {
     Initial,
 }
 
-/// Sampling rates of sensors, Hz.
-const RATES: std::ops::RangeInclusive<f64> = 0.1..=1e5;
-
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
     let mut inputs = args.recordings.paths();
@@ -247,9 +246,11 @@ fn plot_names(args: &Args) -> Vec<String> {
     report::plot_names(args.recordings.recordings.len().max(1))
 }
 
-/// Writes plots and report. Every recording has a plot of its own; one that repeats another's data was
-/// counted once and is drawn as that one.
-fn draw(pictures: Pictures, recordings: &[Recording], outcome: &Outcome) -> Result<(), Failure> {
+/// What the report shows of each recording. One that repeats another's data was counted once and is shown as that one.
+pub(super) fn parts<'a>(
+    recordings: impl IntoIterator<Item = &'a Recording>,
+    outcome: &'a Outcome,
+) -> Result<Vec<report::Part<'a>>, Failure> {
     let mut counted: Vec<&Recording> = Vec::new();
     for recording in recordings {
         let same = |other: &&Recording| {
@@ -260,8 +261,14 @@ fn draw(pictures: Pictures, recordings: &[Recording], outcome: &Outcome) -> Resu
         }
     }
     let segmentations = outcome.choices.iter().map(|choice| &choice.segmentation);
+    let cut = counted.into_iter().zip(segmentations);
+    Ok(report::parts(cut, &outcome.calibration)?)
+}
+
+/// Writes plots and report. Every recording has a plot of its own.
+fn draw(pictures: Pictures, recordings: &[Recording], outcome: &Outcome) -> Result<(), Failure> {
     let calibration = &outcome.calibration;
-    let parts = report::parts(counted.into_iter().zip(segmentations), calibration)?;
+    let parts = parts(recordings, outcome)?;
     let plots = report::plots(&parts);
     let page = report::page(calibration, &parts, &plots, tables::units(outcome))?;
     pictures.write(&plots, &page)
@@ -341,15 +348,15 @@ fn request(args: &Args) -> Result<Request, Failure> {
         })
         .collect::<Result<Vec<_>, _>>()?;
     let nominal_step = match args.nominal_rate {
-        Some(rate) if RATES.contains(&rate) => Some(rate.recip()),
+        Some(rate) if NOMINAL_RATES.contains(&rate) => Some(rate.recip()),
         Some(rate) => {
             return Err(Failure::new(
                 USAGE,
                 format!(
                     "--nominal-rate {}: a rate from {} to {} Hz expected",
                     figure(rate),
-                    figure(*RATES.start()),
-                    figure(*RATES.end())
+                    figure(*NOMINAL_RATES.start()),
+                    figure(*NOMINAL_RATES.end())
                 ),
             ));
         }

@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use calib::calibration::{check_units, doubts};
 use calib::effect_file::{catalogue_with, read_effects};
-use calib::gravity::{Gravity, normal_gravity};
-use calib::intervals::Detector;
+use calib::gravity::{ACCEPTED, Gravity, NotOnEarth, normal_gravity};
+use calib::intervals::{Detector, DetectorOptions};
 use calib::methods::joint::ClockMode;
 use calib::recording::figure;
 use calib::{Calibration, Recording};
@@ -56,9 +56,6 @@ impl RecordingArgs {
     }
 }
 
-/// Gravity is refused beyond these, m/s².
-const GRAVITY: std::ops::RangeInclusive<f64> = 9.76..=9.84;
-
 /// A given gravity further from that of the given place than this is doubted, m/s²: five times the largest
 /// anomalies of the free air.
 const DOUBTFUL: f64 = 0.005;
@@ -86,19 +83,30 @@ pub struct PlaceArgs {
 
 /// Refuses a gravity that is nowhere on the earth.
 pub fn check_gravity(gravity: f64) -> Result<(), Failure> {
-    if GRAVITY.contains(&gravity) {
-        return Ok(());
-    }
-    Err(Failure::new(
-        USAGE,
-        format!(
+    Gravity::checked(Some(gravity), None, None).map_err(nowhere)?;
+    Ok(())
+}
+
+/// What is said of a place that is not on the earth.
+fn nowhere(what: NotOnEarth) -> Failure {
+    let message = match what {
+        NotOnEarth::Gravity(gravity) => format!(
             "--gravity {}: on the earth it lies between {} and {} m/s²; an error of 0.01 changes \
              every scale factor by 0.1 %",
             figure(gravity),
-            GRAVITY.start(),
-            GRAVITY.end()
+            ACCEPTED.start(),
+            ACCEPTED.end()
         ),
-    ))
+        NotOnEarth::Latitude(latitude) => format!(
+            "--latitude {}: it lies between -90 and 90 degrees",
+            figure(latitude)
+        ),
+        NotOnEarth::Altitude(altitude) => format!(
+            "--altitude {}: metres above sea level, -500 to 9000, expected",
+            figure(altitude)
+        ),
+    };
+    Failure::new(USAGE, message)
 }
 
 impl PlaceArgs {
@@ -109,20 +117,7 @@ impl PlaceArgs {
             latitude,
             altitude,
         } = *self;
-        let refuse = |message: String| Err(Failure::new(USAGE, message));
-        if let Some(latitude) = latitude.filter(|l| !(-90.0..=90.0).contains(l)) {
-            return refuse(format!(
-                "--latitude {}: it lies between -90 and 90 degrees",
-                figure(latitude)
-            ));
-        }
-        if let Some(altitude) = altitude.filter(|h| !(-500.0..=9000.0).contains(h)) {
-            return refuse(format!(
-                "--altitude {}: metres above sea level, -500 to 9000, expected",
-                figure(altitude)
-            ));
-        }
-        gravity.map_or(Ok(()), check_gravity)?;
+        let found = Gravity::checked(gravity, latitude, altitude).map_err(nowhere)?;
         if let (Some(gravity), Some(latitude)) = (gravity, latitude) {
             let there = normal_gravity(latitude, altitude.unwrap_or(0.0));
             // Below 2 km the height explains so much.
@@ -137,7 +132,7 @@ impl PlaceArgs {
                 ));
             }
         }
-        Ok(Gravity::of(gravity, latitude, altitude))
+        Ok(found)
     }
 }
 
@@ -189,32 +184,17 @@ pub struct DetectorArgs {
 impl DetectorArgs {
     /// The detector, and whether its multiplier is left to the fit.
     pub fn detector(&self) -> Result<(Detector, bool), Failure> {
-        let positive = [
-            ("--multiplier", self.multiplier),
-            ("--min-static", self.min_static),
-            ("--min-dynamic", Some(self.min_dynamic)),
-            ("--window", self.window),
-            ("--initial-static", self.initial_static),
-        ];
-        for (name, value) in positive {
-            if value.is_some_and(|v| v.is_nan() || v <= 0.0 || v.is_infinite()) {
-                return Err(Failure::new(
-                    crate::exit::USAGE,
-                    format!("{name}: a positive number expected"),
-                ));
-            }
-        }
-        let default = Detector::default();
-        let detector = Detector {
-            window: self.window.unwrap_or(default.window),
-            multiplier: self.multiplier.unwrap_or(default.multiplier),
-            min_dynamic: self.min_dynamic,
-            min_static: self.min_static.unwrap_or(default.min_static),
+        let options = DetectorOptions {
+            multiplier: self.multiplier,
+            min_static: self.min_static,
+            min_dynamic: Some(self.min_dynamic),
+            window: self.window,
             initial_static: self.initial_static,
-            may_shorten: self.min_static.is_none() && self.window.is_none(),
-            ..default
         };
-        Ok((detector, self.multiplier.is_none()))
+        options.detector().map_err(|name| {
+            let flag = name.replace('_', "-");
+            Failure::new(USAGE, format!("--{flag}: a positive number expected"))
+        })
     }
 }
 

@@ -12,6 +12,7 @@ mod discover;
 mod effects;
 mod evaluate;
 mod export;
+pub mod figures;
 mod import;
 mod info;
 mod inputs;

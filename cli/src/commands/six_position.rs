@@ -5,7 +5,9 @@ use std::fmt::Write as _;
 use calib::gravity::Gravity;
 use calib::intervals::Detector;
 use calib::limits::Limits;
-use calib::methods::six_position::{EarthRate, Face, GyroscopePart, SixPosition, placements};
+use calib::methods::six_position::{
+    EarthRate, Face, GyroscopePart, SixPosition, Solved, calibrate,
+};
 use calib::{Calibration, Recording};
 use nalgebra::Vector3;
 
@@ -44,15 +46,16 @@ pub const PLOTS: [&str; 1] = ["modulus"];
 
 /// Runs the method.
 pub fn run(call: Call<'_>) -> Result<(), Failure> {
-    let gravity = call.gravity;
-    let six = placements(call.recordings, &call.detector, gravity.value)?;
-    let labels = six
-        .placements()
-        .each_ref()
-        .map(|placement| placement.label.clone());
-    let solution = SixPosition::solve(&six, gravity.value);
-    let mut calibration = solution.calibration(call.first_order)?;
-    calibration.carry_gravity(gravity.source);
+    let Solved {
+        mut calibration,
+        solution,
+        labels,
+    } = calibrate(
+        call.recordings,
+        &call.detector,
+        call.gravity,
+        call.first_order,
+    )?;
     limits::state(&mut calibration, call.limits.as_ref());
     calibration
         .warnings

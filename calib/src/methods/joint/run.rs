@@ -16,6 +16,7 @@ use super::request::JointRequest;
 use super::start::{Start, charts, start};
 use super::weights::Whitening;
 use crate::error::Error;
+use crate::watch::{Stage, step};
 
 /// Rounds of weighting at most; one suffices where nothing was disturbed.
 const ROUNDS: usize = 6;
@@ -204,6 +205,7 @@ impl Run<'_> {
     /// The minimum under these weights: by plain Gauss–Newton steps, and by the solver where those do not
     /// lead there.
     pub fn approach(&self, weights: &Weights, before: Option<&Point>) -> Result<Point, Error> {
+        step(Stage::Fitting)?;
         let columns = weights.columns();
         let rows = self.rows(&columns);
         let mut parameters = self.first_values(&rows);

@@ -10,12 +10,16 @@ mod placement;
 pub use gyroscope::{EarthRate, GyroscopePart};
 pub use placement::{Face, Placement, Six, placements};
 
+use std::borrow::Borrow;
+
 use nalgebra::{Matrix3, Matrix3x6, Vector3};
 use sensor::{Base, Sensor, base_names, inverse};
 
 use crate::calibration::{Calibration, Provenance, SCHEMA, Triad};
 use crate::error::Error;
-use crate::gravity::GravitySource;
+use crate::gravity::{Gravity, GravitySource};
+use crate::intervals::Detector;
+use crate::recording::Recording;
 
 /// Placements tilted by more than this cost more than a consumer sensor's own errors, rad (0.1°).
 const TILT_LIMIT: f64 = 0.1 * std::f64::consts::PI / 180.0;
@@ -44,6 +48,38 @@ pub struct SixPosition {
     pub gyroscope: Option<GyroscopePart>,
     /// What the user should know.
     pub warnings: Vec<String>,
+}
+
+/// The method from recordings to a calibration.
+#[derive(Clone, Debug)]
+pub struct Solved {
+    /// The result.
+    pub calibration: Calibration,
+    /// What it was made from.
+    pub solution: SixPosition,
+    /// Where the mean of each face comes from, in the order of [`Face::ALL`].
+    pub labels: [String; 6],
+}
+
+/// Calibrates by six recordings, or by one with all placements; `first_order` takes the authors' correction.
+///
+/// # Errors
+/// Placements that are not each axis once up and once down, and means without a solution.
+pub fn calibrate<R: Borrow<Recording>>(
+    recordings: &[R],
+    detector: &Detector,
+    gravity: Gravity,
+    first_order: bool,
+) -> Result<Solved, Error> {
+    let six = placements(recordings, detector, gravity.value)?;
+    let solution = SixPosition::solve(&six, gravity.value);
+    let mut calibration = solution.calibration(first_order)?;
+    calibration.carry_gravity(gravity.source);
+    Ok(Solved {
+        calibration,
+        solution,
+        labels: six.placements().each_ref().map(|p| p.label.clone()),
+    })
 }
 
 impl SixPosition {

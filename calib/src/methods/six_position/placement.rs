@@ -1,5 +1,7 @@
 //! Six placements, found by the direction of gravity.
 
+use std::borrow::Borrow;
+
 use nalgebra::{Matrix3x6, Vector3};
 
 use crate::error::Error;
@@ -166,13 +168,14 @@ fn faces(
 ///
 /// # Errors
 /// As the detector's, as [`Six::sort`]'s, and a recording without accelerometer or without rest.
-pub fn placements(
-    recordings: &[Recording],
+pub fn placements<R: Borrow<Recording>>(
+    recordings: &[R],
     detector: &Detector,
     gravity: f64,
 ) -> Result<Six, Error> {
     let mut all = Vec::new();
     for recording in recordings {
+        let recording = recording.borrow();
         let rests = segment(recording, detector)?.statics;
         if recordings.len() == 1 {
             let label = |rest: &StaticInterval| format!("rest at {:.1} s", rest.span.from);

@@ -20,6 +20,7 @@ use crate::error::Error;
 use crate::intervals::{Detector, Segmentation, Span, Survey};
 use crate::recording::{Recording, figure};
 use crate::residuals::StaticMean;
+use crate::watch::{Stage, step};
 
 /// The multipliers tried.
 pub const MULTIPLIERS: [f64; 12] = [3.0, 1e1, 3e1, 1e2, 3e2, 1e3, 3e3, 1e4, 3e4, 1e5, 3e5, 1e6];
@@ -135,6 +136,7 @@ struct Attempt<'a> {
 
 impl<'a> Attempt<'a> {
     fn of(recording: &'a Recording, detector: &Detector, gravity: f64) -> Result<Self, Error> {
+        step(Stage::Cutting)?;
         let survey = Survey::of(recording, detector)?;
         let found: Vec<Vec<Span>> = MULTIPLIERS.par_iter().map(|&m| survey.rests(m)).collect();
         let (trials, bases) = trials(&survey, &found, gravity);

@@ -9,21 +9,11 @@ use super::Args;
 use crate::exit::{Failure, NOT_ENOUGH};
 use crate::show;
 
-/// A shorter rest in a recording that also moves is not worth analysing, s.
-const SHORTEST_REST: f64 = 60.0;
-
 /// Motions named in a message.
 const LISTED: usize = 4;
 
-/// The longest rest, if it is long enough to have an Allan deviation worth the name.
-///
-/// # Errors
 /// Status 4 with the times of the motions.
-pub fn longest_rest(stillness: &Stillness) -> Result<Span, Failure> {
-    let longest = stillness.longest_rest();
-    if let Some(rest) = longest.filter(|rest| rest.length() >= SHORTEST_REST) {
-        return Ok(rest);
-    }
+pub fn moved(stillness: &Stillness, longest: Option<Span>) -> Failure {
     let length = longest.map_or("no rest in it".into(), |rest| {
         format!(
             "its longest rest is {:.0} s long (t = {:.2} to {:.2} s)",
@@ -32,14 +22,14 @@ pub fn longest_rest(stillness: &Stillness) -> Result<Span, Failure> {
             rest.to
         )
     });
-    Err(Failure::new(
+    Failure::new(
         NOT_ENOUGH,
         format!(
             "the device moved ({}) and {length}: an Allan deviation needs a recording at rest; leave the \
              device alone for an hour, or name a stretch with --rest T0,T1",
             listed(&stillness.motions)
         ),
-    ))
+    )
 }
 
 /// The first few spans, and how many more.

@@ -1,0 +1,70 @@
+//! Recordings to a calibration.
+
+use calib::calibrate::calibrate as calibrate_all;
+use calib::methods::six_position;
+
+use crate::watch::under;
+use crate::{Calibration, Error, Method, Recording, Request};
+
+/// Calibrates both sensors from recordings of one device: scale factors, misalignments and biases with standard errors.
+///
+/// Several recordings share scale factors and misalignments and have biases of their own where the data ask for it. The
+/// result is that of the command with the same options, bit for bit.
+///
+/// # Errors
+/// A request that contradicts itself; recordings that cannot be cut, that have too few orientations, that do not
+/// determine a parameter, or are of different devices; a fit that does not converge; the end by a
+/// [`Watch`](crate::Watch).
+///
+/// # Examples
+/// ```
+/// use stillpoint::{Recording, Request, calibrate};
+///
+/// let (t, accel, gyro, _) = stillpoint::example::session();
+/// let recording = Recording::from_arrays(&t, &accel, &gyro, None)?;
+/// let request = Request { gravity: Some(9.80665), ..Request::default() };
+/// let calibration = calibrate(&[recording], &request)?;
+/// let scale = &calibration.parameters()[0];
+/// assert_eq!(scale.name, "accel.s_x");
+/// assert!((scale.value - 1.0).abs() < 0.05 && scale.std.unwrap() < 1e-3);
+/// # Ok::<(), stillpoint::Error>(())
+/// ```
+pub fn calibrate(recordings: &[Recording], request: &Request) -> Result<Calibration, Error> {
+    if recordings.is_empty() {
+        return Err(Error::usage("no recording given; give one or more"));
+    }
+    let how = request.for_calibration(recordings.len())?;
+    let slow = |all: &[Recording]| all.iter().map(Recording::at_hand_speed).collect();
+    let recordings: Vec<Recording> = slow(recordings);
+    let others: Vec<Recording> = slow(&request.gyro_recordings);
+    let all: Vec<&calib::Recording> = recordings.iter().map(AsRef::as_ref).collect();
+    let turned: Vec<&calib::Recording> = others.iter().map(AsRef::as_ref).collect();
+    if let Method::SixPosition { first_order } = request.method {
+        refuse_for_six_positions(request)?;
+        let gravity = request.local_gravity()?;
+        let solved = under(request.watch.as_ref(), || {
+            six_position::calibrate(&all, &how.detector, gravity, first_order)
+        })?;
+        return Ok(Calibration::of(solved.calibration));
+    }
+    let outcome = under(request.watch.as_ref(), || {
+        calibrate_all(&all, &turned, &how)
+    })?;
+    Ok(Calibration::made(outcome, recordings))
+}
+
+/// Refuses what the method would ignore.
+fn refuse_for_six_positions(request: &Request) -> Result<(), Error> {
+    let ignored = [
+        ("effects", !request.effects.is_empty()),
+        ("sections", !request.sections.is_empty()),
+        ("gyro_recordings", !request.gyro_recordings.is_empty()),
+        ("nominal_rate", request.nominal_rate.is_some()),
+    ];
+    match ignored.iter().find(|(_, given)| *given) {
+        Some((name, _)) => Err(Error::usage(format!(
+            "{name} means nothing with six positions; leave it out"
+        ))),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,289 @@
+//! The result, and what it makes of readings.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use calib::calibrate::Outcome;
+use calib::calibration::{Triad, check_units, doubts, load_with, read_calibration};
+use calib::document::to_json;
+use nalgebra::Vector3;
+use sensor::{PLACES, Sensor, base_names};
+
+use crate::watch::under;
+use crate::{Catalogue, Error, Recording, Watch, words};
+
+/// A parameter of a calibration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    /// `accel.s_x`, `gyro.b_z`, `gyro_g_sensitivity.xx`; a bias of one recording of several ends in ` in NAME`.
+    pub name: String,
+    /// Its value.
+    pub value: f64,
+    /// Its standard error; `None` where it was held.
+    pub std: Option<f64>,
+    /// Its unit; empty without one.
+    pub unit: String,
+}
+
+/// A calibration of one device: `a = T (A − b)` for each sensor, and effects on top.
+#[derive(Clone, Debug)]
+pub struct Calibration {
+    inner: Arc<calib::Calibration>,
+    made: Option<Arc<(Outcome, Vec<Recording>)>>,
+}
+
+impl Calibration {
+    pub(crate) fn of(calibration: calib::Calibration) -> Self {
+        Self {
+            inner: Arc::new(calibration),
+            made: None,
+        }
+    }
+
+    pub(crate) fn made(outcome: Outcome, recordings: Vec<Recording>) -> Self {
+        Self {
+            inner: Arc::new(outcome.calibration.clone()),
+            made: Some(Arc::new((outcome, recordings))),
+        }
+    }
+
+    /// Reads a calibration file; effects of one's own are found in `catalogue`.
+    ///
+    /// # Errors
+    /// A file that cannot be read, is no calibration, or has an effect that nobody here knows.
+    ///
+    /// # Examples
+    /// ```
+    /// use stillpoint::{Calibration, Catalogue};
+    ///
+    /// let error = Calibration::load("no_such.json", &Catalogue::default()).unwrap_err();
+    /// assert_eq!(error.file.as_deref(), Some("no_such.json"));
+    /// ```
+    pub fn load(path: impl AsRef<Path>, catalogue: &Catalogue) -> Result<Self, Error> {
+        Ok(Self::of(load_with(path.as_ref(), catalogue.own())?))
+    }
+
+    /// Reads the text of a calibration file.
+    ///
+    /// # Errors
+    /// As [`Calibration::load`].
+    ///
+    /// # Examples
+    /// ```
+    /// use stillpoint::{Calibration, Catalogue};
+    ///
+    /// let error = Calibration::from_json("{}", &Catalogue::default()).unwrap_err();
+    /// assert!(error.message.contains("schema"));
+    /// ```
+    pub fn from_json(text: &str, catalogue: &Catalogue) -> Result<Self, Error> {
+        let name = Path::new("calibration");
+        Ok(Self::of(read_calibration(text, name, catalogue.own())?))
+    }
+
+    /// The file that `calibrate -o` writes, to the byte.
+    ///
+    /// # Errors
+    /// A number that JSON cannot hold: a bug of ours.
+    pub fn to_json(&self) -> Result<String, Error> {
+        Ok(to_json(self.inner.as_ref())?)
+    }
+
+    /// Every parameter with its standard error: both base models, then effects.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, _) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// # let calibration = stillpoint::calibrate(&[recording], &stillpoint::Request::default())?;
+    /// let names: Vec<String> = calibration.parameters().into_iter().map(|p| p.name).collect();
+    /// assert_eq!(names.len(), 24);
+    /// assert_eq!(names[23], "gyro.b_z");
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
+    pub fn parameters(&self) -> Vec<Parameter> {
+        let mut all = Vec::new();
+        for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+            if let Some(triad) = self.inner.triad(sensor) {
+                push_triad(&mut all, sensor, triad);
+            }
+        }
+        for effect in &self.inner.effects {
+            all.extend(effect.parameters.iter().map(|p| Parameter {
+                name: format!("{}.{}", effect.name, p.name),
+                value: p.value,
+                std: p.std,
+                unit: p.unit.clone(),
+            }));
+        }
+        all
+    }
+
+    /// `T` (3 × 3, rows) and `b` (3) of a sensor; `None` where it was not calibrated.
+    pub fn base(&self, sensor: Sensor) -> Option<([[f64; 3]; 3], [f64; 3])> {
+        let triad = self.inner.triad(sensor)?;
+        Some((triad.t, triad.bias))
+    }
+
+    /// Whether every corrected reading is `T (raw − b)`, with no effect on top.
+    pub fn is_base_only(&self) -> bool {
+        self.inner.effects.is_empty()
+    }
+
+    /// Corrects readings of a sensor from one array into another (`n × 3`), without a copy between: `T (raw − b)`.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Usage`](crate::ErrorKind::Usage) for arrays of different lengths, for a sensor that was not calibrated
+    /// and for a calibration with effects, which need [`apply`].
+    ///
+    /// # Examples
+    /// ```
+    /// use stillpoint::{Recording, Request, Sensor, apply, calibrate};
+    ///
+    /// let (t, accel, gyro, _) = stillpoint::example::session();
+    /// let recording = Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// let calibration = calibrate(&[recording.clone()], &Request::default())?;
+    /// let mut corrected = vec![[0.0; 3]; gyro.len()];
+    /// calibration.correct(Sensor::Gyroscope, &gyro, &mut corrected)?;
+    /// assert!(apply(&calibration, &recording)?.values(Sensor::Gyroscope).eq(corrected));
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
+    pub fn correct(
+        &self,
+        sensor: Sensor,
+        raw: &[[f64; 3]],
+        corrected: &mut [[f64; 3]],
+    ) -> Result<(), Error> {
+        if raw.len() != corrected.len() {
+            return Err(Error::usage(format!(
+                "{} rows to correct into {}: as many expected",
+                raw.len(),
+                corrected.len()
+            )));
+        }
+        let Some(triad) = self.inner.triad(sensor) else {
+            return Err(Error::usage(format!(
+                "the calibration has no {}",
+                sensor.name()
+            )));
+        };
+        if !self.is_base_only() {
+            return Err(Error::usage(
+                "the calibration has effects, which look at more than one reading; use `apply`",
+            ));
+        }
+        let base = triad.base();
+        for (raw, corrected) in raw.iter().zip(corrected) {
+            *corrected = base.correct(&Vector3::from(*raw)).into();
+        }
+        Ok(())
+    }
+
+    /// What the user should know.
+    pub fn warnings(&self) -> Vec<String> {
+        let warnings = self.inner.warnings.iter();
+        warnings.map(|words| words::of_the_library(words)).collect()
+    }
+
+    /// Reasons not to use it as it stands.
+    pub fn failed_gates(&self) -> Vec<String> {
+        let gates = self.inner.failed_gates.iter();
+        gates.map(|words| words::of_the_library(words)).collect()
+    }
+
+    /// The fits behind it and the recordings they were made on; `None` where it was read or solved in closed form.
+    pub fn outcome(&self) -> Option<(&Outcome, &[Recording])> {
+        self.made.as_ref().map(|made| (&made.0, made.1.as_slice()))
+    }
+}
+
+impl AsRef<calib::Calibration> for Calibration {
+    fn as_ref(&self) -> &calib::Calibration {
+        &self.inner
+    }
+}
+
+fn push_triad(all: &mut Vec<Parameter>, sensor: Sensor, triad: &Triad) {
+    let unit = match (&triad.units, sensor) {
+        (Some(units), _) => units.reading.clone(),
+        (None, Sensor::Accelerometer) => "m/s^2".into(),
+        (None, Sensor::Gyroscope) => "rad/s".into(),
+    };
+    let names = base_names(sensor);
+    for (name, (i, j)) in names.iter().zip(PLACES) {
+        all.push(Parameter {
+            name: name.clone(),
+            value: triad.t[i][j],
+            std: triad.t_std[i][j],
+            unit: String::new(),
+        });
+    }
+    let mut biases = |suffix: &str, bias: &[f64; 3], std: &[Option<f64>; 3]| {
+        for (k, name) in names[9..].iter().enumerate() {
+            all.push(Parameter {
+                name: format!("{name}{suffix}"),
+                value: bias[k],
+                std: std[k],
+                unit: unit.clone(),
+            });
+        }
+    };
+    if triad.recordings.is_empty() {
+        biases("", &triad.bias, &triad.bias_std);
+    }
+    for own in &triad.recordings {
+        biases(&format!(" in {}", own.recording), &own.bias, &own.bias_std);
+    }
+}
+
+/// The corrected recording: base model plus effects, each sensor on its own clock. A sensor that the calibration does not
+/// speak of stays raw, which a warning says; so do doubts whether it is of this device.
+///
+/// # Errors
+/// Readings of another unit than those that the calibration was made from; an effect that needs what cannot be known of
+/// this recording.
+///
+/// # Examples
+/// ```
+/// use stillpoint::{Recording, Request, Sensor, apply, calibrate};
+///
+/// let (t, accel, gyro, _) = stillpoint::example::session();
+/// let recording = Recording::from_arrays(&t, &accel, &gyro, None)?;
+/// let calibration = calibrate(&[recording.clone()], &Request::default())?;
+/// let corrected = apply(&calibration, &recording)?;
+/// let [x, y, z] = corrected.values(Sensor::Accelerometer).next().unwrap();
+/// assert!(((x * x + y * y + z * z).sqrt() - 9.80665).abs() < 0.1);
+/// # Ok::<(), stillpoint::Error>(())
+/// ```
+pub fn apply(calibration: &Calibration, recording: &Recording) -> Result<Recording, Error> {
+    apply_watched(calibration, recording, None)
+}
+
+/// [`apply`] under a watch.
+///
+/// # Errors
+/// As [`apply`]; the end by the watch.
+///
+/// # Examples
+/// ```
+/// use stillpoint::{Recording, Request, apply_watched, calibrate};
+///
+/// let (t, accel, gyro, _) = stillpoint::example::session();
+/// let recording = Recording::from_arrays(&t, &accel, &gyro, None)?;
+/// let calibration = calibrate(&[recording.clone()], &Request::default())?;
+/// assert!(apply_watched(&calibration, &recording, None).is_ok());
+/// # Ok::<(), stillpoint::Error>(())
+/// ```
+pub fn apply_watched(
+    calibration: &Calibration,
+    recording: &Recording,
+    watch: Option<&Watch>,
+) -> Result<Recording, Error> {
+    let (own, raw) = (calibration.as_ref(), recording.as_ref());
+    under(watch, || {
+        check_units(own, raw)?;
+        let doubts = doubts(own, raw)?;
+        let mut corrected = calib::calibration::apply(own, raw)?;
+        corrected.warnings.extend(doubts);
+        Ok(corrected.into())
+    })
+}

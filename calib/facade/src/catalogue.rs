@@ -1,0 +1,154 @@
+//! Effects of one's own beside those of the catalogue.
+
+use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use calib::effect_file::{catalogue_with, parse_effects};
+use sensor::AnyEffect;
+
+use crate::Error;
+
+/// The effects that this program knows, and effects of one's own.
+///
+/// An effect `e(truth, p)` is an error in SI units at the true signal, `raw = base⁻¹(truth + Σ e)`, silent at its nominal
+/// parameters. One of one's own is a type with `effect::Effect`, in any crate, or a definition in TOML; an `Arc` of
+/// it joins a catalogue, is fitted, applied, and found again in a calibration that is read with the same catalogue.
+///
+/// What joined a catalogue once lives as long as the program: models point to effects, as those of the program are.
+///
+/// # Examples
+/// ```
+/// use std::sync::Arc;
+/// use stillpoint::effect::{Effect, Kinematics, Param, Scalar, Sensor, Vector3, params};
+/// use stillpoint::{Calibration, Catalogue, Method, Recording, Request, apply, calibrate};
+///
+/// /// Specific force along x leaks into every axis of the rate: `W_i += k_i f_x`.
+/// struct Tug;
+/// impl Effect for Tug {
+///     const NAME: &'static str = "gyro_tug";
+///     const SENSOR: Sensor = Sensor::Gyroscope;
+///     const EQUATION: &'static str = "W_i += k_i f_x";
+///     const PARAMS: &'static [Param] = &params("(rad/s)/(m/s²)", ["x", "y", "z"]);
+///     const TYPICAL: f64 = 1e-4;
+///     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
+///         Vector3::new(p[0], p[1], p[2]) * truth.specific_force.x
+///     }
+/// }
+///
+/// let catalogue = Catalogue::default().with(Arc::new(Tug))?;
+/// let (t, accel, gyro, _) = stillpoint::example::session();
+/// let recording = Recording::from_arrays(&t, &accel, &gyro, None)?;
+/// let request = Request {
+///     method: Method::Joint,
+///     effects: vec!["gyro_tug".into()],
+///     catalogue: catalogue.clone(),
+///     ..Request::default()
+/// };
+/// let calibration = calibrate(&[recording.clone()], &request)?;
+/// let again = Calibration::from_json(&calibration.to_json()?, &catalogue)?;
+/// let corrected = [&calibration, &again].map(|c| apply(c, &recording));
+/// # let [one, other] = corrected;
+/// # let rows = |r: Recording| r.values(Sensor::Gyroscope).collect::<Vec<_>>();
+/// # assert_eq!(rows(one?), rows(other?));
+/// assert!(Calibration::from_json(&calibration.to_json()?, &Catalogue::default()).is_err());
+/// # Ok::<(), stillpoint::Error>(())
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Catalogue(Vec<&'static dyn AnyEffect>);
+
+impl Catalogue {
+    /// With an effect of one's own.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Usage`](crate::ErrorKind::Usage) where the name is taken.
+    pub fn with(mut self, effect: Arc<dyn AnyEffect>) -> Result<Self, Error> {
+        self.add(kept(effect))?;
+        Ok(self)
+    }
+
+    /// With the effects that `toml` defines by expressions.
+    ///
+    /// # Errors
+    /// What is wrong with a definition, with its line; a name that is taken.
+    ///
+    /// # Examples
+    /// ```
+    /// let toml = r#"
+    ///     [[definitions]]
+    ///     name = "gyro_swirl"
+    ///     sensor = "gyroscope"
+    ///     x = "k * fy * fz"
+    ///     parameters = [{ name = "k", unit = "rad/s/(m/s^2)^2", typical = 5e-6 }]
+    /// "#;
+    /// let catalogue = stillpoint::Catalogue::default().with_definitions(toml)?;
+    /// assert!(catalogue.names().contains(&"gyro_swirl"));
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
+    pub fn with_definitions(mut self, toml: &str) -> Result<Self, Error> {
+        for effect in parse_effects(toml, "definitions")? {
+            self.add(effect)?;
+        }
+        Ok(self)
+    }
+
+    /// With the effects that a TOML file defines by expressions.
+    ///
+    /// # Errors
+    /// As [`Catalogue::with_definitions`]; a file that cannot be read.
+    pub fn with_file(mut self, path: impl AsRef<Path>) -> Result<Self, Error> {
+        for effect in calib::effect_file::read_effects(path.as_ref())? {
+            self.add(effect)?;
+        }
+        Ok(self)
+    }
+
+    /// The names of all effects, those of the program first.
+    ///
+    /// # Examples
+    /// ```
+    /// assert!(stillpoint::Catalogue::default().names().contains(&"gyro_g_sensitivity"));
+    /// ```
+    pub fn names(&self) -> Vec<&'static str> {
+        catalogue_with(&self.0)
+            .map(|effect| effect.name())
+            .collect()
+    }
+
+    pub(crate) fn own(&self) -> &[&'static dyn AnyEffect] {
+        &self.0
+    }
+
+    fn add(&mut self, effect: &'static dyn AnyEffect) -> Result<(), Error> {
+        let name = effect.name();
+        let taken = catalogue_with(&self.0).find(|other| other.name() == name);
+        match taken {
+            Some(other)
+                if std::ptr::addr_eq(other, effect) && std::mem::size_of_val(effect) > 0 =>
+            {
+                Ok(())
+            }
+            Some(_) => Err(Error::usage(format!(
+                "`{name}` is the name of another effect already; choose another"
+            ))),
+            None => {
+                self.0.push(effect);
+                Ok(())
+            }
+        }
+    }
+}
+
+/// The effect behind a pointer for as long as the program runs; the same one for the same `Arc`.
+fn kept(effect: Arc<dyn AnyEffect>) -> &'static dyn AnyEffect {
+    static KEPT: Mutex<Vec<&'static Arc<dyn AnyEffect>>> = Mutex::new(Vec::new());
+    let mut all = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+    let same =
+        |known: &&&Arc<dyn AnyEffect>| std::ptr::addr_eq(Arc::as_ptr(known), Arc::as_ptr(&effect));
+    let known = all.iter().find(same).copied();
+    if let Some(known) = known {
+        return known.as_ref();
+    }
+    let known: &'static Arc<dyn AnyEffect> = Box::leak(Box::new(effect));
+    all.push(known);
+    known.as_ref()
+}

@@ -1,0 +1,111 @@
+//! What the base models lack.
+
+use std::sync::Arc;
+
+use calib::discover::{Discovery, EffectFinding, Verdict, discover as look, validate};
+use calib::document::to_json;
+
+use crate::watch::under;
+use crate::{Calibration, Error, Recording, Request, words};
+
+/// What was found, as `findings.json` has it.
+#[derive(Clone, Debug)]
+pub struct Findings(Arc<Discovery>);
+
+impl Findings {
+    /// Whether something is missing and has a name.
+    pub fn verdict(&self) -> Verdict {
+        self.0.findings.verdict
+    }
+
+    /// The effects that were missing, most evident first.
+    pub fn effects(&self) -> &[EffectFinding] {
+        &self.0.findings.effects
+    }
+
+    /// The calibration with what was named.
+    pub fn calibration(&self) -> Calibration {
+        Calibration::of(self.0.findings.calibration.clone())
+    }
+
+    /// What the user should know.
+    pub fn warnings(&self) -> Vec<String> {
+        let warnings = self.0.findings.calibration.warnings.iter();
+        warnings.map(|words| words::of_the_library(words)).collect()
+    }
+
+    /// The file that `discover -o` writes, to the byte.
+    ///
+    /// # Errors
+    /// A number that JSON cannot hold: a bug of ours.
+    pub fn to_json(&self) -> Result<String, Error> {
+        Ok(to_json(&self.0.findings)?)
+    }
+}
+
+impl AsRef<Discovery> for Findings {
+    fn as_ref(&self) -> &Discovery {
+        &self.0
+    }
+}
+
+/// Finds what the base models lack: fits them, looks where the recordings disagree, names the missing effect, adds it and
+/// measures the gap before and after. A gap is the root of the reduced χ² of what remains: 1 is explained to the noise.
+///
+/// # Errors
+/// As [`calibrate`](crate::calibrate); a validation recording that the fit has seen.
+///
+/// # Examples
+/// ```
+/// use stillpoint::{Request, Verdict, discover, simulate};
+///
+/// let spec = "seed = 3\nrate = 50.0\n[motion.hand_held]\nplacements = 16\n[effects.gyro_g_sensitivity]\nsize = 1.0\n";
+/// let recording = simulate(spec, None)?.recording;
+/// let findings = discover(&[recording], &Request { gravity: Some(9.80665), ..Request::default() })?;
+/// assert_eq!(findings.verdict(), Verdict::Named);
+/// assert_eq!(findings.effects()[0].name, "gyro_g_sensitivity");
+/// # Ok::<(), stillpoint::Error>(())
+/// ```
+pub fn discover(recordings: &[Recording], request: &Request) -> Result<Findings, Error> {
+    if recordings.is_empty() {
+        return Err(Error::usage("no recording given; give one or more"));
+    }
+    let how = request.for_discovery()?;
+    let recordings: Vec<Recording> = recordings.iter().map(Recording::at_hand_speed).collect();
+    let all: Vec<&calib::Recording> = recordings.iter().map(AsRef::as_ref).collect();
+    let validation = request.validation.as_ref().map(AsRef::as_ref);
+    if let Some(validation) = validation {
+        refuse_seen(validation, &all)?;
+    }
+    let discovery = under(request.watch.as_ref(), || {
+        let mut discovery = look(&all, &how)?;
+        if let Some(validation) = validation {
+            discovery.findings.validation = validate(validation, &how, &discovery)?;
+        }
+        Ok(discovery)
+    })?;
+    Ok(Findings(Arc::new(discovery)))
+}
+
+/// Refuses a validation recording with the samples of one of `recordings`, whatever its stamps.
+fn refuse_seen(
+    validation: &calib::Recording,
+    recordings: &[&calib::Recording],
+) -> Result<(), Error> {
+    let own = [&validation.accelerometer, &validation.gyroscope];
+    let same = |recording: &&&calib::Recording| {
+        let others = [&recording.accelerometer, &recording.gyroscope];
+        own.iter().zip(others).any(|pair| match pair {
+            (Some(one), Some(other)) => one.values == other.values,
+            _ => false,
+        })
+    };
+    match recordings.iter().find(same) {
+        Some(seen) => Err(Error::usage(format!(
+            "validation has the data of {}, which the fit has seen: what it shows there is no proof; give another \
+             recording of the device",
+            seen.name
+        ))),
+        None => Ok(()),
+    }
+}

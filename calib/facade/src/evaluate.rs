@@ -1,0 +1,46 @@
+//! What a calibration is worth on a recording that it has not seen.
+
+use calib::calibration::{check_units, doubts};
+use calib::methods::cut;
+
+use crate::watch::under;
+use crate::{Calibration, Error, Evaluation, Recording, Request};
+
+/// Measures a calibration on a recording, or the raw readings with `None`: the norm of specific force over static
+/// intervals (m/s²), the direction of gravity after each turn (°), the rate at rest (rad/s). Of the request gravity or
+/// place, the detector, `force_device` and the watch count.
+///
+/// # Errors
+/// A recording that cannot be cut, readings of another unit or device (unless `force_device`), an effect that needs what
+/// cannot be known of it.
+///
+/// # Examples
+/// ```
+/// use stillpoint::{Recording, Request, calibrate, evaluate};
+///
+/// let (t, accel, gyro, _) = stillpoint::example::session();
+/// let recording = Recording::from_arrays(&t, &accel, &gyro, None)?;
+/// let request = Request::default();
+/// let calibration = calibrate(&[recording.clone()], &request)?;
+/// let raw = evaluate(&recording, None, &request)?;
+/// let corrected = evaluate(&recording, Some(&calibration), &request)?;
+/// assert!(corrected.modulus_rms < raw.modulus_rms);
+/// # Ok::<(), stillpoint::Error>(())
+/// ```
+pub fn evaluate(
+    recording: &Recording,
+    calibration: Option<&Calibration>,
+    request: &Request,
+) -> Result<Evaluation, Error> {
+    let how = request.for_calibration(1)?;
+    let recording = recording.at_hand_speed();
+    let (recording, calibration) = (recording.as_ref(), calibration.map(AsRef::as_ref));
+    under(request.watch.as_ref(), || {
+        if let Some(calibration) = calibration.filter(|_| !request.force_device) {
+            check_units(calibration, recording)?;
+            doubts(calibration, recording)?;
+        }
+        let choice = cut(recording, &how.detector, how.choose_multiplier, how.gravity)?;
+        calib::evaluate(recording, &choice.segmentation, calibration, how.gravity)
+    })
+}

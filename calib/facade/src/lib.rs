@@ -1,0 +1,76 @@
+//! From arrays in memory to a calibration: `a = T (A − b)` of an accelerometer and a gyroscope, with standard errors.
+//!
+//! ```text
+//! arrays · files ──► Recording ──► calibrate ──► Calibration ──► apply ──► Recording
+//! simulate ────────►           ├─► discover ──► Findings
+//!                              └─► allan ──► Noise     evaluate ──► Evaluation
+//! ```
+//!
+//! ```
+//! use stillpoint::{Recording, Request, calibrate, simulate};
+//!
+//! // Stamps in s, specific force in m/s², angular rate in rad/s, temperature in °C; one row per stamp.
+//! let (t, accel, gyro, celsius) = stillpoint::example::session();
+//! let recording = Recording::from_arrays(&t, &accel, &gyro, Some(&celsius))?;
+//! let calibration = calibrate(&[recording.clone()], &Request::default())?;
+//! for p in calibration.parameters() {
+//!     println!("{} = {} ± {:?} {}", p.name, p.value, p.std, p.unit);
+//! }
+//! let corrected = stillpoint::apply(&calibration, &recording)?;
+//! # assert_eq!(corrected.rows(stillpoint::Sensor::Gyroscope), gyro.len());
+//! # Ok::<(), stillpoint::Error>(())
+//! ```
+//!
+//! Results equal those of the command `stillpoint` to the last bit: both call the same functions, and
+//! [`Calibration::to_json`] gives the bytes that `calibrate -o` writes. Units are SI everywhere. Nothing here panics on
+//! data: what is wrong is an [`Error`] with its kind, its place and what to do. Long work tells its steps to a [`Watch`],
+//! which may end it.
+//!
+//! Why the package is called `stillpoint-imu` and the library `stillpoint`: the package `stillpoint` is the command,
+//! as `cargo install stillpoint` should give it.
+
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+mod allan;
+mod calibrate;
+mod calibration;
+mod catalogue;
+mod discover;
+mod error;
+mod evaluate;
+pub mod example;
+mod recording;
+mod request;
+mod simulate;
+mod watch;
+mod words;
+
+pub use allan::{Noise, allan};
+pub use calib::Evaluation;
+pub use calib::calibrate::{Frame, GyroBias};
+pub use calib::discover::{EffectFinding, Verdict};
+pub use calib::intervals::DetectorOptions;
+pub use calib::methods::joint::ClockMode;
+pub use calib::recording::{AccelUnit, ColumnMap, GyroUnit, ReadOptions, TimeUnit};
+pub use calib::residuals::Integrator;
+pub use calib::watch::{Progress, Stage};
+pub use calibrate::calibrate;
+pub use calibration::{Calibration, Parameter, apply, apply_watched};
+pub use catalogue::Catalogue;
+pub use discover::{Findings, discover};
+pub use error::{Error, ErrorKind};
+pub use evaluate::evaluate;
+pub use recording::Recording;
+pub use request::{Method, Request};
+pub use sensor::Sensor;
+pub use simulate::{Simulated, simulate};
+pub use watch::Watch;
+
+/// What an effect of one's own is written with.
+///
+/// See [`Catalogue`] for an example from the equation to the corrected recording.
+pub mod effect {
+    pub use nalgebra::Vector3;
+    pub use sensor::{AnyEffect, Effect, Kinematics, Param, Quantity, Sensor, mat3, params};
+    pub use solver::{Scalar, lit};
+}

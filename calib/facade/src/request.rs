@@ -1,0 +1,229 @@
+//! What to calibrate and how.
+
+use calib::calibrate::{Frame, GyroBias, NOMINAL_RATES, Request as CalibRequest};
+use calib::discover::Request as DiscoverRequest;
+use calib::effect_file::catalogue_with;
+use calib::gravity::{ACCEPTED, Gravity, NotOnEarth};
+use calib::intervals::{DetectorOptions, Span};
+use calib::methods::joint::ClockMode;
+use calib::residuals::Integrator;
+use sensor::AnyEffect;
+
+use crate::{Catalogue, Error, Recording, Watch};
+
+/// How to calibrate.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Method {
+    /// Accelerometer first, then the gyroscope by propagated gravity (Liu et al. 2021).
+    #[default]
+    Stepwise,
+    /// Both sensors in one problem weighted by the recording's own noise.
+    Joint,
+    /// Each axis once up and once down, from six recordings or one.
+    SixPosition {
+        /// Correct by `I − M` as published, not by the inverse of `I + M`.
+        first_order: bool,
+    },
+}
+
+/// What to calibrate and how. The default is what the command does without options.
+///
+/// # Examples
+/// ```
+/// use stillpoint::{Method, Request};
+///
+/// let request = Request {
+///     method: Method::Joint,
+///     latitude: Some(48.1),
+///     altitude: Some(520.0),
+///     effects: vec!["gyro_g_sensitivity".into()],
+///     ..Request::default()
+/// };
+/// assert_eq!(request.alpha, 0.01);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Request {
+    /// How.
+    pub method: Method,
+    /// Local gravity, m/s². A wrong one goes into the accelerometer's scale factors in full. That of the place where it
+    /// is not given, else 9.80665 with errors that cover the whole earth.
+    pub gravity: Option<f64>,
+    /// Latitude, ° north.
+    pub latitude: Option<f64>,
+    /// Height above sea level, m.
+    pub altitude: Option<f64>,
+    /// How static intervals are found.
+    pub detector: DetectorOptions,
+    /// Static intervals picked by hand, begin and end in s: a list for each recording, one for all, or none.
+    pub sections: Vec<Vec<(f64, f64)>>,
+    /// Recordings to take the gyroscope's turns from instead.
+    pub gyro_recordings: Vec<Recording>,
+    /// Frame of the accelerometer's matrix.
+    pub frame: Frame,
+    /// How the rate is integrated over a turn.
+    pub integrator: Integrator,
+    /// Where the bias of a turn is taken from.
+    pub gyro_bias: GyroBias,
+    /// Sampling rate in turns to assume instead of the stamps, Hz.
+    pub nominal_rate: Option<f64>,
+    /// By which clock turns are integrated.
+    pub clock: ClockMode,
+    /// Names of effects to fit on top of the base models.
+    pub effects: Vec<String>,
+    /// Effects of one's own: they may be named in `effects`, and `discover` looks for them.
+    pub catalogue: Catalogue,
+    /// Take the recordings to be of one device even where they disagree.
+    pub force_device: bool,
+    /// `discover`: chance of any false claim about a device that lacks nothing.
+    pub alpha: f64,
+    /// `discover`: random walk densities of the biases where they are known, m/s²/√s and rad/s/√s.
+    pub walks: Option<[f64; 2]>,
+    /// `discover`: another recording of the device, to show the gap on.
+    pub validation: Option<Recording>,
+    /// Is told of progress and may end the work.
+    pub watch: Option<Watch>,
+}
+
+impl Default for Request {
+    fn default() -> Self {
+        Self {
+            method: Method::default(),
+            gravity: None,
+            latitude: None,
+            altitude: None,
+            detector: DetectorOptions::default(),
+            sections: Vec::new(),
+            gyro_recordings: Vec::new(),
+            frame: Frame::default(),
+            integrator: Integrator::default(),
+            gyro_bias: GyroBias::default(),
+            nominal_rate: None,
+            clock: ClockMode::default(),
+            effects: Vec::new(),
+            catalogue: Catalogue::default(),
+            force_device: false,
+            alpha: 0.01,
+            walks: None,
+            validation: None,
+            watch: None,
+        }
+    }
+}
+
+impl Request {
+    /// Local gravity by what is given of it.
+    pub(crate) fn local_gravity(&self) -> Result<Gravity, Error> {
+        let found = Gravity::checked(self.gravity, self.latitude, self.altitude);
+        found.map_err(|what| {
+            Error::usage(match what {
+                NotOnEarth::Gravity(g) => format!(
+                    "gravity is {g}, on the earth it lies between {} and {} m/s²; an error of 0.01 changes every scale \
+                     factor by 0.1 %",
+                    ACCEPTED.start(),
+                    ACCEPTED.end()
+                ),
+                NotOnEarth::Latitude(l) => format!("latitude is {l}, -90 to 90 degrees expected"),
+                NotOnEarth::Altitude(h) => format!("altitude is {h}, -500 to 9000 m expected"),
+            })
+        })
+    }
+
+    /// For the estimators, with sections for `recordings` recordings.
+    pub(crate) fn for_calibration(&self, recordings: usize) -> Result<CalibRequest, Error> {
+        let gravity = self.local_gravity()?;
+        let (detector, choose_multiplier) = self.detector.detector().map_err(not_positive)?;
+        let nominal_step = match self.nominal_rate {
+            Some(rate) if NOMINAL_RATES.contains(&rate) => Some(rate.recip()),
+            Some(rate) => {
+                return Err(Error::usage(format!(
+                    "nominal_rate is {rate}, 0.1 to 100000 Hz expected"
+                )));
+            }
+            None => None,
+        };
+        Ok(CalibRequest {
+            method: match self.method {
+                Method::Joint => calib::calibrate::Method::Joint,
+                Method::Stepwise | Method::SixPosition { .. } => calib::calibrate::Method::Stepwise,
+            },
+            gravity: gravity.value,
+            gravity_source: gravity.source,
+            detector,
+            choose_multiplier,
+            sections: self.sections_for(recordings)?,
+            frame: self.frame,
+            integrator: self.integrator,
+            gyro_bias: self.gyro_bias,
+            nominal_step,
+            effects: self.named_effects()?,
+            latitude: self.latitude,
+            force_device: self.force_device,
+            clock: self.clock,
+            static_means: Vec::new(),
+        })
+    }
+
+    /// For the search.
+    pub(crate) fn for_discovery(&self) -> Result<DiscoverRequest, Error> {
+        if !(self.alpha > 0.0 && self.alpha <= 0.5) {
+            return Err(Error::usage(format!(
+                "alpha is {}, a chance above 0 and at most 0.5 expected",
+                self.alpha
+            )));
+        }
+        let gravity = self.local_gravity()?;
+        let (detector, choose_multiplier) = self.detector.detector().map_err(not_positive)?;
+        let mut request = DiscoverRequest {
+            alpha: self.alpha,
+            walks: self.walks,
+            force_device: self.force_device,
+            latitude: self.latitude,
+            clock: self.clock,
+            detector,
+            choose_multiplier,
+            gravity_source: gravity.source,
+            ..DiscoverRequest::new(gravity.value)
+        };
+        request.catalogue.extend(self.catalogue.own());
+        Ok(request)
+    }
+
+    fn sections_for(&self, recordings: usize) -> Result<Vec<Vec<Span>>, Error> {
+        let spans = |list: &Vec<(f64, f64)>| -> Result<Vec<Span>, Error> {
+            let span = |&(from, to): &(f64, f64)| {
+                let fits = from.is_finite() && to.is_finite() && from < to;
+                fits.then_some(Span { from, to }).ok_or_else(|| {
+                    Error::usage(format!(
+                        "a section from {from} to {to} s: begin before end expected"
+                    ))
+                })
+            };
+            list.iter().map(span).collect()
+        };
+        let all: Vec<Vec<Span>> = self.sections.iter().map(spans).collect::<Result<_, _>>()?;
+        match all.len() {
+            1 => Ok(vec![all[0].clone(); recordings]),
+            0 => Ok(all),
+            n if n == recordings => Ok(all),
+            n => Err(Error::usage(format!(
+                "{n} lists of sections for {recordings} recordings; give one for all or one for each"
+            ))),
+        }
+    }
+
+    fn named_effects(&self) -> Result<Vec<&'static dyn AnyEffect>, Error> {
+        let find = |name: &String| {
+            let mut all = catalogue_with(self.catalogue.own());
+            all.find(|effect| effect.name() == name).ok_or_else(|| {
+                let names = self.catalogue.names().join(", ");
+                Error::usage(format!("no effect `{name}` in the catalogue ({names})"))
+            })
+        };
+        self.effects.iter().map(find).collect()
+    }
+}
+
+fn not_positive(name: &str) -> Error {
+    Error::usage(format!("{name}: a positive number expected"))
+}

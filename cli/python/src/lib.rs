@@ -1,0 +1,28 @@
+//! What Python calls: the facade with numpy arrays, and the command.
+//!
+//! The package `stillpoint` in `../stillpoint` is what people import; it turns arguments into the plain values that these
+//! functions take, and results into dictionaries, frames and pages. The interpreter runs on while anything here works.
+
+mod arrays;
+mod error;
+mod figures;
+mod options;
+mod progress;
+mod recording;
+mod results;
+mod work;
+
+use pyo3::prelude::*;
+
+/// The compiled part of the package `stillpoint`.
+#[pymodule]
+mod _native {
+    #[pymodule_export]
+    use super::recording::Recording;
+    #[pymodule_export]
+    use super::results::{Calibration, Findings};
+    #[pymodule_export]
+    use super::work::{
+        allan, calibrate, discover, effect_names, evaluate, run_command, simulate, version,
+    };
+}

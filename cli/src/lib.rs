@@ -1,0 +1,81 @@
+//! The command line: argument parsing, tables, progress. A thin door to `stillpoint-calib`.
+//!
+//! A library, so that the program of this package and the command of the Python package are the same.
+
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+mod commands;
+mod exit;
+mod interrupt;
+mod output;
+mod read_args;
+mod report;
+mod show;
+mod threads;
+
+pub use commands::figures;
+
+use std::ffi::OsString;
+use std::panic::AssertUnwindSafe;
+
+use clap::Parser;
+
+use exit::{Failure, USAGE};
+
+/// Calibrates an accelerometer and a gyroscope from a recording made by hand: hold the device
+/// still, turn it, hold it still again.
+#[derive(Debug, Parser)]
+#[command(
+    name = "stillpoint",
+    version,
+    after_help = "\
+Example:
+  stillpoint demo                              a simulated session, its hidden effect discovered
+  stillpoint calibrate phone.csv -o cal.json   the calibration of a recording
+  stillpoint discover phone.csv                what its model lacks
+  stillpoint apply cal.json run.csv -o corrected.csv"
+)]
+struct Cli {
+    #[command(subcommand)]
+    command: commands::Command,
+}
+
+/// Runs the command in `args`, the program's name first, to its end, and gives its exit status. The process is the
+/// command's from then on: its signals and its threads.
+///
+/// # Examples
+/// ```
+/// assert_eq!(stillpoint_cli::run(["stillpoint".into(), "--version".into()]), 0);
+/// ```
+pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
+    interrupt::install();
+    threads::install();
+    let cli = match Cli::try_parse_from(args) {
+        Ok(cli) => cli,
+        // Help and version go to standard output; one that is closed is no error.
+        Err(error) if !error.use_stderr() => {
+            let _ = error.print();
+            return 0;
+        }
+        Err(error) => return ended(&wrong_call(&error)),
+    };
+    let result = std::panic::catch_unwind(AssertUnwindSafe(|| commands::run(cli.command)));
+    match result {
+        Ok(Ok(())) => 0,
+        Ok(Err(failure)) => ended(&failure),
+        Err(_) => ended(&Failure::bug()),
+    }
+}
+
+fn ended(failure: &Failure) -> u8 {
+    interrupt::give_way();
+    show::failure(failure);
+    failure.code
+}
+
+/// What the parser of arguments refuses.
+fn wrong_call(error: &clap::Error) -> Failure {
+    let message = error.render().to_string();
+    let message = message.trim().trim_start_matches("error: ");
+    Failure::new(USAGE, message)
+}
