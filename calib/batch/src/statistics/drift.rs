@@ -151,7 +151,7 @@ mod tests {
         let flat: Vec<(f64, f64)> = (0..50).map(|k| (k as f64, noise(k))).collect();
         assert!(over_time(&flat).unwrap().p_value > 0.01);
         let of = |shift: f64| -> Vec<(String, f64)> {
-            let station = |k: usize| if k % 2 == 0 { "a" } else { "b" };
+            let station = |k: usize| if k.is_multiple_of(2) { "a" } else { "b" };
             (0..40)
                 .map(|k| (station(k).to_owned(), noise(k) + shift * (k % 2) as f64))
                 .collect()
