@@ -15,4 +15,5 @@ pub mod one_truth;
 pub mod phone;
 pub mod plan_study;
 pub mod power;
+pub mod prior_study;
 pub mod problems;

@@ -132,9 +132,11 @@ fn by_volume(rows: &[ForceRow]) -> Program {
     for j in 0..P {
         for a in 0..P {
             // Σ_i h_i[a] Z_i[j] = J[a][j], nothing above the diagonal.
-            let mut entries: Vec<(usize, f64)> = (0..n)
-                .filter(|i| rows[*i][a] != 0.0)
-                .map(|i| (z + i * P + j, rows[i][a]))
+            let mut entries: Vec<(usize, f64)> = rows
+                .iter()
+                .enumerate()
+                .filter(|(_, row)| row[a] != 0.0)
+                .map(|(i, row)| (z + i * P + j, row[a]))
                 .collect();
             if a >= j {
                 entries.push((lower + a * P + j, -1.0));
@@ -182,9 +184,11 @@ fn by_reading(rows: &[ForceRow]) -> Program {
     program.shares(n);
     for j in 0..P {
         for a in 0..P {
-            let entries: Vec<(usize, f64)> = (0..n)
-                .filter(|i| rows[*i][a] != 0.0)
-                .map(|i| (z + i * P + j, rows[i][a]))
+            let entries: Vec<(usize, f64)> = rows
+                .iter()
+                .enumerate()
+                .filter(|(_, row)| row[a] != 0.0)
+                .map(|(i, row)| (z + i * P + j, row[a]))
                 .collect();
             program.row(if a == j { root[j] } else { 0.0 }, &entries);
         }

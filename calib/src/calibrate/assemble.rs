@@ -122,6 +122,8 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         clocks: Vec::new(),
         history: Vec::new(),
         failed_gates,
+        limits: Vec::new(),
+        prior: None,
         provenance: Provenance::of(Vec::new(), None),
     };
     Ok(match request.frame {

@@ -182,6 +182,8 @@ pub(crate) fn written_down(
         clocks: RecordingClock::of(fit),
         history: Vec::new(),
         failed_gates,
+        limits: Vec::new(),
+        prior: None,
         provenance: Provenance::of(Vec::new(), None),
     };
     Ok(match request.frame {

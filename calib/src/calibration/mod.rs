@@ -33,6 +33,8 @@ use serde::{Deserialize, Serialize};
 use crate::error::Error;
 use crate::gravity::GravitySource;
 use crate::intervals::Segmentation;
+use crate::limits::LimitLine;
+use crate::prior::PriorUse;
 use crate::recording::Recording;
 
 /// The schema this version writes.
@@ -71,6 +73,12 @@ pub struct Calibration {
     /// Reasons not to use the calibration as it stands.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub failed_gates: Vec<String>,
+    /// Limits that were judged, with their values.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub limits: Vec<LimitLine>,
+    /// What a prior of the device's type gave.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub prior: Option<PriorUse>,
     /// By which clock the turns of each recording were integrated.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub clocks: Vec<RecordingClock>,

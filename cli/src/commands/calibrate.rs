@@ -4,6 +4,7 @@ pub mod tables;
 
 use std::path::PathBuf;
 
+use calib::Recording;
 use calib::calibrate::{
     Frame, GyroBias, NOMINAL_RATES, Outcome, Request, calibrate, read_static_means,
 };
@@ -11,9 +12,9 @@ use calib::effect_file::catalogue_with;
 use calib::gravity::Gravity;
 use calib::intervals::{Span, read_sections};
 use calib::methods::cut;
+use calib::prior::Prior;
 use calib::recording::figure;
 use calib::residuals::Integrator;
-use calib::{Calibration, Recording};
 use clap::ValueEnum;
 use nalgebra::Vector3;
 use sensor::AnyEffect;
@@ -21,9 +22,11 @@ use sensor::AnyEffect;
 use super::inputs::{
     ClockArg, DetectorArgs, PlaceArgs, RecordingArgs, as_paths, own_effects, read, spinner,
 };
+use super::limits::{self, LimitArgs, gate};
 use super::pictures::{PictureArgs, Pictures};
+use super::prior;
 use super::six_position;
-use crate::exit::{Failure, GATE, INPUT, NOT_CONVERGED, NOT_ENOUGH, USAGE};
+use crate::exit::{Failure, INPUT, NOT_CONVERGED, NOT_ENOUGH, USAGE};
 use crate::output::{Output, Replace};
 use crate::pages::session::Session;
 use crate::pages::{calibration, refusal};
@@ -39,7 +42,24 @@ use crate::show;
 Signs: at rest specific force is +g on the axis that points up; rates are right-handed about each axis.
 
 Example:
-  stillpoint calibrate morning/ evening/ --gravity 9.8055 -o cal.json --report cal.html")]
+  stillpoint calibrate morning/ evening/ --gravity 9.8055 -o cal.json --report cal.html
+  stillpoint calibrate morning/ --limits limits.toml   exit 1 and the reasons where one is not kept
+
+limits.toml (every key may be left out):
+  required = [\"accelerometer\", \"gyroscope\"]
+  [accelerometer]              # gyroscope the same, with residual_deg
+  residual_mm_s2 = 5.0
+  reduced_chi2 = 9.0
+  scale = 1e-3                 # largest standard errors: relative,
+  misalignment = 1e-3          # rad,
+  bias = 0.01                  # m/s^2 (rad/s)
+  intervals = 12               # static intervals (turns), at least
+  [effects]
+  gyro_g_sensitivity = 1e-4    # largest parameter
+  [standard_errors]
+  \"accel.s_x\" = 5e-4
+  [values]
+  \"gyro.b_z\" = [-0.02, 0.02]")]
 pub struct Args {
     #[command(flatten)]
     recordings: RecordingArgs,
@@ -52,6 +72,10 @@ pub struct Args {
     /// Effects to fit on top of the base models, such as gyro_g_sensitivity
     #[arg(long, value_name = "A,B", value_delimiter = ',')]
     effects: Vec<String>,
+    /// What the device's type has in common, from `batch prior`: its information is added to that of the recording, its effects
+    /// are fitted
+    #[arg(long, value_name = "FILE.json")]
+    prior: Option<PathBuf>,
     /// File that defines effects as expressions (TOML), to be named in `--effects`
     #[arg(long, value_name = "FILE.toml")]
     effect_file: Vec<PathBuf>,
@@ -94,6 +118,8 @@ pub struct Args {
     json: bool,
     #[command(flatten)]
     pictures: PictureArgs,
+    #[command(flatten)]
+    limits: LimitArgs,
     #[command(flatten)]
     place: PlaceArgs,
     #[command(flatten)]
@@ -149,7 +175,13 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             "no recording given: name a file or a folder",
         ));
     }
+    inputs.extend(args.limits.limits.iter().chain(&args.prior).cloned());
     let mut request = request(args)?;
+    let limits = args.limits.read()?;
+    let prior = args.prior.as_deref().map(Prior::read).transpose()?;
+    if let Some(prior) = &prior {
+        prior::with_effects(prior, &mut request)?;
+    }
     let output = match &args.output {
         Some(path) => Some(Output::claim(path, args.replace, &as_paths(&inputs))?),
         None => None,
@@ -180,6 +212,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             gravity,
             first_order,
             json,
+            limits,
             output,
             pictures,
         });
@@ -191,7 +224,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .collect::<Result<Vec<_>, _>>()?;
     request.sections = sections(args, &recordings)?;
     let spinner = spinner("calibrating");
-    let outcome = match calibrate(&recordings, &gyro_recordings, &request) {
+    let mut outcome = match calibrate(&recordings, &gyro_recordings, &request) {
         Ok(outcome) => outcome,
         Err(error) => {
             // A calibration carries the readers' warnings; where there is none they may explain why.
@@ -201,6 +234,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         }
     };
     spinner.finish_and_clear();
+    if let Some(prior) = &prior {
+        prior.inform(&mut outcome.calibration)?;
+    }
+    limits::state(&mut outcome.calibration, limits.as_ref());
     if pictures.wanted() {
         draw(pictures, &recordings, &outcome)?;
     }
@@ -302,6 +339,11 @@ fn check_method(args: &Args) -> Result<(), Failure> {
         (
             "--effects",
             !args.effects.is_empty() && six,
+            "--method stepwise or joint",
+        ),
+        (
+            "--prior",
+            args.prior.is_some() && six,
             "--method stepwise or joint",
         ),
         (
@@ -436,15 +478,13 @@ fn finish(args: &Args, output: Option<Output>, outcome: &Outcome) -> Result<(), 
     if args.json {
         show::print(&json)?;
     } else {
-        show::print(&show::wrapped(&tables::text(outcome)))?;
+        let verdict = limits::text(&calibration.limits);
+        let shares = calibration
+            .prior
+            .as_ref()
+            .map_or_else(String::new, prior::text);
+        let text = verdict + &tables::text(outcome) + &shares;
+        show::print(&show::wrapped(&text))?;
     }
     gate(calibration)
-}
-
-/// Status 1 with the reasons where a quality gate failed.
-pub fn gate(calibration: &Calibration) -> Result<(), Failure> {
-    match calibration.failed_gates.as_slice() {
-        [] => Ok(()),
-        gates => Err(Failure::new(GATE, gates.join("\nstillpoint: "))),
-    }
 }

@@ -5,12 +5,14 @@ use std::path::PathBuf;
 use calib::calibrate::STANDARD_GRAVITY;
 use calib::calibrate::changes_part_way;
 use calib::calibration::load;
+use calib::limits::{LimitLine, judge_on};
 use calib::methods::cut;
 use calib::readings::{findings, without_spikes};
 use calib::{Evaluation, evaluate};
 use serde_json::json;
 
 use super::inputs::{DetectorArgs, DeviceArgs, as_paths, check_gravity, read, spinner};
+use super::limits::{self, LimitArgs};
 use super::pictures::PictureArgs;
 use crate::exit::{Failure, USAGE};
 use crate::output::Replace;
@@ -24,7 +26,10 @@ use crate::show;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
-  stillpoint evaluate evening/ --calibration morning=cal.json --report check.html")]
+  stillpoint evaluate evening/ --calibration morning=cal.json --report check.html
+  stillpoint evaluate evening/ --calibration morning=cal.json --limits limits.toml   (`calibrate --help` has one)
+
+Residuals of the limits are those of this recording, everything else is that of the calibration.")]
 pub struct Args {
     /// File or folder; `-` reads standard input
     #[arg(value_name = "RECORDING")]
@@ -43,6 +48,8 @@ pub struct Args {
     #[command(flatten)]
     pictures: PictureArgs,
     #[command(flatten)]
+    limits: LimitArgs,
+    #[command(flatten)]
     detector: DetectorArgs,
     #[command(flatten)]
     device: DeviceArgs,
@@ -58,6 +65,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             Failure::new(USAGE, format!("--calibration {named}: NAME=FILE expected"))
         })?;
         calibrations.push((name.to_owned(), load(path.as_ref())?));
+    }
+    let limits = args.limits.read()?;
+    if limits.is_some() && calibrations.is_empty() {
+        let why = "--limits: there is no calibration to judge; add --calibration NAME=FILE";
+        return Err(Failure::new(USAGE, why));
     }
     check_gravity(args.gravity)?;
     let named = args
@@ -120,17 +132,29 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         )?;
         pictures.write(&plots, &page)?;
     }
+    let judged: Vec<(String, Vec<LimitLine>)> = calibrations
+        .iter()
+        .zip(rows.iter().skip(1))
+        .filter_map(|((name, c), (_, e))| Some((name.clone(), judge_on(limits.as_ref()?, c, e))))
+        .collect();
     if args.json {
-        let rows: Vec<_> = rows
-            .iter()
-            .map(|(name, e)| json!({"name": name, "misfit": e}))
-            .collect();
-        let text = show::json(&rows)?;
-        show::print(&text)?;
+        let row = |(name, e): &(String, Evaluation)| {
+            let own = judged.iter().find(|(judged, _)| judged == name);
+            match own {
+                Some((_, lines)) => json!({"name": name, "misfit": e, "limits": lines}),
+                None => json!({"name": name, "misfit": e}),
+            }
+        };
+        let rows: Vec<_> = rows.iter().map(row).collect();
+        show::print(&show::json(&rows)?)?;
     } else {
-        show::print(&table(&rows).to_string())?;
+        let verdict = |(name, lines): &(String, Vec<LimitLine>)| {
+            format!("{}: {}", show::name(name), limits::text(lines))
+        };
+        let verdicts: String = judged.iter().map(verdict).collect();
+        show::print(&(verdicts + &table(&rows).to_string()))?;
     }
-    Ok(())
+    limits::gate_of(&judged)
 }
 
 const HEADER: [&str; 6] = [

@@ -2,6 +2,7 @@
 
 mod allan;
 mod apply;
+mod batch;
 mod bias;
 mod calibrate;
 mod clocks;
@@ -17,9 +18,11 @@ mod import;
 mod info;
 mod inputs;
 mod joint;
+pub mod limits;
 mod live;
 mod pictures;
 mod plan;
+mod prior;
 mod reckon;
 mod segment;
 mod simulate;
@@ -36,6 +39,7 @@ pub enum Command {
     Demo(demo::Args),
     Info(info::Args),
     Calibrate(Box<calibrate::Args>),
+    Batch(Box<batch::Args>),
     Live(Box<live::Args>),
     Segment(segment::Args),
     Apply(apply::Args),
@@ -60,6 +64,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Demo(args) => demo::run(&args),
         Command::Info(args) => info::run(&args),
         Command::Calibrate(args) => calibrate::run(&args),
+        Command::Batch(args) => batch::run_command(&args),
         Command::Live(args) => live::run(&args),
         Command::Segment(args) => segment::run(&args),
         Command::Apply(args) => apply::run(&args),

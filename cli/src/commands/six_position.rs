@@ -4,13 +4,14 @@ use std::fmt::Write as _;
 
 use calib::gravity::Gravity;
 use calib::intervals::Detector;
+use calib::limits::Limits;
 use calib::methods::six_position::{
     EarthRate, Face, GyroscopePart, SixPosition, Solved, calibrate,
 };
 use calib::{Calibration, Recording};
 use nalgebra::Vector3;
 
-use super::calibrate::gate;
+use super::limits::{self, gate};
 use super::pictures::{Pictures, named};
 use crate::exit::Failure;
 use crate::output::Output;
@@ -32,6 +33,8 @@ pub struct Call<'a> {
     pub first_order: bool,
     /// Print JSON.
     pub json: bool,
+    /// Limits that it must keep.
+    pub limits: Option<Limits>,
     /// Where the calibration goes.
     pub output: Option<Output>,
     /// Where the report goes.
@@ -46,7 +49,7 @@ pub const PLOTS: [&str; 2] = ["modulus", "parameters"];
 /// Runs the method.
 pub fn run(call: Call<'_>) -> Result<(), Failure> {
     let Solved {
-        calibration,
+        mut calibration,
         solution,
         labels,
     } = calibrate(
@@ -55,6 +58,7 @@ pub fn run(call: Call<'_>) -> Result<(), Failure> {
         call.gravity,
         call.first_order,
     )?;
+    limits::state(&mut calibration, call.limits.as_ref());
     calibration
         .warnings
         .iter()
@@ -72,7 +76,7 @@ pub fn run(call: Call<'_>) -> Result<(), Failure> {
     show::print(&if call.json {
         json
     } else {
-        show::wrapped(&text(&solution, &labels))
+        show::wrapped(&(limits::text(&calibration.limits) + &text(&solution, &labels)))
     })?;
     gate(&calibration)
 }

@@ -37,6 +37,14 @@ static CLAIMED: AtomicUsize = AtomicUsize::new(0);
 static KEPT: AtomicUsize = AtomicUsize::new(0);
 
 impl Replace {
+    /// Replace what is there.
+    pub fn forced() -> Self {
+        Self {
+            force: true,
+            skip_existing: false,
+        }
+    }
+
     /// Whether existing files are replaced.
     pub fn force(self) -> bool {
         self.force

@@ -6,6 +6,7 @@ use calib::calibration::Triad;
 use super::coverage::{self, Coverage};
 use super::session::Session;
 use super::{noise, parameters, provenance, quantiles, residuals, verdict};
+use crate::commands::limits;
 use crate::commands::tables::{PARAMETERS, over_noise, parameters as rows};
 use crate::exit::Failure;
 use crate::report::{Picture, Report, ReportTable};
@@ -88,6 +89,7 @@ pub fn page(
         .verdict(judged.level, &judged.sentence)
         .figures(verdict::figures(calibration, session, coverage.as_ref()))
         .next(&judged.next)
+        .limits(limits::shown(&calibration.limits))
         .warnings(&notes(calibration))
         .provenance(provenance::rows(calibration));
     let drawn = |report: Report, wanted: &[&str]| {
@@ -140,9 +142,9 @@ pub fn page(
     exports(report, calibration)
 }
 
-/// Gates first, then warnings.
+/// Gates and limits first, then warnings.
 pub fn notes(calibration: &Calibration) -> Vec<String> {
-    let failed = calibration.failed_gates.iter();
+    let failed = limits::reasons(calibration).into_iter();
     let mut notes: Vec<String> = failed.map(|gate| format!("Do not use: {gate}")).collect();
     notes.extend(calibration.warnings.iter().cloned());
     show::folded(&notes)

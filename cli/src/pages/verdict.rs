@@ -6,6 +6,7 @@ use calib::gravity::GravitySource;
 use super::coverage::Coverage;
 use super::parameters;
 use super::session::Session;
+use crate::commands::limits;
 use crate::report::{Figure, Level};
 
 /// What warnings speak of, the gravest first, and what to do then.
@@ -60,7 +61,8 @@ pub fn judged(
 ) -> Judged {
     let (cause, warning) = gravest(&calibration.warnings);
     let mut next = Vec::new();
-    let (level, mut sentence) = if let Some(gate) = calibration.failed_gates.first() {
+    let reasons = limits::reasons(calibration);
+    let (level, mut sentence) = if let Some(gate) = reasons.first() {
         let by_gate = gravest(std::slice::from_ref(gate)).0.or(cause);
         let advice = by_gate.map(|k| CAUSES[k].1.to_owned());
         let advice = advice.or_else(|| advice_in(gate));

@@ -184,7 +184,6 @@ impl Report {
 
     /// With the limits that were asked for, above the figures.
     #[must_use]
-    #[expect(dead_code, reason = "the seam for `--limits`")]
     pub fn limits(mut self, limits: impl IntoIterator<Item = Limit>) -> Self {
         let safe = limits.into_iter().map(|limit| Limit {
             words: safe(limit.words),

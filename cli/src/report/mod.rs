@@ -22,9 +22,7 @@ mod theme;
 
 pub use axis::Axis;
 pub use forest::{Group, Row};
-#[expect(unused_imports, reason = "the seam for `--limits`")]
-pub use html::Limit;
-pub use html::{Figure, Level, Report, ReportTable};
+pub use html::{Figure, Level, Limit, Report, ReportTable};
 pub use picture::Picture;
 pub use plot::{Plot, Series};
 pub use sphere::{Placed, Sphere};

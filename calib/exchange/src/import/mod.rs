@@ -38,6 +38,8 @@ fn calibration(
         misfit: Vec::new(),
         warnings,
         failed_gates: Vec::new(),
+        limits: Vec::new(),
+        prior: None,
         clocks: Vec::new(),
         history: Vec::new(),
         provenance: Provenance::of(Vec::new(), None),

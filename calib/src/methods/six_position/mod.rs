@@ -244,6 +244,8 @@ impl SixPosition {
             misfit: Vec::new(),
             warnings: self.warnings.clone(),
             failed_gates: self.failed_gates(),
+            limits: Vec::new(),
+            prior: None,
             clocks: Vec::new(),
             history: Vec::new(),
             provenance: Provenance::of(Vec::new(), None),

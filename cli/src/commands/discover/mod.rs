@@ -19,10 +19,10 @@ pub use plots::{PLOTS, plots};
 pub use tables::text;
 pub use words::verdict;
 
-use super::calibrate::gate;
 use super::inputs::{
     ClockArg, DetectorArgs, PlaceArgs, RecordingArgs, as_paths, own_effects, read, spinner,
 };
+use super::limits::{self, gate};
 use super::pictures::{PictureArgs, named};
 use crate::exit::{Failure, USAGE};
 use crate::output::{Output, Replace};
@@ -136,7 +136,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let read = recordings.iter().chain(&validation);
     show::warn_all(&read.flat_map(|r| r.warnings.clone()).collect::<Vec<_>>());
     held_out::refuse_same_data(validation.as_ref(), &recordings)?;
-    let discovery = look(&recordings, validation.as_ref(), &request)?;
+    let mut discovery = look(&recordings, validation.as_ref(), &request)?;
+    limits::state(&mut discovery.findings.calibration, None);
     let findings = &discovery.findings;
     show::warn_all(&findings.calibration.warnings);
     let json = json(findings)?;

@@ -1,0 +1,285 @@
+//! One device: its recordings to a calibration and a record.
+
+use std::path::{Path, PathBuf};
+
+use calib::calibrate::{Method, Request, calibrate};
+use calib::calibration::effect_named;
+use calib::discover::{self, Findings};
+use calib::gravity::Gravity;
+use calib::limits::{Limits, built_in, judge, parameter};
+use calib::prior::Prior;
+use calib::recording::ReadOptions;
+use calib::{Calibration, Error, Recording};
+
+use crate::hash;
+use crate::manifest::{Device, DeviceOptions};
+use crate::record::{Finding, Misfit, Parameter, Record, Status};
+
+/// How every device is calibrated.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// The calibration.
+    pub request: Request,
+    /// How recordings are read.
+    pub read: ReadOptions,
+    /// Whether to look for what is missing; `cal.json` is then that of the final model.
+    pub discover: Option<discover::Request>,
+    /// What a device must reach beyond what is built in.
+    pub limits: Option<Limits>,
+    /// What the type has in common.
+    pub prior: Option<Prior>,
+    /// Everything above and the version, as text: what it is hashed by.
+    pub text: String,
+}
+
+/// What was computed of a device.
+#[derive(Clone, Debug)]
+pub struct Computed {
+    /// Its record.
+    pub record: Record,
+    /// Its `cal.json`.
+    pub calibration: Option<String>,
+}
+
+impl Options {
+    /// SHA-256 of a device's inputs, its options, the others and the version.
+    ///
+    /// # Errors
+    /// An input that cannot be read.
+    pub(crate) fn key(&self, device: &Device) -> std::io::Result<String> {
+        let inputs = hash::of_inputs(&device.inputs)?;
+        // Lot, station and time stand in the record.
+        let own = serde_json::to_string(device)?;
+        Ok(hash::of_text(&format!("{inputs}\n{own}\n{}", self.text)))
+    }
+
+    /// Calibrates a device; whatever goes wrong is in its record.
+    pub(crate) fn compute(&self, device: &Device, index: usize, key: String) -> Computed {
+        let record = empty(device, index, key);
+        match self.calibrated(device) {
+            Ok((calibration, findings)) => recorded(record, &calibration, findings.as_ref()),
+            Err(error) => Computed {
+                record: refused(record, status_of(&error), error.to_string()),
+                calibration: None,
+            },
+        }
+    }
+
+    fn calibrated(&self, device: &Device) -> Result<(Calibration, Option<Findings>), Error> {
+        let request = with_own(&self.request, &device.options)?;
+        let read = read_with_own(&self.read, &device.options)?;
+        let mut recordings = Vec::new();
+        for path in &device.inputs {
+            recordings.extend(recordings_at(path, &read)?);
+        }
+        let (mut calibration, findings) = match &self.discover {
+            Some(discover) => {
+                let request = discover::Request {
+                    gravity: request.gravity,
+                    gravity_source: request.gravity_source,
+                    latitude: request.latitude,
+                    detector: request.detector,
+                    choose_multiplier: request.choose_multiplier,
+                    ..discover.clone()
+                };
+                let found = discover::discover(&recordings, &request)?.findings;
+                (found.calibration.clone(), Some(found))
+            }
+            None => (calibrate(&recordings, &[], &request)?.calibration, None),
+        };
+        if let Some(prior) = &self.prior {
+            prior.inform(&mut calibration)?;
+        }
+        let mut lines = self
+            .limits
+            .as_ref()
+            .map_or_else(Vec::new, |l| judge(l, &calibration));
+        lines.extend(built_in(&calibration));
+        calibration.limits = lines;
+        Ok((calibration, findings))
+    }
+}
+
+/// The recordings at a path: one, or where a folder is none, each of its members.
+fn recordings_at(path: &Path, options: &ReadOptions) -> Result<Vec<Recording>, Error> {
+    let read = |path: &Path| Recording::read(path, options).map(Recording::decimated);
+    let whole = read(path);
+    let members: Vec<PathBuf> = match (&whole, path.is_dir()) {
+        (Err(_), true) => hash::members(path).unwrap_or_default(),
+        _ => Vec::new(),
+    };
+    if members.len() < 2 {
+        return whole.map(|one| vec![one]);
+    }
+    let each: Result<Vec<_>, _> = members.iter().map(|member| read(member)).collect();
+    match (each, whole) {
+        (Err(_), Err(first)) => Err(first),
+        (each, _) => each,
+    }
+}
+
+fn with_own(request: &Request, own: &DeviceOptions) -> Result<Request, Error> {
+    let mut request = request.clone();
+    if own.gravity.is_some() || own.latitude.is_some() {
+        let latitude = own.latitude.or(request.latitude);
+        let gravity = Gravity::of(own.gravity, latitude, None);
+        (request.gravity, request.gravity_source) = (gravity.value, gravity.source);
+        request.latitude = latitude;
+    }
+    request.method = match own.method.as_deref() {
+        None => request.method,
+        Some("stepwise") => Method::Stepwise,
+        Some("joint") => Method::Joint,
+        Some(other) => {
+            return Err(Error::Usage(format!(
+                "method `{other}`: stepwise or joint expected"
+            )));
+        }
+    };
+    if let Some(names) = &own.effects {
+        let effect = |name: &String| {
+            effect_named(name)
+                .ok_or_else(|| Error::Usage(format!("effect `{name}`: not in the catalogue")))
+        };
+        request.effects = names.iter().map(effect).collect::<Result<_, _>>()?;
+    }
+    if let Some(multiplier) = own.multiplier {
+        (request.detector.multiplier, request.choose_multiplier) = (multiplier, false);
+    }
+    if let Some(length) = own.min_static {
+        (request.detector.min_static, request.detector.may_shorten) = (length, false);
+    }
+    Ok(request)
+}
+
+fn read_with_own(read: &ReadOptions, own: &DeviceOptions) -> Result<ReadOptions, Error> {
+    let mut read = read.clone();
+    read.rate = own.rate.or(read.rate);
+    if let Some(unit) = &own.accel_unit {
+        read.accel_unit = Some(
+            unit.parse()
+                .map_err(|_| Error::Usage(format!("accel_unit `{unit}`: no unit")))?,
+        );
+    }
+    if let Some(unit) = &own.gyro_unit {
+        read.gyro_unit = Some(
+            unit.parse()
+                .map_err(|_| Error::Usage(format!("gyro_unit `{unit}`: no unit")))?,
+        );
+    }
+    Ok(read)
+}
+
+/// A record with nothing in it yet.
+pub(crate) fn empty(device: &Device, index: usize, key: String) -> Record {
+    Record {
+        index,
+        id: device.id.clone(),
+        lot: device.lot.clone(),
+        station: device.station.clone(),
+        time: device.time.clone(),
+        status: Status::Pass,
+        exit: 0,
+        key,
+        cal_sha256: None,
+        reasons: Vec::new(),
+        limits: Vec::new(),
+        parameters: Vec::new(),
+        misfit: Misfit::default(),
+        warnings: 0,
+        verdict: None,
+        findings: Vec::new(),
+        belongs: None,
+    }
+}
+
+/// The record of a device without a calibration.
+pub(crate) fn refused(record: Record, status: Status, reason: String) -> Record {
+    Record {
+        status,
+        exit: status.exit(),
+        reasons: vec![reason],
+        ..record
+    }
+}
+
+fn status_of(error: &Error) -> Status {
+    match error {
+        Error::Usage(_) => Status::Usage,
+        Error::NotEnough(_) => Status::NotEnough,
+        Error::NotConverged(_) | Error::Solver(_) => Status::NotConverged,
+        Error::Output { .. } => Status::Output,
+        _ => Status::Input,
+    }
+}
+
+fn recorded(record: Record, calibration: &Calibration, findings: Option<&Findings>) -> Computed {
+    let mut reasons: Vec<String> = calibration.failed_gates.clone();
+    for line in calibration.limits.iter().filter(|line| !line.pass) {
+        if !reasons.contains(&line.name) {
+            reasons.push(line.name.clone());
+        }
+    }
+    let belongs = calibration.prior.as_ref().map(|used| used.belongs);
+    if belongs == Some(false) {
+        reasons.push("prior".to_owned());
+    }
+    let status = match reasons.is_empty() {
+        true => Status::Pass,
+        false => Status::Fail,
+    };
+    let (force, rate) = (
+        calibration.accelerometer.as_ref(),
+        calibration.gyroscope.as_ref(),
+    );
+    let turned = rate.filter(|t| t.dynamic_intervals.is_some());
+    let parameters = calibration.parameters.iter().filter_map(|name| {
+        let (value, std) = parameter(calibration, name)?;
+        Some(Parameter {
+            name: name.clone(),
+            value,
+            std,
+        })
+    });
+    let text = serde_json::to_string_pretty(calibration).map(|text| text + "\n");
+    let Ok(text) = text else {
+        let reason = "the calibration holds what JSON cannot".to_owned();
+        return Computed {
+            record: refused(record, Status::Bug, reason),
+            calibration: None,
+        };
+    };
+    let record = Record {
+        status,
+        exit: status.exit(),
+        cal_sha256: Some(hash::of_text(&text)),
+        reasons,
+        limits: calibration.limits.clone(),
+        parameters: parameters.collect(),
+        misfit: Misfit {
+            residual_mm_s2: force.map(|t| 1e3 * t.residual_rms),
+            accelerometer_chi2: force.and_then(|t| t.reduced_chi2),
+            static_intervals: force.and_then(|t| t.static_intervals),
+            residual_deg: turned.map(|t| t.residual_rms),
+            gyroscope_chi2: turned.and_then(|t| t.reduced_chi2),
+            turns: turned.and_then(|t| t.dynamic_intervals),
+        },
+        warnings: calibration.warnings.len(),
+        verdict: findings.map(|f| f.verdict.name().to_owned()),
+        findings: findings.map_or_else(Vec::new, |f| f.effects.iter().map(finding).collect()),
+        belongs,
+        ..record
+    };
+    Computed {
+        record,
+        calibration: Some(text),
+    }
+}
+
+fn finding(effect: &discover::EffectFinding) -> Finding {
+    Finding {
+        name: effect.name.clone(),
+        adjusted_p_value: effect.adjusted_p_value,
+        held_out_gap: [effect.held_out_gap_before, effect.held_out_gap_after],
+    }
+}

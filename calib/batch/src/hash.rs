@@ -1,0 +1,76 @@
+//! Hashes of texts and of inputs.
+
+use std::fs::File;
+use std::io::{Error, ErrorKind, Read};
+use std::path::{Path, PathBuf};
+
+use sha2::{Digest, Sha256};
+
+/// Depth of folders below an input.
+const DEEPEST: usize = 4;
+
+/// SHA-256 in hexadecimal.
+pub fn of_text(text: &str) -> String {
+    hexadecimal(&Sha256::digest(text))
+}
+
+/// SHA-256 of the files at `paths`: of a folder, of every file in it by name. Names and contents count.
+///
+/// # Errors
+/// What cannot be read.
+pub fn of_inputs(paths: &[PathBuf]) -> Result<String, Error> {
+    let mut hash = Sha256::new();
+    for path in paths {
+        add(&mut hash, path, DEEPEST)?;
+    }
+    Ok(hexadecimal(&hash.finalize()))
+}
+
+fn add(hash: &mut Sha256, path: &Path, deeper: usize) -> Result<(), Error> {
+    let found = std::fs::metadata(path)?;
+    hash.update(path.file_name().unwrap_or_default().as_encoded_bytes());
+    if found.is_dir() {
+        if deeper == 0 {
+            return Err(Error::other("folders within folders within folders"));
+        }
+        for member in members(path)? {
+            add(hash, &member, deeper - 1)?;
+        }
+        return Ok(());
+    }
+    if !found.is_file() {
+        return Err(Error::new(
+            ErrorKind::InvalidInput,
+            "neither a file nor a folder",
+        ));
+    }
+    hash.update(found.len().to_le_bytes());
+    let mut file = File::open(path)?;
+    let mut block = vec![0; 1 << 16];
+    loop {
+        match file.read(&mut block)? {
+            0 => return Ok(()),
+            n => hash.update(&block[..n]),
+        }
+    }
+}
+
+/// What is in a folder, by name; hidden files are not.
+///
+/// # Errors
+/// What cannot be read.
+pub fn members(folder: &Path) -> Result<Vec<PathBuf>, Error> {
+    let mut members = Vec::new();
+    for entry in std::fs::read_dir(folder)? {
+        let entry = entry?;
+        if !entry.file_name().as_encoded_bytes().starts_with(b".") {
+            members.push(entry.path());
+        }
+    }
+    members.sort();
+    Ok(members)
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}

@@ -1,0 +1,126 @@
+//! The part file of a shard: a header, a record per line, and an end that tells a whole file from half of one.
+
+use serde::{Deserialize, Serialize};
+
+use crate::hash;
+use crate::manifest::Shard;
+use crate::record::Record;
+
+/// Schema of a part file.
+const SCHEMA: &str = "stillpoint.batch-part/1";
+
+/// First line of a part.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PartHeader {
+    /// `stillpoint.batch-part/1`.
+    pub schema: String,
+    /// Program and version.
+    pub created_by: String,
+    /// SHA-256 of all devices and options of the run.
+    pub manifest_sha256: String,
+    /// Which part.
+    pub shard: Shard,
+    /// Devices of the whole run.
+    pub devices: usize,
+}
+
+/// Last line of a part.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct PartEnd {
+    /// Records.
+    records: usize,
+    /// SHA-256 of everything before this line.
+    sha256: String,
+}
+
+impl PartHeader {
+    /// Of a shard.
+    pub fn new(created_by: &str, manifest_sha256: String, shard: Shard, devices: usize) -> Self {
+        Self {
+            schema: SCHEMA.into(),
+            created_by: created_by.into(),
+            manifest_sha256,
+            shard,
+            devices,
+        }
+    }
+}
+
+/// File name of a part.
+pub fn part_name(shard: Shard) -> String {
+    format!("part-{}-of-{}.jsonl", shard.k, shard.n)
+}
+
+/// File name of what the devices of a part took.
+pub fn timings_name(shard: Shard) -> String {
+    format!("timings-{}-of-{}.jsonl", shard.k, shard.n)
+}
+
+/// A part as text.
+pub fn part_text<'a>(header: &PartHeader, records: impl IntoIterator<Item = &'a Record>) -> String {
+    let line = |value: &dyn erased::Line| value.line() + "\n";
+    let mut text = line(header);
+    let mut count = 0;
+    for record in records {
+        text += &line(record);
+        count += 1;
+    }
+    let end = PartEnd {
+        records: count,
+        sha256: hash::of_text(&text),
+    };
+    text + &line(&end)
+}
+
+/// A part that is whole.
+#[derive(Clone, Debug)]
+pub(crate) struct Part {
+    /// Its first line.
+    pub header: PartHeader,
+    /// Its records.
+    pub records: Vec<Record>,
+    /// SHA-256 of both.
+    pub sha256: String,
+}
+
+/// What is in a part; or why it is none, in words.
+pub(crate) fn read_part(text: &str) -> Result<Part, String> {
+    let header: PartHeader = text
+        .lines()
+        .next()
+        .and_then(|line| serde_json::from_str(line).ok())
+        .filter(|header: &PartHeader| header.schema == SCHEMA)
+        .ok_or("no part of a batch")?;
+    let whole = text
+        .strip_suffix('\n')
+        .ok_or("incomplete: it ends within a line")?;
+    let (before, end) = whole.rsplit_once('\n').ok_or("incomplete: it has no end")?;
+    let end: PartEnd = serde_json::from_str(end).map_err(|_| "incomplete: it has no end")?;
+    let body = &text[..before.len() + 1];
+    if hash::of_text(body) != end.sha256 {
+        return Err("damaged: its hash is another".into());
+    }
+    let records = before.lines().skip(1).map(serde_json::from_str);
+    let records: Result<Vec<Record>, _> = records.collect();
+    let records = records.map_err(|e| format!("of another version: {e}"))?;
+    Ok(Part {
+        header,
+        records,
+        sha256: end.sha256,
+    })
+}
+
+mod erased {
+    use serde::Serialize;
+
+    /// Anything as a line of JSON.
+    pub trait Line {
+        fn line(&self) -> String;
+    }
+
+    impl<T: Serialize> Line for T {
+        fn line(&self) -> String {
+            serde_json::to_string(self).unwrap_or_default()
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! What a line wants to know of many devices.
+
+mod control;
+mod drift;
+mod robust;
+mod yields;
+
+pub use control::{Chart, individuals, means_by_lot, spreads_by_lot};
+pub use drift::{StationShift, TimeDrift, by_station, over_time, seconds};
+pub use robust::{Outlier, median, outliers, robust_location_scatter, spread};
+pub use yields::{Cause, SharedEffect, Yield, pareto, shared_effects, yields};

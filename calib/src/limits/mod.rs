@@ -1,0 +1,181 @@
+//! What a calibration must reach: a line per limit with its value, pass or fail.
+//!
+//! ```text
+//! Limits (a TOML file, or built in) ──► judge(calibration) ──► Vec<LimitLine> ──► cal.json `limits`
+//! ```
+//!
+//! ```toml
+//! required = ["accelerometer", "gyroscope"]
+//!
+//! [accelerometer]
+//! residual_mm_s2 = 5.0       # root mean square of |f| − g at static intervals
+//! reduced_chi2 = 9.0
+//! scale = 1e-3               # largest standard error of a scale factor, relative
+//! misalignment = 1e-3        # of a misalignment, rad
+//! bias = 0.01                # of a bias, m/s²
+//! intervals = 12             # static intervals, at least
+//!
+//! [gyroscope]                # residual_deg, reduced_chi2, scale, misalignment, bias (rad/s), intervals (turns)
+//! residual_deg = 0.5
+//!
+//! [effects]
+//! gyro_g_sensitivity = 1e-4  # largest parameter, in the unit of the effect
+//!
+//! [standard_errors]
+//! "accel.s_x" = 5e-4
+//!
+//! [values]
+//! "gyro.b_z" = [-0.02, 0.02] # least and greatest
+//! ```
+
+mod built_in;
+mod file;
+mod judge;
+mod quantity;
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+pub use built_in::{
+    LARGEST_ANGLE, LARGEST_RESIDUAL, LARGEST_UNEXPLAINED_ANGLE, LARGEST_UNEXPLAINED_RESIDUAL,
+    built_in,
+};
+pub use file::{parse_limits, read_limits};
+pub use judge::{judge, judge_on};
+pub use quantity::parameter;
+
+/// Limits, as a file says them; what is left out has none.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Limits {
+    /// Sensors that must be calibrated.
+    pub required: Vec<RequiredSensor>,
+    /// Of the accelerometer.
+    pub accelerometer: ForceLimits,
+    /// Of the gyroscope.
+    pub gyroscope: RateLimits,
+    /// Largest magnitude of any parameter of an effect, in its unit.
+    pub effects: BTreeMap<String, f64>,
+    /// Largest standard error of a parameter by its name in `parameters`, in its unit.
+    pub standard_errors: BTreeMap<String, f64>,
+    /// Least and greatest value of a parameter by its name, in its unit.
+    pub values: BTreeMap<String, [f64; 2]>,
+}
+
+/// A sensor that must be calibrated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RequiredSensor {
+    /// The accelerometer.
+    Accelerometer,
+    /// The gyroscope.
+    Gyroscope,
+}
+
+/// Limits of an accelerometer's calibration.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct ForceLimits {
+    /// Largest root mean square of `|f| − g` at static intervals, mm/s².
+    pub residual_mm_s2: Option<f64>,
+    /// Largest `χ²` per degree of freedom against the noise within the intervals.
+    pub reduced_chi2: Option<f64>,
+    /// Largest standard error of a scale factor, relative.
+    pub scale: Option<f64>,
+    /// Largest standard error of a misalignment, rad.
+    pub misalignment: Option<f64>,
+    /// Largest standard error of a bias, m/s².
+    pub bias: Option<f64>,
+    /// Fewest static intervals.
+    pub intervals: Option<f64>,
+}
+
+/// Limits of a gyroscope's calibration.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct RateLimits {
+    /// Largest root mean square angle by which gravity is missed through turns, °.
+    pub residual_deg: Option<f64>,
+    /// Largest `χ²` per degree of freedom against the noise within the intervals.
+    pub reduced_chi2: Option<f64>,
+    /// Largest standard error of a scale factor, relative.
+    pub scale: Option<f64>,
+    /// Largest standard error of a misalignment, rad.
+    pub misalignment: Option<f64>,
+    /// Largest standard error of a bias, rad/s.
+    pub bias: Option<f64>,
+    /// Fewest turns.
+    pub intervals: Option<f64>,
+}
+
+/// One limit, the value it is for, and whether that passes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LimitLine {
+    /// The key of the limits file, such as `accelerometer.residual_mm_s2`.
+    pub name: String,
+    /// On which side the value must be.
+    pub kind: Bound,
+    /// The limit; least and greatest for [`Bound::Between`], 1 for [`Bound::Present`].
+    pub limit: Limit,
+    /// The value; none where the calibration does not have it.
+    pub value: Option<f64>,
+    /// Unit of both; empty where there is none.
+    pub unit: String,
+    /// Whether the value is within the limit; one that is not there is not.
+    pub pass: bool,
+    /// Whether the limit holds without a file.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub built_in: bool,
+}
+
+/// On which side of its limit a value must be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Bound {
+    /// `value ≤ limit`.
+    AtMost,
+    /// `value ≥ limit`.
+    AtLeast,
+    /// `limit[0] ≤ value ≤ limit[1]`.
+    Between,
+    /// It must be there.
+    Present,
+}
+
+/// A limit's number or numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Limit {
+    /// One.
+    One(f64),
+    /// Least and greatest.
+    Range([f64; 2]),
+}
+
+impl LimitLine {
+    /// Judged.
+    pub fn new(
+        name: impl Into<String>,
+        unit: impl Into<String>,
+        kind: Bound,
+        limit: Limit,
+        value: Option<f64>,
+    ) -> Self {
+        let within = |v: f64| match (kind, limit) {
+            (Bound::AtMost, Limit::One(most)) => v <= most,
+            (Bound::AtLeast | Bound::Present, Limit::One(least)) => v >= least,
+            (_, Limit::Range([least, greatest])) => (least..=greatest).contains(&v),
+            (Bound::Between, Limit::One(_)) => false,
+        };
+        Self {
+            name: name.into(),
+            kind,
+            limit,
+            value,
+            unit: unit.into(),
+            pass: value.is_some_and(within),
+            built_in: false,
+        }
+    }
+}

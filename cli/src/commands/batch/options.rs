@@ -1,0 +1,80 @@
+//! The options of a batch.
+
+use batch::Options;
+use calib::calibrate::{Method, Request};
+use calib::calibration::{catalogue, effect_named};
+use calib::discover;
+use calib::prior::Prior;
+use clap::ValueEnum;
+
+use super::Args;
+use crate::exit::{Failure, USAGE};
+
+/// The methods that a batch knows.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum BatchMethod {
+    /// Accelerometer first, then the gyroscope by propagated gravity
+    Stepwise,
+    /// Both sensors in one problem weighted by the recording's own noise
+    Joint,
+}
+
+/// What every device is calibrated by.
+pub fn of(args: &Args) -> Result<Options, Failure> {
+    let gravity = args.place.gravity()?;
+    let (detector, choose_multiplier) = args.detector.detector()?;
+    let prior = args.prior.as_deref().map(Prior::read).transpose()?;
+    let mut effects = Vec::new();
+    let of_prior = prior.iter().flat_map(|p| &p.effects);
+    for name in args.effects.iter().chain(of_prior) {
+        let effect = effect_named(name).ok_or_else(|| {
+            let names: Vec<&str> = catalogue().map(|e| e.name()).collect();
+            Failure::new(
+                USAGE,
+                format!(
+                    "--effects {name}: not in the catalogue ({})",
+                    names.join(", ")
+                ),
+            )
+        })?;
+        if !effects
+            .iter()
+            .any(|own: &&dyn sensor::AnyEffect| own.name() == name)
+        {
+            effects.push(effect);
+        }
+    }
+    let request = Request {
+        method: match args.method {
+            BatchMethod::Stepwise => Method::Stepwise,
+            BatchMethod::Joint => Method::Joint,
+        },
+        gravity: gravity.value,
+        gravity_source: gravity.source,
+        latitude: args.place.latitude,
+        detector,
+        choose_multiplier,
+        effects,
+        clock: args.clock.mode(),
+        ..Request::default()
+    };
+    let read = args.read.clone().into();
+    let limits = args.limits.read()?;
+    let text = format!(
+        "{}\n{request:?}\n{read:?}\n{}\n{limits:?}\n{prior:?}",
+        concat!("stillpoint ", env!("CARGO_PKG_VERSION")),
+        args.discover
+    );
+    let discover = args.discover.then(|| discover::Request {
+        clock: args.clock.mode(),
+        ..discover::Request::new(gravity.value)
+    });
+    Ok(Options {
+        request,
+        read,
+        discover,
+        limits,
+        prior,
+        text,
+    })
+}

@@ -1,0 +1,125 @@
+//! `batch prior`: what the devices of a type have in common.
+
+use std::path::{Path, PathBuf};
+
+use batch::prior_of;
+use calib::Calibration;
+use calib::calibration::load;
+use calib::prior::Prior;
+
+use super::failure;
+use crate::commands::inputs::as_paths;
+use crate::commands::limits::number;
+use crate::exit::{Failure, INPUT};
+use crate::output::{Output, Replace};
+use crate::show;
+
+/// Estimates mean and spread of the parameters over the devices of a type, the sessions' own errors taken off: random effects
+/// by restricted likelihood. Devices that do not belong are left out and named.
+///
+/// `calibrate --prior` and `batch --prior` then know what the type has in common. Give --gravity to the batch: an error of
+/// gravity is the same in every device and is not seen in their spread.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  stillpoint batch devices/ -o out --gravity 9.8055 --effects gyro_g_sensitivity
+  stillpoint batch prior out -o prior.json
+  stillpoint calibrate short.csv --gravity 9.8055 --prior prior.json -o cal.json")]
+pub struct Args {
+    /// Output folders of `batch`, or files of calibrations
+    #[arg(value_name = "OUT|CAL", required = true)]
+    inputs: Vec<PathBuf>,
+    /// Write the prior here
+    #[arg(short, value_name = "FILE.json")]
+    output: PathBuf,
+    #[command(flatten)]
+    replace: Replace,
+    /// Print the prior as JSON instead of a table
+    #[arg(long)]
+    json: bool,
+}
+
+/// Runs the command.
+pub fn run(args: &Args) -> Result<(), Failure> {
+    let output = Output::claim(&args.output, args.replace, &as_paths(&args.inputs))?;
+    args.replace.end_if_all_exist()?;
+    let mut calibrations: Vec<(String, Calibration)> = Vec::new();
+    for input in &args.inputs {
+        for path in files(input)? {
+            let name = match input.is_dir() {
+                true => path.parent().and_then(Path::file_name),
+                false => path.file_stem(),
+            };
+            let name = name.unwrap_or_default().to_string_lossy().into_owned();
+            calibrations.push((name, load(&path)?));
+        }
+    }
+    let informed = calibrations
+        .iter()
+        .filter(|(_, c)| c.prior.is_some())
+        .count();
+    if informed > 0 {
+        let why = format!(
+            "{informed} of {} calibrations were made with a prior: their errors are not those of their sessions; run the \
+             batch without --prior",
+            calibrations.len()
+        );
+        return Err(Failure::new(INPUT, why));
+    }
+    let prior = prior_of(&calibrations).map_err(failure)?;
+    let json = show::json(&prior)?;
+    output.write(json.as_bytes())?;
+    show::print(&if args.json { json } else { text(&prior) })
+}
+
+/// The calibrations at a path.
+fn files(input: &Path) -> Result<Vec<PathBuf>, Failure> {
+    if !input.is_dir() {
+        return Ok(vec![input.to_owned()]);
+    }
+    let folder = input.join("devices");
+    let members = std::fs::read_dir(&folder).map_err(|e| {
+        Failure::new(
+            INPUT,
+            format!(
+                "{}: {e}; name the output folder of a batch",
+                show::path(&folder)
+            ),
+        )
+    })?;
+    let files = members.flatten().map(|entry| entry.path().join("cal.json"));
+    let mut files: Vec<PathBuf> = files.filter(|path| path.exists()).collect();
+    files.sort();
+    Ok(files)
+}
+
+fn text(prior: &Prior) -> String {
+    let mut table = show::table(&["parameter", "mean", "spread", "error of the mean"]);
+    for (k, name) in prior.parameters.iter().enumerate() {
+        table.add_row([
+            name.clone(),
+            show::value(prior.mean[k], Some(prior.mean_covariance[k][k].sqrt())),
+            number(prior.covariance[k][k].sqrt()),
+            number(prior.mean_covariance[k][k].sqrt()),
+        ]);
+    }
+    let shown: Vec<String> = prior
+        .outsiders
+        .iter()
+        .take(8)
+        .map(|id| show::name(id))
+        .collect();
+    let outsiders = match prior.outsiders.len() {
+        0 => String::new(),
+        n => format!(
+            "; {n} do not belong: {}{}",
+            shown.join(", "),
+            if n > 8 { ", …" } else { "" }
+        ),
+    };
+    let without = match prior.without {
+        0 => String::new(),
+        n => format!("; {n} lack parameters"),
+    };
+    format!("{} devices{outsiders}{without}\n{table}", prior.devices)
+}

@@ -1,0 +1,110 @@
+//! A batch as tables for people.
+
+use batch::Record;
+use batch::statistics::{pareto, yields};
+use serde_json::{Value, json};
+
+use crate::show;
+
+/// Devices that are listed one by one.
+const LISTED: usize = 40;
+/// Characters of a reason in a table.
+const REASON: usize = 52;
+
+/// The devices of a run: those that failed first, all where they are few.
+pub fn of_run(records: &[Record]) -> String {
+    let mut table = show::table(&["device", "status", "exit", "reason"]);
+    if let Some(column) = table.column_mut(3) {
+        column.set_cell_alignment(comfy_table::CellAlignment::Left);
+    }
+    let mut shown: Vec<&Record> = records.iter().collect();
+    shown.sort_by_key(|r| (r.exit == 0, r.index));
+    for r in shown.iter().take(LISTED) {
+        let reason = r.reasons.first().map_or("", String::as_str);
+        table.add_row([
+            short(&r.id, 12),
+            r.status.name().into(),
+            r.exit.to_string(),
+            short(reason, 37),
+        ]);
+    }
+    let more = match records.len().saturating_sub(LISTED) {
+        0 => String::new(),
+        n => format!("… and {n} more\n"),
+    };
+    format!("{table}\n{more}\n{}", summary(records))
+}
+
+/// Yield and reasons.
+pub fn of_all(records: &[Record]) -> String {
+    let causes = pareto(records);
+    if causes.is_empty() {
+        return summary(records);
+    }
+    let mut table = show::table(&["devices", "share", "reason", "example"]);
+    for column in [2, 3] {
+        if let Some(column) = table.column_mut(column) {
+            column.set_cell_alignment(comfy_table::CellAlignment::Left);
+        }
+    }
+    for cause in causes.iter().take(LISTED) {
+        let share = 100.0 * cause.count as f64 / records.len() as f64;
+        let words = short(&cause.words, REASON - 12);
+        table.add_row([
+            cause.count.to_string(),
+            format!("{share:.1} %"),
+            words,
+            short(&cause.example, 12),
+        ]);
+    }
+    format!("{}\n\n{table}", summary(records))
+}
+
+/// `1,234 of 1,300 devices pass (94.9 %)`, and how the others ended.
+pub fn summary(records: &[Record]) -> String {
+    let found = yields(records);
+    let share = 100.0 * found.passed as f64 / found.devices.max(1) as f64;
+    let others = found
+        .by_status
+        .iter()
+        .filter(|(status, _)| status.exit() != 0);
+    let others: Vec<String> = others
+        .map(|(status, n)| format!("{} {n}", status.name()))
+        .collect();
+    let others = match others.is_empty() {
+        true => String::new(),
+        false => format!("; {}", others.join(", ")),
+    };
+    format!(
+        "{} of {} devices pass ({share:.1} %){others}",
+        found.passed, found.devices
+    )
+}
+
+/// The same for programs.
+pub fn document(records: &[Record]) -> Value {
+    let found = yields(records);
+    let status = found
+        .by_status
+        .iter()
+        .map(|(status, n)| (status.name().to_owned(), json!(n)));
+    let causes = pareto(records).into_iter();
+    let causes: Vec<Value> = causes
+        .map(|c| json!({"reason": c.words, "devices": c.count, "example": c.example}))
+        .collect();
+    json!({
+        "devices": found.devices,
+        "passed": found.passed,
+        "by_status": status.collect::<serde_json::Map<_, _>>(),
+        "reasons": causes,
+    })
+}
+
+/// The first characters of a text, in one line.
+pub fn short(text: &str, most: usize) -> String {
+    let line = show::name(text);
+    match line.char_indices().nth(most) {
+        Some((end, _)) => format!("{}…", &line[..end]),
+        None => line,
+    }
+}

@@ -1,0 +1,218 @@
+//! `--limits`: what a calibration must reach, and the verdict in words.
+
+use std::path::PathBuf;
+
+use calib::Calibration;
+use calib::calibration::Triad;
+use calib::limits::{Bound, Limit, LimitLine, Limits, built_in, judge, read_limits};
+
+use crate::exit::{Failure, GATE};
+use crate::report;
+use crate::show;
+
+/// Limits that the result must keep.
+#[derive(Clone, Debug, Default, clap::Args)]
+pub struct LimitArgs {
+    /// Limits that the result must keep (TOML): exit status 1 with the reasons where one is not kept
+    #[arg(long, value_name = "FILE.toml")]
+    pub limits: Option<PathBuf>,
+}
+
+impl LimitArgs {
+    /// The limits of the file; none without one.
+    ///
+    /// # Errors
+    /// Status 2 with the place for a file that says what is no limit, 3 for one that cannot be read.
+    pub fn read(&self) -> Result<Option<Limits>, Failure> {
+        let read = self.limits.as_deref().map(read_limits);
+        Ok(read.transpose()?)
+    }
+}
+
+/// Writes the verdict into the calibration: the limits of the file, then what holds without one.
+pub fn state(calibration: &mut Calibration, limits: Option<&Limits>) {
+    let mut lines = limits.map_or_else(Vec::new, |limits| judge(limits, calibration));
+    lines.extend(built_in(calibration));
+    calibration.limits = lines;
+}
+
+/// Status 1 with the reasons where a quality gate failed or a limit is not kept.
+pub fn gate(calibration: &Calibration) -> Result<(), Failure> {
+    let reasons = reasons(calibration);
+    match reasons.as_slice() {
+        [] => Ok(()),
+        reasons => Err(Failure::new(GATE, reasons.join("\nstillpoint: "))),
+    }
+}
+
+/// Status 1 with the reasons where a limit is not kept by one of several calibrations.
+pub fn gate_of(judged: &[(String, Vec<LimitLine>)]) -> Result<(), Failure> {
+    let of = |(name, lines): &(String, Vec<LimitLine>)| {
+        let failed = failed(lines).into_iter();
+        let words = |line| format!("{}: {}", show::name(name), reason(line, None));
+        failed.map(words).collect::<Vec<_>>()
+    };
+    let reasons: Vec<String> = judged.iter().flat_map(of).collect();
+    match reasons.as_slice() {
+        [] => Ok(()),
+        reasons => Err(Failure::new(GATE, reasons.join("\nstillpoint: "))),
+    }
+}
+
+/// Why not to use a calibration as it stands: its gates, then its limits.
+pub fn reasons(calibration: &Calibration) -> Vec<String> {
+    let mut reasons = calibration.failed_gates.clone();
+    let failed = failed(&calibration.limits).into_iter();
+    reasons.extend(failed.map(|line| reason(line, Some(calibration))));
+    reasons
+}
+
+/// The lines that fail; of a quantity that fails the file's limit the one built in is not repeated.
+fn failed(lines: &[LimitLine]) -> Vec<&LimitLine> {
+    let mut failed: Vec<&LimitLine> = Vec::new();
+    for line in lines.iter().filter(|line| !line.pass) {
+        if !failed.iter().any(|other| other.name == line.name) {
+            failed.push(line);
+        }
+    }
+    failed
+}
+
+/// Why a line fails, and what can be done.
+fn reason(line: &LimitLine, calibration: Option<&Calibration>) -> String {
+    let Some(value) = line.value else {
+        let what = match line.name.strip_prefix("effects.") {
+            Some(effect) => format!("{effect} is not estimated; name it in --effects"),
+            None => format!("{} is not known", line.name),
+        };
+        return format!("limit: {what} (limit {})", bound(line));
+    };
+    if line.kind == Bound::Present {
+        let sensor = line.name.trim_start_matches("required.");
+        return format!("limit: the {sensor} is required and is not calibrated");
+    }
+    let own = if line.built_in {
+        "built-in limit"
+    } else {
+        "limit"
+    };
+    format!(
+        "{own}: {} is {}, {} allowed{}",
+        line.name,
+        quantity(value, &line.unit),
+        bound(line),
+        calibration.map_or_else(String::new, |c| over_noise(line, c))
+    )
+}
+
+/// ` (40 times the noise in the intervals)` for a residual.
+fn over_noise(line: &LimitLine, calibration: &Calibration) -> String {
+    let of = |triad: &Option<Triad>| {
+        let chi2 = triad.as_ref()?.reduced_chi2?;
+        Some(format!(
+            " ({:.1} times the noise in the intervals)",
+            chi2.sqrt()
+        ))
+    };
+    let words = match line.name.split_once('.') {
+        Some(("accelerometer", what)) if what.contains("residual") => {
+            of(&calibration.accelerometer)
+        }
+        Some(("gyroscope", what)) if what.contains("residual") => of(&calibration.gyroscope),
+        _ => None,
+    };
+    words.unwrap_or_default()
+}
+
+/// `at most 5 mm/s^2`.
+fn bound(line: &LimitLine) -> String {
+    match (line.kind, line.limit) {
+        (Bound::AtLeast, Limit::One(v)) => format!("at least {}", quantity(v, &line.unit)),
+        (_, Limit::One(v)) => format!("at most {}", quantity(v, &line.unit)),
+        (_, Limit::Range([low, high])) => {
+            format!("{} to {}", number(low), quantity(high, &line.unit))
+        }
+    }
+}
+
+fn quantity(value: f64, unit: &str) -> String {
+    match unit {
+        "" | "1" => number(value),
+        unit => format!("{} {unit}", number(value)),
+    }
+}
+
+/// Four figures.
+pub fn number(value: f64) -> String {
+    let size = value.abs();
+    if size != 0.0 && !(1e-3..1e5).contains(&size) {
+        return format!("{value:.3e}");
+    }
+    let decimals = if size >= 1.0 || size == 0.0 {
+        3.0 - size.max(1.0).log10().floor()
+    } else {
+        3.0 - size.log10().floor()
+    };
+    let text = format!("{value:.*}", decimals.clamp(0.0, 7.0) as usize);
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+/// The limits of a file as a report shows them, those first that are not kept.
+pub fn shown(lines: &[LimitLine]) -> Vec<report::Limit> {
+    let mut own: Vec<&LimitLine> = lines.iter().filter(|line| !line.built_in).collect();
+    own.sort_by_key(|line| line.pass);
+    let shown = |line: &LimitLine| report::Limit {
+        passed: line.pass,
+        words: match line.value {
+            Some(value) if line.kind != Bound::Present => {
+                let found = quantity(value, &line.unit);
+                format!("{}: {found}, {} asked", line.name, bound(line))
+            }
+            _ if line.pass => format!("{}: there", line.name),
+            _ => reason(line, None),
+        },
+    };
+    own.into_iter().map(shown).collect()
+}
+
+/// The verdict of a limits file as a table, reasons first; nothing where no file was given.
+pub fn text(lines: &[LimitLine]) -> String {
+    let own: Vec<&LimitLine> = lines.iter().filter(|line| !line.built_in).collect();
+    if own.is_empty() {
+        return String::new();
+    }
+    let failed = own.iter().filter(|line| !line.pass).count();
+    let mut table = show::table(&["limit", "asked", "found", "verdict"]);
+    let (bad, good): (Vec<&LimitLine>, Vec<&LimitLine>) =
+        own.iter().copied().partition(|line| !line.pass);
+    for line in bad.into_iter().chain(good) {
+        let asked = match line.kind {
+            Bound::Present => "required".to_owned(),
+            _ => bound(line),
+        };
+        let found = match (line.kind, line.value) {
+            (Bound::Present, Some(v)) if v > 0.0 => "calibrated".to_owned(),
+            (Bound::Present, _) => "not calibrated".to_owned(),
+            (_, Some(v)) => number(v),
+            (_, None) => "not known".to_owned(),
+        };
+        let verdict = if line.pass { "pass" } else { "FAIL" };
+        table.add_row([line.name.clone(), asked, found, verdict.to_owned()]);
+    }
+    format!("{failed} of {} limits fail\n{table}\n\n", own.len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_four_figures() {
+        let shown = [0.0, 1.0, 12.5, 1769.84, 0.04123, 4.9e-7, 123_456.0].map(number);
+        let expected = ["0", "1", "12.5", "1770", "0.04123", "4.900e-7", "1.235e5"];
+        assert_eq!(shown, expected);
+    }
+}
