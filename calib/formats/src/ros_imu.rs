@@ -56,7 +56,7 @@ impl Topic {
                 recorder.stream(name, 0, Quantity::SpecificForce),
                 recorder.stream(name, 0, Quantity::AngularRate),
             ],
-            Kind::MagneticField => [recorder.stream(name, 0, Quantity::MagneticField), None],
+            Kind::MagneticField => [recorder.field(name, 0, "T"), None],
         };
         streams[0].is_some().then_some(Self {
             kind,

@@ -227,7 +227,11 @@ impl File {
         let (Some(quantity), Some(time)) = (quantity(&sensor), time) else {
             return Ok(());
         };
-        match self.recorder.stream(&sensor, 0, quantity) {
+        let stream = match quantity {
+            Quantity::MagneticField => self.recorder.field(&sensor, 0, "µT"),
+            _ => self.recorder.stream(&sensor, 0, quantity),
+        };
+        match stream {
             Some(stream) => self.recorder.push(stream, time, [x, y, z]),
             None => Ok(()),
         }

@@ -7,7 +7,7 @@ pub enum Quantity {
     SpecificForce,
     /// Of a gyroscope, rad/s.
     AngularRate,
-    /// Of a magnetometer, in whatever unit the file has.
+    /// Of a magnetometer, in [`Stream::unit`].
     MagneticField,
     /// Of a thermometer, °C, in the first value.
     Temperature,
@@ -26,6 +26,8 @@ pub struct Stream {
     pub processed: bool,
     /// The values are in the unit of `quantity`; otherwise in one that the file does not state.
     pub in_si: bool,
+    /// Unit of a magnetometer, where the format states it: `T`, `µT`, `gauss`.
+    pub unit: Option<&'static str>,
     /// Stamps, ns since whenever the file's clock began.
     pub stamps: Vec<i64>,
     /// Samples.
@@ -41,6 +43,7 @@ impl Stream {
             quantity,
             processed: false,
             in_si: true,
+            unit: None,
             stamps: Vec::new(),
             values: Vec::new(),
         }
@@ -123,6 +126,13 @@ impl Recorder {
             streams.len() - 1
         });
         Some(Handle(at))
+    }
+
+    /// The stream of a magnetometer whose format states the unit.
+    pub fn field(&mut self, source: &str, instance: u32, unit: &'static str) -> Option<Handle> {
+        let handle = self.stream(source, instance, Quantity::MagneticField)?;
+        self.at(handle).unit = Some(unit);
+        Some(handle)
     }
 
     /// The stream itself.

@@ -3,6 +3,7 @@
 use std::fs::File;
 use std::io::{self, Cursor, IsTerminal, Read};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::batches::is_too_long;
 use super::decode;
@@ -58,6 +59,7 @@ impl std::fmt::Debug for Binary {
 enum Origin {
     Path(PathBuf),
     Entry(Files, Entry),
+    Memory(Arc<[u8]>),
     Stream,
 }
 
@@ -137,6 +139,16 @@ impl Source {
             Origin::Stream,
             options,
         )
+    }
+
+    /// Bytes in memory.
+    pub(super) fn of_bytes(
+        name: &str,
+        bytes: Arc<[u8]>,
+        options: &ReadOptions,
+    ) -> Result<Self, Error> {
+        let reader = Box::new(Cursor::new(bytes.clone()));
+        Self::of(name.to_owned(), reader, Origin::Memory(bytes), options)
     }
 
     /// An entry of a container.
@@ -262,6 +274,9 @@ impl Input {
         match &self.origin {
             Origin::Path(path) => Self::open(path, options),
             Origin::Entry(files, entry) => files.text(entry, options),
+            Origin::Memory(bytes) => {
+                Source::of_bytes(&self.name, bytes.clone(), options)?.into_text()
+            }
             Origin::Stream => Err(in_file(
                 &self.name,
                 "its sensors have clocks of their own, so that it is read twice; save it to a file and name that",

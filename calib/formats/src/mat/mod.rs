@@ -270,7 +270,12 @@ impl File {
             let words = format!("{name}: its row times are neither datetime nor duration");
             return Err(Error::refused(words));
         };
-        let Some(stream) = self.recorder.stream(name, 0, quantity) else {
+        let stream = match quantity {
+            // MATLAB Mobile's own unit.
+            Quantity::MagneticField => self.recorder.field(name, 0, "µT"),
+            _ => self.recorder.stream(name, 0, quantity),
+        };
+        let Some(stream) = stream else {
             return Ok(true);
         };
         let rows = x.len();

@@ -15,7 +15,7 @@ use crate::recording::place::{in_file, shown};
 use crate::recording::samples::{Pushed, Samples};
 use crate::recording::table::Table;
 use crate::recording::units::{AccelUnit, GyroUnit, TimeUnit};
-use crate::recording::{ReadOptions, Recording};
+use crate::recording::{Magnetometer, ReadOptions, Recording};
 
 /// The format of `stillpoint-formats` that is called so.
 #[derive(Debug)]
@@ -108,6 +108,11 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
             .as_ref()
             .is_some_and(|a| a.source == stream.source && a.instance == stream.instance)
     };
+    let field = streams
+        .iter()
+        .filter(|stream| stream.quantity == Quantity::MagneticField)
+        .min_by_key(|stream| (!of_accel(stream), stream.instance));
+    let field = field.cloned();
     let temperature = streams
         .iter()
         .position(|stream| stream.quantity == Quantity::Temperature && of_accel(stream));
@@ -140,8 +145,25 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
         .map(|words| format!("{name}: {words}"))
         .collect();
     let mut recording = assemble(name.to_owned(), tables, options)?;
+    recording.magnetometer = field.and_then(|field| magnetometer(name, field, origin));
     recording.warnings.extend(warnings);
     Ok(recording)
+}
+
+/// The magnetometer in a stream.
+fn magnetometer(file: &str, stream: Stream, origin: i64) -> Option<Magnetometer> {
+    let t: Vec<f64> = stream.stamps.iter().map(|t| seconds(*t, origin)).collect();
+    let values: Vec<Vector3<f64>> = stream.values.into_iter().map(Vector3::from).collect();
+    let column = |axis: usize| {
+        let letter = ["x", "y", "z"][axis];
+        (Role::Field(axis).name(), format!("{}.{letter}", stream.source))
+    };
+    Some(Magnetometer {
+        unit: stream.unit.and_then(|unit| unit.parse().ok()),
+        source: format!("{file} ({})", shown(&stream.source)),
+        columns: (0..3).map(column).collect(),
+        ..Magnetometer::of(&t, &values)?
+    })
 }
 
 fn seconds(stamp: i64, origin: i64) -> f64 {
