@@ -241,6 +241,12 @@ impl File {
                 temperature.map(|celsius| [celsius, 0.0, 0.0]),
             ),
         ];
+        if stem != "MAG" && (force.is_none() && stem != "GYR" || rate.is_none() && stem != "ACC") {
+            let unclear = &mut self.recorder.content.unclear;
+            if !unclear.contains(&name) {
+                unclear.push(name.clone());
+            }
+        }
         let field = kind.triad(body, ["MagX", "MagY", "MagZ"]);
         if let Some(field) = field {
             return match self.recorder.field(&name, instance, "mgauss") {

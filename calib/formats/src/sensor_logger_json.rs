@@ -225,6 +225,9 @@ impl File {
             return Ok(());
         };
         let (Some(quantity), Some(time)) = (quantity(&sensor), time) else {
+            if *count == 1 && time.is_some() {
+                self.recorder.content.unclear.push(sensor);
+            }
             return Ok(());
         };
         let stream = match quantity {

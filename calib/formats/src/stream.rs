@@ -69,6 +69,8 @@ pub struct Content {
     pub streams: Vec<Stream>,
     /// Everything there is, by name and kind, for the message where no stream is a sensor's.
     pub listed: Vec<String>,
+    /// What may be a sensor and is not read, by name: a reason to ask where a sensor is missing.
+    pub unclear: Vec<String>,
     /// What was noticed.
     pub warnings: Vec<String>,
     /// Why reading ended before the file did.

@@ -224,6 +224,11 @@ impl File {
             (Value::Object(_), Some(objects), Some(quantity)) => {
                 self.timetable(&name, &value, objects, quantity)?
             }
+            (Value::Object(_), Some(_), None) if class.as_deref() == Some("timetable") => {
+                let known = ["orientation", "position"].iter().any(|word| name.to_lowercase().contains(word));
+                self.recorder.content.unclear.extend((!known).then(|| name.clone()));
+                false
+            }
             (Value::Numbers { dims, real, .. }, _, _) => self.matrix(&name, dims, *real)?,
             _ => false,
         };
@@ -312,11 +317,16 @@ impl File {
         let sensors: &[(Quantity, usize)] = match (columns, quantity(name)) {
             (4, Some(quantity)) => &[(quantity, 1)],
             (7, _) => &[(Quantity::SpecificForce, 1), (Quantity::AngularRate, 4)],
+            (4, None) => &[],
             _ => return Ok(false),
         };
         let at = |row: usize, column: usize| numbers.get(column * rows + row);
         let increases = (1..rows).all(|row| at(row - 1, 0) < at(row, 0));
         if !increases {
+            return Ok(false);
+        }
+        if sensors.is_empty() {
+            self.recorder.content.unclear.push(name.to_owned());
             return Ok(false);
         }
         for (quantity, first) in sensors {

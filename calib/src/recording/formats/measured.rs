@@ -11,7 +11,7 @@ use crate::Error;
 use crate::recording::assemble::assemble;
 use crate::recording::files::limits;
 use crate::recording::options::Role;
-use crate::recording::place::{in_file, shown};
+use crate::recording::place::{in_file, shown, shown_list};
 use crate::recording::samples::{Pushed, Samples};
 use crate::recording::table::Table;
 use crate::recording::units::{AccelUnit, GyroUnit, TimeUnit};
@@ -84,6 +84,7 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
     let Content {
         mut streams,
         listed,
+        unclear,
         mut warnings,
         cut,
     } = content;
@@ -102,6 +103,16 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
         );
         let cut = cut.map(|cut| format!(" ({cut})")).unwrap_or_default();
         return Err(in_file(name, words + &cut));
+    }
+    let all_wanted = options.topics.is_empty() && !unclear.is_empty();
+    if all_wanted && (accel.is_none() || gyro.is_none()) {
+        let missing = if accel.is_none() { "accelerometer" } else { "gyroscope" };
+        let words = format!(
+            "no {missing} that is known as one, but {} may be it and is not read; rename it, or go on without by naming what is to be read, as in --topic '{}'",
+            shown_list(unclear.iter()),
+            accel.as_ref().or(gyro.as_ref()).map_or_else(String::new, |stream| shown(&stream.source))
+        );
+        return Err(in_file(name, words));
     }
     let of_accel = |stream: &Stream| {
         accel
