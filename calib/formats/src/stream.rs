@@ -142,6 +142,14 @@ impl Recorder {
         &mut self.content.streams[at]
     }
 
+    /// Room for as many samples as are known to follow, within the limit.
+    pub fn reserve(&mut self, handle: Handle, samples: usize) {
+        let samples = samples.min(usize::try_from(self.rows).unwrap_or(usize::MAX));
+        let stream = self.at(handle);
+        stream.stamps.reserve_exact(samples);
+        stream.values.reserve_exact(samples);
+    }
+
     /// Adds a sample.
     ///
     /// # Errors

@@ -41,6 +41,8 @@ pub struct Binary {
     pub(super) format: &'static dyn file_formats::Format,
     /// All of it.
     pub(super) reader: Box<dyn Read + Send>,
+    /// The file itself, if it is one and not packed: it can be sought in.
+    pub(super) path: Option<PathBuf>,
     /// The file as it was when it was opened.
     pub(super) unchanged: Option<Unchanged>,
 }
@@ -177,6 +179,10 @@ impl Source {
             return Ok(Self::Binary(Binary {
                 name,
                 format,
+                path: match origin {
+                    Origin::Path(path) if !unpacked.packed => Some(path),
+                    _ => None,
+                },
                 reader: unpacked.reader,
                 unchanged: None,
             }));

@@ -63,7 +63,13 @@ impl Format for Measured {
         };
         let limits = limits(options);
         // Unpackers of other projects are within.
-        let read = AssertUnwindSafe(|| binary.format.read(&mut binary.reader, &wanted, limits));
+        let read = AssertUnwindSafe(|| match &binary.path {
+            Some(path) => {
+                let mut file = std::fs::File::open(path)?;
+                binary.format.read_seekable(&mut file, &wanted, limits)
+            }
+            None => binary.format.read(&mut binary.reader, &wanted, limits),
+        });
         let content = catch_unwind(read).unwrap_or_else(|_| {
             let words = "the reader of this format gave up at damage that it does not understand";
             Err(file_formats::Error::Damaged {
@@ -101,7 +107,8 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
             "no accelerometer and no gyroscope in it; it holds {}",
             shown(&listed)
         );
-        let cut = cut.map(|cut| format!(" ({cut})")).unwrap_or_default();
+        let why = cut.or_else(|| warnings.first().cloned());
+        let cut = why.map(|why| format!(" ({})", shown(&why))).unwrap_or_default();
         return Err(in_file(name, words + &cut));
     }
     let all_wanted = options.topics.is_empty() && !unclear.is_empty();
