@@ -208,8 +208,8 @@ fn a_sensor_whose_columns_are_renamed_removed_or_elsewhere_is_read_or_asked_abou
         }
     }
     println!("{tried} changes of {tables} triads, {} wrong", failures.len());
-    assert!(tables > 45 && tried > 200, "{tables} {tried}");
     assert!(failures.is_empty(), "\n{}", failures.join("\n"));
+    assert!(tables >= 45 && tried > 200, "{tables} {tried}");
 }
 
 #[test]
