@@ -216,7 +216,11 @@ fn calibrations_are_the_recordings_own(folder: &Path, expected: &Recording) {
         println!("{}: scales off by {off:?} at {rate:.3} Hz", case.path);
         // Two decimals are kept by one of them.
         let within = if case.counts == [1.0; 2] { 1e-2 } else { 1e-3 };
-        assert!(off.iter().all(|off| *off < within), "{}: {off:?}", case.path);
+        assert!(
+            off.iter().all(|off| *off < within),
+            "{}: {off:?}",
+            case.path
+        );
     }
 }
 

@@ -91,7 +91,10 @@ impl Table {
         // Names or nothing: labels in cells are no table.
         let named = !numbers && rows.get(2)?.iter().filter(|cell| is_number(cell)).count() >= 3;
         (whole && (numbers || named)).then(|| Self {
-            before: lines[..first].iter().map(|line| format!("{line}\n")).collect(),
+            before: lines[..first]
+                .iter()
+                .map(|line| format!("{line}\n"))
+                .collect(),
             separator,
             header: named.then(|| rows.remove(0)),
             rows,
@@ -100,7 +103,10 @@ impl Table {
 
     /// Where the columns called so are, or numbered from 1.
     fn columns(&self, sensor: &Described) -> Option<Vec<usize>> {
-        let axes = sensor.columns.iter().filter(|(role, _)| *role != "t" && *role != "temp");
+        let axes = sensor
+            .columns
+            .iter()
+            .filter(|(role, _)| *role != "t" && *role != "temp");
         let bare = |cell: &String| cell.trim_matches(['"', '#', ' ']).to_owned();
         let at = |name: &String| match &self.header {
             Some(header) => header.iter().position(|cell| bare(cell) == *name),
@@ -184,10 +190,14 @@ fn a_sensor_whose_columns_are_renamed_removed_or_elsewhere_is_read_or_asked_abou
     for layout in layouts(&samples) {
         let whole = read(&layout, &layout.files).unwrap();
         for (k, (name, content)) in layout.files.iter().enumerate() {
-            let Some(table) = Table::of(content) else { continue };
+            let Some(table) = Table::of(content) else {
+                continue;
+            };
             let of_file = |sensor: &&Described| sensor.source.ends_with(name.as_str());
             for sensor in whole.description.sensors.iter().filter(of_file) {
-                let Some(columns) = table.columns(sensor) else { continue };
+                let Some(columns) = table.columns(sensor) else {
+                    continue;
+                };
                 tables += 1;
                 for change in CHANGES {
                     // Columns without names are what they are by their place.
@@ -207,7 +217,10 @@ fn a_sensor_whose_columns_are_renamed_removed_or_elsewhere_is_read_or_asked_abou
             }
         }
     }
-    println!("{tried} changes of {tables} triads, {} wrong", failures.len());
+    println!(
+        "{tried} changes of {tables} triads, {} wrong",
+        failures.len()
+    );
     assert!(failures.is_empty(), "\n{}", failures.join("\n"));
     assert!(tables >= 45 && tried > 200, "{tables} {tried}");
 }

@@ -113,7 +113,10 @@ impl Part<'_, '_> {
 impl Read for Part<'_, '_> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let most = self.left.min(buffer.len() as u64).min(CHUNK as u64) as usize;
-        let there = self.bytes.peek(usize::from(most > 0)).map_err(io::Error::other)?;
+        let there = self
+            .bytes
+            .peek(usize::from(most > 0))
+            .map_err(io::Error::other)?;
         if there.is_empty() || most == 0 {
             return Ok(0);
         }

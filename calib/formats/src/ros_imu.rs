@@ -164,7 +164,10 @@ impl Counted {
     /// True for messages of three values that may be a sensor's.
     fn is_vector(&self) -> bool {
         let name = self.kind.rsplit('/').next().unwrap_or_default();
-        let is_one = matches!(name, "Vector3" | "Vector3Stamped" | "AccelStamped" | "TwistStamped");
+        let is_one = matches!(
+            name,
+            "Vector3" | "Vector3Stamped" | "AccelStamped" | "TwistStamped"
+        );
         is_one && self.messages > 0
     }
 }

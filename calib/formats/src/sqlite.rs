@@ -94,7 +94,9 @@ impl<'a> Database<'a> {
     /// Byte and content of a page, numbered from 1.
     fn page(&mut self, number: usize) -> Result<(u64, Vec<u8>), Error> {
         let size = self.page as u64;
-        let at = (number as u64).checked_sub(1).and_then(|k| k.checked_mul(size));
+        let at = (number as u64)
+            .checked_sub(1)
+            .and_then(|k| k.checked_mul(size));
         let whole = |at: &u64| at.checked_add(size).is_some_and(|end| end <= self.length);
         let at = at.filter(whole).ok_or_else(|| {
             Error::at(
@@ -186,12 +188,7 @@ impl<'a> Database<'a> {
     }
 
     /// Visits the row in a cell; `None` for one that contradicts itself.
-    fn leaf(
-        &mut self,
-        cell: &[u8],
-        at: u64,
-        visit: &mut Visit<'_>,
-    ) -> Result<Option<()>, Error> {
+    fn leaf(&mut self, cell: &[u8], at: u64, visit: &mut Visit<'_>) -> Result<Option<()>, Error> {
         let Some((id, payload)) = self.payload(cell)? else {
             return Ok(None);
         };

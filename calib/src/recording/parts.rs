@@ -4,10 +4,10 @@ use std::io::Read;
 
 use sensor::Sensor;
 
+use super::magnetometer::FieldUnit;
 use super::options::{ColumnMap, ReadOptions, Role};
 use super::source::Input;
 use super::table::Table;
-use super::magnetometer::FieldUnit;
 use super::units::{AccelUnit, GyroUnit, TimeUnit};
 use crate::Error;
 
@@ -97,7 +97,9 @@ impl Part {
         }
         if self.is_field {
             (table.accel, table.gyro) = Default::default();
-            table.roles.retain(|(role, _)| matches!(role, Role::Time | Role::Field(_)));
+            table
+                .roles
+                .retain(|(role, _)| matches!(role, Role::Time | Role::Field(_)));
         }
         let stated = &mut table.stated;
         stated.time = self.time_unit.or(stated.time);

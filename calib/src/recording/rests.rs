@@ -103,17 +103,27 @@ pub(super) fn accelerometer(sensors: [&[Vector3<f64>]; 2]) -> Option<usize> {
 
 /// The median distance from the median of every axis.
 fn usual_distance(means: &[Vector3<f64>]) -> f64 {
-    let middle = Vector3::from_fn(|axis, _| {
-        median(means.iter().map(|mean| mean[axis])).unwrap_or_default()
-    });
+    let middle =
+        Vector3::from_fn(|axis, _| median(means.iter().map(|mean| mean[axis])).unwrap_or_default());
     median(means.iter().map(|mean| (mean - middle).norm())).unwrap_or_default()
+}
+
+/// True for a sensor that moves and rests by turns, and always rests at the same reading.
+pub(super) fn at_one_reading(values: &[Vector3<f64>]) -> bool {
+    let values = &values[..values.len().min(LOOKED_AT)];
+    let rests = rests(values, values);
+    let means: Vec<Vector3<f64>> = rests.iter().map(|rest| rest.means[0]).collect();
+    means.len() >= 3 && usual_distance(&means) < 0.1 * moments(values).1.sqrt()
 }
 
 /// The noise of an axis, root mean square, and the mean of a sensor that rests from beginning to end; `None` for one
 /// that moves.
 pub(super) fn rest_throughout(values: &[Vector3<f64>]) -> Option<(f64, Vector3<f64>)> {
     let values = &values[..values.len().min(LOOKED_AT)];
-    let windows: Vec<f64> = values.chunks_exact(WINDOW).map(|window| moments(window).1).collect();
+    let windows: Vec<f64> = values
+        .chunks_exact(WINDOW)
+        .map(|window| moments(window).1)
+        .collect();
     let (count, (mean, whole)) = (windows.len(), moments(values));
     let share = |share: usize| nth_smallest(windows.iter().copied(), count * share / 20);
     let (quiet, usual, loud) = (share(2)?, share(10)?, share(19)?);
@@ -212,6 +222,7 @@ mod tests {
             let [accel, gyro] = sensors(bias);
             assert_eq!(accelerometer([&accel, &gyro]), Some(0));
             assert_eq!(accelerometer([&gyro, &accel]), Some(1));
+            assert!(at_one_reading(&gyro) && !at_one_reading(&accel));
             let means: Vec<_> = rests(&accel, &gyro)
                 .iter()
                 .map(|rest| rest.means[0])

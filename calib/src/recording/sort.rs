@@ -8,11 +8,7 @@ use super::table::Table;
 pub(super) fn by_time(tables: &mut [Table]) {
     for table in &mut *tables {
         count_on(table);
-        for samples in [
-            &mut table.accel,
-            &mut table.gyro,
-            &mut table.magnetometer,
-        ] {
+        for samples in [&mut table.accel, &mut table.gyro, &mut table.magnetometer] {
             *samples = std::mem::take(samples).sort();
         }
         sort_temperature(table);

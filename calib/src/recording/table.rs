@@ -107,6 +107,14 @@ impl Table {
         affine::apply(&mut table, &start.layout.affine);
         if start.undecided {
             table.decide_roles(&start)?;
+        } else if start.told_by_norm && rests::at_one_reading(&table.accel.values) {
+            let names: Vec<String> = (1..=start.layout.width).map(|i| i.to_string()).collect();
+            let words = format!(
+                "{} columns without a header that rest at one reading in all attitudes, as a gyroscope does and no accelerometer; {}",
+                start.layout.width,
+                suggestion(&names)
+            );
+            return Err(at_line(&table.name, start.after + 1, words));
         }
         memory::room_to_work(&table.name, table.accel.t.len() + table.gyro.t.len())?;
         Ok(table)

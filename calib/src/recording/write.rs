@@ -42,7 +42,11 @@ pub fn to_csv(recording: &mut Recording) -> String {
         names.push(',');
         names.push_str(&field_names(field));
     }
-    if field.is_some_and(|field| streams.first().is_none_or(|first| first.t != field.stream.t)) {
+    if field.is_some_and(|field| {
+        streams
+            .first()
+            .is_none_or(|first| first.t != field.stream.t)
+    }) {
         let words = "the magnetometer has a clock of its own and is interpolated to the stamps of the others; \
                      `-o FOLDER` keeps it";
         recording.warnings.push(words.into());
@@ -76,7 +80,9 @@ pub fn to_csv(recording: &mut Recording) -> String {
 pub fn field_names(field: &Magnetometer) -> String {
     let unit = field.unit.map(|unit| format!(" ({})", unit.name()));
     let unit = unit.unwrap_or_default();
-    ["mx", "my", "mz"].map(|name| format!("{name}{unit}")).join(",")
+    ["mx", "my", "mz"]
+        .map(|name| format!("{name}{unit}"))
+        .join(",")
 }
 
 /// One sensor as CSV with the given column names.

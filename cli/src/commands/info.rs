@@ -315,7 +315,9 @@ impl<'a> Facts<'a> {
                 "magnetometer: {} readings at {:.2} Hz in {} from {}, kept as they are: no calibration uses them",
                 field.stream.len(),
                 Clock::of(&field.stream).map_or(0.0, |clock| clock.rate),
-                field.unit.map_or("a unit that is not stated", FieldUnit::name),
+                field
+                    .unit
+                    .map_or("a unit that is not stated", FieldUnit::name),
                 show::name(&field.source)
             );
         }

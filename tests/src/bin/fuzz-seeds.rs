@@ -106,7 +106,11 @@ fn binaries() -> Vec<(&'static str, usize, Vec<u8>)> {
                 &[("CAL_ACC0_XOFF", 0.1)],
             ),
         ),
-        ("ardupilot", 0, make::ardupilot(&imu, &[("INS_ACCOFFS_X", 0.1)])),
+        (
+            "ardupilot",
+            0,
+            make::ardupilot(&imu, &[("INS_ACCOFFS_X", 0.1)]),
+        ),
         ("mcap", 0, make::mcap(&topics, Packer::None)),
         ("mcap", 1, make::mcap(&topics, Packer::Lz4)),
         ("mcap", 2, make::mcap(&topics, Packer::Zstd)),

@@ -154,7 +154,10 @@ fn a_magnetometer_is_listed_kept_and_left_alone() {
         .says(&["its magnetometer is not calibrated"])
         .is_silent_on(&["not used", "only"]);
     let plain = calibrate("r.csv", csv(good()), &["--json"]).json();
-    assert_eq!(run.json()["accelerometer"]["T"], plain["accelerometer"]["T"]);
+    assert_eq!(
+        run.json()["accelerometer"]["T"],
+        plain["accelerometer"]["T"]
+    );
     let info = bench.run(&["info", "r.csv", "--json"]).ends(0).json();
     let field = &info["files"][0]["magnetometer"];
     assert_eq!(field["unit"], "gauss");

@@ -177,11 +177,7 @@ fn unpack(
         u32::from_le_bytes([a, b, c, d]),
         u64::from(u32::from_le_bytes(rest)),
     );
-    limits.check_unpacked(
-        &format!("the variable at byte {at}"),
-        length,
-        size,
-    )?;
+    limits.check_unpacked(&format!("the variable at byte {at}"), length, size)?;
     if kind != MATRIX {
         return Ok(None);
     }
@@ -243,8 +239,13 @@ impl File {
                 self.timetable(&name, &value, objects, quantity)?
             }
             (Value::Object(_), Some(_), None) if class.as_deref() == Some("timetable") => {
-                let known = ["orientation", "position"].iter().any(|word| name.to_lowercase().contains(word));
-                self.recorder.content.unclear.extend((!known).then(|| name.clone()));
+                let known = ["orientation", "position"]
+                    .iter()
+                    .any(|word| name.to_lowercase().contains(word));
+                self.recorder
+                    .content
+                    .unclear
+                    .extend((!known).then(|| name.clone()));
                 false
             }
             (Value::Numbers { dims, real, .. }, _, _) => self.matrix(&name, dims, *real)?,

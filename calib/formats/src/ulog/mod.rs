@@ -139,7 +139,10 @@ impl File {
     /// True for a topic that is not known and is called like a sensor's, and for a sensor's without its fields.
     fn may_be_sensor(&self, name: &str) -> bool {
         let axes = ["x", "y", "z"];
-        let has_axes = || axes.iter().all(|axis| self.layouts.offset(name, axis, "float").is_some());
+        let has_axes = || {
+            axes.iter()
+                .all(|axis| self.layouts.offset(name, axis, "float").is_some())
+        };
         let is_known = name == "sensor_mag";
         matches!(name, "sensor_accel" | "sensor_gyro")
             || name.starts_with("sensor_") && !is_known && has_axes()

@@ -108,16 +108,25 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
             shown(&listed)
         );
         let why = cut.or_else(|| warnings.first().cloned());
-        let cut = why.map(|why| format!(" ({})", shown(&why))).unwrap_or_default();
+        let cut = why
+            .map(|why| format!(" ({})", shown(&why)))
+            .unwrap_or_default();
         return Err(in_file(name, words + &cut));
     }
     let all_wanted = options.topics.is_empty() && !unclear.is_empty();
     if all_wanted && (accel.is_none() || gyro.is_none()) {
-        let missing = if accel.is_none() { "accelerometer" } else { "gyroscope" };
+        let missing = if accel.is_none() {
+            "accelerometer"
+        } else {
+            "gyroscope"
+        };
         let words = format!(
             "no {missing} that is known as one, but {} may be it and is not read; rename it, or go on without by naming what is to be read, as in --topic '{}'",
             shown_list(unclear.iter()),
-            accel.as_ref().or(gyro.as_ref()).map_or_else(String::new, |stream| shown(&stream.source))
+            accel
+                .as_ref()
+                .or(gyro.as_ref())
+                .map_or_else(String::new, |stream| shown(&stream.source))
         );
         return Err(in_file(name, words));
     }
@@ -174,7 +183,10 @@ fn magnetometer(file: &str, stream: Stream, origin: i64) -> Option<Magnetometer>
     let values: Vec<Vector3<f64>> = stream.values.into_iter().map(Vector3::from).collect();
     let column = |axis: usize| {
         let letter = ["x", "y", "z"][axis];
-        (Role::Field(axis).name(), format!("{}.{letter}", stream.source))
+        (
+            Role::Field(axis).name(),
+            format!("{}.{letter}", stream.source),
+        )
     };
     Some(Magnetometer {
         unit: stream.unit.and_then(|unit| unit.parse().ok()),

@@ -141,7 +141,9 @@ fn add_magnetometer(
         name.to_lowercase().split('.').next() == Some(wanted)
     };
     let entries = || files.entries().iter();
-    let entry = NAMES.iter().find_map(|name| entries().find(|entry| called(entry, name)));
+    let entry = NAMES
+        .iter()
+        .find_map(|name| entries().find(|entry| called(entry, name)));
     let Some((entry, part)) = entry.and_then(|entry| {
         let part = magnetometer::part(&Look::at(&files.head(entry)), unit)?;
         Some((entry, part))

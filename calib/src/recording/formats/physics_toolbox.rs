@@ -19,11 +19,11 @@ const GYRO: [&str; 3] = ["wx", "wy", "wz"];
 const FIELD: [&str; 3] = ["Bx", "By", "Bz"];
 
 fn parts(look: &Look) -> Option<Vec<Part>> {
-    let names = look.header(|names| names.iter().any(|name| name == ACCEL[0]))?;
+    let names = look.header(|names| names.iter().any(|name| ACCEL.contains(&name.as_str())))?;
     let column = |name: &str| numbered(&names, name);
     let mut columns = vec![(Role::Time, column("time")?)];
     for axis in 0..3 {
-        columns.push((Role::Accel(axis), column(ACCEL[axis])?));
+        columns.extend(column(ACCEL[axis]).map(|column| (Role::Accel(axis), column)));
         columns.extend(column(GYRO[axis]).map(|column| (Role::Gyro(axis), column)));
         columns.extend(column(FIELD[axis]).map(|column| (Role::Field(axis), column)));
     }
