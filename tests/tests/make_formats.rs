@@ -149,21 +149,21 @@ fn every_layout_of_make_formats_is_the_recording_that_it_was_made_of() {
     }
 }
 
-/// What of a calibration does not depend on how the axes are named: `TᵀT` in the recording's axes, and biases.
-struct Invariants([Matrix3<f64>; 2], [Vector3<f64>; 2]);
+/// What of a calibration does not depend on how the axes are named: `TᵀT` of both sensors in the recording's axes.
+struct Invariants([Matrix3<f64>; 2]);
 
 impl Invariants {
     /// Of readings in axes turned by `turn` and in units of which `counts` make the SI unit.
     fn of(recording: Recording, turn: &Matrix3<f64>, counts: [f64; 2]) -> Self {
         let outcome = calibrate(&[recording], &[], &Request::default()).unwrap();
         let of = |sensor: Sensor, counts: f64| {
-            let base = outcome.calibration.triad(sensor).unwrap().base();
-            let t = base.t * turn * counts;
-            (t.transpose() * t, turn.transpose() * base.bias / counts)
+            let t = outcome.calibration.triad(sensor).unwrap().base().t * turn * counts;
+            t.transpose() * t
         };
-        let accel = of(Sensor::Accelerometer, counts[0]);
-        let gyro = of(Sensor::Gyroscope, counts[1]);
-        Self([accel.0, gyro.0], [accel.1, gyro.1])
+        Self([
+            of(Sensor::Accelerometer, counts[0]),
+            of(Sensor::Gyroscope, counts[1]),
+        ])
     }
 
     /// The largest difference of scales and misalignments, of either sensor.
