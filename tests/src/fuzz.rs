@@ -11,6 +11,7 @@ use calib::effect_file::parse_effects;
 use calib::intervals::read_sections;
 use calib::recording::{ColumnMap, ReadOptions, Stream};
 use calib::simulate::{Simulation, Spec};
+use file_formats::{Container, Limits, Wanted};
 use nalgebra::Vector3;
 use sensor::expression::Expression;
 use solver::Jet;
@@ -23,7 +24,7 @@ const LONGEST_MESSAGE: usize = 4_000;
 pub type Target = (&'static str, fn(&[u8]));
 
 /// Every target, by the name of its corpus.
-pub const TARGETS: [Target; 9] = [
+pub const TARGETS: [Target; 18] = [
     ("recording", recording),
     ("header", header),
     ("columns", columns),
@@ -33,6 +34,17 @@ pub const TARGETS: [Target; 9] = [
     ("calibration", calibration_file),
     ("noise", noise),
     ("tables", tables),
+    ("findings", calibration_file),
+    ("mat", |bytes| binary("mat", bytes)),
+    ("ulog", |bytes| binary("ulog", bytes)),
+    ("ardupilot", |bytes| binary("ardupilot", bytes)),
+    ("mcap", |bytes| binary("mcap", bytes)),
+    ("bag", |bytes| binary("bag", bytes)),
+    ("db3", |bytes| binary("db3", bytes)),
+    ("sensor_logger_json", |bytes| {
+        binary("sensor_logger_json", bytes)
+    }),
+    ("zip", zip),
 ];
 
 thread_local! {
@@ -70,7 +82,7 @@ fn is_sound(stream: &Stream) {
 }
 
 fn read(bytes: &[u8], options: &ReadOptions) {
-    match Recording::read(&file_with(bytes), options) {
+    match Recording::from_bytes("recording", bytes, options) {
         Ok(recording) => {
             let streams = [&recording.accelerometer, &recording.gyroscope];
             streams.into_iter().flatten().for_each(is_sound);
@@ -109,6 +121,46 @@ fn header(bytes: &[u8]) {
         text.extend_from_slice(row.as_bytes());
     }
     read(&text, &ReadOptions::default());
+}
+
+/// What a damaged file may ask for.
+const LIMITS: Limits = Limits {
+    bytes: 16 << 20,
+    entries: 100,
+    ratio: 1000,
+    rows: 100_000,
+};
+
+/// A file of the binary format called `name`.
+///
+/// # Panics
+/// Where a stream has not a stamp for every sample.
+fn binary(name: &str, bytes: &[u8]) {
+    let format = file_formats::FORMATS.iter().find(|f| f.name() == name);
+    let Some(format) = format else { return };
+    match format.read(&mut &bytes[..], &Wanted::default(), LIMITS) {
+        Ok(content) => {
+            for stream in &content.streams {
+                assert_eq!(stream.stamps.len(), stream.values.len());
+            }
+            // Lists are cut where they are shown; a warning stands for itself.
+            content.warnings.iter().for_each(is_short);
+        }
+        Err(error) => is_short(&error),
+    }
+}
+
+/// A zip archive, every entry of which is unpacked.
+fn zip(bytes: &[u8]) {
+    let container = match Container::zip_in_memory(bytes.to_vec(), LIMITS) {
+        Ok(container) => container,
+        Err(error) => return is_short(&error),
+    };
+    for entry in container.entries() {
+        if let Ok(mut content) = container.open(entry) {
+            let _ = std::io::copy(&mut content, &mut std::io::sink());
+        }
+    }
 }
 
 /// What `--columns` takes.

@@ -8,7 +8,10 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use calib::Recording;
+use calib::calibrate::{Request, calibrate};
 use calib::recording::{ReadOptions, Stream};
+use nalgebra::{Matrix3, Vector3};
+use sensor::Sensor;
 use stillpoint_tests::needed_data::needed;
 
 /// A Python with numpy, pandas and rosbags: `$STILLPOINT_PYTHON`, else `python3`.
@@ -136,12 +139,88 @@ fn every_layout_of_make_formats_is_the_recording_that_it_was_made_of() {
         })
         .collect();
     assert!(failures.is_empty(), "\n{}", failures.join("\n"));
+    calibrations_are_the_recordings_own(folder.path(), &expected);
     let refused: [(&str, &[&str]); 1] = [("phone/phyphox_linear", &["gravity", "with g"])];
     for (path, words) in refused {
         let error = Recording::read(&folder.path().join(path), &ReadOptions::default())
             .unwrap_err()
             .to_string();
         assert!(words.iter().all(|word| error.contains(word)), "{error}");
+    }
+}
+
+/// What of a calibration does not depend on how the axes are named: `TᵀT` of both sensors in the recording's axes.
+struct Invariants([Matrix3<f64>; 2]);
+
+impl Invariants {
+    /// Of readings in axes turned by `turn` and in units of which `counts` make the SI unit.
+    fn of(recording: Recording, turn: &Matrix3<f64>, counts: [f64; 2]) -> Self {
+        let outcome = calibrate(&[recording], &[], &Request::default()).unwrap();
+        let of = |sensor: Sensor, counts: f64| {
+            let t = outcome.calibration.triad(sensor).unwrap().base().t * turn * counts;
+            t.transpose() * t
+        };
+        Self([
+            of(Sensor::Accelerometer, counts[0]),
+            of(Sensor::Gyroscope, counts[1]),
+        ])
+    }
+
+    /// The largest difference of scales and misalignments, of either sensor.
+    fn off(&self, other: &Self) -> [f64; 2] {
+        // TᵀT changes by twice as much as T.
+        [0, 1].map(|k| (self.0[k] - other.0[k]).amax() / 2.0)
+    }
+}
+
+/// Layouts in other axes or without stamps are calibrated as the recording with one clock is, the latter at its rate.
+fn calibrations_are_the_recordings_own(folder: &Path, expected: &Recording) {
+    let (accel, gyro) = (
+        expected.accelerometer.as_ref().unwrap(),
+        expected.gyroscope.as_ref().unwrap(),
+    );
+    let one_clock = |t: Vec<f64>| Recording {
+        name: "one clock".to_owned(),
+        gyroscope: Some(Stream {
+            values: accel.t.iter().filter_map(|t| gyro.at(*t)).collect(),
+            t: t.clone(),
+        }),
+        accelerometer: Some(Stream {
+            values: accel.values.clone(),
+            t,
+        }),
+        ..Recording::default()
+    };
+    let same = Matrix3::identity();
+    let stamped = Invariants::of(one_clock(accel.t.clone()), &same, [1.0; 2]);
+    let turn = Matrix3::new(0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, -1.0);
+    for case in cases().iter().filter(|case| case.frd) {
+        let found = Recording::read(&folder.join(case.path), &ReadOptions::default()).unwrap();
+        let off = Invariants::of(found, &turn, [1.0; 2]).off(&stamped);
+        println!("{}: scales off by {off:?}", case.path);
+        assert!(off.iter().all(|off| *off < 2e-4), "{}: {off:?}", case.path);
+    }
+    // The usual step: where samples are missing their number says nothing of the time.
+    let rate = 1.0 / accel.median_step().unwrap();
+    let counted = (0..accel.len()).map(|k| k as f64 / rate).collect();
+    let counted = Invariants::of(one_clock(counted), &same, [1.0; 2]);
+    let off = counted.off(&stamped);
+    println!("the recording itself at {rate:.3} Hz: scales off by {off:?}");
+    for case in cases().iter().filter(|case| case.rate.is_some()) {
+        let options = ReadOptions {
+            rate: Some(rate),
+            ..ReadOptions::default()
+        };
+        let found = Recording::read(&folder.join(case.path), &options).unwrap();
+        let off = Invariants::of(found, &same, case.counts).off(&counted);
+        println!("{}: scales off by {off:?} at {rate:.3} Hz", case.path);
+        // Two decimals are kept by one of them.
+        let within = if case.counts == [1.0; 2] { 1e-2 } else { 1e-3 };
+        assert!(
+            off.iter().all(|off| *off < within),
+            "{}: {off:?}",
+            case.path
+        );
     }
 }
 
@@ -191,7 +270,7 @@ fn largest_error(
             continue;
         };
         if case.frd {
-            value = nalgebra::Vector3::new(value.y, value.x, -value.z);
+            value = Vector3::new(value.y, value.x, -value.z);
         }
         // The range of the sensor in counts ends at 2 g.
         let value = (value * case.counts[sensor]).map(|v| {

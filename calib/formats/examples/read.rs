@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut best = f64::INFINITY;
     for run in 0..times {
         let began = Instant::now();
-        let content = format.read(
+        let content = format.read_seekable(
             &mut File::open(&path)?,
             &Wanted::default(),
             Limits::default(),
@@ -45,9 +45,9 @@ fn main() -> Result<(), Box<dyn Error>> {
                 .find(|line| line.starts_with("VmHWM"))
                 .unwrap_or("");
             println!(
-                "{}: {} MB of columns, {peak}",
+                "{}: {:.2} MB of columns, {peak}",
                 format.name(),
-                samples * 32 / 1_000_000
+                samples as f64 * 32e-6
             );
         }
     }

@@ -210,7 +210,7 @@ impl File {
             return Ok(());
         }
         let (stem, number) = numbered(&kind.name);
-        if !matches!(stem, "IMU" | "ACC" | "GYR") {
+        if !matches!(stem, "IMU" | "ACC" | "GYR" | "MAG") {
             return Ok(());
         }
         let instance = kind
@@ -241,6 +241,19 @@ impl File {
                 temperature.map(|celsius| [celsius, 0.0, 0.0]),
             ),
         ];
+        if stem != "MAG" && (force.is_none() && stem != "GYR" || rate.is_none() && stem != "ACC") {
+            let unclear = &mut self.recorder.content.unclear;
+            if !unclear.contains(&name) {
+                unclear.push(name.clone());
+            }
+        }
+        let field = kind.triad(body, ["MagX", "MagY", "MagZ"]);
+        if let Some(field) = field {
+            return match self.recorder.field(&name, instance, "mgauss") {
+                Some(stream) => self.recorder.push(stream, nanoseconds, field),
+                None => Ok(()),
+            };
+        }
         for (quantity, value) in values {
             let Some(value) = value else { continue };
             if let Some(stream) = self.recorder.stream(&name, instance, quantity) {

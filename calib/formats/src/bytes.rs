@@ -1,6 +1,6 @@
 //! Bytes in order, little endian, with their place.
 
-use std::io::Read;
+use std::io::{self, Read};
 
 use crate::{Error, Limits};
 
@@ -57,6 +57,14 @@ impl<'a> Bytes<'a> {
         Ok(self.buffer.get(start..start + length))
     }
 
+    /// The next `length` bytes as they come, without holding them.
+    pub fn part(&mut self, length: u64) -> Part<'_, 'a> {
+        Part {
+            bytes: self,
+            left: length,
+        }
+    }
+
     /// The next bytes, up to `length`, without taking them.
     pub fn peek(&mut self, length: usize) -> Result<&[u8], Error> {
         self.fill(length)?;
@@ -85,6 +93,41 @@ impl<'a> Bytes<'a> {
             self.ended = read? == 0;
         }
         Ok(self.buffer.len() >= length)
+    }
+}
+
+/// A part of a stream of bytes.
+pub(crate) struct Part<'b, 'a> {
+    bytes: &'b mut Bytes<'a>,
+    left: u64,
+}
+
+impl Part<'_, '_> {
+    /// Passes what was not read; false where the stream ends before.
+    pub fn pass(mut self) -> Result<bool, Error> {
+        io::copy(&mut self, &mut io::sink())?;
+        Ok(self.left == 0)
+    }
+}
+
+impl Read for Part<'_, '_> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let most = self.left.min(buffer.len() as u64).min(CHUNK as u64) as usize;
+        let there = self
+            .bytes
+            .peek(usize::from(most > 0))
+            .map_err(io::Error::other)?;
+        if there.is_empty() || most == 0 {
+            return Ok(0);
+        }
+        let held = self.bytes.buffer.len() - self.bytes.from;
+        let length = held.min(most);
+        let from = self.bytes.from;
+        buffer[..length].copy_from_slice(&self.bytes.buffer[from..from + length]);
+        self.bytes.from += length;
+        self.bytes.at += length as u64;
+        self.left -= length as u64;
+        Ok(length)
     }
 }
 

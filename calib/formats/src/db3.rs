@@ -1,14 +1,14 @@
 //! ROS 2 bags in SQLite: `messages(id, topic_id, timestamp, data)` and `topics(id, name, type, ..)`.
 
-use std::io::Read;
+use std::io::{Cursor, Read};
 
-use crate::format::Format;
+use crate::format::{Format, ReadSeek};
 use crate::ros_imu::{Encoding, Topics};
 use crate::sqlite::{Database, Value};
 use crate::stream::Recorder;
 use crate::{Content, Error, Limits, Wanted};
 
-/// `.db3` bags. The file is held in memory, since its rows lie anywhere in it.
+/// `.db3` bags. Its rows lie anywhere in it, so that what cannot be sought in is held in memory.
 #[derive(Debug)]
 pub(crate) struct Db3;
 
@@ -41,7 +41,16 @@ impl Format for Db3 {
                 limits.bytes
             )));
         }
-        let database = Database::new(&bytes)?;
+        self.read_seekable(&mut Cursor::new(bytes), wanted, limits)
+    }
+
+    fn read_seekable(
+        &self,
+        file: &mut dyn ReadSeek,
+        wanted: &Wanted,
+        limits: Limits,
+    ) -> Result<Content, Error> {
+        let mut database = Database::new(file)?;
         let tables = database.tables()?;
         let (Some(topics), Some(messages)) = (tables.get("topics"), tables.get("messages")) else {
             let mut names: Vec<&str> = tables.keys().map(String::as_str).collect();

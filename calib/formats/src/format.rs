@@ -1,7 +1,7 @@
 //! The formats: one file and one line in [`FORMATS`] each.
 
 use std::fmt;
-use std::io::Read;
+use std::io::{Read, Seek};
 
 use crate::{Content, Error, Limits, Wanted};
 
@@ -26,7 +26,24 @@ pub trait Format: fmt::Debug + Sync {
         wanted: &Wanted,
         limits: Limits,
     ) -> Result<Content, Error>;
+
+    /// The same of what can be sought in, which some formats need not hold in memory.
+    ///
+    /// # Errors
+    /// As [`Format::read`].
+    fn read_seekable(
+        &self,
+        file: &mut dyn ReadSeek,
+        wanted: &Wanted,
+        limits: Limits,
+    ) -> Result<Content, Error> {
+        self.read(&mut &mut *file, wanted, limits)
+    }
 }
+
+/// What can be read and sought in.
+pub trait ReadSeek: Read + Seek {}
+impl<T: Read + Seek> ReadSeek for T {}
 
 /// Every format.
 pub static FORMATS: &[&dyn Format] = &[

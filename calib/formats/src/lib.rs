@@ -35,6 +35,6 @@ mod unpack;
 
 pub use container::{Container, Entry};
 pub use error::Error;
-pub use format::{FORMATS, Format, recognise};
+pub use format::{FORMATS, Format, ReadSeek, recognise};
 pub use limits::Limits;
 pub use stream::{Content, Quantity, Stream, Wanted};

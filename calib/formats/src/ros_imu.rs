@@ -56,7 +56,7 @@ impl Topic {
                 recorder.stream(name, 0, Quantity::SpecificForce),
                 recorder.stream(name, 0, Quantity::AngularRate),
             ],
-            Kind::MagneticField => [recorder.stream(name, 0, Quantity::MagneticField), None],
+            Kind::MagneticField => [recorder.field(name, 0, "T"), None],
         };
         streams[0].is_some().then_some(Self {
             kind,
@@ -160,6 +160,18 @@ struct Counted {
     read: Option<Topic>,
 }
 
+impl Counted {
+    /// True for messages of three values that may be a sensor's.
+    fn is_vector(&self) -> bool {
+        let name = self.kind.rsplit('/').next().unwrap_or_default();
+        let is_one = matches!(
+            name,
+            "Vector3" | "Vector3Stamped" | "AccelStamped" | "TwistStamped"
+        );
+        is_one && self.messages > 0
+    }
+}
+
 impl<K: Eq + Hash> Topics<K> {
     /// True for a topic that is known.
     pub fn has(&self, key: &K) -> bool {
@@ -217,6 +229,9 @@ impl<K: Eq + Hash> Topics<K> {
             } = topic;
             format!("{name} ({kind}, {messages} messages)")
         });
+        let vectors = self.0.values().filter(|topic| topic.is_vector());
+        recorder.content.unclear = vectors.map(|topic| topic.name.clone()).collect();
+        recorder.content.unclear.sort();
         recorder.content.listed = listed.collect();
         recorder.content.listed.sort();
         recorder.finish()

@@ -225,9 +225,16 @@ impl File {
             return Ok(());
         };
         let (Some(quantity), Some(time)) = (quantity(&sensor), time) else {
+            if *count == 1 && time.is_some() {
+                self.recorder.content.unclear.push(sensor);
+            }
             return Ok(());
         };
-        match self.recorder.stream(&sensor, 0, quantity) {
+        let stream = match quantity {
+            Quantity::MagneticField => self.recorder.field(&sensor, 0, "µT"),
+            _ => self.recorder.stream(&sensor, 0, quantity),
+        };
+        match stream {
             Some(stream) => self.recorder.push(stream, time, [x, y, z]),
             None => Ok(()),
         }

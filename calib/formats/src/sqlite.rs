@@ -2,8 +2,10 @@
 
 use std::borrow::Cow;
 use std::collections::HashMap;
+use std::io::{BufReader, Read, SeekFrom};
 
 use crate::Error;
+use crate::format::ReadSeek;
 
 const HEADER: usize = 100;
 const INTERIOR: u8 = 0x05;
@@ -24,10 +26,12 @@ pub(crate) enum Value<'a> {
 /// Number and payload of a row.
 type Row<'a> = (i64, Cow<'a, [u8]>);
 
-/// A file in memory.
-#[derive(Clone, Copy, Debug)]
+/// A file whose pages are read when they are wanted.
 pub(crate) struct Database<'a> {
-    bytes: &'a [u8],
+    file: BufReader<&'a mut dyn ReadSeek>,
+    /// Its length, and the byte to be read next.
+    length: u64,
+    at: u64,
     page: usize,
     /// Bytes of a page that hold content.
     usable: usize,
@@ -58,10 +62,15 @@ fn varint(bytes: &[u8]) -> Option<(u64, usize)> {
 }
 
 impl<'a> Database<'a> {
-    /// The database in `bytes`.
-    pub fn new(bytes: &'a [u8]) -> Result<Self, Error> {
-        let cut = || Error::at(bytes.len() as u64, "the database ends within its header");
-        let header = bytes.get(..HEADER).ok_or_else(cut)?;
+    /// The database in `file`.
+    pub fn new(file: &'a mut dyn ReadSeek) -> Result<Self, Error> {
+        let length = file.seek(SeekFrom::End(0))?;
+        file.seek(SeekFrom::Start(0))?;
+        let mut header = [0; HEADER];
+        if length < HEADER as u64 {
+            return Err(Error::at(length, "the database ends within its header"));
+        }
+        file.read_exact(&mut header)?;
         let page = match big_endian(&header[16..18]) {
             1 => 65_536,
             size => size,
@@ -74,26 +83,37 @@ impl<'a> Database<'a> {
             ));
         }
         Ok(Self {
-            bytes,
+            file: BufReader::new(file),
+            length,
+            at: HEADER as u64,
             page,
             usable,
         })
     }
 
     /// Byte and content of a page, numbered from 1.
-    fn page(&self, number: usize) -> Result<(usize, &'a [u8]), Error> {
-        let at = number.checked_sub(1).and_then(|k| k.checked_mul(self.page));
-        let page = at.and_then(|at| Some((at, self.bytes.get(at..at.checked_add(self.page)?)?)));
-        page.ok_or_else(|| {
+    fn page(&mut self, number: usize) -> Result<(u64, Vec<u8>), Error> {
+        let size = self.page as u64;
+        let at = (number as u64)
+            .checked_sub(1)
+            .and_then(|k| k.checked_mul(size));
+        let whole = |at: &u64| at.checked_add(size).is_some_and(|end| end <= self.length);
+        let at = at.filter(whole).ok_or_else(|| {
             Error::at(
-                self.bytes.len() as u64,
+                self.length,
                 format!("page {number} of the database is missing; is the file complete?"),
             )
-        })
+        })?;
+        // Pages follow each other mostly, so that the buffer is kept.
+        self.file.seek_relative(at as i64 - self.at as i64)?;
+        let mut page = vec![0; self.page];
+        self.file.read_exact(&mut page)?;
+        self.at = at + size;
+        Ok((at, page))
     }
 
     /// The root pages of the tables, by name.
-    pub fn tables(&self) -> Result<HashMap<String, usize>, Error> {
+    pub fn tables(&mut self) -> Result<HashMap<String, usize>, Error> {
         let mut tables = HashMap::new();
         self.rows(1, &mut |_, _, row| {
             if let [
@@ -113,23 +133,23 @@ impl<'a> Database<'a> {
     }
 
     /// Visits the rows of the table with this root in the order of their numbers.
-    pub fn rows(&self, root: usize, visit: &mut Visit<'_>) -> Result<(), Error> {
+    pub fn rows(&mut self, root: usize, visit: &mut Visit<'_>) -> Result<(), Error> {
         // Pages that lead to each other in a circle are more than there are.
-        let mut left = self.bytes.len() / self.page + 1;
+        let mut left = self.length / self.page as u64 + 1;
         self.walk(root, 0, &mut left, visit)
     }
 
     fn walk(
-        &self,
+        &mut self,
         number: usize,
         depth: usize,
-        left: &mut usize,
+        left: &mut u64,
         visit: &mut Visit<'_>,
     ) -> Result<(), Error> {
         let (at, page) = self.page(number)?;
         let damaged = |what: &str| {
             Error::at(
-                at as u64,
+                at,
                 format!("page {number} of the database is damaged: {what}"),
             )
         };
@@ -154,7 +174,7 @@ impl<'a> Database<'a> {
                 .get(offset..self.usable)
                 .ok_or_else(|| damaged("a cell"))?;
             if kind == LEAF {
-                self.leaf(cell, (at + offset) as u64, visit)?
+                self.leaf(cell, at + offset as u64, visit)?
                     .ok_or_else(|| damaged("a row"))?;
             } else {
                 let child = big_endian(cell.get(..4).ok_or_else(|| damaged("a pointer"))?);
@@ -168,7 +188,7 @@ impl<'a> Database<'a> {
     }
 
     /// Visits the row in a cell; `None` for one that contradicts itself.
-    fn leaf(&self, cell: &[u8], at: u64, visit: &mut Visit<'_>) -> Result<Option<()>, Error> {
+    fn leaf(&mut self, cell: &[u8], at: u64, visit: &mut Visit<'_>) -> Result<Option<()>, Error> {
         let Some((id, payload)) = self.payload(cell)? else {
             return Ok(None);
         };
@@ -179,7 +199,7 @@ impl<'a> Database<'a> {
     }
 
     /// Number and payload of a row, gathered from overflow pages where it is long.
-    fn payload<'c>(&self, cell: &'c [u8]) -> Result<Option<Row<'c>>, Error> {
+    fn payload<'c>(&mut self, cell: &'c [u8]) -> Result<Option<Row<'c>>, Error> {
         let parse = || {
             let (length, first) = varint(cell)?;
             let (id, second) = varint(cell.get(first..)?)?;
@@ -190,7 +210,7 @@ impl<'a> Database<'a> {
             ))
         };
         let Some((length, id, content)) =
-            parse().filter(|(length, ..)| *length <= self.bytes.len())
+            parse().filter(|(length, ..)| *length as u64 <= self.length)
         else {
             return Ok(None);
         };

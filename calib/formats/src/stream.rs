@@ -7,7 +7,7 @@ pub enum Quantity {
     SpecificForce,
     /// Of a gyroscope, rad/s.
     AngularRate,
-    /// Of a magnetometer, in whatever unit the file has.
+    /// Of a magnetometer, in [`Stream::unit`].
     MagneticField,
     /// Of a thermometer, °C, in the first value.
     Temperature,
@@ -26,6 +26,8 @@ pub struct Stream {
     pub processed: bool,
     /// The values are in the unit of `quantity`; otherwise in one that the file does not state.
     pub in_si: bool,
+    /// Unit of a magnetometer, where the format states it: `T`, `µT`, `gauss`.
+    pub unit: Option<&'static str>,
     /// Stamps, ns since whenever the file's clock began.
     pub stamps: Vec<i64>,
     /// Samples.
@@ -41,6 +43,7 @@ impl Stream {
             quantity,
             processed: false,
             in_si: true,
+            unit: None,
             stamps: Vec::new(),
             values: Vec::new(),
         }
@@ -66,6 +69,8 @@ pub struct Content {
     pub streams: Vec<Stream>,
     /// Everything there is, by name and kind, for the message where no stream is a sensor's.
     pub listed: Vec<String>,
+    /// What may be a sensor and is not read, by name: a reason to ask where a sensor is missing.
+    pub unclear: Vec<String>,
     /// What was noticed.
     pub warnings: Vec<String>,
     /// Why reading ended before the file did.
@@ -125,9 +130,24 @@ impl Recorder {
         Some(Handle(at))
     }
 
+    /// The stream of a magnetometer whose format states the unit.
+    pub fn field(&mut self, source: &str, instance: u32, unit: &'static str) -> Option<Handle> {
+        let handle = self.stream(source, instance, Quantity::MagneticField)?;
+        self.at(handle).unit = Some(unit);
+        Some(handle)
+    }
+
     /// The stream itself.
     pub fn at(&mut self, Handle(at): Handle) -> &mut Stream {
         &mut self.content.streams[at]
+    }
+
+    /// Room for as many samples as are known to follow, within the limit.
+    pub fn reserve(&mut self, handle: Handle, samples: usize) {
+        let samples = samples.min(usize::try_from(self.rows).unwrap_or(usize::MAX));
+        let stream = self.at(handle);
+        stream.stamps.reserve_exact(samples);
+        stream.values.reserve_exact(samples);
     }
 
     /// Adds a sample.

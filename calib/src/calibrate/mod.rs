@@ -241,6 +241,8 @@ fn by_stamps(
     for (recording, found) in cleaned.iter().flatten() {
         warnings.extend(found.iter().map(|f| format!("{}: {f}", recording.name)));
     }
+    let with_field = recordings.iter().filter(|r| r.magnetometer.is_some());
+    warnings.extend(with_field.map(|r| format!("{}: its magnetometer is not calibrated", r.name)));
     let mut choices = recordings
         .iter()
         .enumerate()

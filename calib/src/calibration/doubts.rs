@@ -119,9 +119,9 @@ fn direction_in_doubt(
     }
     Ok((rms > (WORSE * usual).max(FINE.0)).then(|| {
         format!(
-            "{name}: corrected by this calibration the gyroscope misses gravity by {rms:.2}° through {} turns; it left \
-             {usual:.2}° of its own recordings: is it of this device?",
-            angles.len()
+            "{name}: corrected by this calibration the gyroscope misses gravity by {rms:.2}° through {} turns{}: is it of this device?",
+            angles.len(),
+            left_of_its_own(usual, |usual| format!("{usual:.2}°"))
         )
     }))
 }
@@ -132,8 +132,16 @@ fn norm_in_doubt(name: &str, calibration: &Calibration, left: &Misfits) -> Optio
     let rms = root_mean_square(&values);
     (!values.is_empty() && rms > (WORSE * usual).max(FINE.1)).then(|| {
         format!(
-            "{name}: corrected by this calibration the specific force at rest differs from gravity by {rms:.3} m/s² rms; it left \
-             {usual:.3} of its own recordings: is it of this device?"
+            "{name}: corrected by this calibration the specific force at rest differs from gravity by {rms:.3} m/s² rms{}: is it of this device?",
+            left_of_its_own(usual, |usual| format!("{usual:.3}"))
         )
     })
+}
+
+/// What a calibration left of its own recordings; nothing of one that another tool made, which does not say.
+fn left_of_its_own(usual: f64, shown: impl Fn(f64) -> String) -> String {
+    match usual > 0.0 {
+        true => format!("; it left {} of its own recordings", shown(usual)),
+        false => String::new(),
+    }
 }

@@ -68,6 +68,11 @@ pub(super) fn apply(table: &mut Table, affines: &[(Role, Affine)]) {
                 .values
                 .iter_mut()
                 .for_each(|value| change(&mut value[axis])),
+            Role::Field(axis) => table
+                .magnetometer
+                .values
+                .iter_mut()
+                .for_each(|value| change(&mut value[axis])),
             Role::Temperature => table.temperature.iter_mut().for_each(change),
             // Stamps have --time-unit.
             Role::Time => {}

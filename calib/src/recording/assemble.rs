@@ -4,6 +4,7 @@ use std::collections::HashSet;
 
 use sensor::Sensor;
 
+use super::magnetometer::Magnetometer;
 use super::options::{ReadOptions, Role};
 use super::place::{figure, in_file};
 use super::samples::Samples;
@@ -41,6 +42,7 @@ pub(super) fn assemble(
         let words = "--rate was given: time stamps are ignored".to_owned();
         recording.warnings.push(words);
     }
+    recording.magnetometer = Magnetometer::taken(&mut tables);
     let unused: Vec<String> = tables
         .iter()
         .flat_map(|table| table.unused.clone())
@@ -177,6 +179,7 @@ fn describe(recording: &mut Recording, table: &Table, options: &ReadOptions) {
             Role::Time => true,
             Role::Accel(_) | Role::Temperature => sensor == Sensor::Accelerometer,
             Role::Gyro(_) => sensor == Sensor::Gyroscope,
+            Role::Field(_) => false,
         };
         let columns = table.roles.iter().filter(|(role, _)| is_of(role));
         recording.description.sensors.push(Described {
@@ -269,7 +272,7 @@ fn flip(recording: &mut Recording, axes: &[Role]) {
         let (stream, axis) = match role {
             Role::Accel(axis) => (&mut recording.accelerometer, *axis),
             Role::Gyro(axis) => (&mut recording.gyroscope, *axis),
-            Role::Time | Role::Temperature => continue,
+            Role::Time | Role::Temperature | Role::Field(_) => continue,
         };
         for value in stream.iter_mut().flat_map(|stream| &mut stream.values) {
             value[axis] = -value[axis];

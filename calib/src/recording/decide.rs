@@ -1,7 +1,7 @@
 //! Units that nobody stated, told from the samples.
 
 use super::place::in_file;
-use super::rests::{rests, sphere};
+use super::rests::{rest_throughout, rests, sphere};
 use super::turn_unit::turn_unit;
 use super::units::{AccelUnit, GyroUnit};
 use super::{Stream, values};
@@ -10,6 +10,12 @@ use crate::order_statistic::nth_smallest;
 
 /// Rates beyond this are no hand-held motion in rad/s (29 turns per second): the unit is another.
 const FASTEST: f64 = 180.0;
+
+/// No gyroscope at rest is as noisy as 1.7 deg/s, root mean square of a sample: an MPU-6050 has 0.05 (data sheet 3.4,
+/// section 6.1).
+const NOISIEST: f64 = 0.03;
+/// No gyroscope is so biased, rad/s: an MPU-6050 by at most 20 deg/s.
+const MOST_BIASED: f64 = 0.7;
 
 /// Gravity in g, in m/s², and in anything that is kept as counts.
 const KNOWN: [std::ops::Range<f64>; 3] = [0.8..1.25, 7.5..12.5, 100.0..f64::INFINITY];
@@ -132,6 +138,9 @@ pub(super) fn gyro_unit(
         .iter()
         .map(nalgebra::Vector3::amax)
         .fold(0.0, f64::max);
+    if by_turns.is_none() {
+        refuse_restless_rest(name, stream)?;
+    }
     let integers = values::are_integers(stream.values.iter());
     let (unit, why) = match (by_turns, fastest) {
         (Some(GyroUnit::RadiansPerSecond), _) => return Ok(GyroUnit::RadiansPerSecond),
@@ -156,6 +165,24 @@ pub(super) fn gyro_unit(
         "{name}: gyroscope taken as {words} ({why}); --gyro-unit overrides"
     ));
     Ok(unit)
+}
+
+/// Refuses a gyroscope that rests throughout and would be no gyroscope in rad/s: no turn tells its unit.
+fn refuse_restless_rest(name: &str, stream: &Stream) -> Result<(), Error> {
+    let Some((noise, mean)) = rest_throughout(&stream.values) else {
+        return Ok(());
+    };
+    if noise <= NOISIEST && mean.amax() <= MOST_BIASED {
+        return Ok(());
+    }
+    Err(in_file(
+        name,
+        format!(
+            "the gyroscope rests throughout, so that no turn tells its unit, and in rad/s its noise would be {:.1} and its bias {:.1} deg/s, as no gyroscope has; say the unit, as in --gyro-unit deg/s",
+            noise.to_degrees(),
+            mean.amax().to_degrees()
+        ),
+    ))
 }
 
 fn median_norm(stream: &Stream) -> f64 {

@@ -25,6 +25,8 @@ pub(super) struct Layout {
     pub gyro: Option<[usize; 3]>,
     /// Temperature.
     pub temperature: Option<usize>,
+    /// Magnetic field, x y z.
+    pub field: Option<[usize; 3]>,
     /// Units in the names.
     pub stated: Stated,
     /// Scales and offsets that the user gave.
@@ -85,7 +87,12 @@ impl Layout {
         self.accel = triad([0, 1, 2].map(Role::Accel))?;
         self.gyro = triad([0, 1, 2].map(Role::Gyro))?;
         self.temperature = column(Role::Temperature);
-        if self.accel.is_none() && self.gyro.is_none() {
+        // One that is not whole is as good as none, and no reason to stop.
+        self.field = match [0, 1, 2].map(|axis| column(Role::Field(axis))) {
+            [Some(x), Some(y), Some(z)] => Some([x, y, z]),
+            _ => None,
+        };
+        if self.accel.is_none() && self.gyro.is_none() && self.field.is_none() {
             return Err(format!(
                 "no accelerometer and no gyroscope columns among {}; expected t,ax,ay,az,gx,gy,gz[,temp]; {}",
                 shown_list(self.names.iter()),
@@ -106,13 +113,15 @@ impl Layout {
             accel: unit(first(self.accel)).and_then(|u| u.parse().ok()),
             gyro: unit(first(self.gyro)).and_then(|u| u.parse().ok()),
             temperature: unit(self.temperature).and_then(|u| u.parse().ok()),
+            field: unit(first(self.field)).and_then(|u| u.parse().ok()),
         };
         self.stated = stated;
     }
 
     /// True for a column that has a role.
     pub fn is_read(&self, column: usize) -> bool {
-        let triads = self.accel.iter().chain(&self.gyro).flatten().copied();
+        let triads = self.accel.iter().chain(&self.gyro).chain(&self.field);
+        let triads = triads.flatten().copied();
         let mut read = triads.chain(self.time).chain(self.temperature);
         read.any(|read| read == column)
     }
@@ -136,6 +145,7 @@ impl Layout {
         let time = self.time.map(|column| (Role::Time, called(column)));
         let accel = axes(self.accel).map(|(axis, column)| (Role::Accel(axis), called(column)));
         let gyro = axes(self.gyro).map(|(axis, column)| (Role::Gyro(axis), called(column)));
+        let field = axes(self.field).map(|(axis, column)| (Role::Field(axis), called(column)));
         let temperature = self
             .temperature
             .map(|column| (Role::Temperature, called(column)));
@@ -143,6 +153,7 @@ impl Layout {
             .chain(accel)
             .chain(gyro)
             .chain(temperature)
+            .chain(field)
             .collect()
     }
 
@@ -170,7 +181,7 @@ fn roles_by_name(
         match roles.iter().position(|(r, _)| *r == role) {
             None => roles.push((role, index)),
             Some(at) if at < given => {}
-            Some(_) if role == Role::Time => {}
+            Some(_) if matches!(role, Role::Time | Role::Field(_)) => {}
             Some(at) => {
                 let other = roles[at].1;
                 return Err(format!(

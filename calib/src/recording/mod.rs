@@ -29,6 +29,7 @@ mod header;
 mod held;
 mod lines;
 mod look;
+mod magnetometer;
 mod memory;
 mod names;
 mod number;
@@ -63,11 +64,13 @@ mod values;
 mod write;
 
 use std::path::Path;
+use std::sync::Arc;
 
 pub use arrays::Rows;
 pub(crate) use clock_offset::{clock_drift, clock_offset};
 pub use description::{Described, Description, UnitBy};
 pub(crate) use even_clock::{EvenClock, Stamps, bursts, even_clock};
+pub use magnetometer::{FieldUnit, Magnetometer};
 pub(crate) use on_disk::explained;
 pub use options::{ColumnMap, ReadOptions, Role};
 pub use place::figure;
@@ -76,7 +79,7 @@ pub use source::Input;
 pub(crate) use stream::is_before;
 pub use stream::{Gap, INSTANT, Stream, Temperature};
 pub use units::{AccelUnit, GyroUnit, TemperatureUnit, TimeUnit};
-pub use write::{stream_to_csv, to_csv};
+pub use write::{field_names, stream_to_csv, to_csv};
 
 use crate::Error;
 use formats::Source;
@@ -95,6 +98,8 @@ pub struct Recording {
     pub gyroscope: Option<Stream>,
     /// Temperature, °C.
     pub temperature: Option<Temperature>,
+    /// Magnetic field, as the file has it.
+    pub magnetometer: Option<Magnetometer>,
     /// What the reader noticed and went on with.
     pub warnings: Vec<String>,
     /// Where the samples come from.
@@ -120,9 +125,35 @@ impl Recording {
     /// is missing (a rate for rows without stamps) or impossible.
     pub fn read(path: &Path, options: &ReadOptions) -> Result<Self, Error> {
         options.check()?;
-        let source = Source::open(path, options)?;
+        Self::of_source(Source::open(path, options)?, options)
+    }
+
+    /// Reads a file that is in memory; `name` is what messages call it.
+    ///
+    /// # Errors
+    /// As [`Recording::read`].
+    ///
+    /// # Examples
+    /// ```
+    /// use calib::Recording;
+    ///
+    /// let text = "t,ax,ay,az\n0.00,0.1,0.2,9.8\n0.01,0.1,0.3,9.7\n";
+    /// let recording = Recording::from_bytes("session.csv", text.as_bytes(), &Default::default())?;
+    /// assert_eq!(recording.accelerometer.map(|stream| stream.len()), Some(2));
+    /// # Ok::<(), calib::Error>(())
+    /// ```
+    pub fn from_bytes(
+        name: &str,
+        bytes: impl Into<Arc<[u8]>>,
+        options: &ReadOptions,
+    ) -> Result<Self, Error> {
+        options.check()?;
+        Self::of_source(Source::of_bytes(name, bytes.into(), options)?, options)
+    }
+
+    fn of_source(source: Source, options: &ReadOptions) -> Result<Self, Error> {
         let format = options.format.or_else(|| formats::recognise(&source));
-        let format = format.ok_or_else(|| in_file(&shown_path(path), "of no known format"))?;
+        let format = format.ok_or_else(|| in_file(source.name(), "of no known format"))?;
         let mut recording = format.read(source, options)?;
         let described = &mut recording.description.format;
         if described.is_empty() {

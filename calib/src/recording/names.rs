@@ -88,6 +88,20 @@ const GYRO: &[&str] = &[
     "ω",
     "gyroscopeuncalibrated",
 ];
+/// Names of magnetometer columns without their axis.
+const FIELD: &[&str] = &[
+    "m",
+    "mag",
+    "magn",
+    "magneto",
+    "magnetometer",
+    "magneticfield",
+    "magneticfieldstrength",
+    "imumag",
+    "rawmag",
+    "magraw",
+    "magnetometeruncalibrated",
+];
 /// Names of temperature columns.
 const TEMPERATURE: &[&str] = &[
     "temp",
@@ -159,6 +173,8 @@ fn role_of_word(name: &str, only: Option<Sensor>) -> Option<Role> {
         Some(Role::Accel(axis))
     } else if GYRO.contains(&stem) || (stem.is_empty() && unit.parse::<GyroUnit>().is_ok()) {
         Some(Role::Gyro(axis))
+    } else if FIELD.contains(&stem) {
+        only.is_none().then_some(Role::Field(axis))
     } else if stem.is_empty() {
         only.map(|sensor| match sensor {
             Sensor::Accelerometer => Role::Accel(axis),

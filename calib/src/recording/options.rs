@@ -94,11 +94,13 @@ pub enum Role {
     Gyro(usize),
     /// Temperature.
     Temperature,
+    /// Magnetic field along axis 0, 1 or 2.
+    Field(usize),
 }
 
 impl Role {
     /// Every role, in the order of the plain CSV header.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 11] = [
         Self::Time,
         Self::Accel(0),
         Self::Accel(1),
@@ -107,16 +109,20 @@ impl Role {
         Self::Gyro(1),
         Self::Gyro(2),
         Self::Temperature,
+        Self::Field(0),
+        Self::Field(1),
+        Self::Field(2),
     ];
 
     /// The name in the plain CSV header.
     pub fn name(self) -> &'static str {
-        const AXES: [[&str; 3]; 2] = [["ax", "ay", "az"], ["gx", "gy", "gz"]];
+        const AXES: [[&str; 3]; 3] = [["ax", "ay", "az"], ["gx", "gy", "gz"], ["mx", "my", "mz"]];
         match self {
             Self::Time => "t",
             Self::Accel(axis) => AXES[0][axis.min(2)],
             Self::Gyro(axis) => AXES[1][axis.min(2)],
             Self::Temperature => "temp",
+            Self::Field(axis) => AXES[2][axis.min(2)],
         }
     }
 
@@ -141,7 +147,7 @@ impl FromStr for ColumnMap {
             })?;
             let role = Role::from_name(role.trim()).ok_or_else(|| {
                 format!(
-                    "`{}` is none of t, ax, ay, az, gx, gy, gz, temp",
+                    "`{}` is none of t, ax, ay, az, gx, gy, gz, temp, mx, my, mz",
                     role.trim()
                 )
             })?;

@@ -4,6 +4,7 @@ use std::io::Read;
 
 use sensor::Sensor;
 
+use super::magnetometer::FieldUnit;
 use super::options::{ColumnMap, ReadOptions, Role};
 use super::source::Input;
 use super::table::Table;
@@ -26,6 +27,10 @@ pub(super) struct Part {
     pub accel_unit: Option<AccelUnit>,
     /// Unit of the gyroscope.
     pub gyro_unit: Option<GyroUnit>,
+    /// It is a magnetometer's.
+    pub is_field: bool,
+    /// Unit of the magnetometer.
+    pub field_unit: Option<FieldUnit>,
     /// The accelerometer reads -1 g on the axis that points up.
     pub negated: bool,
     /// Rows without numbers are padding.
@@ -48,6 +53,19 @@ impl Part {
         Self {
             only: Some(sensor),
             columns: roles.into_iter().zip(columns).collect(),
+            ..Self::default()
+        }
+    }
+
+    /// The columns of a magnetometer: `t`, x, y and z.
+    pub fn of_field(columns: [&str; 4], unit: Option<FieldUnit>) -> Self {
+        let roles = [Role::Time, Role::Field(0), Role::Field(1), Role::Field(2)];
+        let columns = columns.map(str::to_owned).into_iter();
+        Self {
+            columns: roles.into_iter().zip(columns).collect(),
+            is_field: true,
+            field_unit: unit,
+            padded: true,
             ..Self::default()
         }
     }
@@ -77,10 +95,17 @@ impl Part {
         if let Some(sensor) = self.only {
             table.keep_only(sensor)?;
         }
+        if self.is_field {
+            (table.accel, table.gyro) = Default::default();
+            table
+                .roles
+                .retain(|(role, _)| matches!(role, Role::Time | Role::Field(_)));
+        }
         let stated = &mut table.stated;
         stated.time = self.time_unit.or(stated.time);
         stated.accel = self.accel_unit.or(stated.accel);
         stated.gyro = self.gyro_unit.or(stated.gyro);
+        stated.field = self.field_unit.or(stated.field);
         table.negated = self.negated;
         if let Some(remark) = &self.remark {
             table.warnings.push(format!("{}: {remark}", table.name));
@@ -91,7 +116,9 @@ impl Part {
     /// What the user said of the columns of this part's sensor.
     fn of_sensor(&self, map: &ColumnMap) -> Vec<(Role, String)> {
         let concerns = |role: &Role| match (self.only, role) {
+            (None, _) if self.is_field => matches!(role, Role::Field(_)),
             (None, _) | (_, Role::Time) => true,
+            (Some(_), Role::Field(_)) => false,
             (Some(sensor), Role::Accel(_) | Role::Temperature) => sensor == Sensor::Accelerometer,
             (Some(sensor), Role::Gyro(_)) => sensor == Sensor::Gyroscope,
         };
@@ -114,7 +141,19 @@ pub(super) fn read(
             input = Some(this.again(options)?);
         }
         let origin = tables.first().and_then(|table| table.clock.origin);
-        tables.push(part.read(this, origin, options)?);
+        match part.read(this, origin, options) {
+            Err(error) if part.is_field => without_field(&mut tables, &error),
+            table => tables.push(table?),
+        }
     }
     Ok(tables)
+}
+
+/// Goes on without a magnetometer, and says why: no calibration uses it.
+pub(super) fn without_field(tables: &mut [Table], error: &Error) {
+    if let Some(table) = tables.first_mut() {
+        table
+            .warnings
+            .push(format!("the magnetometer is left out: {error}"));
+    }
 }

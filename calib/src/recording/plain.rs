@@ -16,7 +16,7 @@ use super::lines::{end_of_line, lines};
 use super::number::{LARGEST, LATEST};
 
 /// The numbers of a row, in the file's units, by place; those without a column are 0.
-pub(crate) type Row = [f64; 8];
+pub(crate) type Row = [f64; 11];
 /// Place of the stamp.
 pub(crate) const STAMP: usize = 0;
 /// First place of the accelerometer.
@@ -25,6 +25,8 @@ pub(crate) const ACCEL: usize = 1;
 pub(crate) const GYRO: usize = 4;
 /// Place of the temperature.
 pub(crate) const TEMPERATURE: usize = 7;
+/// First place of the magnetometer.
+pub(crate) const FIELD: usize = 8;
 
 /// How stamps are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,7 +86,11 @@ impl Plain {
             let old = std::mem::replace(slots.get_mut(column)?, slot);
             (old == Slot::Nothing).then_some(())
         };
-        for (first, triad) in [(ACCEL, layout.accel), (GYRO, layout.gyro)] {
+        for (first, triad) in [
+            (ACCEL, layout.accel),
+            (GYRO, layout.gyro),
+            (FIELD, layout.field),
+        ] {
             for (place, column) in (first..).zip(triad.into_iter().flatten()) {
                 set(column, Slot::Number(place))?;
             }

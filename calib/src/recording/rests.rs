@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix4, Vector3, Vector4};
 
+use crate::averages::median;
 use crate::order_statistic::nth_smallest;
 
 /// Samples looked at: three hours' at 100 Hz.
@@ -86,15 +87,48 @@ pub(super) fn accelerometer(sensors: [&[Vector3<f64>]; 2]) -> Option<usize> {
     if rests.len() < 3 {
         return None;
     }
-    let share = |k: usize| {
-        let means: Vec<Vector3<f64>> = rests.iter().map(|rest| rest.means[k]).collect();
-        (moments(&means).1 / moments(sensors[k]).1).sqrt()
+    let means = [0, 1].map(|k| rests.iter().map(|rest| rest.means[k]).collect::<Vec<_>>());
+    let shares = |size: fn(&[Vector3<f64>]) -> f64| {
+        [0, 1].map(|k| size(&means[k]) / moments(sensors[k]).1.sqrt())
     };
-    match [share(0), share(1)] {
+    let told = |shares: [f64; 2]| match shares {
         [first, second] if first > 0.5 && second < 0.25 => Some(0),
         [first, second] if second > 0.5 && first < 0.25 => Some(1),
         _ => None,
-    }
+    };
+    // The middle of a slow turn may look like a rest: the usual distance does not mind, the root mean square does. Of
+    // a recording that rests mostly in one attitude it is the other way round.
+    told(shares(usual_distance)).or_else(|| told(shares(|means| moments(means).1.sqrt())))
+}
+
+/// The median distance from the median of every axis.
+fn usual_distance(means: &[Vector3<f64>]) -> f64 {
+    let middle =
+        Vector3::from_fn(|axis, _| median(means.iter().map(|mean| mean[axis])).unwrap_or_default());
+    median(means.iter().map(|mean| (mean - middle).norm())).unwrap_or_default()
+}
+
+/// True for a sensor that moves and rests by turns, and always rests at the same reading.
+pub(super) fn at_one_reading(values: &[Vector3<f64>]) -> bool {
+    let values = &values[..values.len().min(LOOKED_AT)];
+    let rests = rests(values, values);
+    let means: Vec<Vector3<f64>> = rests.iter().map(|rest| rest.means[0]).collect();
+    means.len() >= 3 && usual_distance(&means) < 0.1 * moments(values).1.sqrt()
+}
+
+/// The noise of an axis, root mean square, and the mean of a sensor that rests from beginning to end; `None` for one
+/// that moves.
+pub(super) fn rest_throughout(values: &[Vector3<f64>]) -> Option<(f64, Vector3<f64>)> {
+    let values = &values[..values.len().min(LOOKED_AT)];
+    let windows: Vec<f64> = values
+        .chunks_exact(WINDOW)
+        .map(|window| moments(window).1)
+        .collect();
+    let (count, (mean, whole)) = (windows.len(), moments(values));
+    let share = |share: usize| nth_smallest(windows.iter().copied(), count * share / 20);
+    let (quiet, usual, loud) = (share(2)?, share(10)?, share(19)?);
+    let rests = count >= 5 && loud <= QUIET * quiet && whole <= QUIET * usual;
+    rests.then(|| ((usual / 3.0).sqrt(), mean))
 }
 
 /// Centre and radius of the sphere on which an accelerometer's means at rest lie, `‖m - c‖ = r`; `None` where they
@@ -157,11 +191,38 @@ mod tests {
     }
 
     #[test]
+    fn a_stretch_of_a_slow_turn_that_looks_like_a_rest_does_not_hide_the_accelerometer() {
+        let [accel, mut gyro] = sensors(0.2);
+        // Even turns are as quiet as rests: of one of them the middle stands still for both sensors.
+        let mut accel = accel;
+        let (still, rate) = (accel[700], gyro[700]);
+        for at in 640..800 {
+            accel[at] = still + (accel[at % 100] - accel[0]) * 1e-3;
+            gyro[at] = rate;
+        }
+        assert_eq!(accelerometer([&accel, &gyro]), Some(0));
+        assert_eq!(accelerometer([&gyro, &accel]), Some(1));
+    }
+
+    #[test]
+    fn a_sensor_that_rests_throughout_is_told_from_one_that_turns() {
+        let [_, gyro] = sensors(0.0);
+        assert_eq!(rest_throughout(&gyro), None);
+        let rest: Vec<Vector3<f64>> = (0..400)
+            .map(|k| Vector3::from_fn(|i, _| 0.5 + 0.1 * f64::from(k * (i as i32 + 3)).sin()))
+            .collect();
+        let (noise, mean) = rest_throughout(&rest).unwrap();
+        assert!((noise - 0.1 / 2f64.sqrt()).abs() < 0.01, "{noise}");
+        assert!((mean.x - 0.5).abs() < 0.01, "{mean}");
+    }
+
+    #[test]
     fn the_accelerometer_is_the_one_whose_mean_turns() {
         for bias in [0.0, 0.5] {
             let [accel, gyro] = sensors(bias);
             assert_eq!(accelerometer([&accel, &gyro]), Some(0));
             assert_eq!(accelerometer([&gyro, &accel]), Some(1));
+            assert!(at_one_reading(&gyro) && !at_one_reading(&accel));
             let means: Vec<_> = rests(&accel, &gyro)
                 .iter()
                 .map(|rest| rest.means[0])

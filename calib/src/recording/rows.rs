@@ -32,6 +32,13 @@ enum Trouble {
     Missing(Error),
 }
 
+/// What a row holds beside the sensors that are calibrated.
+#[derive(Clone, Copy, Debug, Default)]
+struct Others {
+    temperature: Option<f64>,
+    field: Option<Vector3<f64>>,
+}
+
 /// The loop over rows.
 pub(super) struct Rows<'a> {
     table: &'a mut Table,
@@ -163,8 +170,11 @@ impl<'a> Rows<'a> {
             };
             let accel = layout.accel.map(|_| triad(row, plain::ACCEL));
             let gyro = layout.gyro.map(|_| triad(row, plain::GYRO));
-            let temperature = layout.temperature.map(|_| row[plain::TEMPERATURE]);
-            let kept = self.keep(t, accel, gyro, temperature, line);
+            let others = Others {
+                temperature: layout.temperature.map(|_| row[plain::TEMPERATURE]),
+                field: layout.field.map(|_| triad(row, plain::FIELD)),
+            };
+            let kept = self.keep(t, accel, gyro, others, line);
             self.count(kept, line.number)?;
         }
         Ok(())
@@ -226,9 +236,10 @@ impl<'a> Rows<'a> {
         t: f64,
         accel: Option<Vector3<f64>>,
         gyro: Option<Vector3<f64>>,
-        temperature: Option<f64>,
+        others: Others,
         line: Line<'_>,
     ) -> Result<(), Trouble> {
+        let Others { temperature, field } = others;
         if let Some(value) = accel {
             let pushed = push(
                 &mut self.table.accel,
@@ -248,6 +259,13 @@ impl<'a> Rows<'a> {
                 self.options.sort_time,
             );
             self.in_order(pushed, t, line)?;
+        }
+        if let Some(value) = field {
+            let samples = &mut self.table.magnetometer;
+            // Stamps out of order are the other sensors' trouble.
+            if push(samples, t, value, line.number, self.options.sort_time).is_none() {
+                return self.in_order(None, t, line);
+            }
         }
         if let Some(temperature) = temperature
             && (self.options.sort_time

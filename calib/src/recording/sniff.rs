@@ -65,14 +65,14 @@ pub(super) fn starts_with_numbers(head: &[u8]) -> bool {
     first_row.is_some_and(|row| finder.preface(&kept, Some(row)).header.is_none())
 }
 
-/// True if `head` begins a text with rows of four cells or more.
+/// True if `head` begins a text with rows of three cells or more: a sensor of which one is missing has as many.
 pub(super) fn is_table(head: &[u8]) -> bool {
     let Ok(kept) = sample("", head) else {
         return false;
     };
     let dialect = dialect_of(&kept);
     let row = first_row(&kept, dialect).and_then(|row| kept.get(row));
-    row.is_some_and(|row| cells(&row.bytes, dialect).len() >= 4)
+    row.is_some_and(|row| cells(&row.bytes, dialect).len() >= 3)
 }
 
 impl Start {

@@ -8,7 +8,7 @@ use super::table::Table;
 pub(super) fn by_time(tables: &mut [Table]) {
     for table in &mut *tables {
         count_on(table);
-        for samples in [&mut table.accel, &mut table.gyro] {
+        for samples in [&mut table.accel, &mut table.gyro, &mut table.magnetometer] {
             *samples = std::mem::take(samples).sort();
         }
         sort_temperature(table);
@@ -25,12 +25,7 @@ fn count_on(table: &mut Table) {
     let wraps = longer.t.windows(2).zip(1..);
     let wraps = wraps.filter(|(pair, _)| pair[1] - pair[0] < -modulus / 2.0);
     table.clock.wraps = wraps.map(|(_, i)| longer.line(i)).collect();
-    let streams = [
-        &mut table.accel.t,
-        &mut table.gyro.t,
-        &mut table.temperature_t,
-    ];
-    for stamps in streams {
+    for stamps in table.stamps_mut() {
         let mut last = first;
         for t in stamps {
             *t += modulus * ((last - *t) / modulus).round();
@@ -90,11 +85,7 @@ fn count_from_the_earliest(tables: &mut [Table]) {
     }
     for table in tables {
         table.clock.origin = table.clock.origin.map(|o| o.saturating_add(shift as i64));
-        let streams = [
-            &mut table.accel.t,
-            &mut table.gyro.t,
-            &mut table.temperature_t,
-        ];
-        streams.into_iter().flatten().for_each(|t| *t -= shift);
+        let streams = table.stamps_mut().into_iter();
+        streams.flatten().for_each(|t| *t -= shift);
     }
 }

@@ -3,6 +3,7 @@
 use std::fs::File;
 use std::io::{self, Cursor, IsTerminal, Read};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::batches::is_too_long;
 use super::decode;
@@ -40,6 +41,8 @@ pub struct Binary {
     pub(super) format: &'static dyn file_formats::Format,
     /// All of it.
     pub(super) reader: Box<dyn Read + Send>,
+    /// The file itself, if it is one and not packed: it can be sought in.
+    pub(super) path: Option<PathBuf>,
     /// The file as it was when it was opened.
     pub(super) unchanged: Option<Unchanged>,
 }
@@ -58,6 +61,7 @@ impl std::fmt::Debug for Binary {
 enum Origin {
     Path(PathBuf),
     Entry(Files, Entry),
+    Memory(Arc<[u8]>),
     Stream,
 }
 
@@ -139,6 +143,16 @@ impl Source {
         )
     }
 
+    /// Bytes in memory.
+    pub(super) fn of_bytes(
+        name: &str,
+        bytes: Arc<[u8]>,
+        options: &ReadOptions,
+    ) -> Result<Self, Error> {
+        let reader = Box::new(Cursor::new(bytes.clone()));
+        Self::of(name.to_owned(), reader, Origin::Memory(bytes), options)
+    }
+
     /// An entry of a container.
     pub(super) fn of_entry(
         files: &Files,
@@ -165,6 +179,10 @@ impl Source {
             return Ok(Self::Binary(Binary {
                 name,
                 format,
+                path: match origin {
+                    Origin::Path(path) if !unpacked.packed => Some(path),
+                    _ => None,
+                },
                 reader: unpacked.reader,
                 unchanged: None,
             }));
@@ -262,6 +280,9 @@ impl Input {
         match &self.origin {
             Origin::Path(path) => Self::open(path, options),
             Origin::Entry(files, entry) => files.text(entry, options),
+            Origin::Memory(bytes) => {
+                Source::of_bytes(&self.name, bytes.clone(), options)?.into_text()
+            }
             Origin::Stream => Err(in_file(
                 &self.name,
                 "its sensors have clocks of their own, so that it is read twice; save it to a file and name that",

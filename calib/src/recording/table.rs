@@ -27,6 +27,8 @@ pub(super) struct Table {
     pub accel: Samples,
     /// Gyroscope.
     pub gyro: Samples,
+    /// Magnetometer.
+    pub magnetometer: Samples,
     /// Stamps of temperature readings.
     pub temperature_t: Vec<f64>,
     /// Temperature readings.
@@ -93,7 +95,7 @@ impl Table {
                 .map(|w| format!("{}: {w}", input.name)),
         );
         let unchanged = input.unchanged.take();
-        let sensors = [start.layout.accel, start.layout.gyro];
+        let sensors = [start.layout.accel, start.layout.gyro, start.layout.field];
         let sensors = sensors.iter().flatten().count() as u64;
         if let Some(size) = unchanged.as_ref().map(Unchanged::size) {
             let rows = rows_in(&input.head, size).min(options.max_rows);
@@ -105,6 +107,14 @@ impl Table {
         affine::apply(&mut table, &start.layout.affine);
         if start.undecided {
             table.decide_roles(&start)?;
+        } else if start.told_by_norm && rests::at_one_reading(&table.accel.values) {
+            let names: Vec<String> = (1..=start.layout.width).map(|i| i.to_string()).collect();
+            let words = format!(
+                "{} columns without a header that rest at one reading in all attitudes, as a gyroscope does and no accelerometer; {}",
+                start.layout.width,
+                suggestion(&names)
+            );
+            return Err(at_line(&table.name, start.after + 1, words));
         }
         memory::room_to_work(&table.name, table.accel.t.len() + table.gyro.t.len())?;
         Ok(table)
@@ -166,6 +176,16 @@ impl Table {
         );
         self.warnings.push(words);
         Ok(())
+    }
+
+    /// The stamps of everything in it.
+    pub fn stamps_mut(&mut self) -> [&mut Vec<f64>; 4] {
+        [
+            &mut self.accel.t,
+            &mut self.gyro.t,
+            &mut self.magnetometer.t,
+            &mut self.temperature_t,
+        ]
     }
 
     /// Leaves out what a file of one sensor holds of the other.

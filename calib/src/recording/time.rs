@@ -24,14 +24,10 @@ pub(super) fn to_seconds(
                 table.name
             ));
         }
-        let columns = [
-            &mut table.accel.t,
-            &mut table.gyro.t,
-            &mut table.temperature_t,
-        ];
         let per_second = unit.per_second();
         if per_second != 1.0 {
-            columns.into_iter().flatten().for_each(|t| *t /= per_second);
+            let columns = table.stamps_mut().into_iter();
+            columns.flatten().for_each(|t| *t /= per_second);
         }
     }
     Ok(())

@@ -58,6 +58,11 @@ pub(super) fn stated(
             "--gyro-unit deg/s",
         )?,
         temperature: row.unit(&one(layout.temperature), by_names.temperature, None, "")?,
+        // A magnetometer is kept whatever its unit is called.
+        field: by_names.field.or_else(|| {
+            let [x, ..] = layout.field?;
+            bare(cells.get(x)?).parse().ok()
+        }),
     })
 }
 

@@ -2,6 +2,8 @@
 
 use std::str::FromStr;
 
+use super::magnetometer::FieldUnit;
+
 /// Standard acceleration of free fall, m/s² (exact by definition, 3rd CGPM, 1901).
 pub(super) const STANDARD_GRAVITY: f64 = 9.80665;
 
@@ -119,6 +121,8 @@ pub(super) struct Stated {
     pub gyro: Option<GyroUnit>,
     /// Of the temperature column.
     pub temperature: Option<TemperatureUnit>,
+    /// Of the magnetometer columns.
+    pub field: Option<FieldUnit>,
 }
 
 impl TimeUnit {

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::{Recording, Stream};
+use super::{Magnetometer, Recording, Stream};
 
 /// The recording as one plain CSV table, numbers to their last digit.
 ///
@@ -37,6 +37,20 @@ pub fn to_csv(recording: &mut Recording) -> String {
     if recording.temperature.is_some() {
         names.push_str(",temp");
     }
+    let field = recording.magnetometer.as_ref();
+    if let Some(field) = field {
+        names.push(',');
+        names.push_str(&field_names(field));
+    }
+    if field.is_some_and(|field| {
+        streams
+            .first()
+            .is_none_or(|first| first.t != field.stream.t)
+    }) {
+        let words = "the magnetometer has a clock of its own and is interpolated to the stamps of the others; \
+                     `-o FOLDER` keeps it";
+        recording.warnings.push(words.into());
+    }
     let mut text = names + "\n";
     let stamps = streams.first().map_or(&[][..], |s| &s.t);
     for (k, t) in stamps.iter().enumerate() {
@@ -49,9 +63,26 @@ pub fn to_csv(recording: &mut Recording) -> String {
         if let Some(celsius) = recording.temperature.as_ref().and_then(|c| c.at(*t)) {
             let _ = write!(text, ",{celsius}");
         }
+        if let Some(field) = &recording.magnetometer {
+            // Nothing where it was not on.
+            let on = field.stream.t.first() <= Some(t) && Some(t) <= field.stream.t.last();
+            match field.stream.at(*t).filter(|_| on) {
+                Some(v) => _ = write!(text, ",{},{},{}", v.x, v.y, v.z),
+                None => text.push_str(",,,"),
+            }
+        }
         text.push('\n');
     }
     text
+}
+
+/// The names of a magnetometer's columns, with its unit where it is known: `mx (gauss),my (gauss),mz (gauss)`.
+pub fn field_names(field: &Magnetometer) -> String {
+    let unit = field.unit.map(|unit| format!(" ({})", unit.name()));
+    let unit = unit.unwrap_or_default();
+    ["mx", "my", "mz"]
+        .map(|name| format!("{name}{unit}"))
+        .join(",")
 }
 
 /// One sensor as CSV with the given column names.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use calib::Recording;
 use calib::calibration::{apply, load};
-use calib::recording::{stream_to_csv, to_csv};
+use calib::recording::{field_names, stream_to_csv, to_csv};
 
 use super::inputs::{DeviceArgs, read};
 use crate::exit::Failure;
@@ -59,8 +59,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 pub(super) enum Target {
     Stdout,
     File(Box<Output>),
-    /// `acc.csv` and `gyro.csv` of a folder, each sensor on its own clock.
-    Folder(Box<[Output; 2]>, Folder),
+    /// `acc.csv`, `gyro.csv` and `mag.csv` of a folder, each sensor on its own clock.
+    Folder(Box<[Output; 3]>, Folder),
 }
 
 impl Target {
@@ -73,7 +73,8 @@ impl Target {
         let folder = Folder::make(path)?;
         let acc = Output::claim(&path.join("acc.csv"), replace, inputs)?;
         let gyro = Output::claim(&path.join("gyro.csv"), replace, inputs)?;
-        Ok(Self::Folder(Box::new([acc, gyro]), folder))
+        let mag = Output::claim(&path.join("mag.csv"), replace, inputs)?;
+        Ok(Self::Folder(Box::new([acc, gyro, mag]), folder))
     }
 
     pub(super) fn write(self, corrected: &mut Recording) -> Result<(), Failure> {
@@ -84,11 +85,18 @@ impl Target {
             }
             Self::File(output) => output.write(to_csv(corrected).as_bytes()),
             Self::Folder(outputs, _folder) => {
-                let [acc, gyro] = *outputs;
+                let [acc, gyro, mag] = *outputs;
+                let field = corrected.magnetometer.as_ref();
+                let names = field.map(|field| format!("t,{}", field_names(field)));
                 let mut filled = Vec::new();
                 for (output, stream, names) in [
-                    (acc, &corrected.accelerometer, "t,ax,ay,az"),
-                    (gyro, &corrected.gyroscope, "t,gx,gy,gz"),
+                    (acc, corrected.accelerometer.as_ref(), "t,ax,ay,az"),
+                    (gyro, corrected.gyroscope.as_ref(), "t,gx,gy,gz"),
+                    (
+                        mag,
+                        field.map(|field| &field.stream),
+                        names.as_deref().unwrap_or_default(),
+                    ),
                 ] {
                     if let Some(stream) = stream {
                         let text = stream_to_csv(stream, names);

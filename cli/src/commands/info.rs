@@ -10,7 +10,7 @@ use calib::gravity::Gravity;
 use calib::intervals::Detector;
 use calib::methods::{Choice, cut};
 use calib::readings::findings;
-use calib::recording::{Described, Stream, UnitBy};
+use calib::recording::{Described, FieldUnit, Stream, UnitBy};
 use ours::Ours;
 use sensor::Sensor;
 use serde_json::{Value, json};
@@ -121,6 +121,12 @@ fn decided(by: UnitBy) -> &'static str {
     }
 }
 
+/// Columns by role.
+fn names(columns: &[(&'static str, String)]) -> serde_json::Map<String, Value> {
+    let of = |(role, column): &(&str, String)| ((*role).to_owned(), json!(column));
+    columns.iter().map(of).collect()
+}
+
 fn sign(sensor: &Described) -> Option<&'static str> {
     (sensor.sensor == Sensor::Accelerometer).then_some(match sensor.turned {
         true => "turned to +g on the axis that points up",
@@ -189,15 +195,10 @@ impl<'a> Facts<'a> {
     fn document(&self) -> Value {
         let sensors = self.recording.description.sensors.iter().map(|sensor| {
             let clock = self.stream(sensor.sensor).and_then(Clock::of);
-            let columns: serde_json::Map<String, Value> = sensor
-                .columns
-                .iter()
-                .map(|(role, column)| ((*role).to_owned(), json!(column)))
-                .collect();
             json!({
                 "sensor": sensor.sensor.name(),
                 "source": sensor.source,
-                "columns": columns,
+                "columns": names(&sensor.columns),
                 "columns_not_used": sensor.unused,
                 "unit": sensor.unit,
                 "unit_decided_by": decided(sensor.unit_by),
@@ -217,6 +218,18 @@ impl<'a> Facts<'a> {
             "sensors": sensors.collect::<Vec<_>>(),
             "one_clock": self.one_clock(),
             "temperature": self.temperature(),
+            "magnetometer": self.recording.magnetometer.as_ref().map(|field| {
+                let clock = Clock::of(&field.stream);
+                json!({
+                    "source": field.source,
+                    "columns": names(&field.columns),
+                    "unit": field.unit.map(FieldUnit::name),
+                    "samples": field.stream.len(),
+                    "start": clock.as_ref().map(|c| c.start),
+                    "duration": clock.as_ref().map(|c| c.duration),
+                    "rate": clock.as_ref().map(|c| c.rate),
+                })
+            }),
             "static_intervals": self.rests().map(|(count, length)| json!({"count": count, "seconds": length})),
             "warnings": self.remarks,
             "command": self.command,
@@ -303,6 +316,18 @@ impl<'a> Facts<'a> {
                 let _ = writeln!(text, "temperature: {low:.2} to {high:.2} °C");
             }
             None => text.push_str("temperature: none\n"),
+        }
+        if let Some(field) = &self.recording.magnetometer {
+            let _ = writeln!(
+                text,
+                "magnetometer: {} readings at {:.2} Hz in {} from {}, kept as they are: no calibration uses them",
+                field.stream.len(),
+                Clock::of(&field.stream).map_or(0.0, |clock| clock.rate),
+                field
+                    .unit
+                    .map_or("a unit that is not stated", FieldUnit::name),
+                show::name(&field.source)
+            );
         }
         match self.rests() {
             Some((count, length)) => {

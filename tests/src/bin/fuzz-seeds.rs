@@ -7,6 +7,7 @@ use calib::calibrate::{Request, calibrate};
 use calib::recording::to_csv;
 use calib::simulate::{EXAMPLE, Spec};
 use clap::Parser;
+use file_formats::make::{self, ImuRow, Packer, Packing, Rows};
 
 /// Writes seeds for the fuzzers, a folder per target.
 #[derive(Debug, Parser)]
@@ -57,6 +58,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         0,
         serde_json::to_string(&outcome.calibration)?.as_bytes(),
     )?;
+    let findings = format!(
+        "{{\"schema\":\"stillpoint.findings/1\",\"verdict\":\"none\",\"effects\":[],\"calibration\":{}}}",
+        serde_json::to_string(&outcome.calibration)?
+    );
+    write(&folder, "findings", 0, findings.as_bytes())?;
+    for (name, k, bytes) in binaries() {
+        write(&folder, name, k, &bytes)?;
+    }
     write(&folder, "noise", 0, NOISE.as_bytes())?;
     for (k, table) in [
         "t0,t1\n1,20\n30,40\n",
@@ -69,6 +78,56 @@ fn main() -> Result<(), Box<dyn Error>> {
         write(&folder, "tables", k, table.as_bytes())?;
     }
     Ok(())
+}
+
+/// Small files of the binary formats, with the name of their target.
+fn binaries() -> Vec<(&'static str, usize, Vec<u8>)> {
+    let imu: Vec<ImuRow> = (0..4)
+        .map(|k| (k * 10_000_000, [0.1, k as f64, 9.8], [0.01, 0.02, k as f64]))
+        .collect();
+    let sensor: Rows = imu.iter().map(|(t, force, _)| (*t, *force)).collect();
+    let topics: [(&str, &[ImuRow], [f64; 2]); 1] = [("/imu", &imu, [0.0; 2])];
+    let entry = |(t, v): &(i64, [f64; 3])| {
+        format!(
+            "{{\"sensor\":\"TotalAcceleration\",\"time\":\"{t}\",\"z\":\"{}\",\"y\":\"{}\",\"x\":\"{}\"}}",
+            v[2], v[1], v[0]
+        )
+    };
+    let entries: Vec<String> = sensor.iter().map(entry).collect();
+    let json = format!("[{}]", entries.join(","));
+    let text = b"t,ax,ay,az\n0,0,0,9.8\n".as_slice();
+    vec![
+        ("mat", 0, make::mat(&[("acc", &sensor), ("gyro", &sensor)])),
+        (
+            "ulog",
+            0,
+            make::ulog(
+                &[("sensor_accel", 0, &sensor), ("sensor_gyro", 0, &sensor)],
+                &[("CAL_ACC0_XOFF", 0.1)],
+            ),
+        ),
+        (
+            "ardupilot",
+            0,
+            make::ardupilot(&imu, &[("INS_ACCOFFS_X", 0.1)]),
+        ),
+        ("mcap", 0, make::mcap(&topics, Packer::None)),
+        ("mcap", 1, make::mcap(&topics, Packer::Lz4)),
+        ("mcap", 2, make::mcap(&topics, Packer::Zstd)),
+        ("bag", 0, make::bag(&topics, Packer::None)),
+        ("bag", 1, make::bag(&topics, Packer::Lz4)),
+        ("bag", 2, make::bag(&topics, Packer::Bz2)),
+        ("db3", 0, make::db3("/imu", &imu)),
+        ("sensor_logger_json", 0, json.into_bytes()),
+        (
+            "zip",
+            0,
+            make::zip(&[
+                ("a.csv", text, Packing::Stored),
+                ("b/c.csv", text, Packing::Deflated),
+            ]),
+        ),
+    ]
 }
 
 /// The same recording as programs write it.

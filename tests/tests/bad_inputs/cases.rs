@@ -14,8 +14,10 @@ mod cpu;
 mod device;
 mod encodings;
 mod files;
+mod logs;
 mod motion;
 #[cfg(unix)]
 mod outputs;
+mod reading;
 mod time;
 mod values;

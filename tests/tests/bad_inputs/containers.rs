@@ -7,7 +7,7 @@ use crate::device::{csv, good};
 
 const STAMP: i64 = 1_700_000_000_000_000_000;
 
-fn imu() -> Vec<ImuRow> {
+pub fn imu() -> Vec<ImuRow> {
     let row = |row: &crate::device::Row| {
         let stamp = STAMP + (row[0] * 1e9).round() as i64;
         (stamp, [row[1], row[2], row[3]], [row[4], row[5], row[6]])
@@ -16,7 +16,7 @@ fn imu() -> Vec<ImuRow> {
 }
 
 /// One sensor's rows, every so many of them, from 20 s on.
-fn sensor(rows: &[ImuRow], gyro: bool, every: usize) -> Rows {
+pub fn sensor(rows: &[ImuRow], gyro: bool, every: usize) -> Rows {
     let part = |(stamp, force, rate): &ImuRow| {
         (
             stamp - STAMP + 20_000_000_000,
@@ -54,12 +54,12 @@ const GYRO: [&str; 4] = [
     "Gyroscope z (rad/s)",
 ];
 
-fn tables() -> [String; 2] {
+pub fn tables() -> [String; 2] {
     let rows = imu();
     [phyphox(&rows, false, ACCEL), phyphox(&rows, true, GYRO)]
 }
 
-fn archive(extra: &[(&str, &[u8])]) -> Vec<u8> {
+pub fn archive(extra: &[(&str, &[u8])]) -> Vec<u8> {
     let [accel, gyro] = tables();
     let mut entries: Vec<(&str, &[u8], Packing)> = vec![
         ("Accelerometer.csv", accel.as_bytes(), Packing::Deflated),
@@ -74,7 +74,7 @@ fn archive(extra: &[(&str, &[u8])]) -> Vec<u8> {
 }
 
 #[track_caller]
-fn calibrate(name: &str, content: impl AsRef<[u8]>, options: &[&str]) -> Run {
+pub fn calibrate(name: &str, content: impl AsRef<[u8]>, options: &[&str]) -> Run {
     let bench = Bench::with(name, content);
     bench.run(&[&["calibrate", name, "-o", "cal.json"], options].concat())
 }
@@ -368,135 +368,4 @@ fn cases_058_and_059_what_logs_lost_is_counted() {
     calibrate("a.bin", log, &[])
         .ends(0)
         .says(&["4096 bytes", "byte"]);
-}
-
-#[test]
-fn a_sensor_that_is_there_and_not_understood_stops_the_run() {
-    let text = csv(good());
-    let renamed = text.replacen("gx,gy,gz", "foo,bar,baz", 1);
-    calibrate("a.csv", &renamed, &[])
-        .ends(3)
-        .says(&["foo", "baz", "--columns"]);
-    calibrate("a.csv", &renamed, &["--columns", "gx=foo,gy=bar,gz=baz"])
-        .ends(0)
-        .is_silent_on(&["accelerometer only"]);
-    calibrate("a.csv", &renamed, &["--columns", "ax=ax,ay=ay,az=az"])
-        .ends(0)
-        .says(&["accelerometer only"]);
-    let swapped = text.replacen("ax,ay,az,gx,gy,gz", "gx,gy,gz,ax,ay,az", 1);
-    calibrate("a.csv", swapped, &[]).ends(3);
-    let toolbox = text.replacen("t,ax,ay,az,gx,gy,gz", "time,gFx,gFy,gFz,foo,bar,baz", 1);
-    calibrate("a.csv", toolbox, &[])
-        .ends(3)
-        .says(&["foo", "baz"]);
-    let keyed: String = good()
-        .iter()
-        .map(|r| {
-            format!(
-                "ax:{} ay:{} az:{} p:{} q:{} r:{}\n",
-                r[1], r[2], r[3], r[4], r[5], r[6]
-            )
-        })
-        .collect();
-    let run = calibrate("a.txt", keyed, &["--rate", "100"]);
-    run.is_silent_on(&["accelerometer only"]);
-    let [accel, gyro] = tables();
-    let bench = Bench::with("r/Accelerometer.csv", accel);
-    bench.write("r/rotation.csv", gyro.replace("(rad/s)", "(1/s)"));
-    bench
-        .run(&["calibrate", "r"])
-        .ends(3)
-        .says(&["rotation.csv", "--gyro-file"]);
-}
-
-#[test]
-fn a_unit_in_the_header_that_the_turns_contradict_is_refused() {
-    let text = csv(good()).replacen("gx,gy,gz", "gx (deg/s),gy (deg/s),gz (deg/s)", 1);
-    calibrate("a.csv", &text, &[])
-        .ends(3)
-        .says(&["rad/s", "--gyro-unit"]);
-    calibrate("a.csv", &text, &["--gyro-unit", "rad/s"]).ends(0);
-}
-
-#[test]
-fn info_says_what_is_in_a_file_and_convert_writes_it_plainly() {
-    let bench = Bench::with("a.zip", archive(&[]));
-    let run = bench.run(&["info", "a.zip", "--json"]);
-    let file = &run.ends(0).json()["files"][0];
-    assert_eq!(file["format"], "phyphox");
-    assert_eq!(file["sensors"][0]["unit"], "m/s^2");
-    assert_eq!(file["sensors"][1]["columns"]["gx"], "Gyroscope x (rad/s)");
-    assert_eq!(file["command"], "stillpoint calibrate a.zip -o cal.json");
-    assert!(
-        file["static_intervals"]["count"].as_u64().unwrap() > 5,
-        "{file}"
-    );
-    let words = bench.run(&["info", "a.zip"]);
-    for part in [
-        "phyphox",
-        "accelerometer",
-        "rad/s",
-        "rate Hz",
-        "static intervals: ",
-        "to calibrate: ",
-    ] {
-        assert!(words.stdout.contains(part), "{part}: {words:#?}");
-    }
-    bench
-        .run(&["convert", "a.zip", "-o", "plain"])
-        .ends(0)
-        .changes(&["acc.csv", "gyro.csv"]);
-    let plain = bench.run(&["info", "plain", "--json"]).ends(0).json();
-    assert_eq!(
-        plain["files"][0]["sensors"][0]["samples"],
-        file["sensors"][0]["samples"]
-    );
-    bench
-        .run(&["convert", "a.zip", "-o", "x.parquet"])
-        .ends(2)
-        .says(&["parquet"]);
-}
-
-#[test]
-fn columns_take_signs_factors_and_offsets_in_two_files() {
-    let rows = imu();
-    let table = |gyro: bool, names: &str| {
-        let rows = sensor(&rows, gyro, 1);
-        let rows = rows.iter().map(|(t, v)| {
-            format!(
-                "{},{},{},{},700\n",
-                *t as f64 * 1e-9,
-                -v[0],
-                v[1],
-                v[2] * 2.0
-            )
-        });
-        format!("{names}\n{}", rows.collect::<String>())
-    };
-    let bench = Bench::with("acc.csv", table(false, "s,p,q,r,raw"));
-    bench.write("gyro.csv", table(true, "s,u,v,w,raw"));
-    let columns = "t=s,ax=-p,ay=q,az=r*0.5,gx=-u,gy=v,gz=w/2,temp=raw*0.01+20";
-    let run = bench.run(&[
-        "calibrate",
-        "--accel-file",
-        "acc.csv",
-        "--gyro-file",
-        "gyro.csv",
-        "--columns",
-        columns,
-        "-o",
-        "cal.json",
-        "--json",
-    ]);
-    let found = run.ends(0).json();
-    let expected = calibrate("r.csv", csv(good()), &["--json"]).ends(0).json();
-    for sensor in ["accelerometer", "gyroscope"] {
-        for axis in 0..3 {
-            let scale = |cal: &serde_json::Value| cal[sensor]["T"][axis][axis].as_f64().unwrap();
-            assert!(
-                (scale(&found) - scale(&expected)).abs() < 1e-6,
-                "{sensor} {axis}"
-            );
-        }
-    }
 }

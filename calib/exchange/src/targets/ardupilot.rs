@@ -9,7 +9,9 @@ use sensor::Base;
 use crate::source::{Source, by_axis, diagonal};
 use crate::target::{Error, Kept, Settings, Target, Written};
 
-/// What ArduPilot's own calibration takes for a scale factor, and for an offset in m/s².
+/// What ArduPilot takes for a scale factor, and for an offset in m/s²: `@Range: 0.8 1.2` of `ACCSCAL_X` and `-3.5 3.5` of
+/// `ACCOFFS_X` in `AP_InertialSensor_Params.cpp`. Its own calibration refuses other scale factors too, but offsets from
+/// 1 g on only (`AccelCalibrator::accept_result`).
 const SCALES: (f64, f64) = (0.8, 1.2);
 const OFFSETS: (f64, f64) = (-3.5, 3.5);
 

@@ -8,7 +8,8 @@ use crate::target::{Error, Kept, Settings, Target, Written};
 /// `MAV_PARAM_TYPE_REAL32`.
 const REAL32: u8 = 9;
 
-/// Scale factors that PX4 takes.
+/// Scale factors that PX4 takes: `@min 0.1`, `@max 3.0` of `CAL_ACC0_XSCALE` and its sisters in the parameters of
+/// `src/modules/sensors`. Offsets have no limits.
 const SCALES: (f64, f64) = (0.1, 3.0);
 
 /// Sensors of a kind that PX4 has parameters for.

@@ -4,6 +4,7 @@ use crate::Error;
 
 pub(super) const COMPRESSED: u32 = 15;
 pub(super) const MATRIX: u32 = 14;
+const DOUBLE: u32 = 9;
 
 /// A data element: its type, its bytes and where they begin.
 #[derive(Clone, Copy, Debug)]
@@ -99,7 +100,17 @@ impl Raw<'_> {
     }
 
     /// The number at `index`.
+    #[inline]
     pub fn get(self, index: usize) -> Option<f64> {
+        // Nearly all of them are doubles.
+        if self.0.kind == DOUBLE {
+            let bytes = self.0.bytes.get(index.checked_mul(8)?..)?;
+            return bytes.first_chunk().map(|bytes| f64::from_le_bytes(*bytes));
+        }
+        self.of_any_type(index)
+    }
+
+    fn of_any_type(self, index: usize) -> Option<f64> {
         let size = self.size()?;
         let bytes = self.0.bytes.get(index * size..)?.get(..size)?;
         let mut wide = [0; 8];
@@ -110,7 +121,6 @@ impl Raw<'_> {
             3 => f64::from(unsigned as u16 as i16),
             5 => f64::from(unsigned as u32 as i32),
             7 => f64::from(f32::from_bits(unsigned as u32)),
-            9 => f64::from_bits(unsigned),
             12 => unsigned as i64 as f64,
             _ => unsigned as f64,
         })

@@ -121,15 +121,25 @@ impl Parts {
                     ),
                 ));
             }
-            let Some(body) = bytes.take(u64::from(length))? else {
+            let length = u64::from(length);
+            let mut cut = || {
                 parts.cut = Some(format!(
                     "byte {at}: the MATLAB file ends within a variable; those before it are read"
                 ));
-                return Ok(parts);
             };
-            let content = match kind {
-                COMPRESSED => unpack(body, at, limits)?,
-                _ => Some(body.to_vec()),
+            let content = if kind == COMPRESSED {
+                let mut body = bytes.part(length);
+                let unpacked = unpack(&mut body, length, at, limits);
+                if !body.pass()? {
+                    cut();
+                    return Ok(parts);
+                }
+                unpacked?
+            } else if let Some(body) = bytes.take(length)? {
+                Some(body.to_vec())
+            } else {
+                cut();
+                return Ok(parts);
             };
             let Some(content) = content else { continue };
             unpacked_in_all = unpacked_in_all.saturating_add(content.len() as u64);
@@ -147,8 +157,16 @@ impl Parts {
     }
 }
 
-/// The matrix in a compressed element; `None` for an element of another type.
-fn unpack(body: &[u8], at: u64, limits: Limits) -> Result<Option<Vec<u8>>, Error> {
+/// Deflate packs no tighter: RFC 1951, section 3.2.5, a length of 258 in two bits.
+const TIGHTEST: u64 = 1032;
+
+/// The matrix in a compressed element of `length` bytes; `None` for an element of another type.
+fn unpack(
+    body: &mut dyn Read,
+    length: u64,
+    at: u64,
+    limits: Limits,
+) -> Result<Option<Vec<u8>>, Error> {
     let mut decoder = flate2::read::ZlibDecoder::new(body);
     let mut tag = [0; 8];
     let damaged =
@@ -159,15 +177,11 @@ fn unpack(body: &[u8], at: u64, limits: Limits) -> Result<Option<Vec<u8>>, Error
         u32::from_le_bytes([a, b, c, d]),
         u64::from(u32::from_le_bytes(rest)),
     );
-    limits.check_unpacked(
-        &format!("the variable at byte {at}"),
-        body.len() as u64,
-        size,
-    )?;
+    limits.check_unpacked(&format!("the variable at byte {at}"), length, size)?;
     if kind != MATRIX {
         return Ok(None);
     }
-    let mut content = Vec::new();
+    let mut content = Vec::with_capacity(size.min(length.saturating_mul(TIGHTEST)) as usize);
     decoder
         .take(size)
         .read_to_end(&mut content)
@@ -224,9 +238,27 @@ impl File {
             (Value::Object(_), Some(objects), Some(quantity)) => {
                 self.timetable(&name, &value, objects, quantity)?
             }
+            (Value::Object(_), Some(_), None) if class.as_deref() == Some("timetable") => {
+                let known = ["orientation", "position"]
+                    .iter()
+                    .any(|word| name.to_lowercase().contains(word));
+                self.recorder
+                    .content
+                    .unclear
+                    .extend((!known).then(|| name.clone()));
+                false
+            }
             (Value::Numbers { dims, real, .. }, _, _) => self.matrix(&name, dims, *real)?,
             _ => false,
         };
+        if let Some(class) = class.filter(|class| !read && class != "timetable") {
+            let words = format!(
+                "the variable {} is an object of class {} and is not read",
+                name.escape_default(),
+                class.escape_default()
+            );
+            self.recorder.content.warnings.push(words);
+        }
         self.others
             .extend((!read).then(|| format!("{name} ({what})")));
         Ok(())
@@ -270,7 +302,12 @@ impl File {
             let words = format!("{name}: its row times are neither datetime nor duration");
             return Err(Error::refused(words));
         };
-        let Some(stream) = self.recorder.stream(name, 0, quantity) else {
+        let stream = match quantity {
+            // MATLAB Mobile's own unit.
+            Quantity::MagneticField => self.recorder.field(name, 0, "µT"),
+            _ => self.recorder.stream(name, 0, quantity),
+        };
+        let Some(stream) = stream else {
             return Ok(true);
         };
         let rows = x.len();
@@ -284,6 +321,7 @@ impl File {
             return Err(Error::refused(words));
         }
         let whole = stamps.are_whole();
+        self.recorder.reserve(stream, rows);
         for row in 0..rows {
             let stamp = stamps
                 .get(row)
@@ -307,6 +345,7 @@ impl File {
         let sensors: &[(Quantity, usize)] = match (columns, quantity(name)) {
             (4, Some(quantity)) => &[(quantity, 1)],
             (7, _) => &[(Quantity::SpecificForce, 1), (Quantity::AngularRate, 4)],
+            (4, None) => &[],
             _ => return Ok(false),
         };
         let at = |row: usize, column: usize| numbers.get(column * rows + row);
@@ -314,11 +353,16 @@ impl File {
         if !increases {
             return Ok(false);
         }
+        if sensors.is_empty() {
+            self.recorder.content.unclear.push(name.to_owned());
+            return Ok(false);
+        }
         for (quantity, first) in sensors {
             let Some(stream) = self.recorder.stream(name, 0, *quantity) else {
                 continue;
             };
             self.recorder.at(stream).in_si = false;
+            self.recorder.reserve(stream, rows);
             for row in 0..rows {
                 let values = (
                     at(row, 0),

@@ -128,9 +128,24 @@ impl File {
         let (instance, id) = (fields.u8()?, fields.u16()?);
         let name = String::from_utf8_lossy(fields.0).into_owned();
         let topic = Topic::new(&name, instance, &self.layouts, &mut self.recorder);
+        if topic.is_none() && self.may_be_sensor(&name) {
+            self.recorder.content.unclear.push(name.clone());
+        }
         self.topics.insert(id, topic);
         self.counts.insert(id, (name, instance, 0));
         Some(())
+    }
+
+    /// True for a topic that is not known and is called like a sensor's, and for a sensor's without its fields.
+    fn may_be_sensor(&self, name: &str) -> bool {
+        let axes = ["x", "y", "z"];
+        let has_axes = || {
+            axes.iter()
+                .all(|axis| self.layouts.offset(name, axis, "float").is_some())
+        };
+        let is_known = name == "sensor_mag";
+        matches!(name, "sensor_accel" | "sensor_gyro")
+            || name.starts_with("sensor_") && !is_known && has_axes()
     }
 
     fn data(&mut self, body: &[u8], at: u64) -> Result<(), Error> {

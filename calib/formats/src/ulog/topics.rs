@@ -115,7 +115,10 @@ impl Topic {
         let (stamp, axes) = (stamp()?, axes("float")?);
         let temperature =
             offset("temperature", "float").filter(|_| quantity == Quantity::SpecificForce);
-        let stream = recorder.stream(name, instance, quantity)?;
+        let stream = match quantity {
+            Quantity::MagneticField => recorder.field(name, instance, "gauss")?,
+            _ => recorder.stream(name, instance, quantity)?,
+        };
         let temperature = temperature.and_then(|offset| {
             Some((
                 recorder.stream(name, instance, Quantity::Temperature)?,

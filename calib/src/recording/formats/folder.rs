@@ -55,6 +55,7 @@ impl Format for Folder {
             );
             return Err(in_file(&files.name, words));
         }
+        super::add_magnetometer(&files, &mut tables, None, options);
         let mut recording = assemble(files.name.clone(), tables, options)?;
         recording.warnings.extend(files.warnings());
         Ok(recording)

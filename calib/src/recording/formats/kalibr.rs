@@ -15,19 +15,16 @@ pub(super) static KALIBR: TextFormat = TextFormat {
 
 fn parts(look: &Look) -> Option<Vec<Part>> {
     let names = look.header(|names| {
-        let has = |wanted: &str| names.iter().any(|name| name == wanted);
-        has("omega_x") && has("alpha_x")
+        let has = |wanted: &str| names.iter().any(|name| name.starts_with(wanted));
+        has("omega_") && has("alpha_")
     })?;
     let mut columns = vec![(Role::Time, "1".to_owned())];
     for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
-        columns.push((
-            Role::Gyro(axis),
-            numbered(&names, &format!("omega_{letter}"))?,
-        ));
-        columns.push((
-            Role::Accel(axis),
-            numbered(&names, &format!("alpha_{letter}"))?,
-        ));
+        // An axis that is missing is for the header's check to refuse.
+        let rate = numbered(&names, &format!("omega_{letter}"));
+        columns.extend(rate.map(|column| (Role::Gyro(axis), column)));
+        let force = numbered(&names, &format!("alpha_{letter}"));
+        columns.extend(force.map(|column| (Role::Accel(axis), column)));
     }
     Some(vec![Part {
         columns,

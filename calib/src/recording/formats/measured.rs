@@ -11,11 +11,11 @@ use crate::Error;
 use crate::recording::assemble::assemble;
 use crate::recording::files::limits;
 use crate::recording::options::Role;
-use crate::recording::place::{in_file, shown};
+use crate::recording::place::{in_file, shown, shown_list};
 use crate::recording::samples::{Pushed, Samples};
 use crate::recording::table::Table;
 use crate::recording::units::{AccelUnit, GyroUnit, TimeUnit};
-use crate::recording::{ReadOptions, Recording};
+use crate::recording::{Magnetometer, ReadOptions, Recording};
 
 /// The format of `stillpoint-formats` that is called so.
 #[derive(Debug)]
@@ -63,7 +63,13 @@ impl Format for Measured {
         };
         let limits = limits(options);
         // Unpackers of other projects are within.
-        let read = AssertUnwindSafe(|| binary.format.read(&mut binary.reader, &wanted, limits));
+        let read = AssertUnwindSafe(|| match &binary.path {
+            Some(path) => {
+                let mut file = std::fs::File::open(path)?;
+                binary.format.read_seekable(&mut file, &wanted, limits)
+            }
+            None => binary.format.read(&mut binary.reader, &wanted, limits),
+        });
         let content = catch_unwind(read).unwrap_or_else(|_| {
             let words = "the reader of this format gave up at damage that it does not understand";
             Err(file_formats::Error::Damaged {
@@ -84,6 +90,7 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
     let Content {
         mut streams,
         listed,
+        unclear,
         mut warnings,
         cut,
     } = content;
@@ -100,14 +107,39 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
             "no accelerometer and no gyroscope in it; it holds {}",
             shown(&listed)
         );
-        let cut = cut.map(|cut| format!(" ({cut})")).unwrap_or_default();
+        let why = cut.or_else(|| warnings.first().cloned());
+        let cut = why
+            .map(|why| format!(" ({})", shown(&why)))
+            .unwrap_or_default();
         return Err(in_file(name, words + &cut));
+    }
+    let all_wanted = options.topics.is_empty() && !unclear.is_empty();
+    if all_wanted && (accel.is_none() || gyro.is_none()) {
+        let missing = if accel.is_none() {
+            "accelerometer"
+        } else {
+            "gyroscope"
+        };
+        let words = format!(
+            "no {missing} that is known as one, but {} may be it and is not read; rename it, or go on without by naming what is to be read, as in --topic '{}'",
+            shown_list(unclear.iter()),
+            accel
+                .as_ref()
+                .or(gyro.as_ref())
+                .map_or_else(String::new, |stream| shown(&stream.source))
+        );
+        return Err(in_file(name, words));
     }
     let of_accel = |stream: &Stream| {
         accel
             .as_ref()
             .is_some_and(|a| a.source == stream.source && a.instance == stream.instance)
     };
+    let field = streams
+        .iter()
+        .filter(|stream| stream.quantity == Quantity::MagneticField)
+        .min_by_key(|stream| (!of_accel(stream), stream.instance));
+    let field = field.cloned();
     let temperature = streams
         .iter()
         .position(|stream| stream.quantity == Quantity::Temperature && of_accel(stream));
@@ -140,8 +172,28 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
         .map(|words| format!("{name}: {words}"))
         .collect();
     let mut recording = assemble(name.to_owned(), tables, options)?;
+    recording.magnetometer = field.and_then(|field| magnetometer(name, field, origin));
     recording.warnings.extend(warnings);
     Ok(recording)
+}
+
+/// The magnetometer in a stream.
+fn magnetometer(file: &str, stream: Stream, origin: i64) -> Option<Magnetometer> {
+    let t: Vec<f64> = stream.stamps.iter().map(|t| seconds(*t, origin)).collect();
+    let values: Vec<Vector3<f64>> = stream.values.into_iter().map(Vector3::from).collect();
+    let column = |axis: usize| {
+        let letter = ["x", "y", "z"][axis];
+        (
+            Role::Field(axis).name(),
+            format!("{}.{letter}", stream.source),
+        )
+    };
+    Some(Magnetometer {
+        unit: stream.unit.and_then(|unit| unit.parse().ok()),
+        source: format!("{file} ({})", shown(&stream.source)),
+        columns: (0..3).map(column).collect(),
+        ..Magnetometer::of(&t, &values)?
+    })
 }
 
 fn seconds(stamp: i64, origin: i64) -> f64 {

@@ -22,10 +22,14 @@ mod trackers;
 use std::fmt;
 
 use super::files::Files;
+use super::look::Look;
+use super::magnetometer;
+use super::parts;
 use super::place::{in_file, shown};
 use super::source::Input;
 pub use super::source::Source;
-use super::{ReadOptions, Recording};
+use super::table::Table;
+use super::{FieldUnit, ReadOptions, Recording};
 use crate::Error;
 
 /// A format of recordings.
@@ -122,6 +126,36 @@ fn mismatch(name: &str, format: &dyn Format, expected: &str) -> Error {
         "{name}: --format {} reads {expected}, and this is none",
         format.name()
     ))
+}
+
+/// Adds the magnetometer of an entry that is called so, unprocessed before processed. What is wrong with it is said.
+fn add_magnetometer(
+    files: &Files,
+    tables: &mut Vec<Table>,
+    unit: Option<FieldUnit>,
+    options: &ReadOptions,
+) {
+    const NAMES: [&str; 4] = ["magnetometeruncalibrated", "magnetometer", "mag", "magn"];
+    let called = |entry: &&file_formats::Entry, wanted: &str| {
+        let name = entry.name.rsplit('/').next().unwrap_or_default();
+        name.to_lowercase().split('.').next() == Some(wanted)
+    };
+    let entries = || files.entries().iter();
+    let entry = NAMES
+        .iter()
+        .find_map(|name| entries().find(|entry| called(entry, name)));
+    let Some((entry, part)) = entry.and_then(|entry| {
+        let part = magnetometer::part(&Look::at(&files.head(entry)), unit)?;
+        Some((entry, part))
+    }) else {
+        return;
+    };
+    let origin = tables.first().and_then(|table| table.clock.origin);
+    let read = files.text(entry, options);
+    match read.and_then(|text| part.read(text, origin, options)) {
+        Ok(table) => tables.push(table),
+        Err(error) => parts::without_field(tables, &error),
+    }
 }
 
 /// Words in the names of files that hold neither sensor.

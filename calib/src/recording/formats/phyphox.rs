@@ -102,6 +102,7 @@ impl Format for Phyphox {
             );
             return Err(in_file(&files.name, words));
         }
+        super::add_magnetometer(&files, &mut read, None, options);
         let warnings = count_pauses(&files, &mut read);
         let mut recording = assemble(files.name.clone(), read, options)?;
         recording.warnings.extend(files.warnings().chain(warnings));
@@ -188,7 +189,7 @@ fn count_pauses(files: &Files, tables: &mut [Table]) -> Vec<String> {
         }
     }
     for table in tables.iter_mut() {
-        for t in table.accel.t.iter_mut().chain(&mut table.gyro.t) {
+        for t in table.stamps_mut().into_iter().flatten() {
             let before = pauses.iter().filter(|[at, _]| *t > *at);
             *t += before.map(|[_, length]| length).sum::<f64>();
         }

@@ -1,6 +1,7 @@
 //! Physics Toolbox Sensor Suite: `gFx` is the accelerometer in g, `wx` the gyroscope, times of day with a third colon.
 
 use super::texts::TextFormat;
+use crate::recording::FieldUnit;
 use crate::recording::look::{Look, numbered};
 use crate::recording::options::Role;
 use crate::recording::parts::Part;
@@ -15,19 +16,22 @@ pub(super) static PHYSICS_TOOLBOX: TextFormat = TextFormat {
 
 const ACCEL: [&str; 3] = ["gFx", "gFy", "gFz"];
 const GYRO: [&str; 3] = ["wx", "wy", "wz"];
+const FIELD: [&str; 3] = ["Bx", "By", "Bz"];
 
 fn parts(look: &Look) -> Option<Vec<Part>> {
-    let names = look.header(|names| names.iter().any(|name| name == ACCEL[0]))?;
+    let names = look.header(|names| names.iter().any(|name| ACCEL.contains(&name.as_str())))?;
     let column = |name: &str| numbered(&names, name);
     let mut columns = vec![(Role::Time, column("time")?)];
     for axis in 0..3 {
-        columns.push((Role::Accel(axis), column(ACCEL[axis])?));
+        columns.extend(column(ACCEL[axis]).map(|column| (Role::Accel(axis), column)));
         columns.extend(column(GYRO[axis]).map(|column| (Role::Gyro(axis), column)));
+        columns.extend(column(FIELD[axis]).map(|column| (Role::Field(axis), column)));
     }
     Some(vec![Part {
         columns,
         accel_unit: Some(AccelUnit::G),
         gyro_unit: Some(GyroUnit::RadiansPerSecond),
+        field_unit: Some(FieldUnit::Microtesla),
         change: Some(super::clock_text::change),
         ..Part::default()
     }])

@@ -12,7 +12,7 @@ use crate::recording::parts::Part;
 use crate::recording::place::in_file;
 use crate::recording::samples::Samples;
 use crate::recording::table::Table;
-use crate::recording::{ReadOptions, Recording};
+use crate::recording::{FieldUnit, ReadOptions, Recording};
 
 /// An export of the app Sensor Logger as a folder or a zip archive.
 #[derive(Debug)]
@@ -86,6 +86,8 @@ impl Format for SensorLogger {
                 .collect();
             super::refuse_unused(&files, &used)?;
         }
+        let microtesla = Some(FieldUnit::Microtesla);
+        super::add_magnetometer(&files, &mut tables, microtesla, options);
         let mut recording = assemble(files.name.clone(), tables, options)?;
         recording.warnings.extend(files.warnings());
         recording.warnings.push(format!(

@@ -3,6 +3,7 @@
 use sensor::Sensor;
 
 use super::texts::TextFormat;
+use crate::recording::FieldUnit;
 use crate::recording::look::{Look, numbered};
 use crate::recording::names::take_apart;
 use crate::recording::parts::Part;
@@ -74,16 +75,31 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
         gyro_unit: Some(GyroUnit::RadiansPerSecond),
         ..part
     });
-    let parts: Vec<Part> = accel.into_iter().chain(gyro).collect();
-    (!parts.is_empty()).then_some(parts)
+    let field = field(&names);
+    let parts: Vec<Part> = accel.into_iter().chain(gyro).chain(field).collect();
+    (parts.iter().any(|part| !part.is_field)).then_some(parts)
+}
+
+/// The magnetometer, by its own stamps or the row's.
+fn field(names: &[String]) -> Option<Part> {
+    let find = |wanted: &str| column(names, wanted);
+    let stamps = ["magnetometertimestampsincereboot", "magnetometertimestamp"];
+    let stamps = stamps.iter().chain(ROW).find_map(|name| find(name))?;
+    let axis = |axis: &str| find(&format!("magnetometer{axis}"));
+    let [x, y, z] = [axis("x")?, axis("y")?, axis("z")?];
+    let unit = Some(FieldUnit::Microtesla);
+    Some(Part::of_field([&stamps, &x, &y, &z], unit))
+}
+
+/// The column whose name is `wanted` but for marks and unit.
+fn column(names: &[String], wanted: &str) -> Option<String> {
+    let name = names.iter().find(|name| take_apart(name).0 == wanted)?;
+    numbered(names, name)
 }
 
 impl Columns {
     fn part(&self, names: &[String]) -> Option<Part> {
-        let find = |wanted: &str| {
-            let name = names.iter().find(|name| take_apart(name).0 == wanted)?;
-            numbered(names, name)
-        };
+        let find = |wanted: &str| column(names, wanted);
         let axis = |axis: &str| find(&format!("{}{axis}", self.axes));
         let stamps = self.stamps.iter().chain(ROW).find_map(|name| find(name))?;
         let [x, y, z] = [axis("x")?, axis("y")?, axis("z")?];

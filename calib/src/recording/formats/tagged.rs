@@ -5,6 +5,7 @@ use std::io::Read;
 use sensor::Sensor;
 
 use super::texts::TextFormat;
+use crate::recording::FieldUnit;
 use crate::recording::look::Look;
 use crate::recording::options::Role;
 use crate::recording::parts::{Change, Part};
@@ -61,7 +62,7 @@ fn get_sensor_data(look: &Look) -> Option<Vec<Part>> {
         return None;
     }
     let columns = ["2", "3", "4", "5"];
-    Some(vec![
+    let mut parts = vec![
         part(
             Sensor::Accelerometer,
             |text| only(text, b"ACCE;"),
@@ -74,14 +75,22 @@ fn get_sensor_data(look: &Look) -> Option<Vec<Part>> {
             columns,
             TimeUnit::Seconds,
         ),
-    ])
+    ];
+    if begins(look, &["MAGN;"]) {
+        parts.push(Part {
+            time_unit: Some(TimeUnit::Seconds),
+            change: Some(|text| only(text, b"MAGN;")),
+            ..Part::of_field(columns, Some(FieldUnit::Microtesla))
+        });
+    }
+    Some(parts)
 }
 
 fn gnss_logger(look: &Look) -> Option<Vec<Part>> {
     let columns = ["2", "3", "4", "5"];
     let nanoseconds = TimeUnit::Nanoseconds;
     if begins(look, &["UncalAccel,", "UncalGyro,", "# UncalAccel,"]) {
-        return Some(vec![
+        let mut parts = vec![
             part(
                 Sensor::Accelerometer,
                 |text| only(text, b"UncalAccel,"),
@@ -94,7 +103,15 @@ fn gnss_logger(look: &Look) -> Option<Vec<Part>> {
                 columns,
                 nanoseconds,
             ),
-        ]);
+        ];
+        if begins(look, &["UncalMag,"]) {
+            parts.push(Part {
+                time_unit: Some(nanoseconds),
+                change: Some(|text| only(text, b"UncalMag,")),
+                ..Part::of_field(columns, Some(FieldUnit::Microtesla))
+            });
+        }
+        return Some(parts);
     }
     begins(look, &["# Accel,", "Accel,"]).then(|| {
         vec![
@@ -120,6 +137,7 @@ fn vectornav(look: &Look) -> Option<Vec<Part>> {
             [
                 (Role::Accel(axis), (axis + 4).to_string()),
                 (Role::Gyro(axis), (axis + 7).to_string()),
+                (Role::Field(axis), (axis + 1).to_string()),
             ]
         };
         vec![Part {
@@ -129,6 +147,7 @@ fn vectornav(look: &Look) -> Option<Vec<Part>> {
                 .collect(),
             accel_unit: Some(AccelUnit::MetresPerSecondSquared),
             gyro_unit: Some(GyroUnit::RadiansPerSecond),
+            field_unit: Some(FieldUnit::Gauss),
             change: Some(|text| {
                 rewritten(text, |line, out| {
                     if let Some(rest) = line.strip_prefix(b"$VNIMU,") {

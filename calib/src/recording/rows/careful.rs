@@ -7,7 +7,7 @@ use super::super::lines::{Line, lines};
 use super::super::number::{self, Fault, LARGEST};
 use super::super::place::shown_cell;
 use super::super::quotes::open_quote;
-use super::{Rows, Trouble};
+use super::{Others, Rows, Trouble};
 use crate::Error;
 
 impl Rows<'_> {
@@ -41,7 +41,8 @@ impl Rows<'_> {
         self.whole(line)?;
         let accel = self.triad(line, layout.accel)?;
         let gyro = self.triad(line, layout.gyro)?;
-        if accel.is_none() && gyro.is_none() {
+        let field = self.field(line);
+        if accel.is_none() && gyro.is_none() && field.is_none() {
             let words = "every cell of the sensors is empty; --na drop leaves such rows out";
             return Err(Trouble::Missing(self.at(line, 0, words.to_owned())));
         }
@@ -53,7 +54,14 @@ impl Rows<'_> {
             _ => None,
         };
         let t = self.stamp(line)?;
-        self.keep(t, accel, gyro, temperature, line)
+        self.keep(t, accel, gyro, Others { temperature, field }, line)
+    }
+
+    /// The magnetometer's reading; `None` where a number is missing, which is no reason to leave the row out.
+    fn field(&mut self, line: Line<'_>) -> Option<Vector3<f64>> {
+        let [x, y, z] = self.start.layout.field?;
+        let mut number = |column: usize| self.number(line, column).ok();
+        Some(Vector3::new(number(x)?, number(y)?, number(z)?))
     }
 
     /// Refuses a last row that ends within its last number.

@@ -1,0 +1,169 @@
+//! Readings of a magnetometer: kept as the file has them, on their own clock. No calibration uses them yet.
+
+use std::str::FromStr;
+
+use nalgebra::Vector3;
+
+use super::Stream;
+use super::held::held_runs;
+use super::look::Look;
+use super::names::role_of;
+use super::options::Role;
+use super::parts::Part;
+use super::samples::Samples;
+use super::table::Table;
+
+/// Unit of a magnetic field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FieldUnit {
+    /// Tesla.
+    Tesla,
+    /// Millionths of a tesla; the earth's field is 25 to 65 of them.
+    Microtesla,
+    /// Thousandths of those.
+    Nanotesla,
+    /// Gauss, 1e-4 T.
+    Gauss,
+    /// Thousandths of a gauss.
+    Milligauss,
+}
+
+impl FieldUnit {
+    /// The usual spelling.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Tesla => "T",
+            Self::Microtesla => "µT",
+            Self::Nanotesla => "nT",
+            Self::Gauss => "gauss",
+            Self::Milligauss => "mgauss",
+        }
+    }
+}
+
+impl FromStr for FieldUnit {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text.trim().replace('μ', "µ").to_lowercase().as_str() {
+            "t" | "tesla" => Ok(Self::Tesla),
+            "µt" | "ut" | "microtesla" => Ok(Self::Microtesla),
+            "nt" | "nanotesla" => Ok(Self::Nanotesla),
+            "gauss" | "g" | "gs" => Ok(Self::Gauss),
+            "mgauss" | "mg" | "milligauss" => Ok(Self::Milligauss),
+            _ => Err("unknown unit; known: T, µT, nT, gauss, mgauss".to_owned()),
+        }
+    }
+}
+
+/// Readings of a magnetometer in the unit of the file, uncorrected.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Magnetometer {
+    /// Stamps on the clock of the recording, s, and readings in `unit`.
+    pub stream: Stream,
+    /// The unit, if the file or its format states one.
+    pub unit: Option<FieldUnit>,
+    /// The file, entry, topic or variable.
+    pub source: String,
+    /// Role and name of every column.
+    pub columns: Vec<(&'static str, String)>,
+}
+
+impl Magnetometer {
+    /// Readings that are finite, each stamp once and each value once where a slower sensor's was held; those of a sensor
+    /// that has not begun, all three exactly 0, are left out. `None` where nothing is left.
+    pub(super) fn of(t: &[f64], values: &[Vector3<f64>]) -> Option<Self> {
+        let mut stream = Stream::default();
+        for (t, value) in t.iter().zip(values) {
+            let begun = !stream.is_empty() || value.amax() > 0.0;
+            let later = stream.t.last().is_none_or(|last| t > last);
+            if begun && later && t.is_finite() && value.iter().all(|v| v.is_finite()) {
+                stream.t.push(*t);
+                stream.values.push(*value);
+            }
+        }
+        if let Some(starts) = held_runs(&stream) {
+            stream = Stream {
+                t: starts.iter().map(|&i| stream.t[i]).collect(),
+                values: starts.iter().map(|&i| stream.values[i]).collect(),
+            };
+        }
+        (!stream.is_empty()).then(|| Self {
+            stream,
+            ..Self::default()
+        })
+    }
+
+    /// The first one of `tables`, which then have none.
+    pub(super) fn taken(tables: &mut Vec<Table>) -> Option<Self> {
+        let found = tables.iter_mut().find_map(|table| {
+            let Samples { t, values, .. } = std::mem::take(&mut table.magnetometer);
+            let columns = table.roles.iter();
+            let columns = columns.filter(|(role, _)| matches!(role, Role::Time | Role::Field(_)));
+            Some(Self {
+                unit: table.stated.field,
+                source: table.name.clone(),
+                columns: columns
+                    .map(|(role, name)| (role.name(), name.clone()))
+                    .collect(),
+                ..Self::of(&t, &values)?
+            })
+        });
+        tables.retain(|table| !table.accel.t.is_empty() || !table.gyro.t.is_empty());
+        found
+    }
+}
+
+/// A file of a magnetometer by itself: its time and its axes, by their names or called x, y, z.
+pub(super) fn part(look: &Look, unit: Option<FieldUnit>) -> Option<Part> {
+    let names = look.first();
+    let at = |wanted: Role, letter: &str| {
+        let named = names
+            .iter()
+            .position(|name| role_of(name, None) == Some(wanted));
+        let found = named.or_else(|| names.iter().position(|name| name.trim() == letter))?;
+        Some((found + 1).to_string())
+    };
+    let columns = [
+        at(Role::Time, "t")?,
+        at(Role::Field(0), "x")?,
+        at(Role::Field(1), "y")?,
+        at(Role::Field(2), "z")?,
+    ];
+    Some(Part::of_field(columns.each_ref().map(String::as_str), unit))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_has_not_begun_and_what_was_held_is_left_out() {
+        let t: Vec<f64> = (0..100).map(|k| f64::from(k) * 0.01).collect();
+        let value = |k: i32| match k {
+            0..10 => Vector3::zeros(),
+            // Every value twice.
+            k => Vector3::new(f64::from(k / 2), 1.0, 2.0),
+        };
+        let values: Vec<Vector3<f64>> = (0..100).map(value).collect();
+        let found = Magnetometer::of(&t, &values).unwrap().stream;
+        assert_eq!(found.len(), 45);
+        assert_eq!((found.t[0], found.values[44].x), (0.1, 49.0));
+        assert_eq!(Magnetometer::of(&t[..10], &values[..10]), None);
+    }
+
+    #[test]
+    fn units_are_known_by_their_usual_spellings() {
+        for unit in [
+            FieldUnit::Tesla,
+            FieldUnit::Microtesla,
+            FieldUnit::Nanotesla,
+            FieldUnit::Gauss,
+            FieldUnit::Milligauss,
+        ] {
+            assert_eq!(unit.name().parse(), Ok(unit));
+        }
+        assert_eq!("μT".parse(), Ok(FieldUnit::Microtesla));
+        assert!("deg".parse::<FieldUnit>().is_err());
+    }
+}
