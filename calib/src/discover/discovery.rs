@@ -199,7 +199,10 @@ fn proposal(
         };
         proposed = again;
     }
-    let calibration = calibration(session, &proposed.state, request)?;
+    // A formula whose parameters these recordings do not determine is none.
+    let Ok(calibration) = calibration(session, &proposed.state, request) else {
+        return Ok(None);
+    };
     let parameters = parameters_of(proposed.effect.name(), &calibration);
     Ok(Some(proposed.written(rest.channel, parameters)))
 }

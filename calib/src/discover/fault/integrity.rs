@@ -6,7 +6,7 @@ use serde::Serialize;
 use crate::discover::request::Session;
 use crate::discover::state::State;
 use crate::intervals::{Rails, Segmentation, Span};
-use crate::methods::joint::{Disturbance, SensorNoise};
+use crate::methods::joint::{Accused, Disturbance, SensorNoise};
 use crate::recording::{Recording, Stream};
 
 /// Samples at the end of the range that count as saturation.
@@ -89,8 +89,15 @@ pub fn disturbed(state: &State, seen: &[Integrity]) -> Vec<Integrity> {
         .accused
         .iter()
         .take(state.extension.disturbed.len());
+    // A rate that is off in an interval is off up to the turns beside it, which see it as a creep.
+    let is_excursion = |of: &Accused| {
+        let all = state.fit.accused.iter();
+        let mut excursions = all.filter(|a| a.kind == Disturbance::RateExcursion);
+        excursions.any(|a| (a.recording, a.interval) == (of.recording, of.interval))
+    };
     found
         .zip(sizes)
+        .filter(|(accused, _)| accused.kind != Disturbance::MountSlip || !is_excursion(accused))
         .map(|(accused, size)| {
             let recording = &state.fit.data.sources[accused.recording].name;
             let lost = seen.iter().any(|fault| {
