@@ -62,6 +62,18 @@ fn a_hidden_effect_is_named_added_and_its_gap_shrinks() {
     let findings: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(findings["schema"], "stillpoint.findings/1");
     assert_eq!(findings["verdict"], "named");
+    assert!(said.contains("°/h rms"), "{said}");
+    assert!(said.contains("bias instability"), "{said}");
+    // Findings serve as the calibration that they contain.
+    let serve = [
+        "apply",
+        "findings.json",
+        "hidden.csv",
+        "-o",
+        "corrected.csv",
+    ];
+    let applied = stillpoint(&folder, &serve);
+    assert_eq!(applied.status.code(), Some(0), "{}", stderr(&applied));
     for key in [
         "effects",
         "integrity",

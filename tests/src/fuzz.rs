@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use std::path::PathBuf;
 
 use calib::Recording;
-use calib::discover::walks_in;
+use calib::discover::noise_in;
 use calib::effect_file::parse_effects;
 use calib::intervals::read_sections;
 use calib::recording::{ColumnMap, ReadOptions, Stream};
@@ -211,7 +211,7 @@ fn calibration_file(bytes: &[u8]) {
 
 /// Noise densities as `allan` writes them.
 fn noise(bytes: &[u8]) {
-    if let Err(error) = walks_in(&file_with(bytes)) {
+    if let Err(error) = noise_in(&file_with(bytes)) {
         is_short(&error);
     }
 }

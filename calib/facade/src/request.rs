@@ -5,7 +5,7 @@ use calib::discover::Request as DiscoverRequest;
 use calib::effect_file::catalogue_with;
 use calib::gravity::{ACCEPTED, Gravity, NotOnEarth};
 use calib::intervals::{DetectorOptions, Span};
-use calib::methods::joint::ClockMode;
+use calib::methods::joint::{BiasNoise, ClockMode};
 use calib::residuals::Integrator;
 use sensor::AnyEffect;
 
@@ -176,7 +176,10 @@ impl Request {
         let (detector, choose_multiplier) = self.detector.detector().map_err(not_positive)?;
         let mut request = DiscoverRequest {
             alpha: self.alpha,
-            walks: self.walks,
+            noise: self.walks.map(|walk| BiasNoise {
+                walk,
+                ..BiasNoise::default()
+            }),
             force_device: self.force_device,
             latitude: self.latitude,
             clock: self.clock,

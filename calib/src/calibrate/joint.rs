@@ -256,13 +256,17 @@ fn disturbances(fit: &JointFit, warnings: &mut Vec<String>) {
     }
     for accused in &fit.accused {
         let (what, done) = match accused.kind {
-            Disturbance::MountSlip => (
+            Disturbance::MountSlip | Disturbance::SuddenSlip => (
                 "static interval",
                 "the device crept while it should have rested (mount_slip); its creep is fitted",
             ),
             Disturbance::DisturbedInterval => (
                 "static interval",
                 "something touched or pushed the device (disturbed_interval); its force is not used",
+            ),
+            Disturbance::RateExcursion => (
+                "static interval",
+                "the mean of the gyroscope is off in this interval alone; it is not used",
             ),
             Disturbance::BadTurn => (
                 "turn",

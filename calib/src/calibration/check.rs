@@ -20,7 +20,10 @@ const LARGEST_FORCE: [f64; 2] = [20.0, 4000.0];
 /// The same of rates, rad/s: more than a quarter turn a second, and twice what 4000 °/s are.
 const LARGEST_RATE: [f64; 2] = [2.0, 140.0];
 
-/// Reads a calibration file.
+/// The schema of findings.json, which contains a calibration.
+pub const FINDINGS_SCHEMA: &str = "stillpoint.findings/1";
+
+/// Reads a calibration file; findings serve as the calibration that they contain.
 ///
 /// # Errors
 /// An unreadable file, one that is no calibration of this schema, and one whose numbers cannot be
@@ -47,7 +50,22 @@ pub fn read_calibration(
     outside: &[&'static dyn AnyEffect],
 ) -> Result<Calibration, Error> {
     refuse_newer(path, text, SCHEMA)?;
-    parse(text, outside).map_err(|what| Error::Input(format!("{}:{what}", shown_path(path))))
+    refuse_newer(path, text, FINDINGS_SCHEMA)?;
+    let text = within_findings(text.to_owned());
+    parse(&text, outside).map_err(|what| Error::Input(format!("{}:{what}", shown_path(path))))
+}
+
+/// The calibration that findings contain; the text itself of anything else.
+fn within_findings(text: String) -> String {
+    let Ok(mut whole) = serde_json::from_str::<serde_json::Value>(&text) else {
+        return text;
+    };
+    let schema = whole.get("schema").and_then(|s| s.as_str());
+    if schema != Some(FINDINGS_SCHEMA) {
+        return text;
+    }
+    let own = whole.get_mut("calibration").map(serde_json::Value::take);
+    own.map_or(text, |calibration| calibration.to_string())
 }
 
 /// Refuses a file of a version of `schema` that this program is too old for: another program is to be called.

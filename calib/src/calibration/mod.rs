@@ -13,6 +13,7 @@ mod reading_unit;
 mod units;
 
 pub use apply::{apply, apply_with};
+pub use check::FINDINGS_SCHEMA;
 pub(crate) use check::refuse_newer;
 pub use check::{load, load_with, read_calibration};
 pub use clock::{BetweenSamples, RecordingClock};

@@ -14,12 +14,11 @@ use sensor::AnyEffect;
 
 use super::channel::{Channel, Misfit, Sequence, channel_of};
 use super::enough::{enough_rests, enough_to_compare};
-use super::family::{Claim, TIME_CONSTANT, TIME_CONSTANTS};
+use super::family::{Claim, TIME_CONSTANT, TIME_CONSTANTS, effect_family};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
 use super::held_out::{gap_of, held_out};
 use super::integrity::{disturbed, integrity, undersampled};
 use super::localise::disagreements;
-use super::projected::Walks;
 use super::propose::{Proposal, propose};
 use super::rank::Ranked;
 use super::request::{Request, Session};
@@ -29,6 +28,8 @@ use super::state::State;
 use super::time_offset::{Delay, delay};
 use super::unexplained::{Unexplained, rest_of, unexplained};
 use super::visible::{NEVER_VISIBLE, told_apart_by};
+use super::weighed_again::weighed_again;
+use crate::methods::joint::BiasNoise;
 
 /// The effect that the moving accelerometer shows.
 pub const LATE: &str = "time_offset";
@@ -95,6 +96,9 @@ fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discover
     if rest.is_some() && without_weak(&session, &mut search, request)? {
         rest = rest_of(&search.last, alpha);
     }
+    if let Some(found) = rest.as_mut() {
+        weigh_beside_shape(&session, request, &mut search, found)?;
+    }
     let late = (!quantised).then(|| late(&search.last, request)).flatten();
     if let Some((effect, late)) = late {
         let mut extension = search.last.extension.clone();
@@ -102,9 +106,10 @@ fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discover
         search.last = State::fit(&session, extension)?;
     }
     settle(&session, &mut search.last);
-    let proposed = rest
-        .as_ref()
-        .and_then(|rest| proposal(&session, request, &search.last, rest));
+    let proposed = match &rest {
+        Some(rest) => proposal(&session, request, &mut search, rest)?,
+        None => None,
+    };
     let mut calibration = calibration(&session, &search.last, request)?;
     calibration.warnings.extend(search.spent.clone());
     let named = |name: &&Name| matches!(name.claim, Claim::Effect(_));
@@ -115,9 +120,11 @@ fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discover
         effects.extend(names.map(|name| finding(name, &last)));
     }
     if let Some((_, late)) = late {
-        effects.push(late_finding(&late, request, &mut calibration));
+        let again = delay(&search.last);
+        effects.push(late_finding(&late, again, request, &mut calibration));
     }
-    faults.extend(disturbed(&search.last));
+    let lasting = disturbed(&search.last, &faults);
+    faults.extend(lasting);
     faults.extend(undersampled(&search.last));
     let named = !effects.is_empty() || !faults.is_empty();
     let verdict = match (named, rest.is_some()) {
@@ -136,7 +143,11 @@ fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discover
         integrity: faults,
         unexplained: rest,
         proposed,
-        disagreement: disagreements(&search.base),
+        // What chance and a wandering bias explain is no disagreement.
+        disagreement: match verdict {
+            Verdict::Nothing => Vec::new(),
+            _ => disagreements(&search.base, search.last.noise),
+        },
         ranking: search
             .first_ranking
             .iter()
@@ -145,7 +156,8 @@ fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discover
         not_observable: search.not_observable.clone(),
         never_visible: NEVER_VISIBLE.to_vec(),
         validation: Vec::new(),
-        walks: search.last.walks,
+        walks: search.last.noise.walk,
+        bias_instability: search.last.noise.flicker,
         calibration,
     };
     Ok(Discovery { findings, search })
@@ -173,34 +185,69 @@ fn calibration(
     Ok(calibration)
 }
 
-/// A formula for the rest, with its coefficients.
+/// A formula for what remains, with its coefficients; names that it explains are withdrawn, and the formula is then
+/// looked for without them.
 fn proposal(
     session: &Session<'_>,
     request: &Request,
-    last: &State,
+    search: &mut Search,
     rest: &Unexplained,
-) -> Option<Proposal> {
-    let proposed = propose(session, request, last, rest)?;
-    let calibration = calibration(session, &proposed.state, request).ok()?;
+) -> Result<Option<Proposal>, Error> {
+    let Some(mut proposed) = propose(session, request, &search.last, rest) else {
+        return Ok(None);
+    };
+    let family = effect_family(&search.base, proposed.effect, &[]);
+    let noise = proposed.state.noise;
+    if let Some(less) = weighed_again(search, request, &family.columns, noise) {
+        search.withdraw_to(session, less)?;
+        let Some(again) = propose(session, request, &search.last, rest) else {
+            return Ok(None);
+        };
+        proposed = again;
+    }
+    // A formula whose parameters these recordings do not determine is none.
+    let Ok(calibration) = calibration(session, &proposed.state, request) else {
+        return Ok(None);
+    };
     let parameters = parameters_of(proposed.effect.name(), &calibration);
-    Some(proposed.written(rest.channel, parameters))
+    Ok(Some(proposed.written(rest.channel, parameters)))
+}
+
+/// Withdraws what is no longer evident beside the shape of what remains.
+fn weigh_beside_shape(
+    session: &Session<'_>,
+    request: &Request,
+    search: &mut Search,
+    found: &mut Unexplained,
+) -> Result<(), Error> {
+    let Some(shape) = &found.columns else {
+        return Ok(());
+    };
+    let Some(less) = weighed_again(search, request, &shape.columns, shape.noise) else {
+        return Ok(());
+    };
+    let withdrawn = search.withdraw_to(session, less)?;
+    found.instead_of.extend(withdrawn);
+    Ok(())
 }
 
 /// The final model with its misfits, in the fit and on blocks left out.
 struct Final<'a> {
-    walks: Walks,
+    state: &'a State,
+    noise: BiasNoise,
     misfits: [Misfit; 3],
     held_out: Option<[Misfit; 3]>,
     calibration: &'a Calibration,
 }
 
 impl<'a> Final<'a> {
-    fn of(last: &State, calibration: &'a Calibration) -> Self {
-        let walks = last.walks;
+    fn of(last: &'a State, calibration: &'a Calibration) -> Self {
+        let noise = last.noise;
         Self {
-            walks,
-            misfits: Sequence::of(last, walks).misfits(last),
-            held_out: held_out(last, walks),
+            state: last,
+            noise,
+            misfits: Sequence::of(last, noise).misfits(last),
+            held_out: held_out(last, noise),
             calibration,
         }
     }
@@ -208,8 +255,8 @@ impl<'a> Final<'a> {
 
 fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
     let without = &name.without;
-    let walks = last.walks;
-    let sequence = Sequence::of(without, walks);
+    let noise = last.noise;
+    let sequence = Sequence::of(without, noise);
     let channel = channel_of(&sequence.of_column(name.predicted.clone()));
     let held = |misfits: &Option<[Misfit; 3]>| misfits.map_or(1.0, |m| gap_of(&m, channel));
     let ties: Vec<String> = name.ties.iter().map(|t| t.claim.name().into()).collect();
@@ -226,7 +273,9 @@ fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
         channel,
         gap_before: gap_of(&sequence.misfits(without), channel),
         gap_after: gap_of(&last.misfits, channel),
-        held_out_gap_before: held(&held_out(without, walks)),
+        rms_before: without.rms(channel),
+        rms_after: last.state.rms(channel),
+        held_out_gap_before: held(&held_out(without, noise)),
         held_out_gap_after: held(&last.held_out),
     }
 }
@@ -239,15 +288,15 @@ fn without_weak(
     request: &Request,
 ) -> Result<bool, Error> {
     let threshold = request.threshold();
-    let walks = found.last.walks;
-    let left = Sequence::of(&found.last, walks).misfits(&found.last);
+    let noise = found.last.noise;
+    let left = Sequence::of(&found.last, noise).misfits(&found.last);
     let mut extension = found.last.extension.clone();
     let before = found.names.len();
     found.names.retain(|name| {
         let Claim::Effect(effect) = name.claim else {
             return true;
         };
-        let parts = Sequence::of(&name.without, walks).of_column(name.predicted.clone());
+        let parts = Sequence::of(&name.without, noise).of_column(name.predicted.clone());
         let gap = gap_of(&left, channel_of(&parts)).max(1.0);
         let ranked = &name.ranked;
         let search_cost = -ranked.log_p - ranked.evidence;
@@ -319,7 +368,13 @@ fn late_evidence(found: &Delay, candidates: usize) -> f64 {
     -found.log_p - (2.0 * candidates as f64).ln()
 }
 
-fn late_finding(found: &Delay, request: &Request, calibration: &mut Calibration) -> EffectFinding {
+/// `again` is the delay that remains with the effect in the model: its gap is that after.
+fn late_finding(
+    found: &Delay,
+    again: Option<Delay>,
+    request: &Request,
+    calibration: &mut Calibration,
+) -> EffectFinding {
     for effect in calibration.effects.iter_mut().filter(|e| e.name == LATE) {
         for p in &mut effect.parameters {
             p.std = Some(found.std);
@@ -339,7 +394,9 @@ fn late_finding(found: &Delay, request: &Request, calibration: &mut Calibration)
         parameters: parameters_of(LATE, calibration),
         channel: Channel::MovingForce,
         gap_before: found.gap_before,
-        gap_after: 1.0,
+        rms_before: None,
+        rms_after: None,
+        gap_after: again.map_or(found.gap_before, |again| again.gap_before),
         held_out_gap_before: found.held_out_gap_before,
         held_out_gap_after: found.held_out_gap_after,
     }

@@ -21,6 +21,10 @@ const TYPICAL_CREEP: f64 = 2e-4;
 const TYPICAL_PUSH: f64 = 2e-2;
 const TYPICAL_MISS: f64 = 1e-2;
 
+/// The same of a rate that is off in one interval (rad/s), and of a slip at once (rad).
+const TYPICAL_EXCURSION: f64 = 2e-4;
+const TYPICAL_SLIP: f64 = 1e-3;
+
 /// A temperature effect of higher order comes with those of lower order: they stand for the
 /// reference temperature, which is nobody's to choose.
 const COMPANIONS: [(&str, &str); 1] = [("accel_temperature_quadratic", "accel_temperature")];
@@ -45,10 +49,22 @@ impl Claim {
     pub fn name(&self) -> &'static str {
         match self {
             Self::Effect(effect) => effect.name(),
-            Self::Disturbed(Disturbance::MountSlip) => "mount_slip",
-            Self::Disturbed(Disturbance::DisturbedInterval) => "disturbed_interval",
-            Self::Disturbed(Disturbance::BadTurn) => "lost_samples",
+            Self::Disturbed(Disturbance::MountSlip | Disturbance::SuddenSlip) => "mount_slip",
+            Self::Disturbed(Disturbance::DisturbedInterval | Disturbance::RateExcursion) => {
+                "disturbed_interval"
+            }
+            Self::Disturbed(Disturbance::BadTurn) => "outlying_turn",
             Self::Shape(shape, _) => shape.words(),
+        }
+    }
+
+    /// Whether both claim the same.
+    pub fn is_same(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Effect(one), Self::Effect(two)) => one.name() == two.name(),
+            (Self::Disturbed(one), Self::Disturbed(two)) => one == two,
+            (Self::Shape(one, a), Self::Shape(two, b)) => one == two && a == b,
+            _ => false,
         }
     }
 
@@ -56,7 +72,9 @@ impl Claim {
     pub fn sensor(&self) -> Sensor {
         match self {
             Self::Effect(effect) => effect.sensor(),
-            Self::Disturbed(Disturbance::DisturbedInterval) => Sensor::Accelerometer,
+            Self::Disturbed(Disturbance::DisturbedInterval | Disturbance::SuddenSlip) => {
+                Sensor::Accelerometer
+            }
             Self::Disturbed(_) => Sensor::Gyroscope,
             Self::Shape(_, sensor) => *sensor,
         }
@@ -248,6 +266,8 @@ fn disturbance_families(state: &State) -> Vec<Family> {
         (Disturbance::MountSlip, TYPICAL_CREEP),
         (Disturbance::DisturbedInterval, TYPICAL_PUSH),
         (Disturbance::BadTurn, TYPICAL_MISS),
+        (Disturbance::RateExcursion, TYPICAL_EXCURSION),
+        (Disturbance::SuddenSlip, TYPICAL_SLIP),
     ]
     .into_iter()
     .map(|(kind, typical)| {

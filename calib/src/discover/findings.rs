@@ -9,8 +9,7 @@ use super::propose::Proposal;
 use super::unexplained::Unexplained;
 use crate::calibration::{Calibration, EffectParameter};
 
-/// The schema of findings.json.
-pub const FINDINGS_SCHEMA: &str = "stillpoint.findings/1";
+pub use crate::calibration::FINDINGS_SCHEMA;
 
 /// The verdict.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -68,6 +67,10 @@ pub struct EffectFinding {
     pub gap_before: f64,
     /// With it.
     pub gap_after: f64,
+    /// Root mean square of what the channel leaves without it, in m/s², rad/s or rad.
+    pub rms_before: Option<f64>,
+    /// With everything named.
+    pub rms_after: Option<f64>,
     /// On intervals that the fit did not see, without it.
     pub held_out_gap_before: f64,
     /// With it.
@@ -129,6 +132,8 @@ pub struct Findings {
     pub validation: Vec<Validation>,
     /// Random walk densities of the biases in the final model, m/s²/√s and rad/s/√s.
     pub walks: [f64; 2],
+    /// Bias instability `B` of every axis in the final model, m/s² and rad/s: the Allan deviation is flat at `0.664 B`.
+    pub bias_instability: [[f64; 3]; 2],
     /// The calibration of the final model.
     pub calibration: Calibration,
 }

@@ -6,31 +6,29 @@
 //!    └────────────────────────────────────────────────────────────────────────────────────┘
 //! ```
 
-mod channel;
 mod columns;
 mod discovery;
 mod enough;
 mod family;
+mod fault;
 mod findings;
-mod held_out;
-mod integrity;
+mod gap;
 mod linear;
-mod localise;
-mod noise_file;
+mod noise;
 mod pictures;
-mod projected;
 mod propose;
 mod rank;
+mod remainder;
 mod request;
-mod scatter;
 mod score;
 mod search;
-mod shape;
 mod state;
-mod time_offset;
-mod unexplained;
-mod validation;
 mod visible;
+
+use fault::{integrity, time_offset};
+use gap::{channel, held_out, localise, validation};
+use noise::{noise_file, projected};
+use remainder::{scatter, shape, unexplained, weighed_again};
 
 pub use channel::{Channel, Misfit, Sequence, channel_of};
 pub use discovery::{Discovery, discover};
@@ -39,9 +37,9 @@ pub use findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Valida
 pub use held_out::{gap_of, held_out};
 pub use integrity::{Integrity, disturbed, integrity};
 pub use localise::{Disagreement, disagreements};
-pub use noise_file::{GivenWalks, walks_in};
+pub use noise_file::{GivenNoise, noise_in};
 pub use pictures::{Covariate, Picture, Point, pictures};
-pub use projected::{Projected, Walks, Whitened};
+pub use projected::{Projected, Whitened};
 pub use propose::{Proposal, Proposed, propose};
 pub use rank::{Ranked, rank, shared};
 pub use request::{Request, Session};

@@ -9,10 +9,10 @@ use super::discovery::Discovery;
 use super::family::Claim;
 use super::findings::EffectFinding;
 use super::linear::least_squares;
-use super::projected::Walks;
 use super::search::Name;
 use super::state::State;
 use crate::calibration::EffectParameter;
+use crate::methods::joint::BiasNoise;
 
 /// What one named effect explains.
 #[derive(Clone, Debug)]
@@ -74,11 +74,11 @@ pub fn pictures(discovery: &Discovery) -> Vec<Picture> {
 
 fn of_effect(name: &Name, finding: &EffectFinding, last: &State) -> Vec<Picture> {
     let without = &name.without;
-    let walks = last.walks;
+    let noise = last.noise;
     let rows = [
-        left(without, walks, residuals(without)),
-        left(last, walks, residuals(last)),
-        left(without, walks, name.predicted.clone()),
+        left(without, noise, residuals(without)),
+        left(last, noise, residuals(last)),
+        left(without, noise, name.predicted.clone()),
     ];
     let goes_with = GoesWith::of(&finding.name, &finding.parameters);
     let goes_with = goes_with.as_ref();
@@ -118,9 +118,9 @@ fn residuals(state: &State) -> Mat<f64> {
 ///
 /// Not under the noise of the model itself: where an effect is missing it is taken for a walk of the bias, and
 /// a large walk lets the residual go where it likes.
-fn left(state: &State, walks: Walks, column: Mat<f64>) -> Mat<f64> {
+fn left(state: &State, noise: BiasNoise, column: Mat<f64>) -> Mat<f64> {
     let fit = &state.fit;
-    let whitening = whitening_at(state, walks);
+    let whitening = whitening_at(state, noise);
     let (mut whole, mut jacobian) = (column.clone(), fit.white_jacobian.clone());
     whitening.finish(whole.as_mut());
     whitening.finish(jacobian.as_mut());

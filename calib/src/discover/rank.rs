@@ -4,12 +4,21 @@ use faer::Mat;
 use sensor::Sensor;
 
 use super::family::Family;
-use super::projected::{Projected, Walks, Whitened};
+use super::projected::{Projected, Whitened};
 use super::score::{Score, log_tail, score};
+use crate::methods::joint::BiasNoise;
 
-/// Shares of the likeliest density of a walk at which hypotheses are tried too: what is taken for a walk
-/// when nothing is missing may be the effect.
-const SHARES: [f64; 5] = [0.7, 0.45, 0.25, 0.12, 0.0];
+/// Shares of the likeliest walk and flicker at which hypotheses are tried too: what is taken for them when nothing is
+/// missing may be the effect.
+const SHARES: [[f64; 2]; 7] = [
+    [0.7, 0.7],
+    [0.45, 0.45],
+    [0.2, 0.2],
+    [0.0, 1.0],
+    [1.0, 0.0],
+    [0.0, 0.45],
+    [0.0, 0.0],
+];
 
 /// The evidence for one family: that of its best hypothesis, the search paid for.
 #[derive(Clone, Debug)]
@@ -18,8 +27,8 @@ pub struct Ranked {
     pub family: usize,
     /// The hypothesis' place in the family.
     pub hypothesis: usize,
-    /// Densities of the walks under it.
-    pub walks: Walks,
+    /// Noise of the biases under it.
+    pub noise: BiasNoise,
     /// Likelihood ratio `2 (max LL_c − max LL_0)`.
     pub statistic: f64,
     /// Its degrees of freedom: what the data can see of the columns, and a shape.
@@ -34,7 +43,7 @@ pub struct Ranked {
 
 /// One setting of the densities.
 pub(super) struct Level {
-    pub walks: Walks,
+    pub noise: BiasNoise,
     pub whitened: Whitened,
     /// The sensor whose density differs from the likeliest; both hold the same there.
     pub of: Option<Sensor>,
@@ -43,8 +52,13 @@ pub(super) struct Level {
 /// The evidence for all families, greatest first.
 ///
 /// `given` says that the densities are known: they are not profiled then.
-pub fn rank(projected: &Projected, families: &[Family], walks: Walks, given: bool) -> Vec<Ranked> {
-    rank_at(projected, families, &levels(projected, walks, given))
+pub fn rank(
+    projected: &Projected,
+    families: &[Family],
+    noise: BiasNoise,
+    given: bool,
+) -> Vec<Ranked> {
+    rank_at(projected, families, &levels(projected, noise, given))
 }
 
 /// The same at settings of the densities that were worked out before.
@@ -62,32 +76,28 @@ pub(super) fn rank_at(projected: &Projected, families: &[Family], levels: &[Leve
     ranked
 }
 
-/// The likeliest densities, then for each sensor shares of them.
-pub(super) fn levels(projected: &Projected, walks: Walks, given: bool) -> Vec<Level> {
-    let mut levels = Vec::new();
-    let mut add = |walks: Walks, of: Option<Sensor>| {
-        if let Some(whitened) = projected.at(walks) {
+/// The likeliest noise, then for each sensor shares of it.
+pub(super) fn levels(projected: &Projected, noise: BiasNoise, given: bool) -> Vec<Level> {
+    let mut levels: Vec<Level> = Vec::new();
+    let mut add = |noise: BiasNoise, of: Option<Sensor>| {
+        if levels.iter().any(|level| level.noise == noise) {
+            return;
+        }
+        if let Some(whitened) = projected.at(noise) {
             levels.push(Level {
-                walks,
+                noise,
                 whitened,
                 of,
             });
         }
     };
-    add(walks, None);
+    add(noise, None);
     if given {
         return levels;
     }
-    for (s, sensor) in [Sensor::Accelerometer, Sensor::Gyroscope]
-        .into_iter()
-        .enumerate()
-    {
-        if walks[s] > 0.0 {
-            for share in SHARES {
-                let mut less = walks;
-                less[s] *= share;
-                add(less, Some(sensor));
-            }
+    for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+        for [walk, flicker] in SHARES {
+            add(noise.with_shares(sensor, walk, flicker), Some(sensor));
         }
     }
     levels
@@ -127,7 +137,7 @@ fn best(
                 best = Some(Ranked {
                     family: place,
                     hypothesis: k,
-                    walks: level.walks,
+                    noise: level.noise,
                     statistic,
                     dof,
                     log_p,
@@ -148,7 +158,7 @@ pub fn shared(
     one: &Ranked,
     other: &Ranked,
 ) -> Option<f64> {
-    let whitened = projected.at(one.walks)?;
+    let whitened = projected.at(one.noise)?;
     let of = |ranked: &Ranked| {
         let own = families[ranked.family].columns_of(ranked.hypothesis);
         whitened.columns(&projected.columns(own))

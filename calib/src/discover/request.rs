@@ -5,11 +5,11 @@ use std::borrow::Borrow;
 use sensor::AnyEffect;
 
 use super::family::{TIME_CONSTANT, reference_of};
-use super::projected::Walks;
 use super::state::Extension;
 use crate::error::Error;
 use crate::gravity::GravitySource;
 use crate::intervals::Detector;
+use crate::methods::joint::BiasNoise;
 use crate::methods::joint::{ClockMode, JointRequest, MOST_IN_A_SEARCH, within_budget};
 use crate::methods::{Choice, cut};
 use crate::recording::Recording;
@@ -28,8 +28,8 @@ pub struct Request {
     /// Chance of any false claim about recordings of a device that lacks nothing: half of it for names, half
     /// for saying that something is unexplained.
     pub alpha: f64,
-    /// Random walk densities of the biases, where they are known (m/s²/√s, rad/s/√s).
-    pub walks: Option<Walks>,
+    /// Noise of the biases, where it is known.
+    pub noise: Option<BiasNoise>,
     /// Latitude, degrees north: the earth's rotation is then part of the base model.
     pub latitude: Option<f64>,
     /// By which clock the turns are integrated.
@@ -69,7 +69,7 @@ impl Request {
             gravity,
             gravity_source: GravitySource::Given,
             alpha: 0.01,
-            walks: None,
+            noise: None,
             latitude: None,
             clock: ClockMode::default(),
             detector: Detector::default(),
@@ -97,8 +97,8 @@ pub struct Session<'a> {
     pub recordings: Vec<(&'a Recording, Choice)>,
     /// Local gravity, m/s².
     pub gravity: f64,
-    /// Random walk densities where they are known.
-    pub walks: Option<Walks>,
+    /// Noise of the biases, where it is known.
+    pub noise: Option<BiasNoise>,
     /// Latitude, degrees north.
     pub latitude: Option<f64>,
     /// By which clock the turns are integrated.
@@ -132,7 +132,7 @@ impl<'a> Session<'a> {
             cut_down,
             recordings: all.into_iter().zip(choices).collect(),
             gravity: request.gravity,
-            walks: request.walks,
+            noise: request.noise,
             latitude: request.latitude,
             clock: request.clock,
         })
@@ -168,8 +168,8 @@ impl<'a> Session<'a> {
         JointRequest {
             accelerometer,
             gyroscope,
-            walk: self.walks,
-            biases_walk: true,
+            bias_noise: self.noise,
+            flicker: true,
             disturbances: false,
             known: extension.disturbed.clone(),
             held,

@@ -5,15 +5,19 @@ use std::ops::Range;
 use faer::{Mat, MatMut};
 use sensor::AnyEffect;
 
-use super::projected::{Projected, Walks};
+use super::channel::Channel;
+use super::projected::Projected;
 use super::request::Session;
 use super::score::log_tail;
 use crate::error::Error;
 use crate::methods::joint::{
-    ComponentKind, Disturbance, JointFit, Known, Sensitivities, Suspect, columns, fit_joint,
-    suspects, without,
+    BiasNoise, Disturbance, JointFit, Known, Sensitivities, Suspect, columns, excursions,
+    fit_joint, suspects, within, without,
 };
 use crate::watch::{Stage, step};
+
+/// Means of static intervals on either side that a step of a bias needs.
+const BESIDE_A_STEP: usize = 3;
 
 /// The parameter that shapes an effect (`tau`, `t0`), by its place, and its value, which the fit holds.
 pub type Held = Option<(usize, f64)>;
@@ -40,10 +44,10 @@ pub struct State {
     pub sensitivities: Sensitivities,
     /// What is left.
     pub projected: Projected,
-    /// Random walk densities when nothing is missing: given or likeliest.
-    pub walks: Walks,
-    /// Whether the densities were given.
-    pub walks_given: bool,
+    /// Noise of the biases when nothing more is missing: given or likeliest.
+    pub noise: BiasNoise,
+    /// Whether it was given.
+    pub noise_given: bool,
 }
 
 impl State {
@@ -55,27 +59,29 @@ impl State {
         step(Stage::Searching)?;
         let fit = fit_joint(&session.joint(&extension))?;
         let sensitivities = fit.sensitivities();
-        let walk = |kind| {
-            let found = fit.components.iter().find(|c| c.kind == kind);
-            found.map(|c| &c.covariance)
-        };
-        let projected = Projected::new(
-            &fit.white_residuals,
-            &fit.white_jacobian,
-            [
-                walk(ComponentKind::AccelerometerWalk),
-                walk(ComponentKind::GyroscopeWalk),
-            ],
-        );
-        let walks = session.walks.unwrap_or_else(|| projected.likeliest_walks());
+        let mut projected =
+            Projected::new(&fit.white_residuals, &fit.white_jacobian, &fit.components);
+        projected.within = within(&fit.data, &projected.kinds());
+        let noise = BiasNoise::of(&fit.levels);
         Ok(Self {
             extension,
             fit,
             sensitivities,
             projected,
-            walks,
-            walks_given: session.walks.is_some(),
+            noise,
+            noise_given: session.noise.is_some(),
         })
+    }
+
+    /// Root mean square of what a channel leaves, in its own unit: m/s², rad/s, rad; `None` of one that the joint fit has no
+    /// rows of.
+    pub fn rms(&self, channel: Channel) -> Option<f64> {
+        match channel {
+            Channel::StaticNorm => Some(self.fit.norm_rms()),
+            Channel::StaticRate => Some(self.fit.rate_rms()),
+            Channel::Direction => Some(self.fit.direction_rms()),
+            Channel::MovingForce => None,
+        }
     }
 
     /// Number of rows.
@@ -106,10 +112,10 @@ impl State {
     /// What may have been disturbed.
     pub fn suspects(&self) -> Vec<Suspect> {
         let rows = self.fit.plain_rows();
-        suspects(
-            &rows,
-            &self.fit.parameters.values()[..rows.layout.disturbance(0)],
-        )
+        let x = &self.fit.parameters.values()[..rows.layout.disturbance(0)];
+        let mut all = suspects(&rows, x);
+        all.extend(excursions(&rows, x));
+        all
     }
 
     /// How sure the model is of what it holds as disturbed: `ln p` of `βᵀ C⁻¹ β`, `β` the parameters of one
@@ -132,6 +138,22 @@ impl State {
             .collect()
     }
 
+    /// Length of what each disturbance of the model comes to, in the order of the findings: rad/s of a creep and of a rate,
+    /// m/s² of a force, rad of a turn and of a slip at once.
+    pub fn disturbed_sizes(&self) -> Vec<f64> {
+        let all = self.fit.parameters.values();
+        let mut next = all.len() - self.fit.disturbance_columns.len();
+        let suspects = self.suspects().into_iter();
+        suspects
+            .filter(|s| self.is_accused(s.kind, s.place))
+            .map(|s| {
+                let own = next..next + s.columns.len();
+                next = own.end;
+                all[own].iter().map(|v| v * v).sum::<f64>().sqrt()
+            })
+            .collect()
+    }
+
     /// `ln p` that some parameters are nothing.
     fn log_p_of_nothing(&self, places: Range<usize>) -> f64 {
         let is_own = |k: &usize| places.contains(&self.fit.free[*k]);
@@ -149,9 +171,14 @@ impl State {
         log_tail(explained.squared_norm_l2(), values.len() as f64)
     }
 
-    /// Times (since the start of the recording, s) at which a bias may have jumped: between
-    /// neighbouring chunks of rests, those at the very ends left out.
+    /// Times (since the start of the recording, s) at which a bias may have jumped: between neighbouring chunks of rests,
+    /// where [`BESIDE_A_STEP`] of them on either side show that it moved and stayed.
+    ///
+    /// None of several recordings: an instant belongs to one of them, and between them biases are their own.
     pub fn boundaries(&self) -> Vec<f64> {
+        if self.fit.data.sources.len() > 1 {
+            return Vec::new();
+        }
         let mut middles: Vec<f64> = self
             .sensitivities
             .means
@@ -160,11 +187,11 @@ impl State {
             .collect();
         middles.sort_by(f64::total_cmp);
         middles.dedup_by(|a, b| (*a - *b).abs() < 1.0);
-        let last = middles.len().saturating_sub(2);
+        let most = middles.len().saturating_sub(BESIDE_A_STEP);
         middles
             .windows(2)
             .enumerate()
-            .filter(|(k, _)| *k > 0 && *k < last)
+            .filter(|(k, _)| (BESIDE_A_STEP..=most).contains(&(k + 1)))
             .map(|(_, pair)| 0.5 * (pair[0] + pair[1]))
             .collect()
     }

@@ -69,6 +69,7 @@ impl Recording {
             Role::Accel(_) => !rows.accel.is_empty(),
             Role::Gyro(_) => !rows.gyro.is_empty(),
             Role::Temperature => !rows.temperature.is_empty(),
+            Role::Field(_) => false,
         });
         table.roles = used.map(|role| (role, role.name().to_owned())).collect();
         let mut recording = assemble(name.to_owned(), vec![table], &ReadOptions::default())?;

@@ -63,12 +63,40 @@ impl Path {
             return at_rest;
         };
         let (_, stamps, attitudes) = &self.turns[place];
-        let near = stamps.partition_point(|&s| s < t);
-        match attitudes.get(near.min(attitudes.len().saturating_sub(1))) {
-            Some(attitude) if moving => *attitude,
-            _ => at_rest,
+        if moving {
+            between(stamps, attitudes, t).unwrap_or(at_rest)
+        } else {
+            at_rest
         }
     }
+}
+
+/// The attitude at `t`, along the chord between those of the neighbouring samples: a sample's turn is small. That of the
+/// first or last sample outside.
+///
+/// The times of samples by the clock that a fit chose lie on either side of their stamps: taking the attitude of a sample
+/// would be off by half a step on average.
+fn between(stamps: &[f64], attitudes: &[Attitude<f64>], t: f64) -> Option<Attitude<f64>> {
+    let after = stamps.partition_point(|&s| s < t);
+    let (Some(before), Some(next)) = (after.checked_sub(1), attitudes.get(after)) else {
+        return attitudes
+            .get(after.min(attitudes.len().checked_sub(1)?))
+            .copied();
+    };
+    let (a, b) = (attitudes[before], *next);
+    let step = stamps[after] - stamps[before];
+    let share = if step > 0.0 {
+        ((t - stamps[before]) / step).clamp(0.0, 1.0)
+    } else {
+        1.0
+    };
+    Some(
+        Attitude {
+            w: a.w + (b.w - a.w) * share,
+            v: a.v + (b.v - a.v) * share,
+        }
+        .normalized(),
+    )
 }
 
 /// Stamps and attitudes of the samples of a turn. What the sensor shows in the rests beside it is taken off as bias.
@@ -127,6 +155,23 @@ fn shortest(from: &Vector3<f64>) -> Attitude<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn between_two_samples_the_attitude_is_between() {
+        let turned = |angle: f64| Attitude::exp(&Vector3::new(0.0, 0.0, angle));
+        let attitudes = [turned(0.3), turned(0.34)];
+        for (t, angle) in [
+            (1.0, 0.3),
+            (1.0025, 0.31),
+            (1.005, 0.32),
+            (1.01, 0.34),
+            (1.2, 0.34),
+        ] {
+            let found = between(&[1.0, 1.01], &attitudes, t).unwrap();
+            // The chord is off by less than the cube of the step.
+            assert!((found.v.z - turned(angle).v.z).abs() < 1e-6, "{t}");
+        }
+    }
 
     #[test]
     fn levelling_keeps_a_level_attitude_and_rights_a_tilted_one() {

@@ -80,6 +80,14 @@ fn level_in_words(kind: ComponentKind, size: f64) -> String {
         ComponentKind::AccelerometerWalk => {
             format!("the accelerometer's bias walks by {size:.1e} m/s²/√s")
         }
+        ComponentKind::AccelerometerFlicker(axis) => {
+            let axis = ["x", "y", "z"][axis % 3];
+            format!("the accelerometer's bias flickers by {size:.1e} m/s² on {axis}")
+        }
+        ComponentKind::GyroscopeFlicker(axis) => {
+            let axis = ["x", "y", "z"][axis % 3];
+            format!("the gyroscope's bias flickers by {size:.1e} rad/s on {axis}")
+        }
         ComponentKind::GyroscopeWalk => {
             format!("the gyroscope's bias walks by {size:.1e} rad/s/√s")
         }

@@ -4,7 +4,8 @@
 //! cargo run --release -p stillpoint-tests --bin power-study -- --row clean --row outside --out power.jsonl
 //! ```
 //!
-//! Sessions are numbered; one that is in the file already is not made again. The result does not depend on
+//! Row `conditions` hides nothing under the conditions of the coverage study. Sessions are numbered; one that is in
+//! the file already is not made again. The result does not depend on
 //! the number of threads.
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -5,7 +5,7 @@ use calib::calibrate::{Method, Request, calibrate};
 use calib::calibration::Calibration;
 use calib::intervals::{Segmentation, Span};
 use calib::methods::Fitted;
-use calib::methods::joint::{Chunk, JointFit, JointRequest, fit_joint};
+use calib::methods::joint::{BiasNoise, Chunk, JointFit, JointRequest, fit_joint};
 use calib::simulate::{Clock, Fault, Grade, HandHeld, Motion, Session, Simulation, Spec};
 use nalgebra::{DMatrix, DVector, Vector3};
 use sensor::{PLACES, Sensor, base_names};
@@ -218,7 +218,7 @@ fn joint(
     walk: Option<[f64; 2]>,
 ) -> Result<JointFit, Error> {
     fit_joint(&JointRequest {
-        walk,
+        bias_noise: walk.map(BiasNoise::walks),
         ..JointRequest::new(
             vec![(&session.recording, segmentation)],
             session.truth.spec.gravity,
@@ -264,7 +264,8 @@ fn named(fit: &JointFit, session: &Session) -> Vec<String> {
         .iter()
         .map(|a| {
             let kind = match a.kind {
-                Disturbance::MountSlip => "slip",
+                Disturbance::MountSlip | Disturbance::SuddenSlip => "slip",
+                Disturbance::RateExcursion => "excursion",
                 Disturbance::DisturbedInterval => "touch",
                 Disturbance::BadTurn => "turn",
             };

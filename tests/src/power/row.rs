@@ -10,6 +10,8 @@ use rand_chacha::ChaCha8Rng;
 use sensor::{Axis, Sensor};
 use serde::{Deserialize, Serialize};
 
+use crate::conditions::condition;
+
 /// The usual random walk of the biases of a consumer-grade device, m/s²/√s and rad/s/√s.
 const WALK: [f64; 2] = [1e-4, 5e-6];
 
@@ -51,10 +53,11 @@ const TIME: [&str; 9] = [
 
 const OUTSIDE: [&str; 5] = ["periodic", "pattern", "telegraph", "heading", "relaxation"];
 const INVISIBLE: [&str; 3] = ["wrong_gravity", "fast_clock", "size_effect"];
-const INTEGRITY: [&str; 5] = [
+const INTEGRITY: [&str; 6] = [
     "saturation",
     "quantisation",
     "lost_samples",
+    "lost_neighbours",
     "mount_slip",
     "disturbed_interval",
 ];
@@ -67,12 +70,36 @@ const CLEAN: [&str; 6] = [
     "tactical, three times the usual walk",
 ];
 
+/// Nothing hidden, under conditions of the coverage study: the issue's rows.
+const CONDITIONS: [&str; 12] = [
+    "clean",
+    "clean-tactical",
+    "walk",
+    "jitter-2",
+    "jitter-2-tactical",
+    "stamps-1",
+    "flicker",
+    "low-pass",
+    "tremor-5",
+    "quantised-1",
+    "earth",
+    "knocks-point",
+];
+
+/// Claims that are right under a condition although nothing is hidden.
+const RIGHT: [(&str, &[&str]); 2] = [
+    ("earth", &["earth_rate"]),
+    ("knocks-point", &["undersampled_motion"]),
+];
+
 /// A row of the table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Row {
     /// Nothing hidden.
     Clean,
+    /// Nothing hidden, under every condition.
+    Conditions,
     /// What this kind of data cannot show.
     Invisible,
     /// Effects that go with orientation or rate, lambda 60.
@@ -96,6 +123,7 @@ impl Row {
     fn kinds(self) -> &'static [&'static str] {
         match self {
             Self::Clean => &CLEAN,
+            Self::Conditions => &CONDITIONS,
             Self::Invisible => &INVISIBLE,
             Self::Orientation60 | Self::Orientation30 => &ORIENTATION,
             Self::Time150 | Self::Time60 => &TIME,
@@ -105,10 +133,27 @@ impl Row {
         }
     }
 
+    /// The seed of the row: that of a row stays when others join.
+    fn seed(self) -> u64 {
+        match self {
+            Self::Clean => 0,
+            Self::Invisible => 1,
+            Self::Orientation60 => 2,
+            Self::Orientation30 => 3,
+            Self::Time150 => 4,
+            Self::Time60 => 5,
+            Self::Pairs => 6,
+            Self::Outside => 7,
+            Self::Integrity => 8,
+            Self::Conditions => 9,
+        }
+    }
+
     /// Sessions that the issue asks for.
     pub fn sessions(self) -> u64 {
         match self {
             Self::Clean => 500,
+            Self::Conditions => 100 * CONDITIONS.len() as u64,
             Self::Invisible => 60,
             Self::Orientation60 | Self::Orientation30 => 50 * ORIENTATION.len() as u64,
             Self::Time150 | Self::Time60 => 50 * TIME.len() as u64,
@@ -137,6 +182,8 @@ pub struct Job {
     pub kind: String,
     /// The names that are right.
     pub hidden: Vec<String>,
+    /// Claims that are right although nothing is hidden.
+    pub right: Vec<String>,
     /// The session with nothing hidden.
     pub clean: Spec,
     /// Random walk densities.
@@ -161,8 +208,9 @@ impl Job {
             }
             _ => (round % 2 == 1, 1.0),
         };
-        let mut random = ChaCha8Rng::seed_from_u64(1_000_003 * (row as u64 + 1) + index);
-        let mut clean = Spec::hand_held(random.random());
+        let mut random = ChaCha8Rng::seed_from_u64(1_000_003 * (row.seed() + 1) + index);
+        let seed = random.random();
+        let mut clean = Spec::hand_held(seed);
         let mut walks = WALK.map(|k| times * k);
         if tactical {
             clean.grade = Grade::Tactical;
@@ -170,9 +218,13 @@ impl Job {
         }
         clean.accelerometer.random_walk = walks[0];
         clean.gyroscope.random_walk = walks[1];
+        if let (Row::Conditions, Some(condition)) = (row, condition(kind)) {
+            clean = condition.spec(seed >> 32);
+        }
         let mut job = Self {
             row,
             kind: kind.into(),
+            right: right(kind),
             hidden: Vec::new(),
             clean,
             walks,
@@ -187,8 +239,10 @@ impl Job {
     /// What is to be named, and what the clean session needs for it to show.
     fn hide(&mut self, kind: &str) {
         self.hidden = match self.row {
-            Row::Clean | Row::Invisible | Row::Outside => Vec::new(),
+            Row::Clean | Row::Conditions | Row::Invisible | Row::Outside => Vec::new(),
             Row::Pairs => self.pair(),
+            // The stamps are closed up: nothing shows that samples are lost.
+            Row::Integrity if kind.starts_with("lost") => vec!["outlying_turn".into()],
             _ => vec![kind.into()],
         };
         for name in self.hidden.clone() {
@@ -218,7 +272,7 @@ impl Job {
     pub fn with(&self, what: &str, size: f64) -> Option<Spec> {
         let mut spec = self.clean.clone();
         match self.row {
-            Row::Clean => return None,
+            Row::Clean | Row::Conditions => return None,
             Row::Orientation60 | Row::Orientation30 | Row::Time150 | Row::Time60 | Row::Pairs => {
                 spec = spec.with_effect(what, size);
                 if what.ends_with("_warmup") {
@@ -227,7 +281,14 @@ impl Job {
             }
             Row::Invisible => spec = spec.with_hidden(invisible(what, size)),
             Row::Outside => spec = spec.with_hidden(self.outside(what, size)),
-            Row::Integrity => spec = spec.with_fault(self.fault(what, size)?),
+            Row::Integrity => {
+                let fault = self.fault(what, size)?;
+                if let ("lost_neighbours", Fault::Lost { turn, length }) = (what, &fault) {
+                    let (turn, length) = (turn + 1, *length);
+                    spec = spec.with_fault(Fault::Lost { turn, length });
+                }
+                spec = spec.with_fault(fault);
+            }
         }
         Some(spec)
     }
@@ -235,7 +296,7 @@ impl Job {
     /// What is hidden in the session, by name.
     pub fn what(&self) -> Vec<String> {
         match self.row {
-            Row::Clean => Vec::new(),
+            Row::Clean | Row::Conditions => Vec::new(),
             Row::Pairs => self.hidden.clone(),
             _ => vec![self.kind.clone()],
         }
@@ -302,13 +363,20 @@ impl Job {
                 interval,
                 size: 2e-2 * size,
             }),
-            "lost_samples" => Some(Fault::Lost {
+            "lost_samples" | "lost_neighbours" => Some(Fault::Lost {
                 turn: interval,
                 length: 0.05 * size,
             }),
             _ => None,
         }
     }
+}
+
+/// Claims that are right under this condition.
+fn right(kind: &str) -> Vec<String> {
+    let own = RIGHT.iter().find(|(name, _)| *name == kind);
+    let own = own.map_or(&[][..], |(_, right)| right);
+    own.iter().map(|name| (*name).into()).collect()
 }
 
 fn invisible(what: &str, size: f64) -> Hidden {

@@ -6,6 +6,7 @@ use calib::Error;
 use calib::discover::{
     EffectFinding, Extension, Request, Session, State, Verdict, delay, discover, gap_of, held_out,
 };
+use calib::methods::joint::BiasNoise;
 use calib::simulate::{Spec, Truth};
 use serde::{Deserialize, Serialize};
 
@@ -23,6 +24,9 @@ pub struct Record {
     pub lambda: Vec<Option<f64>>,
     /// The names that are right.
     pub hidden: Vec<String>,
+    /// Claims that are right although nothing is hidden.
+    #[serde(default)]
+    pub right: Vec<String>,
     /// The effects that were named.
     pub named: Vec<String>,
     /// What each of them was said to be indistinguishable from.
@@ -51,13 +55,14 @@ pub fn run(row: Row, index: u64) -> Result<Record, Error> {
         index,
         kind: job.kind.clone(),
         hidden: job.hidden.clone(),
+        right: job.right.clone(),
         ..Record::default()
     };
     let spec = scaled(&job, &mut record)?;
     let session = spec.run()?;
     let recordings = [session.recording.clone()];
     let mut request = Request::new(spec.gravity);
-    request.walks = job.told.then_some(job.walks);
+    request.noise = job.told.then(|| BiasNoise::walks(job.walks));
     let start = Instant::now();
     let discovery = match discover(&recordings, &request) {
         Ok(discovery) => discovery,
@@ -132,7 +137,7 @@ fn scaled(job: &Job, record: &mut Record) -> Result<Spec, Error> {
                 1.0
             }
             // Two samples: lost ones move the stamps of all that follow, so that sessions cannot be compared.
-            _ if what == "lost_samples" => 0.4,
+            _ if what.starts_with("lost_") => 0.4,
             _ => {
                 // Faults of the readout have no size.
                 let Some(unit) = job.with(&what, 1.0) else {
@@ -227,8 +232,8 @@ fn against_the_truth(
         extension.effects.push((*effect, shape));
     }
     let truth = State::fit(&session, extension)?;
-    let walks = discovery.search.last.walks;
-    let Some(best) = held_out(&truth, walks) else {
+    let noise = discovery.search.last.noise;
+    let Some(best) = held_out(&truth, noise) else {
         return Ok(Vec::new());
     };
     Ok(discovery

@@ -2,7 +2,7 @@
 
 use calib::Error;
 use calib::discover::{Extension, Request, Session, State};
-use calib::methods::joint::Rows;
+use calib::methods::joint::{BiasNoise, Rows};
 use calib::simulate::Spec;
 use faer::Mat;
 
@@ -41,6 +41,6 @@ pub fn noncentrality(without: &Spec, with: &Spec, walks: [f64; 2]) -> Result<Opt
     }
     let difference = Mat::from_fn(r0.len(), 1, |i, _| r1[i] - r0[i]);
     let projected = base.projected.columns(base.whitened(difference).as_ref());
-    let whitened = base.projected.at(walks);
+    let whitened = base.projected.at(BiasNoise::walks(walks));
     Ok(whitened.map(|w| w.columns(&projected).squared_norm_l2()))
 }

@@ -46,6 +46,13 @@ impl Record {
             .collect()
     }
 
+    /// Any claim but those that the condition makes right.
+    pub fn is_claimed(&self) -> bool {
+        let mut claims = self.claims();
+        claims.retain(|name| !self.right.iter().any(|right| right == name));
+        !claims.is_empty() || self.unexplained.is_some()
+    }
+
     /// Everything hidden and nothing else.
     pub fn is_exact(&self) -> bool {
         let mut claims = self.claims();
@@ -66,13 +73,15 @@ impl Record {
     /// A name that is neither hidden nor tied to what is.
     pub fn is_wrong(&self) -> bool {
         let wrong_effect = self.named.iter().zip(&self.ties).any(|(name, ties)| {
-            !self.hidden.contains(name) && !ties.iter().any(|t| self.hidden.contains(t))
+            !self.hidden.contains(name)
+                && !self.right.contains(name)
+                && !ties.iter().any(|t| self.hidden.contains(t))
         });
         wrong_effect
             || self
                 .integrity
                 .iter()
-                .any(|name| !self.hidden.contains(name))
+                .any(|name| !self.hidden.contains(name) && !self.right.contains(name))
     }
 }
 
@@ -102,7 +111,7 @@ pub fn summarise<'a>(records: impl Iterator<Item = &'a Record> + Clone) -> Summa
         integrity: share(&|r| {
             r.named.is_empty() && r.hidden.iter().all(|h| r.integrity.contains(h))
         }),
-        any_claim: share(&|r| !r.claims().is_empty() || r.unexplained.is_some()),
+        any_claim: share(&|r| r.is_claimed()),
         coverage: covered as f64 / z.len().max(1) as f64,
         intervals: z.len(),
         gap_within_tenth: close as f64 / ratios.len().max(1) as f64,

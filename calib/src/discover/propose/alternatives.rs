@@ -60,9 +60,10 @@ mod tests {
         let projected = Projected {
             null: Mat::identity(3, 3),
             z: Mat::from_fn(3, 1, |i, _| [10.0, 1.0, 0.0][i]),
-            walks: [None, None],
+            noise: Vec::new(),
+            within: Vec::new(),
         };
-        let whitened = projected.at([0.0; 2]).unwrap();
+        let whitened = projected.at(Default::default()).unwrap();
         let chosen = product(Covariate::Time, [1.0, 0.0, 0.0]);
         // (10 cos 0.2 + sin 0.2)² is 99.98, (10 cos 0.4 + sin 0.4)² is 92.2; of 100 more than 2 ln 20 less is 94.0.
         let turned = |angle: f64| [angle.cos(), angle.sin(), 0.0];

@@ -168,14 +168,14 @@ pub fn name_of(sensor: Sensor) -> &'static str {
 fn evidence(last: &State, effect: &'static dyn AnyEffect, offered: usize) -> Option<Ranked> {
     let mut family = effect_family(last, effect, &[]);
     family.log_places = ln_binomial(offered as u64, effect.params().len() as u64);
-    rank(&last.projected, &[family], last.walks, last.walks_given).pop()
+    rank(&last.projected, &[family], last.noise, last.noise_given).pop()
 }
 
 /// The held-out gap of the channel before and after, at the walks of the model after; `None` unless what is left
 /// is noise, `gap² ≤ 1 + 2 √(2/dof)`, or a small share of what was.
 fn closed(before: &State, after: &State, channel: Channel) -> Option<[f64; 2]> {
     let of = |state: &State| -> Option<Misfit> {
-        held_out(state, after.walks)?.get(channel as usize).copied()
+        held_out(state, after.noise)?.get(channel as usize).copied()
     };
     let (before, after) = (of(before)?, of(after)?);
     let gaps = [before.gap(), after.gap()];

@@ -35,7 +35,7 @@ pub struct Screened {
 
 /// The products with the best score of their own.
 pub fn screen(state: &State, products: &[Product]) -> Option<Screened> {
-    let mut levels = levels(&state.projected, state.walks, state.walks_given);
+    let mut levels = levels(&state.projected, state.noise, state.noise_given);
     let kept = best(products, &levels.first()?.whitened);
     let level = likeliest(products, &kept, &levels)?;
     let whitened = levels.swap_remove(level).whitened;

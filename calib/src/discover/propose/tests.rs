@@ -91,6 +91,7 @@ fn asked_of(spec: &Spec, channel: Channel) -> Option<Formula> {
         shape: String::new(),
         period: None,
         instead_of: Vec::new(),
+        columns: None,
     };
     propose(&session, &request, &state, &rest).map(|p| p.formula)
 }

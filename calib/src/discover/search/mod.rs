@@ -1,9 +1,12 @@
 //! Naming what is missing, one thing after the other, until the rest is noise.
 
+mod outlying_turns;
 mod pairs;
 mod review;
 
 use std::cell::Cell;
+
+use outlying_turns::outlying_turns;
 
 use faer::Mat;
 use sensor::AnyEffect;
@@ -109,6 +112,32 @@ impl Search {
     }
 }
 
+impl Search {
+    /// The model with less in it: the names that go.
+    ///
+    /// # Errors
+    /// As the joint fit.
+    pub fn withdraw_to(
+        &mut self,
+        session: &Session<'_>,
+        less: Extension,
+    ) -> Result<Vec<String>, Error> {
+        let stays = |name: &Name| match name.claim {
+            Claim::Effect(effect) => less.effects.iter().any(|(e, _)| e.name() == effect.name()),
+            Claim::Disturbed(kind) => less
+                .disturbed
+                .iter()
+                .any(|known| known.kind == kind && Some(known.place) == name.hypothesis.place),
+            Claim::Shape(..) => true,
+        };
+        let gone = self.names.iter().filter(|name| !stays(name));
+        let gone = gone.map(|name| name.claim.name().into()).collect();
+        self.names.retain(stays);
+        self.last = State::fit(session, less)?;
+        Ok(gone)
+    }
+}
+
 /// A claim in the model, with the way in which it holds.
 #[derive(Clone, Debug)]
 struct Held {
@@ -159,14 +188,19 @@ impl Finder<'_> {
     }
 
     fn run(&self, base: State) -> Result<Search, Error> {
-        let mut held = Vec::new();
-        let mut last = base.clone();
+        let mut held = outlying_turns(&base);
+        let gross = held.len();
+        let mut last = if held.is_empty() {
+            base.clone()
+        } else {
+            self.state(&held)?
+        };
         let (mut first_ranking, mut not_observable) = (Vec::new(), Vec::new());
         let mut spent = false;
-        while held.len() < MOST_NAMES {
+        while held.len() < MOST_NAMES + gross {
             let (families, ranked) = self.ranked(&last);
             let next = self.next(&families, &ranked);
-            if held.is_empty() {
+            if held.len() == gross {
                 first_ranking = labelled(&families, &ranked);
                 not_observable = silent(&families, &ranked);
             }
@@ -233,7 +267,7 @@ impl Finder<'_> {
 
     fn ranked(&self, state: &State) -> (Vec<Family>, Vec<Ranked>) {
         let families = families(state, self.catalogue);
-        let mut ranked = rank(&state.projected, &families, state.walks, state.walks_given);
+        let mut ranked = rank(&state.projected, &families, state.noise, state.noise_given);
         for r in ranked
             .iter_mut()
             .filter(|r| turns_otherwise(&families[r.family], r))

@@ -13,8 +13,8 @@ impl Finder<'_> {
     /// base model, the best of them instead where it is 20 to 1 better. Whether it was.
     pub(super) fn try_pairs(&self, base: &State, held: &mut Vec<Held>) -> bool {
         let (families, ranked) = self.ranked(base);
-        let walks = base.walks;
-        let Some(whitened) = base.projected.at(walks) else {
+        let noise = base.noise;
+        let Some(whitened) = base.projected.at(noise) else {
             return false;
         };
         let best: Vec<&Ranked> = ranked
@@ -42,7 +42,7 @@ impl Finder<'_> {
         };
         let place = |h: &Held| {
             best.iter()
-                .position(|r| families[r.family].claim.name() == h.claim.name())
+                .position(|r| families[r.family].claim.is_same(&h.claim))
         };
         let (Some(a), Some(b)) = (place(&held[0]), place(&held[1])) else {
             return false;

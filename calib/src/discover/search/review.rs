@@ -121,7 +121,7 @@ impl Finder<'_> {
     fn judge(&self, own: &Held, families: &[Family], ranked: &[Ranked]) -> Verdict {
         let mine = ranked.iter().find(|r| {
             let family = &families[r.family];
-            family.claim.name() == own.claim.name()
+            family.claim.is_same(&own.claim)
                 && (own.hypothesis.place.is_none()
                     || family.hypotheses[r.hypothesis].place == own.hypothesis.place)
         });

@@ -2,6 +2,7 @@
 
 use faer::Mat;
 
+use super::bias_noise::Within;
 use super::data::Chunk;
 use super::disturbance::Suspect;
 use super::exposure::{Exposure, covariance};
@@ -24,6 +25,9 @@ const QUIET: f64 = 2.0;
 
 /// Rows that leave so much by chance only do not scatter.
 const UNLIKELY: f64 = 1e-3;
+
+/// Prior chance of no walk at all, over that of any.
+const NONE: f64 = 1.0;
 
 /// How far usual walks go, in standard deviations of a chunk's mean.
 const USUAL: f64 = 3.0;
@@ -238,14 +242,23 @@ impl Analysis {
         by_shift
     }
 
+    /// Kinds of noise of the biases among the components.
+    pub fn bias_kinds(&self) -> Vec<ComponentKind> {
+        let kinds = self.components.iter().map(|c| c.kind);
+        kinds.filter(|k| k.is_walk() || k.is_flicker()).collect()
+    }
+
     /// The levels of the components by restricted likelihood, with the disturbances' columns among the
-    /// free ones: scatter at its likeliest, walks as their expectation, which none at all may be unless
-    /// biases are sure to walk.
-    pub fn levels(&self, disturbances: &[&Suspect], biases_walk: bool) -> Vec<NoiseLevel> {
+    /// free ones: scatter at its likeliest, walks as their expectation, which none at all may be; walks and flicker
+    /// together at their likeliest, given what the readings `within` static intervals say of them.
+    pub fn levels(&self, disturbances: &[&Suspect], within: &[Within]) -> Vec<NoiseLevel> {
         let jacobian = self.with(disturbances);
         let of = |wanted: fn(ComponentKind) -> bool| -> Vec<&Component> {
             self.components.iter().filter(|c| wanted(c.kind)).collect()
         };
+        if !of(ComponentKind::is_flicker).is_empty() {
+            return self.likeliest(&jacobian, within);
+        }
         let (walks, scatter) = (of(ComponentKind::is_walk), of(|kind| !kind.is_noise()));
         let scatter = self.scatter(&jacobian, &walks, &scatter);
         let known = self.components.iter();
@@ -262,9 +275,8 @@ impl Analysis {
                 });
         let covariances: Vec<&Mat<f64>> = walks.iter().map(|c| &c.covariance).collect();
         let usual: Vec<f64> = covariances.iter().map(|c| usual_walk(c)).collect();
-        let none = if biases_walk { 0.0 } else { 1.0 };
         let expected = Walks::new(&self.residuals, &jacobian, &covariances, fixed.as_ref())
-            .expected(&usual, none);
+            .expected(&usual, NONE);
         walks
             .into_iter()
             .zip(expected)
@@ -275,6 +287,26 @@ impl Analysis {
                 size: variance.sqrt(),
             })
             .collect()
+    }
+
+    /// Walks and flicker at their likeliest, what is known beside them.
+    fn likeliest(&self, jacobian: &Mat<f64>, within: &[Within]) -> Vec<NoiseLevel> {
+        let kinds = self.bias_kinds();
+        let own = self.components.iter().filter(|c| kinds.contains(&c.kind));
+        let covariances: Vec<&Mat<f64>> = own.map(|c| &c.covariance).collect();
+        let restricted = Restricted {
+            within: within.to_vec(),
+            ..Restricted::new(&self.residuals, jacobian, &covariances)
+        };
+        let variances = restricted.variances(&vec![true; kinds.len()]);
+        let known = self.components.iter();
+        let known = known.filter_map(|c| Some((c.kind, c.kind.known_variance()?)));
+        let levels = kinds.iter().copied().zip(variances).chain(known);
+        let level = |(kind, variance): (ComponentKind, f64)| NoiseLevel {
+            kind,
+            size: variance.sqrt(),
+        };
+        levels.map(level).collect()
     }
 
     /// The likeliest variances of the scatter, walks beside it.

@@ -31,7 +31,10 @@ pub fn centred(
         let (place, sensor) = match component.kind {
             // It begins anew in every rest: there is no path to centre.
             ComponentKind::AccelerometerWalk if !scatters => (0, Sensor::Accelerometer),
-            ComponentKind::GyroscopeWalk => (1, Sensor::Gyroscope),
+            ComponentKind::AccelerometerFlicker(_) => (0, Sensor::Accelerometer),
+            ComponentKind::GyroscopeWalk | ComponentKind::GyroscopeFlicker(_) => {
+                (1, Sensor::Gyroscope)
+            }
             _ => return component.clone(),
         };
         let mut total = Mat::<f64>::zeros(rows.count(), 3 * rows.data.sources.len());

@@ -18,6 +18,10 @@ pub enum Disturbance {
     DisturbedInterval,
     /// A turn misses the direction after it: lost or clipped samples.
     BadTurn,
+    /// The mean rate of one static interval is off and that of its neighbours is not.
+    RateExcursion,
+    /// The device moved at once between two parts of a long static interval.
+    SuddenSlip,
 }
 
 /// Chunks of a rest in which a drifting bias shows.
@@ -60,6 +64,69 @@ pub fn suspects(rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
         detail: String::new(),
     }));
     all
+}
+
+/// What is suspected where a bias may be taken for it: the rate of one static interval alone, and a slip at once within a
+/// long one.
+pub fn excursions(rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
+    let mut all: Vec<Suspect> = Vec::new();
+    for (rest, own) in rows.data.rests.iter().enumerate() {
+        let mut columns = vec![vec![0.0; rows.count()]; 3];
+        for (k, (place, _)) in rows.means(Sensor::Gyroscope).enumerate() {
+            if own.chunks.contains(&place) {
+                let row = rows.first_rate_row() + 3 * k;
+                for (axis, column) in columns.iter_mut().enumerate() {
+                    column[row + axis] = -1.0;
+                }
+            }
+        }
+        all.push(plain(Disturbance::RateExcursion, rest, columns));
+        let inner = own.chunks.clone().skip(1);
+        all.extend(inner.map(|chunk| {
+            let columns = sudden(rows, x, rest, chunk);
+            plain(Disturbance::SuddenSlip, chunk, columns)
+        }));
+    }
+    all
+}
+
+fn plain(kind: Disturbance, place: usize, columns: Vec<Vec<f64>>) -> Suspect {
+    Suspect {
+        kind,
+        place,
+        columns,
+        nuisance: Vec::new(),
+        slopes: Vec::new(),
+        detail: String::new(),
+    }
+}
+
+/// A rotation by `δ` (rad, body frame) before chunk `chunk` of rest `k`: `u` becomes `u + u × δ`. What comes after, the
+/// turn that begins there among it, sees the new direction.
+fn sudden(rows: &Rows<'_>, x: &[f64], k: usize, chunk: usize) -> Vec<Vec<f64>> {
+    let u = rows.direction(x, k);
+    let rest = &rows.data.rests[k];
+    let mut columns = vec![vec![0.0; rows.count()]; 3];
+    for (axis, column) in columns.iter_mut().enumerate() {
+        let moved = u.cross(&axis_vector(axis));
+        for (place, (own, _)) in rows.means(Sensor::Accelerometer).enumerate() {
+            if own >= chunk && rest.chunks.contains(&own) {
+                for i in 0..3 {
+                    column[3 * place + i] = -rows.gravity * moved[i];
+                }
+            }
+        }
+        for (place, turn) in rows.data.turns.iter().enumerate() {
+            if turn.from == k {
+                let q = rows.rotation(x, turn);
+                let shift = rows.charts[k + 1].across.transpose() * (q * -moved);
+                let row = rows.first_turn_row() + 2 * place;
+                column[row] = shift[0];
+                column[row + 1] = shift[1];
+            }
+        }
+    }
+    columns
 }
 
 fn unit_columns(m: usize, row: usize, count: usize) -> Vec<Vec<f64>> {

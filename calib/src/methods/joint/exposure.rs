@@ -119,7 +119,7 @@ impl Exposure {
 pub fn covariance(exposures: &[Exposure], m: usize) -> Mat<f64> {
     let mut c = Mat::zeros(m, m);
     for (k, one) in exposures.iter().enumerate() {
-        put(&mut c, one, one, &one.own);
+        put(&mut c, &one.rows, &one.rows, &one.own);
         for other in &exposures[..k] {
             if one.recording != other.recording || one.after != other.after {
                 continue;
@@ -130,16 +130,17 @@ pub fn covariance(exposures: &[Exposure], m: usize) -> Mat<f64> {
                 (other, one)
             };
             let block = &near.moment * far.total.transpose();
-            put(&mut c, near, far, &block);
-            put(&mut c, far, near, &block.transpose());
+            put(&mut c, &near.rows, &far.rows, &block);
+            put(&mut c, &far.rows, &near.rows, &block.transpose());
         }
     }
     c
 }
 
-fn put(c: &mut Mat<f64>, rows: &Exposure, columns: &Exposure, block: &DMatrix<f64>) {
-    for (i, row) in rows.rows.clone().enumerate() {
-        for (j, column) in columns.rows.clone().enumerate() {
+/// Writes a block.
+pub fn put(c: &mut Mat<f64>, rows: &Range<usize>, columns: &Range<usize>, block: &DMatrix<f64>) {
+    for (i, row) in rows.clone().enumerate() {
+        for (j, column) in columns.clone().enumerate() {
             c[(row, column)] = block[(i, j)];
         }
     }

@@ -125,11 +125,11 @@ impl Run<'_> {
                 let turn = &self.data.turns[suspect.place];
                 (turn.recording, turn.turn, turn.span)
             }
-            Disturbance::MountSlip => {
+            Disturbance::MountSlip | Disturbance::RateExcursion => {
                 let rest = &self.data.rests[suspect.place];
                 (rest.recording, rest.interval, rest.span)
             }
-            Disturbance::DisturbedInterval => {
+            Disturbance::DisturbedInterval | Disturbance::SuddenSlip => {
                 let chunk = &self.data.chunks[suspect.place];
                 let rest = &self.data.rests[chunk.rest];
                 let span = chunk.accelerometer.map_or(rest.span, |m| m.span);

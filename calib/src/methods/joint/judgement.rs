@@ -4,8 +4,9 @@ use faer::Mat;
 use sensor::Sensor;
 
 use super::analysis::{Analysis, walks};
+use super::bias_noise::{BiasNoise, within};
 use super::data::MOST_DISTURBED;
-use super::disturbance::{Suspect, pushed_chunk, suspects};
+use super::disturbance::{Suspect, excursions, pushed_chunk, suspects};
 use super::orientation::Shown;
 use super::oriented::At;
 use super::problem::Rows;
@@ -51,7 +52,8 @@ impl Run<'_> {
         let noise = rows.noise(x);
         let white = White::new(&noise, rows.first_turn_row());
         let components = walks(&noise, &white);
-        let levels = self.request.walk.map(NoiseLevel::walks).unwrap_or_default();
+        let given = self.request.bias_noise.as_ref();
+        let levels = given.map(BiasNoise::levels).unwrap_or_default();
         Weights {
             whitening: Whitening::new(white, &components, &levels),
             carried: Mat::zeros(rows.count(), 0),
@@ -70,6 +72,9 @@ impl Run<'_> {
         free.retain(|&k| k < point.plain);
         let linear = point.undisturbed();
         let mut analysis = Analysis::new(&rows, &linear, &rows.noise(x), &free);
+        if self.request.flicker {
+            analysis.components.extend(rows.flicker(x, &analysis.white));
+        }
         if let Some(columns) = earth {
             analysis.carry(ComponentKind::EarthRotation, columns);
         }
@@ -102,9 +107,9 @@ impl Run<'_> {
     }
 
     fn measured(&self, analysis: &Analysis, known: &[&Suspect]) -> Vec<NoiseLevel> {
-        match self.request.walk {
-            Some(walk) => NoiseLevel::walks(walk),
-            None => analysis.levels(known, self.request.biases_walk),
+        match &self.request.bias_noise {
+            Some(noise) => noise.levels(),
+            None => analysis.levels(known, &within(self.data, &analysis.bias_kinds())),
         }
     }
 
@@ -117,7 +122,8 @@ impl Run<'_> {
             let same = |k: &Known| k.kind == s.kind && k.place == s.place;
             self.request.known.iter().any(same)
         };
-        suspects(rows, x).into_iter().filter(is_known).collect()
+        let all = suspects(rows, x).into_iter();
+        all.chain(excursions(rows, x)).filter(is_known).collect()
     }
 
     /// Levels of noise and disturbances: what was seen to shake, then what the rows accuse.

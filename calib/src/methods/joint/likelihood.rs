@@ -5,7 +5,9 @@ use std::cell::Cell;
 use faer::linalg::solvers::{DenseSolveCore, Solve};
 use faer::{Mat, Side};
 
-/// Steps of Fisher scoring at most: usual ones are ten.
+use super::bias_noise::Within;
+
+/// Newton steps at most: usual ones are ten.
 const STEPS: usize = 40;
 
 /// Third powers of the number of rows that all steps of one search may take together, and fewest steps.
@@ -14,6 +16,9 @@ const FEWEST_STEPS: f64 = 40.0;
 
 /// A relative change of every variance below this ends the search.
 const SETTLED: f64 = 1e-3;
+
+/// Share by which the diagonal of the information is larger in a step.
+const HELD_UP: f64 = 1e-3;
 
 /// Twice the gain in log-likelihood below which a variance is taken for zero: 5 % of recordings without
 /// it pass by chance, the variance being at the edge of what it can be (½ χ²₀ + ½ χ²₁).
@@ -27,6 +32,8 @@ pub struct Restricted {
     pub z: Vec<f64>,
     /// `Nᵀ C_c N` (`q × q`) of every component.
     pub covariances: Vec<Mat<f64>>,
+    /// Independent numbers whose variances depend on the same components.
+    pub within: Vec<Within>,
 }
 
 impl Restricted {
@@ -37,10 +44,8 @@ impl Restricted {
         let z = null.transpose() * &r;
         Self {
             z: z.col(0).iter().copied().collect(),
-            covariances: covariances
-                .iter()
-                .map(|c| null.transpose() * (*c * &null))
-                .collect(),
+            covariances: covariances.iter().map(|c| both_sides(&null, c)).collect(),
+            within: Vec::new(),
         }
     }
 
@@ -84,7 +89,7 @@ impl Restricted {
         )
     }
 
-    /// Fisher scoring, in no more than the steps that are left, over the active components from the variances `from`, zero for the others; variances and
+    /// Newton steps by the average information (Gilmour, Thompson & Cullis 1995), in no more than the steps that are left, over the active components from the variances `from`, zero for the others; variances and
     /// log-likelihood.
     fn maximise(&self, active: &[bool], from: &[f64], left: &Cell<usize>) -> (Vec<f64>, f64) {
         let start = from.iter().zip(active);
@@ -140,30 +145,44 @@ impl Restricted {
         let z = Mat::from_fn(q, 1, |i, _| self.z[i]);
         let weighted = factor.solve(&z);
         let square = (z.transpose() * &weighted)[(0, 0)];
-        let log_likelihood = -0.5 * (log_determinant + square);
+        let mut log_likelihood = -0.5 * (log_determinant + square);
+        let own: Vec<f64> = self.within.iter().map(|w| w.variance(theta)).collect();
+        for (w, v) in self.within.iter().zip(&own) {
+            log_likelihood -= 0.5 * (v.ln() + w.square / v);
+        }
         if log_likelihood.is_nan() || log_likelihood < least {
             return None;
         }
         let inverse = factor.inverse();
-        let products: Vec<Option<Mat<f64>>> = self
+        let count = self.covariances.len();
+        let moved: Vec<Option<Mat<f64>>> = self
             .covariances
             .iter()
             .zip(active)
-            .map(|(c, on)| on.then(|| &inverse * c))
+            .map(|(c, on)| on.then(|| c * &weighted))
             .collect();
-        let count = self.covariances.len();
         let mut score = vec![0.0; count];
         let mut information = vec![vec![0.0; count]; count];
-        for (i, product) in products.iter().enumerate() {
-            let Some(product) = product else { continue };
-            let trace: f64 = (0..q).map(|k| product[(k, k)]).sum();
-            let form = (weighted.transpose() * (&self.covariances[i] * &weighted))[(0, 0)];
+        for (i, own_moved) in moved.iter().enumerate() {
+            let Some(own_moved) = own_moved else { continue };
+            let trace = trace_of_product(&inverse, &self.covariances[i]);
+            let form = (weighted.transpose() * own_moved)[(0, 0)];
             score[i] = 0.5 * (form - trace);
-            for (j, other) in products.iter().enumerate().take(i + 1) {
+            let through = factor.solve(own_moved);
+            for (j, other) in moved.iter().enumerate().take(i + 1) {
                 let Some(other) = other else { continue };
-                let sum = 0.5 * trace_of_product(product, other);
+                let sum = 0.5 * (other.transpose() * &through)[(0, 0)];
                 information[i][j] = sum;
                 information[j][i] = sum;
+            }
+        }
+        for (w, v) in self.within.iter().zip(&own) {
+            for i in (0..count).filter(|&i| active[i]) {
+                let share = w.by_component[i] / v;
+                score[i] += 0.5 * share * (w.square / v - 1.0);
+                for j in (0..count).filter(|&j| active[j]) {
+                    information[i][j] += 0.5 * share * w.by_component[j] / v * (w.square / v);
+                }
             }
         }
         Some(Measured {
@@ -189,8 +208,10 @@ impl Measured {
         if free.is_empty() {
             return None;
         }
+        // Components that do nearly the same to the data leave the information all but singular.
         let matrix = nalgebra::DMatrix::from_fn(free.len(), free.len(), |i, j| {
-            self.information[free[i]][free[j]]
+            let held_up = if i == j { 1.0 + HELD_UP } else { 1.0 };
+            held_up * self.information[free[i]][free[j]]
         });
         let right = nalgebra::DVector::from_fn(free.len(), |i, _| self.score[free[i]]);
         let solution = matrix.cholesky()?.solve(&right);
@@ -202,12 +223,18 @@ impl Measured {
     }
 }
 
-/// `tr(A B)`.
+/// `tr(A B)` of symmetric matrices.
 fn trace_of_product(a: &Mat<f64>, b: &Mat<f64>) -> f64 {
-    let q = a.nrows();
-    (0..q)
-        .map(|j| (0..q).map(|i| a[(i, j)] * b[(j, i)]).sum::<f64>())
-        .sum()
+    let columns = a.col_iter().zip(b.col_iter());
+    columns.map(|(a, b)| a.transpose() * b).sum()
+}
+
+/// `Nᵀ C N`, by the rows that are not zero in a symmetric `C`.
+pub fn both_sides(null: &Mat<f64>, c: &Mat<f64>) -> Mat<f64> {
+    let rows: Vec<usize> = (0..c.nrows()).filter(|&i| c[(i, i)] != 0.0).collect();
+    let part = Mat::from_fn(rows.len(), null.ncols(), |i, k| null[(rows[i], k)]);
+    let own = Mat::from_fn(rows.len(), rows.len(), |i, k| c[(rows[i], rows[k])]);
+    part.transpose() * (own * &part)
 }
 
 /// An orthonormal basis (`m × (m − n)`) of what is orthogonal to the columns of `J`.
@@ -246,6 +273,7 @@ mod tests {
         let restricted = Restricted {
             z,
             covariances: vec![Mat::identity(300, 300)],
+            within: Vec::new(),
         };
         assert!((restricted.variances(&[false])[0] / closed - 1.0).abs() < 2e-3);
     }
@@ -259,6 +287,7 @@ mod tests {
         let restricted = Restricted {
             z,
             covariances: vec![Mat::from_fn(200, 200, |i, j| (i.min(j) + 1) as f64)],
+            within: Vec::new(),
         };
         assert_eq!(restricted.variances(&[false]), [0.0]);
     }

@@ -63,7 +63,7 @@ impl JointFit {
         let [rate, turns] = self.first_rows;
         let channels = [
             (Channel::Force, rate, self.norm_rms()),
-            (Channel::Rate, turns, rms(self.static_rates())),
+            (Channel::Rate, turns, self.rate_rms()),
             (Channel::Direction, m, self.direction_rms()),
         ];
         let mut before = (0.0, 0.0);
@@ -106,6 +106,11 @@ impl JointFit {
         let moduli = self.moduli.iter().enumerate();
         let sound = moduli.filter(|(rest, _)| !disturbed(*rest));
         rms(sound.map(|(rest, value)| (*value, self.norm_noise(rest))))
+    }
+
+    /// Root mean square of the rate at the static intervals less the bias, rad/s.
+    pub fn rate_rms(&self) -> f64 {
+        rms(self.static_rates())
     }
 
     /// Root mean square of what the turns miss, weighted in the same way, rad.

@@ -16,6 +16,7 @@
 mod analysis;
 mod approach;
 mod attitudes;
+mod bias_noise;
 mod blocks;
 mod broken;
 mod budget;
@@ -63,15 +64,16 @@ mod walks;
 mod weights;
 mod windows;
 
+pub use bias_noise::{BiasNoise, Within, within};
 pub use budget::{MOST_IN_A_SEARCH, MOST_STATIC_INTERVALS, within_budget};
 pub use chart::Chart;
 pub use clock::{ClockMode, ClockState, SourceClock, TurnClock};
 pub use data::{Chunk, Data, LostTurn, Mean, Rest, Source, TurnSamples};
-pub use disturbance::{Disturbance, Suspect, suspects};
+pub use disturbance::{Disturbance, Suspect, excursions, suspects};
 pub use fit::JointFit;
 pub use influence::Influence;
 pub use layout::Layout;
-pub use likelihood::{Restricted, left_null_space};
+pub use likelihood::{Restricted, both_sides, left_null_space};
 pub(crate) use marginal::{columns, orthonormal, without};
 pub use misfit::ChannelMisfit;
 pub use noise::SensorNoise;

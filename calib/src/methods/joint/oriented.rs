@@ -147,8 +147,10 @@ impl At<'_> {
 
     fn is_disturbed(&self, rest: usize, disturbed: &[&Suspect]) -> bool {
         disturbed.iter().any(|suspect| match suspect.kind {
-            Disturbance::DisturbedInterval => self.rows.data.chunks[suspect.place].rest == rest,
-            Disturbance::MountSlip => suspect.place == rest,
+            Disturbance::DisturbedInterval | Disturbance::SuddenSlip => {
+                self.rows.data.chunks[suspect.place].rest == rest
+            }
+            Disturbance::MountSlip | Disturbance::RateExcursion => suspect.place == rest,
             Disturbance::BadTurn => false,
         })
     }

@@ -2,6 +2,7 @@
 
 use sensor::Model;
 
+use super::bias_noise::BiasNoise;
 use super::clock::ClockMode;
 use super::disturbance::Disturbance;
 use crate::intervals::{Segmentation, Span};
@@ -18,12 +19,11 @@ pub struct JointRequest<'a> {
     pub gyroscope: Model,
     /// Local gravity, m/s².
     pub gravity: f64,
-    /// Random walk densities of the biases of accelerometer (m/s²/√s) and gyroscope (rad/s/√s), where
-    /// they are known; estimated where not.
-    pub walk: Option<[f64; 2]>,
-    /// Whether the biases are sure to walk. Estimated densities are averages over what they may be, with half the
-    /// prior chance on no walk at all where this is not sure.
-    pub biases_walk: bool,
+    /// Noise of the biases of accelerometer and gyroscope, where it is known; estimated where not.
+    pub bias_noise: Option<BiasNoise>,
+    /// Whether the biases may flicker as well as walk: both are then at their likeliest. Without, walks alone are
+    /// estimated, as averages over what they may be with half the prior chance on none.
+    pub flicker: bool,
     /// Whether rests and turns that something disturbed are looked for and get parameters of their own, and
     /// whether rests and turns may scatter beyond all noise. Without, the noise is white noise and walks, and
     /// every row is believed.
@@ -52,8 +52,8 @@ impl<'a> JointRequest<'a> {
             accelerometer: accelerometer::model(),
             gyroscope: gyroscope::model(),
             gravity,
-            walk: None,
-            biases_walk: false,
+            bias_noise: None,
+            flicker: false,
             disturbances: true,
             known: Vec::new(),
             held: Vec::new(),

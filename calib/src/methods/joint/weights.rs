@@ -108,6 +108,10 @@ pub enum ComponentKind {
     AccelerometerWalk,
     /// Random walk of the gyroscope's bias, rad/s/√s.
     GyroscopeWalk,
+    /// Flicker noise of the accelerometer's bias on one axis; the root of its variance is the bias instability, m/s².
+    AccelerometerFlicker(usize),
+    /// The same of the gyroscope, rad/s.
+    GyroscopeFlicker(usize),
     /// Scatter of the accelerometer from rest to rest that no walk explains, m/s².
     ForceScatter,
     /// Scatter of the gyroscope from rest to rest, rad/s.
@@ -139,9 +143,17 @@ impl ComponentKind {
         matches!(self, Self::ForceOfOrientation | Self::RateOfOrientation)
     }
 
+    /// Whether it is flicker noise of a bias.
+    pub fn is_flicker(self) -> bool {
+        matches!(
+            self,
+            Self::AccelerometerFlicker(_) | Self::GyroscopeFlicker(_)
+        )
+    }
+
     /// Whether it is noise as it was measured or is known, not what remains of a misfit.
     pub fn is_noise(self) -> bool {
-        self.is_walk() || self.known_variance().is_some()
+        self.is_walk() || self.is_flicker() || self.known_variance().is_some()
     }
 
     /// Its variance where that is known before any fit, for a covariance of unit size.
@@ -161,18 +173,6 @@ pub struct NoiseLevel {
     pub kind: ComponentKind,
     /// Its size: the root of the factor on the component's covariance.
     pub size: f64,
-}
-
-impl NoiseLevel {
-    /// Random walks of these densities: accelerometer (m/s²/√s), gyroscope (rad/s/√s).
-    pub fn walks([force, rate]: [f64; 2]) -> Vec<Self> {
-        [
-            (ComponentKind::AccelerometerWalk, force),
-            (ComponentKind::GyroscopeWalk, rate),
-        ]
-        .map(|(kind, size)| Self { kind, size })
-        .to_vec()
-    }
 }
 
 /// The levels that rows are weighted by: those of what depends on the orientation enlarge the errors alone.

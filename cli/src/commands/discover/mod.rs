@@ -10,7 +10,7 @@ mod words;
 use std::path::PathBuf;
 
 use calib::Recording;
-use calib::discover::{Discovery, Findings, Request, discover, validate, walks_in};
+use calib::discover::{Discovery, Findings, Request, discover, noise_in, validate};
 use calib::recording::figure;
 
 use emit::Emit;
@@ -45,7 +45,7 @@ Example:
   stillpoint discover morning/ -o findings.json --report findings.html
   stillpoint discover morning/ --validation evening/   does the name hold on another recording?
   stillpoint allan overnight.csv -o noise.json
-  stillpoint discover morning/ --noise noise.json      random walk known: drift is told from it sooner
+  stillpoint discover morning/ --noise noise.json      noise of the biases known: drift is told from it sooner
   stillpoint discover morning/ --emit-effect gyro_swirl.rs    the proposed formula as the source of an effect
   stillpoint discover evening/ --effect-file mine.toml        is it an effect of my own?
 
@@ -64,7 +64,7 @@ pub struct Args {
     /// Chance of any false claim about a device that lacks nothing, over the whole catalogue
     #[arg(long, value_name = "P", default_value_t = 0.01)]
     alpha: f64,
-    /// Take the random walk densities of the biases from this file of `allan` [default: estimated]
+    /// Take random walk and bias instability from this file of `allan` [default: estimated]
     #[arg(long, value_name = "FILE")]
     noise: Option<PathBuf>,
     /// File that defines effects as expressions (TOML): they join the catalogue of this run
@@ -126,9 +126,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .claim(&PLOTS, args.replace, &as_paths(&inputs))?;
     args.replace.end_if_all_exist()?;
     if let Some(path) = &args.noise {
-        let given = walks_in(path)?;
+        let given = noise_in(path)?;
         given.notes.iter().for_each(|note| show::warn(note));
-        request.walks = Some(given.walks);
+        request.noise = Some(given.noise);
     }
     let recordings = args.recordings.read(&args.read)?;
     let validation = args.validation.as_ref();

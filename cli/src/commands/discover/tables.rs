@@ -132,12 +132,22 @@ pub fn ranking(findings: &Findings) -> Rows<4> {
 }
 
 /// Where the base models disagree with the data.
-pub fn disagreement(findings: &Findings) -> Rows<4> {
-    let header = ["base models disagree in", "gap", "most in", "goes with"];
+pub fn disagreement(findings: &Findings) -> Rows<5> {
+    let header = [
+        "base models disagree in",
+        "gap",
+        "rms",
+        "most in",
+        "goes with",
+    ];
     let rows = findings.disagreement.iter().map(|d| {
         [
             d.channel.words().into(),
             format!("{:.2}", d.size),
+            d.rms.map_or_else(String::new, |rms| {
+                let (factor, unit) = words::unit_of(d.channel);
+                format!("{:.3} {unit}", factor * rms)
+            }),
             show::name(&d.place),
             d.covariate.clone(),
         ]
@@ -245,6 +255,7 @@ pub fn text(discovery: &Discovery) -> String {
         let _ = writeln!(text, "{}\n\n{table}", proposed(proposal));
     }
     push(&mut text, faults(findings), 5);
+    let _ = writeln!(text, "\n{}", words::bias_noise(findings));
     text.push_str(&clocks::text(&findings.calibration));
     push(&mut text, disagreement(findings), 1);
     if findings.effects.is_empty() {

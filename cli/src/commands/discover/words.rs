@@ -1,6 +1,6 @@
 //! Findings in sentences.
 
-use calib::discover::{EffectFinding, Findings, Proposal, Unexplained, Verdict};
+use calib::discover::{Channel, EffectFinding, Findings, Proposal, Unexplained, Verdict};
 
 /// The verdict in one sentence.
 pub fn verdict(findings: &Findings) -> String {
@@ -24,10 +24,23 @@ pub fn verdict(findings: &Findings) -> String {
             "Nothing is missing that could show here: the base models explain the data to within its noise{hidden}."
         );
     }
+    if findings
+        .unexplained
+        .as_ref()
+        .is_some_and(|rest| is_largest(rest, findings))
+    {
+        parts.rotate_right(1);
+    }
     let whole = parts.join("; ");
     let mut letters = whole.chars();
     let first = letters.next().map(|c| c.to_uppercase().to_string());
     format!("{}{}.", first.unwrap_or_default(), letters.as_str())
+}
+
+/// Whether what remains is further from the noise than all that was named.
+fn is_largest(rest: &Unexplained, findings: &Findings) -> bool {
+    let before = findings.effects.iter().map(|e| e.gap_before);
+    rest.size > before.fold(1.0, f64::max)
 }
 
 fn named(effects: &[EffectFinding]) -> String {
@@ -36,9 +49,10 @@ fn named(effects: &[EffectFinding]) -> String {
         .iter()
         .map(|e| {
             format!(
-                "the gap of the {} from {} (left out: {})",
+                "the gap of the {} from {} ({}left out: {})",
                 e.channel.words(),
                 gaps(e.gap_before, e.gap_after).join(" to "),
+                in_units(e),
                 gaps(e.held_out_gap_before, e.held_out_gap_after).join(" to "),
             )
         })
@@ -52,6 +66,43 @@ fn named(effects: &[EffectFinding]) -> String {
         "the base models lack {}; {them} {}",
         names.join(" and "),
         gaps.join(" and ")
+    )
+}
+
+/// `2.61 to 0.80 mm/s² rms, `: what the channel of an effect leaves before and after; nothing where that is not known.
+fn in_units(effect: &EffectFinding) -> String {
+    let pair = effect.rms_before.zip(effect.rms_after);
+    pair.map_or_else(String::new, |(before, after)| {
+        let (factor, unit) = unit_of(effect.channel);
+        let [before, after] = gaps(factor * before, factor * after);
+        format!("{before} to {after} {unit} rms, ")
+    })
+}
+
+/// The unit that people read a channel in, and what makes it of SI.
+pub fn unit_of(channel: Channel) -> (f64, &'static str) {
+    match channel {
+        Channel::StaticNorm | Channel::MovingForce => (1e3, "mm/s²"),
+        Channel::StaticRate => (1f64.to_degrees() * 3600.0, "°/h"),
+        Channel::Direction => (1f64.to_degrees(), "°"),
+    }
+}
+
+/// Noise of the biases in the final model, in a sentence.
+pub fn bias_noise(findings: &Findings) -> String {
+    let [force, rate] = findings.bias_instability;
+    let (to_mm, _) = unit_of(Channel::StaticNorm);
+    let (to_hours, _) = unit_of(Channel::StaticRate);
+    let axes = |values: [f64; 3], factor: f64| {
+        let figures = values.map(|v| format!("{:.2}", factor * v));
+        figures.join(", ")
+    };
+    format!(
+        "Noise of the biases (x, y, z): bias instability {} mm/s² and {} °/h; random walk {:.1e} m/s²/√s and {:.1e} rad/s/√s.",
+        axes(force, to_mm),
+        axes(rate, to_hours),
+        findings.walks[0],
+        findings.walks[1]
     )
 }
 
@@ -123,10 +174,13 @@ pub fn gaps(before: f64, after: f64) -> [String; 2] {
         .unwrap_or_else(|| written(5))
 }
 
+/// A smaller chance says nothing about a device: no model is so sure.
+const SMALLEST: f64 = 1e-15;
+
 /// A chance: `3e-11`, `0.004`.
 pub fn chance(p: f64) -> String {
-    if p <= 0.0 {
-        "< 1e-300".into()
+    if p < SMALLEST {
+        "< 1e-15".into()
     } else if p < 1e-3 {
         format!("{p:.0e}")
     } else {
@@ -223,7 +277,8 @@ mod tests {
 
     #[test]
     fn a_chance_has_one_figure_where_it_is_small_and_never_reads_zero() {
-        assert_eq!(chance(0.0), "< 1e-300");
+        assert_eq!(chance(0.0), "< 1e-15");
+        assert_eq!(chance(3e-238), "< 1e-15");
         assert_eq!(chance(3.2e-11), "3e-11");
         assert_eq!(chance(0.0042), "0.004");
     }

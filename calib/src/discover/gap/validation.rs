@@ -7,16 +7,15 @@
 use faer::Mat;
 use sensor::{AnyEffect, Role};
 
-use super::channel::{Channel, Misfit, Sequence, whitening_at};
-use super::discovery::Discovery;
-use super::findings::Validation;
-use super::linear::least_squares;
-use super::projected::Walks;
-use super::request::{Request, Session};
-use super::state::{Extension, State};
+use crate::discover::channel::{Channel, Misfit, Sequence, whitening_at};
+use crate::discover::discovery::Discovery;
+use crate::discover::findings::Validation;
+use crate::discover::linear::least_squares;
+use crate::discover::request::{Request, Session};
+use crate::discover::state::{Extension, State};
 use crate::error::Error;
 use crate::methods::joint::{
-    JointFit, NoiseLevel, Rows, Whitening, columns, covariance_at, fit_joint,
+    BiasNoise, JointFit, Rows, Whitening, columns, covariance_at, fit_joint,
 };
 use crate::recording::Recording;
 
@@ -29,7 +28,7 @@ const STEPS: usize = 3;
 /// nothing is named.
 ///
 /// The calibration is held; the recording's directions and biases are free. What is missed is expected to
-/// have the covariance `I + k_a² C_a + k_g² C_g + J_s Σ J_sᵀ`: white noise, walks, and the errors of the calibration.
+/// have the covariance `I + k_a² C_a + k_g² C_g + J_s Σ J_sᵀ`: white noise, noise, and the errors of the calibration.
 ///
 /// # Errors
 /// A recording that cannot be cut or has too few rests to be fitted on its own.
@@ -40,9 +39,9 @@ pub fn validate(
 ) -> Result<Vec<Validation>, Error> {
     let session = Session::new(std::slice::from_ref(recording), request)?;
     let search = &discovery.search;
-    let walks = search.last.walks;
-    let before = missed(&session, &search.base, walks)?;
-    let after = missed(&session, &search.last, walks)?;
+    let noise = search.last.noise;
+    let before = missed(&session, &search.base, noise)?;
+    let after = missed(&session, &search.last, noise)?;
     let named = &discovery.findings.effects;
     let shows = |c: Channel| named.iter().any(|effect| effect.channel == c);
     // Late stamps show in none of these channels.
@@ -63,7 +62,7 @@ pub fn validate(
 }
 
 /// What each channel of the session misses under the calibration of `model`.
-fn missed(session: &Session<'_>, model: &State, walks: Walks) -> Result<[Misfit; 3], Error> {
+fn missed(session: &Session<'_>, model: &State, noise: BiasNoise) -> Result<[Misfit; 3], Error> {
     // What was disturbed in the other recording was disturbed there.
     // An instant belongs to the recording that it was found in: nothing is judged by it here.
     let lasting = |effect: &&(&'static dyn AnyEffect, _)| {
@@ -75,7 +74,7 @@ fn missed(session: &Session<'_>, model: &State, walks: Walks) -> Result<[Misfit;
         effects: effects.copied().collect(),
         ..Extension::default()
     }))?;
-    let held = HeldCalibration::of(&under(model, walks), &fit);
+    let held = HeldCalibration::of(&under(model, noise), &fit);
     let rows = fit.plain_rows();
     let mut x = fit.parameters.values()[..rows.layout.count()].to_vec();
     for (place, value) in &held.values {
@@ -97,7 +96,7 @@ fn missed(session: &Session<'_>, model: &State, walks: Walks) -> Result<[Misfit;
         }
     }
     let (r, jacobian) = whitened(&rows, &fit, &x);
-    let covariance = expected(&fit, &held, &jacobian, walks);
+    let covariance = expected(&fit, &held, &jacobian, noise);
     let whitening = Whitening::with_covariance(fit.whitening.white.clone(), &covariance);
     let ends = [fit.first_rows[0], fit.first_rows[1], r.nrows()];
     Ok(Sequence::under(whitening, columns(&jacobian, &nuisance), ends).of_column(r))
@@ -107,9 +106,9 @@ fn missed(session: &Session<'_>, model: &State, walks: Walks) -> Result<[Misfit;
 ///
 /// Where an effect is missing it is taken for a walk of the bias, and errors as large as such a walk allows would hide
 /// every gap.
-fn under(model: &State, walks: Walks) -> JointFit {
+fn under(model: &State, noise: BiasNoise) -> JointFit {
     let mut fit = model.fit.clone();
-    let whitening = whitening_at(model, walks);
+    let whitening = whitening_at(model, noise);
     let mut r = Mat::from_fn(model.rows(), 1, |i, _| fit.white_residuals[i]);
     let mut jacobian = fit.white_jacobian.clone();
     whitening.finish(r.as_mut());
@@ -134,9 +133,14 @@ fn whitened(rows: &Rows<'_>, fit: &JointFit, x: &[f64]) -> (Mat<f64>, Mat<f64>) 
 }
 
 /// `I + k_a² C_a + k_g² C_g + J_s Σ J_sᵀ`, white-whitened.
-fn expected(fit: &JointFit, held: &HeldCalibration, jacobian: &Mat<f64>, walks: Walks) -> Mat<f64> {
+fn expected(
+    fit: &JointFit,
+    held: &HeldCalibration,
+    jacobian: &Mat<f64>,
+    noise: BiasNoise,
+) -> Mat<f64> {
     let m = jacobian.nrows();
-    let noise = covariance_at(&fit.components, &NoiseLevel::walks(walks));
+    let noise = covariance_at(&fit.components, &noise.levels());
     let v = noise.unwrap_or_else(|| Mat::identity(m, m));
     let by_calibration = columns(jacobian, &held.uncertain);
     v + &by_calibration * &held.covariance * by_calibration.transpose()

@@ -4,9 +4,9 @@ use faer::linalg::solvers::DenseSolveCore;
 use faer::{Mat, Side};
 use nalgebra::DMatrix;
 
-use super::channel::{Channel, Misfit};
-use super::projected::Walks;
-use super::state::State;
+use crate::discover::channel::{Channel, Misfit};
+use crate::discover::state::State;
+use crate::methods::joint::BiasNoise;
 
 /// Blocks that the rests are dealt into.
 const BLOCKS: usize = 8;
@@ -19,8 +19,8 @@ const UNSEEN: f64 = 1e-8;
 /// With `P = N (Nᵀ V N)⁻¹ Nᵀ` a block `B` that is left out is missed by `(P_BB)⁺ (P r)_B`, of covariance
 /// `(P_BB)⁺`: no refit is needed. The errors of the parameters that the other blocks give are in it, and
 /// what only the block could tell (its directions) is projected out.
-pub fn held_out(state: &State, walks: Walks) -> Option<[Misfit; 3]> {
-    let precision = precision(state, walks)?;
+pub fn held_out(state: &State, noise: BiasNoise) -> Option<[Misfit; 3]> {
+    let precision = precision(state, noise)?;
     let r = &state.fit.white_residuals;
     let pr = &precision * Mat::from_fn(r.len(), 1, |i, _| r[i]);
     let mut sums = [Misfit::default(); 3];
@@ -49,9 +49,9 @@ pub fn gap_of(misfits: &[Misfit; 3], channel: Channel) -> f64 {
     misfits.get(channel as usize).map_or(1.0, Misfit::gap)
 }
 
-fn precision(state: &State, walks: Walks) -> Option<Mat<f64>> {
+fn precision(state: &State, noise: BiasNoise) -> Option<Mat<f64>> {
     let projected = &state.projected;
-    let Some(v) = projected.covariance(walks) else {
+    let Some(v) = projected.covariance(noise) else {
         return Some(&projected.null * projected.null.transpose());
     };
     let inverse = v.llt(Side::Lower).ok()?.inverse();

@@ -3,33 +3,44 @@
 use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::{Mat, MatRef, Par, Side};
 
-use crate::methods::joint::{Restricted, left_null_space};
+use crate::methods::joint::{
+    BiasNoise, Component, ComponentKind, Within, both_sides, left_null_space,
+};
 
-/// Random walk densities of the biases of accelerometer (m/s²/√s) and gyroscope (rad/s/√s).
-pub type Walks = [f64; 2];
-
-/// `z = Nᵀ r ~ N(Nᵀ E β, I + k_a² C_a + k_g² C_g)`, `N` (`m × q`) the left null space of the Jacobian of a
-/// model: what is left when all its parameters, directions and biases have had their share.
+/// `z = Nᵀ r ~ N(Nᵀ E β, I + Σ θ_c C_c)`, `N` (`m × q`) the left null space of the Jacobian of a model: what is left when
+/// all its parameters, directions and biases have had their share; `C_c` those of walk and flicker of the biases.
 #[derive(Clone, Debug)]
 pub struct Projected {
     /// `N` (`m × q`).
     pub null: Mat<f64>,
     /// `Nᵀ r` (`q × 1`).
     pub z: Mat<f64>,
-    /// `Nᵀ C N` (`q × q`) of the walks of accelerometer and gyroscope; `None` without the sensor.
-    pub walks: [Option<Mat<f64>>; 2],
+    /// `Nᵀ C N` (`q × q`) of the noise of the biases.
+    pub noise: Vec<(ComponentKind, Mat<f64>)>,
+    /// What the readings within static intervals say of that noise, in its order: no error of a model shows there.
+    pub within: Vec<Within>,
 }
 
 impl Projected {
-    /// Of white-whitened residuals (`m`), Jacobian (`m × n`) and walk covariances (`m × m`).
-    pub fn new(residuals: &[f64], jacobian: &Mat<f64>, walks: [Option<&Mat<f64>>; 2]) -> Self {
+    /// Of white-whitened residuals (`m`), Jacobian (`m × n`) and kinds of noise (`m × m`).
+    pub fn new(residuals: &[f64], jacobian: &Mat<f64>, noise: &[Component]) -> Self {
         let null = left_null_space(jacobian);
         let r = Mat::from_fn(residuals.len(), 1, |i, _| residuals[i]);
+        let of_biases = |c: &&Component| c.kind.is_walk() || c.kind.is_flicker();
+        let noise = noise.iter().filter(of_biases);
         Self {
             z: null.transpose() * &r,
-            walks: walks.map(|c| c.map(|c| null.transpose() * (c * &null))),
+            noise: noise
+                .map(|c| (c.kind, both_sides(&null, &c.covariance)))
+                .collect(),
+            within: Vec::new(),
             null,
         }
+    }
+
+    /// Kinds of noise of the biases, in order.
+    pub fn kinds(&self) -> Vec<ComponentKind> {
+        self.noise.iter().map(|(kind, _)| *kind).collect()
     }
 
     /// Degrees of freedom `q`.
@@ -42,35 +53,31 @@ impl Projected {
         self.null.transpose() * e
     }
 
-    /// The densities that make the data likeliest when nothing is missing.
-    pub fn likeliest_walks(&self) -> Walks {
-        let restricted = Restricted {
-            z: self.z.col(0).iter().copied().collect(),
-            covariances: self.walks.iter().flatten().cloned().collect(),
-        };
-        let variances = restricted.variances(&vec![true; restricted.covariances.len()]);
-        let mut found = variances.into_iter();
-        [0, 1].map(|s| match &self.walks[s] {
-            Some(_) => found.next().map_or(0.0, f64::sqrt),
-            None => 0.0,
-        })
-    }
-
-    /// `V = I + k_a² C_a + k_g² C_g` (`q × q`); `None` where that is the identity.
-    pub fn covariance(&self, walks: Walks) -> Option<Mat<f64>> {
+    /// `V = I + Σ θ_c C_c` (`q × q`); `None` where that is the identity.
+    pub fn covariance(&self, noise: BiasNoise) -> Option<Mat<f64>> {
         let q = self.dof();
         let mut sum: Option<Mat<f64>> = None;
-        for (c, k) in self.walks.iter().zip(walks) {
-            if let (Some(c), true) = (c, k > 0.0) {
-                *sum.get_or_insert_with(|| Mat::identity(q, q)) += faer::Scale(k * k) * c;
+        for (kind, size) in noise.sizes() {
+            let own = self.noise.iter().find(|(own, _)| *own == kind);
+            if let (Some((_, c)), true) = (own, size > 0.0) {
+                *sum.get_or_insert_with(|| Mat::identity(q, q)) += faer::Scale(size * size) * c;
             }
         }
         sum
     }
 
-    /// The whole at given densities; `None` where they are not finite.
-    pub fn at(&self, walks: Walks) -> Option<Whitened> {
-        let factor = match self.covariance(walks) {
+    fn log_likelihood_within(&self, noise: &BiasNoise) -> f64 {
+        let variance = |(kind, _): &(ComponentKind, Mat<f64>)| {
+            let size = noise.sizes().find(|(own, _)| own == kind);
+            size.map_or(0.0, |(_, size)| size * size)
+        };
+        let theta: Vec<f64> = self.noise.iter().map(variance).collect();
+        self.within.iter().map(|w| w.log_likelihood(&theta)).sum()
+    }
+
+    /// The whole at given noise; `None` where that is not finite.
+    pub fn at(&self, noise: BiasNoise) -> Option<Whitened> {
+        let factor = match self.covariance(noise) {
             Some(v) => Some(v.llt(Side::Lower).ok()?.L().to_owned()),
             None => None,
         };
@@ -83,6 +90,7 @@ impl Projected {
             None => 0.0,
         };
         Some(Whitened {
+            within: self.log_likelihood_within(&noise),
             square: z.squared_norm_l2(),
             z,
             factor,
@@ -91,7 +99,7 @@ impl Projected {
     }
 }
 
-/// The disagreement at given densities of the walks, whitened.
+/// The disagreement at given noise of the biases, whitened.
 #[derive(Clone, Debug)]
 pub struct Whitened {
     /// `L⁻¹ z` (`q × 1`).
@@ -102,6 +110,8 @@ pub struct Whitened {
     pub log_determinant: f64,
     /// `zᵀ V⁻¹ z`: χ² of `q` when nothing is missing.
     pub square: f64,
+    /// Log-likelihood of the readings within static intervals.
+    within: f64,
 }
 
 impl Whitened {
@@ -116,7 +126,7 @@ impl Whitened {
 
     /// Log-likelihood of the model as it is, up to a constant.
     pub fn log_likelihood(&self) -> f64 {
-        -0.5 * (self.log_determinant + self.square)
+        self.within - 0.5 * (self.log_determinant + self.square)
     }
 }
 
@@ -130,9 +140,13 @@ mod tests {
         let j = Mat::from_fn(9, 2, |i, k| ((i * 3 + k * 7) % 5) as f64 - 2.0);
         let r: Vec<f64> = (0..9).map(|i| ((i * 4 % 9) as f64) - 4.0).collect();
         let walk = Mat::from_fn(9, 9, |i, k| (i.min(k) + 1) as f64);
-        let projected = Projected::new(&r, &j, [Some(&walk), None]);
+        let component = Component {
+            kind: ComponentKind::AccelerometerWalk,
+            covariance: walk.clone(),
+        };
+        let projected = Projected::new(&r, &j, &[component]);
         assert_eq!(projected.dof(), 7);
-        let at = projected.at([0.5, 0.0]).unwrap();
+        let at = projected.at(BiasNoise::walks([0.5, 0.0])).unwrap();
         // zᵀ (Nᵀ(I + k²C)N)⁻¹ z with the inverse written out.
         let v = Mat::<f64>::identity(9, 9) + faer::Scale(0.25) * &walk;
         let inner = projected.null.transpose() * (&v * &projected.null);
@@ -140,7 +154,9 @@ mod tests {
         let direct = (projected.z.transpose() * (inverse * &projected.z))[(0, 0)];
         assert!((at.square / direct - 1.0).abs() < 1e-12);
         assert!(
-            (projected.at([0.0; 2]).unwrap().square - projected.z.squared_norm_l2()).abs() < 1e-12
+            (projected.at(BiasNoise::default()).unwrap().square - projected.z.squared_norm_l2())
+                .abs()
+                < 1e-12
         );
     }
 }

@@ -3,9 +3,9 @@
 use faer::Mat;
 use serde::Serialize;
 
-use super::projected::Walks;
-use super::state::State;
-use crate::methods::joint::{NoiseLevel, Whitening, orthonormal};
+use crate::discover::state::State;
+use crate::methods::joint::BiasNoise;
+use crate::methods::joint::{Whitening, orthonormal};
 
 /// A kind of comparison between the model and the data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -73,15 +73,15 @@ pub struct Sequence {
 }
 
 impl Sequence {
-    /// At densities `walks`.
+    /// At this noise of the biases.
     ///
     /// Rows are in the order force, rate, turns, and a Cholesky factor mixes a row with those before it
     /// only: what the parameters leave of the first rows, of the first two kinds, and of all, differ by
     /// sums of squares that are independent. That of the rows of force is the modulus, the direction of a rest
     /// being free there.
-    pub fn of(state: &State, walks: Walks) -> Self {
+    pub fn of(state: &State, noise: BiasNoise) -> Self {
         let fit = &state.fit;
-        let whitening = whitening_at(state, walks);
+        let whitening = whitening_at(state, noise);
         let ends = [fit.first_rows[0], fit.first_rows[1], state.rows()];
         Self::under(whitening, fit.white_jacobian.clone(), ends)
     }
@@ -126,10 +126,10 @@ impl Sequence {
     }
 }
 
-/// The whitening of a state's rows by white noise and walks of these densities.
-pub(super) fn whitening_at(state: &State, walks: Walks) -> Whitening {
+/// The whitening of a state's rows by white noise and this noise of the biases.
+pub(in crate::discover) fn whitening_at(state: &State, noise: BiasNoise) -> Whitening {
     let fit = &state.fit;
-    let levels = NoiseLevel::walks(walks);
+    let levels = noise.levels();
     Whitening::new(fit.whitening.white.clone(), &fit.components, &levels)
 }
 
@@ -157,9 +157,12 @@ mod tests {
         let recordings = [spec.run().unwrap().recording];
         let session = Session::new(&recordings, &Request::new(spec.gravity)).unwrap();
         let state = State::fit(&session, Extension::default()).unwrap();
-        let walks = [2e-5, 5e-6];
-        let misfits = Sequence::of(&state, walks).misfits(&state);
-        let whole = state.projected.at(walks).unwrap();
+        let noise = BiasNoise {
+            walk: [2e-5, 5e-6],
+            flicker: [[1e-4; 3], [1e-5; 3]],
+        };
+        let misfits = Sequence::of(&state, noise).misfits(&state);
+        let whole = state.projected.at(noise).unwrap();
         let sum: f64 = misfits.iter().map(|m| m.chi2).sum();
         let dof: f64 = misfits.iter().map(|m| m.dof).sum();
         assert!(

@@ -3,9 +3,9 @@
 use faer::{Mat, Side};
 use sensor::Sensor;
 
-use super::rank::Level;
-use super::score::log_tail;
-use super::state::State;
+use crate::discover::rank::Level;
+use crate::discover::score::log_tail;
+use crate::discover::state::State;
 
 /// Memories tried, s.
 const MEMORIES: [f64; 3] = [10.0, 30.0, 100.0];

@@ -1,23 +1,23 @@
-//! Random walk densities from a noise file.
+//! Noise of the biases from a noise file.
 
 use std::path::Path;
 
 use sensor::Sensor;
 
-use super::projected::Walks;
 use crate::calibration::refuse_newer;
 use crate::error::Error;
+use crate::methods::joint::BiasNoise;
 use crate::noise::{NOISE_SCHEMA, NoiseSummary, NoiseTerm, SensorNoise, TermValue};
 use crate::recording::place::shown_path;
 
 /// Larger densities are no sensor's, m/s²/√s and rad/s/√s: they would explain anything.
 const LARGEST: f64 = 1.0;
 
-/// Densities with what the user should know of them.
+/// Noise of the biases with what the user should know of it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct GivenWalks {
+pub struct GivenNoise {
     /// Of accelerometer (m/s²/√s) and gyroscope (rad/s/√s).
-    pub walks: Walks,
+    pub noise: BiasNoise,
     /// Where a density is only bounded.
     pub notes: Vec<String>,
 }
@@ -29,12 +29,12 @@ pub struct GivenWalks {
 ///
 /// # Errors
 /// An unreadable file, another schema, and a walk that the file does not bound.
-pub fn walks_in(path: &Path) -> Result<GivenWalks, Error> {
+pub fn noise_in(path: &Path) -> Result<GivenNoise, Error> {
     let text = crate::read_text(path)?;
     refuse_newer(path, &text, NOISE_SCHEMA)?;
     let summary = parse(&text).map_err(|what| at(path, &what))?;
-    let mut given = GivenWalks {
-        walks: [0.0; 2],
+    let mut given = GivenNoise {
+        noise: BiasNoise::default(),
         notes: Vec::new(),
     };
     let sensors = [
@@ -62,7 +62,8 @@ pub fn walks_in(path: &Path) -> Result<GivenWalks, Error> {
             );
             return Err(at(path, &what));
         }
-        given.walks[place] = density.value;
+        given.noise.walk[place] = density.value;
+        given.noise.flicker[place] = instability(&noise);
         if density.bounded {
             given.notes.push(format!(
                 "{}: the random walk of the {name} is only bounded there; its bound is used, which may hide a \
@@ -91,6 +92,16 @@ fn parse(text: &str) -> Result<NoiseSummary, String> {
             summary.schema
         ))
     }
+}
+
+/// The bias instability of every axis; nothing of one where it is only bounded.
+fn instability(noise: &SensorNoise) -> [f64; 3] {
+    let of = |terms: &[TermValue]| {
+        let mut known = terms.iter().filter(|t| t.lower > 0.0);
+        let term = known.find(|t| t.term == NoiseTerm::BiasInstability);
+        term.map_or(0.0, |t| t.value)
+    };
+    [0, 1, 2].map(|axis| noise.axes.get(axis).map_or(0.0, |a| of(&a.terms)))
 }
 
 struct Density {
@@ -137,8 +148,8 @@ mod tests {
     #[test]
     fn a_density_is_the_root_mean_square_over_the_axes_and_a_bound_counts_in_full() {
         let known = file([(0.3, 0.2, Some(0.4)); 3], NOISE_SCHEMA);
-        let given = walks_in(known.path()).unwrap();
-        assert!(given.walks.iter().all(|w| (w - 0.3).abs() < 1e-12));
+        let given = noise_in(known.path()).unwrap();
+        assert!(given.noise.walk.iter().all(|w| (w - 0.3).abs() < 1e-12));
         assert!(given.notes.is_empty());
         // (1 + 4 + 49)/3 = 18 = (3 √2)².
         let axes = [
@@ -146,21 +157,21 @@ mod tests {
             (0.2, 0.1, None),
             (0.0, 0.0, Some(0.7)),
         ];
-        let given = walks_in(file(axes, NOISE_SCHEMA).path()).unwrap();
-        assert!((given.walks[1] - 0.1 * 18f64.sqrt()).abs() < 1e-12);
+        let given = noise_in(file(axes, NOISE_SCHEMA).path()).unwrap();
+        assert!((given.noise.walk[1] - 0.1 * 18f64.sqrt()).abs() < 1e-12);
         assert_eq!(given.notes.len(), 2);
     }
 
     #[test]
     fn a_walk_without_bound_or_beyond_all_sensors_and_another_schema_are_refused() {
         let unbounded = file([(0.0, 0.0, None); 3], NOISE_SCHEMA);
-        let said = walks_in(unbounded.path()).unwrap_err().to_string();
+        let said = noise_in(unbounded.path()).unwrap_err().to_string();
         assert!(said.contains("not bounded"), "{said}");
         let absurd = file([(1e300, 1e299, None); 3], NOISE_SCHEMA);
-        let said = walks_in(absurd.path()).unwrap_err().to_string();
+        let said = noise_in(absurd.path()).unwrap_err().to_string();
         assert!(said.contains("no inertial sensor wanders"), "{said}");
         let other = file([(1.0, 1.0, None); 3], "stillpoint.noise/9");
-        let said = walks_in(other.path()).unwrap_err().to_string();
+        let said = noise_in(other.path()).unwrap_err().to_string();
         assert!(said.contains("noise/9"), "{said}");
     }
 }

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix4, Vector3, Vector4};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
-use super::state::State;
+use crate::discover::state::State;
 
 /// Turns that a verdict needs beyond the four coefficients.
 const SPARE_TURNS: usize = 6;

@@ -7,9 +7,9 @@ use std::f64::consts::PI;
 use nalgebra::Vector3;
 use sensor::Sensor;
 
-use super::columns::{Instant, Place, Sampling, error_columns};
-use super::family::{Claim, Family, Hypothesis, beside};
-use super::state::State;
+use crate::discover::columns::{Instant, Place, Sampling, error_columns};
+use crate::discover::family::{Claim, Family, Hypothesis, beside};
+use crate::discover::state::State;
 use crate::methods::joint::Mean;
 
 /// Cosines of time tried.

@@ -3,10 +3,10 @@
 use nalgebra::Vector3;
 use serde::Serialize;
 
-use super::request::Session;
-use super::state::State;
+use crate::discover::request::Session;
+use crate::discover::state::State;
 use crate::intervals::{Rails, Segmentation, Span};
-use crate::methods::joint::{Disturbance, SensorNoise};
+use crate::methods::joint::{Accused, Disturbance, SensorNoise};
 use crate::recording::{Recording, Stream};
 
 /// Samples at the end of the range that count as saturation.
@@ -25,7 +25,8 @@ const REGULAR: f64 = 0.2;
 /// A fault of the recording.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Integrity {
-    /// `saturation`, `quantisation`, `lost_samples`, `undersampled_motion`, `mount_slip` or `disturbed_interval`.
+    /// `saturation`, `quantisation`, `lost_samples`, `outlying_turn`, `undersampled_motion`, `mount_slip` or
+    /// `disturbed_interval`.
     pub name: &'static str,
     /// The recording.
     pub recording: String,
@@ -79,33 +80,76 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
     all
 }
 
-/// What a fit found disturbed, in the same form.
-pub fn disturbed(state: &State) -> Vec<Integrity> {
-    state
+/// What a fit found disturbed, in the same form; `seen` are the faults that the readings themselves show: samples are
+/// called lost where the stamps say so.
+pub fn disturbed(state: &State, seen: &[Integrity]) -> Vec<Integrity> {
+    let sizes = state.disturbed_sizes();
+    let found = state
         .fit
         .accused
         .iter()
-        .take(state.extension.disturbed.len())
-        .map(|accused| {
+        .take(state.extension.disturbed.len());
+    // A rate that is off in an interval is off up to the turns beside it, which see it as a creep.
+    let is_excursion = |of: &Accused| {
+        let all = state.fit.accused.iter();
+        let mut excursions = all.filter(|a| a.kind == Disturbance::RateExcursion);
+        excursions.any(|a| (a.recording, a.interval) == (of.recording, of.interval))
+    };
+    found
+        .zip(sizes)
+        .filter(|(accused, _)| accused.kind != Disturbance::MountSlip || !is_excursion(accused))
+        .map(|(accused, size)| {
+            let recording = &state.fit.data.sources[accused.recording].name;
+            let lost = seen.iter().any(|fault| {
+                fault.name == "lost_samples"
+                    && fault.recording == *recording
+                    && fault.t0 < accused.span.to
+                    && fault.t1 > accused.span.from
+            });
             let (name, detail) = match accused.kind {
-                Disturbance::MountSlip => {
-                    ("mount_slip", "the device moved while it should have rested")
-                }
-                Disturbance::DisturbedInterval => {
-                    ("disturbed_interval", "the specific force is not gravity's")
-                }
-                Disturbance::BadTurn => (
+                Disturbance::MountSlip => (
+                    "mount_slip",
+                    format!(
+                        "the device crept by {:.3}° while it should have rested",
+                        (size * accused.span.length()).to_degrees()
+                    ),
+                ),
+                Disturbance::SuddenSlip => (
+                    "mount_slip",
+                    format!("the device moved at once by {:.3}°", size.to_degrees()),
+                ),
+                Disturbance::DisturbedInterval => (
+                    "disturbed_interval",
+                    format!("the specific force is off by {:.1} mm/s²", 1e3 * size),
+                ),
+                Disturbance::RateExcursion => (
+                    "disturbed_interval",
+                    format!(
+                        "the mean rate is off by {:.2} mrad/s ({:.0} °/h) here and not beside it",
+                        1e3 * size,
+                        size.to_degrees() * 3600.0
+                    ),
+                ),
+                Disturbance::BadTurn if lost => (
                     "lost_samples",
-                    "the turn misses gravity by far: samples are lost",
+                    format!("samples are lost: the turn misses gravity by {:.2}°", size.to_degrees()),
+                ),
+                Disturbance::BadTurn => (
+                    "outlying_turn",
+                    format!(
+                        "turn {} is an outlier: it misses gravity by {:.2}°; the stamps show no missing sample",
+                        accused.interval + 1,
+                        size.to_degrees()
+                    ),
                 ),
             };
             Integrity {
                 name,
-                recording: state.fit.data.sources[accused.recording].name.clone(),
+                recording: recording.clone(),
                 interval: Some(accused.interval + 1),
                 t0: accused.span.from,
                 t1: accused.span.to,
-                detail: detail.into(),
+                detail,
             }
         })
         .collect()

@@ -1,22 +1,20 @@
 //! What is left when everything of the catalogue has had its chance.
 
+use faer::Mat;
 use nalgebra::Vector3;
 use sensor::Sensor;
 use serde::Serialize;
 
-use super::channel::{Channel, Misfit, Sequence};
-use super::family::{Claim, Family};
-use super::projected::Walks;
-use super::rank::{Ranked, levels, rank_at};
-use super::scatter::scatters;
-use super::score::log_tail;
-use super::search::{APART, Search};
-use super::shape::{Shape, shapes};
-use super::state::State;
+use crate::discover::channel::{Channel, Misfit, Sequence};
+use crate::discover::family::{Claim, Family};
+use crate::discover::rank::{Ranked, levels, rank_at};
+use crate::discover::scatter::scatters;
+use crate::discover::score::log_tail;
+use crate::discover::search::{APART, Search};
+use crate::discover::shape::{Shape, shapes};
+use crate::discover::state::State;
+use crate::methods::joint::BiasNoise;
 use crate::methods::joint::{Chunk, Mean, SensorNoise};
-
-/// The mean square of the slope over a window of length `T` of a random walk of unit density is `6/5 / T`.
-const WALK_IN_SLOPE: f64 = 1.2;
 
 /// A disagreement that no effect of the catalogue explains.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -31,8 +29,20 @@ pub struct Unexplained {
     pub shape: String,
     /// Period, where it has one, s.
     pub period: Option<f64>,
-    /// Whether names were withdrawn because this explains more than they do.
+    /// Names that were withdrawn because this explains more than they do, or what they do.
     pub instead_of: Vec<String>,
+    /// The columns of its shape, white-whitened (`m × k`), and the noise that it was found with.
+    #[serde(skip)]
+    pub columns: Option<Shaped>,
+}
+
+/// The columns of a shape at the model that it was found beside.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shaped {
+    /// `m × k`, white-whitened.
+    pub columns: Mat<f64>,
+    /// Noise of the biases under it.
+    pub noise: BiasNoise,
 }
 
 /// One of the tests for a rest: `ln p` with its search paid for, but not the number of tests.
@@ -41,6 +51,7 @@ struct Trial {
     words: String,
     channel: Option<Channel>,
     period: Option<f64>,
+    columns: Option<Shaped>,
 }
 
 /// Looks for a significant rest (family-wise chance `alpha`), and whether one shape explains the whole better than
@@ -67,7 +78,7 @@ pub fn unexplained(search: &mut Search, alpha: f64) -> Option<Unexplained> {
 
 /// The disagreement that a model leaves, where it is significant (family-wise chance `alpha`).
 pub fn rest_of(state: &State, alpha: f64) -> Option<Unexplained> {
-    let misfits = Sequence::of(state, state.walks).misfits(state);
+    let misfits = Sequence::of(state, state.noise).misfits(state);
     let mut trials = shaped(state);
     trials.extend(shapeless(state, &misfits)?);
     let count = trials.len() as f64;
@@ -86,12 +97,13 @@ pub fn rest_of(state: &State, alpha: f64) -> Option<Unexplained> {
         shape: worst.words.clone(),
         period: worst.period,
         instead_of: Vec::new(),
+        columns: worst.columns.clone(),
     })
 }
 
 /// The tests that say what the rest looks like.
 fn shaped(state: &State) -> Vec<Trial> {
-    let levels = levels(&state.projected, state.walks, state.walks_given);
+    let levels = levels(&state.projected, state.noise, state.noise_given);
     let is_slow = |f: &Family| matches!(f.claim, Claim::Shape(Shape::SlowTime, _));
     let (slow, others): (Vec<Family>, Vec<Family>) = shapes(state).into_iter().partition(is_slow);
     // Slow changes are judged at the likeliest walk alone: with many coefficients they could stand for any walk.
@@ -111,6 +123,7 @@ fn shaped(state: &State) -> Vec<Trial> {
         ),
         channel: None,
         period: None,
+        columns: None,
     }));
     trials
 }
@@ -118,12 +131,13 @@ fn shaped(state: &State) -> Vec<Trial> {
 /// The tests that say that there is more than the noise.
 fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
     let more = "more scatter than the noise";
-    let whitened = state.projected.at(state.walks)?;
+    let whitened = state.projected.at(state.noise)?;
     let mut trials = vec![Trial {
         log_p: log_tail(whitened.square, state.projected.dof() as f64),
         words: more.into(),
         channel: None,
         period: None,
+        columns: None,
     }];
     for (channel, misfit) in Channel::ALL.into_iter().zip(misfits) {
         trials.push(Trial {
@@ -131,15 +145,17 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
             words: more.into(),
             channel: Some(channel),
             period: None,
+            columns: None,
         });
     }
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
-        let (chi2, dof) = slopes(state, sensor, state.walks);
+        let (chi2, dof) = slopes(state, sensor, state.noise);
         trials.push(Trial {
             log_p: log_tail(chi2, dof),
             words: format!("readings of the {} drift within rests", sensor.name()),
             channel: Some(channel_at_rest(sensor)),
             period: None,
+            columns: None,
         });
     }
     Some(trials)
@@ -166,6 +182,10 @@ fn of_shape(family: &Family, ranked: &Ranked) -> Trial {
         words,
         channel: None,
         period,
+        columns: Some(Shaped {
+            columns: family.columns_of(ranked.hypothesis).to_owned(),
+            noise: ranked.noise,
+        }),
     }
 }
 
@@ -177,7 +197,7 @@ fn channel_at_rest(sensor: Sensor) -> Channel {
 }
 
 /// `Σ (slope/σ)²` over the chunks of rests that nothing disturbed, and the number of slopes.
-fn slopes(state: &State, sensor: Sensor, walks: Walks) -> (f64, f64) {
+fn slopes(state: &State, sensor: Sensor, noise: BiasNoise) -> (f64, f64) {
     let data = &state.fit.data;
     let disturbed = |chunk: &Chunk| {
         let rest = &data.rests[chunk.rest];
@@ -190,22 +210,23 @@ fn slopes(state: &State, sensor: Sensor, walks: Walks) -> (f64, f64) {
     let (mut chi2, mut dof) = (0.0, 0.0);
     for chunk in data.chunks.iter().filter(|chunk| !disturbed(chunk)) {
         let source = &data.sources[data.rests[chunk.rest].recording];
-        let (mean, noise, walk) = match sensor {
-            Sensor::Accelerometer => (chunk.accelerometer, source.accelerometer, walks[0]),
-            Sensor::Gyroscope => (chunk.gyroscope, source.gyroscope, walks[1]),
+        let (mean, white, place) = match sensor {
+            Sensor::Accelerometer => (chunk.accelerometer, source.accelerometer, 0),
+            Sensor::Gyroscope => (chunk.gyroscope, source.gyroscope, 1),
         };
-        if let (Some(mean), Some(noise)) = (mean, noise) {
-            chi2 += slope_chi2(&mean, &noise, walk);
+        if let (Some(mean), Some(white)) = (mean, white) {
+            let length = mean.span.length();
+            let of_bias = |axis| noise.slope_variance(place, axis, length);
+            chi2 += slope_chi2(&mean, &white, of_bias);
             dof += 3.0;
         }
     }
     (chi2, dof)
 }
 
-fn slope_chi2(mean: &Mean, noise: &SensorNoise, walk: f64) -> f64 {
+fn slope_chi2(mean: &Mean, noise: &SensorNoise, of_bias: impl Fn(usize) -> f64) -> f64 {
     let white: Vector3<f64> = noise.variance_of(mean) * (mean.count as f64 / mean.spread);
-    let walked = WALK_IN_SLOPE * walk * walk / mean.span.length().max(1e-9);
     (0..3)
-        .map(|i| mean.slope[i].powi(2) / (white[i] + walked))
+        .map(|i| mean.slope[i].powi(2) / (white[i] + of_bias(i)))
         .sum()
 }

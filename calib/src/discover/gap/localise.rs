@@ -6,10 +6,11 @@ use nalgebra::{DMatrix, Vector3};
 use sensor::Sensor;
 use serde::Serialize;
 
-use super::channel::{Channel, Sequence};
-use super::columns::{Instant, Sampling, error_columns};
-use super::score::{log_tail, score};
-use super::state::State;
+use crate::discover::channel::{Channel, Sequence};
+use crate::discover::columns::{Instant, Sampling, error_columns};
+use crate::discover::score::{log_tail, score};
+use crate::discover::state::State;
+use crate::methods::joint::BiasNoise;
 
 /// A channel disagrees where chance would show as much in one of so many recordings.
 const CHANCE: f64 = 0.01;
@@ -29,11 +30,13 @@ pub struct Disagreement {
     pub covariate: String,
     /// `√(χ²/dof)`.
     pub size: f64,
+    /// Root mean square of it, in m/s², rad/s or rad.
+    pub rms: Option<f64>,
 }
 
-/// The channels that disagree, largest first.
-pub fn disagreements(state: &State) -> Vec<Disagreement> {
-    let misfits = Sequence::of(state, [0.0; 2]).misfits(state);
+/// The channels that disagree under this noise of the biases, largest first.
+pub fn disagreements(state: &State, noise: BiasNoise) -> Vec<Disagreement> {
+    let misfits = Sequence::of(state, noise).misfits(state);
     let mut all: Vec<Disagreement> = Channel::ALL
         .into_iter()
         .zip(misfits)
@@ -43,6 +46,7 @@ pub fn disagreements(state: &State) -> Vec<Disagreement> {
             place: worst_intervals(state, channel),
             covariate: best_covariate(state, channel).into(),
             size: misfit.gap(),
+            rms: state.rms(channel),
         })
         .collect();
     all.sort_by(|a, b| b.size.total_cmp(&a.size));

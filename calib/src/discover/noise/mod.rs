@@ -1,0 +1,4 @@
+//! The disagreement of a model under the noise of the biases, and where that noise is known from.
+
+pub(super) mod noise_file;
+pub(super) mod projected;

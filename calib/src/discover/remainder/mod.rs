@@ -1,0 +1,6 @@
+//! What remains when everything of the catalogue has had its chance.
+
+pub(super) mod scatter;
+pub(super) mod shape;
+pub(super) mod unexplained;
+pub(super) mod weighed_again;

@@ -1,0 +1,115 @@
+//! What real devices do that a simulator does not think of: discovery names what a person would.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use calib::Recording;
+use calib::discover::{Discovery, Request, Verdict, discover};
+use calib::simulate::{Fault, Session, Spec};
+use nalgebra::Vector3;
+
+const DEGREE_PER_HOUR: f64 = std::f64::consts::PI / 180.0 / 3600.0;
+
+fn of(recordings: &[Recording], spec: &Spec) -> Discovery {
+    discover(recordings, &Request::new(spec.gravity)).unwrap()
+}
+
+/// Names of effects, then of faults with their intervals.
+fn claims(discovery: &Discovery) -> Vec<String> {
+    let findings = &discovery.findings;
+    let effects = findings.effects.iter().map(|e| e.name.clone());
+    let faults = findings.integrity.iter();
+    effects
+        .chain(faults.map(|f| format!("{} {}", f.name, f.interval.unwrap_or(0))))
+        .collect()
+}
+
+/// The same recording with `error` added to the rate while `true_interval` (from 0) lasts.
+fn with_excursion(session: &Session, interval: usize, error: Vector3<f64>) -> Recording {
+    let span = &session.truth.static_intervals[interval];
+    let mut recording = session.recording.clone();
+    let stream = recording.gyroscope.as_mut().unwrap();
+    for (t, value) in stream.t.iter().zip(&mut stream.values) {
+        if (span.start..span.end).contains(t) {
+            *value += error;
+        }
+    }
+    recording
+}
+
+#[test]
+fn flicker_is_noise_and_is_measured() {
+    let (mut found, seeds) = ([0.0; 2], 4);
+    for seed in 0..seeds {
+        let mut spec = Spec::hand_held(seed);
+        spec.accelerometer.instability = 1e-3;
+        spec.gyroscope.instability = 15.0 * DEGREE_PER_HOUR;
+        let discovery = of(&[spec.run().unwrap().recording], &spec);
+        assert_eq!(
+            discovery.findings.verdict,
+            Verdict::Nothing,
+            "{:?}",
+            claims(&discovery)
+        );
+        for (sum, axes) in found.iter_mut().zip(discovery.findings.bias_instability) {
+            *sum += axes.iter().map(|b| b * b).sum::<f64>() / (3.0 * seeds as f64);
+        }
+    }
+    // A single axis of a session knows its variance to a half; twelve of them to a sixth.
+    for (found, truth) in found.into_iter().zip([1e-3, 15.0 * DEGREE_PER_HOUR]) {
+        let ratio = found.sqrt() / truth;
+        assert!((0.6..1.4).contains(&ratio), "{ratio}");
+    }
+}
+
+#[test]
+fn one_interval_whose_rate_is_off_is_no_step_of_the_bias() {
+    let spec = Spec::hand_held(3);
+    let session = spec.run().unwrap();
+    let recording = with_excursion(&session, 12, Vector3::new(1.5e-3, -1e-3, 0.8e-3));
+    assert_eq!(claims(&of(&[recording], &spec)), ["disturbed_interval 13"]);
+}
+
+#[test]
+fn samples_lost_in_neighbouring_turns_do_not_hide_each_other() {
+    let spec = Spec::hand_held(4)
+        .with_fault(Fault::Lost {
+            turn: 8,
+            length: 0.05,
+        })
+        .with_fault(Fault::Lost {
+            turn: 9,
+            length: 0.05,
+        });
+    let recording = spec.run().unwrap().recording;
+    // Their stamps are closed up: they are outliers, and nothing says that samples are lost.
+    assert_eq!(
+        claims(&of(&[recording], &spec)),
+        ["outlying_turn 9", "outlying_turn 10"]
+    );
+}
+
+#[test]
+fn two_recordings_make_no_step_between_them() {
+    let spec = Spec::hand_held(5);
+    let truth = spec.run().unwrap();
+    let mut later = spec.clone();
+    later.seed += 1000;
+    // The same device, its gyroscope switched on again with another bias.
+    for own in [&truth.truth.accelerometer, &truth.truth.gyroscope] {
+        for (name, value) in own.names().iter().zip(own.values()) {
+            let moved = if name.starts_with("gyro.b_") {
+                1e-3
+            } else {
+                0.0
+            };
+            later.parameters.insert(name.clone(), value + moved);
+        }
+    }
+    let recordings = [truth.recording, later.run().unwrap().recording];
+    let discovery = of(&recordings, &spec);
+    assert_eq!(
+        discovery.findings.verdict,
+        Verdict::Nothing,
+        "{:?}",
+        claims(&discovery)
+    );
+}
