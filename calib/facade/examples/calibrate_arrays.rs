@@ -10,7 +10,7 @@ fn main() -> Result<(), Error> {
         gravity: Some(9.80665),
         ..Request::default()
     };
-    let calibration = calibrate(&[recording.clone()], &request)?;
+    let calibration = calibrate(std::slice::from_ref(&recording), &request)?;
     for p in calibration.parameters() {
         let std = p.std.map_or("fixed".into(), |std| format!("{std:.2e}"));
         println!("{:<16} {:>12.6} ± {std:<8} {}", p.name, p.value, p.unit);

@@ -39,7 +39,7 @@ fn main() -> Result<(), Error> {
         catalogue: catalogue.clone(),
         ..Request::default()
     };
-    let calibration = calibrate(&[recording.clone()], &request)?;
+    let calibration = calibrate(std::slice::from_ref(&recording), &request)?;
     for p in calibration.parameters().iter().skip(24) {
         println!(
             "{} = {:.2e} ± {:.0e} {}",

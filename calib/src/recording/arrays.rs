@@ -204,10 +204,12 @@ mod tests {
         }
     }
 
+    type Change<'a> = &'a dyn Fn(&mut Vec<f64>, &mut Vec<[f64; 3]>);
+
     #[test]
     fn what_is_wrong_with_arrays_is_named_with_row_and_column() {
         let (t, [accel, gyro]) = arrays(&session());
-        let refused = |change: &dyn Fn(&mut Vec<f64>, &mut Vec<[f64; 3]>)| {
+        let refused = |change: Change<'_>| {
             let (mut t, mut accel) = (t.clone(), accel.clone());
             change(&mut t, &mut accel);
             let rows = Rows {

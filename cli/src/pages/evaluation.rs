@@ -190,13 +190,16 @@ fn bias(rows: &[(String, Evaluation)]) -> Figure {
     Figure::new("Rate at rest", value, "what the gyroscope's bias is off by")
 }
 
+/// Key, raw reading and what is left of it.
+type Pair = (String, Option<f64>, Option<f64>);
+
 /// A panel of raw readings and one of every calibration.
 fn compared(
     raw: &Session<'_>,
     sessions: &[(&str, Session<'_>)],
     title: &str,
     unit: &str,
-    of: fn(&Session<'_>) -> Vec<(String, Option<f64>, Option<f64>)>,
+    of: fn(&Session<'_>) -> Vec<Pair>,
 ) -> Plot {
     let number = |key: &str| key.trim_start_matches('t').parse::<f64>().unwrap_or(0.0);
     let series = |session: &Session<'_>, name: &str, colour: usize, raw: bool| {

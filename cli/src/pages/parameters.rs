@@ -146,7 +146,7 @@ pub fn weakest(calibration: &Calibration) -> Option<Figure> {
             bias,
             at,
         } = sensor;
-        for i in 0..3 {
+        for (i, axis) in AXES.iter().enumerate() {
             for j in 0..3 {
                 let Some(std) = triad.t_std[i][j] else {
                     continue;
@@ -154,7 +154,7 @@ pub fn weakest(calibration: &Calibration) -> Option<Figure> {
                 let std = std / scale;
                 let (parameter, text) = if i == j {
                     (
-                        format!("s_{}", AXES[i]),
+                        format!("s_{axis}"),
                         format!("± {} ppm", figures(HALF * 1e6 * std)),
                     )
                 } else {

@@ -128,7 +128,7 @@ fn orientation(session: &Session<'_>, noise: Option<f64>) -> Plot {
     };
     let mut plot = Plot::new(
         "What is left against the orientation",
-        Axis::linear("component of the upward direction along the axis").from_to(-1.0, 1.0),
+        Axis::linear("component of the upward direction along the axis").between(-1.0, 1.0),
         axis(0),
     );
     for k in 0..3 {
@@ -138,7 +138,7 @@ fn orientation(session: &Session<'_>, noise: Option<f64>) -> Plot {
         let points = session.rests.iter();
         let points = points
             .filter_map(|rest| Some(of_rest(rest, rest.up?[k])))
-            .collect();
+            .collect::<Vec<_>>();
         plot = filled(
             plot,
             session,
@@ -220,7 +220,7 @@ fn one_panel(
 fn filled(
     mut plot: Plot,
     session: &Session<'_>,
-    points: &Vec<Point>,
+    points: &[Point],
     band: Option<(f64, f64)>,
     value: fn(&Point) -> Option<f64>,
 ) -> Plot {

@@ -50,7 +50,7 @@ impl Axis {
 
     /// With given ends, whatever is drawn.
     #[must_use]
-    pub fn from_to(mut self, from: f64, to: f64) -> Self {
+    pub fn between(mut self, from: f64, to: f64) -> Self {
         self.ends = Some((from, to));
         self
     }

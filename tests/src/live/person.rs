@@ -59,7 +59,7 @@ impl Person {
     /// Who has just taken the device.
     pub fn new(habits: Habits, seed: u64) -> Self {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
-        let phases = std::array::from_fn(|_| rng.random_range(0.0..6.28));
+        let phases = std::array::from_fn(|_| rng.random_range(0.0..std::f64::consts::TAU));
         Self {
             rng,
             habits,
