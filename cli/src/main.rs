@@ -5,6 +5,8 @@
 mod commands;
 mod exit;
 mod interrupt;
+#[cfg(doc)]
+pub mod manual;
 mod output;
 mod read_args;
 mod report;
