@@ -7,6 +7,8 @@
 mod commands;
 mod exit;
 mod interrupt;
+#[cfg(doc)]
+pub mod manual;
 mod output;
 mod pages;
 mod read_args;

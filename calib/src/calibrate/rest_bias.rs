@@ -6,7 +6,7 @@ use crate::averages::median;
 use crate::calibration::RecordingBias;
 use crate::intervals::{Moments, Segmentation};
 use crate::methods::small_sample::widening;
-use crate::readings::COARSE;
+use crate::readings::{COARSE, dead_zones};
 use crate::recording::Recording;
 
 /// The mean over the rests, with the scatter between them as its error.
@@ -14,7 +14,7 @@ use crate::recording::Recording;
 /// Neighbouring rests of a wandering bias resemble each other: where their lag-one correlation `ρ` is
 /// significant the variance of the mean grows by `(1 + ρ)/(1 − ρ)`, at most to that of a single rest.
 /// Where the least significant bit is more than 1.7 times what the readings spread by, `LSB/√12` stays however many samples
-/// there are: the bias is the same in every rest, and so is what rounding makes of it.
+/// there are: the bias is the same in every rest, and so is what rounding makes of it. A dead zone is one wide step at zero.
 pub(super) fn rest_bias(
     recording: &Recording,
     segmentation: &Segmentation,
@@ -28,6 +28,9 @@ pub(super) fn rest_bias(
     let first = rests.first()?;
     let mean = rests.iter().map(|m| m.mean).sum::<Vector3<f64>>() / rests.len() as f64;
     let least = stream.least_steps();
+    let ranges = segmentation.statics.iter().map(|s| s.span);
+    let ranges: Vec<_> = ranges.map(|s| stream.between(s.from, s.to)).collect();
+    let dead = dead_zones(stream, &ranges);
     let std = [0, 1, 2].map(|axis| {
         let between = if rests.len() > 1 {
             let deviations: Vec<f64> = rests.iter().map(|m| m.mean[axis] - mean[axis]).collect();
@@ -37,11 +40,12 @@ pub(super) fn rest_bias(
         };
         let spread = median(rests.iter().map(|m| m.std()[axis]));
         let quantised = spread.is_some_and(|spread| COARSE * spread < least[axis]);
-        let floor = if quantised && least[axis].is_finite() {
-            least[axis] / 12f64.sqrt()
+        let step = if quantised && least[axis].is_finite() {
+            least[axis]
         } else {
             0.0
         };
+        let floor = step.max(2.0 * dead[axis]) / 12f64.sqrt();
         // With few rests their scatter is known badly: Student's t.
         let widened = between.sqrt() * widening(rests.len() - 1);
         Some(widened.max(floor))

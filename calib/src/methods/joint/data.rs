@@ -17,6 +17,7 @@ use super::turn::MARGIN;
 use super::windows::means_over_windows;
 use crate::intervals::{Segmentation, Span, TurnFault};
 use crate::methods::RawUnit;
+use crate::readings::dead_zones;
 use crate::recording::{INSTANT, Recording, Stream};
 
 /// Rests are cut into chunks of about this length, s: they anchor random walk, drift and warm-up.
@@ -221,9 +222,12 @@ impl Data {
             let stream = stream?;
             let chunks = spans.iter().flat_map(|span| parts(*span, length));
             let ranges: Vec<_> = chunks.map(|c| stream.between(c.from, c.to)).collect();
-            SensorNoise::measure(stream, &ranges)
+            Some((SensorNoise::measure(stream, &ranges)?, ranges))
         };
-        let (of_force, of_rate) = (of(force), of(rate));
+        let of_force = of(force).map(|(noise, _)| noise);
+        let of_rate = rate
+            .zip(of(rate))
+            .map(|(rate, (noise, ranges))| noise.with_dead_zones(dead_zones(rate, &ranges)));
         if let (Some(f), Some(nf), Some(r), Some(nr)) = (force, &of_force, rate, &of_rate) {
             let pair = Pair {
                 force: (f, nf),

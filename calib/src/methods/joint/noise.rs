@@ -90,6 +90,19 @@ impl SensorNoise {
         })
     }
 
+    /// The same of a sensor whose readings closer to zero than `edges` are zero (3): at rest they step by the width of
+    /// the zone.
+    pub fn with_dead_zones(mut self, edges: Vector3<f64>) -> Self {
+        for axis in 0..3 {
+            let step = 2.0 * edges[axis];
+            if step > self.step[axis] {
+                self.step[axis] = step;
+                self.rounding[axis] = step * step / 12.0;
+            }
+        }
+        self
+    }
+
     /// [`SensorNoise::long_run`] alone, averaged over the axes; 1 where it cannot be measured.
     pub fn long_run_of(stream: &Stream, rests: &[Range<usize>]) -> f64 {
         let interval = stream.median_step();
