@@ -94,21 +94,26 @@ pub fn warn_all(texts: &[String]) {
     folded(texts).iter().for_each(|text| warn(text));
 }
 
-/// Warnings that differ in their numbers only are alike: the first of them stands for all.
+/// Alike warnings that are all said.
+const ALIKE: usize = 3;
+
+/// Warnings that differ in their numbers only are alike: of many the first stands for all.
 pub fn folded(texts: &[String]) -> Vec<String> {
-    let mut kinds: Vec<(String, &String, usize)> = Vec::new();
+    let mut kinds: Vec<(String, Vec<&String>)> = Vec::new();
     for text in texts {
         let shape = shape(text);
-        match kinds.iter_mut().find(|(other, ..)| *other == shape) {
-            Some((.., count)) => *count += 1,
-            None => kinds.push((shape, text, 1)),
+        match kinds.iter_mut().find(|(other, _)| *other == shape) {
+            Some((_, alike)) => alike.push(text),
+            None => kinds.push((shape, vec![text])),
         }
     }
-    let said = |(_, first, count): (String, &String, usize)| match count {
-        1 => first.clone(),
-        n => format!("{first} (and {} more like this)", n - 1),
+    let said = |(_, alike): (String, Vec<&String>)| match alike.as_slice() {
+        [first, others @ ..] if others.len() >= ALIKE => {
+            vec![format!("{first} (and {} more like this)", others.len())]
+        }
+        all => all.iter().map(|text| (*text).clone()).collect(),
     };
-    kinds.into_iter().map(said).collect()
+    kinds.into_iter().flat_map(said).collect()
 }
 
 /// A text without its numbers.

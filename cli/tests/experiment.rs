@@ -75,7 +75,7 @@ fn allan_finds_the_density_of_white_noise_and_draws_it() {
     }
     assert!(summary["initial_static_time"].is_null());
     let page = std::fs::read_to_string(dir.path().join("noise.html")).unwrap();
-    assert!(page.contains("angle random walk") && page.matches("<svg").count() == 4);
+    assert!(page.contains("angle random walk") && page.matches("<svg").count() == 2);
     for name in [
         "allan-gyroscope.svg",
         "allan-gyroscope.png",

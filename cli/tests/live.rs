@@ -39,7 +39,7 @@ fn start(folder: &Path, server: &Server, poll: &str, more: &[&str]) -> Child {
 #[test]
 fn a_person_who_does_what_it_says_gets_a_calibration() {
     let dir = tempfile::tempdir().unwrap();
-    let server = Server::start(phone(5).with_events(&dir.path().join("events.ndjson"))).unwrap();
+    let server = Server::start(phone(2).with_events(&dir.path().join("events.ndjson"))).unwrap();
     let run = start(
         dir.path(),
         &server,

@@ -5,7 +5,10 @@ mod common;
 
 use common::{files, folder, status, stderr, stdout, stillpoint};
 
-const COMMANDS: [&str; 15] = [
+const COMMANDS: [&str; 18] = [
+    "batch",
+    "live",
+    "plan",
     "demo",
     "info",
     "calibrate",
@@ -77,7 +80,13 @@ fn every_table_fits_into_80_columns() {
             "--calibration",
             "a_rather_long_name_of_a_calibration=cal.json",
         ],
-        &["bias", "cal.json", "good.csv", "--accelerometer"],
+        &[
+            "bias",
+            "cal.json",
+            "good.csv",
+            "--accelerometer",
+            "--no-gyroscope",
+        ],
         &["allan", "good.csv", "--rest", "0,19"],
         &["discover", "a_session_with_a_rather_long_name"],
         &[

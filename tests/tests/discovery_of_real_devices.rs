@@ -42,7 +42,11 @@ fn flicker_is_noise_and_is_measured() {
         let mut spec = Spec::hand_held(seed);
         spec.accelerometer.instability = 1e-3;
         spec.gyroscope.instability = 15.0 * DEGREE_PER_HOUR;
-        let discovery = of(&[spec.run().unwrap().recording], &spec);
+        let request = Request {
+            flicker: true,
+            ..Request::new(spec.gravity)
+        };
+        let discovery = discover(&[spec.run().unwrap().recording], &request).unwrap();
         assert_eq!(
             discovery.findings.verdict,
             Verdict::Nothing,

@@ -3,7 +3,7 @@
 /// What a message calls an option of the command, and what it is called here.
 ///
 /// An entry for every flag that a message of the libraries names; a test reads their sources.
-const OPTIONS: [(&str, &str); 29] = [
+const OPTIONS: [(&str, &str); 30] = [
     ("--accel-file", "`Recording::from_pair`"),
     ("--accel-unit", "`ReadOptions::accel_unit`"),
     ("--altitude", "`Request::altitude`"),
@@ -13,6 +13,7 @@ const OPTIONS: [(&str, &str); 29] = [
     ("--flip", "`ReadOptions::flip`"),
     ("--force-device", "`Request::force_device`"),
     ("--format", "`ReadOptions::format`"),
+    ("--frame", "`Request::frame`"),
     ("--gravity", "`Request::gravity`"),
     ("--gyro-file", "`Recording::from_pair`"),
     ("--gyro-unit", "`ReadOptions::gyro_unit`"),
@@ -103,7 +104,7 @@ mod tests {
             }
         }
         // Of another program, and of cargo.
-        let others = ["--csv", "--release", "--ignored"];
+        let others = ["---", "--csv", "--release", "--ignored", "--prior"];
         let unknown: Vec<_> = flags
             .iter()
             .filter(|flag| !others.contains(&flag.as_str()))

@@ -131,6 +131,16 @@ impl Coverage {
         )
     }
 
+    /// `no placement has z up, z down`; empty where every face is there.
+    pub fn missing(&self) -> String {
+        let faces = faces();
+        let up = self.missing_faces.iter().map(|k| axes_up(&faces[*k]));
+        match up.collect::<Vec<_>>().join(", ") {
+            none if none.is_empty() => none,
+            up => format!("no placement has {up}"),
+        }
+    }
+
     /// `add 2 placements: 1) z up (a phone: flat on its back, screen up), 2) x down (…)`; empty where nothing is wanted.
     pub fn advice(&self) -> String {
         if self.wanted.is_empty() {

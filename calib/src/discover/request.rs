@@ -40,6 +40,9 @@ pub struct Request {
     pub choose_multiplier: bool,
     /// Whether recordings that look like those of different devices are taken for those of one.
     pub force_device: bool,
+    /// Whether flicker (1/f) of the biases is estimated beside their walks. It takes some of what depends on the placement,
+    /// as an effect does, for noise.
+    pub flicker: bool,
     /// The effects that may be missing.
     pub catalogue: Vec<&'static dyn AnyEffect>,
 }
@@ -70,6 +73,7 @@ impl Request {
             gravity_source: GravitySource::Given,
             alpha: 0.01,
             noise: None,
+            flicker: false,
             latitude: None,
             clock: ClockMode::default(),
             detector: Detector::default(),
@@ -99,6 +103,8 @@ pub struct Session<'a> {
     pub gravity: f64,
     /// Noise of the biases, where it is known.
     pub noise: Option<BiasNoise>,
+    /// Whether flicker of the biases is estimated.
+    pub flicker: bool,
     /// Latitude, degrees north.
     pub latitude: Option<f64>,
     /// By which clock the turns are integrated.
@@ -133,6 +139,7 @@ impl<'a> Session<'a> {
             recordings: all.into_iter().zip(choices).collect(),
             gravity: request.gravity,
             noise: request.noise,
+            flicker: request.flicker,
             latitude: request.latitude,
             clock: request.clock,
         })
@@ -169,7 +176,7 @@ impl<'a> Session<'a> {
             accelerometer,
             gyroscope,
             bias_noise: self.noise,
-            flicker: true,
+            flicker: self.flicker,
             disturbances: false,
             known: extension.disturbed.clone(),
             held,

@@ -13,9 +13,9 @@ pub const LARGEST_RESIDUAL: f64 = 100.0;
 /// A residual above this that noise does not explain, three thousandths of gravity, mm/s².
 pub const LARGEST_UNEXPLAINED_RESIDUAL: f64 = 30.0;
 /// Gravity missed through turns by more than this is no calibration, °.
-pub const LARGEST_ANGLE: f64 = 3.0;
+pub const LARGEST_ANGLE: f64 = 5.0;
 /// The same where noise does not explain it, °.
-pub const LARGEST_UNEXPLAINED_ANGLE: f64 = 2.0;
+pub const LARGEST_UNEXPLAINED_ANGLE: f64 = 3.0;
 
 /// The lines that hold without a file.
 pub fn built_in(calibration: &Calibration) -> Vec<LimitLine> {

@@ -17,6 +17,9 @@ const NOISIEST: f64 = 0.03;
 /// No gyroscope is so biased, rad/s: an MPU-6050 by at most 20 deg/s.
 const MOST_BIASED: f64 = 0.7;
 
+/// Samples that show that a sensor only rests.
+const ENOUGH_OF_A_REST: usize = 1000;
+
 /// Gravity in g, in m/s², and in anything that is kept as counts.
 const KNOWN: [std::ops::Range<f64>; 3] = [0.8..1.25, 7.5..12.5, 100.0..f64::INFINITY];
 /// Samples looked at.
@@ -139,7 +142,7 @@ pub(super) fn gyro_unit(
         .map(nalgebra::Vector3::amax)
         .fold(0.0, f64::max);
     if by_turns.is_none() {
-        refuse_restless_rest(name, stream)?;
+        refuse_restless_rest(name, stream, accel)?;
     }
     let integers = values::are_integers(stream.values.iter());
     let (unit, why) = match (by_turns, fastest) {
@@ -167,8 +170,14 @@ pub(super) fn gyro_unit(
     Ok(unit)
 }
 
-/// Refuses a gyroscope that rests throughout and would be no gyroscope in rad/s: no turn tells its unit.
-fn refuse_restless_rest(name: &str, stream: &Stream) -> Result<(), Error> {
+/// Refuses a gyroscope that rests throughout, as the accelerometer beside it does, and would be no gyroscope in rad/s:
+/// no turn tells its unit.
+fn refuse_restless_rest(name: &str, stream: &Stream, accel: Option<&Stream>) -> Result<(), Error> {
+    if stream.len() < ENOUGH_OF_A_REST
+        || accel.is_none_or(|accel| rest_throughout(&accel.values).is_none())
+    {
+        return Ok(());
+    }
     let Some((noise, mean)) = rest_throughout(&stream.values) else {
         return Ok(());
     };

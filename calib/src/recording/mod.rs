@@ -135,12 +135,12 @@ impl Recording {
     ///
     /// # Examples
     /// ```
-    /// use calib::Recording;
+    /// use stillpoint_calib::{Error, Recording};
     ///
     /// let text = "t,ax,ay,az\n0.00,0.1,0.2,9.8\n0.01,0.1,0.3,9.7\n";
     /// let recording = Recording::from_bytes("session.csv", text.as_bytes(), &Default::default())?;
     /// assert_eq!(recording.accelerometer.map(|stream| stream.len()), Some(2));
-    /// # Ok::<(), calib::Error>(())
+    /// # Ok::<(), Error>(())
     /// ```
     pub fn from_bytes(
         name: &str,

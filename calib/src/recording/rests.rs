@@ -222,7 +222,17 @@ mod tests {
             let [accel, gyro] = sensors(bias);
             assert_eq!(accelerometer([&accel, &gyro]), Some(0));
             assert_eq!(accelerometer([&gyro, &accel]), Some(1));
-            assert!(at_one_reading(&gyro) && !at_one_reading(&accel));
+            // Of a turn at an even rate alone nobody can tell that it is no rest.
+            let uneven = |(k, rate): (usize, &Vector3<f64>)| rate * (1.0 + (0.05 * k as f64).sin());
+            let turns = gyro
+                .iter()
+                .enumerate()
+                .map(|(k, rate)| match k % 400 < 200 {
+                    true => *rate,
+                    false => uneven((k, rate)),
+                });
+            let turns: Vec<_> = turns.collect();
+            assert!(at_one_reading(&turns) && !at_one_reading(&accel));
             let means: Vec<_> = rests(&accel, &gyro)
                 .iter()
                 .map(|rest| rest.means[0])

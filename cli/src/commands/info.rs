@@ -257,12 +257,12 @@ impl<'a> Facts<'a> {
             "sensor",
             "unit",
             "by",
-            "samples",
-            "from, s",
-            "lasts, s",
-            "Hz",
-            "jitter, ms",
-            "interruptions",
+            "rows",
+            "from s",
+            "for s",
+            "rate Hz",
+            "jitter ms",
+            "gaps",
         ]);
         for sensor in &description.sensors {
             let Some(clock) = self.stream(sensor.sensor).and_then(Clock::of) else {

@@ -156,10 +156,11 @@ fn case_119_discovery_on_too_little() {
         spec
     });
     let bench = Bench::with("r.csv", csv(&rows));
-    bench
-        .run(&["discover", "r.csv"])
-        .ends(4)
-        .says(&["static intervals", "orientations"]);
+    bench.run(&["discover", "r.csv"]).ends(4).says(&[
+        "static intervals",
+        "too few to tell",
+        "placements",
+    ]);
 }
 
 #[test]

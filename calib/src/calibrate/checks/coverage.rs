@@ -16,12 +16,14 @@ const MORE: usize = 2;
 /// Why placements are refused: what is there, what is not known, the requirement, the placements to add.
 pub(in crate::calibrate) fn refusal(directions: &[Vector3<f64>], unknown: &str) -> String {
     let found = plan::coverage(directions).or_more(MORE);
-    format!(
-        "{}: {unknown}; {}; {}",
-        found.found(),
-        plan::REQUIREMENT,
-        found.advice()
-    )
+    let parts = [
+        found.missing(),
+        plan::REQUIREMENT.to_string(),
+        found.advice(),
+    ];
+    let parts = parts.into_iter().filter(|part| !part.is_empty());
+    let parts: Vec<String> = parts.collect();
+    format!("{}: {unknown}; {}", found.found(), parts.join("; "))
 }
 
 /// Refuses placements that lie in one plane to within what no fit can use: it would run along what it cannot

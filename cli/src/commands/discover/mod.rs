@@ -67,6 +67,10 @@ pub struct Args {
     /// Take random walk and bias instability from this file of `allan` [default: estimated]
     #[arg(long, value_name = "FILE")]
     noise: Option<PathBuf>,
+    /// Estimate flicker (1/f) noise of the biases too: fewer false claims on cheap sensors, but effects that differ from
+    /// placement to placement may pass for it
+    #[arg(long, conflicts_with = "noise")]
+    flicker: bool,
     /// File that defines effects as expressions (TOML): they join the catalogue of this run
     #[arg(long, value_name = "FILE.toml")]
     effect_file: Vec<PathBuf>,
@@ -177,6 +181,7 @@ fn request(args: &Args) -> Result<Request, Failure> {
         force_device: args.force_device,
         latitude: args.place.latitude,
         clock: args.clock.mode(),
+        flicker: args.flicker,
         detector,
         choose_multiplier,
         gravity_source: gravity.source,
