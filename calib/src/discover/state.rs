@@ -172,7 +172,7 @@ impl State {
     }
 
     /// Times (since the start of the recording, s) at which a bias may have jumped: between neighbouring chunks of rests,
-    /// where [`BESIDE_A_STEP`] of them on either side show that it moved and stayed.
+    /// where three of them on either side show that it moved and stayed.
     ///
     /// None of several recordings: an instant belongs to one of them, and between them biases are their own.
     pub fn boundaries(&self) -> Vec<f64> {

@@ -17,6 +17,9 @@ const NOISIEST: f64 = 0.03;
 /// No gyroscope is so biased, rad/s: an MPU-6050 by at most 20 deg/s.
 const MOST_BIASED: f64 = 0.7;
 
+/// An accelerometer that lies still has less noise than this share of gravity.
+const SHAKEN: f64 = 0.02;
+
 /// Samples that show that a sensor only rests.
 const ENOUGH_OF_A_REST: usize = 1000;
 
@@ -170,12 +173,15 @@ pub(super) fn gyro_unit(
     Ok(unit)
 }
 
+/// Whether an accelerometer rests from beginning to end, its noise a small part of gravity.
+fn lies_still(values: &[nalgebra::Vector3<f64>]) -> bool {
+    rest_throughout(values).is_some_and(|(noise, mean)| noise < SHAKEN * mean.norm())
+}
+
 /// Refuses a gyroscope that rests throughout, as the accelerometer beside it does, and would be no gyroscope in rad/s:
 /// no turn tells its unit.
 fn refuse_restless_rest(name: &str, stream: &Stream, accel: Option<&Stream>) -> Result<(), Error> {
-    if stream.len() < ENOUGH_OF_A_REST
-        || accel.is_none_or(|accel| rest_throughout(&accel.values).is_none())
-    {
+    if stream.len() < ENOUGH_OF_A_REST || !accel.is_some_and(|accel| lies_still(&accel.values)) {
         return Ok(());
     }
     let Some((noise, mean)) = rest_throughout(&stream.values) else {

@@ -256,9 +256,7 @@ impl<'a> Facts<'a> {
         let mut table = show::table(&[
             "sensor",
             "unit",
-            "by",
             "rows",
-            "from s",
             "for s",
             "rate Hz",
             "jitter ms",
@@ -271,9 +269,7 @@ impl<'a> Facts<'a> {
             table.add_row([
                 sensor.sensor.name().to_owned(),
                 sensor.unit.to_owned(),
-                decided(sensor.unit_by).to_owned(),
                 clock.samples.to_string(),
-                format!("{:.2}", clock.start),
                 format!("{:.2}", clock.duration),
                 format!("{:.2}", clock.rate),
                 format!("{:.3}", 1e3 * clock.jitter),
@@ -292,10 +288,12 @@ impl<'a> Facts<'a> {
                 .collect();
             let _ = writeln!(
                 text,
-                "{}: {} from {}",
+                "{}: {} from {}, {} by {}",
                 sensor.sensor.name(),
                 columns.join(", "),
-                show::name(&sensor.source)
+                show::name(&sensor.source),
+                sensor.unit,
+                decided(sensor.unit_by)
             );
             if let Some(sign) = sign(sensor) {
                 let _ = writeln!(text, "  sign: {sign}");
