@@ -181,7 +181,7 @@ fn lies_still(values: &[nalgebra::Vector3<f64>]) -> bool {
 /// Refuses a gyroscope that rests throughout, as the accelerometer beside it does, and would be no gyroscope in rad/s:
 /// no turn tells its unit.
 fn refuse_restless_rest(name: &str, stream: &Stream, accel: Option<&Stream>) -> Result<(), Error> {
-    if stream.len() < ENOUGH_OF_A_REST || !accel.is_some_and(|accel| lies_still(&accel.values)) {
+    if stream.len() < ENOUGH_OF_A_REST || accel.is_none_or(|accel| !lies_still(&accel.values)) {
         return Ok(());
     }
     let Some((noise, mean)) = rest_throughout(&stream.values) else {
