@@ -268,11 +268,14 @@ mod tests {
             "stretch 7 to 8.25 s",
             "other",
             "stretch 9.1 to 10 s",
-        ];
+            "stretch 11 to 12 s",
+        ]
+        .map(str::to_owned);
         assert_eq!(
-            folded(&texts.map(str::to_owned)),
-            ["stretch 1.25 to 3.5 s (and 2 more like this)", "other"]
+            folded(&texts),
+            ["stretch 1.25 to 3.5 s (and 3 more like this)", "other"]
         );
+        assert_eq!(folded(&texts[..4]).len(), 4, "three alike are all said");
     }
 
     #[test]
