@@ -25,10 +25,6 @@ const ROUNDS: usize = 6;
 /// that is judged is what the Jacobian's columns leave, and that is the same at both.
 const STRAIGHT: f64 = 0.2;
 
-/// Residuals beyond so many standard deviations of the noise, when the budget of steps is spent, are no fit at all: readings
-/// of a device that is pushed, or not in g.
-const HOPELESS: f64 = 100.0;
-
 /// Fits everything at once.
 ///
 /// # Errors
@@ -192,28 +188,18 @@ impl Run<'_> {
             let rows = self.rows(&[]);
             rows.earth_columns(point.plain_values())
         });
-        let spent = || self.start.steps.are_spent(self.data.cost_of_a_step());
-        // Noise levels and suspects of a fit that is nowhere near the readings mean nothing and take longest.
-        let is_hopeless = spent() && self.misfit(&point, &weights) > HOPELESS;
-        for _ in 0..if is_hopeless { 0 } else { ROUNDS } {
+        for _ in 0..ROUNDS {
             weights = self.judge(&point, earth.as_ref());
             let next = self.approach(&weights, Some(&point))?;
             let bend = self.bend(&point, &next, &weights.whitening);
             point = next;
             // Readings that no model fits are not judged over and over.
-            if bend < STRAIGHT || spent() {
+            let spent = self.start.steps.are_spent(self.data.cost_of_a_step());
+            if bend < STRAIGHT || spent {
                 break;
             }
         }
         self.finish(&point, weights)
-    }
-
-    /// Root mean square of the residuals at `point`, in standard deviations.
-    fn misfit(&self, point: &Point, weights: &Weights) -> f64 {
-        let r = &point.linear.residuals;
-        let mut residuals = Mat::from_fn(r.len(), 1, |i, _| r[i]);
-        weights.whitening.white.apply(residuals.as_mut());
-        residuals.norm_l2() / (r.len().max(1) as f64).sqrt()
     }
 
     /// The minimum under these weights: by plain Gauss–Newton steps, and by the solver where those do not
