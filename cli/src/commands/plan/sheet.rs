@@ -16,8 +16,8 @@ const EYE: [f64; 2] = [28.0, 22.0];
 const SCALE: f64 = 78.0;
 const MIDDLE: f64 = 100.0;
 const TABLE: f64 = 158.0;
-/// From the top of the device to the word for it, pixels.
-const BESIDE: f64 = 13.0;
+/// From the top of the device to the middle of the word for it, across and up, pixels.
+const BESIDE: [f64; 2] = [24.0, 22.0];
 
 /// The page.
 pub fn page(plan: &Plan, notes: &[String], force_only: bool) -> String {
@@ -101,8 +101,8 @@ fn picture(step: &Step) -> String {
     let _ = write!(
         svg,
         "<text class=\"ink\" x=\"{:.0}\" y=\"{:.0}\">top</text></svg>",
-        x + BESIDE * top.x / length,
-        y - BESIDE * top.z / length + 4.0
+        x + BESIDE[0] * top.x / length,
+        y - BESIDE[1] * top.z / length + 4.0
     );
     svg
 }
