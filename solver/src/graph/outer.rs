@@ -32,12 +32,30 @@ pub(super) fn add_outer<S: Simd>(
     }
 }
 
-/// Two rows of the Jacobian at a time; of an odd number the last with a row of zeros.
 #[inline(always)]
 fn fixed<S: Simd, const R: usize, const C: usize>(
     simd: S,
     out: &mut [f64],
     first: bool,
+    jacobian: &[f64],
+    places: &Places,
+) {
+    // The number of vectors is to be known: otherwise they are kept in memory, not in registers.
+    match R / S::F64_LANES {
+        1 => vectors::<S, 1, R, C>(simd, out, first, jacobian, places),
+        2 => vectors::<S, 2, R, C>(simd, out, first, jacobian, places),
+        4 => vectors::<S, 4, R, C>(simd, out, first, jacobian, places),
+        _ => vectors::<S, 0, R, C>(simd, out, first, jacobian, places),
+    }
+}
+
+/// Two rows of the Jacobian at a time, of an odd number the last with a row of zeros; `V` vectors
+/// are most of a column (0: no vectors).
+#[inline(always)]
+fn vectors<S: Simd, const V: usize, const R: usize, const C: usize>(
+    simd: S,
+    out: &mut [f64],
+    mut first: bool,
     jacobian: &[f64],
     &Places { width, row, column }: &Places,
 ) {
@@ -45,7 +63,7 @@ fn fixed<S: Simd, const R: usize, const C: usize>(
     let Some(out) = out.first_chunk_mut::<C>() else {
         return;
     };
-    if first {
+    if jacobian.is_empty() && first {
         *out = [[0.0; R]; C];
     }
     let mut lines = jacobian.chunks_exact(width.max(1));
@@ -62,20 +80,29 @@ fn fixed<S: Simd, const R: usize, const C: usize>(
         {
             (lower, factors) = (next, right);
         }
-        let (one, one_rest) = S::as_simd_f64s(left.as_slice());
-        let (two, two_rest) = S::as_simd_f64s(lower.as_slice());
+        let (one, _) = S::as_simd_f64s(left.as_slice());
+        let (two, _) = S::as_simd_f64s(lower.as_slice());
+        let (Some(&one), Some(&two)) = (one.first_chunk::<V>(), two.first_chunk::<V>()) else {
+            return;
+        };
         for c in 0..C {
             let (a, b) = (right[c], factors[c]);
-            let (body, rest) = S::as_mut_simd_f64s(out[c].as_mut_slice());
+            let (body, _) = S::as_mut_simd_f64s(out[c].as_mut_slice());
+            let Some(body) = body.first_chunk_mut::<V>() else {
+                return;
+            };
             let (many_a, many_b) = (simd.splat_f64s(a), simd.splat_f64s(b));
-            for v in 0..body.len() {
-                let sum = simd.mul_add_e_f64s(one[v], many_a, body[v]);
+            for v in 0..V {
+                let known = if first { simd.splat_f64s(0.0) } else { body[v] };
+                let sum = simd.mul_add_e_f64s(one[v], many_a, known);
                 body[v] = simd.mul_add_e_f64s(two[v], many_b, sum);
             }
-            for v in 0..rest.len() {
-                rest[v] += one_rest[v] * a + two_rest[v] * b;
+            for t in V * S::F64_LANES..R {
+                let known = if first { 0.0 } else { out[c][t] };
+                out[c][t] = known + left[t] * a + lower[t] * b;
             }
         }
+        first = false;
     }
 }
 
