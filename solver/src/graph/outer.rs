@@ -4,6 +4,7 @@ use faer::linalg::matmul::triangular::{BlockStructure, matmul};
 use faer::{Accum, MatMut, MatRef, Par};
 use pulp::Simd;
 
+use super::product::add_multiple;
 use super::structure::Structure;
 
 /// Where two blocks of columns lie in rows of `width`: first column and width of each.
@@ -28,7 +29,7 @@ pub(super) fn add_outer<S: Simd>(
         (6, 6) => fixed::<S, 6, 6>(simd, out, first, jacobian, places),
         (9, 3) => fixed::<S, 9, 3>(simd, out, first, jacobian, places),
         (9, 9) => fixed::<S, 9, 9>(simd, out, first, jacobian, places),
-        _ => any(out, first, jacobian, places),
+        _ => any(simd, out, first, jacobian, places),
     }
 }
 
@@ -121,8 +122,9 @@ pub(super) fn add_gradient(
         9 => gradient_of::<9>(gradient, jacobian, residuals, width, first),
         columns => {
             for (line, r) in jacobian.chunks_exact(width.max(1)).zip(residuals) {
-                for (g, j) in gradient.iter_mut().zip(&line[first..first + columns]) {
-                    *g += j * r;
+                let own = &line[first..first + columns];
+                for c in 0..columns {
+                    gradient[c] += own[c] * r;
                 }
             }
         }
@@ -150,8 +152,10 @@ fn gradient_of<const R: usize>(
     }
 }
 
+/// As [`fixed`], of any size.
 #[inline(always)]
-fn any(
+fn any<S: Simd>(
+    simd: S,
     out: &mut [f64],
     empty: bool,
     jacobian: &[f64],
@@ -170,10 +174,9 @@ fn any(
     for line in jacobian.chunks_exact(width) {
         let left = &line[first..first + rows];
         let right = &line[column..column + columns];
-        for (out, factor) in out.chunks_exact_mut(rows).zip(right) {
-            for (out, left) in out.iter_mut().zip(left) {
-                *out += left * factor;
-            }
+        for c in 0..columns {
+            let own = &mut out[c * rows..(c + 1) * rows];
+            add_multiple(simd, own, left, right[c]);
         }
     }
 }

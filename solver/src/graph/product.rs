@@ -165,16 +165,18 @@ fn any<S: Simd>(
     }
 }
 
-/// `out += vector · factor`.
+/// `out += vector · factor`. By places: an iterator over both, where it is not inlined, is a call
+/// for every number.
 #[inline(always)]
-fn add_multiple<S: Simd>(simd: S, out: &mut [f64], vector: &[f64], factor: f64) {
+pub(super) fn add_multiple<S: Simd>(simd: S, out: &mut [f64], vector: &[f64], factor: f64) {
+    let vector = &vector[..out.len()];
     let (out, rest) = S::as_mut_simd_f64s(out);
     let (own, end) = S::as_simd_f64s(vector);
     let many = simd.splat_f64s(factor);
-    for (out, own) in out.iter_mut().zip(own) {
-        *out = simd.mul_add_e_f64s(*own, many, *out);
+    for v in 0..out.len() {
+        out[v] = simd.mul_add_e_f64s(own[v], many, out[v]);
     }
-    for (out, own) in rest.iter_mut().zip(end) {
-        *out += own * factor;
+    for t in 0..rest.len() {
+        rest[t] += end[t] * factor;
     }
 }

@@ -17,7 +17,7 @@ use crate::{Outcome, bal, processor_seconds};
 type Camera = VectorVar<9>;
 type Point = VectorVar<3>;
 
-assign_symbols!(C: VectorVar<9>; P: VectorVar<3>);
+assign_symbols!(C: Camera; P: Point);
 
 #[derive(Clone, Debug)]
 struct Reprojection([f64; 2]);
