@@ -71,9 +71,8 @@ pub fn bundle(file: &str, fixed: bool, method: &str) -> Result<Outcome, Box<dyn 
     if method == "dense" {
         problem = Problem::new(JacobianMode::Dense);
     }
-    let mut add = |values: &[f64]| {
-        problem.add_variable(ManifoldType::RN, DVector::from_column_slice(values))
-    };
+    let mut add =
+        |values: &[f64]| problem.add_variable(ManifoldType::RN, DVector::from_column_slice(values));
     let cameras: Vec<_> = bundle.cameras.iter().map(|c| add(c)).collect();
     let points: Vec<_> = bundle.points.iter().map(|p| add(p)).collect();
     points.iter().for_each(|&p| problem.mark_for_elimination(p));
@@ -101,7 +100,12 @@ pub fn poses(file: &str) -> Result<Outcome, Box<dyn Error>> {
     let mut problem = Problem::new(JacobianMode::Sparse);
     let mut keys = std::collections::HashMap::new();
     let planar = !graph.vertices_se2.is_empty();
-    let mut ids: Vec<usize> = graph.vertices_se2.keys().chain(graph.vertices_se3.keys()).copied().collect();
+    let mut ids: Vec<usize> = graph
+        .vertices_se2
+        .keys()
+        .chain(graph.vertices_se3.keys())
+        .copied()
+        .collect();
     ids.sort_unstable();
     for id in &ids {
         let key = if let Some(v) = graph.vertices_se2.get(id) {
@@ -120,13 +124,23 @@ pub fn poses(file: &str) -> Result<Outcome, Box<dyn Error>> {
         let noise = DMatrix::from_column_slice(3, 3, edge.information.as_slice());
         let factor = Box::new(BetweenFactor::new(edge.measurement.clone()));
         let ends = [keys[&edge.from], keys[&edge.to]];
-        problem.add_residual_block_with_noise(&ends, factor, None, NoiseModel::from_information(noise)?);
+        problem.add_residual_block_with_noise(
+            &ends,
+            factor,
+            None,
+            NoiseModel::from_information(noise)?,
+        );
     }
     for edge in &graph.edges_se3 {
         let noise = DMatrix::from_column_slice(6, 6, edge.information.as_slice());
         let factor = Box::new(BetweenFactor::new(edge.measurement.clone()));
         let ends = [keys[&edge.from], keys[&edge.to]];
-        problem.add_residual_block_with_noise(&ends, factor, None, NoiseModel::from_information(noise)?);
+        problem.add_residual_block_with_noise(
+            &ends,
+            factor,
+            None,
+            NoiseModel::from_information(noise)?,
+        );
     }
     let tuned = if planar {
         LevenbergMarquardtConfig::for_2d_pose_graph()

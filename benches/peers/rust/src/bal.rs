@@ -11,7 +11,12 @@ pub struct Bundle {
 pub fn read(file: &str) -> Result<Bundle, Box<dyn std::error::Error>> {
     let text = std::fs::read_to_string(file)?;
     let mut words = text.split_whitespace().map(str::parse::<f64>);
-    let mut next = || words.next().ok_or("the file ends early")?.map_err(|_| "no number");
+    let mut next = || {
+        words
+            .next()
+            .ok_or("the file ends early")?
+            .map_err(|_| "no number")
+    };
     let (cameras, points, seen) = (next()? as usize, next()? as usize, next()? as usize);
     let mut bundle = Bundle {
         cameras: vec![[0.0; 9]; cameras],

@@ -40,7 +40,11 @@ pub fn project(
     let d = 1.0 + n * (k1 + k2 * n);
     if let Some(jacobian) = jacobian {
         let bend = 2.0 * (k1 + 2.0 * k2 * n);
-        let (uu, uv, vv) = (f * (d + bend * u * u), f * bend * u * v, f * (d + bend * v * v));
+        let (uu, uv, vv) = (
+            f * (d + bend * u * u),
+            f * bend * u * v,
+            f * (d + bend * v * v),
+        );
         let by_p = [
             [uu * inverse, uv * inverse, (uu * u + uv * v) * inverse],
             [uv * inverse, vv * inverse, (uv * u + vv * v) * inverse],

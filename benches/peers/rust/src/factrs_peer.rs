@@ -5,9 +5,9 @@ use std::error::Error;
 
 use factrs::core::{Graph, LevenMarquardt, PriorResidual, Values};
 use factrs::linalg::{Const, ForwardProp, Numeric, VectorX, vectorx};
-use factrs::optimizers::{LevenParams, OptError};
+use factrs::optimizers::{LevenParams, OptError, OptObserver};
 use factrs::residuals::Residual2;
-use factrs::traits::{OptObserver, Optimizer};
+use factrs::traits::Optimizer;
 use factrs::utils::load_g20;
 use factrs::variables::VectorVar;
 use factrs::{assign_symbols, fac};
@@ -95,17 +95,17 @@ pub fn bundle(file: &str, fixed: bool) -> Result<Outcome, Box<dyn Error>> {
     let begin = processor_seconds();
     let (mut graph, mut values) = (Graph::new(), Values::new());
     for (k, c) in bundle.cameras.iter().enumerate() {
-        values.insert(C(k as u32), VectorVar(c.to_vec_array()));
+        values.insert(C(k as u32), VectorVar(c.vector()));
     }
     for (k, p) in bundle.points.iter().enumerate() {
-        values.insert(P(k as u32), VectorVar(p.to_vec_array()));
+        values.insert(P(k as u32), VectorVar(p.vector()));
     }
     for &(c, p, seen) in &bundle.seen {
         let factor = fac![Reprojection(seen), (C(c as u32), P(p as u32)), 1.0 as std];
         graph.add_factor(factor);
     }
     if fixed {
-        let prior = PriorResidual::new(VectorVar(bundle.cameras[0].to_vec_array()));
+        let prior = PriorResidual::new(VectorVar(bundle.cameras[0].vector()));
         graph.add_factor(fac![prior, C(0), 1e-6 as std]);
     }
     Ok(run(graph, values, begin))
@@ -119,11 +119,11 @@ pub fn poses(file: &str) -> Outcome {
 
 /// A vector of the crate.
 trait ToVector<const N: usize> {
-    fn to_vec_array(&self) -> factrs::linalg::Vector<N>;
+    fn vector(&self) -> factrs::linalg::Vector<N>;
 }
 
 impl<const N: usize> ToVector<N> for [f64; N] {
-    fn to_vec_array(&self) -> factrs::linalg::Vector<N> {
+    fn vector(&self) -> factrs::linalg::Vector<N> {
         factrs::linalg::Vector::<N>::from_column_slice(self)
     }
 }
