@@ -1,6 +1,16 @@
 //! Rank and null space of graphs too large for one dense factorisation, beside dense singular
 //! values.
 
+#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used)]
+
 use faer::Mat;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

@@ -281,8 +281,8 @@ fn right_solve<S: Simd>(
             add_multiple(simd, column, known, -own.l[k * d + c]);
         }
         let inverse = 1.0 / own.l[c * (d + 1)];
-        for r in 0..rows {
-            column[r] *= inverse;
+        for own in &mut *column {
+            *own *= inverse;
         }
         add_multiple(simd, left, column, -own.y[c]);
     }
