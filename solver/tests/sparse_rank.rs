@@ -2,14 +2,6 @@
 //! values.
 
 #![allow(clippy::unwrap_used)]
-#![allow(clippy::unwrap_used)]
-#![allow(clippy::unwrap_used)]
-#![allow(clippy::unwrap_used)]
-#![allow(clippy::unwrap_used)]
-#![allow(clippy::unwrap_used)]
-#![allow(clippy::unwrap_used)]
-#![allow(clippy::unwrap_used)]
-#![allow(clippy::unwrap_used)]
 
 use faer::Mat;
 use rand::{RngExt, SeedableRng};
