@@ -100,9 +100,11 @@ impl Factored {
                 let rows = s.width(row);
                 let of_row = &left[s.first[row] - s.split()..][..rows];
                 let w = &h[s.entry[slot]..s.entry[slot + 1]];
-                for (sum, column) in sum.iter_mut().zip(w.chunks_exact(rows)) {
-                    let dot: f64 = column.iter().zip(of_row).map(|(w, x)| w * x).sum();
-                    *sum += dot;
+                for c in 0..d {
+                    let column = &w[c * rows..(c + 1) * rows];
+                    for r in 0..rows {
+                        sum[c] += column[r] * of_row[r];
+                    }
                 }
             }
             forward(l, d, sum);

@@ -3,7 +3,7 @@
 use pulp::{Arch, Simd, WithSimd};
 
 use crate::residual::Residual;
-use crate::scalar::{Wide, seeded, slopes};
+use crate::scalar::Wide;
 
 /// Residuals `r` (`m`) of a few blocks of variables, with their derivatives.
 ///
@@ -138,7 +138,7 @@ impl At<'_> {
             }
             let lane_count = N.min(self.width - first);
             for (row, value) in jacobian.chunks_exact_mut(self.width).zip(&lanes.out) {
-                row[first..first + lane_count].copy_from_slice(&slopes(value)[..lane_count]);
+                row[first..first + lane_count].copy_from_slice(&value.slopes[..lane_count]);
             }
         }
     }
@@ -156,23 +156,21 @@ impl At<'_> {
                     let lane = (column + k).checked_sub(first);
                     x.push(match lane.filter(|&lane| lane < N && width > 0) {
                         Some(lane) => {
-                            let mut eps = [0.0; N];
-                            eps[lane] = 1.0;
-                            seeded(v, eps)
+                            let mut seeded = Wide::constant(v);
+                            seeded.slopes[lane] = 1.0;
+                            seeded
                         }
                         None => v.into(),
                     });
                     continue;
                 };
-                let mut eps = [0.0; N];
+                let mut seeded = Wide::constant(v);
                 for (c, slope) in basis[k * width..(k + 1) * width].iter().enumerate() {
                     if let Some(lane) = (column + c).checked_sub(first).filter(|&l| l < N) {
-                        eps[lane] = *slope;
+                        seeded.slopes[lane] = *slope;
                     }
                 }
-                // Without derivatives where none is asked: 0 times an infinite slope is none.
-                let none = eps.iter().all(|&e| e == 0.0);
-                x.push(if none { v.into() } else { seeded(v, eps) });
+                x.push(seeded);
             }
             value += part.numbers;
             column += width;

@@ -4,6 +4,7 @@ use faer::linalg::matmul::triangular::{BlockStructure, matmul};
 use faer::{Accum, MatMut, MatRef, Par};
 use pulp::Simd;
 
+use super::product::add_multiple;
 use super::structure::Structure;
 
 /// Where two blocks of columns lie in rows of `width`: first column and width of each.
@@ -28,16 +29,34 @@ pub(super) fn add_outer<S: Simd>(
         (6, 6) => fixed::<S, 6, 6>(simd, out, first, jacobian, places),
         (9, 3) => fixed::<S, 9, 3>(simd, out, first, jacobian, places),
         (9, 9) => fixed::<S, 9, 9>(simd, out, first, jacobian, places),
-        _ => any(out, first, jacobian, places),
+        _ => any(simd, out, first, jacobian, places),
     }
 }
 
-/// Two rows of the Jacobian at a time; of an odd number the last with a row of zeros.
 #[inline(always)]
 fn fixed<S: Simd, const R: usize, const C: usize>(
     simd: S,
     out: &mut [f64],
     first: bool,
+    jacobian: &[f64],
+    places: &Places,
+) {
+    // The number of vectors is to be known: otherwise they are kept in memory, not in registers.
+    match R / S::F64_LANES {
+        1 => vectors::<S, 1, R, C>(simd, out, first, jacobian, places),
+        2 => vectors::<S, 2, R, C>(simd, out, first, jacobian, places),
+        4 => vectors::<S, 4, R, C>(simd, out, first, jacobian, places),
+        _ => vectors::<S, 0, R, C>(simd, out, first, jacobian, places),
+    }
+}
+
+/// Two rows of the Jacobian at a time, of an odd number the last with a row of zeros; `V` vectors
+/// are most of a column (0: no vectors).
+#[inline(always)]
+fn vectors<S: Simd, const V: usize, const R: usize, const C: usize>(
+    simd: S,
+    out: &mut [f64],
+    mut first: bool,
     jacobian: &[f64],
     &Places { width, row, column }: &Places,
 ) {
@@ -45,7 +64,7 @@ fn fixed<S: Simd, const R: usize, const C: usize>(
     let Some(out) = out.first_chunk_mut::<C>() else {
         return;
     };
-    if first {
+    if jacobian.is_empty() && first {
         *out = [[0.0; R]; C];
     }
     let mut lines = jacobian.chunks_exact(width.max(1));
@@ -62,20 +81,29 @@ fn fixed<S: Simd, const R: usize, const C: usize>(
         {
             (lower, factors) = (next, right);
         }
-        let (one, one_rest) = S::as_simd_f64s(left.as_slice());
-        let (two, two_rest) = S::as_simd_f64s(lower.as_slice());
+        let (one, _) = S::as_simd_f64s(left.as_slice());
+        let (two, _) = S::as_simd_f64s(lower.as_slice());
+        let (Some(&one), Some(&two)) = (one.first_chunk::<V>(), two.first_chunk::<V>()) else {
+            return;
+        };
         for c in 0..C {
             let (a, b) = (right[c], factors[c]);
-            let (body, rest) = S::as_mut_simd_f64s(out[c].as_mut_slice());
+            let (body, _) = S::as_mut_simd_f64s(out[c].as_mut_slice());
+            let Some(body) = body.first_chunk_mut::<V>() else {
+                return;
+            };
             let (many_a, many_b) = (simd.splat_f64s(a), simd.splat_f64s(b));
-            for v in 0..body.len() {
-                let sum = simd.mul_add_e_f64s(one[v], many_a, body[v]);
+            for v in 0..V {
+                let known = if first { simd.splat_f64s(0.0) } else { body[v] };
+                let sum = simd.mul_add_e_f64s(one[v], many_a, known);
                 body[v] = simd.mul_add_e_f64s(two[v], many_b, sum);
             }
-            for v in 0..rest.len() {
-                rest[v] += one_rest[v] * a + two_rest[v] * b;
+            for t in V * S::F64_LANES..R {
+                let known = if first { 0.0 } else { out[c][t] };
+                out[c][t] = known + left[t] * a + lower[t] * b;
             }
         }
+        first = false;
     }
 }
 
@@ -94,8 +122,9 @@ pub(super) fn add_gradient(
         9 => gradient_of::<9>(gradient, jacobian, residuals, width, first),
         columns => {
             for (line, r) in jacobian.chunks_exact(width.max(1)).zip(residuals) {
-                for (g, j) in gradient.iter_mut().zip(&line[first..first + columns]) {
-                    *g += j * r;
+                let own = &line[first..first + columns];
+                for c in 0..columns {
+                    gradient[c] += own[c] * r;
                 }
             }
         }
@@ -123,8 +152,10 @@ fn gradient_of<const R: usize>(
     }
 }
 
+/// As [`fixed`], of any size.
 #[inline(always)]
-fn any(
+fn any<S: Simd>(
+    simd: S,
     out: &mut [f64],
     empty: bool,
     jacobian: &[f64],
@@ -143,10 +174,9 @@ fn any(
     for line in jacobian.chunks_exact(width) {
         let left = &line[first..first + rows];
         let right = &line[column..column + columns];
-        for (out, factor) in out.chunks_exact_mut(rows).zip(right) {
-            for (out, left) in out.iter_mut().zip(left) {
-                *out += left * factor;
-            }
+        for c in 0..columns {
+            let own = &mut out[c * rows..(c + 1) * rows];
+            add_multiple(simd, own, left, right[c]);
         }
     }
 }

@@ -44,49 +44,99 @@ fn fixed<S: Simd, const R: usize, const B: usize, const C: usize, const E: usize
     let Some(upper) = upper.first_chunk_mut::<C>() else {
         return;
     };
-    // In registers over all columns; there are no more vectors than numbers.
-    let mut vectors = [[simd.splat_f64s(0.0); B]; E];
-    for k in 0..E {
-        let (own, _) = S::as_simd_f64s(&left[k][..B]);
-        vectors[k][..own.len()].copy_from_slice(own);
-    }
-    for c in 0..C {
-        let mut factors = [simd.splat_f64s(0.0); E];
-        for k in 0..E {
-            factors[k] = simd.splat_f64s(right[k][c]);
-        }
-        let (out, rest) = S::as_mut_simd_f64s(upper[c].as_mut_slice());
-        for v in 0..out.len() {
-            let mut sum = out[v];
-            for k in 0..E {
-                sum = simd.mul_add_e_f64s(vectors[k][v], factors[k], sum);
-            }
-            out[v] = sum;
-        }
-        let first = B - rest.len();
-        for t in 0..rest.len() {
-            for k in 0..E {
-                rest[t] += left[k][first + t] * right[k][c];
-            }
-        }
+    // The number of vectors is to be known: otherwise they are kept in memory, not in registers.
+    match B / S::F64_LANES {
+        1 => columns::<S, 1, R, B, C, E>(simd, upper, left, right),
+        2 => columns::<S, 2, R, B, C, E>(simd, upper, left, right),
+        4 => columns::<S, 4, R, B, C, E>(simd, upper, left, right),
+        _ => columns::<S, 0, R, B, C, E>(simd, upper, left, right),
     }
     let (lower, _) = lower.as_chunks_mut::<C>();
-    for r in 0..R - B {
-        let Some(row) = lower.get_mut(r) else { return };
-        let (out, rest) = S::as_mut_simd_f64s(row.as_mut_slice());
-        for v in 0..out.len() {
-            let mut sum = out[v];
-            for k in 0..E {
-                let (own, _) = S::as_simd_f64s(right[k].as_slice());
-                sum = simd.mul_add_e_f64s(own[v], simd.splat_f64s(left[k][B + r]), sum);
-            }
-            out[v] = sum;
+    for (r, row) in lower.iter_mut().enumerate().take(R - B) {
+        let mut factors = [0.0; E];
+        for k in 0..E {
+            factors[k] = left[k][B + r];
         }
-        let first = C - rest.len();
-        for t in 0..rest.len() {
-            for k in 0..E {
-                rest[t] += left[k][B + r] * right[k][first + t];
+        match C / S::F64_LANES {
+            1 => combine::<S, 1, C, E>(simd, row, right, factors),
+            2 => combine::<S, 2, C, E>(simd, row, right, factors),
+            4 => combine::<S, 4, C, E>(simd, row, right, factors),
+            _ => combine::<S, 0, C, E>(simd, row, right, factors),
+        }
+    }
+}
+
+/// The first `B` rows, of which `V` vectors are a column (0: no vectors).
+#[inline(always)]
+fn columns<
+    S: Simd,
+    const V: usize,
+    const R: usize,
+    const B: usize,
+    const C: usize,
+    const E: usize,
+>(
+    simd: S,
+    upper: &mut [[f64; B]; C],
+    left: &[[f64; R]; E],
+    right: &[[f64; C]; E],
+) {
+    let mut own = [[simd.splat_f64s(0.0); V]; E];
+    for k in 0..E {
+        let (vectors, _) = S::as_simd_f64s(left[k].as_slice());
+        let Some(vectors) = vectors.first_chunk::<V>() else {
+            return;
+        };
+        own[k] = *vectors;
+    }
+    for c in 0..C {
+        let (out, _) = S::as_mut_simd_f64s(upper[c].as_mut_slice());
+        let Some(out) = out.first_chunk_mut::<V>() else {
+            return;
+        };
+        let mut sum = *out;
+        for k in 0..E {
+            let factor = simd.splat_f64s(right[k][c]);
+            for v in 0..V {
+                sum[v] = simd.mul_add_e_f64s(own[k][v], factor, sum[v]);
             }
+        }
+        *out = sum;
+        for t in V * S::F64_LANES..B {
+            for k in 0..E {
+                upper[c][t] += left[k][t] * right[k][c];
+            }
+        }
+    }
+}
+
+/// `row += Σ vector · factor`, of which `V` vectors are the most.
+#[inline(always)]
+fn combine<S: Simd, const V: usize, const C: usize, const E: usize>(
+    simd: S,
+    row: &mut [f64; C],
+    vectors: &[[f64; C]; E],
+    factors: [f64; E],
+) {
+    let (out, _) = S::as_mut_simd_f64s(row.as_mut_slice());
+    let Some(out) = out.first_chunk_mut::<V>() else {
+        return;
+    };
+    let mut sum = *out;
+    for k in 0..E {
+        let (own, _) = S::as_simd_f64s(vectors[k].as_slice());
+        let Some(own) = own.first_chunk::<V>() else {
+            return;
+        };
+        let factor = simd.splat_f64s(factors[k]);
+        for v in 0..V {
+            sum[v] = simd.mul_add_e_f64s(own[v], factor, sum[v]);
+        }
+    }
+    *out = sum;
+    for t in V * S::F64_LANES..C {
+        for k in 0..E {
+            row[t] += vectors[k][t] * factors[k];
         }
     }
 }
@@ -115,16 +165,18 @@ fn any<S: Simd>(
     }
 }
 
-/// `out += vector · factor`.
+/// `out += vector · factor`. By places: an iterator over both, where it is not inlined, is a call
+/// for every number.
 #[inline(always)]
-fn add_multiple<S: Simd>(simd: S, out: &mut [f64], vector: &[f64], factor: f64) {
+pub(super) fn add_multiple<S: Simd>(simd: S, out: &mut [f64], vector: &[f64], factor: f64) {
+    let vector = &vector[..out.len()];
     let (out, rest) = S::as_mut_simd_f64s(out);
     let (own, end) = S::as_simd_f64s(vector);
     let many = simd.splat_f64s(factor);
-    for (out, own) in out.iter_mut().zip(own) {
-        *out = simd.mul_add_e_f64s(*own, many, *out);
+    for v in 0..out.len() {
+        out[v] = simd.mul_add_e_f64s(own[v], many, out[v]);
     }
-    for (out, own) in rest.iter_mut().zip(end) {
-        *out += own * factor;
+    for t in 0..rest.len() {
+        rest[t] += end[t] * factor;
     }
 }

@@ -5,7 +5,7 @@ use faer::{Accum, MatMut, MatRef, Par};
 use pulp::Simd;
 
 use super::blocks::{Layout, body};
-use super::product::add_product;
+use super::product::{add_multiple, add_product};
 use super::structure::Structure;
 
 /// Blocks that were eliminated and whose products are still to be added.
@@ -102,7 +102,7 @@ impl Update {
     ) {
         let first = self.neighbours.len();
         let from = self.y.len();
-        self.solve_neighbours(own, left);
+        self.solve_neighbours(simd, own, left);
         if let [only] = self.neighbours[first..]
             && only.width as usize >= WIDE
         {
@@ -160,7 +160,7 @@ impl Update {
 
     /// `Y` of all neighbours.
     #[inline(always)]
-    fn solve_neighbours(&mut self, own: &Eliminated<'_>, left: &mut [f64]) {
+    fn solve_neighbours<S: Simd>(&mut self, simd: S, own: &Eliminated<'_>, left: &mut [f64]) {
         let (s, e, d) = (own.structure, own.e, own.y.len());
         let slots = s.column[e] + 1..s.column[e + 1];
         let from = self.y.len();
@@ -183,7 +183,7 @@ impl Update {
             match (rows, d) {
                 (9, 3) => right_solve_fixed::<9, 3>(w, y, own, left),
                 (6, 3) => right_solve_fixed::<6, 3>(w, y, own, left),
-                _ => right_solve(w, y, own, left),
+                _ => right_solve(simd, w, y, own, left),
             }
         }
     }
@@ -264,23 +264,26 @@ fn right_solve_fixed<const R: usize, const E: usize>(
 
 /// As [`right_solve_fixed`], of any size.
 #[inline(always)]
-fn right_solve(w: &[f64], out: &mut [f64], own: &Eliminated<'_>, left: &mut [f64]) {
+fn right_solve<S: Simd>(
+    simd: S,
+    w: &[f64],
+    out: &mut [f64],
+    own: &Eliminated<'_>,
+    left: &mut [f64],
+) {
     let (rows, d) = (left.len(), own.y.len());
     out.copy_from_slice(w);
     for c in 0..d {
         let (before, column) = out.split_at_mut(c * rows);
         let column = &mut column[..rows];
         for k in 0..c {
-            let factor = own.l[k * d + c];
             let known = &before[k * rows..(k + 1) * rows];
-            for (o, k) in column.iter_mut().zip(known) {
-                *o -= k * factor;
-            }
+            add_multiple(simd, column, known, -own.l[k * d + c]);
         }
         let inverse = 1.0 / own.l[c * (d + 1)];
-        for (o, left) in column.iter_mut().zip(&mut *left) {
-            *o *= inverse;
-            *left -= *o * own.y[c];
+        for own in &mut *column {
+            *own *= inverse;
         }
+        add_multiple(simd, left, column, -own.y[c]);
     }
 }

@@ -2,10 +2,16 @@
 
 use num_dual::{Derivative, Dual2_64, DualSVec64};
 
+mod functions;
+mod operators;
+mod wide;
+
+pub use wide::Wide;
+
 /// The functions of a [`Scalar`]; to be imported where a closure over [`Jet`] calls `exp` or `sqrt`.
 pub use num_dual::DualNum;
 
-/// `f64`, [`Jet`] or [`Jet2`]: the number a residual or a sensor model is written over.
+/// `f64`, [`Jet`], [`Jet2`] or [`Wide`]: the number a residual or a sensor model is written over.
 ///
 /// The usual operators and `sqrt`, `exp`, `ln`, `sin`, `powi` … are there. Write constants with
 /// [`lit`] or on the right (`x * 2.0`).
@@ -52,22 +58,4 @@ pub fn along(value: f64, direction: f64) -> Jet2 {
 /// The second derivative along the direction.
 pub fn second_derivative(x: &Jet2) -> f64 {
     x.v2
-}
-
-/// A value with `N` first derivatives: what the factors of a graph are evaluated on.
-pub type Wide<const N: usize> = DualSVec64<N>;
-
-/// A [`Wide`] from its value and derivatives.
-#[inline]
-pub(crate) fn seeded<const N: usize>(value: f64, derivatives: [f64; N]) -> Wide<N> {
-    Wide::new(value, Derivative::some(derivatives.into()))
-}
-
-/// The derivatives of a [`Wide`], zero where it carries none.
-#[inline]
-pub(crate) fn slopes<const N: usize>(x: &Wide<N>) -> [f64; N] {
-    match x.eps.0 {
-        Some(column) => column.into(),
-        None => [0.0; N],
-    }
 }
