@@ -2,8 +2,8 @@
 //!
 //! A device is `θ ~ N(μ, Σ)`, a session `y = θ + e` with a covariance of its own. With `μ` and `Σ` known no estimate has a smaller
 //! mean square error than the posterior mean: that is the bound. Who flags one device in a hundred and leaves it as its session
-//! found it pays for that with `μ` and `Σ` known, too: the bound of all devices has that rule in it. The study fits the prior to sessions of `devices` devices and
-//! applies it to the sessions of others, through `cal.json` as the command does.
+//! found it pays for that with `μ` and `Σ` known, too: the bound of all devices has that rule in it. The study fits the prior to
+//! sessions of `devices` devices and applies it to the sessions of others, through `cal.json` as the command does.
 
 use batch::{Session, fit_prior};
 use calib::Calibration;
