@@ -13,6 +13,7 @@ pub mod needed_data;
 pub mod noise_source;
 pub mod one_truth;
 pub mod phone;
+pub mod plan_next;
 pub mod plan_study;
 pub mod power;
 pub mod prior_study;

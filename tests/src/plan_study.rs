@@ -23,26 +23,39 @@ pub struct Row {
     pub sessions: usize,
 }
 
+/// The study of a plan.
+#[derive(Clone, Debug)]
+pub struct Study {
+    /// Every parameter.
+    pub rows: Vec<Row>,
+    /// What the plan counts as cut off either end of a rest, s.
+    pub cut_predicted: f64,
+    /// The same of the rests after the first, as the estimate used them, s.
+    pub cut_found: f64,
+}
+
 /// The plan as a motion that can be simulated.
 pub fn motion(plan: &Plan, timing: &Timing) -> Planned {
-    let step = |step: &plan::Step| {
-        let legs = step.turn.iter().flat_map(|turn| &turn.legs);
-        PlannedStep {
-            legs: legs
-                .map(|leg| PlannedLeg {
-                    axis: leg.axis.into(),
-                    angle: leg.angle,
-                    duration: timing.pace.duration(leg),
-                })
-                .collect(),
-            rest: step.rest,
-        }
-    };
     Planned {
         up: plan.steps.first().map_or([0.0, 0.0, 1.0], |first| first.up),
         first_rest: timing.first_rest,
-        steps: plan.steps.iter().skip(1).map(step).collect(),
+        steps: plan.steps.iter().skip(1).map(|s| step(s, timing)).collect(),
         ..Planned::default()
+    }
+}
+
+/// A turn and the placement after it.
+pub(crate) fn step(step: &plan::Step, timing: &Timing) -> PlannedStep {
+    let legs = step.turn.iter().flat_map(|turn| &turn.legs);
+    PlannedStep {
+        legs: legs
+            .map(|leg| PlannedLeg {
+                axis: leg.axis.into(),
+                angle: leg.angle,
+                duration: timing.pace.duration(leg),
+            })
+            .collect(),
+        rest: step.rest,
     }
 }
 
@@ -50,7 +63,7 @@ pub fn motion(plan: &Plan, timing: &Timing) -> Planned {
 ///
 /// # Errors
 /// A spec that contradicts itself, or no session that could be calibrated.
-pub fn study(placements: usize, sessions: u64) -> Result<Vec<Row>, Error> {
+pub fn study(placements: usize, sessions: u64) -> Result<Study, Error> {
     let (noise, timing) = (Noise::default(), Timing::default());
     let ups = Protocol::Optimal.placements(placements);
     let plan = plan::plan(&ups, &Known::default(), &noise, &timing, Words::Phone);
@@ -61,10 +74,10 @@ pub fn study(placements: usize, sessions: u64) -> Result<Vec<Row>, Error> {
         rest: [timing.rest, timing.rest + 1e-3],
         ..HandHeld::default()
     });
-    let found = errors(&planned, sessions)?;
-    let others = errors(&random, sessions)?;
+    let (found, used) = errors(&planned, sessions)?;
+    let (others, _) = errors(&random, sessions)?;
     let rows = parameter_names().into_iter().enumerate();
-    Ok(rows
+    let rows = rows
         .map(|(k, name)| Row {
             name,
             predicted: plan
@@ -77,7 +90,12 @@ pub fn study(placements: usize, sessions: u64) -> Result<Vec<Row>, Error> {
             random: root_mean_square(&others, k),
             sessions: found.len(),
         })
-        .collect())
+        .collect();
+    Ok(Study {
+        rows,
+        cut_predicted: timing.cut,
+        cut_found: 0.5 * (timing.rest - used),
+    })
 }
 
 fn root_mean_square(errors: &[Vec<f64>], k: usize) -> f64 {
@@ -85,9 +103,10 @@ fn root_mean_square(errors: &[Vec<f64>], k: usize) -> f64 {
     (sum / errors.len().max(1) as f64).sqrt()
 }
 
-/// Estimate less truth of every parameter, of the sessions that can be calibrated.
-fn errors(motion: &Motion, sessions: u64) -> Result<Vec<Vec<f64>>, Error> {
-    let of = |seed: u64| -> Result<Option<Vec<f64>>, Error> {
+/// Estimate less truth of every parameter, of the sessions that can be calibrated, and the mean length of their rests between
+/// the first and the last as the estimate used them, s.
+fn errors(motion: &Motion, sessions: u64) -> Result<(Vec<Vec<f64>>, f64), Error> {
+    let of = |seed: u64| -> Result<Option<(Vec<f64>, f64)>, Error> {
         let spec = Spec {
             seed,
             motion: motion.clone(),
@@ -101,12 +120,19 @@ fn errors(motion: &Motion, sessions: u64) -> Result<Vec<Vec<f64>>, Error> {
         };
         let fitted = fit.all_fitted();
         let error = |name: &String| Some(fitted.parameters.get(name)? - session.truth.get(name)?);
-        Ok(parameter_names().iter().map(error).collect())
+        let lengths: Vec<f64> = fit.data.rests.iter().map(|r| r.span.length()).collect();
+        let inner = lengths
+            .get(1..lengths.len().saturating_sub(1))
+            .unwrap_or(&[]);
+        let mean = inner.iter().sum::<f64>() / inner.len().max(1) as f64;
+        let errors: Option<Vec<f64>> = parameter_names().iter().map(error).collect();
+        Ok(errors.map(|errors| (errors, mean)))
     };
     let all: Result<Vec<_>, Error> = (0..sessions).into_par_iter().map(of).collect();
-    let all: Vec<Vec<f64>> = all?.into_iter().flatten().collect();
+    let (all, used): (Vec<Vec<f64>>, Vec<f64>) = all?.into_iter().flatten().unzip();
     if all.is_empty() {
         return Err(Error::NotEnough("no session could be calibrated".into()));
     }
-    Ok(all)
+    let mean = used.iter().sum::<f64>() / used.len() as f64;
+    Ok((all, mean))
 }

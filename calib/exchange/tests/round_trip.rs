@@ -552,7 +552,7 @@ fn python_runs_the_module_and_numpy_loads_the_archive() {
         println!("skipped: no python3 with NumPy");
         return;
     }
-    let calibration = device();
+    let calibration = with_g_sensitivity();
     for (target, file) in [("numpy", "cal.py"), ("npz", "cal.npz")] {
         let files = written(&calibration, target, &Settings::default());
         std::fs::write(dir.path().join(file), &files[0]).unwrap();
@@ -565,11 +565,44 @@ fn python_runs_the_module_and_numpy_loads_the_archive() {
     let script = format!(
         "import numpy as np, json, cal\nr = np.array([{}])\nz = np.load('cal.npz')\nassert json.loads(str(z['cal_json']))['schema']\n\
          assert np.array_equal(z['accelerometer_T'], cal.calibration['accelerometer']['T'])\n\
-         for a, w in zip(cal.accelerometer(r[:, :3]), cal.gyroscope(r[:, 3:])): print(*map(repr, map(float, [*a, *w])))\n",
+         f = cal.accelerometer(r[:, :3])\n\
+         for a, w in zip(f, cal.gyroscope(r[:, 3:], f)): print(*map(repr, map(float, [*a, *w])))\n",
         list.join(", ")
     );
     std::fs::write(dir.path().join("main.py"), script).unwrap();
     let printed = lines_of_six(&ran(dir.path(), "python3", &["main.py"]));
+    for (own, other) in applied(&calibration, &readings).iter().zip(printed) {
+        assert!((own[0] - other[0]).norm() < 1e-13 && (own[1] - other[1]).norm() < 1e-13);
+    }
+}
+
+#[test]
+fn octave_runs_the_script() {
+    let dir = tempfile::tempdir().unwrap();
+    if Command::new("octave").arg("--version").output().is_err() {
+        println!("skipped: no octave");
+        return;
+    }
+    let calibration = with_g_sensitivity();
+    let files = written(&calibration, "matlab", &Settings::default());
+    std::fs::write(dir.path().join("imu.m"), &files[0]).unwrap();
+    let readings = readings();
+    let rows: Vec<String> = readings
+        .iter()
+        .map(|[a, w]| {
+            format!(
+                "{:?} {:?} {:?} {:?} {:?} {:?}",
+                a.x, a.y, a.z, w.x, w.y, w.z
+            )
+        })
+        .collect();
+    let script = format!(
+        "imu\nr = [{}];\nf = cal_accelerometer(r(:, 1:3));\nprintf('%.17g %.17g %.17g %.17g %.17g %.17g\\n', [f cal_gyroscope(r(:, 4:6), f)]');\n",
+        rows.join("; ")
+    );
+    std::fs::write(dir.path().join("main.m"), script).unwrap();
+    let arguments = ["--no-gui", "--quiet", "--norc", "main.m"];
+    let printed = lines_of_six(&ran(dir.path(), "octave", &arguments));
     for (own, other) in applied(&calibration, &readings).iter().zip(printed) {
         assert!((own[0] - other[0]).norm() < 1e-13 && (own[1] - other[1]).norm() < 1e-13);
     }

@@ -14,7 +14,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut head = Vec::new();
     File::open(&path)?.take(4096).read_to_end(&mut head)?;
     let format = recognise(&head).ok_or("of no known format")?;
-    let mut best = f64::INFINITY;
+    let (mut best, before) = (f64::INFINITY, peak());
     for run in 0..times {
         let began = Instant::now();
         let content = format.read_seekable(
@@ -39,18 +39,22 @@ fn main() -> Result<(), Box<dyn Error>> {
                     stream.rate()
                 );
             }
-            let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-            let peak = status
-                .lines()
-                .find(|line| line.starts_with("VmHWM"))
-                .unwrap_or("");
             println!(
-                "{}: {:.2} MB of columns, {peak}",
+                "{}: {:.2} MB of columns, {:.2} MB of memory more than before",
                 format.name(),
-                samples as f64 * 32e-6
+                samples as f64 * 32e-6,
+                peak() - before
             );
         }
     }
     println!("{:.2} ms, best of {times}", 1e3 * best);
     Ok(())
+}
+
+/// The most memory that the process has had, MB.
+fn peak() -> f64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = status.lines().find(|line| line.starts_with("VmHWM"));
+    let kilobytes = line.and_then(|line| line.split_whitespace().nth(1)?.parse::<f64>().ok());
+    kilobytes.unwrap_or(f64::NAN) * 1.024e-3
 }

@@ -14,9 +14,12 @@ pub(crate) struct Bytes<'a> {
     at: u64,
     limit: u64,
     ended: bool,
+    /// Bytes asked from the reader next time.
+    ask: usize,
 }
 
-/// Bytes asked from the reader at a time.
+/// Bytes asked from the reader at a time: little of a short file, whose buffer would cost more than its content.
+const FIRST_CHUNK: usize = 8 << 10;
 const CHUNK: usize = 256 << 10;
 
 impl<'a> Bytes<'a> {
@@ -28,6 +31,7 @@ impl<'a> Bytes<'a> {
             at: 0,
             limit: limits.bytes,
             ended: false,
+            ask: FIRST_CHUNK,
         }
     }
 
@@ -81,7 +85,7 @@ impl<'a> Bytes<'a> {
         self.from = 0;
         while self.buffer.len() < length && !self.ended {
             let old = self.buffer.len();
-            self.buffer.resize(old + CHUNK, 0);
+            self.buffer.resize(old + self.ask, 0);
             let read = loop {
                 match self.reader.read(&mut self.buffer[old..]) {
                     Err(error) if error.kind() == std::io::ErrorKind::Interrupted => {}
@@ -90,7 +94,11 @@ impl<'a> Bytes<'a> {
             };
             self.buffer
                 .truncate(old + read.as_ref().map_or(0, |read| *read));
-            self.ended = read? == 0;
+            let read = read?;
+            self.ended = read == 0;
+            if read == self.ask {
+                self.ask = CHUNK.min(2 * self.ask);
+            }
         }
         Ok(self.buffer.len() >= length)
     }

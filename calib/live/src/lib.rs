@@ -13,14 +13,13 @@
 //! it can be computed. What it says are values ([`Instruction`]); words are those of the command line.
 //!
 //! A placement is counted when both sensors have been still in level and spread for [`Aim::hold`] seconds. What is wanted
-//! next is the direction that tells most ([`next_direction`]); a placement elsewhere is taken for what it tells. After each,
+//! next is the direction that tells most ([`plan::next_placement`]); a placement elsewhere is taken for what it tells. After each,
 //! the ordinary calibration runs on the samples so far and gives the standard errors ([`Estimate`]). A session is complete
 //! when the planned number of placements tells nearly as much as the plan and both sensors are determined.
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod attitude;
-mod coverage;
 mod direction;
 mod error;
 mod instruction;
@@ -35,7 +34,6 @@ mod session;
 mod source;
 mod view;
 
-pub use coverage::{efficiency, next_direction};
 pub use direction::Direction;
 pub use error::Error;
 pub use instruction::{Instruction, Verdict};

@@ -5,9 +5,9 @@ use calib::calibrate::Request;
 use calib::intervals::Span;
 use calib::recording::Stream;
 use nalgebra::Vector3;
+use plan::{next_placement, session_efficiency, worth};
 
 use crate::attitude::Attitude;
-use crate::coverage::{efficiency, next_direction, worth};
 use crate::direction::Direction;
 use crate::instruction::{Instruction, Verdict};
 use crate::motion::{Detector, Motion, WINDOW, moments};
@@ -423,7 +423,7 @@ impl Session {
         }
         let verdict = match self.wanted {
             Some(wanted) if wanted.unit().dot(&up) < REACHED => {
-                if worth(&ups, &up, &wanted) >= AS_GOOD {
+                if worth(&ups, &up, &wanted.unit()) >= AS_GOOD {
                     Verdict::GoodToo
                 } else {
                     Verdict::Repeated
@@ -433,7 +433,7 @@ impl Session {
         };
         self.placements.push(Placement { span, up, verdict });
         let ups: Vec<_> = self.placements.iter().map(|p| p.up).collect();
-        self.wanted = Some(next_direction(&ups, Some(&up)));
+        self.wanted = Some(Direction::nearest(&next_placement(&ups, Some(&up))));
         if self.placements.len() >= FEWEST {
             let spans: Vec<Span> = self.placements.iter().map(|p| p.span).collect();
             self.estimate = Estimate::of(&self.recording, &spans, &self.aim.request);
@@ -445,7 +445,7 @@ impl Session {
     /// only where everything is determined.
     fn is_enough(&self, ups: &[Vector3<f64>]) -> bool {
         let planned = self.aim.placements;
-        let told = ups.len() >= planned && efficiency(ups, planned) >= ENOUGH;
+        let told = ups.len() >= planned && session_efficiency(ups, planned) >= ENOUGH;
         let at_most = (AT_MOST * planned as f64).floor() as usize;
         self.estimate.is_complete() && (told || ups.len() >= at_most)
     }

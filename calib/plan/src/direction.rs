@@ -179,6 +179,36 @@ pub fn tilts() -> Vec<Vector3<f64>> {
     all
 }
 
+/// Every direction whose words have no rounding: both tilts whole multiples of 5°, the larger component first.
+pub fn whole_angles() -> Vec<Vector3<f64>> {
+    let mut all = Vec::new();
+    for (p, q, r) in [
+        (0, 1, 2),
+        (0, 2, 1),
+        (1, 0, 2),
+        (1, 2, 0),
+        (2, 0, 1),
+        (2, 1, 0),
+    ] {
+        for (tilt, raise) in (0..=9).flat_map(|a| (0..=7).map(move |b| (a, b))) {
+            let (q_part, p_part) = (ROUNDED * f64::from(tilt)).to_radians().sin_cos();
+            let (r_part, level) = (ROUNDED * f64::from(raise)).to_radians().sin_cos();
+            if r_part > q_part * level {
+                continue;
+            }
+            for signs in 0..8 {
+                let sign = |k: usize| if signs >> k & 1 == 0 { 1.0 } else { -1.0 };
+                let mut u = Vector3::zeros();
+                u[p] = sign(0) * p_part * level;
+                u[q] = sign(1) * q_part * level;
+                u[r] = sign(2) * r_part;
+                all.push(u);
+            }
+        }
+    }
+    all
+}
+
 fn lattice(nonzero: usize) -> Vec<Vector3<f64>> {
     (0..27)
         .map(|k| Vector3::new(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1))
@@ -205,6 +235,55 @@ mod tests {
         words.sort();
         words.dedup();
         assert_eq!(words.len(), count);
+    }
+
+    /// The device lies flat with its screen up, is stood on the side named first, and every side named then is raised.
+    fn followed(words: &str, called: Words) -> Vector3<f64> {
+        use nalgebra::{Rotation3, Unit};
+        let axis = |k: usize| Vector3::ith(k / 2, if k.is_multiple_of(2) { 1.0 } else { -1.0 });
+        let place =
+            |of: &dyn Fn(usize) -> &'static str, name: &str| (0..6).find(|k| of(*k) == name);
+        let stood = words.split(',').next().unwrap();
+        let stood = stood
+            .trim_start_matches("flat ")
+            .trim_start_matches("on its ");
+        let up = axis(place(&|k| called.sides()[k].1, stood).unwrap());
+        let rotation = Rotation3::rotation_between(&up, &Vector3::z());
+        // Face down there is no shortest way; any half turn will do.
+        let half = Rotation3::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI);
+        let mut room = rotation
+            .filter(|r| (r * up - Vector3::z()).norm() < 1e-9)
+            .unwrap_or(half);
+        let (_, tilts) = words.split_once(", then tilt ").unwrap_or(("", ""));
+        for tilt in tilts.split(" and ").filter(|tilt| !tilt.is_empty()) {
+            let (side, degrees) = tilt
+                .trim_start_matches("the ")
+                .split_once(" up by ")
+                .unwrap();
+            let side = room * axis(place(&|k| called.side(k), side).unwrap());
+            assert!(
+                side.z.abs() < 1e-9,
+                "{words}: {tilt} is not level before it is raised"
+            );
+            let angle: f64 = degrees.trim_end_matches('°').parse().unwrap();
+            let about = Unit::new_normalize(side.cross(&Vector3::z()));
+            room = Rotation3::from_axis_angle(&about, angle.to_radians()) * room;
+        }
+        room.inverse() * Vector3::z()
+    }
+
+    #[test]
+    fn who_follows_the_words_from_flat_with_the_screen_up_gets_the_direction() {
+        for (all, within) in [(tilts(), 3.6), (whole_angles(), 1e-4)] {
+            for (up, called) in all
+                .iter()
+                .flat_map(|u| [(u, Words::Phone), (u, Words::Axes)])
+            {
+                let words = called.placement(up);
+                let off = followed(&words, called).angle(up).to_degrees();
+                assert!(off < within, "{words}: {off}° off {up:?}");
+            }
+        }
     }
 
     #[test]

@@ -92,19 +92,20 @@ pub(crate) fn descend(
 
 /// The candidate whose addition to a design with covariance `c` gains most: `hᵀ C W C h/(1 + hᵀ C h)`, or `hᵀ C h`.
 fn best_addition(rows: &[ForceRow], c: &ForceMatrix, criterion: Criterion) -> usize {
-    let weights = error_weights();
-    let gain = |h: &ForceRow| {
-        let carried = c * h;
-        let own = h.dot(&carried);
-        match criterion {
-            Criterion::Volume => own,
-            Criterion::Reading => carried.component_mul(&carried).dot(&weights) / (1.0 + own),
-        }
-    };
-    let gains = rows.iter().map(gain).enumerate();
+    let gains = rows.iter().map(|h| gain(h, c, criterion)).enumerate();
     gains
         .max_by(|a, b| a.1.total_cmp(&b.1))
         .map_or(0, |(k, _)| k)
+}
+
+/// What a placement with the row `h` gains beside placements of the covariance `c`.
+pub(crate) fn gain(h: &ForceRow, c: &ForceMatrix, criterion: Criterion) -> f64 {
+    let carried = c * h;
+    let own = h.dot(&carried);
+    match criterion {
+        Criterion::Volume => own,
+        Criterion::Reading => carried.component_mul(&carried).dot(&error_weights()) / (1.0 + own),
+    }
 }
 
 fn value_of(information: &ForceMatrix, criterion: Criterion) -> f64 {

@@ -4,6 +4,7 @@
 //! directions ──► exchange (V, D) ──► sequence: order and ways ──► Plan ──► words, predictions
 //!  26, tilts     relaxation: bound    both sensors' information
 //! placements there ──► coverage: covered, unknown, wanted ◄── REQUIREMENT
+//!                  └─► next: one more, while a session goes on
 //! ```
 //!
 //! The accelerometer knows a placement by the norm of its reading, `‖T (A − b)‖ = g`: one row `h(u)` of nine. The
@@ -19,6 +20,7 @@
 mod accelerometer;
 mod direction;
 mod exchange;
+mod next;
 mod protocol;
 mod relaxation;
 mod requirement;
@@ -30,13 +32,16 @@ pub use accelerometer::{
     FORCE_NAMES, FORCE_PARAMETERS, FORCE_PLACES, ForceMatrix, ForceRow, error_weights,
     force_covariance, force_information, force_row, placement_error, reading_error,
 };
-pub use direction::{Words, axes_up, corners, edges, faces, faces_edges_corners, tilts};
+pub use direction::{
+    Words, axes_up, corners, edges, faces, faces_edges_corners, tilts, whole_angles,
+};
 pub use exchange::{Criterion, exchange};
-pub use protocol::{Known, Plan, Protocol, Step, best, force_part, plan, recorded};
+pub use next::{next_placement, session_efficiency, worth};
+pub use protocol::{Known, Plan, Protocol, Step, best, finest, force_part, plan, recorded};
 pub use relaxation::{d_efficiency, relaxation, weighted_information};
 pub use requirement::{
     Coverage, REQUIREMENT, Requirement, Wanted, best_next, coverage, fewest, is_determined,
-    turns_wanted, worth,
+    turns_wanted,
 };
 pub use sequence::{Sequence, sequence};
 pub use session::{

@@ -3,9 +3,9 @@
 use nalgebra::Vector3;
 use serde::Serialize;
 
-use crate::accelerometer::{ForceMatrix, ForceRow};
-use crate::direction::{Words, axes_up, faces_edges_corners, tilts};
-use crate::exchange::{Criterion, exchange};
+use crate::accelerometer::{ForceMatrix, ForceRow, force_row};
+use crate::direction::{Words, axes_up, faces_edges_corners, tilts, whole_angles};
+use crate::exchange::{Criterion, descend, exchange};
 use crate::sequence::sequence;
 use crate::session::{Information, Noise, Prediction, Timing, predict};
 use crate::turn::{Turn, Way};
@@ -67,6 +67,18 @@ pub fn best(count: usize, known: &ForceMatrix) -> Vec<Vector3<f64>> {
     } else {
         plain.0
     }
+}
+
+/// The best `count` placements by a criterion in whole 5°, refined from the best tilts: some per cent better than [`best`]
+/// and harder to hold.
+pub fn finest(count: usize, known: &ForceMatrix, criterion: Criterion) -> Vec<Vector3<f64>> {
+    let tilts = tilts();
+    let (chosen, _) = exchange(&tilts, count, known, criterion, STARTS[1]);
+    let start = chosen.iter().map(|k| tilts[*k]);
+    let all: Vec<Vector3<f64>> = start.chain(whole_angles()).collect();
+    let rows: Vec<ForceRow> = all.iter().map(force_row).collect();
+    let (chosen, _) = descend(&rows, (0..chosen.len()).collect(), known, criterion);
+    chosen.iter().map(|k| all[*k]).collect()
 }
 
 /// A placement and how to come to it.

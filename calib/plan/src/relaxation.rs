@@ -205,7 +205,7 @@ fn by_reading(rows: &[ForceRow]) -> Program {
 mod tests {
     use super::*;
     use crate::direction::{faces_edges_corners, tilts};
-    use crate::exchange::exchange;
+    use crate::protocol::finest;
 
     /// Kiefer and Wolfowitz 1960: at the best shares no candidate has a variance above the number of parameters.
     #[test]
@@ -236,22 +236,36 @@ mod tests {
         }
     }
 
-    /// With fewer placements than twelve no exact design comes so close: 9, 10 and 11 reach .89, .91 and .93.
+    /// Found by BFGS over free directions from 22 to 48 random starts, all of which end in the same value (numpy and scipy):
+    /// what any exact design of so many placements comes to, as a share of the relaxation over the whole sphere.
+    const BEST_EXACT: [(usize, f64); 6] = [
+        (9, 0.97701),
+        (10, 0.99741),
+        (11, 0.99544),
+        (12, 1.0),
+        (13, 0.99851),
+        (14, 1.0),
+    ];
+
     #[test]
-    fn rounded_designs_keep_97_percent_of_the_relaxation() {
-        let all = tilts();
+    fn rounded_designs_keep_97_percent_of_the_relaxation_and_99_5_of_the_best_exact_design() {
         let plain = faces_edges_corners();
         let shares = relaxation(&plain, Criterion::Volume).unwrap();
         let none = ForceMatrix::zeros();
-        for count in [12, 13, 14, 16, 18, 20, 24, 26, 30] {
-            let of = |candidates: &[Vector3<f64>], starts: usize| {
-                let (chosen, _) = exchange(candidates, count, &none, Criterion::Volume, starts);
-                let chosen: Vec<_> = chosen.iter().map(|k| candidates[*k]).collect();
-                d_efficiency(&chosen, &plain, &shares)
-            };
-            let efficiency = of(&plain, 60).max(of(&all, 20));
-            println!("{count}: {efficiency:.4}");
-            assert!(efficiency > 0.97, "{count}: {efficiency}");
+        let efficiency = |count: usize| {
+            let start = std::time::Instant::now();
+            let found = d_efficiency(&finest(count, &none, Criterion::Volume), &plain, &shares);
+            println!("{count}: {found:.5} in {:?}", start.elapsed());
+            found
+        };
+        for (count, best) in BEST_EXACT {
+            let found = efficiency(count);
+            assert!(found > 0.97 && found < best + 1e-4, "{count}: {found}");
+            assert!(found > 0.995 * best, "{count}: {found} {best}");
+        }
+        for count in [16, 18, 20, 24, 26, 30] {
+            let found = efficiency(count);
+            assert!(found > 0.97, "{count}: {found}");
         }
     }
 }

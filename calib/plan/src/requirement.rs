@@ -8,8 +8,7 @@ use nalgebra::Vector3;
 use serde::Serialize;
 
 use crate::accelerometer::{
-    FORCE_NAMES, FORCE_PARAMETERS, ForceMatrix, force_covariance, force_information, force_row,
-    reading_error,
+    FORCE_NAMES, FORCE_PARAMETERS, ForceMatrix, force_covariance, force_information, reading_error,
 };
 use crate::direction::{Words, axes_up, faces, faces_edges_corners};
 use crate::exchange::{Criterion, exchange};
@@ -284,19 +283,6 @@ pub fn best_next(
     let known = force_information(directions);
     let (chosen, _) = exchange(candidates, count, &known, Criterion::Reading, STARTS);
     chosen.iter().map(|k| candidates[*k]).collect()
-}
-
-/// By how much one placement more would lower the mean square error of a corrected reading, as a share of what it is;
-/// 1 where it determines what was open.
-pub fn worth(directions: &[Vector3<f64>], up: &Vector3<f64>) -> f64 {
-    let information = force_information(directions);
-    let h = force_row(up);
-    let with = information + h * h.transpose();
-    match (known_to(&information), known_to(&with)) {
-        (Some((_, before)), Some((_, after))) => 1.0 - (after / before).powi(2),
-        (None, Some(_)) => 1.0,
-        _ => 0.0,
-    }
 }
 
 #[cfg(test)]

@@ -88,7 +88,10 @@ impl Table {
             .map(|from| all.iter().map(|to| ways(from, to)).collect())
             .collect();
         let link = |i: usize, j: usize| {
-            let carry = |turn: &Turn| Link::new(&all[i], &all[j], &turn.carry(&timing.pace), noise);
+            let carry = |turn: &Turn| {
+                let carried = turn.carry(&timing.pace);
+                Link::new(&all[i], &all[j], &carried, noise, timing.cut)
+            };
             turns[i][j].iter().map(carry).collect()
         };
         let count = all.len();

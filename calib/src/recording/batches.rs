@@ -5,7 +5,8 @@ use std::ops::Range;
 
 use memchr::{memchr, memrchr, memrchr2};
 
-/// Bytes asked from the reader at a time.
+/// Bytes asked from the reader at a time: little of a short text, whose buffer would cost more than its content.
+const FIRST_CHUNK: usize = 8 << 10;
 const CHUNK: usize = 256 << 10;
 /// Bytes of a batch, give or take a chunk.
 const BATCH: usize = 1 << 20;
@@ -78,6 +79,8 @@ pub(crate) struct Batches<R> {
     reader: R,
     max_bytes: u64,
     size: usize,
+    /// Bytes asked from the reader next time.
+    ask: usize,
     /// The beginning of the line after the last batch.
     rest: Vec<u8>,
     /// Bytes in the batches so far.
@@ -93,6 +96,7 @@ impl<R: Read> Batches<R> {
             reader,
             max_bytes,
             size: BATCH,
+            ask: FIRST_CHUNK,
             rest: Vec::new(),
             before: 0,
             nul: None,
@@ -159,7 +163,8 @@ impl<R: Read> Batches<R> {
     /// Reads a chunk behind `bytes`, or sets the reason why there is none.
     fn fill(&mut self, bytes: &mut Vec<u8>) {
         let old = bytes.len();
-        bytes.resize(old + CHUNK.min(self.size), 0);
+        let ask = self.ask.min(self.size);
+        bytes.resize(old + ask, 0);
         let read = loop {
             match self.reader.read(&mut bytes[old..]) {
                 Err(error) if error.kind() == ErrorKind::Interrupted => {}
@@ -170,6 +175,7 @@ impl<R: Read> Batches<R> {
         match read {
             Err(error) => self.stop = Some(Stop::Line(format!("reading stopped here: {error}"))),
             Ok(0) => self.stop = Some(Stop::End),
+            Ok(read) if read == self.ask => self.ask = CHUNK.min(2 * self.ask),
             Ok(_) => {}
         }
         if self.before + bytes.len() as u64 > self.max_bytes {

@@ -67,8 +67,10 @@ impl Dialect {
     /// they hold most of.
     pub fn of(lines: &[&[u8]]) -> Self {
         let mut best = (0, DIALECTS[2]);
+        let mut cells = Vec::new();
         for dialect in DIALECTS {
-            let score = lines.iter().filter(|line| dialect.reads(line)).count();
+            let reads = |line: &&&[u8]| dialect.reads(line, &mut cells);
+            let score = lines.iter().filter(reads).count();
             if score > best.0 {
                 best = (score, dialect);
             }
@@ -90,14 +92,18 @@ impl Dialect {
     }
 
     /// True if `line` has three numbers or more and nothing that looks like two cells in one.
-    fn reads(self, line: &[u8]) -> bool {
-        let mut cells = Vec::new();
-        if self.split(line, &mut cells).is_err() {
+    fn reads(self, line: &[u8], cells: &mut Vec<Cell>) -> bool {
+        // Most lines hold no other separator than their own.
+        let separates = match self.separator {
+            Separator::Byte(separator) => memchr::memchr_iter(separator, line).count() >= 2,
+            Separator::Blanks => memchr::memchr2_iter(b' ', b'\t', line).count() >= 2,
+        };
+        if !separates || self.split(line, cells).is_err() {
             return false;
         }
         let mut numbers = 0;
         for cell in cells {
-            let cell = &line[cell];
+            let cell = &line[cell.clone()];
             match number::parse(cell, self.decimal_comma, &mut Dialects::default()) {
                 Ok(_) | Err(Fault::NotFinite) => numbers += 1,
                 Err(Fault::Missing) => {}

@@ -3,18 +3,20 @@
 use std::fs::File;
 use std::io::{self, Cursor, IsTerminal, Read};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::batches::is_too_long;
 use super::decode;
 use super::files::{Files, limits};
 use super::lines::{end_of_line, lines};
+use super::look::Look;
 use super::on_disk::{Unchanged, explained};
 use super::options::ReadOptions;
-use super::place::{in_file, shown_path};
+use super::place::in_file;
 use super::preface::is_comment;
 use super::sniff::Start;
 use crate::Error;
+use crate::shown::shown_path;
 use file_formats::{Container, Entry};
 
 /// Bytes of a text that are looked at before it is read, comments at its beginning not counted.
@@ -78,6 +80,8 @@ pub struct Input {
     /// The file as it was when it was opened.
     pub(super) unchanged: Option<Unchanged>,
     origin: Origin,
+    /// The first lines of `head`, once a format has asked: every other one asks too.
+    look: OnceLock<Look>,
 }
 
 impl std::fmt::Debug for Input {
@@ -302,7 +306,13 @@ impl Input {
             warnings,
             unchanged: None,
             origin,
+            look: OnceLock::new(),
         })
+    }
+
+    /// The first lines.
+    pub(super) fn look(&self) -> &Look {
+        self.look.get_or_init(|| Look::at(&self.head))
     }
 
     /// The text as `change` turns it into another with the same lines.
@@ -317,6 +327,7 @@ impl Input {
         self.rest = change(whole);
         self.head = take_head(&self.name, &mut self.rest)?;
         take_preface(&self.name, &mut self.rest, &mut self.head)?;
+        self.look = OnceLock::new();
         Ok(self)
     }
 

@@ -1,92 +1,48 @@
 //! Which upward directions the placements cover.
 
+use nalgebra::Vector3;
+
 use crate::report::{Picture, Placed, Sphere};
 
 use super::session::Session;
 
-/// A direction further than this from every placement is a gap, rad.
-const GAP: f64 = 0.87;
-/// Directions that are asked for at most.
-const ASKED: usize = 6;
-/// Directions tried.
-const TRIED: usize = 2000;
 /// A component above this is named, of a unit vector: edges have .71 of two, corners .58 of three.
 const NAMED: f64 = 0.36;
+/// Faces of a device.
+const FACES: usize = 6;
+/// Parameters of an accelerometer.
+const PARAMETERS: usize = plan::FORCE_PARAMETERS;
 
-/// What is covered and what is not.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Coverage {
-    /// Number of placements.
-    pub placements: usize,
-    /// Faces that point up in some placement: the face is the one nearest to the upward direction.
-    pub faces: usize,
-    /// Angle from the loneliest direction to its nearest placement, rad.
-    pub gap: f64,
-    /// Directions that are missing, the loneliest first.
-    pub missing: Vec<[f64; 3]>,
-}
+/// What is covered and what is wanted.
+#[derive(Clone, Debug)]
+pub struct Coverage(plan::Coverage);
 
 impl Coverage {
     /// Of unit vectors.
     pub fn of(placements: &[[f64; 3]]) -> Self {
-        let mut there = placements.to_vec();
-        let (mut missing, mut gap) = (Vec::new(), None);
-        while missing.len() < ASKED {
-            let Some((loneliest, angle)) = loneliest(&there) else {
-                break;
-            };
-            gap.get_or_insert(angle);
-            if angle < GAP {
-                break;
-            }
-            missing.push(loneliest);
-            there.push(loneliest);
-        }
-        let mut faces: Vec<(usize, bool)> = placements.iter().map(face).collect();
-        faces.sort_unstable();
-        faces.dedup();
-        Self {
-            placements: placements.len(),
-            faces: faces.len(),
-            gap: gap.unwrap_or(std::f64::consts::PI),
-            missing,
-        }
+        let ups: Vec<Vector3<f64>> = placements.iter().map(|up| Vector3::from(*up)).collect();
+        Self(plan::coverage(&ups))
     }
 
     /// `6 of 6 faces`.
     pub fn value(&self) -> String {
-        format!("{} of 6 faces", self.faces)
+        format!("{} of {FACES} faces", FACES - self.0.missing_faces.len())
     }
 
-    /// How large the largest gap is, and where.
+    /// How many placements there are, how many of them differ, and what they leave open.
     pub fn note(&self) -> String {
-        let place = self
-            .missing
-            .first()
-            .map(|at| format!(", with {} up", words(at)));
-        format!(
-            "{} placements; the largest gap is {:.0}°{}",
-            self.placements,
-            self.gap.to_degrees(),
-            place.unwrap_or_default()
-        )
+        let faces = Some(self.0.missing()).filter(|words| !words.is_empty());
+        let open = Some(self.0.unknown.len()).filter(|count| *count > 0);
+        let open = open.map(|count| format!("{count} of {PARAMETERS} parameters not known well"));
+        let parts = std::iter::once(self.0.found()).chain(faces).chain(open);
+        parts.collect::<Vec<_>>().join("; ")
     }
 
     /// What to add, in words; `None` where nothing is missing.
     pub fn advice(&self) -> Option<String> {
-        let mut all: Vec<String> = self.missing.iter().map(words).collect();
-        all.dedup();
-        (!all.is_empty()).then(|| {
-            format!(
-                "Add {} with these directions up: {}.",
-                if all.len() == 1 {
-                    "a placement"
-                } else {
-                    "placements"
-                },
-                all.join("; ")
-            )
-        })
+        let words = self.0.advice();
+        let words = words.strip_prefix("add").map(|rest| format!("Add{rest}."));
+        words.filter(|_| !self.0.is_complete())
     }
 }
 
@@ -99,12 +55,12 @@ pub fn picture(session: &Session<'_>, coverage: &Coverage) -> Picture {
             colour: 0,
         })
     });
-    let missing = coverage.missing.iter();
+    let missing = coverage.0.wanted.iter();
     Picture::Sphere(
         "Directions that pointed up, seen from two sides".into(),
         Sphere {
             placed: placed.collect(),
-            missing: missing.map(|at| (*at, words(at))).collect(),
+            missing: missing.map(|w| (w.up, w.axes.clone())).collect(),
         },
     )
 }
@@ -116,84 +72,30 @@ pub fn words(at: &[f64; 3]) -> String {
     (0..3).filter_map(part).collect::<Vec<_>>().join(" ")
 }
 
-fn face(at: &[f64; 3]) -> (usize, bool) {
-    let largest = (0..3).max_by(|a, b| at[*a].abs().total_cmp(&at[*b].abs()));
-    let axis = largest.unwrap_or(0);
-    (axis, at[axis] > 0.0)
-}
-
-/// The direction furthest from all `placements`: of the middles of faces, edges and corners where one is nearly as
-/// far, since a hand finds those.
-fn loneliest(placements: &[[f64; 3]]) -> Option<([f64; 3], f64)> {
-    let angle = |at: &[f64; 3]| {
-        let near = placements
-            .iter()
-            .map(|p| p.iter().zip(at).map(|(a, b)| a * b).sum::<f64>());
-        near.fold(-1.0, f64::max).clamp(-1.0, 1.0).acos()
-    };
-    let furthest = |all: Vec<[f64; 3]>| {
-        let angles = all.into_iter().map(|at| (at, angle(&at)));
-        angles.max_by(|a, b| a.1.total_cmp(&b.1))
-    };
-    let anywhere = furthest(spread())?;
-    let handy = furthest(faces_edges_corners())?;
-    Some(if handy.1 > 0.85 * anywhere.1 {
-        (handy.0, anywhere.1)
-    } else {
-        anywhere
-    })
-}
-
-fn faces_edges_corners() -> Vec<[f64; 3]> {
-    let mut all = Vec::new();
-    for code in (0..27).filter(|code| *code != 13) {
-        let v = [code % 3, code / 3 % 3, code / 9].map(|c| f64::from(c) - 1.0);
-        let length = v.iter().map(|c| c * c).sum::<f64>().sqrt();
-        all.push(v.map(|c| c / length));
-    }
-    all
-}
-
-/// Directions spread evenly (Fibonacci spiral; González, Measurement of areas on a sphere, 2010).
-fn spread() -> Vec<[f64; 3]> {
-    let golden = std::f64::consts::PI * (3.0 - 5f64.sqrt());
-    let direction = |k: usize| {
-        let z = 1.0 - (2.0 * k as f64 + 1.0) / TRIED as f64;
-        let (s, c) = (golden * k as f64).sin_cos();
-        let r = (1.0 - z * z).sqrt();
-        [r * c, r * s, z]
-    };
-    (0..TRIED).map(direction).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn six_faces_leave_the_corners_and_a_missing_face_is_asked_for() {
-        let faces: Vec<_> = faces_edges_corners()
-            .into_iter()
-            .filter(|v| v.iter().any(|c| c.abs() > 0.9))
-            .collect();
+    fn six_faces_leave_misalignments_open_and_a_missing_face_is_asked_for() {
+        let faces = plan::faces().map(<[f64; 3]>::from);
         let all = Coverage::of(&faces);
-        // Corners of a cube are acos(1/√3) = 54.74° from its faces.
-        assert!(
-            (all.gap.to_degrees() - 54.74).abs() < 1.0,
-            "{}",
-            all.gap.to_degrees()
-        );
-        assert_eq!(all.faces, 6);
-        let five: Vec<_> = faces.into_iter().filter(|v| v[2] < 0.9).collect();
-        let five = Coverage::of(&five);
-        assert_eq!((five.faces, words(&five.missing[0])), (5, "+z".into()));
-        assert!(five.advice().unwrap().contains("+z"));
+        assert_eq!(all.value(), "6 of 6 faces");
+        assert!(all.note().contains("3 of 9 parameters"), "{}", all.note());
+        let four = Coverage::of(&faces[..4]);
+        assert_eq!(four.value(), "4 of 6 faces");
+        assert!(four.note().contains("no placement has z up, z down"));
+        assert!(four.advice().unwrap().starts_with("Add 6 placements: 1)"));
     }
 
     #[test]
-    fn faces_edges_and_corners_have_no_gap() {
-        let all = Coverage::of(&faces_edges_corners());
-        assert!(all.missing.is_empty() && all.advice().is_none());
-        assert_eq!(Coverage::of(&[]).faces, 0);
+    fn faces_edges_and_corners_leave_nothing_to_add() {
+        let all: Vec<[f64; 3]> = plan::faces_edges_corners()
+            .iter()
+            .map(|u| (*u).into())
+            .collect();
+        let all = Coverage::of(&all);
+        assert!(all.advice().is_none(), "{all:?}");
+        assert_eq!(Coverage::of(&[]).value(), "0 of 6 faces");
     }
 }

@@ -262,7 +262,9 @@ fn case_048_matlab_files_of_big_endian_machines_and_bombs_are_refused() {
         .collect();
     let mut bomb = make::mat(&[("acc", &zeros)]);
     bomb.truncate(200);
-    calibrate("a.mat", &bomb, &[]).ends(3);
+    calibrate("a.mat", &bomb, &[])
+        .ends(3)
+        .says(&["ends within a variable"]);
 }
 
 #[test]

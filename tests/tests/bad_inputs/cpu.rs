@@ -1,7 +1,12 @@
-//! Any command on 100,000 rows ends within 15 s of CPU in a debug build, whatever they hold.
+//! Any command on 100,000 rows ends within 5 s of CPU, whatever they hold; within 15 s in a debug build.
 //!
 //! The limit is the kernel's on the CPU time of the process, all its threads together, so that a busy machine fails
-//! nothing.
+//! nothing. What each command took is printed. As a release build:
+//!
+//! ```text
+//! cargo test --release --config 'profile.release.lto="off"' --config profile.release.codegen-units=16 \
+//!   -p stillpoint --test bad_inputs cpu -- --nocapture --test-threads 1
+//! ```
 
 use std::f64::consts::PI;
 use std::fmt::Write as _;
@@ -10,7 +15,7 @@ use crate::bench::Bench;
 use crate::device::HEADER;
 
 const ROWS: usize = 100_000;
-const LIMIT: u32 = 15;
+const LIMIT: u32 = if cfg!(debug_assertions) { 15 } else { 5 };
 
 /// Noise between -1 and 1 without a pattern.
 fn noise(k: usize, column: usize) -> f64 {
@@ -91,7 +96,8 @@ fn ends(text: String) {
         &["apply", "cal.json", "r.csv", "-o", "corrected.csv"],
     ];
     for call in calls {
-        let script = format!("ulimit -t {LIMIT}; exec \"$0\" \"$@\"");
+        // The last line that it says is what its children took: user and system time.
+        let script = format!("(ulimit -t {LIMIT}; exec \"$0\" \"$@\"); s=$?; times >&2; exit $s");
         let mut command = std::process::Command::new("sh");
         command
             .current_dir(bench.path(""))
@@ -101,6 +107,8 @@ fn ends(text: String) {
         // A process over its limit is ended by a signal and has no status.
         let said = String::from_utf8_lossy(&run.stderr);
         let status = run.status.code();
+        let took = said.lines().last().unwrap_or_default();
+        println!("{took:>20} {status:?} {}", call.join(" "));
         assert!(matches!(status, Some(0..=5)), "{call:?}: {status:?} {said}");
     }
 }
@@ -134,8 +142,25 @@ fn stamps_that_scatter() {
 }
 
 #[test]
+fn stamps_with_a_jitter_of_3_ms() {
+    ends(csv(&turned(800, 3), |k| evenly(k) + 3e-3 * noise(k, 7)));
+}
+
+#[test]
+fn three_hundred_placements() {
+    ends(csv(&turned(333, 3), evenly));
+}
+
+#[test]
 fn coplanar_placements() {
     ends(csv(&turned(800, 1), evenly));
+}
+
+#[test]
+fn coplanar_placements_to_a_hundredth_of_the_noise() {
+    let mut rows = turned(800, 1);
+    rows.iter_mut().for_each(|row| row[0] *= 0.01);
+    ends(csv(&rows, evenly));
 }
 
 #[test]
@@ -156,6 +181,15 @@ fn a_device_that_is_pushed() {
     rows[30_000..30_400]
         .iter_mut()
         .for_each(|row| row[1] += 200.0);
+    ends(csv(&rows, evenly));
+}
+
+#[test]
+#[ignore = "over the limit: the joint method takes 8 s and discover 14 s to find that no fit ends"]
+fn a_device_that_is_pushed_in_every_fifth_placement() {
+    let mut rows = turned(800, 3);
+    let pushed = (0..ROWS).filter(|k| k % 4000 < 400);
+    pushed.for_each(|k| rows[k][1] += 200.0);
     ends(csv(&rows, evenly));
 }
 

@@ -125,7 +125,10 @@ fn case_033_odd_names_work_and_are_shown_escaped() {
     command.arg(odd);
     bench.watch(command).ends(0);
     let long = "x".repeat(4096);
-    bench.run(&["calibrate", &long]).ends(3);
+    bench
+        .run(&["calibrate", &long])
+        .ends(3)
+        .says(&["File name too long"]);
 }
 
 #[cfg(target_os = "linux")]

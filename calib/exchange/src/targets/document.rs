@@ -2,12 +2,26 @@
 
 use serde_json::Value;
 
+use crate::error::Error;
+use crate::kept::Kept;
+use crate::loss::losses;
 use crate::source::Source;
-use crate::target::Error;
 
 /// The calibration as `calibrate` writes it.
 pub fn document(source: &Source<'_>) -> Result<Value, Error> {
     serde_json::to_value(source.calibration).map_err(|e| Error::Format(e.to_string()))
+}
+
+/// What functions that apply the base models and the g-sensitivity leave out, though the document beside them holds it.
+pub fn not_applied(source: &Source<'_>) -> Vec<String> {
+    let applied = Kept {
+        g_sensitivity: true,
+        errors: true,
+        ..Kept::base_of(source)
+    };
+    let left = losses(source, &applied).into_iter();
+    left.map(|loss| format!("the functions do not apply {loss}; its parameters are in the file"))
+        .collect()
 }
 
 /// A list of numbers, null as not a number; `None` of anything else.

@@ -2,14 +2,17 @@
 
 use std::fmt::Write as _;
 
+use nalgebra::Matrix3;
 use serde_json::Value;
 
-use super::document::{document, matrix, numbers};
+use super::document::{document, matrix, not_applied, numbers};
+use crate::error::Error;
+use crate::kept::Kept;
 use crate::source::Source;
-use crate::target::{Error, Kept, Settings, Target, Written};
+use crate::target::{Settings, Target, Written};
 
 /// `cal.accelerometer.T` and so on with the keys of `cal.json`; `cal_accelerometer(A)` and `cal_gyroscope(W)` correct readings
-/// in the rows of a matrix.
+/// in the rows of a matrix. With a g-sensitivity it is `cal_gyroscope(W, f)`, `f` as the first gives it.
 #[derive(Debug)]
 pub struct Matlab;
 
@@ -35,19 +38,18 @@ impl Target for Matlab {
         ];
         for (name, there) in sensors {
             if there {
+                let g = source.g_sensitivity.filter(|_| name == "gyroscope");
+                let argument = if g.is_some() { ", force" } else { "" };
+                let term = g.map(|g| format!(" - force * {}'", matrix_of(&g)));
                 let _ = writeln!(
                     text,
-                    "cal_{name} = @(raw) (raw - cal.{name}.bias) * cal.{name}.T';"
+                    "cal_{name} = @(raw{argument}) (raw - cal.{name}.bias) * cal.{name}.T'{};",
+                    term.unwrap_or_default()
                 );
             }
         }
-        let notes = if source.calibration.effects.is_empty() {
-            Vec::new()
-        } else {
-            vec!["the functions apply the base models; the effects are in cal.effects".into()]
-        };
         Ok(Written {
-            notes,
+            notes: not_applied(source),
             ..Written::text(text)
         })
     }
@@ -55,8 +57,7 @@ impl Target for Matlab {
 
 fn literal(value: &Value) -> String {
     if let Some(rows) = matrix(value) {
-        let rows: Vec<String> = rows.iter().map(|row| row_of(row)).collect();
-        return format!("[{}]", rows.join("; "));
+        return in_brackets(rows.iter().map(|row| row_of(row)));
     }
     if let Some(row) = numbers(value) {
         return format!("[{}]", row_of(&row));
@@ -79,6 +80,14 @@ fn literal(value: &Value) -> String {
             format!("struct({})", fields.join(", ...\n  "))
         }
     }
+}
+
+fn in_brackets(rows: impl Iterator<Item = String>) -> String {
+    format!("[{}]", rows.collect::<Vec<_>>().join("; "))
+}
+
+fn matrix_of(m: &Matrix3<f64>) -> String {
+    in_brackets(m.row_iter().map(|row| row_of(&[row[0], row[1], row[2]])))
 }
 
 fn row_of(row: &[f64]) -> String {

@@ -4,12 +4,14 @@ use std::fmt::Write as _;
 
 use serde_json::Value;
 
-use super::document::{document, matrix, numbers};
+use super::document::{document, matrix, not_applied, numbers};
+use crate::error::Error;
+use crate::kept::Kept;
 use crate::source::Source;
-use crate::target::{Error, Kept, Settings, Target, Written};
+use crate::target::{Settings, Target, Written};
 
 /// `calibration`, a dictionary with the keys of `cal.json`, and `accelerometer(A)`, `gyroscope(W)` for readings in the rows of
-/// an array.
+/// an array. With a g-sensitivity it is `gyroscope(W, f)`, `f` as the first gives it.
 #[derive(Debug)]
 pub struct NumPy;
 
@@ -36,23 +38,26 @@ impl Target for NumPy {
         ];
         for (name, there) in sensors {
             if there {
+                let g = source.g_sensitivity.filter(|_| name == "gyroscope");
+                let (argument, rule) = match g {
+                    Some(_) => (", force", "T (raw - b) - G force"),
+                    None => ("", "T (raw - b)"),
+                };
+                let term = g.map(|g| {
+                    let rows = g.row_iter().map(|row| list(&[row[0], row[1], row[2]]));
+                    let rows: Vec<String> = rows.collect();
+                    format!(" - np.asarray(force) @ np.array([{}]).T", rows.join(", "))
+                });
                 let _ = write!(
                     text,
-                    "\n\ndef {name}(raw):\n    \"\"\"T (raw - b) of readings in rows.\"\"\"\n    own = calibration[\"{name}\"]\n    \
-                     return (np.asarray(raw) - own[\"bias\"]) @ own[\"T\"].T\n"
+                    "\n\ndef {name}(raw{argument}):\n    \"\"\"{rule} of readings in rows.\"\"\"\n    own = calibration[\"{name}\"]\n    \
+                     return (np.asarray(raw) - own[\"bias\"]) @ own[\"T\"].T{}\n",
+                    term.unwrap_or_default()
                 );
             }
         }
-        let notes = if source.calibration.effects.is_empty() {
-            Vec::new()
-        } else {
-            vec![
-                "the functions apply the base models; the effects are in calibration[\"effects\"]"
-                    .into(),
-            ]
-        };
         Ok(Written {
-            notes,
+            notes: not_applied(source),
             ..Written::text(text)
         })
     }

@@ -4,7 +4,6 @@ mod calibration;
 mod layout;
 mod topics;
 
-use std::collections::HashMap;
 use std::io::Read;
 
 use crate::bytes::{Bytes, Fields};
@@ -49,8 +48,7 @@ impl Format for Ulog {
         let mut file = File {
             recorder: Recorder::new(wanted, limits),
             layouts: Layouts::default(),
-            topics: HashMap::new(),
-            counts: HashMap::new(),
+            logged: Vec::new(),
             parameters: Parameters::default(),
             dropouts: Vec::new(),
             last: 0,
@@ -77,12 +75,21 @@ impl Format for Ulog {
     }
 }
 
+/// A topic that is logged.
+struct Logged {
+    name: String,
+    instance: u8,
+    /// Its messages.
+    count: u64,
+    /// How it is read, if it is.
+    topic: Option<Topic>,
+}
+
 struct File {
     recorder: Recorder,
     layouts: Layouts,
-    topics: HashMap<u16, Option<Topic>>,
-    /// Names and counts of all topics that were logged.
-    counts: HashMap<u16, (String, u8, u64)>,
+    /// By the number of the subscription: every message is looked up here.
+    logged: Vec<Option<Box<Logged>>>,
     parameters: Parameters,
     /// Time and length of dropouts, s.
     dropouts: Vec<(f64, f64)>,
@@ -131,8 +138,16 @@ impl File {
         if topic.is_none() && self.may_be_sensor(&name) {
             self.recorder.content.unclear.push(name.clone());
         }
-        self.topics.insert(id, topic);
-        self.counts.insert(id, (name, instance, 0));
+        let id = usize::from(id);
+        if self.logged.len() <= id {
+            self.logged.resize_with(id + 1, || None);
+        }
+        self.logged[id] = Some(Box::new(Logged {
+            name,
+            instance,
+            count: 0,
+            topic,
+        }));
         Some(())
     }
 
@@ -153,18 +168,19 @@ impl File {
         let id = fields
             .u16()
             .ok_or_else(|| Error::at(at, "a data message without its topic"))?;
-        if let Some((.., count)) = self.counts.get_mut(&id) {
-            *count += 1;
-        }
         // Every message begins with its stamp, but for those of topics that leave it empty.
         if let Some(stamp) = Fields(fields.0).u64()
             && (self.last == 0 || (self.last..self.last.saturating_add(HOUR)).contains(&stamp))
         {
             self.last = stamp;
         }
-        match self.topics.get_mut(&id) {
-            Some(Some(topic)) => topic.take(fields.0, at, &mut self.recorder),
-            _ => Ok(()),
+        let Some(Some(logged)) = self.logged.get_mut(usize::from(id)) else {
+            return Ok(());
+        };
+        logged.count += 1;
+        match &mut logged.topic {
+            Some(topic) => topic.take(fields.0, at, &mut self.recorder),
+            None => Ok(()),
         }
     }
 
@@ -189,12 +205,19 @@ impl File {
             );
             self.recorder.content.warnings.push(words);
         }
-        let selection = self.topics.values().flatten().find_map(Topic::selected);
+        let logged = || self.logged.iter().flatten();
+        let selection = logged().find_map(|logged| logged.topic.as_ref()?.selected());
         calibration::undo(&mut self.recorder.content, &self.parameters, selection);
-        let mut listed: Vec<String> = self
-            .counts
-            .values()
-            .map(|(name, instance, count)| format!("{name} {instance} ({count} messages)"))
+        let mut listed: Vec<String> = logged()
+            .map(|logged| {
+                let Logged {
+                    name,
+                    instance,
+                    count,
+                    ..
+                } = &**logged;
+                format!("{name} {instance} ({count} messages)")
+            })
             .collect();
         listed.sort();
         self.recorder.content.listed = listed;

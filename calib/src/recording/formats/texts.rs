@@ -28,13 +28,13 @@ impl Format for TextFormat {
     }
 
     fn recognises(&self, source: &Source) -> bool {
-        matches!(source, Source::Text(input) if (self.parts)(&Look::at(&input.head)).is_some())
+        matches!(source, Source::Text(input) if (self.parts)(input.look()).is_some())
     }
 
     fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
         let input = super::text(source, self)?;
         let name = input.name.clone();
-        let mut parts = (self.parts)(&Look::at(&input.head)).unwrap_or_default();
+        let mut parts = (self.parts)(input.look()).unwrap_or_default();
         if !options.columns.0.is_empty() || parts.is_empty() {
             // What the user says of the columns goes over what is known of the format.
             parts.truncate(1);

@@ -12,9 +12,12 @@ use crate::show;
 const HALF: [f64; 3] = [0.36, 0.72, 0.06];
 /// Where the eye is: turned about the vertical, then raised, °.
 const EYE: [f64; 2] = [28.0, 22.0];
-/// Pixels per length, and half the picture.
-const SCALE: f64 = 74.0;
-const MIDDLE: [f64; 2] = [100.0, 92.0];
+/// Pixels per length, the middle of the picture, and where the table is.
+const SCALE: f64 = 78.0;
+const MIDDLE: f64 = 100.0;
+const TABLE: f64 = 158.0;
+/// From the top of the device to the middle of the word for it, across and up, pixels.
+const BESIDE: [f64; 2] = [24.0, 22.0];
 
 /// The page.
 pub fn page(plan: &Plan, notes: &[String], force_only: bool) -> String {
@@ -45,21 +48,22 @@ const HEAD: &str = "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8
 body{font:15px/1.4 system-ui,sans-serif;color:var(--ink);background:var(--paper);max-width:72rem;margin:1.5rem auto;\
 padding:0 1rem}ol{display:grid;grid-template-columns:repeat(auto-fill,minmax(15rem,1fr));gap:1rem;padding:0;\
 list-style-position:inside}li{border:1px solid var(--line);border-radius:.5rem;padding:.6rem;break-inside:avoid}\
-li::marker{font-weight:600}svg{display:block;width:100%;max-height:11rem}p{margin:.4rem 0}text{fill:var(--ink);\
+li::marker{font-weight:600}svg{display:block;width:100%;max-height:11rem}p{margin:.4rem 0}text{text-anchor:middle;\
 font:11px system-ui,sans-serif}.side{fill:var(--side)}.screen{fill:var(--screen)}\
 .box{stroke:var(--edge);stroke-width:1.5;stroke-linejoin:round}.table{fill:none;stroke:var(--line);stroke-width:2}\
-.name{fill:var(--paper);text-anchor:middle}</style></head><body>";
+.ink{fill:var(--ink)}.name{fill:#fff}</style></head><body>";
 
 /// The box with its placement's direction up.
 fn picture(step: &Step) -> String {
     let up = Vector3::from(step.up);
     let attitude = eye() * upright(&up);
     let mut svg = format!(
-        "<svg viewBox=\"0 0 200 190\" role=\"img\" aria-label=\"{}\"><ellipse class=\"table\" cx=\"100\" cy=\"158\" \
+        "<svg viewBox=\"0 0 200 190\" role=\"img\" aria-label=\"{}\"><ellipse class=\"table\" cx=\"100\" cy=\"{TABLE}\" \
          rx=\"88\" ry=\"24\"/>",
         escaped(&step.words)
     );
-    let names = ["", "", "top", "", "screen", "back"];
+    let table = TABLE + lowest(&attitude);
+    let at = |v: &Vector3<f64>| [MIDDLE + SCALE * v.x, table - SCALE * v.z];
     let mut faces: Vec<usize> = (0..6).collect();
     let depth = |k: usize| (attitude * (normal(k) * HALF[k / 2])).y;
     faces.sort_by(|a, b| depth(*b).total_cmp(&depth(*a)));
@@ -78,22 +82,35 @@ fn picture(step: &Step) -> String {
             "<polygon class=\"{class}\" points=\"{}\"/>",
             corners.join(" ")
         );
-        if !names[k].is_empty() && k >= 4 {
-            let [x, y] = at(&(attitude * (normal(k) * HALF[k / 2])));
-            let class = if k == 4 { "name" } else { "" };
-            let _ = write!(
-                svg,
-                "<text class=\"{class}\" text-anchor=\"middle\" x=\"{x:.0}\" y=\"{y:.0}\">{}</text>",
-                names[k]
-            );
-        }
+        let [x, y] = at(&(attitude * (normal(k) * HALF[k / 2])));
+        let (class, name) = match k {
+            4 => ("name", "screen"),
+            5 => ("ink", "back"),
+            _ => continue,
+        };
+        let _ = write!(
+            svg,
+            "<text class=\"{class}\" x=\"{x:.0}\" y=\"{:.0}\">{name}</text>",
+            y + 4.0
+        );
     }
-    let [x, y] = at(&(attitude * Vector3::new(0.0, 1.18 * HALF[1], 0.0)));
+    // Beyond the top, in the direction from the middle to it; towards the eye a word would lie on the device.
+    let top = attitude * Vector3::new(0.0, HALF[1], 0.0);
+    let length = top.x.hypot(top.z).max(1e-9);
+    let [x, y] = at(&top);
     let _ = write!(
         svg,
-        "<text text-anchor=\"middle\" x=\"{x:.0}\" y=\"{y:.0}\">top</text></svg>"
+        "<text class=\"ink\" x=\"{:.0}\" y=\"{:.0}\">top</text></svg>",
+        x + BESIDE[0] * top.x / length,
+        y - BESIDE[1] * top.z / length + 4.0
     );
     svg
+}
+
+/// How far the lowest corner is below the middle of the device on the picture, pixels, below zero.
+fn lowest(attitude: &Rotation3<f64>) -> f64 {
+    let all = (0..6).flat_map(corners).map(|c| (attitude * c).z);
+    SCALE * all.fold(0.0, f64::min)
 }
 
 fn normal(k: usize) -> Vector3<f64> {
@@ -108,11 +125,6 @@ fn corners(k: usize) -> [Vector3<f64>; 4] {
         c[b] = t * HALF[b];
         c
     })
-}
-
-/// On the picture: x to the right, z up, the eye looks along y.
-fn at(v: &Vector3<f64>) -> [f64; 2] {
-    [MIDDLE[0] + SCALE * v.x, MIDDLE[1] - SCALE * v.z]
 }
 
 fn eye() -> Rotation3<f64> {

@@ -40,16 +40,15 @@ pub fn text(plan: &Plan, input: Option<&Input>, notes: &[String], force_only: bo
     text
 }
 
-/// One placement as a sentence.
+/// One placement as a sentence, in the order in which it is done: the turn, the placement, the wait.
 pub fn instruction(step: &Step, force_only: bool) -> String {
+    let placement = format!("{} ({}), {:.0}\u{a0}s", step.words, step.axes, step.rest);
     let turn = step.turn_words.as_ref().filter(|_| !force_only);
-    let turn = turn.map_or(String::new(), |turn| format!("; turn it {turn}"));
-    format!(
-        "{} ({}), {:.0} s{turn}",
-        capital(&step.words),
-        step.axes,
-        step.rest
-    )
+    let placed = turn.map_or_else(
+        || capital(&placement),
+        |turn| format!("Turn it {turn}: {placement}"),
+    );
+    format!("{placed}.")
 }
 
 fn capital(words: &str) -> String {
@@ -63,7 +62,8 @@ fn capital(words: &str) -> String {
 fn push(text: &mut String, begin: &str, words: &str) {
     let indent = " ".repeat(begin.chars().count());
     let mut line = begin.to_owned();
-    for word in words.split_whitespace() {
+    // Not at a space that keeps a number and its unit together.
+    for word in words.split([' ', '\n']).filter(|word| !word.is_empty()) {
         if line.chars().count() + 1 + word.chars().count() > WIDTH
             && line.trim().len() > begin.trim().len()
         {
