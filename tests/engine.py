@@ -2,15 +2,18 @@
 """Shards of a batch under HyperQueue: what is killed and run again gives the bytes of the undisturbed run.
 
     pip install hyperqueue
-    python3 tests/engine.py target/release/stillpoint [--devices 24] [--shards 6]
+    python3 tests/engine.py target/release/stillpoint [--devices 24] [--shards 6] [--engine hq|wheel|parallel]
 
-With the `hq` binary on the path a worker is killed, then the server, which goes on from its journal. The wheel has neither a worker
-nor a journal of its own: server and worker are threads of one Python process. There a running task is killed first, then the whole
-process, and the shards are submitted to a new cluster. Exit status 77: skipped, and why.
+With the `hq` binary on the path a worker is killed, then the server, which goes on from its journal. The wheel (0.27) has neither
+that binary nor a way to a journal: server and worker are threads of one Python process. There a running task is killed first, then the
+whole process, and the shards are submitted to a new cluster. With GNU parallel a running task is killed, which is run again, then
+parallel itself, which goes on from its log of jobs. Exit status 77: skipped, and why.
 """
 
 import argparse
+import importlib.util
 import os
+import shlex
 import shutil
 import signal
 import subprocess
@@ -130,6 +133,25 @@ def by_wheel(commands, out):
             raise SystemExit("tasks fail again and again")
 
 
+def by_parallel(parallel, commands, out, folder):
+    """Kills a task, then parallel with all its tasks; returns how often it was started."""
+    jobs = folder / "jobs"
+    jobs.write_text("".join(f"{shlex.join(command)}\n" for command in commands))
+    call = [parallel, "--jobs", "2", "--retries", "5", "--joblog", folder / "log", "--resume-failed", "--arg-file", jobs]
+    quiet = dict(stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+    first = subprocess.Popen(call, **quiet)
+    victim = wait_for(lambda: running_tasks(out))[0]
+    os.kill(victim, signal.SIGKILL)
+    print(f"killed the task {victim}")
+    wait_for(lambda: [t for t in running_tasks(out) if t != victim])
+    os.killpg(first.pid, signal.SIGKILL)
+    print(f"killed parallel: {first.wait()}")
+    for task in running_tasks(out):
+        os.kill(task, signal.SIGKILL)
+    subprocess.run(call, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return 2
+
+
 def by_binary(hq, commands, out, folder):
     """Kills a worker, then the server, which restores the job from its journal."""
     env = dict(os.environ, HQ_SERVER_DIR=str(folder / "hq"))
@@ -158,20 +180,33 @@ def by_binary(hq, commands, out, folder):
     return 1
 
 
+NAMES = {"hq": "hq", "wheel": "the wheel's LocalCluster", "parallel": "GNU parallel"}
+
+
+def engine_here(asked):
+    """The engine asked for, or the first that is here; ends with status 77 where there is none."""
+    here = {
+        "hq": shutil.which("hq"),
+        "wheel": importlib.util.find_spec("hyperqueue"),
+        "parallel": shutil.which("parallel"),
+    }
+    found = [name for name in ([asked] if asked else here) if here[name]]
+    if not found:
+        wanted = NAMES[asked] if asked else "hq, the wheel or GNU parallel"
+        print(f"SKIPPED: not here: {wanted}; pip install hyperqueue, or apt install parallel", file=sys.stderr)
+        sys.exit(77)
+    return found[0]
+
+
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("program", type=Path)
     arguments.add_argument("--devices", type=int, default=24)
     arguments.add_argument("--shards", type=int, default=6)
+    arguments.add_argument("--engine", choices=["hq", "wheel", "parallel"], help="the first that is here")
     arguments = arguments.parse_args()
     program = arguments.program.resolve()
-    hq = shutil.which("hq")
-    if not hq:
-        try:
-            import hyperqueue  # noqa: F401
-        except ImportError as error:
-            print(f"SKIPPED: neither the hq binary nor the wheel is here ({error}); pip install hyperqueue", file=sys.stderr)
-            sys.exit(77)
+    engine = engine_here(arguments.engine)
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         devices = make_devices(program, folder, arguments.devices)
@@ -183,11 +218,15 @@ def main():
         alone = time.monotonic() - begin
         commands = [shard_command(program, devices, killed, k, n) for k in range(1, n + 1)]
         begin = time.monotonic()
-        rounds = by_binary(hq, commands, killed, folder) if hq else by_wheel(commands, killed)
+        if engine == "wheel":
+            rounds = by_wheel(commands, killed)
+        elif engine == "hq":
+            rounds = by_binary(shutil.which("hq"), commands, killed, folder)
+        else:
+            rounds = by_parallel(shutil.which("parallel"), commands, killed, folder)
         disturbed = time.monotonic() - begin
         same = merged(program, calm, folder / "a") == merged(program, killed, folder / "b")
-    engine = "hq" if hq else "the wheel's LocalCluster"
-    print(f"{engine}: {n} shards, {rounds} rounds, {disturbed:.1f} s disturbed, {alone:.1f} s one after the other alone")
+    print(f"{NAMES[engine]}: {n} shards, {rounds} rounds, {disturbed:.1f} s disturbed, {alone:.1f} s one after the other alone")
     print("merged results are the same bytes" if same else "MERGED RESULTS DIFFER")
     sys.exit(0 if same else 1)
 

@@ -1,6 +1,7 @@
 //! Recordings to a calibration.
 
 use calib::calibrate::calibrate as calibrate_all;
+use calib::limits::built_in;
 use calib::methods::six_position;
 
 use crate::watch::under;
@@ -42,14 +43,16 @@ pub fn calibrate(recordings: &[Recording], request: &Request) -> Result<Calibrat
     if let Method::SixPosition { first_order } = request.method {
         refuse_for_six_positions(request)?;
         let gravity = request.local_gravity()?;
-        let solved = under(request.watch.as_ref(), || {
+        let mut solved = under(request.watch.as_ref(), || {
             six_position::calibrate(&all, &how.detector, gravity, first_order)
         })?;
+        solved.calibration.limits = built_in(&solved.calibration);
         return Ok(Calibration::of(solved.calibration));
     }
-    let outcome = under(request.watch.as_ref(), || {
+    let mut outcome = under(request.watch.as_ref(), || {
         calibrate_all(&all, &turned, &how)
     })?;
+    outcome.calibration.limits = built_in(&outcome.calibration);
     Ok(Calibration::made(outcome, recordings))
 }
 

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use calib::discover::{Discovery, EffectFinding, Verdict, discover as look, validate};
 use calib::document::to_json;
+use calib::limits::built_in;
 
 use crate::watch::under;
 use crate::{Calibration, Error, Recording, Request, words};
@@ -82,6 +83,8 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Findings,
         if let Some(validation) = validation {
             discovery.findings.validation = validate(validation, &how, &discovery)?;
         }
+        let calibration = &mut discovery.findings.calibration;
+        calibration.limits = built_in(calibration);
         Ok(discovery)
     })?;
     Ok(Findings(Arc::new(discovery)))

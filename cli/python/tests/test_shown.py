@@ -24,7 +24,7 @@ def test_a_calibration_is_a_dictionary_a_frame_and_a_page(calibration):
     with pytest.raises(KeyError):
         calibration["accel.q"]
     page = calibration._repr_html_()
-    assert page.count("<svg") == 3 and "accel.s_x" in page and "<script" not in page
+    assert page.count("<svg") >= 3 and "accel.s_x" in page and "<script" not in page
     assert "accel.s_x" in repr(calibration)
     frame = calibration.to_frame()
     assert list(frame.columns) == ["name", "value", "std", "unit"] and len(frame) == 24

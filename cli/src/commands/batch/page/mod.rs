@@ -1,0 +1,52 @@
+//! The report of a batch.
+
+mod charts;
+mod distributions;
+mod drifts;
+mod outliers;
+mod reasons;
+mod shared;
+
+use batch::Record;
+
+use super::tables::summary;
+use crate::exit::Failure;
+use crate::report::Report;
+
+/// Rows of a table of devices.
+const ROWS: usize = 30;
+
+/// The page.
+pub fn page(records: &[Record]) -> Result<Report, Failure> {
+    let mut report = Report::new("Batch")
+        .section("Yield")
+        .text(format!("{}.", summary(records)));
+    report = reasons::reasons(report, records)?;
+    let names = names(records);
+    report = distributions::distributions(report, records, &names)?;
+    report = outliers::odd(report, records, &names);
+    report = drifts::drifts(report, records, &names);
+    report = charts::charts(report, records, &names)?;
+    Ok(shared::shared(report, records))
+}
+
+/// Names of the parameters that most calibrated devices have.
+fn names(records: &[Record]) -> Vec<String> {
+    let calibrated = records.iter().filter(|r| !r.parameters.is_empty()).count();
+    let mut names: Vec<(String, usize)> = Vec::new();
+    for parameter in records.iter().flat_map(|r| &r.parameters) {
+        match names.iter_mut().find(|(name, _)| *name == parameter.name) {
+            Some((_, count)) => *count += 1,
+            None => names.push((parameter.name.clone(), 1)),
+        }
+    }
+    names.retain(|(_, count)| 2 * count > calibrated);
+    names.into_iter().map(|(name, _)| name).collect()
+}
+
+fn values(records: &[Record], name: &str) -> Vec<f64> {
+    records
+        .iter()
+        .filter_map(|r| Some(r.parameter(name)?.0))
+        .collect()
+}
