@@ -174,8 +174,9 @@ fn a_refusal_writes_a_report_with_what_there_is_and_the_placements_to_add() {
     let at = |words: &str| page.find(words).unwrap_or_else(|| panic!("no {words}"));
     assert!(at("There is no calibration") < at("What to do next"));
     // Four of six faces are there: z is missing both ways.
+    assert!(page.contains("too few placements") && page.contains("no placement has z up, z down"));
     let next = &page[at("What to do next")..at("What there is")];
-    assert!(next.contains("+z") && next.contains("−z"), "{next}");
+    assert!(next.contains("z up") && next.contains("z down"), "{next}");
     assert!(page.contains("4 of 6 faces") && page.contains("class=\"sphere\""));
     is_accessible(&page);
 }
