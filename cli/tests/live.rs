@@ -89,7 +89,8 @@ fn nothing_that_came_is_lost_when_it_is_killed() {
         run.kill().unwrap();
         run.wait().unwrap();
         let received = dir.path().join("session/received");
-        let (taken, sent) = (server.phone().taken, server.phone().sent);
+        let taken = server.phone().taken;
+        let sent = server.phone().sent;
         for (name, (taken, sent)) in ["acc.csv", "gyro.csv"]
             .iter()
             .zip(taken.into_iter().zip(sent))

@@ -259,7 +259,7 @@ fn a_calibrations_report_tells_recordings_rests_and_turns_apart() {
         "std error",
         "Static intervals of one",
         "Static intervals of two",
-        "static 28</td>",
+        "<td>static 28<",
         "What to do next",
         "SHA-256 of the samples",
     ] {
