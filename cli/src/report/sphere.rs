@@ -138,7 +138,7 @@ impl Sphere {
 }
 
 fn point(v: &[f64; 3]) -> String {
-    v.map(|c| format!("{c:.3}")).join(" ")
+    v.map(|c| format!("{c:.2}")).join(" ")
 }
 
 /// Points of the circle across one axis.
