@@ -24,7 +24,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::calibration::catalogue;
 use crate::error::Error;
-use crate::recording::place::shown_path;
+use crate::shown::shown_path;
 use crate::toml_place::{explain, key_position, place};
 
 /// What an effect file holds.

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::recording::place::shown_path;
+use crate::shown::shown_path;
 
 /// An input or a request that cannot be worked with. Messages name the place, what was found and
 /// what to do about it.

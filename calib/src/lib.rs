@@ -30,6 +30,7 @@ pub mod readings;
 pub mod reckon;
 pub mod recording;
 pub mod residuals;
+mod shown;
 pub mod simulate;
 mod text_file;
 mod toml_place;

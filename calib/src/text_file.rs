@@ -5,7 +5,8 @@ use std::io::Read;
 use std::path::Path;
 
 use crate::Error;
-use crate::recording::{explained, place::in_file, place::shown_path};
+use crate::recording::{explained, place::in_file};
+use crate::shown::shown_path;
 
 /// No such file is larger. A device or a pipe without end is refused here instead of filling the memory.
 const LARGEST: u64 = 64 << 20;

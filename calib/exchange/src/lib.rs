@@ -9,13 +9,17 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod error;
 pub mod import;
+mod kept;
 mod loss;
 mod source;
 mod target;
 mod targets;
 
+pub use error::Error;
+pub use kept::Kept;
 pub use loss::Loss;
 pub use source::Source;
-pub use target::{Error, Export, Form, Kept, Settings, Target, Written, export};
+pub use target::{Export, Form, Settings, Target, Written, export};
 pub use targets::{TARGETS, by_name};

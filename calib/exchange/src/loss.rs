@@ -6,8 +6,8 @@ use nalgebra::{Matrix3, Vector3};
 use sensor::{Base, Kinematics, Model, Sensor};
 use serde::Serialize;
 
+use crate::kept::Kept;
 use crate::source::{G_SENSITIVITY, Source, diagonal};
-use crate::target::Kept;
 
 /// A size below this is rounding.
 const ROUNDING: f64 = 1e-12;

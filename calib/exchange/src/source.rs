@@ -5,7 +5,7 @@ use calib::calibration::TriadUnits;
 use nalgebra::{Matrix3, Vector3};
 use sensor::{Base, Sensor};
 
-use crate::target::Error;
+use crate::error::Error;
 
 /// The effect that some targets hold: `w = T (W − b) − G f`.
 pub(crate) const G_SENSITIVITY: &str = "gyro_g_sensitivity";

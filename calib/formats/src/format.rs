@@ -1,4 +1,4 @@
-//! The formats: one file and one line in [`FORMATS`] each.
+//! What every format can do.
 
 use std::fmt;
 use std::io::{Read, Seek};
@@ -44,22 +44,3 @@ pub trait Format: fmt::Debug + Sync {
 /// What can be read and sought in.
 pub trait ReadSeek: Read + Seek {}
 impl<T: Read + Seek> ReadSeek for T {}
-
-/// Every format.
-pub static FORMATS: &[&dyn Format] = &[
-    &crate::mat::Mat,
-    &crate::ulog::Ulog,
-    &crate::ardupilot::ArduPilot,
-    &crate::mcap::Mcap,
-    &crate::bag::Bag,
-    &crate::db3::Db3,
-    &crate::sensor_logger_json::SensorLoggerJson,
-];
-
-/// The format of a file that begins with `head`.
-pub fn recognise(head: &[u8]) -> Option<&'static dyn Format> {
-    FORMATS
-        .iter()
-        .copied()
-        .find(|format| format.recognises(head))
-}

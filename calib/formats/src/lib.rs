@@ -25,6 +25,7 @@ mod limits;
 pub mod make;
 mod mat;
 mod mcap;
+mod registry;
 mod ros_imu;
 mod sensor_logger_choice;
 mod sensor_logger_json;
@@ -35,6 +36,7 @@ mod unpack;
 
 pub use container::{Container, Entry};
 pub use error::Error;
-pub use format::{FORMATS, Format, ReadSeek, recognise};
+pub use format::{Format, ReadSeek};
 pub use limits::Limits;
+pub use registry::{FORMATS, recognise};
 pub use stream::{Content, Quantity, Stream, Wanted};

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use crate::error::Error;
 use crate::read_text;
-use crate::recording::place::shown_path;
+use crate::shown::shown_path;
 
 /// Reads the columns `ax,ay,az` of a CSV table of static means.
 ///

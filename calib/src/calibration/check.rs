@@ -6,10 +6,8 @@ use sensor::AnyEffect;
 
 use super::{Calibration, Outside, SCHEMA, Triad};
 use crate::error::Error;
-use crate::recording::{
-    figure,
-    place::{shown, shown_path},
-};
+use crate::recording::figure;
+use crate::shown::{shown, shown_path};
 
 /// Largest ratio of the singular values of `T`: sensitivities of one chip differ by a tenth, units of its axes not at all.
 const MOST_UNEQUAL: f64 = 10.0;

@@ -12,27 +12,24 @@ use crate::recording::Recording;
 
 use sensor::AnyEffect;
 
-use super::channel::{Channel, Misfit, Sequence, channel_of};
 use super::enough::{enough_rests, enough_to_compare};
-use super::family::{Claim, TIME_CONSTANT, TIME_CONSTANTS, effect_family};
+use super::family::{Claim, LATE, TIME_CONSTANT, TIME_CONSTANTS, effect_family};
+use super::fault::integrity::{disturbed, integrity, undersampled};
+use super::fault::time_offset::{Delay, delay};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
-use super::held_out::{gap_of, held_out};
-use super::integrity::{disturbed, integrity, undersampled};
-use super::localise::disagreements;
+use super::gap::channel::{Channel, Misfit, Sequence, channel_of};
+use super::gap::held_out::{gap_of, held_out};
+use super::gap::localise::disagreements;
 use super::propose::{Proposal, propose};
 use super::rank::Ranked;
+use super::remainder::unexplained::{Unexplained, rest_of, unexplained};
+use super::remainder::weighed_again::weighed_again;
 use super::request::{Request, Session};
 use super::score::log_tail;
 use super::search::{Name, Search, search};
 use super::state::State;
-use super::time_offset::{Delay, delay};
-use super::unexplained::{Unexplained, rest_of, unexplained};
 use super::visible::{NEVER_VISIBLE, told_apart_by};
-use super::weighed_again::weighed_again;
 use crate::methods::joint::BiasNoise;
-
-/// The effect that the moving accelerometer shows.
-pub const LATE: &str = "time_offset";
 
 /// The effect that delays the axes of the gyroscope.
 const GYRO_DELAY: &str = "gyro_delay";

@@ -4,9 +4,12 @@ use faer::{Mat, MatRef};
 use sensor::{AnyEffect, Sensor};
 
 use super::columns::{effect_columns, step_columns};
-use super::shape::Shape;
+use super::remainder::shape::Shape;
 use super::state::State;
 use crate::methods::joint::Disturbance;
+
+/// The effect that the moving accelerometer shows.
+pub const LATE: &str = "time_offset";
 
 /// The parameter of an effect that settles.
 pub const TIME_CONSTANT: &str = "tau";

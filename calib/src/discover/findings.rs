@@ -2,11 +2,11 @@
 
 use serde::Serialize;
 
-use super::channel::Channel;
-use super::integrity::Integrity;
-use super::localise::Disagreement;
+use super::fault::integrity::Integrity;
+use super::gap::channel::Channel;
+use super::gap::localise::Disagreement;
 use super::propose::Proposal;
-use super::unexplained::Unexplained;
+use super::remainder::unexplained::Unexplained;
 use crate::calibration::{Calibration, EffectParameter};
 
 pub use crate::calibration::FINDINGS_SCHEMA;

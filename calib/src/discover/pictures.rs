@@ -4,10 +4,10 @@ use faer::Mat;
 use nalgebra::{Matrix3, Vector3};
 use sensor::{Kinematics, Sensor};
 
-use super::channel::{Channel, whitening_at};
 use super::discovery::Discovery;
 use super::family::Claim;
 use super::findings::EffectFinding;
+use super::gap::channel::{Channel, whitening_at};
 use super::linear::least_squares;
 use super::search::Name;
 use super::state::State;

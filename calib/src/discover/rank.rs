@@ -4,9 +4,12 @@ use faer::Mat;
 use sensor::Sensor;
 
 use super::family::Family;
-use super::projected::{Projected, Whitened};
+use super::noise::projected::{Projected, Whitened};
 use super::score::{Score, log_tail, score};
 use crate::methods::joint::BiasNoise;
+
+/// Evidence that differs by less than this (20 to 1) does not part two claims.
+pub const APART: f64 = 2.995_732_273_553_991;
 
 /// Shares of the likeliest walk and flicker at which hypotheses are tried too: what is taken for them when nothing is
 /// missing may be the effect.

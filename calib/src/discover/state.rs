@@ -5,8 +5,8 @@ use std::ops::Range;
 use faer::{Mat, MatMut};
 use sensor::AnyEffect;
 
-use super::channel::Channel;
-use super::projected::Projected;
+use super::gap::channel::Channel;
+use super::noise::projected::Projected;
 use super::request::Session;
 use super::score::log_tail;
 use crate::error::Error;

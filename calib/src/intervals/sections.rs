@@ -5,8 +5,8 @@ use std::path::Path;
 use super::spans::Span;
 use crate::error::Error;
 use crate::read_text;
-use crate::recording::place::shown_path;
 use crate::recording::{Recording, Stream};
+use crate::shown::shown_path;
 
 /// How the table gives its rows.
 enum Unit {

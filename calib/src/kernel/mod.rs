@@ -35,6 +35,7 @@ mod affine;
 mod curvature;
 mod features;
 mod general;
+mod groups;
 mod lanes;
 mod packed;
 mod problem;

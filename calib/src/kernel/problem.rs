@@ -1,21 +1,18 @@
 //! The turns of a recording as a problem for the solver.
 
 use faer::Mat;
-use rayon::prelude::*;
 use solver::Problem;
 
-use super::affine::{Affine, FRAME_FIELDS, differentiate, propagate};
+use super::affine::{Affine, FRAME_FIELDS, differentiate};
 use super::curvature::curvature;
 use super::features::Features;
 use super::general::General;
+use super::groups::{each_turn, over_groups, propagate_all};
 use super::lanes::WIDTH;
 use super::packed::{Group, pack};
 use super::series::Degree;
 use super::slopes::Slopes;
 use crate::residuals::{Integrator, PropagatedGravity};
-
-/// Samples below which the cost of handing work to other cores exceeds what it saves.
-const WORTH_SHARING: usize = 100_000;
 
 /// How the turns are integrated and differentiated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -171,41 +168,6 @@ impl Problem for TurnProblem<'_> {
     }
 }
 
-/// Gravity after each of `turns` turns.
-pub(super) fn propagate_all(
-    groups: &[Group],
-    affine: &Affine<'_>,
-    turns: usize,
-) -> Option<Vec<[f64; 3]>> {
-    each_turn(groups, turns, affine, |group, degree, out| {
-        propagate(group, affine, degree, out);
-    })
-}
-
-/// Three numbers of each of `turns` turns, group by group; `None` where a step is too long for the
-/// series.
-fn each_turn(
-    groups: &[Group],
-    turns: usize,
-    affine: &Affine<'_>,
-    kernel: impl Fn(&Group, Degree, &mut [f64]) + Send + Sync,
-) -> Option<Vec<[f64; 3]>> {
-    let each = over_groups(groups, |group| {
-        let degree = Degree::for_angle(affine.longest_step(&group.bounds))?;
-        let mut out = [0.0; 3 * WIDTH];
-        kernel(group, degree, &mut out);
-        Some(out)
-    });
-    let mut all = vec![[0.0; 3]; turns];
-    for (group, out) in groups.iter().zip(each) {
-        let out = out?;
-        for (lane, &turn) in group.turns.iter().enumerate() {
-            all[turn] = std::array::from_fn(|i| out[i * WIDTH + lane]);
-        }
-    }
-    Some(all)
-}
-
 fn differentiate_all(
     groups: &[Group],
     affine: &Affine<'_>,
@@ -224,15 +186,4 @@ fn differentiate_all(
     });
     let each: Option<Vec<_>> = each.into_iter().collect();
     Some(each?.into_iter().flatten().collect())
-}
-
-/// `work` on every group, in order; on all cores where there is enough of it.
-pub(super) fn over_groups<R: Send>(
-    groups: &[Group],
-    work: impl Fn(&Group) -> R + Send + Sync,
-) -> Vec<R> {
-    if groups.iter().map(Group::samples).sum::<usize>() < WORTH_SHARING {
-        return groups.iter().map(work).collect();
-    }
-    groups.par_iter().map(work).collect()
 }

@@ -7,7 +7,7 @@ use sensor::{Sensor, base_names};
 use super::Limits;
 use crate::calibration::catalogue;
 use crate::error::Error;
-use crate::recording::place::shown_path;
+use crate::shown::shown_path;
 use crate::simulate::hint;
 use crate::toml_place::{explain, key_position, place};
 

@@ -21,7 +21,7 @@ use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
-use crate::recording::place::shown_path;
+use crate::shown::shown_path;
 
 /// Schema of prior.json.
 pub const PRIOR_SCHEMA: &str = "stillpoint.prior/1";

@@ -5,11 +5,12 @@ use sensor::Sensor;
 
 use super::assemble::assemble;
 use super::options::ReadOptions;
-use super::place::{at_column, at_line, figure};
+use super::place::{at_column, at_line};
 use super::samples::{Pushed, Samples};
 use super::table::Table;
 use super::{Recording, Role};
 use crate::Error;
+use crate::shown::figure;
 
 /// Largest reading and stamp that are numbers of a sensor.
 const LARGEST: f64 = 1e15;

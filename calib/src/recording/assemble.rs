@@ -6,7 +6,7 @@ use sensor::Sensor;
 
 use super::magnetometer::Magnetometer;
 use super::options::{ReadOptions, Role};
-use super::place::{figure, in_file};
+use super::place::in_file;
 use super::samples::Samples;
 use super::table::Table;
 use super::time;
@@ -14,6 +14,7 @@ use super::units::{AccelUnit, GyroUnit, Stated, TemperatureUnit, TimeUnit};
 use super::{Described, Recording, Stream, Temperature, UnitBy};
 use super::{checks, decide, held, rests, sort, unclear, values};
 use crate::Error;
+use crate::shown::figure;
 
 /// The recording called `name` that `tables`, on one clock, hold.
 pub(super) fn assemble(

@@ -55,7 +55,7 @@ pub(super) fn by_unit(
     let named = told
         .iter()
         .flatten()
-        .map(|(role, at)| format!("{}=`{}`", role.name(), super::place::shown(&names[*at])));
+        .map(|(role, at)| format!("{}=`{}`", role.name(), crate::shown::shown(&names[*at])));
     let named: Vec<String> = named.collect();
     Some(format!(
         "columns taken by their units: {}",

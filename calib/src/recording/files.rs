@@ -7,9 +7,10 @@ use std::sync::Arc;
 use file_formats::{Container, Entry, Limits};
 
 use super::options::ReadOptions;
-use super::place::{in_file, shown};
+use super::place::in_file;
 use super::source::{Input, Source};
 use crate::Error;
+use crate::shown::shown;
 
 /// Entries whose beginnings are looked at.
 const LOOKED_AT: usize = 500;

@@ -6,9 +6,9 @@ use super::affine::{self, Affine};
 use super::by_unit::by_unit;
 use super::names::{role_of, take_apart};
 use super::options::{ColumnMap, Role};
-use super::place::{shown, shown_list};
 use super::suggest::{nearest, suggestion};
 use super::units::Stated;
+use crate::shown::{shown, shown_list};
 
 /// Which column of a table is what.
 #[derive(Clone, Debug, Default, PartialEq)]

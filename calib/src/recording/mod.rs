@@ -66,6 +66,7 @@ mod write;
 use std::path::Path;
 use std::sync::Arc;
 
+pub use crate::shown::figure;
 pub use arrays::Rows;
 pub(crate) use clock_offset::{clock_drift, clock_offset};
 pub use description::{Described, Description, UnitBy};
@@ -73,7 +74,6 @@ pub(crate) use even_clock::{EvenClock, Stamps, bursts, even_clock};
 pub use magnetometer::{FieldUnit, Magnetometer};
 pub(crate) use on_disk::explained;
 pub use options::{ColumnMap, ReadOptions, Role};
-pub use place::figure;
 use sensor::Sensor;
 pub use source::Input;
 pub(crate) use stream::is_before;
@@ -82,9 +82,10 @@ pub use units::{AccelUnit, GyroUnit, TemperatureUnit, TimeUnit};
 pub use write::{field_names, stream_to_csv, to_csv};
 
 use crate::Error;
+use crate::shown::shown_path;
 use formats::Source;
 use parts::Part;
-use place::{in_file, shown_path};
+use place::in_file;
 use table::Table;
 
 /// One recording of one device.

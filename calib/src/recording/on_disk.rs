@@ -4,8 +4,9 @@ use std::fs::Metadata;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::place::{in_file, shown, shown_path};
+use super::place::in_file;
 use crate::Error;
+use crate::shown::{shown, shown_path};
 
 /// A file's size and time of change, to be compared when it has been read.
 #[derive(Debug)]

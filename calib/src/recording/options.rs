@@ -3,9 +3,9 @@
 use std::str::FromStr;
 
 use super::formats::Format;
-use super::place::figure;
 use super::units::{AccelUnit, GyroUnit, TimeUnit};
 use crate::Error;
+use crate::shown::figure;
 
 /// How to read a recording. The default reads every well-formed file and guesses nothing silently.
 #[derive(Clone, Debug)]

@@ -14,13 +14,14 @@ use super::memory::one_more;
 use super::number::Dialects;
 use super::options::ReadOptions;
 use super::pipeline::parse_all;
-use super::place::{at_column, at_line, figure, in_file};
+use super::place::{at_column, at_line, in_file};
 use super::plain::{self, Block, Plain, Row, Stamps};
 use super::preface::is_comment;
 use super::samples::{Pushed, Samples};
 use super::sniff::Start;
 use super::table::Table;
 use crate::Error;
+use crate::shown::figure;
 
 /// Why a row is not used.
 enum Trouble {

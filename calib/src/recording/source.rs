@@ -11,10 +11,11 @@ use super::files::{Files, limits};
 use super::lines::{end_of_line, lines};
 use super::on_disk::{Unchanged, explained};
 use super::options::ReadOptions;
-use super::place::{in_file, shown_path};
+use super::place::in_file;
 use super::preface::is_comment;
 use super::sniff::Start;
 use crate::Error;
+use crate::shown::shown_path;
 use file_formats::{Container, Entry};
 
 /// Bytes of a text that are looked at before it is read, comments at its beginning not counted.

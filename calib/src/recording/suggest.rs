@@ -1,6 +1,6 @@
 //! What to propose where column names are not understood.
 
-use super::place::shown;
+use crate::shown::shown;
 
 /// The name most like `wanted`, if one is.
 pub(super) fn nearest<'a>(wanted: &str, names: &'a [String]) -> Option<&'a String> {

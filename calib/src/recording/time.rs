@@ -1,10 +1,11 @@
 //! From stamps in the file's unit to seconds.
 
 use super::options::ReadOptions;
-use super::place::{figure, in_file};
+use super::place::in_file;
 use super::table::Table;
 use super::units::TimeUnit;
 use crate::Error;
+use crate::shown::figure;
 
 /// Turns the stamps of every table, on one clock and in one unit, into seconds.
 pub(super) fn to_seconds(

@@ -2,10 +2,11 @@
 
 use std::collections::HashMap;
 
-use super::place::{in_file, shown_list};
+use super::place::in_file;
 use super::suggest::suggestion;
 use super::table::Table;
 use crate::Error;
+use crate::shown::shown_list;
 
 /// Words in the names of columns that are no accelerometer and no gyroscope.
 const OTHERS: [&str; 62] = [

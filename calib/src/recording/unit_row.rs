@@ -4,8 +4,8 @@ use std::str::FromStr;
 
 use super::header::Layout;
 use super::options::ReadOptions;
-use super::place::shown;
 use super::units::{Stated, is_unit};
+use crate::shown::shown;
 
 /// A cell without the brackets that units are written in.
 fn bare(cell: &str) -> &str {

@@ -6,10 +6,11 @@ use nalgebra::Vector3;
 use sensor::Sensor;
 
 use super::options::Role;
-use super::place::{at_line, figure, in_file};
+use super::place::{at_line, in_file};
 use super::samples::Samples;
 use crate::Error;
 use crate::readings::{LevelChange, level_change};
+use crate::shown::figure;
 
 /// Samples from which on statistics mean something.
 pub(super) const ENOUGH: usize = 100;

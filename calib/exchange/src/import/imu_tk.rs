@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use sensor::Base;
 
 use super::calibration;
-use crate::target::Error;
+use crate::error::Error;
 
 /// Misalignment matrix, scale matrix, bias.
 const NUMBERS: usize = 21;

@@ -6,7 +6,7 @@ use saphyr::{LoadableYamlNode as _, Yaml};
 use sensor::Base;
 
 use super::calibration;
-use crate::target::Error;
+use crate::error::Error;
 
 /// A file larger than this is no calibration, bytes.
 const LARGEST: usize = 1 << 20;

@@ -6,8 +6,10 @@ use std::fmt::Write as _;
 use nalgebra::Vector3;
 use sensor::Base;
 
+use crate::error::Error;
+use crate::kept::Kept;
 use crate::source::{Source, by_axis, diagonal};
-use crate::target::{Error, Kept, Settings, Target, Written};
+use crate::target::{Settings, Target, Written};
 
 /// What ArduPilot takes for a scale factor, and for an offset in m/s²: `@Range: 0.8 1.2` of `ACCSCAL_X` and `-3.5 3.5` of
 /// `ACCOFFS_X` in `AP_InertialSensor_Params.cpp`. Its own calibration refuses other scale factors too, but offsets from

@@ -5,8 +5,10 @@ use std::fmt::Write as _;
 use nalgebra::{Matrix3, Vector3};
 use sensor::{Base, Sensor};
 
+use crate::error::Error;
+use crate::kept::Kept;
 use crate::source::Source;
-use crate::target::{Error, Kept, Settings, Target, Written};
+use crate::target::{Settings, Target, Written};
 
 /// Largest whole number that a 32-bit integer holds.
 const LARGEST: f64 = 2_147_483_647.0;

@@ -2,8 +2,8 @@
 
 use serde_json::Value;
 
+use crate::error::Error;
 use crate::source::Source;
-use crate::target::Error;
 
 /// The calibration as `calibrate` writes it.
 pub fn document(source: &Source<'_>) -> Result<Value, Error> {

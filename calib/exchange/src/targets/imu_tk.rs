@@ -4,8 +4,10 @@ use std::fmt::Write as _;
 
 use sensor::Base;
 
+use crate::error::Error;
+use crate::kept::Kept;
 use crate::source::{Source, diagonal};
-use crate::target::{Error, Form, Kept, Settings, Target, Written};
+use crate::target::{Form, Settings, Target, Written};
 
 /// Tedaldi, Pretto and Menegatti's imu_tk reads per sensor the misalignment matrix `T`, the scale matrix `K` and the bias
 /// `B`, 21 numbers in rows (`CalibratedTriad_::load` and `unbiasNormalize` in `include/imu_tk/calibration.h`).

@@ -5,8 +5,10 @@ use std::fmt::Write as _;
 use calib::noise::{NoiseTerm, SensorNoise};
 use nalgebra::{Matrix3, Rotation3};
 
+use crate::error::Error;
+use crate::kept::Kept;
 use crate::source::Source;
-use crate::target::{Error, Kept, Settings, Target, Written, matrix_alone};
+use crate::target::{Settings, Target, Written, matrix_alone};
 
 /// Kalibr's model is of the readings: `a_m = M_a a_i + b`, `w_m = M_g C_gyro_i w_i + A C_gyro_i a_i + b` with `M_a`, `M_g`
 /// lower triangular and the frame `i` that makes `M_a` so (`addAccelerometerErrorTerms` and `addGyroscopeErrorTerms` of

@@ -4,8 +4,10 @@ use flate2::Crc;
 use nalgebra::{Matrix3, Vector3};
 
 use super::document::{document, matrix};
+use crate::error::Error;
+use crate::kept::Kept;
 use crate::source::Source;
-use crate::target::{Error, Kept, Settings, Target, Written};
+use crate::target::{Settings, Target, Written};
 
 /// `accelerometer_T` (3 × 3), `accelerometer_bias` (3), `accelerometer_T_std`, `accelerometer_bias_std`, the same of the
 /// gyroscope, `g_sensitivity`, `gravity`, `covariance`, `parameters` (names), and `cal_json`, the whole file as text.

@@ -5,8 +5,10 @@ use std::fmt::Write as _;
 use serde_json::Value;
 
 use super::document::{document, matrix, numbers};
+use crate::error::Error;
+use crate::kept::Kept;
 use crate::source::Source;
-use crate::target::{Error, Kept, Settings, Target, Written};
+use crate::target::{Settings, Target, Written};
 
 /// `calibration`, a dictionary with the keys of `cal.json`, and `accelerometer(A)`, `gyroscope(W)` for readings in the rows of
 /// an array.

@@ -2,8 +2,10 @@
 
 use std::fmt::Write as _;
 
+use crate::error::Error;
+use crate::kept::Kept;
 use crate::source::{Source, by_axis};
-use crate::target::{Error, Kept, Settings, Target, Written};
+use crate::target::{Settings, Target, Written};
 
 /// `MAV_PARAM_TYPE_REAL32`.
 const REAL32: u8 = 9;

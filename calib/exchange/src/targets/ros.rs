@@ -2,8 +2,10 @@
 
 use std::fmt::Write as _;
 
+use crate::error::Error;
+use crate::kept::Kept;
 use crate::source::{Source, rows};
-use crate::target::{Error, Kept, Settings, Target, Written};
+use crate::target::{Settings, Target, Written};
 
 /// `SM = T`, `bias = T b` (`AccelCalib::loadCalib` and `applyCalib` in `src/accel_calib/accel_calib.cpp`). The node has no
 /// parameters of the gyroscope: it takes off the mean of its first samples.

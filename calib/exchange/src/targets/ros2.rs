@@ -4,8 +4,10 @@ use std::fmt::Write as _;
 
 use sensor::Base;
 
+use crate::error::Error;
+use crate::kept::Kept;
 use crate::source::{Source, rows};
-use crate::target::{Error, Kept, Settings, Target, Written};
+use crate::target::{Settings, Target, Written};
 
 /// A parameter file for any node (`ros2 run … --ros-args --params-file FILE`): `accelerometer.T` (9, rows),
 /// `accelerometer.b` (3), the same of the gyroscope, and `gyroscope.G` (9) where it is known; `f = T (A − b)`,

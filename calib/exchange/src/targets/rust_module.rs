@@ -4,8 +4,10 @@ use std::fmt::Write as _;
 
 use sensor::{Base, Sensor};
 
+use crate::error::Error;
+use crate::kept::Kept;
 use crate::source::Source;
-use crate::target::{Error, Kept, Settings, Target, Written};
+use crate::target::{Settings, Target, Written};
 
 /// `f = T (A − b)` and `w = T (W − b) − G f` in `f64`.
 #[derive(Debug)]

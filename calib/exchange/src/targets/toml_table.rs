@@ -3,8 +3,10 @@
 use serde_json::Value;
 
 use super::document::document;
+use crate::error::Error;
+use crate::kept::Kept;
 use crate::source::Source;
-use crate::target::{Error, Kept, Settings, Target, Written};
+use crate::target::{Settings, Target, Written};
 
 /// The same keys as `cal.json`; what is null is `nan` in a list of numbers and absent in a table, as TOML has no null.
 #[derive(Debug)]

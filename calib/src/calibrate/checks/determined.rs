@@ -4,9 +4,11 @@ use nalgebra::Vector3;
 use solver::Report;
 
 use super::coverage::refusal;
-use super::mounting::LOST;
 use crate::error::Error;
 use crate::methods::{AccelerometerFit, AccelerometerRequest, Fitted, GyroscopeFit};
+
+/// A gyroscope that misses gravity by this much after the fit is not understood, rad.
+pub(super) const LOST: f64 = 0.1;
 
 /// Standard errors of scale factors and misalignments above which a warning, or a refusal, is due.
 const RELATIVE_WARN: f64 = 0.01;

@@ -3,10 +3,7 @@
 use nalgebra::Matrix3;
 use sensor::Base;
 
-use super::determined::RateEvidence;
-
-/// A gyroscope that misses gravity by this much after the fit is not understood, rad.
-pub(super) const LOST: f64 = 0.1;
+use super::determined::{LOST, RateEvidence};
 
 /// An element of the gyroscope's matrix this far from that of aligned axes is no misalignment.
 const TURNED: f64 = 0.26;

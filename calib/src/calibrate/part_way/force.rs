@@ -4,8 +4,8 @@
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Vector3};
 use sensor::Sensor;
 
-use super::Rest;
 use super::change::{Change, Kind, Place};
+use super::rest::Rest;
 use super::weigh::{Explanation, solved};
 use crate::averages::median;
 

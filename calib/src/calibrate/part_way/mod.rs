@@ -12,15 +12,17 @@ mod change;
 mod force;
 mod mirrored;
 mod rate;
+mod rest;
 mod turn;
 mod turns;
 mod weigh;
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::intervals::{Moments, Segmentation, Span};
+use crate::intervals::Segmentation;
 use crate::recording::Recording;
 use change::{Change, Kind, Place};
+use rest::Rest;
 use turn::Rates;
 use turns::Turning;
 
@@ -30,15 +32,6 @@ const LOST: f64 = 0.035;
 /// Most turns, and most samples of theirs: of more, every second, third, … turn is looked at.
 const MOST_TURNS: usize = 300;
 const MOST_SAMPLES: usize = 3_000_000;
-
-/// A static interval by its means.
-#[derive(Clone, Copy, Debug)]
-struct Rest {
-    place: usize,
-    span: Span,
-    force: Option<Moments>,
-    rate: Option<Moments>,
-}
 
 /// What changes part of the way through a recording, in words: a bias, a scale factor, a sign, two columns, a clock; and
 /// single turns that miss gravity. `gyroscope` is the matrix that it was calibrated with and by how much it then

@@ -2,8 +2,8 @@
 
 use sensor::Sensor;
 
-use super::Rest;
 use super::change::{Change, Kind, Place};
+use super::rest::Rest;
 use crate::averages::median;
 
 /// Fewest static intervals, and on either side of a step.

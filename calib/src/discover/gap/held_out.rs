@@ -4,7 +4,7 @@ use faer::linalg::solvers::DenseSolveCore;
 use faer::{Mat, Side};
 use nalgebra::DMatrix;
 
-use crate::discover::channel::{Channel, Misfit};
+use crate::discover::gap::channel::{Channel, Misfit};
 use crate::discover::state::State;
 use crate::methods::joint::BiasNoise;
 

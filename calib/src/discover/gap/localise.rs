@@ -6,8 +6,8 @@ use nalgebra::{DMatrix, Vector3};
 use sensor::Sensor;
 use serde::Serialize;
 
-use crate::discover::channel::{Channel, Sequence};
 use crate::discover::columns::{Instant, Sampling, error_columns};
+use crate::discover::gap::channel::{Channel, Sequence};
 use crate::discover::score::{log_tail, score};
 use crate::discover::state::State;
 use crate::methods::joint::BiasNoise;

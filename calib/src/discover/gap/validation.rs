@@ -7,9 +7,9 @@
 use faer::Mat;
 use sensor::{AnyEffect, Role};
 
-use crate::discover::channel::{Channel, Misfit, Sequence, whitening_at};
 use crate::discover::discovery::Discovery;
 use crate::discover::findings::Validation;
+use crate::discover::gap::channel::{Channel, Misfit, Sequence, whitening_at};
 use crate::discover::linear::least_squares;
 use crate::discover::request::{Request, Session};
 use crate::discover::state::{Extension, State};

@@ -8,7 +8,7 @@ use crate::calibration::refuse_newer;
 use crate::error::Error;
 use crate::methods::joint::BiasNoise;
 use crate::noise::{NOISE_SCHEMA, NoiseSummary, NoiseTerm, SensorNoise, TermValue};
-use crate::recording::place::shown_path;
+use crate::shown::shown_path;
 
 /// Larger densities are no sensor's, m/s²/√s and rad/s/√s: they would explain anything.
 const LARGEST: f64 = 1.0;

@@ -6,9 +6,9 @@ use sensor::Formula;
 use super::dictionary::Product;
 use super::terms::Terms;
 use crate::discover::family::beside;
-use crate::discover::projected::Whitened;
+use crate::discover::noise::projected::Whitened;
+use crate::discover::rank::APART;
 use crate::discover::score::score;
-use crate::discover::search::APART;
 
 /// The terms of `products` that explain as much as one of `terms` does, the others being there: with a likelihood no
 /// less than a twentieth. As formulas of one term.
@@ -42,7 +42,7 @@ pub fn alternatives(whitened: &Whitened, terms: &Terms, products: &[&Product]) -
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::discover::projected::Projected;
+    use crate::discover::noise::projected::Projected;
     use sensor::{Axis, Covariate, Sensor};
 
     fn product(covariate: Covariate, column: [f64; 3]) -> Product {

@@ -4,7 +4,7 @@ use faer::{Mat, MatRef};
 use nalgebra::{DMatrix, Matrix2x3};
 use sensor::{Axis, Covariate, Kinematics, Sensor, Term};
 
-use crate::discover::projected::Whitened;
+use crate::discover::noise::projected::Whitened;
 use crate::discover::state::State;
 
 /// Factors of a product, at most.

@@ -16,13 +16,13 @@ use sensor::{AnyEffect, Formula, Sensor};
 use serde::Serialize;
 use statrs::function::factorial::ln_binomial;
 
-use super::channel::{Channel, Misfit};
 use super::family::effect_family;
-use super::held_out::held_out;
+use super::gap::channel::{Channel, Misfit};
+use super::gap::held_out::held_out;
 use super::rank::{Ranked, rank};
+use super::remainder::unexplained::Unexplained;
 use super::request::{Request, Session};
 use super::state::State;
-use super::unexplained::Unexplained;
 use crate::calibration::EffectParameter;
 
 use alternatives::alternatives;

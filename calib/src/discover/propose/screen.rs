@@ -4,7 +4,7 @@ use faer::Mat;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::dictionary::Product;
-use crate::discover::projected::Whitened;
+use crate::discover::noise::projected::Whitened;
 use crate::discover::rank::{Level, levels};
 use crate::discover::score::log_tail;
 use crate::discover::state::State;

@@ -10,7 +10,7 @@ use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
 use super::group_lasso::GroupLasso;
-use crate::discover::projected::Whitened;
+use crate::discover::noise::projected::Whitened;
 use crate::discover::state::State;
 
 /// Pairs of halves.

@@ -5,7 +5,7 @@ use sensor::{Sensor, Term};
 
 use super::dictionary::Product;
 use crate::discover::family::beside;
-use crate::discover::projected::Whitened;
+use crate::discover::noise::projected::Whitened;
 use crate::discover::score::score;
 
 /// A coefficient of fewer standard errors is dropped: among nine, one of noise reaches it in 2.4 % of all cases.

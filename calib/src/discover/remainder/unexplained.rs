@@ -5,13 +5,14 @@ use nalgebra::Vector3;
 use sensor::Sensor;
 use serde::Serialize;
 
-use crate::discover::channel::{Channel, Misfit, Sequence};
 use crate::discover::family::{Claim, Family};
+use crate::discover::gap::channel::{Channel, Misfit, Sequence};
+use crate::discover::rank::APART;
 use crate::discover::rank::{Ranked, levels, rank_at};
-use crate::discover::scatter::scatters;
+use crate::discover::remainder::scatter::scatters;
+use crate::discover::remainder::shape::{Shape, shapes};
 use crate::discover::score::log_tail;
-use crate::discover::search::{APART, Search};
-use crate::discover::shape::{Shape, shapes};
+use crate::discover::search::Search;
 use crate::discover::state::State;
 use crate::methods::joint::BiasNoise;
 use crate::methods::joint::{Chunk, Mean, SensorNoise};

@@ -12,8 +12,7 @@ use faer::Mat;
 use sensor::AnyEffect;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use crate::discover::discovery::LATE;
-use crate::discover::family::{Claim, Family, Hypothesis, families, with_companions};
+use crate::discover::family::{Claim, Family, Hypothesis, LATE, families, with_companions};
 use crate::discover::rank::{Ranked, rank};
 use crate::discover::request::{Request, Session};
 use crate::discover::state::{Extension, State};
@@ -22,9 +21,6 @@ use crate::methods::joint::Known;
 
 /// Names at most; a device that seems to lack more is not understood.
 const MOST_NAMES: usize = 6;
-
-/// Evidence that differs by less than this (20 to 1) does not part two claims.
-pub const APART: f64 = 2.995_732_273_553_991;
 
 /// A temperature effect of second order must gain this over that of first order, in `χ²₃`.
 const HIGHER_ORDER: f64 = 0.99;

@@ -2,8 +2,9 @@
 
 use faer::Mat;
 
-use super::{APART, Finder, Held, PAIRED};
+use super::{Finder, Held, PAIRED};
 use crate::discover::family::{Claim, beside};
+use crate::discover::rank::APART;
 use crate::discover::rank::Ranked;
 use crate::discover::score::{log_tail, score};
 use crate::discover::state::State;

@@ -2,8 +2,9 @@
 
 use faer::Mat;
 
-use super::{APART, Finder, Held, MOST_NAMES, Name, Tie, held};
+use super::{Finder, Held, MOST_NAMES, Name, Tie, held};
 use crate::discover::family::{Claim, Family, with_companions};
+use crate::discover::rank::APART;
 use crate::discover::rank::{Ranked, shared};
 use crate::discover::state::State;
 use crate::error::Error;

@@ -415,7 +415,7 @@ pub fn walks(noise: &RowNoise, white: &White) -> Vec<Component> {
 
 /// The exposures of rows that the white noise has whitened.
 pub fn whitened(exposures: &[Exposure], white: &White) -> Vec<Exposure> {
-    exposures.iter().map(|e| e.whitened(white)).collect()
+    exposures.iter().map(|e| white.exposure(e)).collect()
 }
 
 /// The covariance of a walk of the accelerometer's bias, of unit density, that is none at the begin of every
@@ -426,7 +426,8 @@ fn walk_within_rests(rows: &Rows<'_>, white: &White) -> Mat<f64> {
         let begin = rows.data.rests[chunk.rest].span.from;
         let rows = 3 * k..3 * k + 3;
         let (path, sign) = (chunk.rest, -1.0);
-        Some(Exposure::of_mean(rows, path, (span.from, span.to), begin, sign).whitened(white))
+        let of_mean = Exposure::of_mean(rows, path, (span.from, span.to), begin, sign);
+        Some(white.exposure(&of_mean))
     };
     let means = rows.means(Sensor::Accelerometer).enumerate();
     let exposures: Vec<Exposure> = means.filter_map(exposure).collect();

@@ -5,8 +5,6 @@ use std::ops::Range;
 use faer::Mat;
 use nalgebra::{DMatrix, Matrix2x3, Vector3};
 
-use super::weights::White;
-
 /// What a group of rows (`d` of them) takes from the path `b(t) − b(t_r)` of a bias since the reference
 /// time, axis by axis: `∫ w(t) (b(t) − b(t_r)) dt`.
 ///
@@ -94,24 +92,6 @@ impl Exposure {
             moment: DMatrix::from_iterator(2, 3, moment.iter().copied()),
             own: DMatrix::from_iterator(2, 2, own.iter().copied()),
         }
-    }
-}
-
-impl Exposure {
-    /// The same of rows that the white noise has whitened.
-    #[must_use]
-    pub fn whitened(&self, white: &White) -> Self {
-        let mut own = self.own.clone();
-        white.apply_block(self.rows.start, &mut own);
-        own.transpose_mut();
-        white.apply_block(self.rows.start, &mut own);
-        let mut whole = Self {
-            own,
-            ..self.clone()
-        };
-        white.apply_block(self.rows.start, &mut whole.total);
-        white.apply_block(self.rows.start, &mut whole.moment);
-        whole
     }
 }
 

@@ -4,14 +4,14 @@ use faer::Mat;
 use solver::{Termination, solve};
 
 use super::approach::{Weighted, approach};
+use super::belief::Weights;
 use super::budget::Steps;
 use super::centred::centred;
 use super::disturbance::{Disturbance, Suspect};
 use super::fit::JointFit;
-use super::judgement::Weights;
 use super::marginal::{orthonormal, reduced};
+use super::minimum::{Point, Run, options};
 use super::request::Accused;
-use super::run::{Point, Run, options};
 use super::weights::{Whitening, weighing};
 use crate::error::Error;
 

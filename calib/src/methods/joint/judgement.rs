@@ -4,39 +4,16 @@ use faer::Mat;
 use sensor::Sensor;
 
 use super::analysis::{Analysis, walks};
+use super::belief::Weights;
 use super::bias_noise::{BiasNoise, within};
 use super::data::MOST_DISTURBED;
 use super::disturbance::{Suspect, excursions, pushed_chunk, suspects};
+use super::minimum::{Point, Run};
 use super::orientation::Shown;
 use super::oriented::At;
 use super::problem::Rows;
 use super::request::Known;
-use super::run::{Point, Run};
-use super::weights::{Component, ComponentKind, NoiseLevel, White, Whitening};
-
-/// How rows are believed.
-pub(super) struct Weights {
-    /// Sizes of the components.
-    pub levels: Vec<NoiseLevel>,
-    /// The disturbances.
-    pub accused: Vec<Suspect>,
-    /// Kinds of noise beside the white one, as covariances of the rows.
-    pub components: Vec<Component>,
-    /// What makes the rows white.
-    pub whitening: Whitening,
-    /// What the errors are larger by and the weights do not know, whitened by the white noise (`m × q`).
-    pub carried: Mat<f64>,
-    /// What depends on the orientation and should not.
-    pub shown: Vec<(Sensor, Shown)>,
-}
-
-impl Weights {
-    /// The columns of the disturbances.
-    pub fn columns(&self) -> Vec<Vec<f64>> {
-        let of = |s: &Suspect| s.columns.clone();
-        self.accused.iter().flat_map(of).collect()
-    }
-}
+use super::weights::{ComponentKind, NoiseLevel, White, Whitening};
 
 impl Run<'_> {
     /// White noise at the start, and the walks where they are given.

@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use serde::{Deserialize, Serialize};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
+use super::oriented_interval::Oriented;
 use super::walk_filter::WalkFilter;
 use crate::methods::small_sample::by_chance;
 
@@ -53,19 +54,6 @@ impl Pattern {
             Self::History => last_change,
         }
     }
-}
-
-/// A static interval as these tests see it.
-#[derive(Clone, Copy, Debug)]
-pub struct Oriented {
-    /// Direction of specific force, body frame.
-    pub direction: Vector3<f64>,
-    /// Sign of the last change of its components.
-    pub last_change: Vector3<f64>,
-    /// Middle, s since the reference time of its recording.
-    pub time: f64,
-    /// Its recording.
-    pub recording: usize,
 }
 
 /// Numbers of the static intervals: residuals, what the parameters may take of them, noise.

@@ -7,7 +7,8 @@ use sensor::{Base, Sensor};
 use super::analysis::Analysis;
 use super::data::{Chunk, Mean};
 use super::disturbance::{Disturbance, Suspect};
-use super::orientation::{Oriented, Pattern, Shown, StaticNumbers};
+use super::orientation::{Pattern, Shown, StaticNumbers};
+use super::oriented_interval::Oriented;
 use super::problem::{Linear, Rows};
 
 /// A linearised problem.

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
-use super::orientation::Oriented;
+use super::oriented_interval::Oriented;
 
 /// `L⁻¹` of `L Lᵀ = I + W` with `W[i,k] = q min(|tᵢ|, |t_k|) hᵢ·h_k` of two numbers of one recording on the same side of
 /// its reference time and 0 of all others: a bias (3) that walks away from that time, seen along `hᵢ` in noise of unit

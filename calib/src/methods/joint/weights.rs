@@ -5,6 +5,7 @@ use faer::{Mat, MatMut, Par, Side};
 use nalgebra::DMatrix;
 
 use super::blocks::independent;
+use super::exposure::Exposure;
 use super::row_noise::RowNoise;
 use crate::simulate::EARTH_RATE;
 
@@ -65,6 +66,18 @@ impl White {
                 *v = before;
             }
         }
+    }
+
+    /// How the rows feel a walk after whitening.
+    pub fn exposure(&self, exposure: &Exposure) -> Exposure {
+        let first = exposure.rows.start;
+        let mut whole = exposure.clone();
+        self.apply_block(first, &mut whole.own);
+        whole.own.transpose_mut();
+        self.apply_block(first, &mut whole.own);
+        self.apply_block(first, &mut whole.total);
+        self.apply_block(first, &mut whole.moment);
+        whole
     }
 
     /// `L A` in place: undoes [`White::apply`].

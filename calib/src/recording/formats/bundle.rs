@@ -3,8 +3,9 @@
 use super::{Format, Source, recognise};
 use crate::Error;
 use crate::recording::files::Files;
-use crate::recording::place::{in_file, shown};
+use crate::recording::place::in_file;
 use crate::recording::{ReadOptions, Recording};
+use crate::shown::shown;
 
 /// One file of a container that is a recording of its own, as of a bag of ROS 2.
 #[derive(Debug)]

@@ -11,11 +11,12 @@ use crate::Error;
 use crate::recording::assemble::assemble;
 use crate::recording::files::limits;
 use crate::recording::options::Role;
-use crate::recording::place::{in_file, shown, shown_list};
+use crate::recording::place::in_file;
 use crate::recording::samples::{Pushed, Samples};
 use crate::recording::table::Table;
 use crate::recording::units::{AccelUnit, GyroUnit, TimeUnit};
 use crate::recording::{Magnetometer, ReadOptions, Recording};
+use crate::shown::{shown, shown_list};
 
 /// The format of `stillpoint-formats` that is called so.
 #[derive(Debug)]

@@ -25,12 +25,13 @@ use super::files::Files;
 use super::look::Look;
 use super::magnetometer;
 use super::parts;
-use super::place::{in_file, shown};
+use super::place::in_file;
 use super::source::Input;
 pub use super::source::Source;
 use super::table::Table;
 use super::{FieldUnit, ReadOptions, Recording};
 use crate::Error;
+use crate::shown::shown;
 
 /// A format of recordings.
 pub trait Format: fmt::Debug + Sync {

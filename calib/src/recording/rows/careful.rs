@@ -5,10 +5,10 @@ use nalgebra::Vector3;
 use super::super::cut::is_cut;
 use super::super::lines::{Line, lines};
 use super::super::number::{self, Fault, LARGEST};
-use super::super::place::shown_cell;
 use super::super::quotes::open_quote;
 use super::{Others, Rows, Trouble};
 use crate::Error;
+use crate::shown::shown_cell;
 
 impl Rows<'_> {
     /// Takes the row in, or says what is wrong with which cell.

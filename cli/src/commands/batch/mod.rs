@@ -33,10 +33,10 @@ use crate::show;
     subcommand_negates_reqs = true,
     after_help = "\
 A manifest has a line per device (CSV with a header, JSON lines, or TOML with [[device]]); paths are
-relative to it, only `inputs` is required:
-  id,inputs,lot,station,time,gravity,latitude,method,effects,
-  multiplier,min_static,rate,accel_unit,gyro_unit
-  A7,A7/morning.csv;A7/evening.csv,L12,east,2026-03-01T08:00:00,9.8055,,joint,gyro_g_sensitivity,,,,,
+relative to it. Its columns are id, inputs, lot, station, time, gravity, latitude, method, effects,
+multiplier, min_static, rate, accel_unit, gyro_unit; only `inputs` is required:
+  id,inputs,lot,gravity,method
+  A7,A7/morning.csv;A7/evening.csv,L12,9.8055,joint
 
 Example:
   stillpoint batch devices/ -o out --limits limits.toml   every folder and file in devices/

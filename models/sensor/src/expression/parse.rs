@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{FUNCTIONS, Function, Node};
+use super::node::{FUNCTIONS, Function, Node};
 
 /// Longest text.
 const LONGEST: usize = 2000;

@@ -1,0 +1,22 @@
+//! The formats: one file and one line in [`FORMATS`] each.
+
+use crate::format::Format;
+
+/// Every format.
+pub static FORMATS: &[&dyn Format] = &[
+    &crate::mat::Mat,
+    &crate::ulog::Ulog,
+    &crate::ardupilot::ArduPilot,
+    &crate::mcap::Mcap,
+    &crate::bag::Bag,
+    &crate::db3::Db3,
+    &crate::sensor_logger_json::SensorLoggerJson,
+];
+
+/// The format of a file that begins with `head`.
+pub fn recognise(head: &[u8]) -> Option<&'static dyn Format> {
+    FORMATS
+        .iter()
+        .copied()
+        .find(|format| format.recognises(head))
+}
