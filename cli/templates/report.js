@@ -46,7 +46,7 @@ function light(key) {
   if (key) all(`[data-k="${CSS.escape(key)}"]`).forEach(e => e.classList.add('hot'));
 }
 function hide() { tip.hidden = true; light(pinned); }
-const MARK = 'circle.dot, circle.ring, [data-k], [data-t]';
+const MARK = '.dot, .dot circle, circle.ring, [data-k], [data-t]';
 document.addEventListener('pointermove', e => {
   const mark = e.target.closest && e.target.closest(MARK);
   if (mark) show(mark, e.clientX, e.clientY); else hide();
@@ -220,7 +220,7 @@ function spheres(figure, bar) {
     all('[data-p]', view).forEach(mark => {
       const [px, py, near] = place(mark.dataset.p.split(' ').map(Number));
       mark.classList.toggle('off', near < 0);
-      const out = mark.tagName === 'text' ? r + 9 : r;
+      const out = mark.tagName === 'text' ? r + 13 : r;
       mark.setAttribute(mark.tagName === 'text' ? 'x' : 'cx', (x + out * px).toFixed(1));
       mark.setAttribute(mark.tagName === 'text' ? 'y' : 'cy', (y - out * py + (mark.tagName === 'text' ? 4 : 0)).toFixed(1));
     });

@@ -75,41 +75,63 @@ fn a_person_who_does_what_it_says_gets_a_calibration() {
 
 #[test]
 fn nothing_that_came_is_lost_when_it_is_killed() {
-    let dir = tempfile::tempdir().unwrap();
-    let events = dir.path().join("events.ndjson");
-    let server = Server::start(phone(0).with_events(&events)).unwrap();
-    let mut run = start(dir.path(), &server, "0", &[]);
+    // Killed at any time: while the first placement lies, in a turn, in a pause, late.
+    for (seed, samples) in [(0, 137), (1, 1861), (4, 3209), (2, 5003)] {
+        let dir = tempfile::tempdir().unwrap();
+        let events = dir.path().join("events.ndjson");
+        let server = Server::start(phone(seed).with_events(&events)).unwrap();
+        let mut run = start(dir.path(), &server, "0", &[]);
+        let begin = Instant::now();
+        while server.phone().sent[0] < samples {
+            assert!(begin.elapsed() < Duration::from_secs(120), "seed {seed}");
+            std::thread::sleep(Duration::from_micros(700));
+        }
+        run.kill().unwrap();
+        run.wait().unwrap();
+        let received = dir.path().join("session/received");
+        let taken = server.phone().taken;
+        let sent = server.phone().sent;
+        for (name, (taken, sent)) in ["acc.csv", "gyro.csv"]
+            .iter()
+            .zip(taken.into_iter().zip(sent))
+        {
+            let text = std::fs::read_to_string(received.join(name)).unwrap();
+            assert!(text.ends_with('\n'), "{name} ends within a line");
+            let rows = text.lines().count() - 1;
+            // Who asks again has written what was answered before; only the last answer may not have arrived.
+            assert!(
+                (taken..=sent).contains(&rows),
+                "seed {seed}, {name}: {rows} rows; {taken} were taken, {sent} sent"
+            );
+        }
+        let recording = Recording::read(&received, &ReadOptions::default()).unwrap();
+        assert!(recording.accelerometer.unwrap().len() >= taken[0]);
+    }
+}
+
+#[test]
+fn lines_that_came_are_on_disk_when_it_is_killed_though_it_has_not_looked_at_them() {
+    let (_dir, path) = folder();
+    let text = std::fs::read(path.join("good.csv")).unwrap();
+    // It looks every five seconds.
+    let mut run = Command::new(env!("CARGO_BIN_EXE_stillpoint"))
+        .current_dir(&path)
+        .args(["live", "-", "--out", "session", "--poll", "5"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let mut input = run.stdin.take().unwrap();
+    let kept = || std::fs::read(path.join("session/lines.txt")).unwrap_or_default();
+    input.write_all(&text).unwrap();
     let begin = Instant::now();
-    let placements = |text: &str| text.contains("\"placements\":4");
-    while !placements(&std::fs::read_to_string(&events).unwrap_or_default()) {
-        assert!(
-            begin.elapsed() < Duration::from_secs(120),
-            "no fourth placement"
-        );
-        std::thread::sleep(Duration::from_millis(5));
+    while kept().len() < text.len() && begin.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(2));
     }
     run.kill().unwrap();
     run.wait().unwrap();
-    let sent = server.phone().sent;
-    let read = |name: &str| {
-        std::fs::read_to_string(dir.path().join("session/received").join(name)).unwrap()
-    };
-    for (name, sent) in ["acc.csv", "gyro.csv"].iter().zip(sent) {
-        let text = read(name);
-        assert!(text.ends_with('\n'), "{name} ends within a line");
-        let rows = text.lines().count() - 1;
-        // The last answer may not have arrived: a quarter of a second at 100 Hz.
-        assert!(
-            rows <= sent && rows + 30 >= sent,
-            "{name}: {rows} rows of {sent} that were sent"
-        );
-    }
-    let recording = Recording::read(
-        &dir.path().join("session/received"),
-        &ReadOptions::default(),
-    )
-    .unwrap();
-    assert!(recording.accelerometer.unwrap().len() + 30 >= sent[0]);
+    assert!(kept() == text, "{} of {} bytes", kept().len(), text.len());
 }
 
 #[test]
@@ -166,32 +188,13 @@ fn a_source_that_is_none_and_a_phone_that_is_away_say_what_to_do() {
     );
 }
 
-/// Says that a test is skipped, uncaptured.
-fn skipped(why: &str) {
-    let _ = writeln!(
-        std::io::stderr(),
-        "skipped: {}: {why}",
-        std::thread::current().name().unwrap_or("a test")
-    );
-}
-
 #[test]
 fn the_page_shows_the_session_in_a_browser() {
-    let Some(chromium) = ["chromium", "chromium-browser", "google-chrome"]
-        .into_iter()
-        .find(|name| {
-            Command::new(name)
-                .arg("--version")
-                .stdout(Stdio::null())
-                .stderr(Stdio::null())
-                .status()
-                .is_ok_and(|s| s.success())
-        })
-    else {
-        return skipped("no chromium");
+    let Some(chromium) = common::chromium() else {
+        return;
     };
     let dir = tempfile::tempdir().unwrap();
-    let server = Server::start(phone(5)).unwrap();
+    let server = Server::start(phone(0)).unwrap();
     server.phone().tell(live::Instruction::LayDown);
     let mut run = start(dir.path(), &server, "0.05", &["--web"]);
     let said = BufReader::new(run.stderr.take().unwrap());
@@ -201,22 +204,9 @@ fn the_page_shows_the_session_in_a_browser() {
         .find_map(|line| Some(line.split_once("http://127.0.0.1:")?.1.to_owned()));
     let address = address.filter(|a| a.contains("in a browser")).unwrap();
     let address = format!("http://127.0.0.1:{}", address.split(' ').next().unwrap());
-    let browser = Command::new(chromium)
-        .args([
-            "--headless",
-            "--no-sandbox",
-            "--disable-gpu",
-            "--enable-logging=stderr",
-            "--virtual-time-budget=4000",
-            "--dump-dom",
-            &address,
-        ])
-        .output()
-        .unwrap();
+    let [page, log] = common::browsed(chromium, &address);
     run.kill().unwrap();
     run.wait().unwrap();
-    let page = String::from_utf8_lossy(&browser.stdout).into_owned();
-    let log = String::from_utf8_lossy(&browser.stderr).into_owned();
     assert!(
         page.contains("class=\"free\"") && page.contains("class=\"edge\""),
         "{page}"

@@ -174,6 +174,7 @@ fn a_refusal_writes_a_report_with_what_there_is_and_the_placements_to_add() {
     let at = |words: &str| page.find(words).unwrap_or_else(|| panic!("no {words}"));
     assert!(at("There is no calibration") < at("What to do next"));
     // Four of six faces are there: z is missing both ways.
+    assert!(page.contains("too few placements") && page.contains("no placement has z up, z down"));
     let next = &page[at("What to do next")..at("What there is")];
     assert!(next.contains("z up") && next.contains("z down"), "{next}");
     assert!(page.contains("4 of 6 faces") && page.contains("class=\"sphere\""));
@@ -258,7 +259,7 @@ fn a_calibrations_report_tells_recordings_rests_and_turns_apart() {
         "std error",
         "Static intervals of one",
         "Static intervals of two",
-        "static 28</td>",
+        "<td>static 28<",
         "What to do next",
         "SHA-256 of the samples",
     ] {

@@ -12,12 +12,12 @@ pub enum Error {
     )]
     NoSource(String),
     /// Nothing answers, or not for too long.
-    #[error("{address}: no answer in {attempts} attempts ({cause})")]
+    #[error("{address}: no answer{for_how_long} ({cause})", for_how_long = lasting(*seconds))]
     Lost {
         /// The address asked.
         address: String,
-        /// Attempts in a row without an answer.
-        attempts: u32,
+        /// For how long, s; 0 where it never answered.
+        seconds: f64,
         /// What the last one met.
         cause: String,
     },
@@ -63,5 +63,13 @@ impl Error {
             path: path.to_owned(),
             cause,
         }
+    }
+}
+
+/// ` for 180 s`.
+fn lasting(seconds: f64) -> String {
+    match seconds {
+        0.0 => String::new(),
+        seconds => format!(" for {seconds:.0} s"),
     }
 }

@@ -3,7 +3,7 @@
 use std::fs::{File, OpenOptions};
 use std::io::{ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{Receiver, SyncSender, TryRecvError, sync_channel};
+use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use std::time::{Duration, Instant};
 
 use calib::Recording;
@@ -13,9 +13,8 @@ use crate::error::Error;
 use crate::serial;
 use crate::source::{Batch, Event, Finished, Opening, Source};
 
-/// Bytes of one read, and reads that may wait to be taken.
+/// Bytes of one read.
 const CHUNK: usize = 64 << 10;
-const WAITING: usize = 256;
 /// Wait before a file is asked again whether it has grown.
 const AGAIN: Duration = Duration::from_millis(50);
 /// A file that has not grown for so long is complete.
@@ -27,17 +26,15 @@ const FEWEST_LINES: usize = 20;
 
 /// Text in any layout that [`Recording::read`] knows.
 ///
-/// Lines are written to `lines.txt` as they come and read from there, all of them each time: layout and units are what
-/// the reader decides on the whole text, as it will in the end. Rereading waits where it takes long.
+/// A thread writes lines to `lines.txt` as they come, however long the last reading takes. They are read from there, all of
+/// them each time: layout and units are what the reader decides on the whole text, as it will in the end. Rereading waits
+/// where it takes long.
 #[derive(Debug)]
 pub struct Lines {
     name: String,
-    chunks: Receiver<Vec<u8>>,
+    kept: Receiver<std::io::Result<Kept>>,
     path: PathBuf,
-    file: File,
-    /// The beginning of a line whose end has not come.
-    open_line: Vec<u8>,
-    lines: usize,
+    so_far: Kept,
     read: ReadOptions,
     last: [Option<f64>; 2],
     /// Lines have come that were not read.
@@ -48,33 +45,50 @@ pub struct Lines {
     ended: bool,
 }
 
+/// How much is in the file, whole lines only.
+#[derive(Clone, Copy, Debug, Default)]
+struct Kept {
+    lines: usize,
+    bytes: u64,
+}
+
 impl Lines {
     /// Opens standard input (`-`), a serial port or a file.
     ///
     /// # Errors
     /// A path that cannot be opened, a folder that cannot be written.
     pub fn open(path: &Path, how: &Opening) -> Result<Self, Error> {
-        let (send, chunks) = sync_channel(WAITING);
+        let name = path.display().to_string();
         if path.as_os_str() == "-" {
-            spawn(move || forward(&mut std::io::stdin(), &send, false))?;
-        } else {
-            let mut source = serial::open(path, how.baud)?;
-            let grows = source.metadata().is_ok_and(|m| m.is_file());
-            spawn(move || forward(&mut source, &send, grows))?;
+            return Self::of(name, std::io::stdin(), false, how);
         }
-        Self::of(path.display().to_string(), chunks, how)
+        let source = serial::open(path, how.baud)?;
+        let grows = source.metadata().is_ok_and(|m| m.is_file());
+        Self::of(name, source, grows, how)
     }
 
-    fn of(name: String, chunks: Receiver<Vec<u8>>, how: &Opening) -> Result<Self, Error> {
+    fn of(
+        name: String,
+        mut source: impl Read + Send + 'static,
+        grows: bool,
+        how: &Opening,
+    ) -> Result<Self, Error> {
         let path = how.folder.join("lines.txt");
         let file = OpenOptions::new().append(true).create_new(true).open(&path);
+        let mut keeper = Keeper {
+            file: file.map_err(Error::at(&path))?,
+            open_line: Vec::new(),
+            kept: Kept::default(),
+        };
+        let (tell, kept) = channel();
+        let thread = std::thread::Builder::new().name("lines".into());
+        let thread = thread.spawn(move || keep(&mut source, &mut keeper, &tell, grows));
+        thread.map_err(Error::at(Path::new("-")))?;
         Ok(Self {
             name,
-            chunks,
-            file: file.map_err(Error::at(&path))?,
+            kept,
             path,
-            open_line: Vec::new(),
-            lines: 0,
+            so_far: Kept::default(),
             read: how.read.clone(),
             last: [None; 2],
             unread: false,
@@ -85,35 +99,37 @@ impl Lines {
         })
     }
 
-    /// Writes what has come, whole lines only.
-    fn keep(&mut self) -> Result<(), Error> {
+    /// Learns what has been written.
+    fn catch_up(&mut self) -> Result<(), Error> {
         loop {
-            match self.chunks.try_recv() {
-                Ok(chunk) => self.open_line.extend(chunk),
-                Err(TryRecvError::Empty) => break,
+            match self.kept.try_recv() {
+                Ok(kept) => {
+                    self.so_far = kept.map_err(Error::at(&self.path))?;
+                    self.unread = true;
+                }
+                Err(TryRecvError::Empty) => return Ok(()),
                 Err(TryRecvError::Disconnected) => {
                     self.ended = true;
-                    if !self.open_line.is_empty() && !self.open_line.ends_with(b"\n") {
-                        self.open_line.push(b'\n');
-                    }
-                    break;
+                    return Ok(());
                 }
             }
         }
-        let Some(end) = self.open_line.iter().rposition(|b| *b == b'\n') else {
-            return Ok(());
-        };
-        let whole: Vec<u8> = self.open_line.drain(..=end).collect();
-        self.file.write_all(&whole).map_err(Error::at(&self.path))?;
-        self.lines += whole.iter().filter(|b| **b == b'\n').count();
-        self.unread = true;
-        Ok(())
+    }
+
+    /// The recording that the lines so far are.
+    fn recording(&self) -> Result<Recording, Error> {
+        let mut text = Vec::new();
+        let file = File::open(&self.path).map_err(Error::at(&self.path))?;
+        let read = file.take(self.so_far.bytes).read_to_end(&mut text);
+        read.map_err(Error::at(&self.path))?;
+        let name = self.path.display().to_string();
+        Ok(Recording::from_bytes(&name, text, &self.read)?)
     }
 
     /// What is new in the text as a whole.
     fn understood(&mut self, batch: &mut Batch) -> Result<(), Error> {
         let begin = Instant::now();
-        let read = Recording::read(&self.path, &self.read);
+        let read = self.recording();
         self.not_before = Some(Instant::now() + begin.elapsed() * SHARE);
         self.unread = false;
         match read {
@@ -122,10 +138,11 @@ impl Lines {
                 batch.accelerometer = self.newer(0, recording.accelerometer);
                 batch.gyroscope = self.newer(1, recording.gyroscope);
             }
-            Err(error) if self.ended => return Err(error.into()),
+            Err(error @ Error::File { .. }) => return Err(error),
+            Err(error) if self.ended => return Err(error),
             Err(error) => {
                 let reason = error.to_string();
-                if self.refusal.as_ref() != Some(&reason) && self.lines >= FEWEST_LINES {
+                if self.refusal.as_ref() != Some(&reason) && self.so_far.lines >= FEWEST_LINES {
                     batch.events.push(Event::NotUnderstood {
                         reason: reason.clone(),
                     });
@@ -148,16 +165,16 @@ impl Lines {
 }
 
 impl Source for Lines {
-    fn poll(&mut self) -> Result<Batch, Error> {
+    fn poll(&mut self, _now: Duration) -> Result<Batch, Error> {
         let mut batch = Batch::default();
         if !std::mem::replace(&mut self.greeted, true) {
             batch.events.push(Event::Connected {
                 name: self.name.clone(),
             });
         }
-        self.keep()?;
+        self.catch_up()?;
         let is_due = self.ended || self.not_before.is_none_or(|then| Instant::now() >= then);
-        if self.unread && is_due && (self.ended || self.lines >= FEWEST_LINES) {
+        if self.unread && is_due && (self.ended || self.so_far.lines >= FEWEST_LINES) {
             self.understood(&mut batch)?;
         }
         if self.ended {
@@ -174,44 +191,98 @@ impl Source for Lines {
     }
 }
 
-fn spawn(run: impl FnOnce() + Send + 'static) -> Result<(), Error> {
-    let thread = std::thread::Builder::new().name("lines".into()).spawn(run);
-    thread.map(drop).map_err(Error::at(Path::new("-")))
+/// The file of lines, written before anybody is told.
+#[derive(Debug)]
+struct Keeper {
+    file: File,
+    /// The beginning of a line whose end has not come.
+    open_line: Vec<u8>,
+    kept: Kept,
 }
 
-/// Hands on what `source` gives until it ends, or until a file that `grows` is complete, or nobody listens.
-fn forward(source: &mut dyn Read, send: &SyncSender<Vec<u8>>, grows: bool) {
+impl Keeper {
+    /// Writes the whole lines that there are now; nothing new where there are none.
+    fn take(&mut self, bytes: &[u8]) -> std::io::Result<Option<Kept>> {
+        self.open_line.extend(bytes);
+        let Some(end) = self.open_line.iter().rposition(|b| *b == b'\n') else {
+            return Ok(None);
+        };
+        let whole: Vec<u8> = self.open_line.drain(..=end).collect();
+        self.file.write_all(&whole)?;
+        self.kept.lines += whole.iter().filter(|b| **b == b'\n').count();
+        self.kept.bytes += whole.len() as u64;
+        Ok(Some(self.kept))
+    }
+
+    /// Ends the line that is open.
+    fn end(&mut self) -> std::io::Result<Option<Kept>> {
+        match self.open_line.is_empty() {
+            true => Ok(None),
+            false => self.take(b"\n"),
+        }
+    }
+}
+
+/// Keeps what `source` gives until it ends, or until a file that `grows` is complete, or nobody listens.
+fn keep(
+    source: &mut dyn Read,
+    keeper: &mut Keeper,
+    tell: &Sender<std::io::Result<Kept>>,
+    grows: bool,
+) {
     let mut chunk = vec![0; CHUNK];
     let mut idle = Instant::now();
     loop {
         match source.read(&mut chunk) {
             Ok(0) if grows && idle.elapsed() < COMPLETE => std::thread::sleep(AGAIN),
-            Ok(0) => return,
+            Ok(0) => break,
             Ok(count) => {
                 idle = Instant::now();
-                if send.send(chunk[..count].to_vec()).is_err() {
+                let kept = keeper.take(&chunk[..count]).transpose();
+                let failed = matches!(kept, Some(Err(_)));
+                if kept.is_some_and(|kept| tell.send(kept).is_err()) || failed {
                     return;
                 }
             }
             Err(error) if error.kind() == ErrorKind::Interrupted => {}
-            Err(_) => return,
+            Err(_) => break,
         }
+    }
+    if let Some(kept) = keeper.end().transpose() {
+        // Nobody listens any more: what came is on disk all the same.
+        let _ = tell.send(kept);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::sync::mpsc::SyncSender;
+
+    /// What a test sends, as a stream of bytes.
+    struct Sent(Receiver<Vec<u8>>);
+
+    impl Read for Sent {
+        fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+            let Ok(bytes) = self.0.recv() else {
+                return Ok(0);
+            };
+            buffer[..bytes.len()].copy_from_slice(&bytes);
+            Ok(bytes.len())
+        }
+    }
 
     fn lines(folder: &Path) -> (SyncSender<Vec<u8>>, Lines) {
-        let (send, chunks) = sync_channel(WAITING);
+        // Nothing waits in the channel: what was sent is being kept.
+        let (send, sent) = std::sync::mpsc::sync_channel(0);
         let how = Opening {
             folder: folder.to_owned(),
             read: ReadOptions::default(),
             baud: 115_200,
-            attempts: 1,
+            patience: Duration::ZERO,
         };
-        (send, Lines::of("test".into(), chunks, &how).unwrap())
+        let lines = Lines::of("test".into(), Sent(sent), false, &how).unwrap();
+        (send, lines)
     }
 
     fn rows(from: usize, to: usize) -> String {
@@ -225,36 +296,57 @@ mod tests {
         (from..to).map(row).collect()
     }
 
+    /// Waits until so many bytes are in the file.
+    fn wait_for(folder: &Path, bytes: usize) {
+        let length = || std::fs::metadata(folder.join("lines.txt")).unwrap().len();
+        for _ in 0..2000 {
+            if length() >= bytes as u64 {
+                // Told right after it is written.
+                return std::thread::sleep(Duration::from_millis(20));
+            }
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        panic!("{} bytes of {bytes} are kept", length());
+    }
+
     #[test]
-    fn a_line_is_read_once_and_only_when_its_end_has_come() {
+    fn a_line_is_kept_without_a_poll_and_read_only_when_its_end_has_come() {
         let folder = tempfile::tempdir().unwrap();
         let (send, mut lines) = lines(folder.path());
         let text = format!("t,ax,ay,az,gx,gy,gz\n{}", rows(0, 50));
         let (head, tail) = text.split_at(text.len() - 5);
         send.send(head.into()).unwrap();
-        assert_eq!(lines.poll().unwrap().accelerometer.len(), 49);
+        wait_for(folder.path(), head.rfind('\n').unwrap() + 1);
+        let batch = lines.poll(Duration::ZERO).unwrap();
+        assert_eq!(batch.accelerometer.len(), 49);
         send.send(tail.into()).unwrap();
         send.send(rows(50, 60).into()).unwrap();
         drop(send);
-        let batch = lines.poll().unwrap();
+        let whole = text + &rows(50, 60);
+        wait_for(folder.path(), whole.len());
+        let batch = lines.poll(Duration::ZERO).unwrap();
         assert_eq!((batch.accelerometer.len(), batch.gyroscope.len()), (11, 11));
         assert_eq!(batch.events, [Event::Ended]);
         let kept = std::fs::read_to_string(lines.finish().unwrap().recording).unwrap();
-        assert_eq!(kept, text + &rows(50, 60), "what came is kept as it came");
+        assert_eq!(kept, whole, "what came is kept as it came");
     }
 
     #[test]
     fn text_that_is_no_recording_is_said_while_it_comes_and_an_error_in_the_end() {
         let folder = tempfile::tempdir().unwrap();
         let (send, mut lines) = lines(folder.path());
-        send.send("hello, world\n".repeat(30).into()).unwrap();
-        let events = lines.poll().unwrap().events;
+        let text = "hello, world\n".repeat(30);
+        send.send(text.clone().into()).unwrap();
+        wait_for(folder.path(), text.len());
+        let events = lines.poll(Duration::ZERO).unwrap().events;
         assert!(
             matches!(events.last(), Some(Event::NotUnderstood { .. })),
             "{events:?}"
         );
         send.send(b"hello\n".to_vec()).unwrap();
         drop(send);
-        assert!(matches!(lines.poll(), Err(Error::Unreadable(_))));
+        wait_for(folder.path(), text.len() + 6);
+        let end = lines.poll(Duration::ZERO);
+        assert!(matches!(end, Err(Error::Unreadable(_))), "{end:?}");
     }
 }

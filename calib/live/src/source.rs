@@ -14,12 +14,12 @@ use crate::phyphox::Phyphox;
 pub trait Source {
     /// What came since the last call. Everything in it is on disk when it returns.
     ///
-    /// It waits no longer than a request does; [`Batch::pause`] says when to ask again.
+    /// `now` is the time since the session began by the caller's clock, which may be a simulated one. It waits no longer than a request does; [`Batch::pause`] says when to ask again.
     ///
     /// # Errors
-    /// [`Error::Lost`] after the last attempt to reach it, [`Error::File`] where the recording cannot be written,
+    /// [`Error::Lost`] where it has not answered for [`Opening::patience`], [`Error::File`] where the recording cannot be written,
     /// [`Error::Unreadable`] where text ended without having been understood.
-    fn poll(&mut self) -> Result<Batch, Error>;
+    fn poll(&mut self, now: Duration) -> Result<Batch, Error>;
 
     /// Ends the session; the best recording of it that there is.
     ///
@@ -96,8 +96,8 @@ pub struct Opening {
     pub read: ReadOptions,
     /// Speed of a serial port, bits per second.
     pub baud: u32,
-    /// Attempts in a row without an answer after which a phone is lost.
-    pub attempts: u32,
+    /// How long a phone may not answer before it is lost, by the clock of [`Source::poll`].
+    pub patience: Duration,
 }
 
 /// Opens what `name` says: the address of a phone (`http://HOST:PORT`, `HOST:PORT`), `-`, a serial port or a file that

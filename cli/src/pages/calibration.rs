@@ -207,5 +207,8 @@ pub fn exports(report: Report, calibration: &Calibration) -> Result<Report, Fail
     let mut small = calibration.clone();
     small.covariance.clear();
     small.parameters.clear();
-    Ok(report.export("JSON, without the covariance", show::json(&small)?))
+    let json = show::json(&small)?;
+    // What is copied needs no indentation.
+    let lines: Vec<&str> = json.lines().map(str::trim_start).collect();
+    Ok(report.export("JSON, without the covariance", lines.join("\n")))
 }

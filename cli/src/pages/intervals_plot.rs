@@ -12,7 +12,7 @@ use crate::show;
 const GREY: usize = 6;
 
 /// Stretches in which the range of the samples is drawn.
-const STRETCHES: usize = 300;
+const STRETCHES: usize = 200;
 
 /// The norm of the accelerometer's readings over time (of the gyroscope's, without one), static intervals
 /// marked with their `keys`; `units` of accelerometer and gyroscope.

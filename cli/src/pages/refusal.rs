@@ -2,11 +2,13 @@
 
 use calib::Recording;
 use calib::intervals::Segmentation;
+use nalgebra::Vector3;
+use plan::REQUIREMENT;
 
 use super::calibration::covered;
 use super::session::Session;
 use super::{coverage, noise, provenance, residuals, verdict};
-use crate::exit::Failure;
+use crate::exit::{Failure, NOT_ENOUGH};
 use crate::report::{Figure, Level, Picture, Report};
 use crate::show;
 
@@ -17,15 +19,19 @@ pub fn page(
     cut: &[(&Recording, &Segmentation)],
     gravity: f64,
 ) -> (Report, Vec<(String, Picture)>) {
-    let (why, more) = in_short(&failure.message);
+    let session = Session::of(cut.iter().copied(), None, gravity).ok();
+    let lacking = session.as_ref().and_then(|s| too_few(failure, s));
+    let why = lacking.as_ref().map_or_else(
+        || format!("{}.", failure.message.trim_end_matches('.')),
+        few_in_words,
+    );
     let mut report = Report::new("No calibration")
-        .verdict(Level::Bad, format!("There is no calibration: {why}."))
+        .verdict(Level::Refused, format!("There is no calibration: {why}"))
         .provenance(provenance::of_recordings(recordings));
-    let mut next = Vec::new();
-    let mut warnings: Vec<String> = more.into_iter().collect();
+    let mut next = lacking.as_ref().map_or(Vec::new(), placements_to_add);
+    let mut warnings: Vec<String> = lacking.iter().map(|_| failure.message.clone()).collect();
     warnings.extend(recordings.iter().flat_map(|r| r.warnings.clone()));
     warnings = show::folded(&warnings);
-    let session = Session::of(cut.iter().copied(), None, gravity).ok();
     let Some(session) = session.filter(|s| !s.parts.is_empty()) else {
         next.extend(verdict::advice_in(&failure.message));
         if next.is_empty() {
@@ -34,15 +40,17 @@ pub fn page(
         return (report.next(&next).warnings(&warnings), Vec::new());
     };
     let coverage = covered(&session);
-    next.extend(coverage.as_ref().and_then(coverage::Coverage::advice));
+    if next.is_empty() {
+        next.extend(coverage.as_ref().and_then(coverage::Coverage::advice));
+    }
     if next.is_empty() {
         next.extend(verdict::advice_in(&failure.message));
     }
-    next.push(
-        "Hold the device still for three seconds in each placement and turn it briskly between them; then calibrate the new \
-         recording, or both together."
-            .into(),
-    );
+    next.push(format!(
+        "Leave the device still for {:.0} s in each placement and turn it at {:.0} °/s at most between them. Then calibrate \
+         both recordings together: stillpoint calibrate FIRST SECOND -o cal.json",
+        REQUIREMENT.rest, REQUIREMENT.fastest
+    ));
     let turns = session.turns.iter().filter(|t| t.fault.is_none()).count();
     let mut figures = vec![Figure::new(
         "Found",
@@ -75,11 +83,42 @@ pub fn page(
     (report.table(session.table()), pictures)
 }
 
-/// The message up to what only an expert reads, and the whole of it where something was cut off.
-fn in_short(message: &str) -> (&str, Option<String>) {
-    let message = message.trim_end_matches('.');
-    match message.find("; not observable") {
-        Some(end) => (&message[..end], Some(message.to_owned())),
-        None => (message, None),
+/// Placements named one by one; the picture and the warnings have all.
+const NAMED: usize = 6;
+/// Placements that are asked for where only the noise is too large, as the message does.
+const MORE: usize = 2;
+
+/// What the placements lack, where too few of them are what the refusal is about.
+fn too_few(failure: &Failure, session: &Session<'_>) -> Option<plan::Coverage> {
+    let ups: Vec<Vector3<f64>> = session
+        .directions()
+        .into_iter()
+        .map(Vector3::from)
+        .collect();
+    let short = !plan::coverage(&ups).is_complete() || ups.len() < REQUIREMENT.placements;
+    (failure.code == NOT_ENOUGH && !ups.is_empty() && short)
+        .then(|| plan::coverage(&ups).or_more(MORE))
+}
+
+/// `too few placements. There are 6, 5 of which …; at least 10 are needed, no placement has z up.`
+fn few_in_words(found: &plan::Coverage) -> String {
+    let missing = found.missing();
+    format!(
+        "too few placements. Found are {}; at least {} are needed{}{missing}.",
+        found.found(),
+        REQUIREMENT.placements,
+        if missing.is_empty() { "" } else { ", and " }
+    )
+}
+
+/// A sentence for each placement to add.
+fn placements_to_add(found: &plan::Coverage) -> Vec<String> {
+    let wanted = found.wanted.iter().take(NAMED);
+    let each = wanted.map(|w| format!("Add a placement with {} (a phone: {}).", w.axes, w.words));
+    let mut all: Vec<String> = each.collect();
+    let more = found.wanted.len().saturating_sub(NAMED);
+    if more > 0 {
+        all.push(format!("Add {more} more: the warning below names them."));
     }
+    all
 }

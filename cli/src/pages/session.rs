@@ -165,10 +165,9 @@ impl<'a> Session<'a> {
             "from, s",
             "to, s",
             "up",
-            "raw",
+            "raw, mm/s² (turn: °)",
             "left",
             "std error",
-            "unit",
             "note",
         ]);
         let mut turns = self.turns.iter().peekable();
@@ -184,7 +183,6 @@ impl<'a> Session<'a> {
                     number(rest.raw),
                     number(rest.left),
                     rest.std.map_or(String::new(), |v| format!("{v:.3}")),
-                    "mm/s²".into(),
                     self.of_several(rest.part),
                 ],
             );
@@ -204,7 +202,6 @@ impl<'a> Session<'a> {
                         number(turn.raw),
                         number(turn.left),
                         String::new(),
-                        "°".into(),
                         note.unwrap_or_else(|| self.of_several(turn.part)),
                     ],
                 );

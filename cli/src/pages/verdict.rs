@@ -10,11 +10,16 @@ use crate::commands::limits;
 use crate::report::{Figure, Level};
 
 /// What warnings speak of, the gravest first, and what to do then.
-const CAUSES: [(&[&str], &str); 6] = [
+const CAUSES: [(&[&str], &str); 7] = [
     (
         &["wrong time base", "unit rather than", "unit or"],
         "Check the unit and the sampling rate of the sensor named in the verdict: give --gyro-unit, --accel-unit or --rate, \
          then calibrate again.",
+    ),
+    (
+        &["readings look like"],
+        "Calibrate again and say the unit: --gyro-unit deg/s or --accel-unit g. As it is, the calibration fits only \
+         recordings that are read in the same wrong unit.",
     ),
     (
         &["saturat", "cut off at the end of its range"],
@@ -22,8 +27,8 @@ const CAUSES: [(&[&str], &str); 6] = [
     ),
     (
         &["touched", "pushed", "disturbed", "fit neither", "outl"],
-        "Look at the intervals named in the warnings. Record again without touching the device while it is still, or leave \
-         those intervals out with --sections.",
+        "Record again without touching the device while it is still; or calibrate again without the intervals that the \
+         verdict and the warnings name (--sections).",
     ),
     (
         &["misfit of the"],
@@ -39,8 +44,9 @@ const CAUSES: [(&[&str], &str); 6] = [
     ),
 ];
 
-/// The place of a misfit among the causes.
-const MISFIT: usize = 3;
+/// The places of a wrong unit and of a misfit among the causes.
+const UNIT: usize = 1;
+const MISFIT: usize = 4;
 
 /// The level, the sentence under it, and what to do.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,7 +75,7 @@ pub fn judged(
         next.push(advice.unwrap_or("Record again, as the verdict says.".into()));
         (
             Level::Bad,
-            format!("Do not use this calibration: {}.", trimmed(gate)),
+            format!("Do not use this calibration: {}", sentence_of(gate)),
         )
     } else if let (Some(k), Some(warning)) = (cause, warning) {
         next.push(CAUSES[k].1.into());
@@ -77,25 +83,27 @@ pub fn judged(
         if k == 0 {
             (
                 Level::Bad,
-                format!("Do not use this calibration yet: {}.", trimmed(warning)),
+                format!("Do not use this calibration yet: {}", sentence_of(warning)),
             )
         } else {
             (
                 Level::Care,
-                format!("Usable with care: {}{}.", lacking(k), trimmed(warning)),
+                format!("Usable with care: {}", meaning(k, warning)),
             )
         }
     } else if let Some(warning) = calibration.warnings.iter().find(|w| !is_of_gravity(w)) {
         (
             Level::Care,
-            format!("Usable with care: {}.", trimmed(warning)),
+            format!("Usable with care: {}", sentence_of(warning)),
         )
     } else {
         let what = "The model explains the recording to within its measured noise";
         (Level::Good, format!("{what}; the calibration can be used."))
     };
-    let flagged = session.map_or(Vec::new(), flagged);
-    if !flagged.is_empty() && level != Level::Good {
+    // Of another cause than a misfit the verdict names the intervals itself.
+    let flagged = session.filter(|_| level == Level::Care && cause == Some(MISFIT));
+    let flagged = flagged.map_or(Vec::new(), flagged_in);
+    if !flagged.is_empty() {
         sentence = format!("{} Flagged: {}.", sentence, flagged.join("; "));
         next.insert(
             0,
@@ -109,7 +117,11 @@ pub fn judged(
     if let Some(advice) = coverage.and_then(Coverage::advice) {
         next.push(advice);
     }
-    if calibration.gravity_source == GravitySource::Assumed {
+    let apply = "Correct recordings with it: stillpoint apply cal.json RECORDING -o corrected.csv";
+    if level == Level::Good {
+        next.push(apply.into());
+    }
+    if level != Level::Bad && calibration.gravity_source == GravitySource::Assumed {
         next.push(
             "Give the local gravity (--gravity) or the place (--latitude, --altitude): gravity was assumed, and its error is \
              in every scale factor of the accelerometer."
@@ -121,10 +133,9 @@ pub fn judged(
             "Record a second session and check the calibration on it: stillpoint evaluate SECOND --calibration cal=cal.json"
                 .into(),
         );
-        next.push(
-            "Correct recordings with it: stillpoint apply cal.json RECORDING -o corrected.csv"
-                .into(),
-        );
+    }
+    if level == Level::Care && cause != Some(UNIT) {
+        next.push(apply.into());
     }
     Judged {
         level,
@@ -139,7 +150,7 @@ const STANDS_OUT: f64 = 4.0;
 const NAMED: usize = 3;
 
 /// Static intervals whose norm stands out from the others', the largest first, in words.
-fn flagged(session: &Session<'_>) -> Vec<String> {
+fn flagged_in(session: &Session<'_>) -> Vec<String> {
     let rests = session.rests.iter();
     let mut left: Vec<(f64, &str)> = rests
         .filter_map(|r| Some((r.left?, r.key.as_str())))
@@ -225,13 +236,24 @@ fn short(v: f64) -> String {
     format!("{v:.decimals$}")
 }
 
-/// What a misfit means, before its figures.
-fn lacking(cause: usize) -> &'static str {
-    if cause == MISFIT {
-        "the model lacks something: "
-    } else {
-        ""
+/// What a cause means, and its figures.
+fn meaning(cause: usize, warning: &str) -> String {
+    let sentence = sentence_of(warning);
+    match cause {
+        MISFIT => format!("an effect is missing in the model. {}", capital(&sentence)),
+        UNIT => {
+            let looks = sentence.split(": ").next().unwrap_or(&sentence);
+            format!("the unit is wrong or not stated: {looks}.")
+        }
+        _ => sentence,
     }
+}
+
+/// The text with a capital letter.
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(char::to_uppercase);
+    first.into_iter().flatten().chain(letters).collect()
 }
 
 /// The gravest cause that the warnings speak of, and the warning.
@@ -254,15 +276,33 @@ fn is_of_gravity(warning: &str) -> bool {
 pub fn advice_in(message: &str) -> Option<String> {
     let (_, advice) = message.rsplit_once("; ")?;
     let advice = advice.trim().trim_end_matches('.');
-    let mut letters = advice.chars();
-    let first = letters.next()?.to_uppercase();
-    Some(format!("{first}{}.", letters.as_str()))
+    Some(format!("{}.", capital(advice)))
 }
 
-/// Up to the first full stop of a message, without one.
-fn trimmed(message: &str) -> &str {
+/// The first sentence of a message without its heading and without odds, which the warnings have in full.
+fn sentence_of(message: &str) -> String {
     let end = message.find(". ").unwrap_or(message.len());
-    message[..end].trim_end_matches('.')
+    let first = message[..end].trim_end_matches('.');
+    let first = first.strip_prefix("disturbed: ").unwrap_or(first);
+    let mut short = String::new();
+    let mut remaining = first;
+    while let Some((before, inside, after)) = brackets(remaining) {
+        short.push_str(before);
+        if !inside.contains("p = ") && !inside.starts_with("by chance") {
+            short.push_str(&format!(" ({inside})"));
+        }
+        remaining = after;
+    }
+    short.push_str(remaining);
+    let is_closed = short.ends_with('?');
+    short + if is_closed { "" } else { "." }
+}
+
+/// What comes before the first brackets, what is in them, and what comes after.
+fn brackets(text: &str) -> Option<(&str, &str, &str)> {
+    let (before, more) = text.split_once(" (")?;
+    let (inside, after) = more.split_once(')')?;
+    Some((before, inside, after))
 }
 
 #[cfg(test)]
@@ -277,8 +317,23 @@ mod tests {
             "the scale is 0.49: a wrong time base or unit".to_owned(),
         ];
         assert_eq!(gravest(&warnings).0, Some(0));
-        assert_eq!(gravest(&warnings[..2]).0, Some(3));
+        assert_eq!(gravest(&warnings[..2]).0, Some(MISFIT));
         assert_eq!(gravest(&warnings[..1]).0, None);
+    }
+
+    #[test]
+    fn the_verdict_has_the_figures_of_a_message_and_not_its_odds() {
+        assert_eq!(
+            sentence_of(
+                "disturbed: static interval 10 (t = 1 to 2 s) disagrees by 61 mm/s² (by chance in 2e-16 of recordings): \
+                 was it touched?"
+            ),
+            "static interval 10 (t = 1 to 2 s) disagrees by 61 mm/s²: was it touched?"
+        );
+        assert_eq!(
+            sentence_of("misfit of the norm: 3 mm/s² (5 times the noise, p = 2e-9). It depends on"),
+            "misfit of the norm: 3 mm/s²."
+        );
     }
 
     #[test]

@@ -14,6 +14,8 @@ const RIGHT: f64 = 12.0;
 const ALONE: f64 = 210.0;
 const STACKED: f64 = 130.0;
 const LINE: f64 = 18.0;
+/// Half of the height of a number beside an axis.
+const HALF_A_NUMBER: f64 = 7.0;
 /// Radius of a dot, and of one of very many.
 const DOT: f64 = 3.0;
 const SMALL: f64 = 2.0;
@@ -50,9 +52,11 @@ impl Plot {
                 (1, _) => ALONE,
                 _ => STACKED,
             };
-            svg.height += LINE;
+            // The highest number may stand at the very top of the panel: the label stays clear of it.
+            svg.height += LINE + HALF_A_NUMBER;
             let label = fitted(&panel.y.label, WIDTH - 8.0);
-            svg.text((4.0, svg.height - 5.0), "start", "soft", &label);
+            let base = svg.height - 5.0 - HALF_A_NUMBER;
+            svg.text((4.0, base), "start", "soft", &label);
             let frame = Frame {
                 plot: self,
                 panel,
@@ -237,16 +241,15 @@ impl Frame<'_> {
         let bars: Vec<_> = bars.collect();
         svg.strokes("thin", &bars);
         let radius = if points.len() > MANY { SMALL } else { DOT };
+        // What all dots share stands once: a page has thousands of them.
+        svg.open("class=\"dot\"");
         for (k, &(x, y, ..)) in points.iter().enumerate() {
             if let Some(at) = self.place((x, y)) {
-                let key = keys.get(k).map(|key| format!(" data-k=\"{key}\""));
-                svg.circle(
-                    at,
-                    radius,
-                    &format!("class=\"dot\"{}", key.unwrap_or_default()),
-                );
+                let key = keys.get(k).map(|key| format!("data-k=\"{key}\""));
+                svg.circle(at, radius, &key.unwrap_or_default());
             }
         }
+        svg.close();
     }
 
     fn strokes(&self, svg: &mut Svg, strokes: &[[(f64, f64); 2]], thick: bool, keys: &[String]) {

@@ -43,6 +43,8 @@ pub enum Level {
     Care,
     /// Not to be used.
     Bad,
+    /// There is no calibration.
+    Refused,
 }
 
 impl Level {
@@ -50,7 +52,7 @@ impl Level {
         match self {
             Self::Good => "good",
             Self::Care => "care",
-            Self::Bad => "bad",
+            Self::Bad | Self::Refused => "bad",
         }
     }
 
@@ -59,6 +61,7 @@ impl Level {
             Self::Good => "✓ Good",
             Self::Care => "! With care",
             Self::Bad => "✗ Not to be used",
+            Self::Refused => "✗ No calibration",
         }
     }
 }

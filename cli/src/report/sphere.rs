@@ -22,8 +22,10 @@ pub struct Sphere {
     pub missing: Vec<([f64; 3], String)>,
 }
 
-const RADIUS: f64 = 92.0;
+const RADIUS: f64 = 88.0;
 const TOP: f64 = 26.0;
+/// Dots from the end of an axis to its name, clear of a placement there; as the script has it.
+const BESIDE: f64 = 13.0;
 /// The side that the first view is seen from: azimuth and elevation, rad.
 const VIEW: (f64, f64) = (0.6, 0.45);
 
@@ -98,7 +100,7 @@ impl Sphere {
         for (v, name) in ends {
             let (at, near) = place(&v);
             if near >= 0.0 {
-                let out = 1.0 + 9.0 / RADIUS;
+                let out = 1.0 + BESIDE / RADIUS;
                 let x = center.0 + (at.0 - center.0) * out;
                 svg.raw(&format!(
                     "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" class=\"soft\" data-p=\"{}\">{name}</text>",
@@ -136,7 +138,7 @@ impl Sphere {
 }
 
 fn point(v: &[f64; 3]) -> String {
-    v.map(|c| format!("{c:.3}")).join(" ")
+    v.map(|c| format!("{c:.2}")).join(" ")
 }
 
 /// Points of the circle across one axis.

@@ -111,9 +111,16 @@ impl Svg {
 
 fn through(points: &[(f64, f64)]) -> String {
     let mut d = String::new();
-    for (k, (x, y)) in points.iter().enumerate() {
-        let sign = if k == 0 { 'M' } else { 'L' };
-        let _ = write!(d, "{sign}{} {}", num(*x), num(*y));
+    let mut before = None;
+    for (x, y) in points {
+        let (x, y) = (num(*x), num(*y));
+        // Writing to memory does not fail.
+        let _ = match &before {
+            None => write!(d, "M{x} {y}"),
+            Some(same) if *same == x => write!(d, "V{y}"),
+            Some(_) => write!(d, "L{x} {y}"),
+        };
+        before = Some(x);
     }
     d
 }
@@ -150,6 +157,7 @@ pub(super) fn text_width(text: &str) -> f64 {
     let wide = |c: char| match c {
         'i' | 'l' | 'j' | '.' | ',' | ' ' | '|' | ':' | '\'' => 4.2,
         'm' | 'w' | 'M' | 'W' | '%' => 11.0,
+        '−' | '+' | '±' => 10.1,
         c if c.is_ascii_uppercase() => 8.6,
         c if u32::from(c) >= 0x2e80 => 12.5,
         _ => 7.4,

@@ -1,6 +1,7 @@
 //! Running the program as a person or a script would.
 #![allow(dead_code, clippy::unwrap_used)]
 
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
@@ -60,4 +61,42 @@ pub fn files(folder: &Path) -> Vec<String> {
 /// The exit status.
 pub fn status(output: &Output) -> i32 {
     output.status.code().unwrap()
+}
+
+/// A browser to look at pages with. Without one the test is skipped, which is said uncaptured.
+pub fn chromium() -> Option<&'static str> {
+    let answers = |name: &&str| {
+        let mut version = Command::new(name);
+        version
+            .arg("--version")
+            .stdout(Stdio::null())
+            .stderr(Stdio::null());
+        version.status().is_ok_and(|status| status.success())
+    };
+    let names = ["chromium", "chromium-browser", "google-chrome"];
+    let found = names.into_iter().find(answers);
+    if found.is_none() {
+        let current = std::thread::current();
+        let test = current.name().unwrap_or("a test");
+        // Whoever captures standard error still has the test's result.
+        let _ = writeln!(std::io::stderr(), "skipped: {test}: no chromium");
+    }
+    found
+}
+
+/// The document that a browser makes of an address after its scripts have run, and what it logs.
+pub fn browsed(chromium: &str, address: &str) -> [String; 2] {
+    let browser = Command::new(chromium)
+        .args([
+            "--headless",
+            "--no-sandbox",
+            "--disable-gpu",
+            "--enable-logging=stderr",
+            "--virtual-time-budget=4000",
+            "--dump-dom",
+            address,
+        ])
+        .output()
+        .unwrap();
+    [browser.stdout, browser.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned())
 }

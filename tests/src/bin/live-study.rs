@@ -11,7 +11,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use rayon::prelude::*;
-use stillpoint_tests::live::{Sitting, sit};
+use stillpoint_tests::live::{KINDS, Sitting, kind, sit};
 
 #[derive(Debug, Parser)]
 struct Args {
@@ -42,8 +42,13 @@ fn main() -> ExitCode {
             Ok(s) if args.each || !s.is_good() => {
                 let reason = s.calibration.as_ref().err().map_or("", |e| e.as_str());
                 println!(
-                    "seed {seed}: {} made, {} counted of {} in {:.0} s; pauses, drops, hands, speed {:?} {reason}",
-                    s.made, s.counted, s.planned, s.seconds, s.incidents
+                    "seed {seed} ({}): {} made, {} counted of {} in {:.0} s; pauses, drops, hands, speed {:?} {reason}",
+                    KINDS[kind(*seed)],
+                    s.made,
+                    s.counted,
+                    s.planned,
+                    s.seconds,
+                    s.incidents
                 );
             }
             Ok(_) => {}
@@ -66,6 +71,13 @@ fn main() -> ExitCode {
         "{good} of {} sessions end with a calibration in at most 1.2 times {} placements; the most were {most}",
         args.sessions, args.placements
     );
+    for (k, name) in KINDS.iter().enumerate() {
+        let of = sittings.iter().filter(|(seed, _)| kind(*seed) == k);
+        let all: Vec<_> = of.filter_map(|(_, s)| s.as_ref().ok()).collect();
+        let good = all.iter().filter(|s| s.is_good()).count();
+        let most = all.iter().map(|s| s.made).max().unwrap_or(0);
+        println!("  {name}: {good} of {}; the most were {most}", all.len());
+    }
     println!(
         "pauses {}, lost connections {}, in the hand {}, too fast {}",
         sum(0),

@@ -1,6 +1,7 @@
 //! A phone with phyphox open: samples into buffers, pauses, answers.
 
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use file_formats::make::{Packing, zip};
 use live::Instruction;
@@ -59,6 +60,10 @@ pub struct Phone {
     read: Option<(PathBuf, usize)>,
     /// Samples of both sensors that were sent.
     pub sent: [usize; 2],
+    /// Of these, samples in answers before the last: who asks again has taken them.
+    pub taken: [usize; 2],
+    /// The last request, where waiting takes real time.
+    asked: Option<Instant>,
 }
 
 impl Phone {
@@ -95,6 +100,8 @@ impl Phone {
             range: 8.727,
             read: None,
             sent: [0; 2],
+            taken: [0; 2],
+            asked: None,
         }
     }
 
@@ -110,9 +117,11 @@ impl Phone {
         self
     }
 
-    /// The person reads instructions from a file that `stillpoint live --events` writes.
+    /// The person reads instructions from a file that `stillpoint live --events` writes. Out of reach, time passes at
+    /// least as fast as in the room of that process, which sleeps between attempts.
     pub fn with_events(mut self, events: &Path) -> Self {
         self.read = Some((events.to_owned(), 0));
+        self.asked = Some(Instant::now());
         self
     }
 
@@ -151,8 +160,15 @@ impl Phone {
                 .iter()
                 .any(|[from, to]| (*from..*to).contains(&phone.now))
         };
-        if path == "/get" || is_out(self) {
-            self.advance();
+        let waited = self.asked.as_mut().map_or(0.0, |asked| {
+            std::mem::replace(asked, Instant::now())
+                .elapsed()
+                .as_secs_f64()
+        });
+        if is_out(self) {
+            self.advance(waited.max(POLL));
+        } else if path == "/get" {
+            self.advance(POLL);
         }
         if is_out(self) {
             return None;
@@ -160,6 +176,7 @@ impl Phone {
         Some(match path {
             "/config" => CONFIG.into(),
             "/get" => {
+                self.taken = self.sent;
                 self.sent = [0, 1].map(|k| self.buffers[k].len());
                 self.get(query).into_bytes()
             }
@@ -170,9 +187,14 @@ impl Phone {
         })
     }
 
-    fn advance(&mut self) {
+    /// Nobody asks for so long, s.
+    pub fn wait(&mut self, seconds: f64) {
+        self.advance(seconds);
+    }
+
+    fn advance(&mut self, seconds: f64) {
         self.read_instructions();
-        let until = self.now + POLL;
+        let until = self.now + seconds;
         loop {
             let k = usize::from(self.next[1] < self.next[0]);
             let t = self.next[k];

@@ -1,5 +1,7 @@
 //! One guided session from its first sample to its calibration.
 
+use std::time::Duration;
+
 use calib::calibrate::calibrate;
 use calib::recording::ReadOptions;
 use calib::{Calibration, Recording};
@@ -13,6 +15,8 @@ use super::server::Server;
 
 /// Polls after which a session has not ended: ten minutes.
 const LONGEST: usize = 2400;
+/// As the command line waits for a phone that does not answer.
+const PATIENCE: Duration = Duration::from_secs(180);
 
 /// How a session went.
 #[derive(Clone, Debug)]
@@ -46,22 +50,41 @@ impl Sitting {
     }
 }
 
-/// The phone and the person of a seed: every third one clumsy in one way, every seventh in all.
+/// What goes wrong in the session of a seed: one kind in six of seven seeds in turn, all of them in the seventh.
+pub const KINDS: [&str; 7] = [
+    "nothing goes wrong",
+    "held in the hand",
+    "wrong faces",
+    "too fast and touched",
+    "the phone pauses",
+    "out of reach",
+    "all of it",
+];
+
+/// The kind of a seed, an index of [`KINDS`].
+pub fn kind(seed: u64) -> usize {
+    (seed % 7) as usize
+}
+
+/// The phone and the person of a seed.
 pub fn phone(seed: u64) -> Phone {
     let mut rng = ChaCha8Rng::seed_from_u64(seed ^ 0x73_69_74);
-    let all = seed % 7 == 6;
-    let has = |kind: u64| all || seed % 5 == kind;
+    let has = |what: usize| [what, KINDS.len() - 1].contains(&kind(seed));
+    let if_has = |what: usize, share: f64| if has(what) { share } else { 0.0 };
     let habits = Habits {
-        in_the_hand: if has(1) { 0.4 } else { 0.0 },
-        wrong_face: if has(2) { 0.15 } else { 0.0 },
+        in_the_hand: if_has(1, 0.4),
+        wrong_face: if_has(2, 0.25),
         hasty: has(3),
-        impatient: if has(3) { 0.05 } else { 0.0 },
+        impatient: if_has(3, 0.05),
     };
     let mut times =
         |count: usize| -> Vec<f64> { (0..count).map(|_| rng.random_range(8.0..90.0)).collect() };
     let pauses = times(if has(4) { 2 } else { 0 });
-    let drops = times(if has(0) { 4 } else { 0 });
-    let drops = drops.into_iter().map(|from| [from, from + 6.0]);
+    let drops = times(if has(5) { 4 } else { 0 });
+    // The last one is that of a phone that is carried out of the network.
+    let lengths = [6.0, 6.0, 6.0, 60.0];
+    let drops = drops.into_iter().zip(lengths);
+    let drops = drops.map(|(from, length)| [from, from + length]);
     Phone::new(Person::new(habits, seed), seed)
         .pausing(pauses)
         .dropping(drops.collect())
@@ -78,7 +101,7 @@ pub fn sit(seed: u64, planned: usize) -> Result<Sitting, Box<dyn std::error::Err
         folder: folder.path().to_owned(),
         read: ReadOptions::default(),
         baud: 0,
-        attempts: 100,
+        patience: PATIENCE,
     };
     let mut source = open(&server.address, &how)?;
     let aim = Aim {
@@ -89,7 +112,12 @@ pub fn sit(seed: u64, planned: usize) -> Result<Sitting, Box<dyn std::error::Err
     let mut session = Session::new(aim);
     let mut incidents = [0; 4];
     for _ in 0..LONGEST {
-        for said in session.take(&source.poll()?) {
+        let now = Duration::from_secs_f64(server.phone().seconds());
+        let batch = source.poll(now)?;
+        server
+            .phone()
+            .wait(batch.pause.unwrap_or_default().as_secs_f64());
+        for said in session.take(&batch) {
             let kinds = [
                 matches!(said, Instruction::Paused),
                 matches!(said, Instruction::Reconnecting),

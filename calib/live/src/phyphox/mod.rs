@@ -63,7 +63,9 @@ pub struct Phyphox {
     /// Measuring was begun here, so that it is ended here.
     started: bool,
     failures: u32,
-    attempts: u32,
+    /// When the first of them was, by the caller's clock.
+    silent_since: Duration,
+    patience: Duration,
     barren: u32,
     greeted: bool,
 }
@@ -77,7 +79,7 @@ impl Phyphox {
         let client = Client::new(address);
         let text = client.get("/config").map_err(|cause| Error::Lost {
             address: address.to_owned(),
-            attempts: 1,
+            seconds: 0.0,
             cause,
         })?;
         let experiment = Experiment::parse(&text).ok_or_else(|| not_phyphox(address, &text))?;
@@ -97,7 +99,8 @@ impl Phyphox {
             measuring: false,
             started: false,
             failures: 0,
-            attempts: how.attempts,
+            silent_since: Duration::ZERO,
+            patience: how.patience,
             barren: 0,
             greeted: false,
         })
@@ -113,14 +116,17 @@ impl Phyphox {
         format!("/get?{}", queries.join("&"))
     }
 
-    fn no_answer(&mut self, cause: String) -> Result<Batch, Error> {
+    fn no_answer(&mut self, now: Duration, cause: String) -> Result<Batch, Error> {
+        if self.failures == 0 {
+            self.silent_since = now;
+        }
         self.failures += 1;
         let attempts = self.failures;
-        if attempts >= self.attempts {
-            let address = self.client.address.clone();
+        let silence = now.saturating_sub(self.silent_since);
+        if silence >= self.patience {
             return Err(Error::Lost {
-                address,
-                attempts,
+                address: self.client.address.clone(),
+                seconds: silence.as_secs_f64(),
                 cause,
             });
         }
@@ -244,12 +250,12 @@ impl Phyphox {
 }
 
 impl Source for Phyphox {
-    fn poll(&mut self) -> Result<Batch, Error> {
+    fn poll(&mut self, now: Duration) -> Result<Batch, Error> {
         let answer = self.client.get(&self.path());
         let reply = answer.and_then(|text| Reply::parse(&text));
         let mut batch = match reply {
             Ok(reply) => self.taken(&reply)?,
-            Err(cause) => self.no_answer(cause)?,
+            Err(cause) => self.no_answer(now, cause)?,
         };
         if !std::mem::replace(&mut self.greeted, true) {
             let name = format!("phyphox, {}", self.experiment.title);

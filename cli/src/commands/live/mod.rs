@@ -7,7 +7,7 @@ mod web;
 mod words;
 
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use calib::calibrate::Request;
 use live::{Aim, Batch, Event, Instruction, Opening, Session, Source, View, open};
@@ -79,8 +79,8 @@ pub struct Args {
     calibrate: Vec<String>,
 }
 
-/// Attempts in a row without an answer before a phone is given up: about two minutes.
-const ATTEMPTS: u32 = 30;
+/// A phone that has not answered for so long is given up.
+const PATIENCE: Duration = Duration::from_secs(180);
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
@@ -93,7 +93,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         folder: path.clone(),
         read: args.read.clone().into(),
         baud: args.baud,
-        attempts: ATTEMPTS,
+        patience: PATIENCE,
     };
     let mut source = open(&args.source, &how)?;
     drop(folder);
@@ -173,8 +173,9 @@ fn guide(args: &Args, source: &mut dyn Source, mut session: Session) -> Result<(
             web.address()
         ));
     }
+    let begin = Instant::now();
     loop {
-        let batch = match source.poll() {
+        let batch = match source.poll(begin.elapsed()) {
             Ok(batch) => batch,
             Err(error @ live::Error::Lost { .. }) if !session.placements().is_empty() => {
                 screen.line(&format!("warning: {error}: the session ends here"));
