@@ -18,8 +18,9 @@ const CAUSES: [(&[&str], &str); 7] = [
     ),
     (
         &["readings look like"],
-        "Calibrate again and say the unit: --gyro-unit deg/s or --accel-unit g. As it is, the calibration fits only \
-         recordings that are read in the same wrong unit.",
+        "Calibrate again and say the unit of the sensor that the verdict names: --gyro-unit deg/s for a gyroscope, \
+         --accel-unit g for an accelerometer. As it is, the calibration fits only recordings that are read in the same wrong \
+         unit.",
     ),
     (
         &["saturat", "cut off at the end of its range"],
@@ -27,8 +28,9 @@ const CAUSES: [(&[&str], &str); 7] = [
     ),
     (
         &["touched", "pushed", "disturbed", "fit neither", "outl"],
-        "Record again without touching the device while it is still; or calibrate again without the intervals that the \
-         verdict and the warnings name (--sections).",
+        "Record again without touching the device while it is still. Or, without a new recording, calibrate again with the \
+         other intervals only: write their begins and ends (s) into a table with the columns t0,t1 and give it, \
+         --sections table.csv. The warnings name all intervals to leave out.",
     ),
     (
         &["misfit of the"],
@@ -80,10 +82,10 @@ pub fn judged(
     } else if let (Some(k), Some(warning)) = (cause, warning) {
         next.push(CAUSES[k].1.into());
         // A wrong unit or rate is in every figure of the sensor.
-        if k == 0 {
+        if k <= UNIT {
             (
                 Level::Bad,
-                format!("Do not use this calibration yet: {}", sentence_of(warning)),
+                format!("Do not use this calibration yet: {}", meaning(k, warning)),
             )
         } else {
             (
@@ -118,15 +120,15 @@ pub fn judged(
         next.push(advice);
     }
     let apply = "Correct recordings with it: stillpoint apply cal.json RECORDING -o corrected.csv";
-    if level == Level::Good {
-        next.push(apply.into());
-    }
     if level != Level::Bad && calibration.gravity_source == GravitySource::Assumed {
         next.push(
-            "Give the local gravity (--gravity) or the place (--latitude, --altitude): gravity was assumed, and its error is \
-             in every scale factor of the accelerometer."
+            "For better scale factors of the accelerometer calibrate again with the local gravity (--gravity) or the place \
+             (--latitude, --altitude): gravity was assumed, and its error is in each of them."
                 .into(),
         );
+    }
+    if level == Level::Good {
+        next.push(apply.into());
     }
     if level != Level::Bad {
         next.push(
@@ -134,7 +136,7 @@ pub fn judged(
                 .into(),
         );
     }
-    if level == Level::Care && cause != Some(UNIT) {
+    if level == Level::Care {
         next.push(apply.into());
     }
     Judged {
