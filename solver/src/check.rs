@@ -34,8 +34,7 @@ pub struct Mismatch {
 /// a matrix that has not the shape `m × n`.
 ///
 /// ```
-/// # use stillpoint_solver as solver;
-/// use solver::{Parameters, Residual, Scalar, check_derivatives};
+/// use stillpoint_solver::{Parameters, Residual, Scalar, check_derivatives};
 ///
 /// struct Leaky;
 /// impl<D: Scalar> Residual<D> for Leaky {

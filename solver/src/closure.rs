@@ -8,9 +8,12 @@ use crate::vector::{add, norm};
 
 /// A problem from a closure over [`Jet`]: exact derivatives, no second derivatives.
 ///
+/// A plain number stands on the right of a [`Jet`] (`x[0] * 2.0`) or is made one by [`lit`](crate::lit): `y - model` does not
+/// compile, `model - y` and `lit::<Jet>(y) - model` do. Import [`DualNum`](crate::DualNum) for `exp`, `sqrt` and their like: without
+/// it the compiler proposes traits that drop the derivatives ([`check_derivatives`](crate::check_derivatives) finds that).
+///
 /// ```
-/// # use stillpoint_solver as solver;
-/// use solver::{DualNum, Jet, Mask, Options, Parameters, from_fn, lit, solve};
+/// use stillpoint_solver::{DualNum, Jet, Mask, Options, Parameters, from_fn, lit, solve};
 ///
 /// let data = [(0.0, 2.0), (1.0, 1.213), (2.0, 0.736)];
 /// let decay = from_fn(|x: &[Jet], out: &mut Vec<Jet>| {
@@ -18,7 +21,7 @@ use crate::vector::{add, norm};
 /// });
 /// let report = solve(&decay, &Parameters::unnamed(&[1.0, 1.0]), &Mask::all(2), &Options::default())?;
 /// assert!((report.parameters.values()[1] - 0.5).abs() < 1e-3);
-/// # Ok::<(), solver::Error>(())
+/// # Ok::<(), stillpoint_solver::Error>(())
 /// ```
 pub fn from_fn<F: Fn(&[Jet], &mut Vec<Jet>)>(f: F) -> impl Problem {
     Dual(f)
@@ -34,8 +37,7 @@ pub fn from_fn_numeric<F: Fn(&[f64], &mut Vec<f64>)>(f: F) -> impl Problem {
 /// parameters, row by row (`m · n` numbers, the `n` of the first residual first).
 ///
 /// ```
-/// # use stillpoint_solver as solver;
-/// use solver::{Mask, Options, Parameters, from_fn_with_jacobian, solve};
+/// use stillpoint_solver::{Mask, Options, Parameters, from_fn_with_jacobian, solve};
 ///
 /// let valley = from_fn_with_jacobian(
 ///     |x, r| r.extend([10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0]]),
@@ -43,7 +45,7 @@ pub fn from_fn_numeric<F: Fn(&[f64], &mut Vec<f64>)>(f: F) -> impl Problem {
 /// );
 /// let fit = solve(&valley, &Parameters::unnamed(&[-1.2, 1.0]), &Mask::all(2), &Options::default())?;
 /// assert!((fit.parameters.values()[1] - 1.0).abs() < 1e-12);
-/// # Ok::<(), solver::Error>(())
+/// # Ok::<(), stillpoint_solver::Error>(())
 /// ```
 pub fn from_fn_with_jacobian<R, J>(residuals: R, jacobian: J) -> impl Problem
 where

@@ -9,8 +9,7 @@ use crate::parameters::{Mask, Parameters};
 /// Bounds and linear constraints `lower ≤ Σ cₖ xₖ ≤ upper`.
 ///
 /// ```
-/// use solver::Constraints;
-/// # use stillpoint_solver as solver;
+/// use stillpoint_solver::Constraints;
 /// let constraints = Constraints::new()
 ///     .bound("scale", 0.5, f64::INFINITY)
 ///     .order("tau_fast", "tau_slow")

@@ -7,8 +7,7 @@ use crate::scalar::Scalar;
 /// At a corner the derivative is that of one side: a solver needs a number, not the lack of one.
 ///
 /// ```
-/// # use stillpoint_solver as solver;
-/// use solver::{Elementary, Jet, scalar::{derivatives, variable}};
+/// use stillpoint_solver::{Elementary, Jet, scalar::{derivatives, variable}};
 /// let y = variable(1.0, 0);
 /// let x = Jet::from(0.0); // where y / x is infinite
 /// assert_eq!(y.atan2(x).re, std::f64::consts::FRAC_PI_2);

@@ -30,8 +30,7 @@ pub enum Loss {
 /// A loss `ρ(s)` of `s = (r / σ)²`, to be used as [`Loss::own`].
 ///
 /// ```
-/// # use stillpoint_solver as solver;
-/// use solver::{Loss, LossFunction, LossScale};
+/// use stillpoint_solver::{Loss, LossFunction, LossScale};
 ///
 /// /// Fair: `ρ = 2 (√s − ln(1 + √s))`.
 /// #[derive(Debug)]

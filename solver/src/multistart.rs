@@ -43,8 +43,7 @@ impl MultiStart {
 /// `‖D (x − y)‖ ≤ 1e-6 (‖D x‖ + ‖r‖)`, with the column norms `D` of the Jacobian, whatever the units.
 ///
 /// ```
-/// # use stillpoint_solver as solver;
-/// use solver::{DualNum, Jet, Mask, Options, Parameters, from_fn, multi_start, spread};
+/// use stillpoint_solver::{DualNum, Jet, Mask, Options, Parameters, from_fn, multi_start, spread};
 ///
 /// let well = from_fn(|x: &[Jet], out: &mut Vec<Jet>| out.push(x[0] * x[0] - 4.0));
 /// let starts: Vec<Parameters> = spread(&[-5.0], &[4.0], 8).iter().map(|x| Parameters::unnamed(x)).collect();

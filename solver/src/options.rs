@@ -61,8 +61,7 @@ pub enum Variant {
 /// A descent and a search of one's own.
 ///
 /// ```
-/// # use stillpoint_solver as solver;
-/// use solver::{Descent, Local, Options, OwnVariant, Search, Step, Trial, Variant};
+/// use stillpoint_solver::{Descent, Local, Options, OwnVariant, Search, Step, Trial, Variant};
 ///
 /// /// Levenberg's step `argmin ‖J p + r‖² + λ ‖D p‖²`.
 /// struct Plain;
@@ -85,11 +84,11 @@ pub enum Variant {
 ///
 /// let variant = Variant::own("halving", &Plain, |options, _| Box::new(Halving(options.first_damping)));
 /// let options = Options { variant, ..Options::default() };
-/// # use solver::{DualNum, Jet, Mask, Parameters, from_fn, solve};
+/// # use stillpoint_solver::{DualNum, Jet, Mask, Parameters, from_fn, solve};
 /// let circle = from_fn(|x: &[Jet], out: &mut Vec<Jet>| out.extend([x[0] * x[0] - 2.0, x[0] - x[1]]));
 /// let fit = solve(&circle, &Parameters::unnamed(&[1.0, 0.0]), &Mask::all(2), &options)?;
 /// assert!((fit.parameters.values()[1] - 2f64.sqrt()).abs() < 1e-12);
-/// # Ok::<(), solver::Error>(())
+/// # Ok::<(), stillpoint_solver::Error>(())
 /// ```
 #[derive(Clone, Copy)]
 pub struct OwnVariant {

@@ -25,8 +25,7 @@ use crate::system::Dense;
 ///
 /// # Examples
 /// ```
-/// # use stillpoint_solver as solver;
-/// use solver::{Mask, Options, Parameters, Residual, Scalar, lit, solve};
+/// use stillpoint_solver::{Mask, Options, Parameters, Residual, Scalar, lit, solve};
 ///
 /// /// Rosenbrock's valley.
 /// struct Valley;
@@ -42,7 +41,7 @@ use crate::system::Dense;
 /// let report = solve(&Valley, &start, &Mask::all(2), &Options::default())?;
 /// assert!(report.termination.converged());
 /// assert!((report.parameters.values()[1] - 1.0).abs() < 1e-12);
-/// # Ok::<(), solver::Error>(())
+/// # Ok::<(), stillpoint_solver::Error>(())
 /// ```
 pub fn solve(
     problem: &dyn Problem,

@@ -12,8 +12,7 @@ use crate::residual::Problem;
 /// further apart has no place here: make what couples them shared parameters.
 ///
 /// ```
-/// # use stillpoint_solver as solver;
-/// use solver::{BlockProblem, Mask, Options, Parameters, Residual, Scalar, lit, solve_blocks};
+/// use stillpoint_solver::{BlockProblem, Mask, Options, Parameters, Residual, Scalar, lit, solve_blocks};
 ///
 /// /// `y = slope · t + offset of the group`.
 /// struct Group(Vec<[f64; 2]>);
@@ -34,7 +33,7 @@ use crate::residual::Problem;
 /// let report = solve_blocks(&problem, &Mask::all(1), &Options::default())?;
 /// assert!((report.shared.parameters.values()[0] - 2.0).abs() < 1e-12);
 /// assert!((report.blocks[1][0] - 5.0).abs() < 1e-12);
-/// # Ok::<(), solver::Error>(())
+/// # Ok::<(), stillpoint_solver::Error>(())
 /// ```
 pub struct BlockProblem<'a> {
     pub(crate) shared: Parameters,

@@ -33,8 +33,7 @@ pub struct Comparison {
 /// Solves from every start with every variant.
 ///
 /// ```
-/// # use stillpoint_solver as solver;
-/// use solver::{DualNum, Jet, Measure, Parameters, Variant, compare, from_fn};
+/// use stillpoint_solver::{DualNum, Jet, Measure, Parameters, Variant, compare, from_fn};
 ///
 /// let decay = from_fn(|x: &[Jet], out: &mut Vec<Jet>| {
 ///     out.extend([(0.0, 2.0), (1.0, 1.2), (2.0, 0.7)].map(|(t, y)| x[0] * (-x[1] * t).exp() - y));

@@ -18,8 +18,7 @@ use crate::scalar::{Jet, LANES, Scalar, derivatives, variable};
 /// series near zero.
 ///
 /// ```
-/// # use stillpoint_solver as solver;
-/// use solver::{Manifold, Scalar, check_manifold};
+/// use stillpoint_solver::{Manifold, Scalar, check_manifold};
 ///
 /// /// A positive number, stored as it is, stepped by factors.
 /// #[derive(Debug)]

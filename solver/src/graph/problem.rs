@@ -30,8 +30,7 @@ impl Block {
 /// Bounds and linear constraints are not offered here; see [`solve`](crate::solve()) for those.
 ///
 /// ```
-/// # use stillpoint_solver as solver;
-/// use solver::{Euclidean, Graph, GraphOptions, Residual, Scalar, lit, solve_graph};
+/// use stillpoint_solver::{Euclidean, Graph, GraphOptions, Residual, Scalar, lit, solve_graph};
 ///
 /// /// The distance between two points in the plane, as measured.
 /// struct Distance(f64);
@@ -54,7 +53,7 @@ impl Block {
 /// graph.add_factor(&[b, c], Distance(5.0));
 /// let report = solve_graph(&graph, &GraphOptions::default())?;
 /// assert!((report.value(c)[1] - 3.0).abs() < 1e-12);
-/// # Ok::<(), solver::Error>(())
+/// # Ok::<(), stillpoint_solver::Error>(())
 /// ```
 #[derive(Default)]
 pub struct Graph<'a> {
@@ -152,6 +151,10 @@ impl<'a> Graph<'a> {
     }
 
     /// Adds a factor over blocks, in the order in which it reads them.
+    ///
+    /// The factor is a type that implements [`Residual`](crate::Residual), or [`Factor`] with a Jacobian of its own; a closure of
+    /// [`from_fn`](crate::from_fn) is none. Its `x` holds the blocks' numbers one after the other: a rotation has four there, a
+    /// quaternion with the real part first, although it has three degrees of freedom.
     pub fn add_factor(&mut self, blocks: &[Block], factor: impl Factor + 'a) {
         self.push(blocks, Box::new(factor), 0);
     }

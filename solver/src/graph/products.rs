@@ -21,8 +21,7 @@ const BATCH: usize = 32;
 /// | `H⁺` | `(JᵀJ)⁺`, of minimum norm across `N` in coordinates scaled to columns of unit length |
 ///
 /// ```
-/// # use stillpoint_solver as solver;
-/// use solver::{Euclidean, Graph, Products, Residual, Scalar, lit};
+/// use stillpoint_solver::{Euclidean, Graph, Products, Residual, Scalar, lit};
 ///
 /// struct Difference(f64);
 /// impl<D: Scalar> Residual<D> for Difference {
@@ -40,7 +39,7 @@ const BATCH: usize = 32;
 /// let products = Products::new(&graph, graph.values())?;
 /// assert_eq!(products.rank(), 1);
 /// assert!((products.covariance(&[b])[0][0] - 1.0).abs() < 1e-12);
-/// # Ok::<(), solver::Error>(())
+/// # Ok::<(), stillpoint_solver::Error>(())
 /// ```
 pub struct Products<'a> {
     graph: &'a Graph<'a>,

@@ -42,8 +42,7 @@ pub enum LinearSolver {
 /// A way to factor a Jacobian, to be used as [`LinearSolver::own`].
 ///
 /// ```
-/// # use stillpoint_solver as solver;
-/// use solver::{Factorization, LinearMethod, LinearSolver, MatRef};
+/// use stillpoint_solver::{Factorization, LinearMethod, LinearSolver, MatRef};
 ///
 /// /// One parameter: `p = −Jᵀb / (JᵀJ + λ D²)`.
 /// struct Single;
@@ -71,12 +70,12 @@ pub enum LinearSolver {
 ///     }
 /// }
 ///
-/// let options = solver::Options { linear_solver: LinearSolver::own(&Single), ..Default::default() };
-/// # use solver::{Jet, Mask, Parameters, from_fn, solve};
+/// let options = stillpoint_solver::Options { linear_solver: LinearSolver::own(&Single), ..Default::default() };
+/// # use stillpoint_solver::{Jet, Mask, Parameters, from_fn, solve};
 /// let root = from_fn(|x: &[Jet], out: &mut Vec<Jet>| out.push(x[0] * x[0] - 2.0));
 /// let fit = solve(&root, &Parameters::unnamed(&[1.0]), &Mask::all(1), &options)?;
 /// assert!((fit.parameters.values()[0] - 2f64.sqrt()).abs() < 1e-15);
-/// # Ok::<(), solver::Error>(())
+/// # Ok::<(), stillpoint_solver::Error>(())
 /// ```
 pub trait LinearMethod {
     /// Factors `J D⁻¹` for `J` (`m × n`) and the diagonal of `D` (`n`).
