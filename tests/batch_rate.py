@@ -19,6 +19,8 @@ import tempfile
 import time
 from pathlib import Path
 
+from devices import linked_devices
+
 SPEC = """seed = {seed}
 rate = 100.0
 [motion.hand_held]
@@ -31,24 +33,7 @@ SESSIONS = {
     "30 s": dict(placements=14, initial=3.0, rest=[1.0, 1.1], turn=[0.8, 1.0]),
     "10 min": dict(placements=57, initial=30.0, rest=[6.0, 8.0], turn=[2.0, 4.0]),
 }
-KINDS = 40
 LOOP = 'for d in "$0"/*; do "$1" calibrate "$d" -o "$2/${d##*/}.json" --force >/dev/null 2>&1; done'
-
-
-def make(program, folder, session, count):
-    """A folder per device: forty sessions are simulated, and the other devices are links to them."""
-    folder.mkdir()
-    for k in range(count):
-        device, first = folder / f"d{k:05}", folder / f"d{k % KINDS:05}"
-        if k < KINDS:
-            spec = folder.parent / "spec.toml"
-            spec.write_text(SPEC.format(seed=k, **session))
-            subprocess.run([program, "simulate", spec, "-o", device], check=True, capture_output=True)
-            (device / "truth.json").unlink()
-        else:
-            device.mkdir()
-            for member in first.iterdir():
-                os.link(member, device / member.name)
 
 
 def spent(command, **more):
@@ -78,7 +63,7 @@ def main():
         folder = Path(folder)
         for name, count in (("30 s", arguments.short), ("10 min", arguments.long)):
             devices, out = folder / name.replace(" ", ""), folder / f"out{count}"
-            make(program, devices, SESSIONS[name], count)
+            linked_devices(program, devices, SPEC, count, **SESSIONS[name])
             of_cores, work, memory = [], [], []
             for round_ in range(arguments.rounds):
                 _, own, _, said, status = spent([rate, devices], env=one)

@@ -20,6 +20,7 @@ import tempfile
 import time
 from pathlib import Path
 
+from devices import linked_devices
 from engine import in_cluster, shard_command, status
 
 SPEC = """seed = {seed}
@@ -30,22 +31,6 @@ initial_rest = 3.0
 rest = [1.0, 1.1]
 turn = [0.8, 1.0]
 """
-KINDS = 40
-
-
-def make_devices(program, folder, count):
-    folder.mkdir()
-    for k in range(count):
-        device, first = folder / f"d{k:07}", folder / f"d{k % KINDS:07}"
-        if k < KINDS:
-            spec = folder.parent / "spec.toml"
-            spec.write_text(SPEC.format(seed=k))
-            subprocess.run([program, "simulate", spec, "-o", device], check=True, capture_output=True)
-            (device / "truth.json").unlink()
-        else:
-            device.mkdir()
-            for member in first.iterdir():
-                os.link(member, device / member.name)
 
 
 def by_parallel(commands, cores, folder):
@@ -67,7 +52,7 @@ def main():
         folder = Path(folder)
         devices, out = folder / "devices", folder / "out"
         begin = time.monotonic()
-        make_devices(program, devices, arguments.devices)
+        linked_devices(program, devices, SPEC, arguments.devices)
         made = time.monotonic() - begin
         n = arguments.shards
         commands = [shard_command(program, devices, out, k, n) for k in range(1, n + 1)]

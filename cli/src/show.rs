@@ -81,6 +81,13 @@ fn say_after(label: &str, text: &str) {
     let _ = writeln!(std::io::stderr(), "{label}{rest}");
 }
 
+/// The text with a capital letter.
+pub fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(char::to_uppercase);
+    first.into_iter().flatten().chain(letters).collect()
+}
+
 /// A text for people in lines that fit on standard output.
 pub fn wrapped(text: &str) -> String {
     terminal::wrapped(text, terminal::width())

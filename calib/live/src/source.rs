@@ -14,7 +14,8 @@ use crate::phyphox::Phyphox;
 pub trait Source {
     /// What came since the last call. Everything in it is on disk when it returns.
     ///
-    /// `now` is the time since the session began by the caller's clock, which may be a simulated one. It waits no longer than a request does; [`Batch::pause`] says when to ask again.
+    /// `now` is the time since the session began by the caller's clock, which may be a simulated one. It waits no longer than a
+    /// request does; [`Batch::pause`] says when to ask again.
     ///
     /// # Errors
     /// [`Error::Lost`] where it has not answered for [`Opening::patience`], [`Error::File`] where the recording cannot be written,

@@ -23,11 +23,14 @@ fn information(covered: &[Vector3<f64>]) -> ForceMatrix {
     before + force_information(covered)
 }
 
-/// By how much a placement lowers the volume of what is not known: `hᵀ M⁻¹ h`.
-fn told(information: &ForceMatrix, up: &Vector3<f64>) -> f64 {
-    let covariance = information.cholesky().map(|c| c.inverse());
-    let gain = |c| gain(&force_row(up), &c, Criterion::Volume);
-    covariance.map_or(f64::INFINITY, gain)
+/// By how much a placement after `covered` lowers the volume of what is not known: `hᵀ M⁻¹ h`.
+fn told_after(covered: &[Vector3<f64>]) -> impl Fn(&Vector3<f64>) -> f64 {
+    let covariance = information(covered).cholesky().map(|c| c.inverse());
+    move |up| {
+        covariance.map_or(f64::INFINITY, |c| {
+            gain(&force_row(up), &c, Criterion::Volume)
+        })
+    }
 }
 
 /// The face, edge or corner that tells most after `covered`, of a device that points `now` up: the simplest that is nearly
@@ -40,9 +43,8 @@ fn told(information: &ForceMatrix, up: &Vector3<f64>) -> f64 {
 /// assert!(next.z.abs() < 0.9, "not the same face again");
 /// ```
 pub fn next_placement(covered: &[Vector3<f64>], now: Option<&Vector3<f64>>) -> Vector3<f64> {
-    let information = information(covered);
     let all = faces_edges_corners();
-    let gains: Vec<f64> = all.iter().map(|up| told(&information, up)).collect();
+    let gains: Vec<f64> = all.iter().map(told_after(covered)).collect();
     let best = gains.iter().fold(0.0, |a: f64, b| a.max(*b));
     let axes = |up: &Vector3<f64>| up.iter().filter(|c| c.abs() > 1e-9).count();
     // How far from a right angle; of equal ones the screen's and the back's first.
@@ -62,8 +64,8 @@ pub fn next_placement(covered: &[Vector3<f64>], now: Option<&Vector3<f64>>) -> V
 
 /// What a placement at `up` tells as a share of what `wanted` would, 1 for equally much.
 pub fn worth(covered: &[Vector3<f64>], up: &Vector3<f64>, wanted: &Vector3<f64>) -> f64 {
-    let information = information(covered);
-    told(&information, up) / told(&information, wanted)
+    let told = told_after(covered);
+    told(up) / told(wanted)
 }
 
 /// How much the placements so far tell of what a session of `planned` would that takes every [`next_placement`]: the ninth

@@ -118,40 +118,37 @@ impl State {
         all
     }
 
-    /// How sure the model is of what it holds as disturbed: `ln p` of `βᵀ C⁻¹ β`, `β` the parameters of one
-    /// disturbance and `C` their covariance.
-    pub fn disturbances(&self) -> Vec<(Known, f64)> {
-        let all = self.fit.parameters.values();
-        let mut next = all.len() - self.fit.disturbance_columns.len();
+    /// What the model holds as disturbed, in the order of the findings, and the places of its parameters.
+    fn held(&self) -> impl Iterator<Item = (Known, Range<usize>)> + '_ {
+        let mut next = self.fit.parameters.values().len() - self.fit.disturbance_columns.len();
         let suspects = self.suspects().into_iter();
         suspects
             .filter(|s| self.is_accused(s.kind, s.place))
-            .map(|s| {
+            .map(move |s| {
                 let own = next..next + s.columns.len();
                 next = own.end;
                 let known = Known {
                     kind: s.kind,
                     place: s.place,
                 };
-                (known, self.log_p_of_nothing(own))
+                (known, own)
             })
+    }
+
+    /// How sure the model is of what it holds as disturbed: `ln p` of `βᵀ C⁻¹ β`, `β` the parameters of one
+    /// disturbance and `C` their covariance.
+    pub fn disturbances(&self) -> Vec<(Known, f64)> {
+        let all = self.held();
+        all.map(|(known, own)| (known, self.log_p_of_nothing(own)))
             .collect()
     }
 
     /// Length of what each disturbance of the model comes to, in the order of the findings: rad/s of a creep and of a rate,
     /// m/s² of a force, rad of a turn and of a slip at once.
     pub fn disturbed_sizes(&self) -> Vec<f64> {
-        let all = self.fit.parameters.values();
-        let mut next = all.len() - self.fit.disturbance_columns.len();
-        let suspects = self.suspects().into_iter();
-        suspects
-            .filter(|s| self.is_accused(s.kind, s.place))
-            .map(|s| {
-                let own = next..next + s.columns.len();
-                next = own.end;
-                all[own].iter().map(|v| v * v).sum::<f64>().sqrt()
-            })
-            .collect()
+        let values = self.fit.parameters.values();
+        let length = |own: Range<usize>| values[own].iter().map(|v| v * v).sum::<f64>().sqrt();
+        self.held().map(|(_, own)| length(own)).collect()
     }
 
     /// `ln p` that some parameters are nothing.

@@ -8,6 +8,7 @@ use super::parameters;
 use super::session::Session;
 use crate::commands::limits;
 use crate::report::{Figure, Level};
+use crate::show::capital;
 
 /// What warnings speak of, the gravest first, and what to do then.
 const CAUSES: [(&[&str], &str); 7] = [
@@ -249,13 +250,6 @@ fn meaning(cause: usize, warning: &str) -> String {
         }
         _ => sentence,
     }
-}
-
-/// The text with a capital letter.
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    let first = letters.next().map(char::to_uppercase);
-    first.into_iter().flatten().chain(letters).collect()
 }
 
 /// The gravest cause that the warnings speak of, and the warning.

@@ -45,17 +45,10 @@ pub fn instruction(step: &Step, force_only: bool) -> String {
     let placement = format!("{} ({}), {:.0}\u{a0}s", step.words, step.axes, step.rest);
     let turn = step.turn_words.as_ref().filter(|_| !force_only);
     let placed = turn.map_or_else(
-        || capital(&placement),
+        || show::capital(&placement),
         |turn| format!("Turn it {turn}: {placement}"),
     );
     format!("{placed}.")
-}
-
-fn capital(words: &str) -> String {
-    let mut letters = words.chars();
-    letters.next().map_or(String::new(), |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
 }
 
 /// Adds words wrapped, lines after the first indented like it.
