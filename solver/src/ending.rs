@@ -2,7 +2,7 @@
 
 use crate::finish::Verdict;
 use crate::iterate::Stop;
-use crate::linear::{Factor, Jacobian};
+use crate::linear::Factor;
 use crate::options::Options;
 use crate::point::{NotFinite, Point};
 use crate::report::Termination;
@@ -137,9 +137,6 @@ pub(crate) fn escape(
     verdict: &Verdict,
     options: &Options,
 ) -> Option<Point> {
-    let Jacobian::Dense(_) = &point.at.jacobian else {
-        return None;
-    };
     if !options.variant.uses_second_derivatives() {
         return None;
     }

@@ -86,6 +86,16 @@ pub enum Error {
         /// The scale.
         value: f64,
     },
+    /// A loss of one's own that does not count small residuals by their square.
+    #[error(
+        "the loss has ρ(0) = {value} and ρ′(0) = {slope}, must have 0 and 1: divide ρ, ρ′ and ρ″ by {slope}"
+    )]
+    LossShape {
+        /// `ρ(0)`.
+        value: f64,
+        /// `ρ′(0)`.
+        slope: f64,
+    },
     /// A profile interval of a size that is not a positive number.
     #[error("a profile interval of {z} standard errors: must be positive")]
     ProfileLevel {
@@ -106,8 +116,8 @@ pub enum Error {
         /// Why.
         termination: Termination,
     },
-    /// A term of a block problem that speaks of a block that is not there.
-    #[error("a term speaks of block {block}, there are {blocks}")]
+    /// A factor that speaks of a block that is not there.
+    #[error("a factor speaks of block {block}, there are {blocks}")]
     UnknownBlock {
         /// Number of the block, from 0.
         block: usize,
@@ -123,6 +133,12 @@ pub enum Error {
         found: usize,
         /// How many the manifold stores.
         numbers: usize,
+    },
+    /// A block of a graph whose name another one has.
+    #[error("two blocks are called {block}: give every block a name of its own")]
+    RepeatedName {
+        /// The name.
+        block: String,
     },
     /// A factor that reads a block twice.
     #[error("factor {factor} reads block {block} twice: add it once")]

@@ -55,14 +55,10 @@ impl Verdict {
         let face = polytope.map(|p| Face::at(p, point, &scale));
         let residuals = &point.at.residuals;
         let mut whole = None;
-        let (tangential, step) = match (&face, &point.at.jacobian) {
-            (Some(face), Jacobian::Dense(j)) if !face.active().is_empty() => {
-                solved(&face.factor(j.as_ref()), residuals)
-            }
-            (_, Jacobian::Dense(j)) => {
-                solved(whole.insert(QrFactor::new(j.as_ref(), &scale)), residuals)
-            }
-            (_, Jacobian::Blocks(j)) => solved(&j.eliminate(&scale), residuals),
+        let Jacobian(j) = &point.at.jacobian;
+        let (tangential, step) = match &face {
+            Some(face) if !face.active().is_empty() => solved(&face.factor(j.as_ref()), residuals),
+            _ => solved(whole.insert(QrFactor::new(j.as_ref(), &scale)), residuals),
         };
         let step = step.map(|p| inside(point, polytope, &scale, p));
         let length = step
@@ -97,9 +93,10 @@ impl Verdict {
 
 /// A step that would leave the feasible set, replaced by the minimum of the model within it.
 fn inside(point: &Point, polytope: Option<&Polytope>, scale: &[f64], step: Vec<f64>) -> Vec<f64> {
-    let (Some(polytope), Jacobian::Dense(jacobian)) = (polytope, &point.at.jacobian) else {
+    let Some(polytope) = polytope else {
         return step;
     };
+    let Jacobian(jacobian) = &point.at.jacobian;
     if polytope.violated(&point.z, &step, scale).is_none() {
         return step;
     }

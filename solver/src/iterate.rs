@@ -223,9 +223,8 @@ impl<'a> Run<'a> {
     /// `‖P r‖`, along the active constraints where there are any.
     fn tangential(&self, local: &Local<'_>) -> f64 {
         let residuals = &local.point.at.residuals;
-        if let (Some(polytope), Jacobian::Dense(jacobian)) =
-            (self.polytope, &local.point.at.jacobian)
-        {
+        if let Some(polytope) = self.polytope {
+            let Jacobian(jacobian) = &local.point.at.jacobian;
             let face = Face::at(polytope, local.point, local.scale);
             if !face.active().is_empty() {
                 return face.factor(jacobian.as_ref()).tangential(residuals);

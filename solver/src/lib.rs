@@ -20,8 +20,7 @@
 //! | start from many places | [`multi_start`], [`spread`] |
 //! | watch the steps | [`solve_observed`] |
 //! | know what the data say | [`Uncertainty`], [`profile_interval`], [`sandwich_covariance`] |
-//! | solve a graph: named blocks, manifolds, sparse | [`Graph`], [`Manifold`], [`solve_graph`] |
-//! | fit many small blocks with shared parameters | [`BlockProblem`] |
+//! | solve a graph: named blocks, manifolds, sparse, many small blocks with shared ones | [`Graph`], [`Manifold`], [`solve_graph`] |
 //!
 //! How a run goes: `iterate` steps from point to point by a *descent* (where to) and a *search* (how
 //! far) until the residual is nearly orthogonal to the Jacobian; `finish` takes the last steps,
@@ -33,7 +32,6 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
-mod blocks;
 mod check;
 mod clock;
 mod closure;
@@ -72,7 +70,6 @@ mod system;
 mod vanishing;
 mod vector;
 
-pub use blocks::{BlockProblem, BlockReport, solve_blocks};
 pub use check::{Mismatch, check_derivatives};
 pub use closure::{from_fn, from_fn_numeric, from_fn_with_jacobian};
 pub use compare::{

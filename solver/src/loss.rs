@@ -2,6 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::error::Error;
+
+/// How near `ρ(0)` and `ρ′(0)` of a loss of one's own are to 0 and 1.
+const SHAPE: f64 = 1e-6;
+
 /// What a residual costs: `½ σ² Σ ρ((rᵢ / σ)²)` with `ρ(s) = s` for the quadratic loss.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -48,7 +53,7 @@ pub enum Loss {
 /// assert_eq!(loss.weight(0.0, 1.0), 1.0);
 /// ```
 pub trait LossFunction: std::fmt::Debug + Sync {
-    /// `ρ`, `ρ′` and `ρ″` at `s ≥ 0`, with `ρ(0) = 0` and `ρ′(0) = 1`.
+    /// `ρ`, `ρ′` and `ρ″` at `s ≥ 0`, with `ρ(0) = 0` and `ρ′(0) = 1`, which is checked before a fit.
     fn at(&self, s: f64) -> [f64; 3];
 }
 
@@ -87,6 +92,21 @@ impl Loss {
     /// A loss of one's own: a constant or a `static`.
     pub fn own(function: &'static dyn LossFunction, scale: LossScale) -> Self {
         Self::Own(OwnLoss(function), scale)
+    }
+
+    /// What a loss of one's own must be at zero; the others are.
+    ///
+    /// # Errors
+    /// `ρ(0)` other than 0 or `ρ′(0)` other than 1, to 1e-6: such a loss does not count a small residual by its
+    /// square, so that costs and standard errors mean something else.
+    pub(crate) fn check(self) -> Result<(), Error> {
+        let [value, slope, _] = self.at(0.0);
+        let close = value.abs() <= SHAPE && (slope - 1.0).abs() <= SHAPE;
+        if close {
+            Ok(())
+        } else {
+            Err(Error::LossShape { value, slope })
+        }
     }
 
     /// Its scale, if it has one.

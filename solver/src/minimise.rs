@@ -178,7 +178,7 @@ fn with_losses(
     point: &mut Point,
     descend: Descend<'_>,
 ) -> Result<(Termination, Verdict), Error> {
-    check_scales(losses)?;
+    check_losses(losses)?;
     let start = system.residuals(&point.z);
     estimate(losses, &start);
     if let Some(value) = losses.scales().find(|s| !(s * s).is_normal()) {
@@ -295,8 +295,11 @@ fn counted(losses: &Losses, residuals: &[f64]) -> usize {
         .count()
 }
 
-fn check_scales(losses: &Losses) -> Result<(), Error> {
+fn check_losses(losses: &Losses) -> Result<(), Error> {
     let groups = losses.groups.iter().map(|g| g.1);
+    for loss in std::iter::once(losses.rest.0).chain(groups.clone()) {
+        loss.check()?;
+    }
     let given = |loss: Loss| match loss.scale() {
         Some(LossScale::Given(value) | LossScale::Estimated(value)) => value,
         None => 1.0,

@@ -46,9 +46,7 @@ pub(crate) fn curvature(
 
 /// `argmin ½ uᵀ (BᵀJᵀJB + S) u + rᵀJ B u`, as `B u`; `None` where the Hessian is not positive definite.
 pub(crate) fn step(point: &Point, directions: MatRef<'_, f64>, s: &Mat<f64>) -> Option<Vec<f64>> {
-    let Jacobian::Dense(jacobian) = &point.at.jacobian else {
-        return None;
-    };
+    let Jacobian(jacobian) = &point.at.jacobian;
     let along = jacobian * directions;
     let hessian = along.transpose() * &along + s;
     let gradient = transpose_multiply(along.as_ref(), &point.at.residuals);

@@ -134,7 +134,7 @@ impl Variant {
         )
     }
 
-    /// Every variant, to compare them.
+    /// Every variant, to compare them; the default, [`Automatic`](Self::Automatic), first.
     pub fn all() -> Vec<Self> {
         let dampings = [
             Damping::Marquardt,
@@ -149,7 +149,10 @@ impl Variant {
             Self::GaussNewton,
             Self::GaussNewtonMinimumNorm,
         ];
-        levenberg.chain(others).collect()
+        std::iter::once(Self::Automatic)
+            .chain(levenberg)
+            .chain(others)
+            .collect()
     }
 
     /// A short name.

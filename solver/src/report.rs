@@ -39,9 +39,8 @@ pub enum Termination {
     NotFinite {
         /// Row of the residual.
         row: usize,
-        /// Free parameter whose derivative it is, an index into `uncertainty.names` (in a block
-        /// problem followed by the parameters of the blocks); `None` if the residual itself is not
-        /// finite.
+        /// Free parameter whose derivative it is, an index into `uncertainty.names`; `None` if the
+        /// residual itself is not finite.
         parameter: Option<usize>,
     },
 }

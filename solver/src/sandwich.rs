@@ -52,9 +52,7 @@ pub fn sandwich_covariance(
         losses,
     };
     let at = robust.linearize(&dense.restrict(report.parameters.values()));
-    let Jacobian::Dense(jacobian) = at.jacobian else {
-        return Ok(report.uncertainty.covariance.clone());
-    };
+    let Jacobian(jacobian) = at.jacobian;
     let n = jacobian.ncols();
     let bread = Mat::from_fn(n, n, |i, k| report.uncertainty.covariance[i][k]);
     // Rows √c J and residuals ψ / √c: their product is ψ J.

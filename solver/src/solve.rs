@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::constraints::ActiveConstraint;
-use crate::covariance::{Uncertainty, uncertainty_along};
+use crate::covariance::uncertainty_along;
 use crate::error::Error;
 use crate::feasible::Polytope;
 use crate::finish::Verdict;
@@ -103,25 +103,12 @@ impl Solution {
             .as_ref()
             .filter(|face| !face.active().is_empty());
         let directions = held.map(|face| face.directions());
-        let uncertainty = match &self.point.at.jacobian {
-            Jacobian::Dense(j) => match &self.verdict.factor {
-                Some(factor) => uncertainty_along(factor.root().as_ref(), directions, names),
-                None => uncertainty_along(j.as_ref(), directions, names),
-            },
-            Jacobian::Blocks(_) => Uncertainty::unknown(names),
+        let Jacobian(j) = &self.point.at.jacobian;
+        let uncertainty = match &self.verdict.factor {
+            Some(factor) => uncertainty_along(factor.root().as_ref(), directions, names),
+            None => uncertainty_along(j.as_ref(), directions, names),
         };
         let rank = uncertainty.rank;
-        self.into_report(parameters, uncertainty, rank, polytope)
-    }
-
-    /// The report with an uncertainty and the rank of the whole found elsewhere.
-    pub fn into_report(
-        self,
-        parameters: Parameters,
-        uncertainty: Uncertainty,
-        rank: usize,
-        polytope: Option<&Polytope>,
-    ) -> Report {
         let scale = |loss: Loss, scale: f64| loss.scale().map(|_| scale);
         let groups = self.losses.groups.iter();
         Report {

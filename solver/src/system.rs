@@ -116,7 +116,7 @@ impl System for Dense<'_> {
         Linearization {
             residuals,
             cost,
-            jacobian: Jacobian::Dense(jacobian),
+            jacobian: Jacobian(jacobian),
         }
     }
 

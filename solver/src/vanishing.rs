@@ -3,7 +3,6 @@
 use faer::Mat;
 
 use crate::ending::is_below_rounding;
-use crate::linear::Jacobian;
 use crate::newton;
 use crate::point::Point;
 use crate::scaling::unit_if_zero;
@@ -36,9 +35,6 @@ pub(crate) fn lower(system: &dyn System, point: &Point) -> Option<Point> {
 
 /// One step that lowers the cost by more than rounding.
 fn step(system: &dyn System, point: &Point) -> Option<Point> {
-    let Jacobian::Dense(_) = &point.at.jacobian else {
-        return None;
-    };
     let norms = point.at.jacobian.column_norms();
     let n = norms.len();
     let mut bends = Vec::with_capacity(n);

@@ -113,8 +113,7 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 /// The variants asked for.
 fn variants(names: &[String]) -> Result<Vec<Variant>, Failure> {
-    let mut all = vec![Variant::default()];
-    all.extend(Variant::all());
+    let all = Variant::all();
     if names.is_empty() {
         return Ok(all);
     }

@@ -65,11 +65,12 @@ fn processor_time() -> Duration {
 }
 
 /// As the peers end: with the step that the linearised problem says to lower the cost by 1e-10 of
-/// itself or less.
+/// itself or less, and without a look at the rank.
 fn options() -> GraphOptions {
     GraphOptions {
         gradient_tolerance: 1e-5,
         last_digits: false,
+        rank: false,
         ..GraphOptions::default()
     }
 }

@@ -1,4 +1,4 @@
-//! Prints how the time of a block problem grows with the number of blocks, independent ones and a
+//! Prints how the time of a graph of many small blocks with shared numbers grows with the number of blocks, independent ones and a
 //! chain in which consecutive blocks are coupled.
 //!
 //! ```text
@@ -9,7 +9,7 @@
 
 use std::time::Instant;
 
-use solver::{BlockProblem, Error, Mask, Options, Parameters, Residual, Scalar, lit, solve_blocks};
+use solver::{Error, Euclidean, Graph, GraphOptions, Residual, Scalar, lit, solve_graph};
 
 /// Two exponentials' amplitudes of a block, the rates shared; coupled: amplitudes of neighbours alike.
 struct Decay {
@@ -32,7 +32,7 @@ struct Alike;
 
 impl<D: Scalar> Residual<D> for Alike {
     fn residuals(&self, x: &[D], out: &mut Vec<D>) {
-        out.extend((0..2).map(|k| (x[2 + k] - x[4 + k]) * 1e-3));
+        out.extend((0..2).map(|k| (x[k] - x[2 + k]) * 1e-3));
     }
 }
 
@@ -52,10 +52,10 @@ fn main() -> Result<(), Error> {
     println!("    blocks   chain   parameters   Jacobians   seconds   µs per block and Jacobian");
     for coupled in [false, true] {
         for &blocks in &sizes {
-            let problem = build(blocks, coupled);
+            let graph = build(blocks, coupled)?;
             let timed = || {
                 let (before, clock) = (processor_seconds(), Instant::now());
-                let report = solve_blocks(&problem, &Mask::all(2), &Options::default())?;
+                let report = solve_graph(&graph, &GraphOptions::default())?;
                 let spent = processor_seconds()
                     .zip(before)
                     .map(|(now, before)| now - before);
@@ -67,13 +67,13 @@ fn main() -> Result<(), Error> {
             for _ in 1..(RUNS_OF_BLOCKS / blocks).clamp(2, 50) {
                 seconds = seconds.min(timed()?.0);
             }
-            let jacobians = report.shared.jacobian_evaluations;
+            let jacobians = report.evaluations.jacobians;
             let each = 1e6 * seconds / (blocks * jacobians) as f64;
             println!(
                 "{blocks:10}   {:5}   {:10}   {jacobians:9}   {seconds:7.3}   {each:8.3}   {}",
                 if coupled { "yes" } else { "no" },
                 2 + 2 * blocks,
-                report.shared.termination,
+                report.termination,
             );
         }
     }
@@ -87,22 +87,18 @@ fn processor_seconds() -> Option<f64> {
     Some(1e-9 * nanoseconds)
 }
 
-fn build(blocks: usize, coupled: bool) -> BlockProblem<'static> {
-    let mut shared = Parameters::new();
-    shared.push("slow", "1/s", 0.3);
-    shared.push("fast", "1/s", 2.0);
-    let mut problem = BlockProblem::new(shared);
+fn build(blocks: usize, coupled: bool) -> Result<Graph<'static>, Error> {
+    let mut graph = Graph::new();
+    let rates = graph.add("rates", Euclidean(2), &[0.3, 2.0])?;
+    let mut before = None;
     for i in 0..blocks {
-        let block = problem.add_block(&[1.0, 1.0]);
-        problem.add_term(
-            block,
-            Decay {
-                amplitude: 2.0 + (0.1 * i as f64).sin(),
-            },
-        );
-        if coupled && i + 1 < blocks {
-            problem.add_coupled_term(block, Alike);
+        let block = graph.add(format!("amplitudes{i}"), Euclidean(2), &[1.0, 1.0])?;
+        let amplitude = 2.0 + (0.1 * i as f64).sin();
+        graph.add_factor(&[rates, block], Decay { amplitude });
+        if let Some(before) = before.filter(|_| coupled) {
+            graph.add_factor(&[before, block], Alike);
         }
+        before = Some(block);
     }
-    problem
+    Ok(graph)
 }

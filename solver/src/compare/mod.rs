@@ -41,7 +41,7 @@ pub struct Comparison {
 /// let starts = [[1.0, 1.0], [5.0, 0.1]].map(|x| Parameters::unnamed(&x));
 /// let table = compare(&decay, &starts, &Variant::all());
 /// println!("{table}");
-/// assert_eq!(table.runs.len(), 18);
+/// assert_eq!(table.runs.len(), 20);
 /// assert_eq!(table.successes("lm-nielsen"), 2);
 /// let picture = table.performance_svg(Measure::Jacobians);
 /// assert!(picture.starts_with("<svg"));

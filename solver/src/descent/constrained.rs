@@ -28,9 +28,7 @@ impl Descent for Constrained {
         if self.stays_inside(local, &velocity) {
             return self.bent_inside(local, velocity, lambda);
         }
-        let Jacobian::Dense(jacobian) = &local.point.at.jacobian else {
-            return None;
-        };
+        let Jacobian(jacobian) = &local.point.at.jacobian;
         let model = Model {
             polytope: &self.polytope,
             z: &local.point.z,
@@ -125,9 +123,7 @@ fn within(polytope: &Polytope, local: &Local<'_>, lambda: f64) -> Option<Vec<f64
     {
         return Some(p);
     }
-    let Jacobian::Dense(jacobian) = &local.point.at.jacobian else {
-        return None;
-    };
+    let Jacobian(jacobian) = &local.point.at.jacobian;
     let model = Model {
         polytope,
         z: &local.point.z,

@@ -26,9 +26,7 @@ impl Descent for GaussNewton {
 
 impl Descent for MinimumNorm {
     fn step(&self, local: &Local<'_>, fraction: f64) -> Option<Step> {
-        let Jacobian::Dense(jacobian) = &local.point.at.jacobian else {
-            return None;
-        };
+        let Jacobian(jacobian) = &local.point.at.jacobian;
         fraction_of(
             local,
             &minimum_norm(jacobian.as_ref(), &local.point.at.residuals)?,

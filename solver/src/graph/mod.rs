@@ -11,6 +11,7 @@ mod accumulate;
 mod blocks;
 mod culprit;
 mod damping;
+mod display;
 mod eliminate;
 mod evaluate;
 mod factor;

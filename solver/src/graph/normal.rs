@@ -148,7 +148,10 @@ impl<'a> Equations<'a> {
     ) -> Result<(), Failure> {
         // Every slot is written by the first factor that has it.
         let entries = self.structure.entry.last().copied().unwrap_or(0);
-        normal.h.resize(entries, 0.0);
+        if normal.h.len() != entries {
+            // Zero pages of the system, not written here: they are the most of a bundle adjustment's memory.
+            normal.h = vec![0.0; entries];
+        }
         normal.gradient.clear();
         normal.gradient.resize(self.structure.unknowns(), 0.0);
         let mut sum = Sum::new(self, normal);

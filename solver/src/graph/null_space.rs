@@ -48,9 +48,6 @@ pub struct NullVector {
 }
 
 /// Finds the null space of `J D⁻¹`, `D` the `units`, and leaves `H + E D² Eᵀ` factored, `E` its pivots.
-///
-/// Directions of small singular values are found by inverse iteration on the normal equations, which
-/// resolve them to 1e-8; within their span the Jacobian itself tells them apart to 1e-15.
 pub(crate) fn find(
     equations: &Equations<'_>,
     values: &[f64],
@@ -59,9 +56,47 @@ pub(crate) fn find(
     factored: &mut Factored,
 ) -> Result<NullSpace, Error> {
     let n = units.len();
-    let mut spare = vec![0.0; n];
-    if safely(equations.structure, h, units, factored) {
+    let Some(null) = seek(equations, values, h, units, factored, n)? else {
         return Ok(NullSpace::default());
+    };
+    let mut spare = vec![0.0; n];
+    let mut more = vec![0.0; n];
+    for &p in &null.pivots {
+        more[p] = units[p] * units[p];
+    }
+    if factored.factor_and_solve(h, &more, &mut spare) {
+        return Ok(null);
+    }
+    // Singular values between rounding of H and the tolerance: counted, hardly resolved.
+    for (more, d) in more.iter_mut().zip(units) {
+        *more += DAMPING * d * d;
+    }
+    spare.fill(0.0);
+    if factored.factor_and_solve(h, &more, &mut spare) {
+        Ok(null)
+    } else {
+        Err(Error::TooLarge { unknowns: n })
+    }
+}
+
+/// Finds up to `most` directions of the null space of `J D⁻¹`, `D` the `units`; `None`, and `H` factored,
+/// where `H` is far from singular.
+///
+/// Directions of small singular values are found by inverse iteration on the normal equations, which
+/// resolve them to 1e-8; within their span the Jacobian itself tells them apart to 1e-15.
+pub(crate) fn seek(
+    equations: &Equations<'_>,
+    values: &[f64],
+    h: &[f64],
+    units: &[f64],
+    factored: &mut Factored,
+    most: usize,
+) -> Result<Option<NullSpace>, Error> {
+    let n = units.len();
+    let most = most.min(n);
+    let mut spare = vec![0.0; n];
+    if safely(h, units, factored) {
+        return Ok(None);
     }
     let mut damping = DAMPING;
     loop {
@@ -76,13 +111,13 @@ pub(crate) fn find(
         }
     }
     let largest = largest_singular(equations.structure, h, units);
-    let mut count = FIRST.min(n);
+    let mut count = FIRST.min(most);
     let null = loop {
         let basis = inverse_iteration(h, units, factored, count);
         let (singular, rotated) = ritz(equations, values, units, &basis);
         let zero = |s: &&f64| **s <= RANK_TOLERANCE * largest;
         let null = singular.iter().filter(zero).count();
-        if null < count || count == n {
+        if null < count || count == most {
             break rotated
                 .into_iter()
                 .zip(&singular)
@@ -90,41 +125,22 @@ pub(crate) fn find(
                 .map(|(v, _)| v)
                 .collect::<Vec<_>>();
         }
-        count = (4 * count).min(n);
+        count = (4 * count).min(most);
     };
-    let null = NullSpace {
+    Ok(Some(NullSpace {
         pivots: pivots(&null),
         basis: null,
-    };
-    let mut more = vec![0.0; n];
-    for &p in &null.pivots {
-        more[p] = units[p] * units[p];
-    }
-    spare.fill(0.0);
-    if factored.factor_and_solve(h, &more, &mut spare) {
-        Ok(null)
-    } else {
-        // Singular values between rounding of H and the tolerance: counted, hardly resolved.
-        for (more, d) in more.iter_mut().zip(units) {
-            *more += DAMPING * d * d;
-        }
-        if factored.factor_and_solve(h, &more, &mut spare) {
-            Ok(null)
-        } else {
-            Err(Error::TooLarge { unknowns: n })
-        }
-    }
+    }))
 }
 
 /// Whether the undamped equations are so far from singular that no singular value can be small:
 /// the inverse grows a random vector by the largest of `1 / s²`.
-fn safely(structure: &Structure, h: &[f64], units: &[f64], factored: &mut Factored) -> bool {
+fn safely(h: &[f64], units: &[f64], factored: &mut Factored) -> bool {
     let n = units.len();
     let mut vector = vec![0.0; n];
     if !factored.factor_and_solve(h, &vec![0.0; n], &mut vector) {
         return false;
     }
-    let _ = structure;
     let mut x = random(n, 1);
     let mut growth = 0.0f64;
     for _ in 0..3 {

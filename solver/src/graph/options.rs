@@ -7,6 +7,7 @@ use std::time::Duration;
 use serde::{Deserialize, Serialize};
 
 use super::eliminate::Method;
+use super::null_space::NullVector;
 use super::problem::{Block, Graph};
 use crate::options::Damping;
 use crate::report::{Iteration, Termination};
@@ -30,6 +31,9 @@ pub struct GraphOptions {
     /// Whether to go on from there, undamped, to what double precision allows; `false` ends with the
     /// step that reaches `gradient_tolerance`.
     pub last_digits: bool,
+    /// Whether to look at the end for what the factors do not determine: a factorisation more, and where
+    /// there is something, the time of a few steps.
+    pub rank: bool,
     /// Threads that evaluate factors; the result is the same to the last bit. 1 starts none.
     pub threads: usize,
     /// Longest time to spend; looked at before every step.
@@ -48,6 +52,7 @@ impl Default for GraphOptions {
             gradient_tolerance: 1e-8,
             step_tolerance: 1e-15,
             last_digits: true,
+            rank: true,
             threads: 1,
             time_limit: None,
             cancel: None,
@@ -84,6 +89,14 @@ pub struct GraphReport {
     pub relative_step: f64,
     /// How the linear equations were solved.
     pub method: Method,
+    /// Rank of the Jacobian there, as [`Products::rank`](super::Products::rank); `None` where it was not
+    /// looked for (see [`GraphOptions::rank`]; a run cancelled or out of time does not), and where more
+    /// directions are free than are followed, 32.
+    #[serde(default)]
+    pub rank: Option<usize>,
+    /// What no factor determines there, by name: the solution is one of many. The first 32 directions.
+    #[serde(default)]
+    pub null_space: Vec<NullVector>,
 }
 
 impl GraphReport {
@@ -94,6 +107,16 @@ impl GraphReport {
             (Some(&from), Some(&to)) => &self.values[from..to],
             _ => &[],
         }
+    }
+
+    /// The blocks with a coordinate that no factor determines, alone or together with others, in the
+    /// order in which they were added.
+    pub fn undetermined(&self) -> Vec<Block> {
+        let components = self.null_space.iter().flat_map(|v| &v.components);
+        let mut blocks: Vec<Block> = components.map(|c| c.0).collect();
+        blocks.sort_unstable();
+        blocks.dedup();
+        blocks
     }
 
     pub(crate) fn first(graph: &Graph<'_>) -> Vec<usize> {

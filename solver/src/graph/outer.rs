@@ -24,6 +24,7 @@ pub(super) fn add_outer<S: Simd>(
     places: &Places,
 ) {
     match (places.row.1, places.column.1) {
+        (2, 2) => fixed::<S, 2, 2>(simd, out, first, jacobian, places),
         (3, 3) => fixed::<S, 3, 3>(simd, out, first, jacobian, places),
         (6, 3) => fixed::<S, 6, 3>(simd, out, first, jacobian, places),
         (6, 6) => fixed::<S, 6, 6>(simd, out, first, jacobian, places),

@@ -1,5 +1,6 @@
 //! A graph: blocks of variables and factors over a few of them.
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
@@ -64,11 +65,13 @@ pub struct Graph<'a> {
     /// Blocks of the factors, one factor after the other.
     pub(crate) touched: Vec<u32>,
     pub(crate) losses: Vec<Loss>,
+    /// Blocks by name.
+    numbers: HashMap<Arc<str>, u32>,
 }
 
 /// A block.
 pub(crate) struct Variable {
-    pub name: Box<str>,
+    pub name: Arc<str>,
     pub manifold: Arc<dyn AnyManifold>,
     /// Where its stored values begin.
     pub first: usize,
@@ -121,7 +124,8 @@ impl<'a> Graph<'a> {
     /// Adds a block with its start, as the manifold stores it.
     ///
     /// # Errors
-    /// A start of another length than the manifold's, or with what is not finite.
+    /// A name that another block has, a start of another length than the manifold's, or with what is
+    /// not finite.
     pub fn add(
         &mut self,
         name: impl Into<String>,
@@ -129,6 +133,9 @@ impl<'a> Graph<'a> {
         start: &[f64],
     ) -> Result<Block, Error> {
         let name = name.into();
+        if self.numbers.contains_key(name.as_str()) {
+            return Err(Error::RepeatedName { block: name });
+        }
         let (numbers, dimension) = (manifold.numbers(), manifold.dimension());
         if start.len() != numbers || start.iter().any(|v| !v.is_finite()) {
             return Err(Error::BlockStart {
@@ -137,8 +144,11 @@ impl<'a> Graph<'a> {
                 numbers,
             });
         }
+        let number = self.variables.len() as u32;
+        let name: Arc<str> = name.into();
+        self.numbers.insert(Arc::clone(&name), number);
         self.variables.push(Variable {
-            name: name.into(),
+            name,
             manifold: Arc::new(manifold),
             first: self.values.len(),
             numbers: numbers as u32,
@@ -147,7 +157,7 @@ impl<'a> Graph<'a> {
             loss: 0,
         });
         self.values.extend_from_slice(start);
-        Ok(Block(self.variables.len() as u32 - 1))
+        Ok(Block(number))
     }
 
     /// Adds a factor over blocks, in the order in which it reads them.
@@ -278,8 +288,7 @@ impl<'a> Graph<'a> {
 
     /// The block of this name.
     pub fn block(&self, name: &str) -> Option<Block> {
-        let place = self.variables.iter().position(|v| &*v.name == name)?;
-        Some(Block(place as u32))
+        self.numbers.get(name).copied().map(Block)
     }
 
     /// The name of a block.
@@ -347,6 +356,7 @@ impl<'a> Graph<'a> {
             }
         }
         for loss in &self.losses {
+            loss.check()?;
             match loss.scale() {
                 Some(LossScale::Estimated(_)) => {
                     return Err(Error::Unsupported {

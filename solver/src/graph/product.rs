@@ -19,6 +19,7 @@ pub(super) fn add_product<S: Simd>(
     y_j: &[f64],
 ) {
     match (rows, columns, d) {
+        (2, 2, 2) => fixed::<S, 2, 2, 2, 2>(simd, block, y_i, y_j),
         (9, 9, 3) => fixed::<S, 9, 8, 9, 3>(simd, block, y_i, y_j),
         (6, 6, 3) => fixed::<S, 6, 4, 6, 3>(simd, block, y_i, y_j),
         (7, 7, 3) => fixed::<S, 7, 4, 7, 3>(simd, block, y_i, y_j),

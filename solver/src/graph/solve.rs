@@ -7,6 +7,7 @@ use std::time::Instant;
 use super::damping::Lambda;
 use super::eliminate::Factored;
 use super::normal::{Equations, Failure, Normal};
+use super::null_space::{self, NullVector};
 use super::options::{GraphOptions, GraphReport};
 use super::problem::Graph;
 use super::structure::Structure;
@@ -44,6 +45,9 @@ const RESOLVED: f64 = 4.0 * f64::EPSILON;
 
 /// A last step that shortens the tangential residual by less than this was too long or too short.
 const SLOW: f64 = 0.5;
+
+/// Most free directions that are followed at the end.
+const FOLLOWED: usize = 32;
 
 /// Relative step that counts as none.
 const SMALL_STEP: f64 = 1e-7;
@@ -389,7 +393,31 @@ impl<'a> Run<'a> {
             .then_some(Termination::Cancelled)
     }
 
-    fn report(self, stop: Stop) -> GraphReport {
+    /// Rank, and what no factor determines, where that is asked for.
+    fn determined(&mut self, ended: Termination) -> (Option<usize>, Vec<NullVector>) {
+        let interrupted = matches!(ended, Termination::Cancelled | Termination::TimeLimit);
+        if !self.options.rank || interrupted {
+            return (None, Vec::new());
+        }
+        let (equations, h) = (self.equations, &self.normal.h);
+        let units = equations.structure.units(h);
+        let unknowns = units.len();
+        let most = FOLLOWED.min(unknowns);
+        let sought = null_space::seek(equations, &self.values, h, &units, &mut self.factored, most);
+        match sought {
+            Err(_) => (None, Vec::new()),
+            Ok(None) => (Some(unknowns), Vec::new()),
+            Ok(Some(null)) => {
+                let free = null.basis.len();
+                let rank = (free < most || most == unknowns).then(|| unknowns - free);
+                let structure = equations.structure;
+                let named = null_space::in_names(&null, equations.graph, structure, &units);
+                (rank, named)
+            }
+        }
+    }
+
+    fn report(mut self, stop: Stop) -> GraphReport {
         let termination = match stop {
             Stop::Limit(Termination::Cancelled) => Termination::Cancelled,
             _ if self.offset <= self.options.gradient_tolerance => Termination::Gradient,
@@ -397,7 +425,10 @@ impl<'a> Run<'a> {
             _ if self.relative_step <= SMALL_STEP => Termination::Step,
             _ => Termination::Stalled,
         };
+        let (rank, null_space) = self.determined(termination);
         GraphReport {
+            rank,
+            null_space,
             first: GraphReport::first(self.equations.graph),
             values: self.values,
             cost: self.normal.cost,

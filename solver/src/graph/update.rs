@@ -181,6 +181,7 @@ impl Update {
             let y = &mut self.y[at..at + rows * d];
             let left = &mut left[first..first + rows];
             match (rows, d) {
+                (2, 2) => right_solve_fixed::<2, 2>(w, y, own, left),
                 (9, 3) => right_solve_fixed::<9, 3>(w, y, own, left),
                 (6, 3) => right_solve_fixed::<6, 3>(w, y, own, left),
                 _ => right_solve(simd, w, y, own, left),

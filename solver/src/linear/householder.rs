@@ -102,39 +102,6 @@ fn reflect(v: &[f64], tau: f64, c: &mut [f64]) {
     add_to(c, -along, v);
 }
 
-/// Replaces a matrix of columns of length `rows`, one after the other, by the `R` of its QR without
-/// pivoting, in echelon form; `pivots` become the columns in which a row of `R` begins.
-///
-/// A column of which no more than `floors[k]` is left depends on those before it and begins no row:
-/// the row goes to the next column, so that what it says of that is kept.
-pub(crate) fn triangularise(
-    columns: &mut [f64],
-    rows: usize,
-    floors: &[f64],
-    pivots: &mut Vec<usize>,
-) {
-    pivots.clear();
-    for (k, &floor) in floors.iter().enumerate() {
-        let row = pivots.len();
-        if row == rows {
-            break;
-        }
-        let (before, after) = columns.split_at_mut((k + 1) * rows);
-        let v = &mut before[k * rows + row..];
-        if norm(v) <= floor {
-            v.fill(0.0);
-            continue;
-        }
-        let (diagonal, tau) = reflection(v);
-        for column in after.chunks_exact_mut(rows) {
-            reflect(v, tau, &mut column[row..]);
-        }
-        v.fill(0.0);
-        v[0] = diagonal;
-        pivots.push(k);
-    }
-}
-
 /// The square of the norm of what is left of a column.
 #[derive(Clone, Copy)]
 struct Norm {
@@ -195,42 +162,6 @@ mod tests {
                 assert!(difference.abs() < 1e-13 * size, "{m} {n}: Qᵀb {i}");
             }
         }
-    }
-
-    #[test]
-    fn the_triangle_without_pivoting_is_that_of_faer_up_to_signs() {
-        for (m, n) in [(0, 2), (1, 1), (7, 3), (9, 9), (3, 5)] {
-            let a = waves(m, n);
-            let mut columns: Vec<f64> = (0..n).flat_map(|k| a.col_as_slice(k).to_vec()).collect();
-            let mut pivots = Vec::new();
-            triangularise(&mut columns, m, &vec![0.0; n], &mut pivots);
-            assert!(pivots.into_iter().eq(0..m.min(n)), "{m} {n}");
-            let qr = a.qr();
-            let oracle = qr.thin_R();
-            for k in 0..n {
-                for i in 0..m {
-                    let expected = if i <= k { oracle[(i, k)].abs() } else { 0.0 };
-                    let found = columns[k * m + i].abs();
-                    assert!(
-                        (found - expected).abs() < 1e-13 * a.norm_l2(),
-                        "{m} {n}: {i} {k}"
-                    );
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn a_dependent_column_begins_no_row_and_costs_no_row() {
-        // The second column is twice the first, the third is zero: the fourth keeps the rest.
-        let columns = [[1.0, 2.0, 2.0], [2.0, 4.0, 4.0], [0.0; 3], [3.0, 0.0, 0.0]];
-        let (mut entries, mut pivots) = (columns.concat(), Vec::new());
-        triangularise(&mut entries, 3, &[1e-13, 1e-13, 0.0, 1e-13], &mut pivots);
-        assert_eq!(pivots, [0, 3]);
-        // Along (1, 2, 2) / 3 the last column is 1 long, across √8.
-        let last = &entries[9..];
-        assert!((last[0].abs() - 1.0).abs() < 1e-15 && (last[1].abs() - 8f64.sqrt()).abs() < 1e-15);
-        assert_eq!(entries[4..9], [0.0; 5]);
     }
 
     #[test]

@@ -11,7 +11,6 @@ mod triangle;
 pub(crate) use cholesky::CholeskyFactor;
 use damped_triangle::damped_triangle;
 use householder::Householder;
-pub(crate) use householder::triangularise;
 pub(crate) use jacobi::singular;
 pub(crate) use minimum_norm::minimum_norm;
 pub(crate) use qr::QrFactor;
@@ -20,7 +19,6 @@ use triangle::Triangle;
 use faer::{Mat, MatRef};
 use serde::{Deserialize, Serialize};
 
-use crate::blocks::BlockJacobian;
 use crate::vector::{add_to, dot, norm};
 
 /// How the damped linear problem is solved.
@@ -116,14 +114,9 @@ pub(crate) struct Linearization {
     pub jacobian: Jacobian,
 }
 
-/// A Jacobian in one of its two shapes.
+/// A dense Jacobian (`m × n`).
 #[derive(Clone, Debug)]
-pub(crate) enum Jacobian {
-    /// All of it.
-    Dense(Mat<f64>),
-    /// Only the columns that each term touches.
-    Blocks(BlockJacobian),
-}
+pub(crate) struct Jacobian(pub Mat<f64>);
 
 /// A factorisation that solves damped linear least squares for many dampings and right sides.
 pub trait Factor {
@@ -140,60 +133,42 @@ pub trait Factor {
 impl Jacobian {
     /// `‖J_k‖` of every column.
     pub fn column_norms(&self) -> Vec<f64> {
-        match self {
-            Self::Dense(j) => (0..j.ncols()).map(|k| norm(j.col_as_slice(k))).collect(),
-            Self::Blocks(j) => j.column_norms(),
-        }
+        let j = &self.0;
+        (0..j.ncols()).map(|k| norm(j.col_as_slice(k))).collect()
     }
 
     /// `J p`.
     pub fn multiply(&self, p: &[f64]) -> Vec<f64> {
-        match self {
-            Self::Dense(j) => multiply(j.as_ref(), p),
-            Self::Blocks(j) => j.multiply(p),
-        }
+        multiply(self.0.as_ref(), p)
     }
 
     /// `Jᵀ b`.
     pub fn transpose_multiply(&self, b: &[f64]) -> Vec<f64> {
-        match self {
-            Self::Dense(j) => transpose_multiply(j.as_ref(), b),
-            Self::Blocks(j) => j.transpose_multiply(b),
-        }
+        transpose_multiply(self.0.as_ref(), b)
     }
 
     /// Factors `J D⁻¹`.
     pub fn factor(&self, scale: &[f64], solver: LinearSolver) -> Box<dyn Factor + '_> {
-        match (self, solver) {
-            (Self::Dense(j), LinearSolver::Qr) => Box::new(QrFactor::new(j.as_ref(), scale)),
-            (Self::Dense(j), LinearSolver::Cholesky) => {
-                Box::new(CholeskyFactor::new(j.as_ref(), scale))
-            }
-            (Self::Dense(j), LinearSolver::Own(own)) => own.0.factor(j.as_ref(), scale),
-            (Self::Blocks(j), _) => Box::new(j.eliminate(scale)),
+        let j = self.0.as_ref();
+        match solver {
+            LinearSolver::Qr => Box::new(QrFactor::new(j, scale)),
+            LinearSolver::Cholesky => Box::new(CholeskyFactor::new(j, scale)),
+            LinearSolver::Own(own) => own.0.factor(j, scale),
         }
     }
 
     /// Scales row `i` by `factors[i]`.
     pub fn scale_rows(&mut self, factors: &[f64]) {
-        match self {
-            Self::Dense(j) => {
-                for column in j.col_iter_mut() {
-                    for (value, factor) in column.iter_mut().zip(factors) {
-                        *value *= factor;
-                    }
-                }
+        for column in self.0.col_iter_mut() {
+            for (value, factor) in column.iter_mut().zip(factors) {
+                *value *= factor;
             }
-            Self::Blocks(j) => j.scale_rows(factors),
         }
     }
 
     /// Row and column of the first entry that is not finite.
     pub fn not_finite(&self) -> Option<(usize, usize)> {
-        match self {
-            Self::Dense(j) => not_finite(j),
-            Self::Blocks(j) => j.not_finite(),
-        }
+        not_finite(&self.0)
     }
 }
 

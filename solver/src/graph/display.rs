@@ -1,0 +1,51 @@
+//! A report of a graph in words.
+
+use std::fmt;
+
+use super::options::GraphReport;
+
+impl fmt::Display for GraphReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let count = self.evaluations;
+        writeln!(f, "{}", self.termination)?;
+        write!(
+            f,
+            "cost {:.6e}, {} residuals, {} free coordinates of {} blocks",
+            self.cost,
+            self.residuals,
+            self.unknowns,
+            self.first.len().saturating_sub(1)
+        )?;
+        match self.rank {
+            Some(rank) => writeln!(f, ", rank {rank}")?,
+            None => writeln!(f, ", rank not known")?,
+        }
+        writeln!(
+            f,
+            "{} steps tried; evaluations: r {}, J {}; relative offset {:.1e}",
+            self.iterations.len(),
+            count.residuals,
+            count.jacobians,
+            self.relative_offset
+        )?;
+        let method = self.method;
+        writeln!(
+            f,
+            "{} blocks eliminated one by one, {} coordinates left, {}, {} entries in their factor",
+            method.eliminated,
+            method.left,
+            if method.dense { "dense" } else { "sparse" },
+            method.factor_entries
+        )?;
+        for direction in &self.null_space {
+            writeln!(f, "  no factor determines {}", direction.words)?;
+        }
+        if !self.null_space.is_empty() {
+            writeln!(
+                f,
+                "  the solution is one of many: hold a block or add a factor on it"
+            )?;
+        }
+        Ok(())
+    }
+}
