@@ -1,6 +1,6 @@
 //! Bytes in order, little endian, with their place.
 
-use std::io::{self, Read};
+use std::io::{self, BufRead, Read};
 
 use crate::{Error, Limits};
 
@@ -118,23 +118,30 @@ impl Part<'_, '_> {
     }
 }
 
-impl Read for Part<'_, '_> {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let most = self.left.min(buffer.len() as u64).min(CHUNK as u64) as usize;
-        let there = self
-            .bytes
-            .peek(usize::from(most > 0))
+impl BufRead for Part<'_, '_> {
+    fn fill_buf(&mut self) -> io::Result<&[u8]> {
+        let most = self.left.min(CHUNK as u64) as usize;
+        let bytes = &mut *self.bytes;
+        bytes
+            .fill(usize::from(most > 0))
             .map_err(io::Error::other)?;
-        if there.is_empty() || most == 0 {
-            return Ok(0);
-        }
-        let held = self.bytes.buffer.len() - self.bytes.from;
-        let length = held.min(most);
-        let from = self.bytes.from;
-        buffer[..length].copy_from_slice(&self.bytes.buffer[from..from + length]);
+        let end = bytes.buffer.len().min(bytes.from + most);
+        Ok(&bytes.buffer[bytes.from..end])
+    }
+
+    fn consume(&mut self, length: usize) {
         self.bytes.from += length;
         self.bytes.at += length as u64;
         self.left -= length as u64;
+    }
+}
+
+impl Read for Part<'_, '_> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let there = self.fill_buf()?;
+        let length = there.len().min(buffer.len());
+        buffer[..length].copy_from_slice(&there[..length]);
+        self.consume(length);
         Ok(length)
     }
 }

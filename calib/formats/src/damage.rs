@@ -126,6 +126,15 @@ fn a_chunk_with_a_wrong_check_sum_is_left_out_and_told() {
 }
 
 #[test]
+fn a_matrix_with_a_wrong_check_sum_is_refused() {
+    let mut file = make::mat(&[("acc", &one_sensor())]);
+    let last = file.len() - 1;
+    file[last] ^= 1;
+    let error = read(&file).unwrap().unwrap_err().to_string();
+    assert!(error.contains("damaged"), "{error}");
+}
+
+#[test]
 fn what_a_topic_does_not_provide_is_no_stream_of_it() {
     let rows = rows();
     let file = make::mcap(&[("/imu", &rows, [0.0, -1.0])], Packer::None);

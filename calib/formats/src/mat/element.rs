@@ -4,6 +4,7 @@ use crate::Error;
 
 pub(super) const COMPRESSED: u32 = 15;
 pub(super) const MATRIX: u32 = 14;
+pub(super) const U32: u32 = 6;
 const DOUBLE: u32 = 9;
 
 /// A data element: its type, its bytes and where they begin.

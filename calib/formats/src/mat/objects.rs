@@ -5,188 +5,167 @@
 //! objects that save themselves, objects, properties of the others), an empty cell, and the values of properties.
 //! MathWorks does not document it; found on files of MATLAB Mobile and R2018 to R2023.
 
-use super::element::{Elements, MATRIX, Raw};
-use super::value::Value;
+use super::body::Body;
+use super::element::{Element, MATRIX, Raw, U32};
+use super::object_table::Table;
+use super::value::{CELL, OPAQUE, STRUCTURE, Value};
 use crate::Error;
 
 /// Bytes of the stream before its first element.
-const STREAM_HEADER: usize = 8;
-/// Bytes of the table before its names.
-const TABLE_HEADER: usize = 40;
-/// Cells before the values of properties.
-const BEFORE_VALUES: usize = 2;
-/// A property whose value is a cell.
-const IN_CELL: u32 = 1;
+const STREAM_HEADER: u64 = 8;
+/// The property that holds what a timetable consists of.
+pub(super) const TIMETABLE: &str = "any";
 
 /// The objects of a file.
 #[derive(Debug)]
-pub(super) struct Objects<'a> {
-    cells: Vec<Value<'a>>,
-    names: Vec<String>,
-    /// Class names by class number.
-    classes: Vec<String>,
-    /// Of every object: class, number among those that save themselves, number among the others.
-    objects: Vec<[u32; 3]>,
-    /// Properties of both kinds of objects: name and cell.
-    properties: [Vec<Vec<(u32, u32)>>; 2],
+pub(super) struct Objects {
+    table: Table,
+    cells: Vec<Cell>,
 }
 
-impl<'a> Objects<'a> {
-    /// The objects in the subsystem's bytes; `None` where there is no table of them.
-    pub fn read(subsystem: &'a [u8], at: u64) -> Result<Option<Self>, Error> {
-        let stream = subsystem.get(STREAM_HEADER..).unwrap_or_default();
-        let mut elements = Elements::new(stream, at + STREAM_HEADER as u64);
-        while let Some(element) = elements.next()? {
-            let place = elements.at;
-            if element.kind != MATRIX {
-                continue;
-            }
-            let variable = Value::read(element, place, 0)?;
-            let Value::Structure(fields) = variable.value else {
-                continue;
-            };
-            let cells = fields.into_iter().find(|(name, _)| name == "MCOS");
-            if let Some((_, Value::Cells(cells))) = cells {
-                return Ok(Self::of(cells));
+/// The cell with the value of a property.
+#[derive(Debug)]
+struct Cell {
+    /// Its first byte in the file, or in what that unpacks to.
+    at: u64,
+    /// The matrix in it; nothing where it was passed or let go of.
+    matrix: Option<Vec<u8>>,
+}
+
+impl Objects {
+    /// The objects in the subsystem, but for the content of timetables that no `wanted` reference leads to; `None`
+    /// where there is no table of objects.
+    ///
+    /// # Errors
+    /// Damage.
+    pub fn read(body: &mut Body<'_>, wanted: &[&Value<'_>]) -> Result<Option<Self>, Error> {
+        let _flags_dims_name = (body.need()?, body.need()?, body.need()?);
+        let Some((_, None)) = body.tag()? else {
+            return Ok(None);
+        };
+        body.pass(STREAM_HEADER)?;
+        while let Some((tag, content)) = body.tag()? {
+            let end = body.place().saturating_add(tag.length);
+            match content {
+                Some(_) => {}
+                None if tag.kind == MATRIX => {
+                    if let Some(end) = find_cells(body)? {
+                        return Self::of_cells(body, end, wanted);
+                    }
+                    body.pass(end.saturating_sub(body.place()))?;
+                }
+                None => drop(body.content(tag.length)?),
             }
         }
         Ok(None)
     }
 
-    fn of(cells: Vec<Value<'a>>) -> Option<Self> {
-        let Some(Value::Numbers { real, .. }) = cells.first() else {
-            return None;
+    /// The cells from here to `end`.
+    fn of_cells(
+        body: &mut Body<'_>,
+        end: u64,
+        wanted: &[&Value<'_>],
+    ) -> Result<Option<Self>, Error> {
+        let first = body.need()?;
+        let Some(table) = Table::of(&first, body.place())? else {
+            return Ok(None);
         };
-        let table = Table(real.0.bytes);
-        let count = table.word(4)? as usize;
-        let names: Vec<String> = table
-            .0
-            .get(TABLE_HEADER..)?
-            .split(|byte| *byte == 0)
-            .take(count)
-            .map(|name| String::from_utf8_lossy(name).into_owned())
-            .collect();
-        let name = |index: u32| {
-            (index as usize)
-                .checked_sub(1)
-                .and_then(|at| names.get(at))
-                .cloned()
-                .unwrap_or_default()
-        };
-        // The first entry of every region stands for none.
-        let classes = table.rows::<4>(8, 12)?.map(|row| name(row[1])).collect();
-        let objects = table
-            .rows::<6>(16, 20)?
-            .map(|row| [row[0], row[3], row[4]])
-            .collect();
-        let properties = [table.properties(12, 16)?, table.properties(20, 24)?];
-        Some(Self {
-            classes,
-            objects,
-            properties,
-            names,
-            cells,
-        })
-    }
-
-    /// Class and properties of the object with this reference: dimensions, object numbers and a class.
-    pub fn get(&self, reference: &[u32]) -> Option<(&str, Vec<(&str, &Value<'a>)>)> {
-        let dims = *reference.first()? as usize;
-        let id = *reference.get(dims.checked_add(1)?)? as usize;
-        let [class, own, usual] = *self.objects.get(id)?;
-        let class = self.classes.get(class as usize)?;
-        let (properties, at) = if own > 0 {
-            (&self.properties[0], own)
-        } else {
-            (&self.properties[1], usual)
-        };
-        let named = |(name, cell): &(u32, u32)| {
-            let name = self.names.get((*name as usize).checked_sub(1)?)?;
-            Some((
-                name.as_str(),
-                self.cells
-                    .get((*cell as usize).checked_add(BEFORE_VALUES)?)?,
-            ))
-        };
-        let properties = properties.get(at as usize)?.iter().filter_map(named);
-        Some((class, properties.collect()))
-    }
-
-    /// The value of an object's property.
-    pub fn property(&self, value: &Value<'_>, name: &str) -> Option<&Value<'a>> {
-        let Value::Object(reference) = value else {
-            return None;
-        };
-        let (_, properties) = self.get(reference)?;
-        properties
-            .into_iter()
-            .find(|(property, _)| *property == name)
-            .map(|(_, value)| value)
-    }
-}
-
-/// The table of names, classes, objects and properties.
-struct Table<'a>(&'a [u8]);
-
-impl Table<'_> {
-    fn word(&self, at: usize) -> Option<u32> {
-        let bytes = self.0.get(at..at.checked_add(4)?)?;
-        Some(u32::from_le_bytes(bytes.try_into().ok()?))
-    }
-
-    /// The region between the offsets at these two places of the header.
-    fn region(&self, from: usize, to: usize) -> Option<&[u8]> {
-        self.0
-            .get(self.word(from)? as usize..self.word(to)? as usize)
-    }
-
-    /// The region as rows of `N` numbers.
-    fn rows<const N: usize>(
-        &self,
-        from: usize,
-        to: usize,
-    ) -> Option<impl Iterator<Item = [u32; N]>> {
-        let region = Table(self.region(from, to)?);
-        let rows = region.0.len() / (4 * N);
-        Some(
-            (0..rows).map(move |row| {
-                std::array::from_fn(|k| region.word(4 * (N * row + k)).unwrap_or(0))
-            }),
-        )
-    }
-
-    /// The region as lists of properties, each behind its length and on a boundary of eight bytes.
-    fn properties(&self, from: usize, to: usize) -> Option<Vec<Vec<(u32, u32)>>> {
-        let region = Table(self.region(from, to)?);
-        let mut lists = Vec::new();
-        let mut at = 0;
-        while let Some(count) = region.word(at) {
-            let mut list = Vec::new();
-            at += 4;
-            for _ in 0..count {
-                let (Some(name), Some(kind), Some(cell)) =
-                    (region.word(at), region.word(at + 4), region.word(at + 8))
-                else {
-                    return Some(lists);
-                };
-                if kind == IN_CELL {
-                    list.push((name, cell));
+        let passed = table.unwanted(wanted);
+        let mut cells = Vec::new();
+        while body.place() < end {
+            let Some((tag, content)) = body.tag()? else {
+                break;
+            };
+            let at = body.place();
+            let matrix = match content {
+                Some(content) => Some(content),
+                None if passed.contains(&cells.len()) => {
+                    body.pass(tag.length)?;
+                    None
                 }
-                at += 12;
-            }
-            lists.push(list);
-            at = at.next_multiple_of(8);
+                None => Some(body.content(tag.length)?),
+            };
+            cells.push(Cell { at, matrix });
         }
-        Some(lists)
+        Ok(Some(Self { table, cells }))
+    }
+
+    /// The value of an object's property; `None` where it has none of this name.
+    ///
+    /// # Errors
+    /// Damage, or a value that was passed.
+    pub fn property(&self, value: &Value<'_>, name: &str) -> Result<Option<Value<'_>>, Error> {
+        let cell = self.table.cell(value, name);
+        let Some(cell) = cell.and_then(|cell| self.cells.get(cell)) else {
+            return Ok(None);
+        };
+        let Some(bytes) = cell.matrix.as_deref() else {
+            return Err(Error::at(
+                cell.at,
+                "a timetable of the MATLAB file stands before the variable that it belongs to; save the file again",
+            ));
+        };
+        let element = Element {
+            kind: MATRIX,
+            bytes,
+        };
+        Ok(Some(Value::read(element, cell.at, 0)?.value))
+    }
+
+    /// Lets go of a timetable's content, unless one of `others` shares it.
+    pub fn forget<'v>(
+        &mut self,
+        value: &Value<'_>,
+        mut others: impl Iterator<Item = &'v Value<'v>>,
+    ) {
+        let cell = self.table.cell(value, TIMETABLE);
+        let shared = others.any(|other| self.table.cell(other, TIMETABLE) == cell);
+        if shared {
+            return;
+        }
+        if let Some(cell) = cell.and_then(|cell| self.cells.get_mut(cell)) {
+            cell.matrix = None;
+        }
     }
 }
 
-/// Numbers of a value, its imaginary part and its rows.
-pub(super) fn numbers<'v>(value: &'v Value<'_>) -> Option<(Raw<'v>, Option<Raw<'v>>)> {
-    match value {
-        Value::Numbers {
-            real, imaginary, ..
-        } => Some((*real, *imaginary)),
-        _ => None,
+/// Goes to the first of the `MCOS` cells in a structure and says where they end; `None` where there are none.
+fn find_cells(body: &mut Body<'_>) -> Result<Option<u64>, Error> {
+    if class(body)? != STRUCTURE {
+        return Ok(None);
     }
+    let _dims_name = (body.need()?, body.need()?);
+    let length = body.need()?;
+    let names = body.need()?;
+    let length = Raw(Element {
+        kind: U32,
+        bytes: &length,
+    });
+    let length = length.whole(0).unwrap_or(0).max(1) as usize;
+    for name in names.chunks(length) {
+        let Some((tag, None)) = body.tag()? else {
+            return Ok(None);
+        };
+        let end = body.place().saturating_add(tag.length);
+        if name.split(|byte| *byte == 0).next() != Some(b"MCOS") {
+            body.pass(tag.length)?;
+            continue;
+        }
+        let mut class = self::class(body)?;
+        if class == OPAQUE {
+            let _name_kind_class_tag = (body.need()?, body.need()?, body.need()?, body.tag()?);
+            class = self::class(body)?;
+        }
+        if class != CELL {
+            return Ok(None);
+        }
+        let _dims_name = (body.need()?, body.need()?);
+        return Ok(Some(end));
+    }
+    Ok(None)
+}
+
+/// The class of the matrix that begins here.
+fn class(body: &mut Body<'_>) -> Result<u8, Error> {
+    Ok(body.need()?.first().copied().unwrap_or(0))
 }

@@ -36,10 +36,10 @@ pub(super) struct Variable<'a> {
 
 /// Values within values.
 const DEPTH: usize = 24;
-const CELL: u8 = 1;
-const STRUCTURE: u8 = 2;
+pub(super) const CELL: u8 = 1;
+pub(super) const STRUCTURE: u8 = 2;
 const TEXT: u8 = 4;
-const OPAQUE: u8 = 17;
+pub(super) const OPAQUE: u8 = 17;
 const COMPLEX: u32 = 0x800;
 /// An object's reference begins with this.
 pub(super) const REFERENCE: u32 = 0xdd00_0000;
@@ -158,6 +158,16 @@ impl<'a> Value<'a> {
         };
         let values = Self::all(parts, depth)?;
         Ok(Value::Structure(names.into_iter().zip(values).collect()))
+    }
+
+    /// Numbers and their imaginary part.
+    pub fn numbers(&self) -> Option<(Raw<'_>, Option<Raw<'_>>)> {
+        match self {
+            Value::Numbers {
+                real, imaginary, ..
+            } => Some((*real, *imaginary)),
+            _ => None,
+        }
     }
 
     /// The field of a structure.
