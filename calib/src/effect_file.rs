@@ -15,7 +15,7 @@
 //!
 //! Variables are the names of [`sensor::Covariate`]: `fx fy fz` (m/s²), `wx wy wz` (rad/s),
 //! `alphax alphay alphaz` (rad/s²), `vibrationx …` ((m/s²)²), `changex …` (−1, 0, 1), `t` (s), `T` (°C),
-//! `dT` (`T` less 25 °C). An effect must be silent at its nominal parameters (0 where none is given).
+//! `dT` (`T` less 25 °C), `rateT` (K/s), `warming` (−1, 0, 1), `turnx …` (last turn, rad), `sinceturn` (s). An effect must be silent at its nominal parameters (0 where none is given).
 
 use std::path::Path;
 

@@ -109,10 +109,24 @@ mod system {
         if ends.is_ok() {
             let usual = std::panic::take_hook();
             std::panic::set_hook(Box::new(move |panic| {
+                if is_of_memory(panic) {
+                    eprintln!(
+                        "stillpoint: not enough memory for another thread; raise the limit (ulimit -v)"
+                    );
+                    return;
+                }
                 starved.store(false, Ordering::SeqCst);
                 usual(panic);
             }));
         }
+    }
+
+    /// Whether the system refused the memory of a thread that had begun: that panics where others fail.
+    fn is_of_memory(panic: &std::panic::PanicHookInfo<'_>) -> bool {
+        let payload = panic.payload();
+        let text = payload.downcast_ref::<String>().map(String::as_str);
+        let text = text.or_else(|| payload.downcast_ref::<&str>().copied());
+        text.is_some_and(|text| text.contains("failed to allocate"))
     }
 
     /// Whether the process was started with the signal ignored, as `nohup` does.

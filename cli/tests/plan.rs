@@ -104,3 +104,89 @@ fn a_number_of_placements_that_is_no_plan_is_a_wrong_call() {
     assert_eq!(status(&run), 2);
     assert!(stderr(&run).contains("6 to 60 expected"));
 }
+
+#[test]
+fn printed_placements_keep_97_percent_of_the_relaxation_by_volume_and_95_by_a_reading() {
+    let dir = tempfile::tempdir().unwrap();
+    for (criterion, least) in [("volume", 0.97), ("reading", 0.95)] {
+        for count in (9..=30).step_by(4) {
+            let count = count.to_string();
+            let run = stillpoint(
+                dir.path(),
+                &[
+                    "plan",
+                    "--placements",
+                    &count,
+                    "--criterion",
+                    criterion,
+                    "--json",
+                ],
+            );
+            let found = &json(&run)["efficiency"];
+            let own = found[criterion].as_f64().unwrap();
+            println!("{criterion} {count}: {found}");
+            assert!(
+                (least..1.0005).contains(&own),
+                "{criterion} {count}: {found}"
+            );
+        }
+    }
+}
+
+/// Findings of a recording, with ties put in that nothing was recorded of.
+fn findings_with_ties(folder: &std::path::Path) -> String {
+    let call = ["discover", "good.csv", "--gravity", "9.80665", "--json"];
+    let mut findings = json(&stillpoint(folder, &call));
+    let rival = |name: &str, value: f64| {
+        let coefficients = ["x", "y", "z"].map(|axis| format!("{name}.{axis}"));
+        serde_json::json!({"name": name, "coefficients": coefficients, "values": ([value; 3]), "shape": null})
+    };
+    let tie = |named, other| {
+        serde_json::json!({
+            "named": named,
+            "other": other,
+            "recorded": {"parameters": [], "matrix": []},
+            "separation": 0.0
+        })
+    };
+    findings["effects"] = serde_json::json!([{
+        "name": "accel_quadratic",
+        "rivals": [
+            tie(rival("accel_quadratic", 3e-4), rival("accel_asymmetry", 3e-3)),
+            tie(rival("accel_temperature", 2e-3), rival("accel_scale_temperature", 2e-4)),
+        ],
+    }]);
+    findings.to_string()
+}
+
+#[test]
+fn findings_with_ties_get_the_recording_that_parts_them_and_what_would_part_the_others() {
+    let (_dir, folder) = folder();
+    std::fs::write(folder.join("findings.json"), findings_with_ties(&folder)).unwrap();
+    let call = ["plan", "findings.json", "--next", "10"];
+    let run = stillpoint(&folder, &[&call[..], &["--json"]].concat());
+    assert_eq!(status(&run), 0, "{}", stderr(&run));
+    let plan = json(&run);
+    assert_eq!(plan["plan"]["steps"].as_array().unwrap().len(), 10);
+    let [shape, warmth] = [0, 1].map(|k| plan["ties"][k].clone());
+    assert_eq!(shape["told_apart"], "yes", "{shape}");
+    assert_eq!(shape["before"], 0.0);
+    // At one temperature neither does anything.
+    assert_eq!(warmth["told_apart"], "no", "{warmth}");
+    assert!(
+        warmth["instead"]
+            .as_str()
+            .unwrap()
+            .contains("--temperature"),
+        "{warmth}"
+    );
+    let people = stdout(&stillpoint(&folder, &call));
+    assert!(
+        people.lines().all(|line| line.chars().count() <= 80),
+        "{people}"
+    );
+    assert!(
+        people.contains("accel_asymmetry") && people.contains("warm the device"),
+        "{people}"
+    );
+}

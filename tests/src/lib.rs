@@ -18,3 +18,4 @@ pub mod plan_study;
 pub mod power;
 pub mod prior_study;
 pub mod problems;
+pub mod tie_study;

@@ -146,8 +146,21 @@ impl Trial {
             definitions: self.definition.clone().into_iter().collect(),
             ..Spec::hand_held(seed)
         };
-        if needs.contains(&Quantity::Temperature) {
+        let thermal = [
+            Quantity::Temperature,
+            Quantity::TemperatureRate,
+            Quantity::Warming,
+        ];
+        if thermal.iter().any(|quantity| needs.contains(quantity)) {
             spec.temperature = Some(Temperature::default());
+        }
+        if needs.contains(&Quantity::Warming) || needs.contains(&Quantity::TemperatureRate) {
+            // It has to cool down as well.
+            spec.temperature = Some(Temperature {
+                swing: 6.0,
+                period: 200.0,
+                ..Temperature::default()
+            });
         }
         if needs.contains(&Quantity::Vibration) {
             // A machine's: what its sine leaves in the mean of an interval is small beside the noise.

@@ -1,5 +1,7 @@
 //! A planned session simulated many times over, against its prediction.
 
+use std::ops::Range;
+
 use calib::Error;
 use calib::intervals::Detector;
 use calib::methods::cut;
@@ -46,24 +48,26 @@ pub fn motion(plan: &Plan, timing: &Timing) -> Planned {
 
 /// A turn and the placement after it.
 pub(crate) fn step(step: &plan::Step, timing: &Timing) -> PlannedStep {
-    let legs = step.turn.iter().flat_map(|turn| &turn.legs);
+    let turns = step.turn.iter();
+    let legs = turns.flat_map(|turn| turn.legs.iter().zip(turn.durations(&timing.pace)));
     PlannedStep {
         legs: legs
-            .map(|leg| PlannedLeg {
+            .map(|(leg, duration)| PlannedLeg {
                 axis: leg.axis.into(),
                 angle: leg.angle,
-                duration: timing.pace.duration(leg),
+                duration,
             })
             .collect(),
         rest: step.rest,
     }
 }
 
-/// Simulates `sessions` that follow the plan of `placements`, and as many in random order, and calibrates all jointly.
+/// Simulates sessions of these seeds that follow the plan of `placements`, and as many in random order, and calibrates all
+/// jointly.
 ///
 /// # Errors
 /// A spec that contradicts itself, or no session that could be calibrated.
-pub fn study(placements: usize, sessions: u64) -> Result<Study, Error> {
+pub fn study(placements: usize, seeds: Range<u64>) -> Result<Study, Error> {
     let (noise, timing) = (Noise::default(), Timing::default());
     let ups = Protocol::Optimal.placements(placements);
     let plan = plan::plan(&ups, &Known::default(), &noise, &timing, Words::Phone);
@@ -74,8 +78,8 @@ pub fn study(placements: usize, sessions: u64) -> Result<Study, Error> {
         rest: [timing.rest, timing.rest + 1e-3],
         ..HandHeld::default()
     });
-    let (found, used) = errors(&planned, sessions)?;
-    let (others, _) = errors(&random, sessions)?;
+    let (found, used) = errors(&planned, seeds.clone())?;
+    let (others, _) = errors(&random, seeds)?;
     let rows = parameter_names().into_iter().enumerate();
     let rows = rows
         .map(|(k, name)| Row {
@@ -105,7 +109,7 @@ fn root_mean_square(errors: &[Vec<f64>], k: usize) -> f64 {
 
 /// Estimate less truth of every parameter, of the sessions that can be calibrated, and the mean length of their rests between
 /// the first and the last as the estimate used them, s.
-fn errors(motion: &Motion, sessions: u64) -> Result<(Vec<Vec<f64>>, f64), Error> {
+fn errors(motion: &Motion, seeds: Range<u64>) -> Result<(Vec<Vec<f64>>, f64), Error> {
     let of = |seed: u64| -> Result<Option<(Vec<f64>, f64)>, Error> {
         let spec = Spec {
             seed,
@@ -128,7 +132,7 @@ fn errors(motion: &Motion, sessions: u64) -> Result<(Vec<Vec<f64>>, f64), Error>
         let errors: Option<Vec<f64>> = parameter_names().iter().map(error).collect();
         Ok(errors.map(|errors| (errors, mean)))
     };
-    let all: Result<Vec<_>, Error> = (0..sessions).into_par_iter().map(of).collect();
+    let all: Result<Vec<_>, Error> = seeds.into_par_iter().map(of).collect();
     let (all, used): (Vec<Vec<f64>>, Vec<f64>) = all?.into_iter().flatten().unzip();
     if all.is_empty() {
         return Err(Error::NotEnough("no session could be calibrated".into()));

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 
 use nalgebra::Vector3;
 use sensor::attitude::Attitude;
-use sensor::{AnyEffect, BASE_PARAMETERS, Kinematics, Model, Sensor};
+use sensor::{AnyEffect, BASE_PARAMETERS, Kinematics, Model, Sensor, Since};
 use solver::scalar::{along, derivatives, second_derivative, variable};
 use solver::{Jet, Jet2, LANES, lit};
 
@@ -26,6 +26,12 @@ const PROMISED: [(Sensor, &[&str]); 2] = [
             "accel_step",
             "accel_hysteresis",
             "accel_vibration_rectification",
+            "accel_misalignment_temperature",
+            "accel_periodic",
+            "accel_relaxation",
+            "accel_room_field",
+            "accel_temperature_rate",
+            "accel_thermal_hysteresis",
             "time_offset",
         ],
     ),
@@ -43,6 +49,13 @@ const PROMISED: [(Sensor, &[&str]); 2] = [
             "gyro_cubic",
             "gyro_asymmetry",
             "gyro_delay",
+            "gyro_misalignment_temperature",
+            "gyro_relaxation",
+            "gyro_room_field",
+            "gyro_temperature_quadratic",
+            "gyro_temperature_rate",
+            "gyro_thermal_hysteresis",
+            "gyro_vibration_rectification",
             "earth_rate",
         ],
     ),
@@ -73,6 +86,10 @@ fn instant(seed: usize) -> Kinematics<f64> {
         specific_force_rate: vector(50.0),
         last_change: vector(1.0).map(f64::signum),
         vibration: vector(0.5).map(|v| v * v),
+        temperature_rate: vector(0.05).x,
+        warming: vector(1.0).x.signum(),
+        last_turn: vector(1.5),
+        since_turn: Since::at(0.7 + seed as f64),
         attitude: Attitude::exp(&vector(1.5)),
         ..Kinematics::new(vector(19.6), vector(10.0))
     }
@@ -171,13 +188,13 @@ fn derivatives_are_those_of_central_differences() {
                 let mut jets: Vec<Jet> = x.iter().map(|&v| lit(v)).collect();
                 jets[k] = variable(x[k], k % LANES);
                 let error = effect.error_jet(&split(n, &truth, &jets), &jets[..n]);
-                // Truncation is of the order of h² = 1e-10 relative, rounding of 1e-16/1e-5.
-                let h = 1e-5 * x[k].abs();
+                // Truncation is of the order of h² = 1e-12 relative, in a sine of 30 rad of 5e-9; rounding of 1e-16/1e-6.
+                let h = 1e-6 * x[k].abs();
                 let (mut up, mut down) = (x.clone(), x.clone());
                 up[k] += h;
                 down[k] -= h;
                 let slope = (value(&up) - value(&down)) / (up[k] - down[k]);
-                let scale = value(&x).amax() / x[k].abs();
+                let scale = slope.amax().max(value(&x).amax() / x[k].abs());
                 for i in 0..3 {
                     let exact = derivatives(&error[i])[k % LANES];
                     let off = (exact - slope[i]).abs();
@@ -206,9 +223,11 @@ fn second_derivatives_are_those_of_the_first() {
                     .collect();
                 effect.error_jet2(&split(n, &truth, &jets), &jets[..n])
             };
-            let h = 1e-5;
+            let h = 1e-6;
             let (here, up, down) = (at(0.0), at(h), at(-h));
-            let scale = here.map(|e| e.re).amax();
+            let scale = here
+                .map(|e| e.re.abs().max(second_derivative(&e).abs()))
+                .amax();
             for i in 0..3 {
                 let slope = (up[i].v1 - down[i].v1) / (2.0 * h);
                 let off = (second_derivative(&here[i]) - slope).abs();

@@ -33,14 +33,17 @@ fn gyroscope() -> Formula {
         Term::new(Axis::X, &[(force(Axis::X), 2), (rate(Axis::Z), 3)], 3e-7),
         Term::new(
             Axis::X,
-            &[(Covariate::Warming, 1), (rate(Axis::Z), 1)],
+            &[(Covariate::TemperatureChange, 1), (rate(Axis::Z), 1)],
             2e-4,
         ),
         Term::new(Axis::Y, &[(Covariate::Time, 2)], 1e-9),
         Term::new(Axis::Y, &[(Covariate::LastChange(Axis::X), 1)], 1e-4),
         Term::new(
             Axis::Z,
-            &[(Covariate::Warming, 2), (acceleration(Axis::Y), 2)],
+            &[
+                (Covariate::TemperatureChange, 2),
+                (acceleration(Axis::Y), 2),
+            ],
             5e-7,
         ),
         Term::new(Axis::Z, &[(Covariate::Vibration(Axis::Z), 1)], 1e-3),

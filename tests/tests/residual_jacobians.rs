@@ -18,8 +18,10 @@ const BASE: [f64; 12] = [
 
 fn parameters(model: &Model) -> Vec<f64> {
     let mut x = BASE.to_vec();
-    let more = model.parameters().len() - x.len();
-    x.extend((0..more).map(|k| 1e-4 * (1.0 + k as f64)));
+    let parameters = model.parameters();
+    let more = &parameters.values()[x.len()..];
+    let near = |(k, nominal): (usize, &f64)| nominal + 1e-4 * (1.0 + k as f64);
+    x.extend(more.iter().enumerate().map(near));
     x
 }
 

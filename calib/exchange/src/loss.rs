@@ -12,6 +12,12 @@ use crate::source::{G_SENSITIVITY, Source, diagonal};
 /// A size below this is rounding.
 const ROUNDING: f64 = 1e-12;
 
+/// How fast it warms there, K/s.
+const WARMING: f64 = 0.05;
+
+/// Root mean square of its vibration there, m/s².
+const SHAKEN: f64 = 0.1;
+
 /// Where effects of time and temperature are looked at: after a minute, ten degrees from the temperature they count from.
 const MINUTE: f64 = 60.0;
 const WARMER: f64 = 10.0;
@@ -154,13 +160,17 @@ fn of_effects(source: &Source<'_>, kept: &Kept) -> Vec<Loss> {
                 truth.time = MINUTE;
                 truth.temperature += WARMER;
                 truth.last_change = force.map(f64::signum);
+                truth.temperature_rate = WARMING;
+                truth.warming = 1.0;
+                truth.vibration = Vector3::repeat(SHAKEN * SHAKEN);
+                truth.last_turn = Vector3::repeat(1.0);
                 let error: Vector3<f64> = model.error(&truth, p);
                 error.norm()
             })
         });
         let size = errors.fold(0.0, f64::max);
         lost.push(Loss {
-            at: "1 g and 1 rad/s, after a minute, 10 K from its reference",
+            at: "1 g and 1 rad/s, after a minute, 10 K from its reference, warming by .05 K/s, shaken by .1 m/s², right after a turn",
             ..loss(sensor, format!("the effect {}", values.name), size)
         });
     }

@@ -37,8 +37,8 @@ pub use direction::{
 };
 pub use exchange::{Criterion, exchange};
 pub use next::{next_placement, session_efficiency, worth};
-pub use protocol::{Known, Plan, Protocol, Step, best, finest, force_part, plan, recorded};
-pub use relaxation::{d_efficiency, relaxation, weighted_information};
+pub use protocol::{Known, Plan, Protocol, Step, best, finest, follow, force_part, plan, recorded};
+pub use relaxation::{Efficiency, d_efficiency, efficiency, relaxation, weighted_information};
 pub use requirement::{
     Coverage, REQUIREMENT, Requirement, Wanted, best_next, coverage, fewest, is_determined,
     turns_wanted,
@@ -48,4 +48,4 @@ pub use session::{
     Information, Noise, PARAMETERS, Prediction, Timing, information_of, parameter_names, predict,
     session_information,
 };
-pub use turn::{Carried, Leg, Pace, Turn, Way, ways};
+pub use turn::{Carried, Leg, Pace, Speed, Turn, Way, ways};

@@ -8,7 +8,7 @@ use crate::direction::{Words, axes_up, faces_edges_corners, tilts, whole_angles}
 use crate::exchange::{Criterion, descend, exchange};
 use crate::sequence::sequence;
 use crate::session::{Information, Noise, Prediction, Timing, predict};
-use crate::turn::{Turn, Way};
+use crate::turn::{Speed, Turn, Way};
 
 /// Starts of the exchange over faces, edges and corners, and over tilts.
 const STARTS: [usize; 2] = [300, 100];
@@ -135,35 +135,42 @@ pub fn plan(
     let information = known.information.unwrap_or_else(Information::zeros);
     let found = sequence(ups, known.up.as_ref(), &information, noise, timing);
     let ordered: Vec<Vector3<f64>> = found.order.iter().map(|k| ups[*k]).collect();
-    let mut turns = found.turns.into_iter().map(Some).collect::<Vec<_>>();
-    if known.up.is_none() && !ordered.is_empty() {
-        turns.insert(0, None);
-    }
+    follow(&ordered, &found.turns, known, noise, timing, words)
+}
+
+/// Placements in this order by these turns, and what they buy; with a placement that is known the first turn leads from it.
+pub fn follow(
+    ordered: &[Vector3<f64>],
+    turns: &[Turn],
+    known: &Known,
+    noise: &Noise,
+    timing: &Timing,
+    words: Words,
+) -> Plan {
+    let information = known.information.unwrap_or_else(Information::zeros);
+    let skipped = usize::from(known.up.is_some());
     let path: Vec<Vector3<f64>> = known
         .up
         .into_iter()
         .chain(ordered.iter().copied())
         .collect();
-    let all: Vec<Turn> = turns.iter().flatten().cloned().collect();
-    let skipped = usize::from(known.up.is_some());
     let then = |k: usize| {
-        let (path, turns) = (&path[..=k + skipped], &all[..k + skipped]);
+        let (path, turns) = (&path[..=k + skipped], &turns[..k + skipped]);
         let sum = crate::session::session_information(path, turns, &information, noise, timing);
         predict(&sum, noise)
     };
+    let turn_before = |k: usize| (k + skipped).checked_sub(1).and_then(|k| turns.get(k));
     let steps: Vec<Step> = ordered
         .iter()
-        .zip(&turns)
         .enumerate()
-        .map(|(k, (up, turn))| Step {
+        .map(|(k, up)| (k, up, turn_before(k)))
+        .map(|(k, up, turn)| Step {
             up: (*up).into(),
             axes: axes_up(up),
             words: words.placement(up),
-            turn_words: turn.as_ref().map(|turn| turn.words(words)),
-            turn_duration: turn.as_ref().map_or(0.0, |turn| {
-                turn.legs.iter().map(|leg| timing.pace.duration(leg)).sum()
-            }),
-            turn: turn.clone(),
+            turn_words: turn.map(|turn| turn.words(words)),
+            turn_duration: turn.map_or(0.0, |turn| turn.durations(&timing.pace).sum()),
+            turn: turn.cloned(),
             rest: if k + skipped == 0 {
                 timing.first_rest
             } else {
@@ -198,6 +205,7 @@ pub fn recorded(ups: &[Vector3<f64>], noise: &Noise, timing: &Timing) -> Informa
             .find(|turn| turn.way == Way::Short)
             .unwrap_or(Turn {
                 way: Way::Short,
+                speed: Speed::Usual,
                 legs: Vec::new(),
             })
     };

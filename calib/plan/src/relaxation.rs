@@ -16,10 +16,13 @@ use clarabel::solver::SupportedConeT::{
 };
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 use nalgebra::Vector3;
+use serde::Serialize;
 
 use crate::accelerometer::{
-    FORCE_PARAMETERS as P, ForceMatrix, ForceRow, error_weights, force_row,
+    FORCE_PARAMETERS as P, ForceMatrix, ForceRow, error_weights, force_covariance,
+    force_information, force_row,
 };
+use crate::direction::faces_edges_corners;
 use crate::exchange::Criterion;
 
 /// Shares of the candidates in the best design, as large a sum as one; `None` where the interior point fails.
@@ -46,6 +49,34 @@ pub fn d_efficiency(chosen: &[Vector3<f64>], candidates: &[Vector3<f64>], shares
     let exact = crate::accelerometer::force_information(chosen) / chosen.len().max(1) as f64;
     let best = weighted_information(candidates, shares);
     (exact.determinant() / best.determinant()).powf(1.0 / P as f64)
+}
+
+/// What a design comes to as a share of the best that any number of placements could, both per placement.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Efficiency {
+    /// By the volume of the confidence ellipsoid (D-efficiency).
+    pub volume: f64,
+    /// By the mean square error of a corrected reading.
+    pub reading: f64,
+}
+
+/// Both efficiencies of placements against the relaxation, which faces, edges and corners attain over all directions; `None`
+/// where the placements leave a parameter open.
+pub fn efficiency(chosen: &[Vector3<f64>]) -> Option<Efficiency> {
+    let candidates = faces_edges_corners();
+    let square = |information: &ForceMatrix| {
+        let c = force_covariance(information)?;
+        Some(c.diagonal().dot(&error_weights()))
+    };
+    let information = force_information(chosen);
+    let own = square(&(information / chosen.len().max(1) as f64))?;
+    let shares = relaxation(&candidates, Criterion::Reading)?;
+    let best = square(&weighted_information(&candidates, &shares))?;
+    let shares = relaxation(&candidates, Criterion::Volume)?;
+    Some(Efficiency {
+        volume: d_efficiency(chosen, &candidates, &shares),
+        reading: best / own,
+    })
 }
 
 /// `min qᵀx`, `b − A x` in a product of cones.
@@ -204,7 +235,7 @@ fn by_reading(rows: &[ForceRow]) -> Program {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::direction::{faces_edges_corners, tilts};
+    use crate::direction::{edges, tilts};
     use crate::protocol::finest;
 
     /// Kiefer and Wolfowitz 1960: at the best shares no candidate has a variance above the number of parameters.
@@ -234,6 +265,15 @@ mod tests {
             let own = carried.component_mul(&carried).dot(&weights);
             assert!(own < value * (1.0 + 1e-3), "{own} {value}");
         }
+    }
+
+    #[test]
+    fn efficiencies_by_reading_are_in_the_ratio_of_mean_squares_per_placement() {
+        // 2.5 of twelve edges, 1.066² of the 26: both from closed forms of the nine rows.
+        let [edges, all] = [edges(), faces_edges_corners()].map(|ups| efficiency(&ups).unwrap());
+        let expected = 2.5 * 12.0 / 26.0 / 1.065_950_f64.powi(2);
+        assert!((all.reading / edges.reading - expected).abs() < 1e-5);
+        assert!(edges.reading > 0.98 && edges.reading < 1.0, "{edges:?}");
     }
 
     /// Found by BFGS over free directions from 22 to 48 random starts, all of which end in the same value (numpy and scipy):

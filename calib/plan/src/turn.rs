@@ -37,11 +37,39 @@ pub enum Way {
     SpinRight,
 }
 
+/// How fast a turn goes beside the pace of its plan.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Speed {
+    /// A third of it.
+    Slow,
+    /// As it is.
+    #[default]
+    Usual,
+    /// Twice it.
+    Fast,
+}
+
+impl Speed {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Slow, Self::Usual, Self::Fast];
+
+    fn factor(self) -> f64 {
+        match self {
+            Self::Slow => 1.0 / 3.0,
+            Self::Usual => 1.0,
+            Self::Fast => 2.0,
+        }
+    }
+}
+
 /// A turn.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Turn {
     /// By which way.
     pub way: Way,
+    /// How fast.
+    pub speed: Speed,
     /// One after the other.
     pub legs: Vec<Leg>,
 }
@@ -69,6 +97,15 @@ impl Pace {
     /// How long a rotation takes, s.
     pub fn duration(&self, leg: &Leg) -> f64 {
         (leg.angle / self.rate).max(self.shortest)
+    }
+
+    /// The pace of turns that go faster or slower.
+    #[must_use]
+    pub fn at(&self, speed: Speed) -> Self {
+        Self {
+            rate: self.rate * speed.factor(),
+            shortest: self.shortest / speed.factor(),
+        }
     }
 }
 
@@ -109,6 +146,7 @@ fn turn(way: Way, legs: &[(Vector3<f64>, f64)]) -> Turn {
     };
     Turn {
         way,
+        speed: Speed::Usual,
         legs: legs.iter().map(leg).collect(),
     }
 }
@@ -135,11 +173,18 @@ pub struct Carried {
 }
 
 impl Turn {
+    /// How long every leg takes, s.
+    pub fn durations(&self, pace: &Pace) -> impl Iterator<Item = f64> {
+        let pace = pace.at(self.speed);
+        self.legs.iter().map(move |leg| pace.duration(leg))
+    }
+
     /// Carries the direction of gravity through the turn.
     ///
     /// A leg about `n` by `θ` has `Φ(s) = exp(−s [n]×)` and `J = ∫₀^θ Φ = n nᵀ θ + (I − n nᵀ) sin θ − [n]× (1 − cos θ)`:
     /// along the axis errors add up, across it they turn with the body and cancel after a full turn.
     pub fn carry(&self, pace: &Pace) -> Carried {
+        let pace = pace.at(self.speed);
         let mut rotation = Matrix3::identity();
         let mut by_parameter = SMatrix::<f64, 3, 12>::zeros();
         let mut duration = 0.0;
@@ -172,6 +217,15 @@ impl Turn {
 
     /// The turn as an instruction.
     pub fn words(&self, words: Words) -> String {
+        let way = self.way_words(words);
+        match self.speed {
+            Speed::Usual => way,
+            Speed::Slow => format!("slowly {way}"),
+            Speed::Fast => format!("fast {way}"),
+        }
+    }
+
+    fn way_words(&self, words: Words) -> String {
         let last = self.legs.last();
         let degrees = last.map_or(0.0, |leg| leg.angle.to_degrees());
         let about = last.map_or(String::new(), |leg| about(&leg.axis, words));

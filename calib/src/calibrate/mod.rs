@@ -387,6 +387,7 @@ fn stepwise(
     if request.static_means.is_empty() {
         let cut = choices.iter().map(|c| &c.segmentation);
         refuse_unknowable(recordings.iter().copied().zip(cut), &request.effects)?;
+        refuse_attitude(&request.effects)?;
     }
     let accelerometer = accelerometer(recordings, &choices, request, &mut warnings)?;
     let separate = gyro_recordings
@@ -677,6 +678,21 @@ fn refuse_unknowable<'a>(
         }
     }
     Ok(())
+}
+
+/// Refuses effects of the accelerometer that look at the attitude: it comes from the gyroscope, which the stepwise method
+/// calibrates after the accelerometer.
+fn refuse_attitude(effects: &[&'static dyn AnyEffect]) -> Result<(), Error> {
+    let looks = |effect: &&&'static dyn AnyEffect| {
+        effect.sensor() == Sensor::Accelerometer && effect.needs().contains(&Quantity::Attitude)
+    };
+    effects.iter().find(looks).map_or(Ok(()), |effect| {
+        Err(Error::NotEnough(format!(
+            "the effect {} needs the attitude, which the stepwise method does not know before it has calibrated the \
+             gyroscope; use --method joint, or leave the effect out",
+            effect.name()
+        )))
+    })
 }
 
 /// The accelerometer's base model with its effects.

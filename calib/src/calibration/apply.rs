@@ -97,7 +97,7 @@ fn belongs_to(calibration: &Calibration, recording: &Recording) -> Result<Option
             let bound = match param.role {
                 Role::Instant => true,
                 Role::Reference => value.value != 0.0,
-                Role::Coefficient | Role::TimeConstant => false,
+                Role::Coefficient | Role::Shape | Role::TimeConstant => false,
             };
             if bound {
                 own.push((effect.name(), param, value.value));
@@ -138,6 +138,8 @@ fn looks_at_intervals(models: &Models) -> bool {
     let told = [
         Quantity::LastChange,
         Quantity::Vibration,
+        Quantity::LastTurn,
+        Quantity::SinceTurn,
         Quantity::Attitude,
     ];
     let mut needs = models.effects().flat_map(|effect| effect.needs());

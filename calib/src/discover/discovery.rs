@@ -1,6 +1,7 @@
 //! The whole way from recordings to findings.
 
 use std::borrow::Borrow;
+use std::ops::Range;
 
 use crate::calibrate::own_effects;
 use crate::calibrate::same_device::of_one_device;
@@ -10,10 +11,10 @@ use crate::error::Error;
 use crate::methods::static_means;
 use crate::recording::Recording;
 
-use sensor::AnyEffect;
+use sensor::{AnyEffect, Param, Role};
 
 use super::enough::{enough_rests, enough_to_compare};
-use super::family::{Claim, LATE, TIME_CONSTANT, TIME_CONSTANTS, effect_family};
+use super::family::{Claim, LATE, effect_family, role_of, tried};
 use super::fault::integrity::{disturbed, integrity, undersampled};
 use super::fault::time_offset::{Delay, delay};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
@@ -29,7 +30,7 @@ use super::score::log_tail;
 use super::search::{Name, Search, search};
 use super::state::State;
 use super::visible::{NEVER_VISIBLE, told_apart_by};
-use crate::methods::joint::BiasNoise;
+use crate::methods::joint::{BiasNoise, SensorNoise};
 
 /// The effect that delays the axes of the gyroscope.
 const GYRO_DELAY: &str = "gyro_delay";
@@ -37,8 +38,11 @@ const GYRO_DELAY: &str = "gyro_delay";
 /// Stamps are late beyond what delays of the gyroscope do if by more standard errors than this.
 const MUCH_LATER: f64 = 3.0;
 
-/// A time constant so many times beyond those tried is none that the recording shows.
+/// A shape so many times beyond those tried is none that the recording shows.
 const BEYOND_TRIED: f64 = 3.0;
+
+/// The same of a shape that is no time constant.
+const BESIDE_TRIED: f64 = 1.1;
 
 /// The findings with the models behind them, for pictures.
 #[derive(Clone, Debug)]
@@ -102,12 +106,13 @@ fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discover
         extension.effects.push((effect, Some((0, late.delay))));
         search.last = State::fit(&session, extension)?;
     }
-    settle(&session, &mut search.last);
+    let held = settle(&session, &mut search.last);
     let proposed = match &rest {
         Some(rest) => proposal(&session, request, &mut search, rest)?,
         None => None,
     };
-    let mut calibration = calibration(&session, &search.last, request)?;
+    let (mut calibration, held) = determined(&session, request, &mut search, held)?;
+    say_held(&mut calibration, &held);
     calibration.warnings.extend(search.spent.clone());
     let named = |name: &&Name| matches!(name.claim, Claim::Effect(_));
     let mut effects = Vec::new();
@@ -155,6 +160,7 @@ fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discover
         validation: Vec::new(),
         walks: search.last.noise.walk,
         bias_instability: search.last.noise.flicker,
+        white: white(&search.last),
         calibration,
     };
     Ok(Discovery { findings, search })
@@ -180,6 +186,46 @@ fn calibration(
     };
     calibration.carry_gravity(request.gravity_source);
     Ok(calibration)
+}
+
+/// The calibration of the final model, with the names that these recordings determine: where they leave a parameter open,
+/// the one goes without which they do not, that with the most parameters first, or else the least evident one.
+fn determined(
+    session: &Session<'_>,
+    request: &Request,
+    search: &mut Search,
+    mut held: Vec<HeldShape>,
+) -> Result<(Calibration, Vec<HeldShape>), Error> {
+    loop {
+        let refused = match calibration(session, &search.last, request) {
+            Ok(calibration) => return Ok((calibration, held)),
+            Err(Error::Cancelled) => return Err(Error::Cancelled),
+            Err(refused) => refused,
+        };
+        let extension = search.last.extension.clone();
+        let less = |effect: &dyn AnyEffect| {
+            let mut less = extension.clone();
+            less.settles = false;
+            less.effects.retain(|(own, _)| own.name() != effect.name());
+            less
+        };
+        let effects = search.names.iter().filter_map(|name| match name.claim {
+            Claim::Effect(effect) => Some(effect),
+            _ => None,
+        });
+        let mut effects: Vec<&'static dyn AnyEffect> = effects.collect();
+        let Some(weakest) = effects.last().copied() else {
+            return Err(refused);
+        };
+        effects.sort_by_key(|effect| std::cmp::Reverse(effect.params().len()));
+        let helps = |effect: &&&'static dyn AnyEffect| {
+            let state = State::fit(session, less(**effect));
+            state.is_ok_and(|state| calibration(session, &state, request).is_ok())
+        };
+        let gone = effects.iter().find(helps).copied().unwrap_or(weakest);
+        search.withdraw_to(session, less(gone))?;
+        held = settle(session, &mut search.last);
+    }
 }
 
 /// A formula for what remains, with its coefficients; names that it explains are withdrawn, and the formula is then
@@ -266,6 +312,7 @@ fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
         told_apart_by: told_apart_by(name.claim.name(), &ties),
         indistinguishable_from: ties,
         shared: name.ties.iter().map(|t| t.shared).collect(),
+        rivals: name.ties.iter().filter_map(|t| t.rivalry.clone()).collect(),
         parameters: parameters_of(name.claim.name(), last.calibration),
         channel,
         gap_before: gap_of(&sequence.misfits(without), channel),
@@ -275,6 +322,20 @@ fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
         held_out_gap_before: held(&held_out(without, noise)),
         held_out_gap_after: held(&last.held_out),
     }
+}
+
+/// White noise densities at low frequency of the first recording, the mean of the axes.
+fn white(state: &State) -> [f64; 2] {
+    let source = state.fit.data.sources.first();
+    let density = |noise: Option<&SensorNoise>| {
+        noise.map_or(0.0, |n| {
+            n.white.component_mul(&n.long_run).mean() * n.interval.sqrt()
+        })
+    };
+    [
+        density(source.and_then(|s| s.accelerometer.as_ref())),
+        density(source.and_then(|s| s.gyroscope.as_ref())),
+    ]
 }
 
 /// Withdraws the effects that are not evident against what remains unexplained: a rest of `g` times the noise
@@ -311,34 +372,85 @@ fn without_weak(
     Ok(true)
 }
 
-/// Fits the time constants of what settles, where they come out as ones of this recording: amplitudes are no
-/// better known than they.
-fn settle(session: &Session<'_>, last: &mut State) {
+/// Fits what shapes effects (time constants, periods), where it comes out near what was tried: amplitudes are no
+/// better known than that. The effects of which it does not, with the parameter and its value.
+fn settle(session: &Session<'_>, last: &mut State) -> Vec<HeldShape> {
     let mut extension = last.extension.clone();
-    let constants: Vec<String> = extension
-        .effects
-        .iter()
-        .filter_map(|(effect, shape)| Some((effect, effect.params()[(*shape)?.0].name)))
-        .filter(|(_, parameter)| *parameter == TIME_CONSTANT)
-        .map(|(effect, parameter)| format!("{}.{parameter}", effect.name()))
+    let shaped = extension.effects.iter().filter_map(|(effect, shape)| {
+        let (k, value) = (*shape)?;
+        let parameter = &effect.params()[k];
+        (role_of(parameter) != Role::Instant).then_some((*effect, parameter, value))
+    });
+    let held: Vec<HeldShape> = shaped
+        .clone()
+        .map(|(effect, p, value)| HeldShape {
+            effect: effect.name(),
+            parameter: p.name,
+            unit: p.unit,
+            value,
+        })
         .collect();
-    if constants.is_empty() {
-        return;
+    let shapes: Vec<(String, Range<f64>)> = shaped
+        .map(|(effect, p, _)| (format!("{}.{}", effect.name(), p.name), near(p)))
+        .collect();
+    if shapes.is_empty() {
+        return held;
     }
     extension.settles = true;
     let Ok(settled) = State::fit(session, extension) else {
-        return;
+        return held;
     };
-    let [shortest, .., longest] = TIME_CONSTANTS;
-    let shown = shortest / BEYOND_TRIED..longest * BEYOND_TRIED;
     let fitted = &settled.fit.parameters;
-    let is_shown = |name: &String| {
+    let is_shown = |(name, shown): &(String, Range<f64>)| {
         let place = fitted.index(name);
         place.is_some_and(|k| shown.contains(&fitted.values()[k]))
     };
-    if constants.iter().all(is_shown) {
+    // Where the recording does not show a shape, its fit wanders along a valley without an end.
+    if settled.fit.report.termination.converged() && shapes.iter().all(is_shown) {
         *last = settled;
+        return Vec::new();
     }
+    held
+}
+
+/// A shape that these recordings do not show.
+struct HeldShape {
+    effect: &'static str,
+    parameter: &'static str,
+    unit: &'static str,
+    value: f64,
+}
+
+/// Amplitudes beside a shape that was supposed and not fitted have no standard error that holds.
+fn say_held(calibration: &mut Calibration, held: &[HeldShape]) {
+    for HeldShape {
+        effect,
+        parameter,
+        unit,
+        value,
+    } in held
+    {
+        for own in calibration.effects.iter_mut().filter(|e| e.name == *effect) {
+            own.parameters.iter_mut().for_each(|p| p.std = None);
+        }
+        calibration.warnings.push(format!(
+            "{effect}: its {parameter} is supposed to be {value} {unit}, as these recordings do not show it; its other parameters \
+             go with it, so that no standard error is stated"
+        ));
+    }
+}
+
+/// From a third of the least value tried to three times the largest; a shape that is no time constant is another effect
+/// beyond those tried.
+fn near(p: &Param) -> Range<f64> {
+    let tried = tried(p);
+    let least = tried.iter().copied().fold(f64::INFINITY, f64::min);
+    let largest = tried.iter().copied().fold(0.0, f64::max);
+    let beyond = match role_of(p) {
+        Role::TimeConstant => BEYOND_TRIED,
+        _ => BESIDE_TRIED,
+    };
+    least / beyond..largest * beyond
 }
 
 /// The effect of late stamps, where the moving accelerometer shows it.
@@ -387,6 +499,7 @@ fn late_finding(
             .min(1.0),
         indistinguishable_from: Vec::new(),
         shared: Vec::new(),
+        rivals: Vec::new(),
         told_apart_by: None,
         parameters: parameters_of(LATE, calibration),
         channel: Channel::MovingForce,

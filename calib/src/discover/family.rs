@@ -1,7 +1,7 @@
 //! What may be missing: families of hypotheses about one recording.
 
 use faer::{Mat, MatRef};
-use sensor::{AnyEffect, Sensor};
+use sensor::{AnyEffect, Param, Role, Sensor};
 
 use super::columns::{effect_columns, step_columns};
 use super::remainder::shape::Shape;
@@ -11,12 +11,9 @@ use crate::methods::joint::Disturbance;
 /// The effect that the moving accelerometer shows.
 pub const LATE: &str = "time_offset";
 
-/// The parameter of an effect that settles.
-pub const TIME_CONSTANT: &str = "tau";
-
 /// Time constants tried for an effect that settles, s. Between neighbours the shapes correlate by more than
 /// 0.98 over a session of minutes.
-pub const TIME_CONSTANTS: [f64; 6] = [20.0, 40.0, 70.0, 120.0, 200.0, 350.0];
+const TIME_CONSTANTS: [f64; 6] = [20.0, 40.0, 70.0, 120.0, 200.0, 350.0];
 
 /// Typical sizes of what is no sensor effect: creep of a rest (rad/s: 1.5 mrad in 7 s), a pushed chunk
 /// (m/s²), a turn with lost samples (rad).
@@ -30,7 +27,10 @@ const TYPICAL_SLIP: f64 = 1e-3;
 
 /// A temperature effect of higher order comes with those of lower order: they stand for the
 /// reference temperature, which is nobody's to choose.
-const COMPANIONS: [(&str, &str); 1] = [("accel_temperature_quadratic", "accel_temperature")];
+const COMPANIONS: [(&str, &str); 2] = [
+    ("accel_temperature_quadratic", "accel_temperature"),
+    ("gyro_temperature_quadratic", "gyro_temperature"),
+];
 
 /// Coefficients that are nothing by convention: the others are differences to them, and what is common to
 /// all does not show.
@@ -124,14 +124,34 @@ impl Family {
 /// shapes it, where there is one.
 pub fn coefficients(effect: &dyn AnyEffect) -> (Vec<usize>, Option<usize>) {
     let params = effect.params();
-    let shape = params
-        .iter()
-        .position(|p| p.name == TIME_CONSTANT || p.name == "t0");
+    let shape = params.iter().position(is_shape);
     let reference = reference_of(effect);
     let linear = (0..params.len())
         .filter(|k| Some(*k) != shape && Some(params[*k].name) != reference)
         .collect();
     (linear, shape)
+}
+
+/// Whether the error does not grow with this parameter: it is tried at some values.
+fn is_shape(p: &Param) -> bool {
+    matches!(role_of(p), Role::Shape | Role::TimeConstant | Role::Instant)
+}
+
+/// What kind of number a parameter is; effects written as text say it by its name.
+pub fn role_of(p: &Param) -> Role {
+    match (p.role, p.name) {
+        (Role::Coefficient, "tau") => Role::TimeConstant,
+        (Role::Coefficient, "t0") => Role::Instant,
+        (role, _) => role,
+    }
+}
+
+/// The values at which a parameter that shapes an effect is tried.
+pub fn tried(p: &Param) -> &[f64] {
+    match p.tried {
+        [] => &TIME_CONSTANTS,
+        own => own,
+    }
 }
 
 /// The name of the coefficient that the others are differences to, where there is one.
@@ -158,10 +178,16 @@ pub fn families(state: &State, catalogue: &[&'static dyn AnyEffect]) -> Vec<Fami
         .iter()
         .filter(|effect| !state.has(effect.name()))
         .filter(|effect| effect.sensor() == Sensor::Accelerometer || state.fit.has_gyroscope())
+        .filter(|effect| state.fit.data.sources.len() == 1 || !is_of_one_recording(**effect))
         .map(|effect| effect_family(state, *effect, catalogue))
         .collect();
     all.extend(disturbance_families(state));
     all
+}
+
+/// Whether all that an effect has is against the heading of one recording: two have nothing in common.
+fn is_of_one_recording(effect: &dyn AnyEffect) -> bool {
+    effect.params().iter().all(|p| p.role == Role::Reference)
 }
 
 /// The family of one effect; `catalogue` has its companions.
@@ -173,11 +199,18 @@ pub(super) fn effect_family(
     let (linear, shape) = coefficients(effect);
     let nominal: Vec<f64> = effect.params().iter().map(|p| p.nominal).collect();
     let values: Vec<Option<f64>> = match shape {
-        Some(k) if effect.params()[k].name == TIME_CONSTANT => TIME_CONSTANTS.map(Some).to_vec(),
-        Some(_) => state.boundaries().into_iter().map(Some).collect(),
+        Some(k) if role_of(&effect.params()[k]) == Role::Instant => {
+            state.boundaries().into_iter().map(Some).collect()
+        }
+        Some(k) => tried(&effect.params()[k])
+            .iter()
+            .copied()
+            .map(Some)
+            .collect(),
         None => vec![None],
     };
-    let is_instant = shape.is_some_and(|k| effect.params()[k].name == "t0");
+    let role = shape.map(|k| role_of(&effect.params()[k]));
+    let is_instant = role == Some(Role::Instant);
     let mut parts = if is_instant {
         vec![steps(state, effect, &linear, &values)]
     } else {
@@ -211,12 +244,13 @@ pub(super) fn effect_family(
     }
     Family {
         claim: Claim::Effect(effect),
-        shape_dof: if shape.is_some() && !is_instant {
+        // Neighbouring time constants make nearly the same columns: choosing spends a degree of freedom, not a search.
+        shape_dof: if role == Some(Role::TimeConstant) {
             1.0
         } else {
             0.0
         },
-        log_places: if is_instant {
+        log_places: if matches!(role, Some(Role::Instant | Role::Shape)) {
             (values.len().max(1) as f64).ln()
         } else {
             0.0

@@ -7,6 +7,7 @@ use super::gap::channel::Channel;
 use super::gap::localise::Disagreement;
 use super::propose::Proposal;
 use super::remainder::unexplained::Unexplained;
+use super::separation::Rivalry;
 use crate::calibration::{Calibration, EffectParameter};
 
 pub use crate::calibration::FINDINGS_SCHEMA;
@@ -57,6 +58,8 @@ pub struct EffectFinding {
     pub indistinguishable_from: Vec<String>,
     /// How far each of those explains the same: `ρ²`.
     pub shared: Vec<f64>,
+    /// What tells it from the effects among them.
+    pub rivals: Vec<Rivalry>,
     /// What recording would tell them apart.
     pub told_apart_by: Option<String>,
     /// Its parameters after the refit.
@@ -134,6 +137,8 @@ pub struct Findings {
     pub walks: [f64; 2],
     /// Bias instability `B` of every axis in the final model, m/s² and rad/s: the Allan deviation is flat at `0.664 B`.
     pub bias_instability: [[f64; 3]; 2],
+    /// White noise densities of accelerometer and gyroscope, m/s²/√Hz and rad/s/√Hz.
+    pub white: [f64; 2],
     /// The calibration of the final model.
     pub calibration: Calibration,
 }

@@ -22,6 +22,7 @@ mod remainder;
 mod request;
 mod score;
 mod search;
+mod separation;
 mod state;
 mod visible;
 
@@ -44,4 +45,7 @@ pub use remainder::unexplained::{Unexplained, unexplained};
 pub use request::{Request, Session};
 pub use score::{Score, log_tail, score};
 pub use search::{Name, Search, Tie, search};
+pub use separation::{
+    Aim, Conditions, Design, Information, Rival, Rivalry, SETTLED, Separated, ShownBy, separate,
+};
 pub use state::{Extension, State};

@@ -2,7 +2,7 @@
 
 use faer::Mat;
 use nalgebra::{Matrix3, Vector3};
-use sensor::{Kinematics, Sensor};
+use sensor::{AnyEffect, Kinematics, Quantity, Sensor};
 
 use super::discovery::Discovery;
 use super::family::Claim;
@@ -80,7 +80,7 @@ fn of_effect(name: &Name, finding: &EffectFinding, last: &State) -> Vec<Picture>
         left(last, noise, residuals(last)),
         left(without, noise, name.predicted.clone()),
     ];
-    let goes_with = GoesWith::of(&finding.name, &finding.parameters);
+    let goes_with = GoesWith::of(&name.claim, &finding.parameters);
     let goes_with = goes_with.as_ref();
     let mut channels = vec![finding.channel];
     if finding.channel == Channel::Direction && goes_with.is_some() {
@@ -234,33 +234,57 @@ enum Kind {
     Product,
     LastChange,
     Vibration,
+    TemperatureRate,
+    Warming,
+    SinceTurn,
+}
+
+/// What tells most of the quantities that an effect looks at, first to last.
+const TELLING: [(Quantity, Kind); 7] = [
+    (Quantity::Temperature, Kind::Temperature),
+    (Quantity::TemperatureRate, Kind::TemperatureRate),
+    (Quantity::Warming, Kind::Warming),
+    (Quantity::SinceTurn, Kind::SinceTurn),
+    (Quantity::Time, Kind::Time),
+    (Quantity::LastChange, Kind::LastChange),
+    (Quantity::Vibration, Kind::Vibration),
+];
+
+fn kind_of(effect: &dyn AnyEffect) -> Option<Kind> {
+    let needs = effect.needs();
+    let telling = TELLING
+        .iter()
+        .find(|(quantity, _)| needs.contains(quantity));
+    if let Some((_, kind)) = telling {
+        return Some(*kind);
+    }
+    (needs == [Quantity::SpecificForce]).then(|| of_force(effect))
+}
+
+/// Whether an error goes with the force along its axis, with a product of those across it, or with one along any direction.
+fn of_force(effect: &dyn AnyEffect) -> Kind {
+    let params = effect.params();
+    let p: Vec<f64> = (0..params.len())
+        .map(|k| match params[k].nominal {
+            0.0 => effect.typical_of(k),
+            nominal => nominal,
+        })
+        .collect();
+    let error = |f: Vector3<f64>| effect.error_f64(&Kinematics::at_rest(f), &p);
+    let alone = error(Vector3::x() * 5.0);
+    match (alone.x == 0.0, alone.y == 0.0) {
+        (true, _) => Kind::Product,
+        (false, true) => Kind::Force,
+        (false, false) => Kind::ForceAlong,
+    }
 }
 
 impl GoesWith {
-    fn of(effect: &str, parameters: &[EffectParameter]) -> Option<Self> {
-        let ends = |endings: &[&str]| endings.iter().any(|ending| effect.ends_with(ending));
-        let kind = if effect.contains("temperature") {
-            Kind::Temperature
-        } else if ends(&["_drift", "_warmup", "_step"]) {
-            Kind::Time
-        } else if ends(&["_g_sensitivity"]) {
-            Kind::ForceAlong
-        } else if ends(&[
-            "accel_quadratic",
-            "accel_cubic",
-            "accel_asymmetry",
-            "_g2_sensitivity",
-        ]) {
-            Kind::Force
-        } else if ends(&["_cross_axis"]) {
-            Kind::Product
-        } else if ends(&["_hysteresis"]) {
-            Kind::LastChange
-        } else if ends(&["_vibration_rectification"]) {
-            Kind::Vibration
-        } else {
+    fn of(claim: &Claim, parameters: &[EffectParameter]) -> Option<Self> {
+        let Claim::Effect(effect) = claim else {
             return None;
         };
+        let kind = kind_of(*effect)?;
         let evidence = |p: &EffectParameter| p.std.map_or(0.0, |s| (p.value / s).abs());
         let axis = (0..parameters.len().min(3))
             .max_by(|&a, &b| evidence(&parameters[a]).total_cmp(&evidence(&parameters[b])))?;
@@ -287,6 +311,9 @@ impl GoesWith {
             Kind::Product => f[(axis + 1) % 3] * f[(axis + 2) % 3],
             Kind::LastChange => truth.last_change[axis],
             Kind::Vibration => truth.vibration[axis],
+            Kind::TemperatureRate => truth.temperature_rate,
+            Kind::Warming => truth.warming,
+            Kind::SinceTurn => truth.since_turn.middle(),
         }
     }
 
@@ -300,7 +327,7 @@ impl GoesWith {
             Kind::Temperature => ("temperature".into(), "°C"),
             Kind::Force => (format!("specific force along {axis}"), "m/s²"),
             Kind::ForceAlong => (
-                "specific force along the direction to which the axis is sensitive".into(),
+                "specific force along the sensitive direction".into(),
                 "m/s²",
             ),
             Kind::Product => (
@@ -311,6 +338,9 @@ impl GoesWith {
                 format!("sign of the last change of specific force along {axis}"),
                 "",
             ),
+            Kind::TemperatureRate => ("derivative of the temperature".into(), "K/s"),
+            Kind::Warming => ("sign of the last change of temperature".into(), ""),
+            Kind::SinceTurn => ("time since the last turn".into(), "s"),
             Kind::Vibration => (
                 format!("mean square of the vibration along {axis}"),
                 "(m/s²)²",

@@ -40,6 +40,8 @@ pub struct Ranked {
     pub log_p: f64,
     /// `−ln p − ln n_sub − ln 2m`: significant at family-wise level α where above `−ln α`.
     pub evidence: f64,
+    /// Whether it may be a tie of what is named, but no name itself.
+    pub only_a_tie: bool,
     /// The expected change of the coefficients, in typical sizes.
     pub score: Score,
 }
@@ -145,6 +147,7 @@ fn best(
                     dof,
                     log_p,
                     evidence,
+                    only_a_tie: false,
                     score,
                 });
             }

@@ -2,9 +2,9 @@
 
 use std::borrow::Borrow;
 
-use sensor::AnyEffect;
+use sensor::{AnyEffect, Quantity, Role};
 
-use super::family::{TIME_CONSTANT, reference_of};
+use super::family::{reference_of, role_of};
 use super::state::Extension;
 use crate::error::Error;
 use crate::gravity::GravitySource;
@@ -62,7 +62,7 @@ impl Request {
     pub fn candidates(&self) -> Vec<&'static dyn AnyEffect> {
         let known = |name: &str| self.latitude.is_some() && name == EARTH;
         let mut all = self.catalogue.clone();
-        all.retain(|effect| !known(effect.name()));
+        all.retain(|effect| !known(effect.name()) && is_looked_for(*effect));
         all
     }
 
@@ -86,6 +86,17 @@ impl Request {
                 .collect(),
         }
     }
+}
+
+/// Whether an effect is a candidate. Those with a shape of their own (a relaxation after turns, a period) and those that stand
+/// in the room are described as a remainder instead: on recordings of a phone they took the place of simpler names, or
+/// their fits did not end. `calibrate --effects` has them all.
+fn is_looked_for(effect: &dyn AnyEffect) -> bool {
+    let params = effect.params();
+    let stands_in_the_room = params.iter().all(|p| p.role == Role::Reference);
+    let follows_turns = effect.needs().contains(&Quantity::LastTurn);
+    let is_periodic = params.iter().any(|p| p.role == Role::Shape);
+    effect.definition().is_some() || !(stands_in_the_room || follows_turns || is_periodic)
 }
 
 /// The effect that is the earth's rotation.
@@ -164,11 +175,11 @@ impl<'a> Session<'a> {
                 hold(reference, 0.0);
             }
             if let Some((k, value)) = shape {
-                let parameter = effect.params()[*k].name;
-                if extension.settles && parameter == TIME_CONSTANT {
-                    starts.push((format!("{}.{parameter}", effect.name()), *value));
+                let parameter = &effect.params()[*k];
+                if extension.settles && role_of(parameter) != Role::Instant {
+                    starts.push((format!("{}.{}", effect.name(), parameter.name), *value));
                 } else {
-                    hold(parameter, *value);
+                    hold(parameter.name, *value);
                 }
             }
         }

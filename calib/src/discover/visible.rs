@@ -17,7 +17,9 @@ pub fn told_apart_by(name: &str, ties: &[String]) -> Option<String> {
     let mut all: Vec<&str> = ties.iter().map(String::as_str).collect();
     all.push(name);
     let has = |part: &str| all.iter().any(|n| n.contains(part));
-    let what = if has("temperature") && (has("drift") || has("warmup") || has("step")) {
+    let what = if has("temperature_rate") || has("thermal_hysteresis") {
+        "a recording in which the temperature rises and falls at least twice, slowly and fast"
+    } else if has("temperature") && (has("drift") || has("warmup") || has("step")) {
         "a recording in which temperature rises and falls: warm the device, then let it cool while you turn it"
     } else if has("drift") || has("warmup") || has("step") {
         "a recording twice as long, that begins with five minutes at rest right after switching on and returns to \

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use sensor::{AnyEffect, Model, Sensor};
+use sensor::{AnyEffect, Model, Quantity, Sensor};
 use solver::Parameters;
 
 use super::device::Device;
@@ -23,6 +23,25 @@ pub fn catalogue(sensor: Sensor) -> &'static [&'static dyn AnyEffect] {
         Sensor::Accelerometer => accelerometer::EFFECTS,
         Sensor::Gyroscope => gyroscope::EFFECTS,
     }
+}
+
+/// What an effect of the catalogues looks at; nothing of one that they do not have.
+pub(crate) fn needs_of(name: &str) -> Vec<Quantity> {
+    let mut all = [Sensor::Accelerometer, Sensor::Gyroscope]
+        .into_iter()
+        .flat_map(catalogue);
+    let own = all.find(|effect| effect.name() == name);
+    own.map_or_else(Vec::new, |effect| effect.needs())
+}
+
+/// Whether an effect that needs this is silent at a constant temperature.
+pub(crate) fn looks_at_temperature(needs: &[Quantity]) -> bool {
+    let thermal = [
+        Quantity::Temperature,
+        Quantity::TemperatureRate,
+        Quantity::Warming,
+    ];
+    thermal.iter().any(|quantity| needs.contains(quantity))
 }
 
 /// One sensor of the device that `spec` asks for, with random errors where it says nothing. `end` is

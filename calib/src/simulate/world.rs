@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use sensor::attitude::Attitude;
-use sensor::{Kinematics, REFERENCE_TEMPERATURE, Sensor};
+use sensor::{Kinematics, REFERENCE_TEMPERATURE, Sensor, Since};
 
 use super::device::Device;
 use super::hidden::{Instant, Placed};
@@ -34,9 +34,19 @@ impl World {
             .attitude
             .inverse_transform_vector(&(state.acceleration + up));
         let rest = self.motion.segment_at(t).rest.as_ref();
+        let temperature_rate = self.temperature.as_ref().map_or(0.0, |c| c.rate_at(t));
+        let (ended, last_turn) = self.motion.last_turn(t);
         Kinematics {
             time: t,
             temperature: self.temperature_at(t),
+            temperature_rate,
+            warming: if temperature_rate == 0.0 {
+                0.0
+            } else {
+                temperature_rate.signum()
+            },
+            last_turn,
+            since_turn: Since::at(t - ended),
             angular_acceleration: state.angular_acceleration,
             last_change: self.motion.last_change(t),
             vibration: rest.map_or_else(Vector3::zeros, |r| r.vibration),

@@ -14,10 +14,11 @@ mod rests;
 mod sensing;
 #[cfg(test)]
 mod tests;
+mod thermal;
 
 use nalgebra::Vector3;
 use sensor::attitude::Attitude;
-use sensor::{Kinematics, Quantity, Sensor};
+use sensor::{Kinematics, Quantity, Sensor, Since};
 
 use crate::covariates::slope_at;
 use crate::error::Error;
@@ -31,6 +32,7 @@ pub(crate) use attitude::levelled;
 
 use attitude::Path;
 use rests::KnownRest;
+use thermal::Thermal;
 
 /// Corrections of one instant until both sensors agree: each sees the other's signal, and their effects are small.
 const ROUNDS: usize = 2;
@@ -43,6 +45,7 @@ pub struct Truth<'a> {
     start: f64,
     rests: Vec<KnownRest>,
     path: Option<Path>,
+    thermal: Thermal,
 }
 
 /// A reading at an instant.
@@ -102,7 +105,9 @@ impl<'a> Truth<'a> {
         attitude: bool,
     ) -> Self {
         let start = recording.start();
-        let rests = intervals.map_or_else(Vec::new, |s| rests::of(s, &models, start));
+        let thermal = recording.temperature.as_ref();
+        let thermal = thermal.map_or_else(Thermal::default, Thermal::of);
+        let rests = intervals.map_or_else(Vec::new, |s| rests::of(recording, s, &models, &thermal));
         let path = intervals
             .filter(|_| attitude)
             .map(|s| Path::of(recording, s, &models, &rests));
@@ -112,6 +117,7 @@ impl<'a> Truth<'a> {
             start,
             rests,
             path,
+            thermal,
         };
         truth.give_rests_attitudes();
         truth
@@ -127,6 +133,19 @@ impl<'a> Truth<'a> {
     /// The truth of static interval `k` as its means see it: nothing turns, time and temperature are those of the middle.
     pub fn at_rest(&self, k: usize) -> Kinematics<f64> {
         self.rests.get(k).map_or_else(unneeded, |rest| rest.known)
+    }
+
+    /// When the turn before static interval `k` ended, s.
+    pub fn turned(&self, k: usize) -> f64 {
+        self.rests.get(k).map_or(self.start, |rest| rest.turned)
+    }
+
+    /// The derivative of the temperature in the middle of a stretch, K/s, and whether it rises (1) or falls (−1) in it.
+    pub fn thermal(&self, from: f64, to: f64) -> [f64; 2] {
+        [
+            self.thermal.rate(0.5 * (from + to)),
+            self.thermal.warming(from, to),
+        ]
     }
 
     /// The truth at time `t`, s.
@@ -205,8 +224,11 @@ impl<'a> Truth<'a> {
         };
         let celsius = self.recording.temperature.as_ref().and_then(|c| c.at(t));
         known.temperature = celsius.unwrap_or(known.temperature);
+        [known.temperature_rate, known.warming] = self.thermal(t, t);
         if let Some(rest) = rests::last_before(&self.rests, t) {
             known.last_change = rest.known.last_change;
+            known.last_turn = rest.known.last_turn;
+            known.since_turn = Since::at(t - rest.turned);
             if t < rest.span.to {
                 known.vibration = rest.known.vibration;
             }

@@ -81,10 +81,18 @@ fn lacking(
         Quantity::Time => None,
         Quantity::SpecificForce | Quantity::SpecificForceRate => force(),
         Quantity::AngularRate | Quantity::AngularAcceleration => rate(),
-        Quantity::Temperature => recording.temperature.is_none().then_some((
+        Quantity::Temperature | Quantity::TemperatureRate | Quantity::Warming => recording.temperature.is_none().then_some((
             "no temperature was recorded",
             "record it, or leave the effect out",
         )),
+        Quantity::LastTurn | Quantity::SinceTurn => recording
+            .gyroscope
+            .is_none()
+            .then_some((
+                "the recording has no gyroscope",
+                "record both sensors, or leave the effect out",
+            ))
+            .or_else(|| still(1, "no static interval shows where a turn ended")),
         Quantity::LastChange => force().or_else(|| {
             let why = "no static interval shows where the device came from";
             still(1, why)

@@ -1,25 +1,39 @@
 //! What is known of static intervals: their history and their vibration.
 
 use nalgebra::Vector3;
-use sensor::Kinematics;
+use sensor::{Kinematics, Sensor, Since};
 
 use super::sensing::{Models, Sensing};
+use super::thermal::Thermal;
 use super::unneeded;
 use crate::covariates::{last_changes, vibrations};
-use crate::intervals::{Moments, Segmentation, Span, StaticInterval};
+use crate::intervals::{Moments, Segmentation, Span, StaticInterval, Turn};
+use crate::recording::{Recording, Stream};
 
 /// A static interval and the truth in it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct KnownRest {
     pub span: Span,
     pub known: Kinematics<f64>,
+    /// When the turn before it ended, s.
+    pub turned: f64,
 }
+
+/// A device turns as long as its rate is beyond this (rad/s) and beyond so many times what the interval after it scatters.
+const TURNING: f64 = 0.02;
+const OF_SCATTER: f64 = 5.0;
 
 /// Rounds at most in which a change of force is judged with the errors that its own sign makes taken off.
 const ROUNDS: usize = 5;
 
 /// All of a recording that begins at `start`.
-pub(super) fn of(segmentation: &Segmentation, models: &Models, start: f64) -> Vec<KnownRest> {
+pub(super) fn of(
+    recording: &Recording,
+    segmentation: &Segmentation,
+    models: &Models,
+    thermal: &Thermal,
+) -> Vec<KnownRest> {
+    let start = recording.start();
     let statics = &segmentation.statics;
     let sensing = models.accelerometer.as_ref();
     let shaking = shaking(statics.iter().map(|rest| rest.accelerometer), sensing);
@@ -27,16 +41,27 @@ pub(super) fn of(segmentation: &Segmentation, models: &Models, start: f64) -> Ve
         let mut known = Kinematics {
             time: 0.5 * (rest.span.from + rest.span.to) - start,
             vibration,
+            temperature_rate: thermal.rate(0.5 * (rest.span.from + rest.span.to)),
+            warming: thermal.warming(rest.span.from, rest.span.to),
             ..unneeded()
         };
         known.temperature = rest.temperature.unwrap_or(known.temperature);
         KnownRest {
             span: rest.span,
             known,
+            turned: rest.span.from,
         }
     };
     let mut rests: Vec<KnownRest> = statics.iter().zip(shaking).map(known).collect();
-    let Some(sensing) = sensing else { return rests };
+    give_last_turns(&mut rests, recording, segmentation, models);
+    if let Some(sensing) = sensing {
+        give_forces(&mut rests, statics, sensing);
+    }
+    rests
+}
+
+/// The specific force of every interval, with all else that is known of it, and where it came from.
+fn give_forces(rests: &mut [KnownRest], statics: &[StaticInterval], sensing: &Sensing) {
     for _ in 0..ROUNDS {
         let mut last = Vector3::zeros();
         for (own, rest) in rests.iter_mut().zip(statics) {
@@ -55,7 +80,86 @@ pub(super) fn of(segmentation: &Segmentation, models: &Models, start: f64) -> Ve
             break;
         }
     }
-    rests
+}
+
+/// What turned before every interval: the rotation vector of the turn that ended with it, or of the last one before.
+///
+/// The sum of the readings less what the gyroscope reads in the interval before: its own bias is gone, and a model of it is
+/// not needed.
+fn give_last_turns(
+    rests: &mut [KnownRest],
+    recording: &Recording,
+    segmentation: &Segmentation,
+    models: &Models,
+) {
+    let Some(stream) = &recording.gyroscope else {
+        return;
+    };
+    for turn in &segmentation.turns {
+        let before = segmentation.statics.get(turn.from);
+        let still = before.and_then(|rest| rest.gyroscope);
+        let Some((rest, still)) = rests.get_mut(turn.from + 1).zip(still) else {
+            continue;
+        };
+        let rates = Rates {
+            stream,
+            sensing: models.get(Sensor::Gyroscope),
+            still,
+        };
+        rest.known.last_turn = rates.rotation(turn);
+        rest.turned = rates.ended(turn).unwrap_or(rest.span.from);
+    }
+    let mut last = Vector3::zeros();
+    for rest in rests {
+        if rest.known.last_turn == Vector3::zeros() {
+            rest.known.last_turn = last;
+        }
+        last = rest.known.last_turn;
+        rest.known.since_turn = Since {
+            from: rest.span.from - rest.turned,
+            to: rest.span.to - rest.turned,
+        };
+    }
+}
+
+/// The rates of a turn, less what the gyroscope reads in the interval before it.
+struct Rates<'a> {
+    stream: &'a Stream,
+    sensing: Option<&'a Sensing>,
+    still: Moments,
+}
+
+impl Rates<'_> {
+    /// At sample `k`, rad/s.
+    fn at(&self, k: usize) -> Vector3<f64> {
+        let (now, still) = (&self.stream.values[k], &self.still.mean);
+        match self.sensing {
+            Some(s) => s.base(&s.unit.to_si(now)) - s.base(&s.unit.to_si(still)),
+            None => now - still,
+        }
+    }
+
+    /// `Σ w Δt` over a turn, rad.
+    fn rotation(&self, turn: &Turn) -> Vector3<f64> {
+        let t = &self.stream.t;
+        let pairs = turn.samples.clone().zip(turn.samples.clone().skip(1));
+        pairs
+            .map(|(a, b)| (self.at(a) + self.at(b)) * (0.5 * (t[b] - t[a])))
+            .sum()
+    }
+
+    /// When a turn ends: the last sample that turns.
+    fn ended(&self, turn: &Turn) -> Option<f64> {
+        let scatter = self.still.covariance.trace().max(0.0).sqrt();
+        let scale = self.sensing.map_or(1.0, |s| s.unit.scale.abs());
+        let least = TURNING.max(OF_SCATTER * scatter * scale);
+        let last = turn
+            .samples
+            .clone()
+            .rev()
+            .find(|&k| self.at(k).norm() > least)?;
+        self.stream.t.get(last).copied()
+    }
 }
 
 /// The static interval that `t` lies in, or the last one before it.

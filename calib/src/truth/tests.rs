@@ -52,6 +52,15 @@ fn on_data_without_noise_the_truth_is_that_of_the_simulator() {
             .kinematics(0.5 * (rest.span.from + rest.span.to));
         let found = truth.at_rest(k);
         assert_eq!(found.last_change, own.last_change, "interval {k}");
+        // The device warms up all the time.
+        assert_eq!(found.warming, own.warming, "interval {k}");
+        let off = found.temperature_rate - own.temperature_rate;
+        assert!(off.abs() < 1e-3, "interval {k}: {off}");
+        // A turn fades out: its last rotation is below what counts as turning.
+        let off = (found.last_turn - own.last_turn).norm();
+        assert!(off < 0.01, "interval {k}: {off}");
+        let off = found.since_turn.middle() - own.since_turn.middle();
+        assert!(k == 0 || (0.0..0.4).contains(&off), "interval {k}: {off}");
         // (10 µm/s²)²: rounding and the ends of turns leave up to (1.5 µm/s²)².
         let off = (found.vibration - own.vibration).amax();
         assert!(off < 1e-10, "interval {k}: {off:e}");

@@ -7,11 +7,17 @@ mod accel_cross_axis;
 mod accel_cubic;
 mod accel_drift;
 mod accel_hysteresis;
+mod accel_misalignment_temperature;
+mod accel_periodic;
 mod accel_quadratic;
+mod accel_relaxation;
+mod accel_room_field;
 mod accel_scale_temperature;
 mod accel_step;
 mod accel_temperature;
 mod accel_temperature_quadratic;
+mod accel_temperature_rate;
+mod accel_thermal_hysteresis;
 mod accel_vibration_rectification;
 mod accel_warmup;
 mod time_offset;
@@ -21,11 +27,17 @@ pub use accel_cross_axis::AccelCrossAxis;
 pub use accel_cubic::AccelCubic;
 pub use accel_drift::AccelDrift;
 pub use accel_hysteresis::AccelHysteresis;
+pub use accel_misalignment_temperature::AccelMisalignmentTemperature;
+pub use accel_periodic::AccelPeriodic;
 pub use accel_quadratic::AccelQuadratic;
+pub use accel_relaxation::AccelRelaxation;
+pub use accel_room_field::AccelRoomField;
 pub use accel_scale_temperature::AccelScaleTemperature;
 pub use accel_step::AccelStep;
 pub use accel_temperature::AccelTemperature;
 pub use accel_temperature_quadratic::AccelTemperatureQuadratic;
+pub use accel_temperature_rate::AccelTemperatureRate;
+pub use accel_thermal_hysteresis::AccelThermalHysteresis;
 pub use accel_vibration_rectification::AccelVibrationRectification;
 pub use accel_warmup::AccelWarmup;
 pub use time_offset::TimeOffset;
@@ -44,5 +56,11 @@ pub static EFFECTS: &[&dyn AnyEffect] = &[
     &AccelStep,
     &AccelHysteresis,
     &AccelVibrationRectification,
+    &AccelMisalignmentTemperature,
+    &AccelPeriodic,
+    &AccelRelaxation,
+    &AccelRoomField,
+    &AccelTemperatureRate,
+    &AccelThermalHysteresis,
     &TimeOffset,
 ];

@@ -9,10 +9,17 @@ mod gyro_delay;
 mod gyro_drift;
 mod gyro_g2_sensitivity;
 mod gyro_g_sensitivity;
+mod gyro_misalignment_temperature;
 mod gyro_quadratic;
+mod gyro_relaxation;
+mod gyro_room_field;
 mod gyro_scale_temperature;
 mod gyro_step;
 mod gyro_temperature;
+mod gyro_temperature_quadratic;
+mod gyro_temperature_rate;
+mod gyro_thermal_hysteresis;
+mod gyro_vibration_rectification;
 mod gyro_warmup;
 
 pub use earth_rate::EarthRate;
@@ -22,10 +29,17 @@ pub use gyro_delay::GyroDelay;
 pub use gyro_drift::GyroDrift;
 pub use gyro_g_sensitivity::GyroGSensitivity;
 pub use gyro_g2_sensitivity::GyroG2Sensitivity;
+pub use gyro_misalignment_temperature::GyroMisalignmentTemperature;
 pub use gyro_quadratic::GyroQuadratic;
+pub use gyro_relaxation::GyroRelaxation;
+pub use gyro_room_field::GyroRoomField;
 pub use gyro_scale_temperature::GyroScaleTemperature;
 pub use gyro_step::GyroStep;
 pub use gyro_temperature::GyroTemperature;
+pub use gyro_temperature_quadratic::GyroTemperatureQuadratic;
+pub use gyro_temperature_rate::GyroTemperatureRate;
+pub use gyro_thermal_hysteresis::GyroThermalHysteresis;
+pub use gyro_vibration_rectification::GyroVibrationRectification;
 pub use gyro_warmup::GyroWarmup;
 
 /// The registry: feeds the command line, the documentation, the registry tests and discovery.
@@ -41,5 +55,12 @@ pub static EFFECTS: &[&dyn AnyEffect] = &[
     &GyroCubic,
     &GyroAsymmetry,
     &GyroDelay,
+    &GyroMisalignmentTemperature,
+    &GyroRelaxation,
+    &GyroRoomField,
+    &GyroTemperatureQuadratic,
+    &GyroTemperatureRate,
+    &GyroThermalHysteresis,
+    &GyroVibrationRectification,
     &EarthRate,
 ];

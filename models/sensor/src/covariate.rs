@@ -27,7 +27,15 @@ pub enum Covariate {
     /// `T`: temperature, °C.
     Temperature,
     /// `dT`: temperature less [`REFERENCE_TEMPERATURE`], K.
+    TemperatureChange,
+    /// `rateT`: derivative of the temperature, K/s.
+    TemperatureRate,
+    /// `warming`: sign of the last change of temperature, −1, 0 or 1.
     Warming,
+    /// `turnx`: rotation vector of the last turn that is over, rad.
+    LastTurn(Axis),
+    /// `sinceturn`: time since the end of the last turn, s.
+    SinceTurn,
 }
 
 /// What a product of covariates is measured in: powers of (m/s², rad/s, rad/s², s, K).
@@ -42,9 +50,17 @@ impl Covariate {
             Self::AngularAcceleration,
             Self::Vibration,
             Self::LastChange,
+            Self::LastTurn,
         ];
         let triads = triads.into_iter().flat_map(|kind| Axis::ALL.map(kind));
-        triads.chain([Self::Time, Self::Temperature, Self::Warming])
+        triads.chain([
+            Self::Time,
+            Self::Temperature,
+            Self::TemperatureChange,
+            Self::TemperatureRate,
+            Self::Warming,
+            Self::SinceTurn,
+        ])
     }
 
     /// Its name in expressions.
@@ -57,7 +73,11 @@ impl Covariate {
             Self::LastChange(axis) => format!("change{axis}"),
             Self::Time => "t".to_owned(),
             Self::Temperature => "T".to_owned(),
-            Self::Warming => "dT".to_owned(),
+            Self::TemperatureChange => "dT".to_owned(),
+            Self::TemperatureRate => "rateT".to_owned(),
+            Self::Warming => "warming".to_owned(),
+            Self::LastTurn(axis) => format!("turn{axis}"),
+            Self::SinceTurn => "sinceturn".to_owned(),
         }
     }
 
@@ -71,7 +91,11 @@ impl Covariate {
             Self::LastChange(axis) => lit(truth.last_change[axis.index()]),
             Self::Time => lit(truth.time),
             Self::Temperature => lit(truth.temperature),
-            Self::Warming => lit(truth.temperature - REFERENCE_TEMPERATURE),
+            Self::TemperatureChange => lit(truth.temperature - REFERENCE_TEMPERATURE),
+            Self::TemperatureRate => lit(truth.temperature_rate),
+            Self::Warming => lit(truth.warming),
+            Self::LastTurn(axis) => lit(truth.last_turn[axis.index()]),
+            Self::SinceTurn => lit(truth.since_turn.middle()),
         }
     }
 
@@ -85,7 +109,11 @@ impl Covariate {
             Self::LastChange(axis) => format!("truth.last_change.{axis}"),
             Self::Time => "truth.time".to_owned(),
             Self::Temperature => "truth.temperature".to_owned(),
-            Self::Warming => "(truth.temperature - REFERENCE_TEMPERATURE)".to_owned(),
+            Self::TemperatureChange => "(truth.temperature - REFERENCE_TEMPERATURE)".to_owned(),
+            Self::TemperatureRate => "truth.temperature_rate".to_owned(),
+            Self::Warming => "truth.warming".to_owned(),
+            Self::LastTurn(axis) => format!("truth.last_turn.{axis}"),
+            Self::SinceTurn => "truth.since_turn.middle()".to_owned(),
         }
     }
 
@@ -99,7 +127,11 @@ impl Covariate {
             Self::LastChange(_) => ("sign of the last change of specific force", "1"),
             Self::Time => ("time", "s"),
             Self::Temperature => ("temperature", "°C"),
-            Self::Warming => ("temperature less `REFERENCE_TEMPERATURE`", "K"),
+            Self::TemperatureChange => ("temperature less `REFERENCE_TEMPERATURE`", "K"),
+            Self::TemperatureRate => ("derivative of the temperature", "K/s"),
+            Self::Warming => ("sign of the last change of temperature", "1"),
+            Self::LastTurn(_) => ("rotation vector of the last turn", "rad"),
+            Self::SinceTurn => ("time since the end of the last turn", "s"),
         }
     }
 
@@ -109,9 +141,10 @@ impl Covariate {
             Self::AngularRate(_) => [0, 1, 0, 0, 0],
             Self::AngularAcceleration(_) => [0, 0, 1, 0, 0],
             Self::Vibration(_) => [2, 0, 0, 0, 0],
-            Self::LastChange(_) => [0; 5],
-            Self::Time => [0, 0, 0, 1, 0],
-            Self::Temperature | Self::Warming => [0, 0, 0, 0, 1],
+            Self::LastChange(_) | Self::Warming | Self::LastTurn(_) => [0; 5],
+            Self::Time | Self::SinceTurn => [0, 0, 0, 1, 0],
+            Self::Temperature | Self::TemperatureChange => [0, 0, 0, 0, 1],
+            Self::TemperatureRate => [0, 0, 0, -1, 1],
         }
     }
 }

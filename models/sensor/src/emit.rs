@@ -9,7 +9,7 @@ use crate::covariate::Covariate;
 use crate::definition::DefinitionError;
 use crate::effect::AnyEffect;
 use crate::formula::{Formula, Term};
-use crate::kinematics::{Kinematics, REFERENCE_TEMPERATURE, Sensor};
+use crate::kinematics::{Kinematics, REFERENCE_TEMPERATURE, Sensor, Since};
 
 /// The source file of an effect called `name` that is `formula`.
 ///
@@ -56,7 +56,7 @@ fn covariates(formula: &Formula) -> Vec<Covariate> {
 }
 
 fn head(formula: &Formula) -> String {
-    let reference = match covariates(formula).contains(&Covariate::Warming) {
+    let reference = match covariates(formula).contains(&Covariate::TemperatureChange) {
         true => "REFERENCE_TEMPERATURE, ",
         false => "",
     };
@@ -188,8 +188,41 @@ fn probe() -> Kinematics<f64> {
         angular_acceleration: Vector3::new(29.0, 31.0, 37.0),
         vibration: Vector3::new(17.0, 19.0, 23.0),
         last_change: Vector3::new(1.0, -1.0, 1.0),
+        temperature_rate: 41.0,
+        warming: -1.0,
+        last_turn: Vector3::new(43.0, 47.0, 53.0),
+        since_turn: Since::at(59.0),
         ..Kinematics::new(Vector3::new(2.0, 3.0, 5.0), Vector3::new(7.0, 11.0, 13.0))
     }
+}
+
+/// The fields of an instant that few formulas look at, where this one does.
+fn more(formula: &Formula, truth: &Kinematics<f64>) -> String {
+    let used = covariates(formula);
+    let looks_at = |wanted: fn(&Covariate) -> bool| used.iter().any(wanted);
+    let fields = [
+        (
+            looks_at(|c| matches!(c, Covariate::TemperatureRate)),
+            format!("temperature_rate: {:?}", truth.temperature_rate),
+        ),
+        (
+            looks_at(|c| matches!(c, Covariate::Warming)),
+            format!("warming: {:?}", truth.warming),
+        ),
+        (
+            looks_at(|c| matches!(c, Covariate::LastTurn(_))),
+            format!("last_turn: {}", vector(&truth.last_turn)),
+        ),
+        (
+            looks_at(|c| matches!(c, Covariate::SinceTurn)),
+            format!(
+                "since_turn: sensor::Since::at({:?})",
+                truth.since_turn.middle()
+            ),
+        ),
+    ];
+    let own = fields.into_iter().filter(|(used, _)| *used);
+    own.map(|(_, field)| field + ",\n            ").collect()
 }
 
 fn test(formula: &Formula, effect: &dyn AnyEffect) -> String {
@@ -211,7 +244,7 @@ fn test(formula: &Formula, effect: &dyn AnyEffect) -> String {
          angular_acceleration: {},\n            \
          vibration: {},\n            \
          last_change: {},\n            \
-         ..Kinematics::new({}, {})\n        \
+         {}..Kinematics::new({}, {})\n        \
          }};\n        \
          let e = {name}.error(&truth, &{numbers});\n        \
          let expected = {};\n        \
@@ -221,6 +254,7 @@ fn test(formula: &Formula, effect: &dyn AnyEffect) -> String {
         vector(&truth.angular_acceleration),
         vector(&truth.vibration),
         vector(&truth.last_change),
+        more(formula, &truth),
         vector(&truth.specific_force),
         vector(&truth.angular_rate),
         vector(&e),

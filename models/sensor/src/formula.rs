@@ -215,8 +215,14 @@ mod tests {
         let (accel, gyro) = (Sensor::Accelerometer, Sensor::Gyroscope);
         assert_eq!(unit_of(accel, &[(f, 2)]), "1/(m/s^2)");
         assert_eq!(unit_of(accel, &[(f, 3)]), "1/(m/s^2)^2");
-        assert_eq!(unit_of(accel, &[(Covariate::Warming, 1)]), "m/s^2/K");
-        assert_eq!(unit_of(accel, &[(Covariate::Warming, 1), (f, 1)]), "1/K");
+        assert_eq!(
+            unit_of(accel, &[(Covariate::TemperatureChange, 1)]),
+            "m/s^2/K"
+        );
+        assert_eq!(
+            unit_of(accel, &[(Covariate::TemperatureChange, 1), (f, 1)]),
+            "1/K"
+        );
         assert_eq!(unit_of(gyro, &[(f, 1)]), "rad/s/(m/s^2)");
         assert_eq!(unit_of(gyro, &[(w, 3)]), "1/(rad/s)^2");
         assert_eq!(unit_of(gyro, &[(Covariate::Time, 2)]), "rad/s/s^2");

@@ -58,9 +58,58 @@ pub struct Kinematics<D> {
     pub last_change: Vector3<f64>,
     /// Mean square of the vibration, per axis, (m/s²)².
     pub vibration: Vector3<f64>,
+    /// Derivative of the temperature, K/s.
+    pub temperature_rate: f64,
+    /// Whether the device warms up (1) or cools down (−1); 0 where neither is known.
+    pub warming: f64,
+    /// Rotation vector of the last turn that is over, rad; zero before the first.
+    pub last_turn: Vector3<f64>,
+    /// How long ago it ended: all of the time that a mean is taken over.
+    pub since_turn: Since,
     /// Body to the level reference frame (z up).
     pub attitude: Attitude<f64>,
 }
+
+/// A stretch of time since something ended, s: `from` = `to` of an instant.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Since {
+    /// Its begin.
+    pub from: f64,
+    /// Its end.
+    pub to: f64,
+}
+
+impl Since {
+    /// An instant.
+    pub fn at(age: f64) -> Self {
+        Self { from: age, to: age }
+    }
+
+    /// Its middle, s.
+    pub fn middle(&self) -> f64 {
+        0.5 * (self.from + self.to)
+    }
+
+    /// The mean of `exp(−s/τ)` over it: `τ (e^(−from/τ) − e^(−to/τ)) / (to − from)`, for an instant the value there.
+    ///
+    /// ```
+    /// use stillpoint_sensor::Since;
+    ///
+    /// let all = Since { from: 0.0, to: 8.0 };
+    /// assert!((all.decayed(2.0_f64) - 0.25 * (1.0 - (-4.0_f64).exp())).abs() < 1e-15);
+    /// ```
+    pub fn decayed<D: Scalar>(&self, tau: D) -> D {
+        let per = tau.recip();
+        let length = self.to - self.from;
+        if length < SHORTEST {
+            return (per * -self.middle()).exp();
+        }
+        ((per * -self.from).exp() - (per * -self.to).exp()) * tau * lit::<D>(1.0 / length)
+    }
+}
+
+/// A shorter stretch of time is an instant, s.
+const SHORTEST: f64 = 1e-9;
 
 /// The temperature assumed where none was recorded, °C.
 pub const REFERENCE_TEMPERATURE: f64 = 25.0;
@@ -77,6 +126,10 @@ impl<D: Scalar> Kinematics<D> {
             specific_force_rate: Vector3::zeros(),
             last_change: Vector3::zeros(),
             vibration: Vector3::zeros(),
+            temperature_rate: 0.0,
+            warming: 0.0,
+            last_turn: Vector3::zeros(),
+            since_turn: Since::default(),
             attitude: Attitude::identity(),
         }
     }
@@ -97,6 +150,10 @@ impl<D: Scalar> Kinematics<D> {
             specific_force_rate: self.specific_force_rate,
             last_change: self.last_change,
             vibration: self.vibration,
+            temperature_rate: self.temperature_rate,
+            warming: self.warming,
+            last_turn: self.last_turn,
+            since_turn: self.since_turn,
             attitude: self.attitude,
         }
     }
@@ -136,6 +193,10 @@ impl Kinematics<f64> {
             specific_force_rate: self.specific_force_rate,
             last_change: self.last_change,
             vibration: self.vibration,
+            temperature_rate: self.temperature_rate,
+            warming: self.warming,
+            last_turn: self.last_turn,
+            since_turn: self.since_turn,
             attitude: self.attitude,
         }
     }

@@ -30,7 +30,7 @@ pub use definition::{DefinedParam, Definition, DefinitionError, fault_of, grant_
 pub use effect::{AnyEffect, Effect, ModelScalar, mat3};
 pub use emit::emit_effect;
 pub use formula::{Factor, Formula, Term};
-pub use kinematics::{Kinematics, REFERENCE_TEMPERATURE, Sensor};
+pub use kinematics::{Kinematics, REFERENCE_TEMPERATURE, Sensor, Since};
 pub use model::Model;
 pub use param::{Param, Role, params};
 pub use quantity::{Quantity, observed_needs, silent_at_rest};

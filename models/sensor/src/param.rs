@@ -13,6 +13,8 @@ pub struct Param {
     pub typical: Option<f64>,
     /// What kind of number it is.
     pub role: Role,
+    /// Values at which it is tried where it has to be found; empty where it is a factor, or where the usual ones do.
+    pub tried: &'static [f64],
 }
 
 /// What kind of number a parameter is.
@@ -21,6 +23,8 @@ pub enum Role {
     /// A factor: it belongs to the device.
     #[default]
     Coefficient,
+    /// A number that the error does not grow with, such as a period: it belongs to the device.
+    Shape,
     /// A time in which something settles, s: it belongs to the device.
     TimeConstant,
     /// When something happened, s since the start of a recording: it belongs to that recording and means nothing in
@@ -39,7 +43,14 @@ impl Param {
             nominal,
             typical: None,
             role: Role::Coefficient,
+            tried: &[],
         }
+    }
+
+    /// The same with values at which it is tried where it has to be found.
+    #[must_use]
+    pub const fn tried_at(self, tried: &'static [f64]) -> Self {
+        Self { tried, ..self }
     }
 
     /// The same in another role.
@@ -66,6 +77,7 @@ pub const fn params<const N: usize>(unit: &'static str, names: [&'static str; N]
         nominal: 0.0,
         typical: None,
         role: Role::Coefficient,
+        tried: &[],
     }; N];
     let mut k = 0;
     while k < N {

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use crate::attitude::Attitude;
 use crate::covariate::Covariate;
 use crate::effect::AnyEffect;
-use crate::kinematics::Kinematics;
+use crate::kinematics::{Kinematics, Since};
 
 /// A field of [`Kinematics`]: what an effect can need.
 ///
@@ -34,13 +34,21 @@ pub enum Quantity {
     LastChange,
     /// Mean square of the vibration, per axis, (m/s²)².
     Vibration,
+    /// Derivative of the temperature, K/s.
+    TemperatureRate,
+    /// Whether the device warms up or cools down: the sign of the last change of temperature.
+    Warming,
+    /// Rotation vector of the last turn, rad.
+    LastTurn,
+    /// Time since the end of the last turn, s.
+    SinceTurn,
     /// Attitude against a level frame with a heading that stays.
     Attitude,
 }
 
 impl Quantity {
     /// Every one of them.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 13] = [
         Self::SpecificForce,
         Self::AngularRate,
         Self::Time,
@@ -49,6 +57,10 @@ impl Quantity {
         Self::SpecificForceRate,
         Self::LastChange,
         Self::Vibration,
+        Self::TemperatureRate,
+        Self::Warming,
+        Self::LastTurn,
+        Self::SinceTurn,
         Self::Attitude,
     ];
 
@@ -61,7 +73,11 @@ impl Quantity {
             Covariate::Vibration(_) => Self::Vibration,
             Covariate::LastChange(_) => Self::LastChange,
             Covariate::Time => Self::Time,
-            Covariate::Temperature | Covariate::Warming => Self::Temperature,
+            Covariate::Temperature | Covariate::TemperatureChange => Self::Temperature,
+            Covariate::TemperatureRate => Self::TemperatureRate,
+            Covariate::Warming => Self::Warming,
+            Covariate::LastTurn(_) => Self::LastTurn,
+            Covariate::SinceTurn => Self::SinceTurn,
         }
     }
 
@@ -86,6 +102,16 @@ impl Quantity {
             Self::SpecificForceRate => other.specific_force_rate += step(11.0, 13.0, -17.0),
             Self::LastChange => other.last_change = -other.last_change,
             Self::Vibration => other.vibration += step(0.11, 0.13, 0.17),
+            Self::TemperatureRate => other.temperature_rate += 0.03 * size,
+            Self::Warming => other.warming = -other.warming,
+            Self::LastTurn => other.last_turn = -other.last_turn + step(0.3, -0.2, 0.4),
+            Self::SinceTurn => {
+                let later = 2.0 * size.abs();
+                other.since_turn = Since {
+                    from: other.since_turn.from + later,
+                    to: other.since_turn.to + later,
+                };
+            }
             Self::Attitude => {
                 let turn = Attitude::exp(&step(0.4, -0.3, 0.5));
                 other.attitude = other.attitude.then(&turn).normalized();
@@ -118,6 +144,10 @@ impl fmt::Display for Quantity {
             Self::SpecificForceRate => "derivative of the specific force",
             Self::LastChange => "sign of the last change of specific force",
             Self::Vibration => "vibration",
+            Self::TemperatureRate => "derivative of the temperature",
+            Self::Warming => "sign of the last change of temperature",
+            Self::LastTurn => "rotation of the last turn",
+            Self::SinceTurn => "time since the last turn",
             Self::Attitude => "attitude",
         })
     }
@@ -189,6 +219,13 @@ fn instant(k: u8) -> Kinematics<f64> {
         specific_force_rate: Vector3::new(-20.0, 30.0, 10.0) * (sign * part),
         last_change: Vector3::new(1.0, -1.0, 1.0) * sign,
         vibration: Vector3::new(0.1, 0.2, 0.3) * part,
+        temperature_rate: 0.02 * sign * part,
+        warming: sign,
+        last_turn: Vector3::new(1.2, -0.8, 0.6) * (sign * part),
+        since_turn: Since {
+            from: 0.3 * part,
+            to: 4.0 * part,
+        },
         attitude: Attitude::exp(&(Vector3::new(0.3, -0.5, 0.7) * (sign * part))),
         ..Kinematics::new(
             Vector3::new(6.0, -5.0, 4.0) * (sign * part),

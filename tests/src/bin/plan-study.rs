@@ -3,10 +3,15 @@
 //! ```text
 //! cargo run --release -p stillpoint-tests --bin plan-study -- --sessions 300
 //! cargo run --release -p stillpoint-tests --bin plan-study -- --after 5,6,8,10
+//! cargo run --release -p stillpoint-tests --bin plan-study -- --ties --sessions 3
 //! ```
 //!
 //! With `--after` it cuts the phone's recording after so many placements, follows what the plan asks for next in simulation,
 //! and holds the number against the fewest of an exhaustive search.
+//!
+//! With `--ties` it takes sessions of the power study in which two effects are tied, plans the recording that tells them apart
+//! from the findings, makes it in simulation and looks into both recordings: the hidden effect has to be named, 20 to 1 against
+//! the other.
 
 use std::process::ExitCode;
 
@@ -14,6 +19,7 @@ use clap::Parser;
 use stillpoint_tests::phone;
 use stillpoint_tests::plan_next::follow;
 use stillpoint_tests::plan_study::{Row, study};
+use stillpoint_tests::tie_study::TIES;
 
 /// Gravity where the phone was, m/s².
 const GRAVITY: f64 = 9.7951;
@@ -24,12 +30,21 @@ struct Args {
     /// Sessions of either kind
     #[arg(long, default_value_t = 300)]
     sessions: u64,
+    /// Seed of the first session; the cut in the prediction was chosen on seeds 0 to 299
+    #[arg(long, default_value_t = 1000)]
+    seed: u64,
     /// Placements
     #[arg(long, default_value_t = 12)]
     placements: usize,
     /// Placements of the phone's recording after which the plan is asked
-    #[arg(long, value_delimiter = ',', value_name = "N,..", conflicts_with_all = ["sessions", "placements"])]
+    #[arg(long, value_delimiter = ',', value_name = "N,..", conflicts_with_all = ["sessions", "placements", "seed"])]
     after: Vec<usize>,
+    /// Follow the plan for tied effects: so many sessions of each of the ten ties
+    #[arg(long, conflicts_with_all = ["after", "placements", "seed"])]
+    ties: bool,
+    /// Number of the first session of the power study that is looked into
+    #[arg(long, default_value_t = 0, requires = "ties")]
+    first: u64,
 }
 
 fn main() -> ExitCode {
@@ -37,7 +52,13 @@ fn main() -> ExitCode {
     if !args.after.is_empty() {
         return after(&args.after);
     }
-    match study(args.placements, args.sessions) {
+    if args.ties {
+        return ties(args.sessions as usize, args.first);
+    }
+    match study(
+        args.placements,
+        args.seed..args.seed.saturating_add(args.sessions),
+    ) {
         Ok(found) => {
             println!(
                 "{:16} {:>10} {:>10} {:>7} {:>10} {:>7} {:>5}",
@@ -92,6 +113,51 @@ fn after(counts: &[usize]) -> ExitCode {
         }
     }
     code
+}
+
+/// Sessions looked into for one that has the tie.
+const LOOKED_INTO: u64 = 10;
+
+/// Fails where more than one tie stays in most of its sessions.
+fn ties(sessions: usize, first: u64) -> ExitCode {
+    println!(
+        "{:27} {:27} {:>7} {:>7} {:>7} {:>4} {:>4} apart",
+        "hidden", "tied to", "session", "before", "after", "n", "min"
+    );
+    let mut settled = 0;
+    for tie in &TIES {
+        let outcomes = match tie.outcomes(first, sessions, LOOKED_INTO * sessions as u64) {
+            Ok(outcomes) => outcomes,
+            Err(error) => {
+                eprintln!("{error}");
+                return ExitCode::FAILURE;
+            }
+        };
+        let right = outcomes.iter().filter(|o| o.is_separated(tie)).count();
+        settled += usize::from(2 * right > outcomes.len());
+        for o in outcomes {
+            println!(
+                "{:27} {:27} {:7} {:7.1} {:7.1} {:4} {:4.0} {}",
+                tie.hidden,
+                tie.other,
+                o.index,
+                o.before,
+                o.after,
+                o.placements,
+                o.minutes,
+                if o.is_separated(tie) {
+                    "yes".into()
+                } else {
+                    format!("NO {:?} {:?} {:?}", o.found, o.refused, o.shown_by)
+                }
+            );
+        }
+    }
+    println!("{settled} of {} ties are told apart", TIES.len());
+    if settled + 1 < TIES.len() {
+        return ExitCode::FAILURE;
+    }
+    ExitCode::SUCCESS
 }
 
 fn print(row: &Row) {

@@ -6,5 +6,5 @@ mod size;
 mod summary;
 
 pub use row::{Job, Row};
-pub use session::{Record, run};
+pub use session::{Record, hidden_in, run};
 pub use summary::{Summary, summarise};

@@ -51,6 +51,18 @@ const TIME: [&str; 9] = [
     "gyro_temperature",
 ];
 
+/// Effects that joined the catalogue later.
+const NEWER: [&str; 8] = [
+    "accel_misalignment_temperature",
+    "accel_temperature_rate",
+    "accel_thermal_hysteresis",
+    "gyro_misalignment_temperature",
+    "gyro_temperature_quadratic",
+    "gyro_temperature_rate",
+    "gyro_thermal_hysteresis",
+    "gyro_vibration_rectification",
+];
+
 const OUTSIDE: [&str; 5] = ["periodic", "pattern", "telegraph", "heading", "relaxation"];
 const INVISIBLE: [&str; 3] = ["wrong_gravity", "fast_clock", "size_effect"];
 const INTEGRITY: [&str; 6] = [
@@ -106,6 +118,8 @@ pub enum Row {
     Orientation60,
     /// The same, lambda 30.
     Orientation30,
+    /// Effects that joined the catalogue later, lambda 60.
+    Newer60,
     /// Effects that go with time, lambda 150, random walk unknown.
     Time150,
     /// The same, lambda 60, densities given.
@@ -126,11 +140,18 @@ impl Row {
             Self::Conditions => &CONDITIONS,
             Self::Invisible => &INVISIBLE,
             Self::Orientation60 | Self::Orientation30 => &ORIENTATION,
+            Self::Newer60 => &NEWER,
             Self::Time150 | Self::Time60 => &TIME,
             Self::Pairs => &["pair"],
             Self::Outside => &OUTSIDE,
             Self::Integrity => &INTEGRITY,
         }
+    }
+
+    /// Whether the session of this number hides this.
+    pub fn hides(self, index: u64, what: &str) -> bool {
+        let kinds = self.kinds();
+        kinds[(index % kinds.len() as u64) as usize] == what
     }
 
     /// The seed of the row: that of a row stays when others join.
@@ -146,6 +167,7 @@ impl Row {
             Self::Outside => 7,
             Self::Integrity => 8,
             Self::Conditions => 9,
+            Self::Newer60 => 10,
         }
     }
 
@@ -156,6 +178,7 @@ impl Row {
             Self::Conditions => 100 * CONDITIONS.len() as u64,
             Self::Invisible => 60,
             Self::Orientation60 | Self::Orientation30 => 50 * ORIENTATION.len() as u64,
+            Self::Newer60 => 50 * NEWER.len() as u64,
             Self::Time150 | Self::Time60 => 50 * TIME.len() as u64,
             Self::Pairs => 100,
             Self::Outside => 50 * OUTSIDE.len() as u64,
@@ -190,8 +213,8 @@ pub struct Job {
     pub walks: [f64; 2],
     /// Whether the analysis is told them.
     pub told: bool,
-    /// Time constant of what warms up, s.
-    tau: f64,
+    /// Time constants and periods of what is hidden, by parameter.
+    shapes: Vec<(String, f64)>,
     random: ChaCha8Rng,
 }
 
@@ -229,7 +252,7 @@ impl Job {
             clean,
             walks,
             told: row == Row::Time60,
-            tau: 120.0,
+            shapes: Vec::new(),
             random,
         };
         job.hide(kind);
@@ -246,7 +269,7 @@ impl Job {
             _ => vec![kind.into()],
         };
         for name in self.hidden.clone() {
-            if name.contains("temperature") {
+            if name.contains("therm") || name.contains("temperature") {
                 let temperature = self.clean.temperature.get_or_insert_default();
                 temperature.swing = 3.0;
                 temperature.period = self.random.random_range(150.0..400.0);
@@ -254,8 +277,10 @@ impl Job {
             if name.contains("vibration") {
                 self.clean.vibration.get_or_insert_default();
             }
-            if name.ends_with("_warmup") {
-                self.tau = self.random.random_range(60.0..300.0);
+            let shape = name.ends_with("_warmup").then_some(("tau", 60.0..300.0));
+            if let Some((parameter, range)) = shape {
+                let value = self.random.random_range(range);
+                self.shapes.push((format!("{name}.{parameter}"), value));
             }
         }
     }
@@ -273,11 +298,16 @@ impl Job {
         let mut spec = self.clean.clone();
         match self.row {
             Row::Clean | Row::Conditions => return None,
-            Row::Orientation60 | Row::Orientation30 | Row::Time150 | Row::Time60 | Row::Pairs => {
+            Row::Orientation60
+            | Row::Orientation30
+            | Row::Newer60
+            | Row::Time150
+            | Row::Time60
+            | Row::Pairs => {
                 spec = spec.with_effect(what, size);
-                if what.ends_with("_warmup") {
-                    spec.parameters.insert(format!("{what}.tau"), self.tau);
-                }
+                let of = format!("{what}.");
+                let own = self.shapes.iter().filter(|(name, _)| name.starts_with(&of));
+                spec.parameters.extend(own.cloned());
             }
             Row::Invisible => spec = spec.with_hidden(invisible(what, size)),
             Row::Outside => spec = spec.with_hidden(self.outside(what, size)),

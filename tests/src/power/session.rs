@@ -8,6 +8,7 @@ use calib::discover::{
 };
 use calib::methods::joint::BiasNoise;
 use calib::simulate::{Spec, Truth};
+use sensor::Role;
 use serde::{Deserialize, Serialize};
 
 use super::row::{Job, Row};
@@ -92,9 +93,30 @@ pub fn run(row: Row, index: u64) -> Result<Record, Error> {
     Ok(record)
 }
 
+/// The session of this number in a row with what is hidden in it, and the noise of the biases that the analysis is told;
+/// `None` where it hides something else.
+///
+/// # Errors
+/// A spec that contradicts itself.
+pub fn hidden_in(
+    row: Row,
+    hidden: &str,
+    index: u64,
+) -> Result<Option<(Spec, Option<BiasNoise>)>, Error> {
+    let job = Job::new(row, index);
+    if job.kind != hidden {
+        return Ok(None);
+    }
+    let spec = scaled(&job, &mut Record::default())?;
+    Ok(Some((spec, job.told.then(|| BiasNoise::walks(job.walks)))))
+}
+
+/// A value, its standard error, and the truth.
+type Known = (f64, Option<f64>, f64);
+
 /// Errors of an effect's parameters in their standard errors, as far as a recording shows them.
 fn deviations(effect: &EffectFinding, truth: &Truth) -> Vec<f64> {
-    let known: Vec<(f64, Option<f64>, f64)> = effect
+    let known: Vec<Known> = effect
         .parameters
         .iter()
         .filter_map(|p| {
@@ -108,6 +130,16 @@ fn deviations(effect: &EffectFinding, truth: &Truth) -> Vec<f64> {
             let length = x.hypot(y);
             let std = x_std.zip(y_std).map(|(a, b)| (a * x).hypot(b * y) / length);
             vec![(length, std, north.hypot(east)), vertical]
+        }
+        // So is that of a field of the room: the length of each axis' response.
+        (name, responses) if name.ends_with("_room_field") => {
+            let length = |(a, a_std, a_truth): Known, (b, b_std, b_truth): Known| {
+                let length = a.hypot(b);
+                let std = a_std.zip(b_std).map(|(s, t)| (s * a).hypot(t * b) / length);
+                (length, std, a_truth.hypot(b_truth))
+            };
+            let (a, b) = responses.split_at(responses.len() / 2);
+            a.iter().zip(b).map(|(a, b)| length(*a, *b)).collect()
         }
         // Delays are relative to that of z.
         ("gyro_delay", &[(x, x_std, x_truth), (y, y_std, y_truth), (.., z_truth)]) => {
@@ -218,7 +250,7 @@ fn against_the_truth(
         };
         let mut shape = None;
         for (k, p) in effect.params().iter().enumerate() {
-            if p.name == "tau" || p.name == "t0" {
+            if p.role != Role::Coefficient && p.role != Role::Reference {
                 let named = discovery
                     .search
                     .names

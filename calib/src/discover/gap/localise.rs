@@ -99,7 +99,7 @@ fn worst_intervals(state: &State, channel: Channel) -> String {
 /// What an error may go with: one number at an instant.
 type Covariate = (&'static str, fn(&Instant<'_>) -> Vector3<f64>);
 
-const COVARIATES: [Covariate; 9] = [
+const COVARIATES: [Covariate; 11] = [
     ("time", |i| Vector3::repeat(i.truth.time)),
     ("temperature", |i| Vector3::repeat(i.truth.temperature)),
     ("specific force", |i| i.truth.specific_force),
@@ -113,6 +113,12 @@ const COVARIATES: [Covariate; 9] = [
     ("modulus of rate per axis", |i| i.truth.angular_rate.abs()),
     ("direction of the last turn", |i| i.truth.last_change),
     ("vibration", |i| i.truth.vibration),
+    ("derivative of the temperature", |i| {
+        Vector3::repeat(i.truth.temperature_rate)
+    }),
+    ("warming up or cooling down", |i| {
+        Vector3::repeat(i.truth.warming)
+    }),
 ];
 
 /// The covariate whose coefficients, one per axis, explain most.

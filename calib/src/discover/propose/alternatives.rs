@@ -67,7 +67,7 @@ mod tests {
         let chosen = product(Covariate::Time, [1.0, 0.0, 0.0]);
         // (10 cos 0.2 + sin 0.2)² is 99.98, (10 cos 0.4 + sin 0.4)² is 92.2; of 100 more than 2 ln 20 less is 94.0.
         let turned = |angle: f64| [angle.cos(), angle.sin(), 0.0];
-        let close = product(Covariate::Warming, turned(0.2));
+        let close = product(Covariate::TemperatureChange, turned(0.2));
         let far = product(Covariate::SpecificForce(Axis::X), turned(0.4));
         let terms = Terms {
             terms: vec![chosen.term(0, 10.0)],

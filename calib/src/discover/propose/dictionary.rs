@@ -66,7 +66,7 @@ fn orthonormal(w: MatRef<'_, f64>) -> Mat<f64> {
 /// does not hold already and the data can see.
 pub fn dictionary(state: &State) -> Vec<Product> {
     let force = Axis::ALL.map(Covariate::SpecificForce);
-    let slow = [Covariate::Time, Covariate::Warming];
+    let slow = [Covariate::Time, Covariate::TemperatureChange];
     // Of the accelerometer rests are compared only: nothing turns there.
     let mut all = products(state, Sensor::Accelerometer, &[&force[..], &slow].concat());
     if state.fit.has_gyroscope() {

@@ -2,7 +2,7 @@
 
 use faer::Mat;
 use nalgebra::Vector3;
-use sensor::Sensor;
+use sensor::{Quantity, Sensor};
 use serde::Serialize;
 
 use crate::discover::family::{Claim, Family};
@@ -12,7 +12,7 @@ use crate::discover::rank::{Ranked, levels, rank_at};
 use crate::discover::remainder::scatter::scatters;
 use crate::discover::remainder::shape::{Shape, shapes};
 use crate::discover::score::log_tail;
-use crate::discover::search::Search;
+use crate::discover::search::{Name, Search};
 use crate::discover::state::State;
 use crate::methods::joint::BiasNoise;
 use crate::methods::joint::{Chunk, Mean, SensorNoise};
@@ -50,6 +50,8 @@ pub struct Shaped {
 struct Trial {
     log_p: f64,
     words: String,
+    /// The shape, of a trial that has one.
+    of: Option<(Shape, Sensor)>,
     channel: Option<Channel>,
     period: Option<f64>,
     columns: Option<Shaped>,
@@ -64,7 +66,11 @@ pub fn unexplained(search: &mut Search, alpha: f64) -> Option<Unexplained> {
         .any(|n| matches!(n.claim, Claim::Effect(_)));
     if named_effect {
         let shaped = shaped(&search.base);
-        let better = |t: &Trial| -t.log_p - (shaped.len() as f64).ln() > search.evidence + APART;
+        let is_named = |t: &Trial| t.of.is_some_and(|of| is_covered(of, &search.names));
+        let better = |t: &Trial| {
+            let evidence = -t.log_p - (shaped.len() as f64).ln();
+            !is_named(t) && evidence > search.evidence + APART
+        };
         if shaped.iter().any(better) {
             let mut whole = rest_of(&search.base, alpha)?;
             whole.instead_of = search.names.iter().map(|n| n.claim.name().into()).collect();
@@ -75,6 +81,19 @@ pub fn unexplained(search: &mut Search, alpha: f64) -> Option<Unexplained> {
         }
     }
     rest_of(&search.last, alpha)
+}
+
+/// Whether an effect that is named is the very thing that the shape describes.
+fn is_covered((shape, sensor): (Shape, Sensor), names: &[Name]) -> bool {
+    let quantity = match shape {
+        Shape::Heading => Quantity::Attitude,
+        Shape::LastTurn => Quantity::LastTurn,
+        _ => return false,
+    };
+    names.iter().any(|name| match name.claim {
+        Claim::Effect(effect) => effect.sensor() == sensor && effect.needs().contains(&quantity),
+        _ => false,
+    })
 }
 
 /// The disagreement that a model leaves, where it is significant (family-wise chance `alpha`).
@@ -122,6 +141,7 @@ fn shaped(state: &State) -> Vec<Trial> {
             ["x", "y", "z"][s.axis],
             s.memory
         ),
+        of: None,
         channel: None,
         period: None,
         columns: None,
@@ -136,6 +156,7 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
     let mut trials = vec![Trial {
         log_p: log_tail(whitened.square, state.projected.dof() as f64),
         words: more.into(),
+        of: None,
         channel: None,
         period: None,
         columns: None,
@@ -144,6 +165,7 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
         trials.push(Trial {
             log_p: log_tail(misfit.chi2, misfit.dof),
             words: more.into(),
+            of: None,
             channel: Some(channel),
             period: None,
             columns: None,
@@ -154,6 +176,7 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
         trials.push(Trial {
             log_p: log_tail(chi2, dof),
             words: format!("readings of the {} drift within rests", sensor.name()),
+            of: None,
             channel: Some(channel_at_rest(sensor)),
             period: None,
             columns: None,
@@ -181,6 +204,7 @@ fn of_shape(family: &Family, ranked: &Ranked) -> Trial {
     Trial {
         log_p: ranked.log_p + family.log_places,
         words,
+        of: shape.map(|shape| (shape, sensor)),
         channel: None,
         period,
         columns: Some(Shaped {
@@ -208,6 +232,8 @@ fn slopes(state: &State, sensor: Sensor, noise: BiasNoise) -> (f64, f64) {
             .iter()
             .any(|a| a.recording == rest.recording && a.interval == rest.interval)
     };
+    let rows = state.fit.plain_rows();
+    let x = &state.fit.parameters.values()[..rows.layout.disturbance(0)];
     let (mut chi2, mut dof) = (0.0, 0.0);
     for chunk in data.chunks.iter().filter(|chunk| !disturbed(chunk)) {
         let source = &data.sources[data.rests[chunk.rest].recording];
@@ -218,16 +244,22 @@ fn slopes(state: &State, sensor: Sensor, noise: BiasNoise) -> (f64, f64) {
         if let (Some(mean), Some(white)) = (mean, white) {
             let length = mean.span.length();
             let of_bias = |axis| noise.slope_variance(place, axis, length);
-            chi2 += slope_chi2(&mean, &white, of_bias);
+            let beyond = mean.slope - rows.slope_within(x, sensor, chunk);
+            chi2 += slope_chi2(&mean, &beyond, &white, of_bias);
             dof += 3.0;
         }
     }
     (chi2, dof)
 }
 
-fn slope_chi2(mean: &Mean, noise: &SensorNoise, of_bias: impl Fn(usize) -> f64) -> f64 {
+fn slope_chi2(
+    mean: &Mean,
+    slope: &Vector3<f64>,
+    noise: &SensorNoise,
+    of_bias: impl Fn(usize) -> f64,
+) -> f64 {
     let white: Vector3<f64> = noise.variance_of(mean) * (mean.count as f64 / mean.spread);
     (0..3)
-        .map(|i| mean.slope[i].powi(2) / (white[i] + of_bias(i)))
+        .map(|i| slope[i].powi(2) / (white[i] + of_bias(i)))
         .sum()
 }

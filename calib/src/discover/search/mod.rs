@@ -15,6 +15,7 @@ use statrs::distribution::{ChiSquared, ContinuousCDF};
 use crate::discover::family::{Claim, Family, Hypothesis, LATE, families, with_companions};
 use crate::discover::rank::{Ranked, rank};
 use crate::discover::request::{Request, Session};
+use crate::discover::separation::Rivalry;
 use crate::discover::state::{Extension, State};
 use crate::error::Error;
 use crate::methods::joint::Known;
@@ -71,6 +72,8 @@ pub struct Tie {
     pub behind: f64,
     /// The share of what the named one explains that it explains too, `ρ²`.
     pub shared: f64,
+    /// What tells them apart, where it is an effect too.
+    pub rivalry: Option<Rivalry>,
 }
 
 /// All names and the models on the way.
@@ -192,10 +195,10 @@ impl Finder<'_> {
             self.state(&held)?
         };
         let (mut first_ranking, mut not_observable) = (Vec::new(), Vec::new());
-        let mut spent = false;
+        let (mut spent, mut unfit) = (false, Vec::new());
         while held.len() < MOST_NAMES + gross {
             let (families, ranked) = self.ranked(&last);
-            let next = self.next(&families, &ranked);
+            let next = self.next(&families, &ranked, &unfit);
             if held.len() == gross {
                 first_ranking = labelled(&families, &ranked);
                 not_observable = silent(&families, &ranked);
@@ -207,7 +210,12 @@ impl Finder<'_> {
                 break;
             }
             held.push(next);
-            last = self.state(&held)?;
+            match self.state(&held) {
+                Ok(state) => last = state,
+                Err(Error::Cancelled) => return Err(Error::Cancelled),
+                // A claim that the data do not hold together with is none.
+                Err(_) => unfit.extend(held.pop().map(|h| h.claim)),
+            }
         }
         let reviewed = self.review(&base, last, held)?;
         let spent = (spent || reviewed.is_spent).then(|| {
@@ -264,19 +272,27 @@ impl Finder<'_> {
     fn ranked(&self, state: &State) -> (Vec<Family>, Vec<Ranked>) {
         let families = families(state, self.catalogue);
         let mut ranked = rank(&state.projected, &families, state.noise, state.noise_given);
-        for r in ranked
-            .iter_mut()
-            .filter(|r| turns_otherwise(&families[r.family], r))
-        {
-            r.evidence = f64::NEG_INFINITY;
+        for r in &mut ranked {
+            match as_the_earth(&families[r.family], r) {
+                Earth::No => r.evidence = f64::NEG_INFINITY,
+                Earth::Perhaps => r.only_a_tie = true,
+                Earth::Yes => {}
+            }
         }
         ranked.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
         (families, ranked)
     }
 
     /// The claim with the most evidence, where that is enough.
-    fn next(&self, families: &[Family], ranked: &[Ranked]) -> Option<Held> {
-        let top = ranked.first().filter(|r| r.evidence > self.threshold)?;
+    fn next(&self, families: &[Family], ranked: &[Ranked], unfit: &[Claim]) -> Option<Held> {
+        let may = |r: &&Ranked| {
+            let own = &families[r.family].claim;
+            !r.only_a_tie && !unfit.iter().any(|claim| claim.is_same(own))
+        };
+        let top = ranked.iter().find(may)?;
+        if top.evidence <= self.threshold {
+            return None;
+        }
         let chosen = self.simpler(families, ranked, top).unwrap_or(top);
         Some(held(families, chosen))
     }
@@ -301,12 +317,20 @@ impl Finder<'_> {
     }
 }
 
-/// Whether what would be the earth's rotation has not its length, or no vertical part: a horizontal one alone is as well
-/// something that a direction of the room does to the sensor.
-fn turns_otherwise(family: &Family, ranked: &Ranked) -> bool {
+/// Whether a claim is the earth's rotation.
+enum Earth {
+    /// It has the length and a vertical part, or is another claim.
+    Yes,
+    /// It has the length and no vertical part: something that a direction of the room does to the sensor is as likely.
+    Perhaps,
+    /// It has another length.
+    No,
+}
+
+fn as_the_earth(family: &Family, ranked: &Ranked) -> Earth {
     // Beside the isotropic g-sensitivity the vertical part is nobody's to know.
     if family.claim.name() != "earth_rate" || ranked.score.dof < 3 {
-        return false;
+        return Earth::Yes;
     }
     // The typical size of the effect is the earth's rate: its length is 1.
     let rate = nalgebra::DVector::from_column_slice(&ranked.score.change);
@@ -314,7 +338,13 @@ fn turns_otherwise(family: &Family, ranked: &Ranked) -> bool {
     let variance =
         (rate.transpose() * &ranked.score.covariance * &rate)[(0, 0)] / (length * length);
     let vertical = rate[2].abs() / ranked.score.covariance[(2, 2)].sqrt();
-    (length - 1.0).abs() > EARTH_LENGTH * variance.sqrt() || vertical < EARTH_VERTICAL
+    if (length - 1.0).abs() > EARTH_LENGTH * variance.sqrt() {
+        Earth::No
+    } else if vertical < EARTH_VERTICAL {
+        Earth::Perhaps
+    } else {
+        Earth::Yes
+    }
 }
 
 fn held(families: &[Family], ranked: &Ranked) -> Held {

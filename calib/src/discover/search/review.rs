@@ -6,6 +6,7 @@ use super::{Finder, Held, MOST_NAMES, Name, Tie, held};
 use crate::discover::family::{Claim, Family, with_companions};
 use crate::discover::rank::APART;
 use crate::discover::rank::{Ranked, shared};
+use crate::discover::separation::Rivalry;
 use crate::discover::state::State;
 use crate::error::Error;
 use crate::methods::joint::Known;
@@ -66,7 +67,7 @@ impl Finder<'_> {
                     Verdict::Stays(ranked_own) => names.push(Name {
                         claim: own.claim,
                         hypothesis: own.hypothesis,
-                        ties: ties(&without, &families, &ranked, &ranked_own),
+                        ties: self.ties(&without, &families, &ranked, &ranked_own),
                         predicted: predicted(&families, &ranked_own),
                         ranked: ranked_own,
                         without,
@@ -129,13 +130,13 @@ impl Finder<'_> {
         let Some(mine) = mine else {
             return Verdict::Gone;
         };
-        let Some(top) = ranked.first() else {
+        let Some(top) = ranked.iter().find(|r| !r.only_a_tie) else {
             return Verdict::Gone;
         };
         if top.evidence > mine.evidence + APART && !self.is_simpler(families, top, mine) {
             return Verdict::Other(held(families, top));
         }
-        if mine.evidence <= self.threshold {
+        if mine.evidence <= self.threshold || mine.only_a_tie {
             return Verdict::Gone;
         }
         let found = &families[mine.family].hypotheses[mine.hypothesis];
@@ -143,6 +144,26 @@ impl Finder<'_> {
             return Verdict::Other(held(families, mine));
         }
         Verdict::Stays(mine.clone())
+    }
+
+    /// The claims whose evidence is within 20 to 1 of the named one's.
+    fn ties(
+        &self,
+        state: &State,
+        families: &[Family],
+        ranked: &[Ranked],
+        named: &Ranked,
+    ) -> Vec<Tie> {
+        ranked
+            .iter()
+            .filter(|r| r.family != named.family && r.evidence > named.evidence - APART)
+            .map(|r| Tie {
+                claim: families[r.family].claim,
+                behind: named.evidence - r.evidence,
+                shared: shared(&state.projected, families, named, r).unwrap_or(0.0),
+                rivalry: Rivalry::of(state, families, (named, r), self.catalogue),
+            })
+            .collect()
     }
 
     /// Whether `one` is the first order of `top`.
@@ -161,17 +182,4 @@ fn predicted(families: &[Family], ranked: &Ranked) -> Mat<f64> {
     let columns = families[ranked.family].columns_of(ranked.hypothesis);
     let change = Mat::from_fn(columns.ncols(), 1, |i, _| ranked.score.change[i]);
     columns * change
-}
-
-/// The claims whose evidence is within 20 to 1 of the named one's.
-fn ties(state: &State, families: &[Family], ranked: &[Ranked], named: &Ranked) -> Vec<Tie> {
-    ranked
-        .iter()
-        .filter(|r| r.family != named.family && r.evidence > named.evidence - APART)
-        .map(|r| Tie {
-            claim: families[r.family].claim,
-            behind: named.evidence - r.evidence,
-            shared: shared(&state.projected, families, named, r).unwrap_or(0.0),
-        })
-        .collect()
 }

@@ -60,6 +60,8 @@ pub struct Chunk {
     pub gyroscope: Option<Mean>,
     /// Mean temperature, °C, where it was recorded.
     pub temperature: Option<f64>,
+    /// Its derivative, K/s, and whether it rises (1) or falls (−1).
+    pub thermal: [f64; 2],
 }
 
 /// A static interval: one direction of specific force.
@@ -71,6 +73,8 @@ pub struct Rest {
     pub interval: usize,
     /// What is left of the interval after trimming.
     pub span: Span,
+    /// When the turn before it ended, s.
+    pub turned: f64,
     /// Time, temperature and history.
     pub known: Kinematics<f64>,
     /// Its chunks among all.
@@ -205,12 +209,14 @@ impl Data {
                     accelerometer: force.and_then(|s| mean_over(s, part)),
                     gyroscope: rate.and_then(|s| mean_over(s, part)),
                     temperature: celsius.and_then(|t| t.mean(part.from, part.to)),
+                    thermal: truth.thermal(part.from, part.to),
                 });
             }
             self.rests.push(Rest {
                 recording: place,
                 interval,
                 span: *span,
+                turned: truth.turned(interval),
                 known: Kinematics {
                     time: 0.5 * (span.from + span.to) - start,
                     ..truth.at_rest(interval)

@@ -2,7 +2,7 @@
 
 use faer::Mat;
 use nalgebra::{Matrix2x3, Matrix3, Vector2, Vector3};
-use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, PLACES, Sensor, inverse};
+use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, PLACES, Sensor, Since, inverse};
 
 use super::chart::Chart;
 use super::coning::Coning;
@@ -202,6 +202,11 @@ impl<'a> Rows<'a> {
             .with_signal(Sensor::Accelerometer, u * self.gravity);
         truth.time += 0.5 * (mean.span.from + mean.span.to - rest.span.from - rest.span.to);
         truth.temperature = chunk.temperature.unwrap_or(truth.temperature);
+        [truth.temperature_rate, truth.warming] = chunk.thermal;
+        truth.since_turn = Since {
+            from: mean.span.from - rest.turned,
+            to: mean.span.to - rest.turned,
+        };
         truth
     }
 

@@ -42,7 +42,13 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
     }
     let look = |effect: &&'static dyn AnyEffect| {
         let needs = effect.needs();
-        needs.contains(&Quantity::LastChange) || needs.contains(&Quantity::Vibration)
+        let told = [
+            Quantity::LastChange,
+            Quantity::Vibration,
+            Quantity::LastTurn,
+            Quantity::Attitude,
+        ];
+        told.iter().any(|quantity| needs.contains(quantity))
     };
     let covariates = request.covariates
         || !request.gyroscope.effects().is_empty()

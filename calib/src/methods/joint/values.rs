@@ -3,9 +3,14 @@
 use nalgebra::{Matrix3, Vector3};
 use sensor::{Base, Sensor};
 
-use super::data::{Chunk, TurnSamples};
+use crate::intervals::Span;
+
+use super::data::{Chunk, Mean, TurnSamples};
 use super::problem::Rows;
 use super::turn::rotation;
+
+/// Instants of a chunk that a slope is taken from.
+const INSTANTS: u32 = 8;
 
 impl Rows<'_> {
     /// The residuals at `x` (`m`).
@@ -43,6 +48,39 @@ impl Rows<'_> {
         let truth = self.at_rest(chunk, &mean, u);
         let reading = model.distort(&truth, &p);
         reading.map_or(unknown, |reading| reading - mean.value)
+    }
+
+    /// How fast the reading of a sensor changes within a chunk by the model, per second: by the straight line through
+    /// instants of it; nothing where no effect tells instants of a static interval apart.
+    pub fn slope_within(&self, x: &[f64], sensor: Sensor, chunk: &Chunk) -> Vector3<f64> {
+        let model = match sensor {
+            Sensor::Accelerometer => self.accelerometer,
+            Sensor::Gyroscope => self.gyroscope,
+        };
+        let mean = match sensor {
+            Sensor::Accelerometer => chunk.accelerometer,
+            Sensor::Gyroscope => chunk.gyroscope,
+        };
+        let Some(mean) = mean.filter(|_| !model.effects().is_empty()) else {
+            return Vector3::zeros();
+        };
+        let rest = &self.data.rests[chunk.rest];
+        let p = self.local(x, sensor, rest.recording);
+        let u = self.direction(x, chunk.rest);
+        let (mut moment, mut spread) = (Vector3::zeros(), 0.0);
+        for k in 0..INSTANTS {
+            let part = (f64::from(k) + 0.5) / f64::from(INSTANTS);
+            let t = mean.span.from + part * mean.span.length();
+            let span = Span { from: t, to: t };
+            let truth = self.at_rest(chunk, &Mean { span, ..mean }, u);
+            let Some(reading) = model.distort(&truth, &p) else {
+                return Vector3::zeros();
+            };
+            let away = t - 0.5 * (mean.span.from + mean.span.to);
+            moment += reading * away;
+            spread += away * away;
+        }
+        moment / spread
     }
 
     /// The rotation over a turn at `x`: `v_after = R v_before`.

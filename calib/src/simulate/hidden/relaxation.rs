@@ -7,7 +7,7 @@ use sensor::{Axis, Sensor};
 use serde::{Deserialize, Serialize};
 
 use super::{Disturbance, Instant};
-use crate::simulate::motion::{Motion, Segment};
+use crate::simulate::motion::Motion;
 
 /// `e = a s exp(−(t − t₀)/τ)` on one axis; `t₀` is the end of the last turn that is over and `s` the
 /// sign of its rotation about the axis: a part that yields and creeps back.
@@ -30,25 +30,15 @@ fn seconds() -> f64 {
     3.0
 }
 
-/// Instants at which the rate of a turn is looked at.
-const INSTANTS: u32 = 200;
-
 impl Relaxation {
     pub(super) fn along(&self, motion: &Motion) -> Drawn {
-        let turns = motion.segments().iter().filter(|s| s.rest.is_none());
-        let turns = turns.map(|turn| (turn.end, rotation(turn)[self.axis.index()].signum()));
+        let turns = motion.turns().iter();
+        let turns = turns.map(|(end, rotation)| (*end, rotation[self.axis.index()].signum()));
         Drawn {
             relaxation: *self,
             turns: turns.collect(),
         }
     }
-}
-
-/// `∫ω dt` over a turn, rad.
-fn rotation(turn: &Segment) -> Vector3<f64> {
-    let part = (turn.end - turn.start) / f64::from(INSTANTS);
-    let middles = (0..INSTANTS).map(|k| turn.start + (f64::from(k) + 0.5) * part);
-    middles.map(|t| turn.at(t).rate * part).sum()
 }
 
 /// The bias and the turns: end and sign of each, in order.

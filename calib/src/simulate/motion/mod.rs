@@ -38,7 +38,12 @@ pub(crate) struct Motion {
     segments: Vec<Segment>,
     knots: Vec<f64>,
     lever_arm: Vector3<f64>,
+    /// End and rotation vector of every turn, in order, s and rad.
+    turns: Vec<(f64, Vector3<f64>)>,
 }
+
+/// Instants at which the rate of a turn is looked at.
+const INSTANTS: u32 = 200;
 
 impl Motion {
     /// The motion along `path` of a sensor at `lever_arm` (body frame, m) from the hand's centre of
@@ -48,7 +53,10 @@ impl Motion {
         let mut knots: Vec<f64> = segments.iter().flat_map(Segment::knots).collect();
         knots.sort_by(f64::total_cmp);
         knots.dedup();
+        let turns = segments.iter().filter(|s| s.rest.is_none());
+        let turns = turns.map(|turn| (turn.end, rotation(turn))).collect();
         Self {
+            turns,
             segments,
             knots,
             lever_arm,
@@ -84,6 +92,18 @@ impl Motion {
         rest.map_or_else(Vector3::zeros, |rest| rest.last_change)
     }
 
+    /// End (s) and rotation vector (rad) of every turn, in order.
+    pub fn turns(&self) -> &[(f64, Vector3<f64>)] {
+        &self.turns
+    }
+
+    /// End and rotation vector of the last turn that is over at `t`; the begin and none before the first.
+    pub fn last_turn(&self, t: f64) -> (f64, Vector3<f64>) {
+        let over = self.turns.partition_point(|(end, _)| *end <= t);
+        over.checked_sub(1)
+            .map_or((0.0, Vector3::zeros()), |k| self.turns[k])
+    }
+
     /// True if nothing moves between `from` and `to`, s.
     pub fn is_still(&self, from: f64, to: f64) -> bool {
         let segment = self.segment_at(from);
@@ -102,6 +122,13 @@ impl Motion {
         state.acceleration += state.attitude * spin;
         state
     }
+}
+
+/// `∫ω dt` over a turn, rad.
+fn rotation(turn: &Segment) -> Vector3<f64> {
+    let part = (turn.end - turn.start) / f64::from(INSTANTS);
+    let middles = (0..INSTANTS).map(|k| turn.start + (f64::from(k) + 0.5) * part);
+    middles.map(|t| turn.at(t).rate * part).sum()
 }
 
 #[cfg(test)]

@@ -81,7 +81,9 @@ impl Planned {
         let force = |path: &Path| path.attitude().inverse() * (Vector3::z() * around.gravity);
         let mut change = Vector3::zeros();
         let mut before = force(&path);
-        place(&mut path, 0, self.first_rest, rest(&change, 0), around);
+        let mut table = Random::new(around.seed, Purpose::Table);
+        let first = rest(&change, 0, around, &mut table);
+        place(&mut path, 0, self.first_rest, first, around);
         for (k, step) in self.steps.iter().enumerate() {
             let length: f64 = step.legs.iter().map(|leg| leg.duration).sum();
             let (start, end) = (path.end(), path.end() + length);
@@ -116,16 +118,20 @@ impl Planned {
             let now = force(&path);
             change = last_change(&change, &before, &now);
             before = now;
-            place(&mut path, k + 1, step.rest, rest(&change, k + 1), around);
+            let next = rest(&change, k + 1, around, &mut table);
+            place(&mut path, k + 1, step.rest, next, around);
         }
         path
     }
 }
 
-fn rest(change: &Vector3<f64>, k: usize) -> Rest {
+fn rest(change: &Vector3<f64>, k: usize, around: &Surroundings, table: &mut Random) -> Rest {
     Rest {
         label: format!("planned {}", k + 1),
         last_change: *change,
+        vibration: around
+            .vibration
+            .map_or_else(Vector3::zeros, |v| v.draw(table)),
         ..Rest::default()
     }
 }

@@ -1,10 +1,10 @@
 //! Names in a spec: effects and parameters.
 
-use sensor::{AnyEffect, Sensor, base_names};
+use sensor::{AnyEffect, Quantity, Role, Sensor, base_names};
 
 use super::Spec;
 use super::complaint::{Complaint, hint, number};
-use crate::simulate::effects::SIZE;
+use crate::simulate::effects::{SIZE, looks_at_temperature, needs_of};
 
 const SENSORS: [Sensor; 2] = [Sensor::Accelerometer, Sensor::Gyroscope];
 
@@ -34,7 +34,15 @@ impl Spec {
                     let what = format!("`{name}` has no such parameter (it has {known}){hint}");
                     return Err(Complaint::new(key, what));
                 }
-                let smallest = if parameter == "tau" { 1e-3 } else { -HUGE };
+                let own = effect.params().iter().find(|p| p.name == parameter);
+                let is_shape = |p: &sensor::Param| {
+                    p.name == "tau" || matches!(p.role, Role::Shape | Role::TimeConstant)
+                };
+                let smallest = if own.is_some_and(is_shape) {
+                    1e-3
+                } else {
+                    -HUGE
+                };
                 number(&key, *value, smallest..=HUGE)?;
             }
             self.check_effect_shows(name)?;
@@ -45,11 +53,12 @@ impl Spec {
     /// An effect that cannot show would be a truth that nobody can find.
     fn check_effect_shows(&self, name: &str) -> Result<(), Complaint> {
         let key = format!("effects.{name}");
-        if name.contains("temperature") && self.temperature.is_none() {
+        let needs = needs_of(name);
+        if looks_at_temperature(&needs) && self.temperature.is_none() {
             let what = "is silent at constant temperature: add a [temperature] section";
             return Err(Complaint::new(key, what));
         }
-        if name.contains("vibration") && self.vibration.is_none() {
+        if needs.contains(&Quantity::Vibration) && self.vibration.is_none() {
             return Err(Complaint::new(
                 key,
                 "is silent without a [vibration] section",

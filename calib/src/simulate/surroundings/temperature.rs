@@ -41,6 +41,13 @@ impl Default for Temperature {
 }
 
 impl Temperature {
+    /// Its derivative at time `t` (s), K/s.
+    pub fn rate_at(&self, t: f64) -> f64 {
+        let per = std::f64::consts::TAU / self.period;
+        let swing = self.swing * per * (per * t).cos();
+        self.drift + swing + self.self_heating / self.tau * (-t / self.tau).exp()
+    }
+
     /// True temperature at time `t` (s), °C.
     pub fn at(&self, t: f64) -> f64 {
         let swing = self.swing * (std::f64::consts::TAU * t / self.period).sin();

@@ -189,7 +189,15 @@ pub fn chance(p: f64) -> String {
 }
 
 /// What a recording must have for effects whose names contain the first to show.
-const TO_SHOW: [(&str, &str); 5] = [
+const TO_SHOW: [(&str, &str); 7] = [
+    (
+        "temperature_rate",
+        "a recording with a temperature column during which the device warms and cools",
+    ),
+    (
+        "thermal_hysteresis",
+        "a recording with a temperature column during which the device warms and cools",
+    ),
     (
         "temperature",
         "a recording with a temperature column during which the device warms by ten degrees or more",
@@ -219,8 +227,12 @@ pub fn next_recordings(findings: &Findings) -> Vec<String> {
     };
     for effect in &findings.effects {
         if let Some(recording) = &effect.told_apart_by {
+            let plan = match effect.rivals.is_empty() {
+                true => "",
+                false => " `stillpoint plan findings.json` says which placements and turns.",
+            };
             add(format!(
-                "To tell {} from {}: {recording}.",
+                "To tell {} from {}: {recording}.{plan}",
                 effect.name,
                 effect.indistinguishable_from.join(" and ")
             ));
@@ -247,13 +259,13 @@ pub fn next_recordings(findings: &Findings) -> Vec<String> {
                 .into(),
         );
     }
-    for (part, recording) in TO_SHOW {
+    for (_, recording) in TO_SHOW {
         let effects: Vec<&str> = findings
             .not_observable
             .iter()
             .filter(|name| {
                 let first = TO_SHOW.iter().find(|(p, _)| name.contains(p));
-                first.is_some_and(|(p, _)| *p == part)
+                first.is_some_and(|(_, own)| *own == recording)
             })
             .map(String::as_str)
             .collect();

@@ -11,6 +11,7 @@ use plan::{
 use serde_json::Value;
 
 use super::Args;
+use super::rivals::Rivals;
 use crate::commands::inputs::read as read_recording;
 use crate::exit::{Failure, INPUT};
 use crate::show;
@@ -28,6 +29,8 @@ pub struct Input {
     pub coverage: Option<Coverage>,
     /// What would tell tied effects apart, of findings.
     pub ties: Vec<String>,
+    /// What was recorded of them.
+    pub rivals: Rivals,
     /// The accelerometer's information in noises of one placement.
     force: ForceMatrix,
 }
@@ -82,6 +85,7 @@ fn of_calibration(
         },
         coverage: None,
         ties: ties(document),
+        rivals: Rivals::of(document),
         force: force_part(&information, noise, timing.used(1)),
     })
 }
@@ -119,6 +123,7 @@ fn of_recording(
         },
         coverage: Some(found),
         ties: Vec::new(),
+        rivals: Rivals::default(),
     })
 }
 

@@ -1,14 +1,20 @@
 //! `plan`: which placements and turns to record, and what each buys.
 
 mod known;
+mod rivals;
 mod sheet;
 mod tables;
 
 use std::path::{Path, PathBuf};
 
+use calib::discover::{Aim, Design};
 use clap::ValueEnum;
-use plan::{Noise, Pace, Plan, Protocol, REQUIREMENT, Timing, Words};
-use serde_json::json;
+use nalgebra::Vector3;
+use plan::{
+    Criterion, Efficiency, ForceMatrix, Noise, Pace, Plan, Protocol, REQUIREMENT, Timing, Words,
+    finest,
+};
+use serde_json::{Value, json};
 
 use super::inputs::DetectorArgs;
 use crate::exit::{Failure, USAGE};
@@ -22,13 +28,15 @@ const PLACEMENTS: std::ops::RangeInclusive<usize> = 6..=60;
 
 /// Says which placements and turns to record: in words, in pictures, with the standard errors that they buy.
 ///
-/// Without an input it plans a whole session. With a recording, a calibration or findings it plans what to record next.
+/// Without an input it plans a whole session. With a recording or a calibration it plans what to record next. With findings that
+/// list effects which the recording cannot tell apart it plans the recording that does, and says which it cannot.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
   stillpoint plan --placements 12 --report plan.html
   stillpoint plan phone.csv                what is still missing
-  stillpoint plan cal.json --next 4        what four more placements buy")]
+  stillpoint plan cal.json --next 4        what four more placements buy
+  stillpoint plan findings.json            what tells tied effects apart")]
 pub struct Args {
     /// Recording, calibration or findings to go on from
     #[arg(value_name = "CAL|RECORDING|FINDINGS")]
@@ -42,10 +50,13 @@ pub struct Args {
     /// Placements by name
     #[arg(long, value_enum, default_value_t = Named::Optimal, conflicts_with = "input")]
     protocol: Named,
+    /// What the placements are best for; both efficiencies are printed
+    #[arg(long, value_enum, default_value_t = By::Reading, conflicts_with_all = ["input", "protocol"])]
+    criterion: By,
     /// Plan for the accelerometer only: no turns
     #[arg(long)]
     accelerometer_only: bool,
-    /// Say what to do for the dependence on temperature
+    /// Say what to do for the dependence on temperature; with findings: the device may be warmed
     #[arg(long)]
     temperature: bool,
     /// Call the sides by the sensor's axes, not by those of a phone
@@ -92,6 +103,15 @@ enum Named {
     ImuTk,
 }
 
+/// What placements are best for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum By {
+    /// Error of a corrected reading, of what is easy to hold
+    Reading,
+    /// Volume of the confidence ellipsoid (D-optimality), tilts in steps of 5°
+    Volume,
+}
+
 impl Named {
     fn protocol(self) -> Protocol {
         match self {
@@ -120,17 +140,35 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         Some(path) => Some(known::read(path, args, &noise, &timing)?),
         None => None,
     };
-    let ups = match &input {
-        Some(input) => input.next(args.next),
-        None => args
-            .protocol
-            .protocol()
-            .placements(args.placements.unwrap_or(REQUIREMENT.advised)),
-    };
     let start = input.as_ref().map(|input| input.known).unwrap_or_default();
-    let found = plan::plan(&ups, &start, &noise, &timing, words);
-    let notes = notes(args, input.as_ref());
-    let document = show::json(&document(args, input.as_ref(), &found, &notes))?;
+    let rivals = input.as_ref().map(|input| &input.rivals);
+    let aim = match rivals.filter(|rivals| !rivals.is_empty()) {
+        Some(rivals) => Some(rivals.separate(args, &timing)?),
+        None => None,
+    };
+    let found = match &aim {
+        Some(aim) => {
+            let Design {
+                ups, turns, timing, ..
+            } = &aim.design;
+            plan::follow(ups, turns, &start, &noise, timing, words)
+        }
+        None => plan::plan(
+            &placements(args, input.as_ref()),
+            &start,
+            &noise,
+            &timing,
+            words,
+        ),
+    };
+    let ups: Vec<Vector3<f64>> = found.steps.iter().map(|s| s.up.into()).collect();
+    let efficiency = input.is_none().then(|| plan::efficiency(&ups)).flatten();
+    let ties = aim.as_ref().map_or(Vec::new(), rivals::rows);
+    let mut notes = notes(args, input.as_ref(), aim.as_ref());
+    notes.extend(efficiency.as_ref().map(efficiency_words));
+    notes.extend(rivals::words(&ties));
+    let extra = json!({"ties": ties, "efficiency": efficiency});
+    let document = show::json(&document(args, input.as_ref(), &found, extra, &notes))?;
     if let Some(output) = output {
         output.write(document.as_bytes())?;
     }
@@ -140,8 +178,28 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     show::print(&if args.json {
         document
     } else {
-        tables::text(&found, input.as_ref(), &notes, args.accelerometer_only)
+        tables::text(
+            &found,
+            input.as_ref(),
+            &ties,
+            &notes,
+            args.accelerometer_only,
+        )
     })
+}
+
+/// The placements of the session, or those to add.
+fn placements(args: &Args, input: Option<&Input>) -> Vec<Vector3<f64>> {
+    match input {
+        Some(input) => input.next(args.next),
+        None => {
+            let count = args.placements.unwrap_or(REQUIREMENT.advised);
+            match args.criterion {
+                By::Reading => args.protocol.protocol().placements(count),
+                By::Volume => finest(count, &ForceMatrix::zeros(), Criterion::Volume),
+            }
+        }
+    }
 }
 
 impl Args {
@@ -202,11 +260,30 @@ impl Args {
 }
 
 /// What else to do.
-fn notes(args: &Args, input: Option<&Input>) -> Vec<String> {
+fn notes(args: &Args, input: Option<&Input>, aim: Option<&Aim>) -> Vec<String> {
+    let rest = aim.map_or(args.rest, |aim| aim.design.timing.rest);
     let mut notes = vec![format!(
-        "The requirement: {REQUIREMENT}. Put the device down, let go, wait {:.0} s.",
-        args.rest
+        "The requirement: {REQUIREMENT}. Put the device down, let go, wait {rest:.0} s."
     )];
+    if let Some(aim) = aim {
+        if aim.ties.iter().any(|tie| tie.settles) {
+            notes.push(
+                "Leave the device switched off for an hour before, and record from the moment it is switched on."
+                    .into(),
+            );
+        }
+        notes.push(
+            "Record it as one recording of its own and give both to `discover`, the first and this one.".into(),
+        );
+        if args.temperature {
+            notes.push(
+                "Temperature: begin cold, warm the device by 15 K in the first half (a hair dryer, the sun) and let it \
+                 cool in the second."
+                    .into(),
+            );
+        }
+        return notes;
+    }
     if args.temperature {
         notes.push(
             "Temperature: go through the placements twice, once after an hour in the cold (a refrigerator, in a bag) and \
@@ -227,9 +304,10 @@ fn document(
     args: &Args,
     input: Option<&Input>,
     found: &Plan,
+    extra: Value,
     notes: &[String],
-) -> serde_json::Value {
-    json!({
+) -> Value {
+    let mut document = json!({
         "schema": "stillpoint.plan/1",
         "created_by": concat!("stillpoint ", env!("CARGO_PKG_VERSION")),
         "requirement": REQUIREMENT,
@@ -241,5 +319,19 @@ fn document(
         "accelerometer_only": args.accelerometer_only,
         "plan": found,
         "notes": notes,
-    })
+    });
+    if let (Value::Object(all), Value::Object(extra)) = (&mut document, extra) {
+        all.extend(extra);
+    }
+    document
+}
+
+/// What the placements come to beside the best that any could.
+fn efficiency_words(efficiency: &Efficiency) -> String {
+    format!(
+        "Placements: {:.1} % of the best that any so many could come to by the error of a reading, {:.1} % by the volume of the \
+         confidence ellipsoid (D-efficiency).",
+        100.0 * efficiency.reading,
+        100.0 * efficiency.volume
+    )
 }

@@ -5,13 +5,20 @@ use std::fmt::Write as _;
 use plan::{Plan, Prediction, Step, parameter_names};
 
 use super::known::Input;
+use super::rivals::Row;
 use crate::show;
 
 /// Columns that text is wrapped at.
 const WIDTH: usize = 78;
 
 /// The plan.
-pub fn text(plan: &Plan, input: Option<&Input>, notes: &[String], force_only: bool) -> String {
+pub fn text(
+    plan: &Plan,
+    input: Option<&Input>,
+    ties: &[Row],
+    notes: &[String],
+    force_only: bool,
+) -> String {
     let mut text = String::new();
     if let Some(found) = input.and_then(|input| input.coverage.as_ref()) {
         let unknown = match found.unknown.as_slice() {
@@ -33,7 +40,11 @@ pub fn text(plan: &Plan, input: Option<&Input>, notes: &[String], force_only: bo
         "\n{:.0} minutes in all.\n",
         (plan.duration / 60.0).ceil()
     );
-    let _ = writeln!(text, "{}\n", errors(plan, force_only));
+    if ties.is_empty() {
+        let _ = writeln!(text, "{}\n", errors(plan, force_only));
+    } else {
+        let _ = writeln!(text, "{}\n", separations(ties));
+    }
     for note in notes {
         push(&mut text, "", note);
     }
@@ -67,6 +78,28 @@ fn push(text: &mut String, begin: &str, words: &str) {
         line.push(' ');
     }
     let _ = writeln!(text, "{}", line.trim_end());
+}
+
+/// How far tied effects are apart before and after.
+fn separations(ties: &[Row]) -> comfy_table::Table {
+    let mut table = show::table(&["named", "tied to", "before", "after", "told apart"]);
+    let figure = |v: f64| {
+        if v < 1000.0 {
+            format!("{v:.1}")
+        } else {
+            "> 1000".into()
+        }
+    };
+    for tie in ties {
+        table.add_row([
+            tie.named.clone(),
+            tie.tied_to.clone(),
+            figure(tie.before),
+            figure(tie.after),
+            tie.told_apart.words().into(),
+        ]);
+    }
+    table
 }
 
 /// The standard errors before and after.

@@ -1,0 +1,69 @@
+//! Relaxation of a gyroscope bias after a turn.
+
+use nalgebra::Vector3;
+use sensor::{Effect, Kinematics, Param, Quantity, Role, Sensor};
+use solver::Scalar;
+
+/// A part that yields while the device turns creeps back afterwards: `eᵢ = rᵢ sign(θᵢ) exp(−s/τ)`.
+///
+/// | symbol | meaning | unit | shape |
+/// |---|---|---|---|
+/// | `e` | gyroscope error | rad/s | 3 |
+/// | `r` | bias right after the turn | rad/s | 3 |
+/// | `τ` | time constant, not 0 | s | 1 |
+/// | `θ` | `Kinematics::last_turn`: rotation vector of the last turn; less than .1 about an axis counts as none | rad | 3 |
+/// | `s` | `Kinematics::since_turn`: time since its end; of a mean, the mean of the decay | s | 1 |
+///
+/// A recording shows it whose static intervals are longer than `τ`, with turns both ways about each axis.
+#[derive(Clone, Copy, Debug)]
+pub struct GyroRelaxation;
+
+/// A smaller rotation about an axis has no sign, rad.
+const LEAST_ROTATION: f64 = 0.1;
+
+impl Effect for GyroRelaxation {
+    const NAME: &'static str = "gyro_relaxation";
+    const SENSOR: Sensor = Sensor::Gyroscope;
+    const EQUATION: &'static str = "W_i += r_i sign(last turn about i) exp(-s/tau)";
+    const PARAMS: &'static [Param] = &[
+        Param::new("x", "rad/s", 0.0),
+        Param::new("y", "rad/s", 0.0),
+        Param::new("z", "rad/s", 0.0),
+        Param::new("tau", "s", 3.0)
+            .in_role(Role::TimeConstant)
+            .tried_at(&[1.0, 2.0, 4.0, 8.0]),
+    ];
+    const TYPICAL: f64 = 2e-4;
+    const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::LastTurn, Quantity::SinceTurn]);
+
+    fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
+        let left = truth.since_turn.decayed(p[3]);
+        Vector3::from_fn(|i, _| p[i] * left * way(truth.last_turn[i]))
+    }
+}
+
+/// The way of a rotation: −1, 1, or 0 of hardly any.
+fn way(rotation: f64) -> f64 {
+    match rotation.abs() < LEAST_ROTATION {
+        true => 0.0,
+        false => rotation.signum(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use sensor::Since;
+
+    #[test]
+    fn after_one_time_constant_37_percent_are_left_on_the_axes_that_turned() {
+        let truth = Kinematics {
+            last_turn: Vector3::new(-1.5, 0.01, 0.7),
+            since_turn: Since::at(2.0),
+            ..Kinematics::at_rest(Vector3::zeros())
+        };
+        let e = GyroRelaxation.error(&truth, &[1.0, 1.0, 2.0, 2.0]);
+        let left = (-1.0_f64).exp();
+        assert!((e - Vector3::new(-left, 0.0, 2.0 * left)).norm() < 1e-15);
+    }
+}
