@@ -34,14 +34,21 @@ pub(crate) fn needs_of(name: &str) -> Vec<Quantity> {
     own.map_or_else(Vec::new, |effect| effect.needs())
 }
 
-/// Whether an effect that needs this is silent at a constant temperature.
-pub(crate) fn looks_at_temperature(needs: &[Quantity]) -> bool {
+/// Whether an effect is silent at a constant temperature: by what it looks at, or by its name. The name alone speaks of one
+/// that is written as text.
+pub(crate) fn looks_at_temperature(name: &str) -> bool {
     let thermal = [
         Quantity::Temperature,
         Quantity::TemperatureRate,
         Quantity::Warming,
     ];
-    thermal.iter().any(|quantity| needs.contains(quantity))
+    let needs = needs_of(name);
+    name.contains("temperature") || thermal.iter().any(|quantity| needs.contains(quantity))
+}
+
+/// Whether an effect is silent on a table that does not vibrate; known as [`looks_at_temperature`] is.
+pub(crate) fn looks_at_vibration(name: &str) -> bool {
+    name.contains("vibration") || needs_of(name).contains(&Quantity::Vibration)
 }
 
 /// One sensor of the device that `spec` asks for, with random errors where it says nothing. `end` is

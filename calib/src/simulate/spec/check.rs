@@ -270,6 +270,7 @@ fn direction(key: &str, v: [f64; 3]) -> Result<(), Complaint> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use sensor::{DefinedParam, Definition, Sensor};
 
     #[test]
     fn the_default_is_fine() {
@@ -280,6 +281,30 @@ mod tests {
     fn effects_that_cannot_show_are_refused() {
         for name in ["accel_temperature", "accel_vibration_rectification"] {
             let mut spec = Spec::default().with_effect(name, 1.0);
+            assert_eq!(spec.complaint(), None);
+            (spec.temperature, spec.vibration) = (None, None);
+            assert_eq!(spec.complaint().unwrap().key, format!("effects.{name}"));
+        }
+    }
+
+    #[test]
+    fn an_effect_written_as_text_whose_name_says_what_shows_it_is_refused_without() {
+        for name in ["accel_temperature_swirl", "gyro_shaken_by_vibration"] {
+            let sensor = match name.starts_with("accel") {
+                true => Sensor::Accelerometer,
+                false => Sensor::Gyroscope,
+            };
+            let definition = Definition {
+                name: name.into(),
+                x: "k * fy * fz".into(),
+                parameters: vec![DefinedParam::new("k", "", 1e-4)],
+                ..Definition::silent(sensor)
+            };
+            let spec = Spec {
+                definitions: vec![definition],
+                ..Spec::default()
+            };
+            let mut spec = spec.with_effect(name, 1.0);
             assert_eq!(spec.complaint(), None);
             (spec.temperature, spec.vibration) = (None, None);
             assert_eq!(spec.complaint().unwrap().key, format!("effects.{name}"));

@@ -17,7 +17,9 @@ use serde::{Deserialize, Serialize};
 use crate::Error;
 use crate::effect_file::effects_of;
 use crate::simulate::device::Grade;
-use crate::simulate::effects::{Effects, SIZE, catalogue, looks_at_temperature, needs_of};
+use crate::simulate::effects::{
+    Effects, SIZE, catalogue, looks_at_temperature, looks_at_vibration, needs_of,
+};
 use crate::simulate::hidden::Hidden;
 use crate::simulate::motion::{
     Cart, HandHeld, Path, Planned, SixPosition, Still, Surroundings, Walking,
@@ -221,16 +223,15 @@ impl Spec {
     /// that vibrates, a latitude.
     #[must_use]
     pub fn with_effect(mut self, name: &str, size: f64) -> Self {
-        let needs = needs_of(name);
-        if looks_at_temperature(&needs) && self.temperature.is_none() {
+        if looks_at_temperature(name) && self.temperature.is_none() {
             let mut temperature = Temperature::default();
-            if needs.contains(&Quantity::Warming) {
+            if needs_of(name).contains(&Quantity::Warming) {
                 // It has to cool down as well.
                 (temperature.swing, temperature.period) = (6.0, 300.0);
             }
             self.temperature = Some(temperature);
         }
-        if needs.contains(&Quantity::Vibration) {
+        if looks_at_vibration(name) {
             self.vibration.get_or_insert_default();
         }
         if name == "earth_rate" {

@@ -1,10 +1,10 @@
 //! Names in a spec: effects and parameters.
 
-use sensor::{AnyEffect, Quantity, Role, Sensor, base_names};
+use sensor::{AnyEffect, Role, Sensor, base_names};
 
 use super::Spec;
 use super::complaint::{Complaint, hint, number};
-use crate::simulate::effects::{SIZE, looks_at_temperature, needs_of};
+use crate::simulate::effects::{SIZE, looks_at_temperature, looks_at_vibration};
 
 const SENSORS: [Sensor; 2] = [Sensor::Accelerometer, Sensor::Gyroscope];
 
@@ -53,12 +53,11 @@ impl Spec {
     /// An effect that cannot show would be a truth that nobody can find.
     fn check_effect_shows(&self, name: &str) -> Result<(), Complaint> {
         let key = format!("effects.{name}");
-        let needs = needs_of(name);
-        if looks_at_temperature(&needs) && self.temperature.is_none() {
+        if looks_at_temperature(name) && self.temperature.is_none() {
             let what = "is silent at constant temperature: add a [temperature] section";
             return Err(Complaint::new(key, what));
         }
-        if needs.contains(&Quantity::Vibration) && self.vibration.is_none() {
+        if looks_at_vibration(name) && self.vibration.is_none() {
             return Err(Complaint::new(
                 key,
                 "is silent without a [vibration] section",
