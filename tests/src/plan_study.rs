@@ -6,7 +6,7 @@ use calib::Error;
 use calib::intervals::Detector;
 use calib::methods::cut;
 use calib::methods::joint::{JointRequest, fit_joint};
-use calib::simulate::{HandHeld, Motion, Planned, PlannedLeg, PlannedStep, Spec};
+use calib::simulate::{HandHeld, Motion, Planned, PlannedStep, Spec};
 use plan::{Known, Noise, Plan, Protocol, Timing, Words, parameter_names};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
@@ -48,18 +48,7 @@ pub fn motion(plan: &Plan, timing: &Timing) -> Planned {
 
 /// A turn and the placement after it.
 pub(crate) fn step(step: &plan::Step, timing: &Timing) -> PlannedStep {
-    let turns = step.turn.iter();
-    let legs = turns.flat_map(|turn| turn.legs.iter().zip(turn.durations(&timing.pace)));
-    PlannedStep {
-        legs: legs
-            .map(|(leg, duration)| PlannedLeg {
-                axis: leg.axis.into(),
-                angle: leg.angle,
-                duration,
-            })
-            .collect(),
-        rest: step.rest,
-    }
+    PlannedStep::of(&step.turn, &timing.pace, step.rest)
 }
 
 /// Simulates sessions of these seeds that follow the plan of `placements`, and as many in random order, and calibrates all

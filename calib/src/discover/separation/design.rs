@@ -15,9 +15,7 @@ use crate::discover::request::{Request, Session};
 use crate::discover::state::{Extension, State};
 use crate::error::Error;
 use crate::methods::joint::BiasNoise;
-use crate::simulate::{
-    Grade, Motion, Planned, PlannedLeg, PlannedStep, SensorSpec, Spec, Temperature,
-};
+use crate::simulate::{Grade, Motion, Planned, PlannedStep, SensorSpec, Spec, Temperature};
 use crate::watch::{Stage, step};
 
 /// Effects this far apart (`λ (1 − ρ²)`) are told apart 20 to 1 in 95 of 100 recordings.
@@ -147,20 +145,7 @@ impl Design {
 
     /// As a motion that can be simulated.
     pub fn motion(&self) -> Planned {
-        let leg = |leg: &plan::Leg, duration: f64| PlannedLeg {
-            axis: leg.axis.into(),
-            angle: leg.angle,
-            duration,
-        };
-        let step = |turn: &Turn| PlannedStep {
-            legs: turn
-                .legs
-                .iter()
-                .zip(turn.durations(&self.timing.pace))
-                .map(|(own, duration)| leg(own, duration))
-                .collect(),
-            rest: self.timing.rest,
-        };
+        let step = |turn| PlannedStep::of([turn], &self.timing.pace, self.timing.rest);
         Planned {
             up: self.ups.first().map_or([0.0, 0.0, 1.0], |up| (*up).into()),
             first_rest: self.timing.first_rest,

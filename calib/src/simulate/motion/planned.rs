@@ -1,6 +1,7 @@
 //! Placements and turns as a plan says, followed by a hand that is a little off.
 
 use nalgebra::{UnitQuaternion, UnitVector3, Vector3};
+use plan::{Pace, Turn};
 use serde::{Deserialize, Serialize};
 
 use super::orientation::upright;
@@ -32,6 +33,23 @@ pub struct PlannedStep {
     pub legs: Vec<PlannedLeg>,
     /// How long it rests then, s.
     pub rest: f64,
+}
+
+impl PlannedStep {
+    /// These turns of a plan at this pace, and a rest of so many seconds.
+    pub fn of<'a>(turns: impl IntoIterator<Item = &'a Turn>, pace: &Pace, rest: f64) -> Self {
+        let turns = turns.into_iter();
+        let legs = turns.flat_map(|turn| turn.legs.iter().zip(turn.durations(pace)));
+        let legs = legs.map(|(leg, duration)| PlannedLeg {
+            axis: leg.axis.into(),
+            angle: leg.angle,
+            duration,
+        });
+        Self {
+            legs: legs.collect(),
+            rest,
+        }
+    }
 }
 
 /// A session that follows a plan.
