@@ -146,12 +146,7 @@ impl Trial {
             definitions: self.definition.clone().into_iter().collect(),
             ..Spec::hand_held(seed)
         };
-        let thermal = [
-            Quantity::Temperature,
-            Quantity::TemperatureRate,
-            Quantity::Warming,
-        ];
-        if thermal.iter().any(|quantity| needs.contains(quantity)) {
+        if needs.iter().any(|need| need.is_thermal()) {
             spec.temperature = Some(Temperature::default());
         }
         if needs.contains(&Quantity::Warming) || needs.contains(&Quantity::TemperatureRate) {

@@ -135,15 +135,8 @@ fn belongs_to(calibration: &Calibration, recording: &Recording) -> Result<Option
 
 /// Whether an effect looks at what only static intervals tell.
 fn looks_at_intervals(models: &Models) -> bool {
-    let told = [
-        Quantity::LastChange,
-        Quantity::Vibration,
-        Quantity::LastTurn,
-        Quantity::SinceTurn,
-        Quantity::Attitude,
-    ];
     let mut needs = models.effects().flat_map(|effect| effect.needs());
-    needs.any(|need| told.contains(&need))
+    needs.any(Quantity::is_told_by_intervals)
 }
 
 /// The static intervals of a recording; none where it shows none.

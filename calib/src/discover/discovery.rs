@@ -14,7 +14,7 @@ use crate::recording::Recording;
 use sensor::{AnyEffect, Param, Role};
 
 use super::enough::{enough_rests, enough_to_compare};
-use super::family::{Claim, LATE, effect_family, role_of, tried};
+use super::family::{Claim, LATE, effect_family, tried};
 use super::fault::integrity::{disturbed, integrity, undersampled};
 use super::fault::time_offset::{Delay, delay};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
@@ -379,7 +379,7 @@ fn settle(session: &Session<'_>, last: &mut State) -> Vec<HeldShape> {
     let shaped = extension.effects.iter().filter_map(|(effect, shape)| {
         let (k, value) = (*shape)?;
         let parameter = &effect.params()[k];
-        (role_of(parameter) != Role::Instant).then_some((*effect, parameter, value))
+        (parameter.role_by_name() != Role::Instant).then_some((*effect, parameter, value))
     });
     let held: Vec<HeldShape> = shaped
         .clone()
@@ -446,7 +446,7 @@ fn near(p: &Param) -> Range<f64> {
     let tried = tried(p);
     let least = tried.iter().copied().fold(f64::INFINITY, f64::min);
     let largest = tried.iter().copied().fold(0.0, f64::max);
-    let beyond = match role_of(p) {
+    let beyond = match p.role_by_name() {
         Role::TimeConstant => BEYOND_TRIED,
         _ => BESIDE_TRIED,
     };

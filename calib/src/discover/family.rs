@@ -134,16 +134,10 @@ pub fn coefficients(effect: &dyn AnyEffect) -> (Vec<usize>, Option<usize>) {
 
 /// Whether the error does not grow with this parameter: it is tried at some values.
 fn is_shape(p: &Param) -> bool {
-    matches!(role_of(p), Role::Shape | Role::TimeConstant | Role::Instant)
-}
-
-/// What kind of number a parameter is; effects written as text say it by its name.
-pub fn role_of(p: &Param) -> Role {
-    match (p.role, p.name) {
-        (Role::Coefficient, "tau") => Role::TimeConstant,
-        (Role::Coefficient, "t0") => Role::Instant,
-        (role, _) => role,
-    }
+    matches!(
+        p.role_by_name(),
+        Role::Shape | Role::TimeConstant | Role::Instant
+    )
 }
 
 /// The values at which a parameter that shapes an effect is tried.
@@ -199,7 +193,7 @@ pub(super) fn effect_family(
     let (linear, shape) = coefficients(effect);
     let nominal: Vec<f64> = effect.params().iter().map(|p| p.nominal).collect();
     let values: Vec<Option<f64>> = match shape {
-        Some(k) if role_of(&effect.params()[k]) == Role::Instant => {
+        Some(k) if effect.params()[k].role_by_name() == Role::Instant => {
             state.boundaries().into_iter().map(Some).collect()
         }
         Some(k) => tried(&effect.params()[k])
@@ -209,7 +203,7 @@ pub(super) fn effect_family(
             .collect(),
         None => vec![None],
     };
-    let role = shape.map(|k| role_of(&effect.params()[k]));
+    let role = shape.map(|k| effect.params()[k].role_by_name());
     let is_instant = role == Some(Role::Instant);
     let mut parts = if is_instant {
         vec![steps(state, effect, &linear, &values)]

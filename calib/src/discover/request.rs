@@ -4,7 +4,7 @@ use std::borrow::Borrow;
 
 use sensor::{AnyEffect, Quantity, Role};
 
-use super::family::{reference_of, role_of};
+use super::family::reference_of;
 use super::state::Extension;
 use crate::error::Error;
 use crate::gravity::GravitySource;
@@ -176,7 +176,7 @@ impl<'a> Session<'a> {
             }
             if let Some((k, value)) = shape {
                 let parameter = &effect.params()[*k];
-                if extension.settles && role_of(parameter) != Role::Instant {
+                if extension.settles && parameter.role_by_name() != Role::Instant {
                     starts.push((format!("{}.{}", effect.name(), parameter.name), *value));
                 } else {
                     hold(parameter.name, *value);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use sensor::{AnyEffect, Model, Quantity, Sensor};
+use sensor::{AnyEffect, Model, Quantity, Role, Sensor};
 use solver::Parameters;
 
 use super::device::Device;
@@ -37,13 +37,7 @@ pub(crate) fn needs_of(name: &str) -> Vec<Quantity> {
 /// Whether an effect is silent at a constant temperature: by what it looks at, or by its name. The name alone speaks of one
 /// that is written as text.
 pub(crate) fn looks_at_temperature(name: &str) -> bool {
-    let thermal = [
-        Quantity::Temperature,
-        Quantity::TemperatureRate,
-        Quantity::Warming,
-    ];
-    let needs = needs_of(name);
-    name.contains("temperature") || thermal.iter().any(|quantity| needs.contains(quantity))
+    name.contains("temperature") || needs_of(name).into_iter().any(Quantity::is_thermal)
 }
 
 /// Whether an effect is silent on a table that does not vibrate; known as [`looks_at_temperature`] is.
@@ -100,9 +94,9 @@ fn coefficients(
         .unwrap_or(if names_one { 0.0 } else { 1.0 });
     let draw = |k: usize, p: &sensor::Param, random: &mut Random| {
         let drawn = random.sign() * random.uniform(0.5..1.5) * size * effect.typical_of(k);
-        match (p.name, p.nominal) {
+        match (p.role_by_name(), p.nominal) {
             // A step is only seen if it lies within the recording.
-            ("t0", _) => random.uniform(0.3 * end..0.7 * end),
+            (Role::Instant, _) => random.uniform(0.3 * end..0.7 * end),
             (_, 0.0) => drawn,
             (_, nominal) => nominal,
         }

@@ -1,7 +1,7 @@
 //! An error effect: an additive error in SI units at the true signal.
 
 use nalgebra::{Matrix3, Vector3};
-use solver::{Jet, Jet2, Scalar};
+use solver::{Jet, Jet2, Scalar, lit};
 
 use crate::definition::Definition;
 use crate::kinematics::{Kinematics, Sensor};
@@ -145,4 +145,10 @@ impl ModelScalar for Jet2 {
 /// A 3 × 3 matrix from its nine elements, row by row.
 pub fn mat3<D: Scalar>(p: &[D]) -> Matrix3<D> {
     Matrix3::from_fn(|i, j| p[3 * i + j])
+}
+
+/// A 3 × 3 matrix with a diagonal of 0 from its six other elements, row by row.
+pub fn off_diagonal<D: Scalar>(p: &[D]) -> Matrix3<D> {
+    let zero = lit(0.0);
+    Matrix3::new(zero, p[0], p[1], p[2], zero, p[3], p[4], p[5], zero)
 }

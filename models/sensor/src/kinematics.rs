@@ -111,6 +111,9 @@ impl Since {
 /// A shorter stretch of time is an instant, s.
 const SHORTEST: f64 = 1e-9;
 
+/// A smaller rotation about an axis has no sign, rad.
+const LEAST_ROTATION: f64 = 0.1;
+
 /// The temperature assumed where none was recorded, °C.
 pub const REFERENCE_TEMPERATURE: f64 = 25.0;
 
@@ -156,6 +159,17 @@ impl<D: Scalar> Kinematics<D> {
             since_turn: self.since_turn,
             attitude: self.attitude,
         }
+    }
+
+    /// Which way the last turn went about each axis: −1, 1, or 0 of hardly any.
+    pub fn way_of_last_turn(&self) -> Vector3<f64> {
+        self.last_turn.map(|rotation| {
+            if rotation.abs() < LEAST_ROTATION {
+                0.0
+            } else {
+                rotation.signum()
+            }
+        })
     }
 
     /// The signal that `sensor` measures.

@@ -59,6 +59,15 @@ impl Param {
         Self { role, ..self }
     }
 
+    /// What kind of number it is; one of an effect written as text says it by its name.
+    pub fn role_by_name(&self) -> Role {
+        match (self.role, self.name) {
+            (Role::Coefficient, "tau") => Role::TimeConstant,
+            (Role::Coefficient, "t0") => Role::Instant,
+            (role, _) => role,
+        }
+    }
+
     /// The same with a size of its own in a consumer-grade device.
     #[must_use]
     pub const fn sized(self, typical: f64) -> Self {

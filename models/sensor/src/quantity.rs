@@ -89,6 +89,22 @@ impl Quantity {
         )
     }
 
+    /// Whether it is the temperature or how that moves.
+    pub fn is_thermal(self) -> bool {
+        matches!(
+            self,
+            Self::Temperature | Self::TemperatureRate | Self::Warming
+        )
+    }
+
+    /// Whether only static intervals tell it.
+    pub fn is_told_by_intervals(self) -> bool {
+        matches!(
+            self,
+            Self::LastChange | Self::Vibration | Self::LastTurn | Self::SinceTurn | Self::Attitude
+        )
+    }
+
     /// `truth` with this quantity, and nothing else, changed by about `size` of what is common.
     pub fn changed(self, truth: &Kinematics<f64>, size: f64) -> Kinematics<f64> {
         let step = |a: f64, b: f64, c: f64| Vector3::new(a, b, c) * size;

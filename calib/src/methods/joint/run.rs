@@ -41,14 +41,8 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
         data.add(cut);
     }
     let look = |effect: &&'static dyn AnyEffect| {
-        let needs = effect.needs();
-        let told = [
-            Quantity::LastChange,
-            Quantity::Vibration,
-            Quantity::LastTurn,
-            Quantity::Attitude,
-        ];
-        told.iter().any(|quantity| needs.contains(quantity))
+        let mut needs = effect.needs().into_iter();
+        needs.any(Quantity::is_told_by_intervals)
     };
     let covariates = request.covariates
         || !request.gyroscope.effects().is_empty()

@@ -1,6 +1,6 @@
 //! Names in a spec: effects and parameters.
 
-use sensor::{AnyEffect, Role, Sensor, base_names};
+use sensor::{AnyEffect, Param, Role, Sensor, base_names};
 
 use super::Spec;
 use super::complaint::{Complaint, hint, number};
@@ -35,9 +35,8 @@ impl Spec {
                     return Err(Complaint::new(key, what));
                 }
                 let own = effect.params().iter().find(|p| p.name == parameter);
-                let is_shape = |p: &sensor::Param| {
-                    p.name == "tau" || matches!(p.role, Role::Shape | Role::TimeConstant)
-                };
+                let is_shape =
+                    |p: &Param| matches!(p.role_by_name(), Role::Shape | Role::TimeConstant);
                 let smallest = if own.is_some_and(is_shape) {
                     1e-3
                 } else {

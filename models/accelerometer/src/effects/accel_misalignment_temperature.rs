@@ -1,7 +1,9 @@
 //! Temperature dependence of the misalignment of an accelerometer.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Quantity, REFERENCE_TEMPERATURE, Sensor, params};
+use sensor::{
+    Effect, Kinematics, Param, Quantity, REFERENCE_TEMPERATURE, Sensor, off_diagonal, params,
+};
 use solver::{Scalar, lit};
 
 /// Axes that lean towards one another as the device warms up: `eᵢ = Σⱼ cᵢⱼ (T − T₀) fⱼ` over the two other axes.
@@ -18,9 +20,6 @@ use solver::{Scalar, lit};
 #[derive(Clone, Copy, Debug)]
 pub struct AccelMisalignmentTemperature;
 
-/// Row and column of each coefficient.
-const PLACES: [(usize, usize); 6] = [(0, 1), (0, 2), (1, 0), (1, 2), (2, 0), (2, 1)];
-
 impl Effect for AccelMisalignmentTemperature {
     const NAME: &'static str = "accel_misalignment_temperature";
     const SENSOR: Sensor = Sensor::Accelerometer;
@@ -32,11 +31,7 @@ impl Effect for AccelMisalignmentTemperature {
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let warmer = truth.temperature - REFERENCE_TEMPERATURE;
-        let mut e = Vector3::from_element(lit(0.0));
-        for (coefficient, (i, j)) in p.iter().zip(PLACES) {
-            e[i] += *coefficient * truth.specific_force[j] * warmer;
-        }
-        e
+        off_diagonal(p) * truth.specific_force * lit::<D>(warmer)
     }
 }
 

@@ -18,9 +18,6 @@ use solver::Scalar;
 #[derive(Clone, Copy, Debug)]
 pub struct AccelRelaxation;
 
-/// A smaller rotation about an axis has no sign, rad.
-const LEAST_ROTATION: f64 = 0.1;
-
 impl Effect for AccelRelaxation {
     const NAME: &'static str = "accel_relaxation";
     const SENSOR: Sensor = Sensor::Accelerometer;
@@ -38,15 +35,8 @@ impl Effect for AccelRelaxation {
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let left = truth.since_turn.decayed(p[3]);
-        Vector3::from_fn(|i, _| p[i] * left * way(truth.last_turn[i]))
-    }
-}
-
-/// The way of a rotation: −1, 1, or 0 of hardly any.
-fn way(rotation: f64) -> f64 {
-    match rotation.abs() < LEAST_ROTATION {
-        true => 0.0,
-        false => rotation.signum(),
+        let way = truth.way_of_last_turn();
+        Vector3::from_fn(|i, _| p[i] * left * way[i])
     }
 }
 
