@@ -142,10 +142,7 @@ impl<'a> Truth<'a> {
 
     /// The derivative of the temperature in the middle of a stretch, K/s, and whether it rises (1) or falls (−1) in it.
     pub fn thermal(&self, from: f64, to: f64) -> [f64; 2] {
-        [
-            self.thermal.rate(0.5 * (from + to)),
-            self.thermal.warming(from, to),
-        ]
+        self.thermal.over(from, to)
     }
 
     /// The truth at time `t`, s.

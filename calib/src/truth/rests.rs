@@ -38,11 +38,12 @@ pub(super) fn of(
     let sensing = models.accelerometer.as_ref();
     let shaking = shaking(statics.iter().map(|rest| rest.accelerometer), sensing);
     let known = |(rest, vibration): (&StaticInterval, Vector3<f64>)| {
+        let [temperature_rate, warming] = thermal.over(rest.span.from, rest.span.to);
         let mut known = Kinematics {
             time: 0.5 * (rest.span.from + rest.span.to) - start,
             vibration,
-            temperature_rate: thermal.rate(0.5 * (rest.span.from + rest.span.to)),
-            warming: thermal.warming(rest.span.from, rest.span.to),
+            temperature_rate,
+            warming,
             ..unneeded()
         };
         known.temperature = rest.temperature.unwrap_or(known.temperature);
@@ -132,20 +133,23 @@ struct Rates<'a> {
 impl Rates<'_> {
     /// At sample `k`, rad/s.
     fn at(&self, k: usize) -> Vector3<f64> {
-        let (now, still) = (&self.stream.values[k], &self.still.mean);
-        match self.sensing {
-            Some(s) => s.base(&s.unit.to_si(now)) - s.base(&s.unit.to_si(still)),
-            None => now - still,
-        }
+        self.in_si(&(self.stream.values[k] - self.still.mean))
+    }
+
+    /// A difference of readings, or a sum of such: the bias and the zero of the unit are gone, a matrix is left.
+    fn in_si(&self, raw: &Vector3<f64>) -> Vector3<f64> {
+        self.sensing.map_or(*raw, |sensing| sensing.slope(raw))
     }
 
     /// `Σ w Δt` over a turn, rad.
     fn rotation(&self, turn: &Turn) -> Vector3<f64> {
-        let t = &self.stream.t;
+        let (t, values) = (&self.stream.t, &self.stream.values);
         let pairs = turn.samples.clone().zip(turn.samples.clone().skip(1));
-        pairs
-            .map(|(a, b)| (self.at(a) + self.at(b)) * (0.5 * (t[b] - t[a])))
-            .sum()
+        let twice_still = self.still.mean * 2.0;
+        let sum = pairs
+            .map(|(a, b)| (values[a] + values[b] - twice_still) * (0.5 * (t[b] - t[a])))
+            .sum();
+        self.in_si(&sum)
     }
 
     /// When a turn ends: the last sample that turns.

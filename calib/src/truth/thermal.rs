@@ -37,6 +37,11 @@ impl Thermal {
         Self { t, rate, ways }
     }
 
+    /// The derivative in the middle of a stretch, K/s, and whether it rises (1) or falls (−1) in it.
+    pub fn over(&self, from: f64, to: f64) -> [f64; 2] {
+        [self.rate(0.5 * (from + to)), self.warming(from, to)]
+    }
+
     /// The derivative at time `t`, K/s: linear between bins, constant outside.
     pub fn rate(&self, t: f64) -> f64 {
         let after = self.t.partition_point(|&s| s < t);
