@@ -104,6 +104,18 @@ impl<'a> Rows<'a> {
             })
     }
 
+    /// The model of a sensor, and its mean over a chunk with samples of it.
+    pub(super) fn model_and_mean(
+        &self,
+        sensor: Sensor,
+        chunk: &Chunk,
+    ) -> (&'a Model, Option<Mean>) {
+        match sensor {
+            Sensor::Accelerometer => (self.accelerometer, chunk.accelerometer),
+            Sensor::Gyroscope => (self.gyroscope, chunk.gyroscope),
+        }
+    }
+
     /// The model's parameters in one recording.
     pub fn local(&self, x: &[f64], sensor: Sensor, recording: usize) -> Vec<f64> {
         self.layout
@@ -151,10 +163,7 @@ impl<'a> Rows<'a> {
     /// that was measured.
     fn mean_rows(&self, x: &[f64], sensor: Sensor, chunk: &Chunk, row: usize, out: &mut Linear) {
         let rest = &self.data.rests[chunk.rest];
-        let (model, mean) = match sensor {
-            Sensor::Accelerometer => (self.accelerometer, chunk.accelerometer),
-            Sensor::Gyroscope => (self.gyroscope, chunk.gyroscope),
-        };
+        let (model, mean) = self.model_and_mean(sensor, chunk);
         let Some(mean) = mean else { return };
         let columns = self.layout.columns(sensor, rest.recording);
         let p: Vec<f64> = columns.iter().map(|&c| x[c]).collect();

@@ -38,10 +38,7 @@ impl Rows<'_> {
     fn mean_residual(&self, x: &[f64], sensor: Sensor, chunk: &Chunk) -> Vector3<f64> {
         let unknown = Vector3::repeat(f64::NAN);
         let rest = &self.data.rests[chunk.rest];
-        let (model, mean) = match sensor {
-            Sensor::Accelerometer => (self.accelerometer, chunk.accelerometer),
-            Sensor::Gyroscope => (self.gyroscope, chunk.gyroscope),
-        };
+        let (model, mean) = self.model_and_mean(sensor, chunk);
         let Some(mean) = mean else { return unknown };
         let p = self.local(x, sensor, rest.recording);
         let u = self.direction(x, chunk.rest);
@@ -53,14 +50,7 @@ impl Rows<'_> {
     /// How fast the reading of a sensor changes within a chunk by the model, per second: by the straight line through
     /// instants of it; nothing where no effect tells instants of a static interval apart.
     pub fn slope_within(&self, x: &[f64], sensor: Sensor, chunk: &Chunk) -> Vector3<f64> {
-        let model = match sensor {
-            Sensor::Accelerometer => self.accelerometer,
-            Sensor::Gyroscope => self.gyroscope,
-        };
-        let mean = match sensor {
-            Sensor::Accelerometer => chunk.accelerometer,
-            Sensor::Gyroscope => chunk.gyroscope,
-        };
+        let (model, mean) = self.model_and_mean(sensor, chunk);
         let Some(mean) = mean.filter(|_| !model.effects().is_empty()) else {
             return Vector3::zeros();
         };
