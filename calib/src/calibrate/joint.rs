@@ -4,7 +4,7 @@ use sensor::{BASE_PARAMETERS, Model, Sensor};
 
 use super::assemble::{effect_values, of_the_gyro_unit, of_the_unit, triad};
 use super::same_device::of_one_device;
-use super::{Frame, Outcome, Request, checks, clocks, cut, refuse_unknowable};
+use super::{Frame, Outcome, Request, checks, clocks, cut};
 use crate::averages::root_mean_square;
 use crate::calibration::{
     BiasTime, Calibration, Provenance, RecordingBias, RecordingClock, Remainder, SCHEMA, Triad,
@@ -57,7 +57,7 @@ pub(super) fn calibrate(
         recordings.push(recording);
     }
     let cut = choices.iter().map(|c| &c.segmentation);
-    refuse_unknowable(recordings.iter().copied().zip(cut), &request.effects)?;
+    checks::refuse_unknowable(recordings.iter().copied().zip(cut), &request.effects)?;
     let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
     for effect in &request.effects {
         accelerometer = accelerometer.with(*effect);

@@ -19,7 +19,7 @@ pub use part_way::changes_part_way;
 use std::borrow::Borrow;
 
 use nalgebra::Vector3;
-use sensor::{AnyEffect, Model, Quantity, Sensor};
+use sensor::{AnyEffect, Model, Quantity};
 
 use crate::calibration::{Calibration, Options, RecordingClock};
 use crate::error::Error;
@@ -34,7 +34,7 @@ use crate::methods::{
 use crate::readings::{FASTEST_HAND, Finding, tremor, without_spikes};
 use crate::recording::Recording;
 use crate::residuals::{Integrator, StaticMean};
-use crate::truth::{Models, Sensing, Truth, require, silent_at_static_intervals, without_instant};
+use crate::truth::{Models, Sensing, Truth};
 
 pub use crate::gravity::STANDARD_GRAVITY;
 
@@ -386,8 +386,8 @@ fn stepwise(
 ) -> Result<Outcome, Error> {
     if request.static_means.is_empty() {
         let cut = choices.iter().map(|c| &c.segmentation);
-        refuse_unknowable(recordings.iter().copied().zip(cut), &request.effects)?;
-        refuse_attitude(&request.effects)?;
+        checks::refuse_unknowable(recordings.iter().copied().zip(cut), &request.effects)?;
+        checks::refuse_attitude(&request.effects)?;
     }
     let accelerometer = accelerometer(recordings, &choices, request, &mut warnings)?;
     let separate = gyro_recordings
@@ -408,7 +408,7 @@ fn stepwise(
         separate.iter().map(|(r, s)| (**r, s)).collect()
     };
     if !separate.is_empty() {
-        refuse_unknowable(turning.iter().copied(), &request.effects)?;
+        checks::refuse_unknowable(turning.iter().copied(), &request.effects)?;
     }
     let gyroscope = gyroscope(
         &turning,
@@ -650,49 +650,6 @@ fn known_means(
         static_means_by(&truth, &choice.segmentation)
     };
     recordings.iter().zip(choices).enumerate().map(of).collect()
-}
-
-/// Refuses effects of which a parameter, or what they look at, cannot be known of these recordings.
-fn refuse_unknowable<'a>(
-    recordings: impl IntoIterator<Item = (&'a Recording, &'a Segmentation)>,
-    effects: &[&'static dyn AnyEffect],
-) -> Result<(), Error> {
-    let first = |model| Some(Sensing::first(model, methods::RawUnit::SI));
-    let models = Models {
-        accelerometer: first(accelerometer::model()),
-        gyroscope: first(gyroscope::model()),
-    };
-    for effect in effects {
-        silent_at_static_intervals(*effect)?;
-        without_instant(*effect)?;
-    }
-    for (recording, segmentation) in recordings {
-        for effect in effects {
-            let own = match effect.sensor() {
-                Sensor::Accelerometer => &recording.accelerometer,
-                Sensor::Gyroscope => &recording.gyroscope,
-            };
-            if own.is_some() {
-                require(recording, Some(segmentation), &models, *effect)?;
-            }
-        }
-    }
-    Ok(())
-}
-
-/// Refuses effects of the accelerometer that look at the attitude: it comes from the gyroscope, which the stepwise method
-/// calibrates after the accelerometer.
-fn refuse_attitude(effects: &[&'static dyn AnyEffect]) -> Result<(), Error> {
-    let looks = |effect: &&&'static dyn AnyEffect| {
-        effect.sensor() == Sensor::Accelerometer && effect.needs().contains(&Quantity::Attitude)
-    };
-    effects.iter().find(looks).map_or(Ok(()), |effect| {
-        Err(Error::NotEnough(format!(
-            "the effect {} needs the attitude, which the stepwise method does not know before it has calibrated the \
-             gyroscope; use --method joint, or leave the effect out",
-            effect.name()
-        )))
-    })
 }
 
 /// The accelerometer's base model with its effects.

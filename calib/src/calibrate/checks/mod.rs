@@ -7,6 +7,7 @@ mod mounting;
 mod norm;
 mod on_top;
 mod rests;
+mod unknowable;
 
 pub(super) use coning::too_fast;
 pub(super) use coverage::not_in_one_plane;
@@ -17,6 +18,7 @@ pub(super) use mounting::{gyroscope_gates, turned_axes};
 pub(super) use norm::the_norm_tells_them;
 pub(super) use on_top::corrected_before;
 pub(super) use rests::{disagreeing_rests, long_turns, restless};
+pub(super) use unknowable::{refuse_attitude, refuse_unknowable};
 
 use nalgebra::Vector3;
 use sensor::{AnyEffect, Quantity};
