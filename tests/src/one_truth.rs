@@ -147,15 +147,12 @@ impl Trial {
             ..Spec::hand_held(seed)
         };
         if needs.iter().any(|need| need.is_thermal()) {
-            spec.temperature = Some(Temperature::default());
-        }
-        if needs.contains(&Quantity::Warming) || needs.contains(&Quantity::TemperatureRate) {
-            // It has to cool down as well.
-            spec.temperature = Some(Temperature {
-                swing: 6.0,
-                period: 200.0,
-                ..Temperature::default()
-            });
+            let mut temperature = Temperature::default();
+            if needs.contains(&Quantity::Warming) || needs.contains(&Quantity::TemperatureRate) {
+                // It has to cool down as well.
+                (temperature.swing, temperature.period) = (6.0, 200.0);
+            }
+            spec.temperature = Some(temperature);
         }
         if needs.contains(&Quantity::Vibration) {
             // A machine's: what its sine leaves in the mean of an interval is small beside the noise.

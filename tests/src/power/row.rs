@@ -148,10 +148,15 @@ impl Row {
         }
     }
 
+    /// What kind of session has this number.
+    fn kind(self, index: u64) -> &'static str {
+        let kinds = self.kinds();
+        kinds[(index % kinds.len() as u64) as usize]
+    }
+
     /// Whether the session of this number hides this.
     pub fn hides(self, index: u64, what: &str) -> bool {
-        let kinds = self.kinds();
-        kinds[(index % kinds.len() as u64) as usize] == what
+        self.kind(index) == what
     }
 
     /// The seed of the row: that of a row stays when others join.
@@ -213,20 +218,19 @@ pub struct Job {
     pub walks: [f64; 2],
     /// Whether the analysis is told them.
     pub told: bool,
-    /// Time constants and periods of what is hidden, by parameter.
-    shapes: Vec<(String, f64)>,
+    /// Time constant of what warms up, s.
+    tau: f64,
     random: ChaCha8Rng,
 }
 
 impl Job {
     /// The `index`-th session of a row; half of the devices are tactical.
     pub fn new(row: Row, index: u64) -> Self {
-        let kinds = row.kinds();
-        let kind = kinds[(index % kinds.len() as u64) as usize];
-        let round = index / kinds.len() as u64;
+        let (kind, count) = (row.kind(index), row.kinds().len() as u64);
+        let round = index / count;
         let (tactical, times) = match row {
             Row::Clean => {
-                let k = index % kinds.len() as u64;
+                let k = index % count;
                 (k >= 3, [0.0, 1.0, 3.0][(k % 3) as usize])
             }
             _ => (round % 2 == 1, 1.0),
@@ -252,7 +256,7 @@ impl Job {
             clean,
             walks,
             told: row == Row::Time60,
-            shapes: Vec::new(),
+            tau: 120.0,
             random,
         };
         job.hide(kind);
@@ -277,10 +281,8 @@ impl Job {
             if name.contains("vibration") {
                 self.clean.vibration.get_or_insert_default();
             }
-            let shape = name.ends_with("_warmup").then_some(("tau", 60.0..300.0));
-            if let Some((parameter, range)) = shape {
-                let value = self.random.random_range(range);
-                self.shapes.push((format!("{name}.{parameter}"), value));
+            if name.ends_with("_warmup") {
+                self.tau = self.random.random_range(60.0..300.0);
             }
         }
     }
@@ -305,9 +307,9 @@ impl Job {
             | Row::Time60
             | Row::Pairs => {
                 spec = spec.with_effect(what, size);
-                let of = format!("{what}.");
-                let own = self.shapes.iter().filter(|(name, _)| name.starts_with(&of));
-                spec.parameters.extend(own.cloned());
+                if what.ends_with("_warmup") {
+                    spec.parameters.insert(format!("{what}.tau"), self.tau);
+                }
             }
             Row::Invisible => spec = spec.with_hidden(invisible(what, size)),
             Row::Outside => spec = spec.with_hidden(self.outside(what, size)),

@@ -111,12 +111,9 @@ pub fn hidden_in(
     Ok(Some((spec, job.told.then(|| BiasNoise::walks(job.walks)))))
 }
 
-/// A value, its standard error, and the truth.
-type Known = (f64, Option<f64>, f64);
-
 /// Errors of an effect's parameters in their standard errors, as far as a recording shows them.
 fn deviations(effect: &EffectFinding, truth: &Truth) -> Vec<f64> {
-    let known: Vec<Known> = effect
+    let known: Vec<(f64, Option<f64>, f64)> = effect
         .parameters
         .iter()
         .filter_map(|p| {
@@ -130,16 +127,6 @@ fn deviations(effect: &EffectFinding, truth: &Truth) -> Vec<f64> {
             let length = x.hypot(y);
             let std = x_std.zip(y_std).map(|(a, b)| (a * x).hypot(b * y) / length);
             vec![(length, std, north.hypot(east)), vertical]
-        }
-        // So is that of a field of the room: the length of each axis' response.
-        (name, responses) if name.ends_with("_room_field") => {
-            let length = |(a, a_std, a_truth): Known, (b, b_std, b_truth): Known| {
-                let length = a.hypot(b);
-                let std = a_std.zip(b_std).map(|(s, t)| (s * a).hypot(t * b) / length);
-                (length, std, a_truth.hypot(b_truth))
-            };
-            let (a, b) = responses.split_at(responses.len() / 2);
-            a.iter().zip(b).map(|(a, b)| length(*a, *b)).collect()
         }
         // Delays are relative to that of z.
         ("gyro_delay", &[(x, x_std, x_truth), (y, y_std, y_truth), (.., z_truth)]) => {
