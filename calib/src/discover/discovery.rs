@@ -1,7 +1,6 @@
 //! The whole way from recordings to findings.
 
 use std::borrow::Borrow;
-use std::ops::Range;
 
 use crate::calibrate::own_effects;
 use crate::calibrate::same_device::of_one_device;
@@ -11,10 +10,10 @@ use crate::error::Error;
 use crate::methods::static_means;
 use crate::recording::Recording;
 
-use sensor::{AnyEffect, Param, Role};
+use sensor::AnyEffect;
 
 use super::enough::{enough_rests, enough_to_compare};
-use super::family::{Claim, LATE, effect_family, tried};
+use super::family::{Claim, LATE, effect_family};
 use super::fault::integrity::{disturbed, integrity, undersampled};
 use super::fault::time_offset::{Delay, delay};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
@@ -28,6 +27,7 @@ use super::remainder::weighed_again::weighed_again;
 use super::request::{Request, Session};
 use super::score::log_tail;
 use super::search::{Name, Search, search};
+use super::settle::{HeldShape, say_held, settle};
 use super::state::State;
 use super::visible::{NEVER_VISIBLE, told_apart_by};
 use crate::methods::joint::{BiasNoise, SensorNoise};
@@ -37,12 +37,6 @@ const GYRO_DELAY: &str = "gyro_delay";
 
 /// Stamps are late beyond what delays of the gyroscope do if by more standard errors than this.
 const MUCH_LATER: f64 = 3.0;
-
-/// A shape so many times beyond those tried is none that the recording shows.
-const BEYOND_TRIED: f64 = 3.0;
-
-/// The same of a shape that is no time constant.
-const BESIDE_TRIED: f64 = 1.1;
 
 /// The findings with the models behind them, for pictures.
 #[derive(Clone, Debug)]
@@ -370,87 +364,6 @@ fn without_weak(
     }
     found.last = State::fit(session, extension)?;
     Ok(true)
-}
-
-/// Fits what shapes effects (time constants, periods), where it comes out near what was tried: amplitudes are no
-/// better known than that. The effects of which it does not, with the parameter and its value.
-fn settle(session: &Session<'_>, last: &mut State) -> Vec<HeldShape> {
-    let mut extension = last.extension.clone();
-    let shaped = extension.effects.iter().filter_map(|(effect, shape)| {
-        let (k, value) = (*shape)?;
-        let parameter = &effect.params()[k];
-        (parameter.role_by_name() != Role::Instant).then_some((*effect, parameter, value))
-    });
-    let held: Vec<HeldShape> = shaped
-        .clone()
-        .map(|(effect, p, value)| HeldShape {
-            effect: effect.name(),
-            parameter: p.name,
-            unit: p.unit,
-            value,
-        })
-        .collect();
-    let shapes: Vec<(String, Range<f64>)> = shaped
-        .map(|(effect, p, _)| (format!("{}.{}", effect.name(), p.name), near(p)))
-        .collect();
-    if shapes.is_empty() {
-        return held;
-    }
-    extension.settles = true;
-    let Ok(settled) = State::fit(session, extension) else {
-        return held;
-    };
-    let fitted = &settled.fit.parameters;
-    let is_shown = |(name, shown): &(String, Range<f64>)| {
-        let place = fitted.index(name);
-        place.is_some_and(|k| shown.contains(&fitted.values()[k]))
-    };
-    // Where the recording does not show a shape, its fit wanders along a valley without an end.
-    if settled.fit.report.termination.converged() && shapes.iter().all(is_shown) {
-        *last = settled;
-        return Vec::new();
-    }
-    held
-}
-
-/// A shape that these recordings do not show.
-struct HeldShape {
-    effect: &'static str,
-    parameter: &'static str,
-    unit: &'static str,
-    value: f64,
-}
-
-/// Amplitudes beside a shape that was supposed and not fitted have no standard error that holds.
-fn say_held(calibration: &mut Calibration, held: &[HeldShape]) {
-    for HeldShape {
-        effect,
-        parameter,
-        unit,
-        value,
-    } in held
-    {
-        for own in calibration.effects.iter_mut().filter(|e| e.name == *effect) {
-            own.parameters.iter_mut().for_each(|p| p.std = None);
-        }
-        calibration.warnings.push(format!(
-            "{effect}: its {parameter} is supposed to be {value} {unit}, as these recordings do not show it; its other parameters \
-             go with it, so that no standard error is stated"
-        ));
-    }
-}
-
-/// From a third of the least value tried to three times the largest; a shape that is no time constant is another effect
-/// beyond those tried.
-fn near(p: &Param) -> Range<f64> {
-    let tried = tried(p);
-    let least = tried.iter().copied().fold(f64::INFINITY, f64::min);
-    let largest = tried.iter().copied().fold(0.0, f64::max);
-    let beyond = match p.role_by_name() {
-        Role::TimeConstant => BEYOND_TRIED,
-        _ => BESIDE_TRIED,
-    };
-    least / beyond..largest * beyond
 }
 
 /// The effect of late stamps, where the moving accelerometer shows it.

@@ -23,6 +23,7 @@ mod request;
 mod score;
 mod search;
 mod separation;
+mod settle;
 mod state;
 mod visible;
 
