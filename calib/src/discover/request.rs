@@ -176,7 +176,7 @@ impl<'a> Session<'a> {
             }
             if let Some((k, value)) = shape {
                 let parameter = &effect.params()[*k];
-                if extension.settles && parameter.role_by_name() != Role::Instant {
+                if extension.settles && parameter.role_by_name() == Role::TimeConstant {
                     starts.push((format!("{}.{}", effect.name(), parameter.name), *value));
                 } else {
                     hold(parameter.name, *value);

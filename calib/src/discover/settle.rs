@@ -1,4 +1,4 @@
-//! Shapes of named effects (time constants, periods), fitted where the recordings show them.
+//! Time constants of named effects, fitted where the recordings show them.
 
 use std::ops::Range;
 
@@ -10,13 +10,10 @@ use super::request::Session;
 use super::state::State;
 use crate::calibration::Calibration;
 
-/// A shape so many times beyond those tried is none that the recording shows.
+/// A time constant so many times beyond those tried is none that the recording shows.
 const BEYOND_TRIED: f64 = 3.0;
 
-/// The same of a shape that is no time constant.
-const BESIDE_TRIED: f64 = 1.1;
-
-/// A shape that these recordings do not show.
+/// A time constant that these recordings do not show.
 pub(super) struct HeldShape {
     effect: &'static str,
     parameter: &'static Param,
@@ -31,14 +28,16 @@ impl HeldShape {
     }
 }
 
-/// Fits what shapes effects (time constants, periods), where it comes out near what was tried: amplitudes are no
-/// better known than that. The effects of which it does not, with the parameter and its value.
+/// Fits the time constants of effects, where they come out near what was tried: amplitudes are no better known than
+/// that. The effects of which they do not, with the parameter and its value.
+///
+/// Whatever else shapes an effect stays: the delay of late stamps is measured where no fit of static intervals sees it.
 pub(super) fn settle(session: &Session<'_>, last: &mut State) -> Vec<HeldShape> {
     let effects = last.extension.effects.iter();
     let shaped = effects.filter_map(|(effect, shape)| {
         let (k, value) = (*shape)?;
         let parameter = &effect.params()[k];
-        (parameter.role_by_name() != Role::Instant).then_some(HeldShape {
+        (parameter.role_by_name() == Role::TimeConstant).then_some(HeldShape {
             effect: effect.name(),
             parameter,
             value,
@@ -54,7 +53,7 @@ pub(super) fn settle(session: &Session<'_>, last: &mut State) -> Vec<HeldShape> 
         return held;
     };
     let fitted = &settled.fit.parameters;
-    // Where the recording does not show a shape, its fit wanders along a valley without an end.
+    // Where the recording does not show a time constant, its fit wanders along a valley without an end.
     let converged = settled.fit.report.termination.converged();
     if converged && held.iter().all(|shape| shape.is_shown_by(fitted)) {
         *last = settled;
@@ -63,7 +62,7 @@ pub(super) fn settle(session: &Session<'_>, last: &mut State) -> Vec<HeldShape> 
     held
 }
 
-/// Amplitudes beside a shape that was supposed and not fitted have no standard error that holds.
+/// Amplitudes beside a time constant that was supposed and not fitted have no standard error that holds.
 pub(super) fn say_held(calibration: &mut Calibration, held: &[HeldShape]) {
     for HeldShape {
         effect,
@@ -81,15 +80,29 @@ pub(super) fn say_held(calibration: &mut Calibration, held: &[HeldShape]) {
     }
 }
 
-/// From a third of the least value tried to three times the largest; a shape that is no time constant is another effect
-/// beyond those tried.
+/// From a third of the least value tried to three times the largest.
 fn near(p: &Param) -> Range<f64> {
     let tried = tried(p);
     let least = tried.iter().copied().fold(f64::INFINITY, f64::min);
     let largest = tried.iter().copied().fold(0.0, f64::max);
-    let beyond = match p.role_by_name() {
-        Role::TimeConstant => BEYOND_TRIED,
-        _ => BESIDE_TRIED,
-    };
-    least / beyond..largest * beyond
+    least / BEYOND_TRIED..largest * BEYOND_TRIED
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::discover::{Request, discover};
+    use crate::simulate::Spec;
+
+    #[test]
+    fn late_stamps_are_measured_and_not_said_to_be_supposed() {
+        let spec = Spec::hand_held(3).with_effect("time_offset", 3.0);
+        let recordings = [spec.run().unwrap().recording];
+        let findings = discover(&recordings, &Request::new(spec.gravity))
+            .unwrap()
+            .findings;
+        assert!(findings.effects.iter().any(|e| e.name == "time_offset"));
+        let warnings = &findings.calibration.warnings;
+        let supposed = warnings.iter().find(|w| w.contains("is supposed to be"));
+        assert_eq!(supposed, None);
+    }
 }

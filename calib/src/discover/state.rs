@@ -29,7 +29,7 @@ pub struct Extension {
     pub effects: Vec<(&'static dyn AnyEffect, Held)>,
     /// Disturbances with their place: parameters of their own.
     pub disturbed: Vec<Known>,
-    /// Whether time constants and periods are fitted, from their values on, and not held there.
+    /// Whether time constants are fitted, from their values on, and not held there.
     pub settles: bool,
 }
 
