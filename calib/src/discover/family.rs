@@ -172,16 +172,10 @@ pub fn families(state: &State, catalogue: &[&'static dyn AnyEffect]) -> Vec<Fami
         .iter()
         .filter(|effect| !state.has(effect.name()))
         .filter(|effect| effect.sensor() == Sensor::Accelerometer || state.fit.has_gyroscope())
-        .filter(|effect| state.fit.data.sources.len() == 1 || !is_of_one_recording(**effect))
         .map(|effect| effect_family(state, *effect, catalogue))
         .collect();
     all.extend(disturbance_families(state));
     all
-}
-
-/// Whether all that an effect has is against the heading of one recording: two have nothing in common.
-fn is_of_one_recording(effect: &dyn AnyEffect) -> bool {
-    effect.params().iter().all(|p| p.role == Role::Reference)
 }
 
 /// The family of one effect; `catalogue` has its companions.
