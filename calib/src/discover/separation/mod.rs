@@ -7,10 +7,14 @@
 //!    └────────── exchange: the design that raises it most (Ds-optimality)
 //! ```
 
+mod aim;
 mod design;
+mod exchange;
 mod information;
 mod rivalry;
 
-pub use design::{Aim, Conditions, Design, SETTLED, Separated, ShownBy, separate};
+pub use aim::{Aim, SETTLED, Separated, ShownBy};
+pub use design::{Conditions, Design};
+pub use exchange::separate;
 pub use information::Information;
 pub use rivalry::{Rival, Rivalry};

@@ -10,6 +10,7 @@ use crate::discover::columns::effect_columns;
 use crate::discover::family::{Claim, Family, beside, coefficients, with_companions};
 use crate::discover::rank::Ranked;
 use crate::discover::state::State;
+use crate::methods::joint::{BiasNoise, columns};
 
 /// An effect as it would be if it alone were what is missing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -158,7 +159,7 @@ impl Rivalry {
     pub(super) fn seen_by(
         &self,
         state: &State,
-        noise: crate::methods::joint::BiasNoise,
+        noise: BiasNoise,
         catalogue: &[&'static dyn AnyEffect],
     ) -> Information {
         let (mut names, mine) = self.named.columns(state, catalogue);
@@ -168,7 +169,7 @@ impl Rivalry {
             .filter(|k| !names.contains(&others[*k]))
             .collect();
         names.extend(more.iter().map(|k| others[*k].clone()));
-        let theirs = crate::methods::joint::columns(&theirs, &more);
+        let theirs = columns(&theirs, &more);
         let all = beside(&[mine, theirs], state.rows());
         Information::of(state, noise, &names, &all)
     }
@@ -187,7 +188,7 @@ impl Rivalry {
             for (k, name) in names {
                 if is_of(other, name) || !is_of(one, name) {
                     nuisance.push(k);
-                } else if one.coefficients.contains(name) {
+                } else {
                     signal.extend(one.value(name).map(|value| (k, value)));
                 }
             }
