@@ -188,33 +188,32 @@ pub fn chance(p: f64) -> String {
     }
 }
 
-/// What a recording must have for effects whose names contain the first to show.
-const TO_SHOW: [(&str, &str); 7] = [
+/// What a recording must have for effects to show whose names contain one of the first.
+const TO_SHOW: [(&[&str], &str); 6] = [
     (
-        "temperature_rate",
+        &["temperature_rate", "thermal_hysteresis"],
         "a recording with a temperature column during which the device warms and cools",
     ),
     (
-        "thermal_hysteresis",
-        "a recording with a temperature column during which the device warms and cools",
-    ),
-    (
-        "temperature",
+        &["temperature"],
         "a recording with a temperature column during which the device warms by ten degrees or more",
     ),
     (
-        "vibration",
+        &["vibration"],
         "some rests on a table that vibrates, others on one that does not",
     ),
     (
-        "hysteresis",
+        &["hysteresis"],
         "the same placements reached from different sides",
     ),
     (
-        "gyro_",
+        &["gyro_"],
         "turns of very different speed, both ways about every axis, between rests in twenty orientations",
     ),
-    ("accel_", "more orientations, edges and corners among them"),
+    (
+        &["accel_"],
+        "more orientations, edges and corners among them",
+    ),
 ];
 
 /// What to record next, the most telling first.
@@ -264,7 +263,9 @@ pub fn next_recordings(findings: &Findings) -> Vec<String> {
             .not_observable
             .iter()
             .filter(|name| {
-                let first = TO_SHOW.iter().find(|(p, _)| name.contains(p));
+                let first = TO_SHOW
+                    .iter()
+                    .find(|(parts, _)| parts.iter().any(|part| name.contains(part)));
                 first.is_some_and(|(_, own)| *own == recording)
             })
             .map(String::as_str)
