@@ -192,6 +192,24 @@ pub(crate) fn written_down(
     })
 }
 
+/// Refuses a fit that leaves combinations of parameters open: no effect beside them closes those.
+///
+/// # Errors
+/// [`Error::NotEnough`] with the placements and turns to add.
+pub(crate) fn refuse_unobservable(fit: &JointFit) -> Result<(), Error> {
+    let is_open = |fitted: &Fitted| fitted.rank < fitted.free.len();
+    let unsaid = &mut Vec::new();
+    let force = fit.fitted(Sensor::Accelerometer);
+    if is_open(&force) {
+        check_force(fit, &force, unsaid)?;
+    }
+    let rate = fit.has_gyroscope().then(|| fit.fitted(Sensor::Gyroscope));
+    if let Some(rate) = rate.filter(is_open) {
+        check_rate(fit, &rate, unsaid)?;
+    }
+    Ok(())
+}
+
 fn check_force(fit: &JointFit, fitted: &Fitted, warnings: &mut Vec<String>) -> Result<(), Error> {
     let evidence = checks::ForceEvidence {
         fitted,

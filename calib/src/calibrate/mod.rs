@@ -13,6 +13,7 @@ mod rest_bias;
 pub(crate) mod same_device;
 mod static_norm;
 
+pub(crate) use checks::not_in_one_plane;
 pub use means_file::read_static_means;
 pub use part_way::changes_part_way;
 

@@ -2,9 +2,10 @@
 
 use std::borrow::Borrow;
 
+use crate::calibrate::joint::{refuse_unobservable, written_down};
 use crate::calibrate::own_effects;
 use crate::calibrate::same_device::of_one_device;
-use crate::calibrate::{Request as CalibrationRequest, joint::written_down};
+use crate::calibrate::{Request as CalibrationRequest, not_in_one_plane};
 use crate::calibration::{Calibration, EffectParameter, EffectValues};
 use crate::error::Error;
 use crate::methods::static_means;
@@ -66,14 +67,17 @@ pub fn discover<R: Borrow<Recording>>(
 fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discovery, Error> {
     let session = Session::new(recordings, request)?;
     enough_rests(&session)?;
+    let cuts = session.recordings.iter();
+    let means: Vec<_> = cuts
+        .map(|(r, choice)| static_means(r, &choice.segmentation))
+        .collect();
+    not_in_one_plane(&means)?;
     if !request.force_device {
-        let with_means = session
-            .recordings
-            .iter()
-            .map(|(r, choice)| (*r, static_means(r, &choice.segmentation)));
-        of_one_device(with_means, request.gravity)?;
+        let of = session.recordings.iter().map(|(recording, _)| *recording);
+        of_one_device(of.zip(means), request.gravity)?;
     }
     let base = State::fit(&session, super::Extension::default())?;
+    refuse_unobservable(&base.fit)?;
     enough_to_compare(&session, &base)?;
     let mut faults = integrity(&session, &base);
     let quantised = faults.iter().any(|f| f.name == "quantisation");

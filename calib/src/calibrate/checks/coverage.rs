@@ -31,7 +31,7 @@ pub(in crate::calibrate) fn refusal(directions: &[Vector3<f64>], unknown: &str) 
 ///
 /// # Errors
 /// [`Error::NotEnough`] with the placements to add.
-pub(in crate::calibrate) fn not_in_one_plane(means: &[Vec<StaticMean>]) -> Result<(), Error> {
+pub(crate) fn not_in_one_plane(means: &[Vec<StaticMean>]) -> Result<(), Error> {
     let raw: Vec<Vector3<f64>> = means.iter().flatten().map(|m| m.raw).collect();
     let middle = raw.iter().sum::<Vector3<f64>>() / raw.len().max(1) as f64;
     let scatter: Matrix3<f64> = raw

@@ -10,7 +10,7 @@ mod rests;
 mod unknowable;
 
 pub(super) use coning::too_fast;
-pub(super) use coverage::not_in_one_plane;
+pub(crate) use coverage::not_in_one_plane;
 pub(super) use determined::{
     ForceEvidence, RateEvidence, accelerometer_is_determined, gyroscope_is_determined,
 };
