@@ -1,4 +1,4 @@
-//! The effects of a model with their derivatives, by forward mode, a few columns per pass.
+//! The effects of a model with their derivatives, by forward mode, a few columns of one effect per pass.
 
 use nalgebra::{Matrix3, Vector3};
 use sensor::{BASE_PARAMETERS, Kinematics, Model, Sensor};
@@ -27,23 +27,28 @@ impl EffectSlopes {
                 by_parameters: Vec::new(),
             };
         }
-        let constants: Vec<Jet> = p.iter().map(|&v| lit(v)).collect();
+        let mut constants: Vec<Jet> = p.iter().map(|&v| lit(v)).collect();
         let signal = truth.signal(by);
+        let truth = truth.lift::<Jet>();
         let lanes = Vector3::from_fn(|i, _| variable(signal[i], i));
-        let error = model.error(&truth.lift::<Jet>().with_signal(by, lanes), &constants);
+        let error = model.error(&truth.with_signal(by, lanes), &constants);
         let by_signal = Matrix3::from_fn(|i, j| derivatives(&error[i])[j]);
         let mut by_parameters = Vec::with_capacity(own);
-        for first in (0..own).step_by(LANES) {
-            let mut point = constants.clone();
-            let count = LANES.min(own - first);
-            for lane in 0..count {
-                let place = BASE_PARAMETERS + first + lane;
-                point[place] = variable(p[place], lane);
+        let mut from = BASE_PARAMETERS;
+        for effect in model.effects() {
+            let to = from + effect.params().len();
+            for first in (from..to).step_by(LANES) {
+                let lanes = first..to.min(first + LANES);
+                for (lane, place) in lanes.clone().enumerate() {
+                    constants[place] = variable(p[place], lane);
+                }
+                let error = effect.error_jet(&truth, &constants[from..to]);
+                for (lane, place) in lanes.enumerate() {
+                    by_parameters.push(error.map(|v| derivatives(&v)[lane]));
+                    constants[place] = lit(p[place]);
+                }
             }
-            let error = model.error(&truth.lift::<Jet>(), &point);
-            by_parameters.extend(
-                (0..count).map(|lane| Vector3::from_fn(|i, _| derivatives(&error[i])[lane])),
-            );
+            from = to;
         }
         Self {
             value: error.map(|v| v.re),
