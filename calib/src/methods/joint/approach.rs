@@ -1,4 +1,4 @@
-//! Plain Gauss–Newton steps, for the points on the way.
+//! Gauss–Newton steps, damped where they have to be, for the points on the way.
 
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, MatMut, Side};
@@ -7,12 +7,15 @@ use solver::Problem;
 use super::problem::{Linear, Rows};
 use super::weights::Whitening;
 
-/// Steps at most.
-const STEPS: usize = 12;
+/// Steps at most, those that fail included: a point on the way need not be a minimum, and the last fit is the solver's.
+const STEPS: usize = 24;
 
 /// A step whose effect on the rows is below this share of their length is the last: a hundredth of a
 /// standard deviation of all parameters together.
 const NEAR: f64 = 1e-6;
+
+/// The same, as a sum of squares, of steps that have to be held back: a tenth of a standard deviation.
+const IN_A_VALLEY: f64 = 0.01;
 
 /// Most steps with the same Jacobian.
 const CHORDS: usize = 8;
@@ -22,6 +25,13 @@ const ROUNDING: f64 = 1e-9;
 
 /// Smallest squared pivot of normal equations with unit columns that keep digits enough for a step.
 const SAFE: f64 = 1e-10;
+
+/// What is added to the diagonal of normal equations that are closer to singular: what hardly changes the rows stays
+/// where it is.
+const HELD_UP: f64 = 1e-9;
+
+/// The first damping of a step that raised the cost.
+const LEAST_DAMPING: f64 = 1e-6;
 
 /// Rows under a whitening.
 pub struct Weighted<'a> {
@@ -82,31 +92,81 @@ impl Linear {
     }
 }
 
-/// Steps from `x` until they are small against the noise, with the rows there; `None` where the cost rises
-/// or the normal equations are close to singular.
+/// Steps from `x` until they are small against the noise, or as many as a point on the way is worth; `None` where the
+/// rows are no numbers.
+///
+/// A step is undamped until one raises the cost; then `λ` holds it back (Levenberg 1944, unit columns), ten times more
+/// on every failure and ten times less on every second success in a row.
 pub fn approach(weighted: &Weighted<'_>, x: &[f64], free: &[usize]) -> Option<Approached> {
     let mut x = x.to_vec();
-    let mut before = f64::INFINITY;
-    for _ in 0..STEPS {
-        let linear = weighted.rows.linearize(&x);
-        let (r, jacobian) = linear.whitened(free, |a| weighted.whitening.apply(a));
-        let cost: f64 = r.iter().map(|v| v * v).sum();
-        if cost.is_nan() || cost > before * (1.0 + ROUNDING) {
-            return None;
+    let mut at = Near::new(weighted, &x, free)?;
+    let (mut damping, mut held_back) = (0.0, false);
+    let mut taken = 1;
+    while taken < STEPS {
+        let (step, left) = at.equations.step(&at.residuals);
+        let enough = if damping > 0.0 {
+            IN_A_VALLEY
+        } else {
+            NEAR * (1.0 + at.cost)
+        };
+        if left <= enough {
+            break;
         }
-        let equations = Normal::new(jacobian)?;
-        let (step, square) = equations.step(&r);
-        if square <= NEAR * (1.0 + cost) {
-            return Some(Approached {
-                x,
-                linear,
-                equations,
-            });
+        let step = match damping > 0.0 {
+            true => at.equations.damped(damping, &at.residuals)?,
+            false => step,
+        };
+        let mut tried = x.clone();
+        add(&mut tried, free, &step);
+        let next = Near::new(weighted, &tried, free);
+        taken += 1;
+        match next.filter(|next| next.cost <= at.cost * (1.0 + ROUNDING)) {
+            Some(next) => {
+                (x, at) = (tried, next);
+                if !held_back {
+                    damping = if damping > LEAST_DAMPING {
+                        0.1 * damping
+                    } else {
+                        0.0
+                    };
+                }
+                held_back = false;
+            }
+            None => {
+                damping = (10.0 * damping).max(LEAST_DAMPING);
+                held_back = true;
+            }
         }
-        add(&mut x, free, &step);
-        before = cost;
     }
-    None
+    Some(Approached {
+        x,
+        linear: at.linear,
+        equations: at.equations,
+        taken,
+    })
+}
+
+/// The rows at a point on the way.
+struct Near {
+    linear: Linear,
+    residuals: Vec<f64>,
+    cost: f64,
+    equations: Normal,
+}
+
+impl Near {
+    /// `None` where the cost is no number.
+    fn new(weighted: &Weighted<'_>, x: &[f64], free: &[usize]) -> Option<Self> {
+        let linear = weighted.rows.linearize(x);
+        let (residuals, jacobian) = linear.whitened(free, |a| weighted.whitening.apply(a));
+        let cost: f64 = residuals.iter().map(|v| v * v).sum();
+        Some(Self {
+            equations: Normal::new(jacobian).filter(|_| cost.is_finite())?,
+            linear,
+            residuals,
+            cost,
+        })
+    }
 }
 
 /// Where plain steps led.
@@ -116,6 +176,8 @@ pub struct Approached {
     /// The rows there.
     pub linear: Linear,
     equations: Normal,
+    /// How often the rows were linearised.
+    pub taken: usize,
 }
 
 impl Approached {
@@ -148,33 +210,66 @@ fn add(x: &mut [f64], free: &[usize], step: &[f64]) {
 struct Normal {
     jacobian: Mat<f64>,
     norms: Vec<f64>,
+    matrix: Mat<f64>,
     factor: Llt<f64>,
 }
 
 impl Normal {
-    /// `None` close to singular.
+    /// Held up where they are close to singular; `None` where they are no numbers.
     fn new(mut jacobian: Mat<f64>) -> Option<Self> {
-        let norms: Vec<f64> = jacobian.col_iter().map(|c| c.norm_l2()).collect();
+        let unit_if_zero = |norm: f64| if norm > 0.0 { norm } else { 1.0 };
+        let norms = jacobian.col_iter().map(|c| unit_if_zero(c.norm_l2()));
+        let norms: Vec<f64> = norms.collect();
         for (column, norm) in jacobian.col_iter_mut().zip(&norms) {
             column.iter_mut().for_each(|v| *v /= norm);
         }
-        let factor = (jacobian.transpose() * &jacobian).llt(Side::Lower).ok()?;
-        let pivots = (0..norms.len()).map(|k| factor.L()[(k, k)].powi(2));
-        let least = pivots.fold(f64::INFINITY, f64::min);
-        (least >= SAFE).then_some(Self {
+        let matrix = jacobian.transpose() * &jacobian;
+        let factor = matrix.llt(Side::Lower).ok().filter(is_safe);
+        Some(Self {
+            factor: match factor {
+                Some(factor) => factor,
+                None => held_up(&matrix, HELD_UP)?,
+            },
             jacobian,
             norms,
-            factor,
+            matrix,
         })
     }
 
     /// The Gauss–Newton step `p` for residuals `r`, and `‖J p‖²`.
     fn step(&self, r: &[f64]) -> (Vec<f64>, f64) {
-        let r = Mat::from_fn(r.len(), 1, |i, _| -r[i]);
-        let right = self.jacobian.transpose() * &r;
+        let right = self.right(r);
         let scaled = self.factor.solve(&right);
         let square = (scaled.transpose() * &right)[(0, 0)];
-        let scaled = scaled.col(0).iter().zip(&self.norms);
-        (scaled.map(|(s, n)| s / n).collect(), square)
+        (self.unscaled(&scaled), square)
     }
+
+    /// The step of `(JᵀJ + λ I) p = −Jᵀ r`.
+    fn damped(&self, damping: f64, r: &[f64]) -> Option<Vec<f64>> {
+        let factor = held_up(&self.matrix, damping)?;
+        Some(self.unscaled(&factor.solve(self.right(r))))
+    }
+
+    fn right(&self, r: &[f64]) -> Mat<f64> {
+        let r = Mat::from_fn(r.len(), 1, |i, _| -r[i]);
+        self.jacobian.transpose() * &r
+    }
+
+    fn unscaled(&self, scaled: &Mat<f64>) -> Vec<f64> {
+        let scaled = scaled.col(0).iter().zip(&self.norms);
+        scaled.map(|(s, n)| s / n).collect()
+    }
+}
+
+/// Whether the pivots keep digits enough for a step.
+fn is_safe(factor: &Llt<f64>) -> bool {
+    let pivots = factor.L().diagonal().column_vector().iter();
+    pivots.fold(f64::INFINITY, |least, pivot| least.min(pivot.powi(2))) >= SAFE
+}
+
+/// The factor of `A + λ I`.
+fn held_up(matrix: &Mat<f64>, damping: f64) -> Option<Llt<f64>> {
+    let n = matrix.nrows();
+    let held_up = matrix + faer::Scale(damping) * Mat::<f64>::identity(n, n);
+    held_up.llt(Side::Lower).ok()
 }

@@ -19,7 +19,7 @@ pub const MOST_STATIC_INTERVALS: usize = 100;
 pub const MOST_IN_A_SEARCH: usize = 60;
 
 /// What the steps of the solver on the way to a fit may cost together, in samples of turns.
-const MOST_WORK: usize = 10_000_000;
+const MOST_WORK: usize = 4_000_000;
 
 /// Steps of the solver in one run near the minimum: readings of which nothing is left to fit, as of a dead zone, would take
 /// thousands and converge no better. A fit that converges takes ten.
@@ -28,7 +28,7 @@ const MOST_STEPS: usize = 500;
 const LAST_STEPS: usize = 40;
 const FEWEST_STEPS: usize = 3;
 
-/// The steps that the solver has taken in all its runs of one fit. What it is spent for are points on the way, which
+/// The steps of one fit, in all its runs. What it is spent for are points on the way, which
 /// need not be exact; the last fit says by itself where it did not converge.
 #[derive(Clone, Debug, Default)]
 pub struct Steps(Arc<AtomicUsize>);
@@ -43,6 +43,11 @@ impl Steps {
     /// Whether the runs on the way have used up what they may.
     pub fn are_spent(&self, cost: usize) -> bool {
         self.0.load(Relaxed) >= MOST_WORK / cost.max(1)
+    }
+
+    /// What all steps cost, in samples of turns.
+    pub fn work(&self, cost: usize) -> usize {
+        self.0.load(Relaxed) * cost
     }
 
     /// Counts the steps of a run.

@@ -64,6 +64,7 @@ pub(super) fn settle_clock(
     data: &mut Data,
     charts: &[Chart],
     start: &Start,
+    point: Option<Point>,
 ) -> Result<Option<Point>, Error> {
     let open = match request.clock {
         ClockMode::Auto => data.with_scatter(),
@@ -84,7 +85,7 @@ pub(super) fn settle_clock(
         charts,
         start,
         open,
-        point: None,
+        point,
     };
     let mut left = fit.rounds(data)?;
     for k in fit.open.clone() {

@@ -45,11 +45,13 @@ impl Run<'_> {
         let free = point.mask.free_indices();
         let mut parameters = point.parameters.clone();
         if let Some(near) = approach(&weighted, parameters.values(), &free) {
+            self.start.steps.took(near.taken);
             let x = near.settled(&weighted, &free);
             parameters.values_mut().copy_from_slice(&x);
         }
         let options = options(Steps::at_the_end(self.data.cost_of_a_step()));
         let mut report = solve(&weighted, &parameters, &point.mask, &options)?;
+        self.start.steps.took(report.jacobian_evaluations);
         let x = report.parameters.values();
         let linear = rows.linearize(x);
         let white = &weights.whitening.white;
@@ -98,6 +100,7 @@ impl Run<'_> {
             whitening: weights.whitening,
             components: weights.components,
             levels: weights.levels,
+            work: self.start.steps.work(self.data.cost_of_a_step()),
             free,
             report,
         })

@@ -53,6 +53,8 @@ pub struct JointFit {
     pub components: Vec<Component>,
     /// How much of it there is.
     pub levels: Vec<NoiseLevel>,
+    /// What the fit took: linearisations, times the samples of the turns.
+    pub work: usize,
     /// What was found disturbed.
     pub accused: Vec<Accused>,
     /// What depends on the orientation at the static intervals and should not.

@@ -12,7 +12,7 @@ const STEPS: usize = 40;
 
 /// Third powers of the number of rows that all steps of one search may take together, and fewest steps.
 const MOST_WORK: f64 = 1.5e9;
-const FEWEST_STEPS: f64 = 40.0;
+const FEWEST_STEPS: f64 = 20.0;
 
 /// A relative change of every variance below this ends the search.
 const SETTLED: f64 = 1e-3;

@@ -66,8 +66,7 @@ impl Run<'_> {
         )
     }
 
-    /// The minimum under these weights: by plain Gauss–Newton steps, and by the solver where those do not
-    /// lead there.
+    /// Near the minimum under these weights: by few Gauss–Newton steps, and by the solver where those lead nowhere.
     pub fn approach(&self, weights: &Weights, before: Option<&Point>) -> Result<Point, Error> {
         step(Stage::Fitting)?;
         let columns = weights.columns();
@@ -87,6 +86,7 @@ impl Run<'_> {
         let quick = approach(&weighted, parameters.values(), &mask.free_indices());
         let linear = match quick {
             Some(near) => {
+                self.start.steps.took(near.taken);
                 parameters.values_mut().copy_from_slice(&near.x);
                 near.linear
             }

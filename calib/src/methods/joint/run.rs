@@ -51,14 +51,12 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
         data.set_clock(k, 0, 0.0);
     }
     let charts = charts(&data, &request.accelerometer, &start)?;
-    let known = |data: &mut Data| know(request, data, &cuts, &charts, &start);
-    if covariates {
-        known(&mut data)?;
-    }
-    let point = settle_clock(request, &mut data, &charts, &start)?;
+    let known = |data: &mut Data, before| know(request, data, &cuts, &charts, &start, before);
+    let first = covariates.then(|| known(&mut data, None)).transpose()?;
+    let mut point = settle_clock(request, &mut data, &charts, &start, first.clone())?;
     // What effects ask for is asked for at the samples' times.
     if covariates && point.is_some() {
-        known(&mut data)?;
+        point = Some(known(&mut data, point.as_ref())?);
     }
     Run {
         request,
@@ -66,30 +64,49 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
         charts: &charts,
         start: &start,
     }
-    .run(point)
+    .run(point.or(first))
 }
 
-/// Works out what effects look at: by the models at first, then by those of a first fit.
+/// Works out what effects look at: by the models at first, or at the fit before, then by those of a first fit, which is
+/// returned.
 fn know(
     request: &JointRequest<'_>,
     data: &mut Data,
     cuts: &[Cut<'_>],
     charts: &[Chart],
     start: &Start,
-) -> Result<(), Error> {
-    let perfect = request.gyroscope.parameters();
-    let first = start.accelerometer.iter();
-    let first = first.map(|p| (p.clone(), perfect.values().to_vec()));
-    write_down(request, data, cuts, &first.collect::<Vec<_>>());
+    before: Option<&Point>,
+) -> Result<Point, Error> {
+    let of = |data: &Data, point: &Point| {
+        let run = Run {
+            request,
+            data,
+            charts,
+            start,
+        };
+        run.models(point)
+    };
+    let first = match before {
+        Some(point) => of(data, point),
+        None => {
+            let perfect = request.gyroscope.parameters();
+            let models = start.accelerometer.iter();
+            models
+                .map(|p| (p.clone(), perfect.values().to_vec()))
+                .collect()
+        }
+    };
+    write_down(request, data, cuts, &first);
     let run = Run {
         request,
         data,
         charts,
         start,
     };
-    let fitted = run.first_models()?;
+    let point = run.approach(&run.first_weights(), before)?;
+    let fitted = run.models(&point);
     write_down(request, data, cuts, &fitted);
-    Ok(())
+    Ok(point)
 }
 
 /// Parameters of the accelerometer and the gyroscope in each recording.
@@ -107,9 +124,8 @@ fn write_down(request: &JointRequest<'_>, data: &mut Data, cuts: &[Cut<'_>], mod
 }
 
 impl Run<'_> {
-    /// The models by a first fit: what effects look at depends on them in second order only.
-    fn first_models(&self) -> Result<ByRecording, Error> {
-        let point = self.approach(&self.first_weights(), None)?;
+    /// The models at a fit: what effects look at depends on them in second order only.
+    fn models(&self, point: &Point) -> ByRecording {
         let (rows, x) = (self.rows(&[]), point.parameters.values());
         let perfect = self.request.gyroscope.parameters();
         let of = |k: usize| {
@@ -119,7 +135,7 @@ impl Run<'_> {
             };
             (rows.local(x, Sensor::Accelerometer, k), rate)
         };
-        Ok((0..self.data.sources.len()).map(of).collect())
+        (0..self.data.sources.len()).map(of).collect()
     }
 
     fn run(&self, before: Option<Point>) -> Result<JointFit, Error> {
