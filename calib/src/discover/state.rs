@@ -33,6 +33,24 @@ pub struct Extension {
     pub settles: bool,
 }
 
+impl Extension {
+    /// Whether both hold the same, in whatever order.
+    pub fn is_same(&self, other: &Self) -> bool {
+        let holds = |(effect, held): &(&'static dyn AnyEffect, Held)| {
+            let mut others = other.effects.iter();
+            others.any(|(e, h)| e.name() == effect.name() && h == held)
+        };
+        self.settles == other.settles
+            && self.effects.len() == other.effects.len()
+            && self.disturbed.len() == other.disturbed.len()
+            && self.effects.iter().all(holds)
+            && self
+                .disturbed
+                .iter()
+                .all(|known| other.disturbed.contains(known))
+    }
+}
+
 /// One model, fitted.
 #[derive(Clone, Debug)]
 pub struct State {

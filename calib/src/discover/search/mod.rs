@@ -4,7 +4,7 @@ mod outlying_turns;
 mod pairs;
 mod review;
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 use outlying_turns::outlying_turns;
 
@@ -34,6 +34,9 @@ const EARTH_VERTICAL: f64 = 2.0;
 
 /// Work that the joint fits of a search may take, in [`cost_of_fit`]: twenty fits of forty static intervals.
 const MOST_WORK: f64 = 2e5;
+
+/// And what they may take together in linearisations times samples of turns: forty fits of forty turns of 3 s at 200 Hz.
+const MOST_LINEARISED: usize = 30_000_000;
 
 /// Fewest fits of a search, however long one takes.
 const FEWEST_FITS: usize = 6;
@@ -167,6 +170,8 @@ pub fn search(session: &Session<'_>, request: &Request, base: State) -> Result<S
         threshold: request.threshold(),
         most_fits: (most as usize).max(FEWEST_FITS),
         fits: Cell::new(0),
+        linearised: Cell::new(0),
+        fitted: RefCell::new(Vec::new()),
     };
     finder.run(base)
 }
@@ -178,12 +183,16 @@ struct Finder<'a> {
     most_fits: usize,
     /// Fits so far.
     fits: Cell<usize>,
+    /// What they took.
+    linearised: Cell<usize>,
+    /// Their models: a review comes back to some of them.
+    fitted: RefCell<Vec<State>>,
 }
 
 impl Finder<'_> {
     /// Whether so many more fits are too many.
     fn is_spent(&self, more: usize) -> bool {
-        self.fits.get() + more > self.most_fits
+        self.fits.get() + more > self.most_fits || self.linearised.get() > MOST_LINEARISED
     }
 
     fn run(&self, base: State) -> Result<Search, Error> {
@@ -220,7 +229,7 @@ impl Finder<'_> {
         let reviewed = self.review(&base, last, held)?;
         let spent = (spent || reviewed.is_spent).then(|| {
             format!(
-                "the search for what is missing ended after {} fits, as many as it may make with {} static intervals: there \
+                "the search for what is missing ended after {} fits, as more would take too long with {} static intervals: there \
                  may be more to find. Look at a part of the recording with fewer of them",
                 self.fits.get(),
                 base.fit.data.rests.len()
@@ -238,8 +247,16 @@ impl Finder<'_> {
     }
 
     fn state(&self, held: &[Held]) -> Result<State, Error> {
+        let extension = self.extension(held);
+        let mut fitted = self.fitted.borrow_mut();
+        if let Some(known) = fitted.iter().find(|s| s.extension.is_same(&extension)) {
+            return Ok(known.clone());
+        }
         self.fits.set(self.fits.get() + 1);
-        State::fit(self.session, self.extension(held))
+        let state = State::fit(self.session, extension)?;
+        self.linearised.set(self.linearised.get() + state.fit.work);
+        fitted.push(state.clone());
+        Ok(state)
     }
 
     fn extension(&self, held: &[Held]) -> Extension {
