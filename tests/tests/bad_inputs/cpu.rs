@@ -185,7 +185,6 @@ fn a_device_that_is_pushed() {
 }
 
 #[test]
-#[ignore = "over the limit: the joint method takes 8 s and discover 14 s to find that no fit ends"]
 fn a_device_that_is_pushed_in_every_fifth_placement() {
     let mut rows = turned(800, 3);
     let pushed = (0..ROWS).filter(|k| k % 4000 < 400);

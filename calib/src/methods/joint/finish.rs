@@ -61,7 +61,8 @@ impl Run<'_> {
         let reduced = reduced(&jacobian, &free, rows.layout.shared());
         let mut carried = weights.carried;
         weights.whitening.finish(carried.as_mut());
-        if report.termination == Termination::Stalled && is_near(&report.residuals, &jacobian) {
+        let without_end = [Termination::Stalled, Termination::IterationLimit];
+        if without_end.contains(&report.termination) && is_near(&report.residuals, &jacobian) {
             report.termination = Termination::Cost;
         }
         let broken = self.broken();
