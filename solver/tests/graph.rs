@@ -168,6 +168,32 @@ fn two_hundred_random_graphs_have_the_minimum_of_the_dense_problem() {
     assert!(methods[0] > 20 && methods[1] > 20, "{methods:?}");
 }
 
+#[test]
+fn a_graph_without_last_digits_ends_as_near_whatever_the_first_damping() {
+    let mut rng = ChaCha8Rng::seed_from_u64(12);
+    for trial in 0..60 {
+        let (mut graph, _) = Random::new(&mut rng, trial).graph();
+        for first_damping in [1e-4, 1e-2, 1.0, 1e3] {
+            let options = GraphOptions {
+                gradient_tolerance: 1e-5,
+                last_digits: false,
+                rank: false,
+                first_damping,
+                ..GraphOptions::default()
+            };
+            let report = solve_graph(&graph, &options).unwrap();
+            assert!(report.termination.converged() && report.relative_offset <= 1e-5);
+            let start = graph.values().to_vec();
+            graph.start_at(&report.values);
+            let least = solve_graph(&graph, &GraphOptions::default()).unwrap();
+            graph.start_at(&start);
+            // An offset of 1e-5 leaves 1e-10 of the cost; nearly all of it goes with the step taken.
+            let left = report.cost / least.cost - 1.0;
+            assert!(left < 1e-10, "{trial}, {first_damping}: {left}");
+        }
+    }
+}
+
 /// `log(q⁻¹ measured)`.
 struct Measured([f64; 4]);
 
@@ -176,6 +202,52 @@ impl<D: Scalar> Residual<D> for Measured {
         let q = self.0.map(lit::<D>);
         let inverse = [x[0], -x[1], -x[2], -x[3]];
         out.extend(logarithm(&multiply(&inverse, &q)));
+    }
+}
+
+#[test]
+fn cameras_and_points_of_every_width_return_to_what_made_the_residuals() {
+    let mut rng = ChaCha8Rng::seed_from_u64(5);
+    let shared = [9, 9, 8, 3, 6, 6, 7, 7, 2, 2];
+    let own = (0..120).map(|k| 2 + k % 2);
+    let mut graph = Graph::new();
+    let mut truth = Vec::new();
+    for (k, width) in shared.into_iter().chain(own).enumerate() {
+        let values: Vec<f64> = (0..width).map(|_| rng.random_range(-1.0..1.0)).collect();
+        let start: Vec<f64> = values.iter().map(|v| v + 0.01).collect();
+        let block = graph.add(format!("b{k}"), Euclidean(width), &start);
+        truth.push((block.unwrap(), values));
+    }
+    for (own, own_values) in &truth[shared.len()..] {
+        for (block, values) in &truth[..shared.len()] {
+            let x = [&values[..], own_values].concat();
+            let coefficients: Vec<Vec<f64>> = (0..2)
+                .map(|_| x.iter().map(|_| rng.random_range(-1.0..1.0)).collect())
+                .collect();
+            let mut rows = Rows {
+                coefficients,
+                targets: vec![0.0; 2],
+            };
+            let mut targets = Vec::new();
+            Residual::<f64>::residuals(&rows, &x, &mut targets);
+            rows.targets = targets;
+            graph.add_factor(&[*block, *own], rows);
+        }
+    }
+    let report = solve_graph(&graph, &GraphOptions::default()).unwrap();
+    assert_eq!(report.method.eliminated, 120);
+    let threads = GraphOptions {
+        threads: 3,
+        ..GraphOptions::default()
+    };
+    let values = solve_graph(&graph, &threads).unwrap().values;
+    assert_eq!(values, report.values);
+    // Newton's steps: a product that is wrong would make many of them.
+    assert!(report.iterations.len() <= 8, "{}", report.iterations.len());
+    for (block, values) in &truth {
+        for (found, known) in report.value(*block).iter().zip(values) {
+            assert!((found - known).abs() < 1e-10, "{found} {known}");
+        }
     }
 }
 

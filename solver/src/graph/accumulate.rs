@@ -3,9 +3,9 @@
 use pulp::{Arch, Simd, WithSimd};
 
 use super::normal::{Equations, Normal};
-use super::outer::{Panel, Places, add_gradient, add_outer};
+use super::outer::{Panel, Places, add_gradient, add_outer, add_two_rows};
 use super::reweight::{cost_of, rewrite};
-use super::structure::{NONE, pair};
+use super::structure::{NONE, Structure, pair};
 
 /// Marks the first factor that adds to a slot: it writes what others add to.
 pub(super) const FIRST: u32 = 1 << 31;
@@ -85,6 +85,10 @@ impl WithSimd for Products<'_, '_, '_> {
         let width = self.jacobian.len() / self.residuals.len().max(1);
         let n = structure.free[self.factor] as usize;
         let blocks = graph.blocks_of(self.factor);
+        if let Some(pair) = Two::of(structure, blocks, self.residuals, self.jacobian) {
+            pair.add(simd, normal, structure, self.pairs);
+            return;
+        }
         let mut first_a = 0;
         let mut place_a = 0;
         for (a, &block_a) in blocks.iter().enumerate() {
@@ -124,6 +128,73 @@ impl WithSimd for Products<'_, '_, '_> {
             }
             first_a += width_a;
             place_a += 1;
+        }
+    }
+}
+
+/// A factor of two residuals over a camera of nine numbers and a point: of these a bundle adjustment
+/// has nothing else, so that what is asked of factors in general is asked once.
+struct Two<'a> {
+    positions: [usize; 2],
+    residuals: [f64; 2],
+    camera: [&'a [f64; 9]; 2],
+    point: [&'a [f64; 3]; 2],
+}
+
+impl<'a> Two<'a> {
+    /// `None` for any other factor.
+    #[inline(always)]
+    fn of(
+        structure: &Structure,
+        blocks: &[u32],
+        residuals: &[f64],
+        jacobian: &'a [f64],
+    ) -> Option<Self> {
+        let (&[camera, point], &[r, s]) = (blocks, residuals) else {
+            return None;
+        };
+        let ([one, two], []) = jacobian.as_chunks::<12>() else {
+            return None;
+        };
+        let positions = [camera, point].map(|block| structure.position[block as usize]);
+        if positions[1] >= positions[0] || positions[0] == NONE {
+            return None;
+        }
+        let positions = positions.map(|position| position as usize);
+        let widths = positions.map(|position| structure.width(position));
+        let ((one, two), (first, second)) = (
+            (one.first_chunk()?, two.first_chunk()?),
+            (one.last_chunk()?, two.last_chunk()?),
+        );
+        (widths == [9, 3]).then_some(Self {
+            positions,
+            residuals: [r, s],
+            camera: [one, two],
+            point: [first, second],
+        })
+    }
+
+    #[inline(always)]
+    fn add<S: Simd>(self, simd: S, normal: &mut Normal, structure: &Structure, pairs: &[u32]) {
+        let &[camera, mixed, point] = pairs else {
+            return;
+        };
+        let h = &mut normal.h;
+        let place = |mark: u32| structure.entry[(mark & !FIRST) as usize];
+        let is_first = |mark: u32| mark & FIRST != 0;
+        let own = &mut h[place(camera)..][..81];
+        add_two_rows(simd, own, is_first(camera), self.camera, self.camera);
+        let own = &mut h[place(mixed)..][..27];
+        add_two_rows(simd, own, is_first(mixed), self.camera, self.point);
+        let own = &mut h[place(point)..][..9];
+        add_two_rows(simd, own, is_first(point), self.point, self.point);
+        let [r, s] = self.residuals;
+        let [camera, point] = self.positions.map(|position| structure.first[position]);
+        for (k, gradient) in normal.gradient[camera..][..9].iter_mut().enumerate() {
+            *gradient = *gradient + self.camera[0][k] * r + self.camera[1][k] * s;
+        }
+        for (k, gradient) in normal.gradient[point..][..3].iter_mut().enumerate() {
+            *gradient = *gradient + self.point[0][k] * r + self.point[1][k] * s;
         }
     }
 }

@@ -8,6 +8,7 @@ use super::reduced::Reduced;
 use super::structure::{Pattern, Structure};
 use super::update::{Eliminated, Update};
 use crate::error::Error;
+use crate::vector::dot;
 
 /// `H + diag`, factored.
 ///
@@ -39,7 +40,7 @@ impl Factored {
         let reduced = Reduced::new(structure)?;
         Ok(Self {
             structure: Arc::clone(structure),
-            update: Update::new(&reduced.layout),
+            update: Update::default(),
             reduced,
             triangles: vec![0.0; entries],
             triangle,
@@ -85,32 +86,11 @@ impl Factored {
 
     /// From what is left (solved) back to the eliminated blocks, whose `b` is `L⁻¹ b`.
     fn back(&self, h: &[f64], b: &mut [f64]) {
-        let s = &*self.structure;
-        let (own, left) = b.split_at_mut(s.split());
-        for e in 0..s.eliminated {
-            let d = s.width(e);
-            let l = &self.triangles[self.triangle[e]..self.triangle[e + 1]];
-            let x = &mut own[s.first[e]..s.first[e + 1]];
-            backward(l, d, x);
-            // x = V⁻¹ (b − Σ Wᵀ x_i).
-            let mut sum = [0.0; 24];
-            let sum = &mut sum[..d];
-            for slot in s.column[e] + 1..s.column[e + 1] {
-                let row = s.row[slot] as usize;
-                let rows = s.width(row);
-                let of_row = &left[s.first[row] - s.split()..][..rows];
-                let w = &h[s.entry[slot]..s.entry[slot + 1]];
-                for c in 0..d {
-                    let column = &w[c * rows..(c + 1) * rows];
-                    for r in 0..rows {
-                        sum[c] += column[r] * of_row[r];
-                    }
-                }
-            }
-            forward(l, d, sum);
-            backward(l, d, sum);
-            x.iter_mut().zip(&*sum).for_each(|(x, sum)| *x -= sum);
-        }
+        Arch::new().dispatch(Return {
+            factored: self,
+            h,
+            b,
+        });
     }
 
     /// Solves for further right sides, each of all unknowns, one after the other, in place; `h` is
@@ -232,6 +212,72 @@ impl WithSimd for Elimination<'_> {
         let Reduced { layout, blocks, .. } = self.reduced;
         self.update.add_products(simd, layout, blocks.entries());
         true
+    }
+}
+
+/// The way back to the eliminated blocks, compiled for the vector instructions that the machine has.
+struct Return<'a> {
+    factored: &'a Factored,
+    h: &'a [f64],
+    b: &'a mut [f64],
+}
+
+impl WithSimd for Return<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Factored {
+            structure: s,
+            triangles,
+            triangle,
+            ..
+        } = self.factored;
+        let (own, left) = self.b.split_at_mut(s.split());
+        for e in 0..s.eliminated {
+            let d = s.width(e);
+            let l = &triangles[triangle[e]..triangle[e + 1]];
+            let x = &mut own[s.first[e]..s.first[e + 1]];
+            backward(l, d, x);
+            // x = V⁻¹ (b − Σ Wᵀ x_i).
+            let mut sum = [0.0; 24];
+            let sum = &mut sum[..d];
+            let mut products = [[0.0; 9]; 3];
+            for slot in s.column[e] + 1..s.column[e + 1] {
+                let row = s.row[slot] as usize;
+                let rows = s.width(row);
+                let of_row = &left[s.first[row] - s.split()..][..rows];
+                let w = &self.h[s.entry[slot]..s.entry[slot + 1]];
+                if (rows, d) == (9, 3) {
+                    add_by_row(&mut products, w, of_row);
+                    continue;
+                }
+                for (sum, column) in sum.iter_mut().zip(w.chunks_exact(rows)) {
+                    *sum += dot(column, of_row);
+                }
+            }
+            for (sum, products) in sum.iter_mut().zip(&products) {
+                *sum += products.iter().sum::<f64>();
+            }
+            forward(l, d, sum);
+            backward(l, d, sum);
+            x.iter_mut().zip(&*sum).for_each(|(x, sum)| *x -= sum);
+        }
+    }
+}
+
+/// Adds `w_rc x_r` to the products of every row and column: sums over the rows, which no vector
+/// instruction forms, are left to the end.
+#[inline(always)]
+fn add_by_row<const R: usize, const E: usize>(products: &mut [[f64; R]; E], w: &[f64], x: &[f64]) {
+    let (w, _) = w.as_chunks::<R>();
+    let (Some(w), Some(x)) = (w.first_chunk::<E>(), x.first_chunk::<R>()) else {
+        return;
+    };
+    for c in 0..E {
+        for r in 0..R {
+            products[c][r] += w[c][r] * x[r];
+        }
     }
 }
 

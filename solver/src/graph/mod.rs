@@ -17,6 +17,7 @@ mod evaluate;
 mod factor;
 mod manifold;
 mod manifolds;
+mod neighbours;
 mod normal;
 mod null_space;
 mod options;

@@ -34,6 +34,27 @@ pub(super) fn add_outer<S: Simd>(
     }
 }
 
+/// As [`add_outer`], of two rows.
+#[inline(always)]
+pub(super) fn add_two_rows<S: Simd, const R: usize, const C: usize>(
+    simd: S,
+    out: &mut [f64],
+    first: bool,
+    left: [&[f64; R]; 2],
+    right: [&[f64; C]; 2],
+) {
+    let (out, _) = out.as_chunks_mut::<R>();
+    let Some(out) = out.first_chunk_mut::<C>() else {
+        return;
+    };
+    match R / S::F64_LANES {
+        1 => two_lines::<S, 1, R, C>(simd, out, first, left, right),
+        2 => two_lines::<S, 2, R, C>(simd, out, first, left, right),
+        4 => two_lines::<S, 4, R, C>(simd, out, first, left, right),
+        _ => two_lines::<S, 0, R, C>(simd, out, first, left, right),
+    }
+}
+
 #[inline(always)]
 fn fixed<S: Simd, const R: usize, const C: usize>(
     simd: S,
@@ -82,29 +103,41 @@ fn vectors<S: Simd, const V: usize, const R: usize, const C: usize>(
         {
             (lower, factors) = (next, right);
         }
-        let (one, _) = S::as_simd_f64s(left.as_slice());
-        let (two, _) = S::as_simd_f64s(lower.as_slice());
-        let (Some(&one), Some(&two)) = (one.first_chunk::<V>(), two.first_chunk::<V>()) else {
+        two_lines::<S, V, R, C>(simd, out, first, [left, lower], [right, factors]);
+        first = false;
+    }
+}
+
+/// The products of two rows, of which `left` and `right` are the parts.
+#[inline(always)]
+fn two_lines<S: Simd, const V: usize, const R: usize, const C: usize>(
+    simd: S,
+    out: &mut [[f64; R]; C],
+    first: bool,
+    left: [&[f64; R]; 2],
+    right: [&[f64; C]; 2],
+) {
+    let (one, _) = S::as_simd_f64s(left[0].as_slice());
+    let (two, _) = S::as_simd_f64s(left[1].as_slice());
+    let (Some(&one), Some(&two)) = (one.first_chunk::<V>(), two.first_chunk::<V>()) else {
+        return;
+    };
+    for c in 0..C {
+        let (a, b) = (right[0][c], right[1][c]);
+        let (body, _) = S::as_mut_simd_f64s(out[c].as_mut_slice());
+        let Some(body) = body.first_chunk_mut::<V>() else {
             return;
         };
-        for c in 0..C {
-            let (a, b) = (right[c], factors[c]);
-            let (body, _) = S::as_mut_simd_f64s(out[c].as_mut_slice());
-            let Some(body) = body.first_chunk_mut::<V>() else {
-                return;
-            };
-            let (many_a, many_b) = (simd.splat_f64s(a), simd.splat_f64s(b));
-            for v in 0..V {
-                let known = if first { simd.splat_f64s(0.0) } else { body[v] };
-                let sum = simd.mul_add_e_f64s(one[v], many_a, known);
-                body[v] = simd.mul_add_e_f64s(two[v], many_b, sum);
-            }
-            for t in V * S::F64_LANES..R {
-                let known = if first { 0.0 } else { out[c][t] };
-                out[c][t] = known + left[t] * a + lower[t] * b;
-            }
+        let (many_a, many_b) = (simd.splat_f64s(a), simd.splat_f64s(b));
+        for v in 0..V {
+            let known = if first { simd.splat_f64s(0.0) } else { body[v] };
+            let sum = simd.mul_add_e_f64s(one[v], many_a, known);
+            body[v] = simd.mul_add_e_f64s(two[v], many_b, sum);
         }
-        first = false;
+        for t in V * S::F64_LANES..R {
+            let known = if first { 0.0 } else { out[c][t] };
+            out[c][t] = known + left[0][t] * a + left[1][t] * b;
+        }
     }
 }
 

@@ -30,6 +30,17 @@ const LAST: f64 = 1e-11;
 /// Damping up to which the damped step tells the offset.
 const TELLING: f64 = 1e-3;
 
+/// Share of the offset sought that a step by the factor at hand has to stay below: the offset that
+/// it tells is not exact.
+const SURE: f64 = 0.5;
+
+/// Steps by a factor at hand that may be tried in vain.
+const TRIES: usize = 2;
+
+/// Unknowns that a residual depends on: where they are more, [`Run::steepness`] says too much, and a
+/// factorisation that could be spared is done.
+const TOUCHED: f64 = 12.0;
+
 /// Most last steps, and the largest damping of one.
 const MOST_LAST: usize = 100;
 const MOST_DAMPING: f64 = 1e4;
@@ -98,6 +109,11 @@ struct Run<'a> {
     relative_step: f64,
     /// Whether the last step did what the linearised problem said.
     foretold: bool,
+    /// Damping of the factor at hand; infinite where there is none.
+    factor_damping: f64,
+    /// How often a step by the last factor may still be tried in vain: where steps fall slowly in
+    /// directions that are hardly determined, it would be so again and again.
+    tries: usize,
     more: Vec<f64>,
     step: Vec<f64>,
 }
@@ -126,6 +142,8 @@ impl<'a> Run<'a> {
             offset: f64::INFINITY,
             relative_step: f64::INFINITY,
             foretold: false,
+            factor_damping: f64::INFINITY,
+            tries: TRIES,
             more: vec![0.0; unknowns],
             step: vec![0.0; unknowns],
         };
@@ -156,12 +174,54 @@ impl<'a> Run<'a> {
         for (p, g) in self.step.iter_mut().zip(&self.normal.gradient) {
             *p = -g;
         }
+        self.factor_damping = f64::INFINITY;
         if !self
             .factored
             .factor_and_solve(&self.normal.h, &self.more, &mut self.step)
         {
             return false;
         }
+        self.factor_damping = lambda;
+        self.judge_step();
+        true
+    }
+
+    /// Whether the offset is small by the factor at hand, that of the equations before the last step:
+    /// where that did what the linearised problem said, they have hardly changed, and the last
+    /// factorisation is spared. Leaves the step by this factor in `self.step`.
+    fn is_near_by_last_factor(&mut self, near: f64) -> bool {
+        let alike = self.tries > 0 && self.foretold && self.factor_damping <= TELLING;
+        if !alike || self.steepness() > SURE * near {
+            return false;
+        }
+        let known = (self.offset, self.relative_step);
+        for (p, g) in self.step.iter_mut().zip(&self.normal.gradient) {
+            *p = -g;
+        }
+        self.factored.solve(&self.normal.h, &mut self.step);
+        self.judge_step();
+        let finite = self.step.iter().all(|v| v.is_finite());
+        if !(finite && self.offset <= SURE * near) {
+            (self.offset, self.relative_step) = known;
+            self.tries -= 1;
+            return false;
+        }
+        true
+    }
+
+    /// Hardly more than the offset, and quickly known: where a residual depends on `c` unknowns,
+    /// `H ≤ c D²`, so that `gᵀ H⁻¹ g ≥ gᵀ D⁻² g / c`.
+    fn steepness(&self) -> f64 {
+        let scale = self.scaling.diagonal();
+        let sum: f64 = (self.normal.gradient.iter().zip(scale))
+            .map(|(g, d)| (g / d).powi(2))
+            .sum();
+        (sum / (TOUCHED * self.normal.square)).sqrt()
+    }
+
+    /// Updates offset and relative step.
+    fn judge_step(&mut self) {
+        let scale = self.scaling.diagonal();
         let decrement = -dot(&self.normal.gradient, &self.step);
         self.offset = if decrement > 0.0 {
             (decrement / self.normal.square).sqrt()
@@ -171,7 +231,6 @@ impl<'a> Run<'a> {
         let length = scaled_norm(&self.step, scale);
         let size = self.size();
         self.relative_step = if length > 0.0 { length / size } else { 0.0 };
-        true
     }
 
     /// `‖D x‖`, where a coordinate of a curved block counts as 1.
@@ -205,6 +264,12 @@ impl<'a> Run<'a> {
         loop {
             if let Some(limit) = self.limit() {
                 return Stop::Limit(limit);
+            }
+            if self.is_near_by_last_factor(near) {
+                if !self.options.last_digits {
+                    self.take_if_lower();
+                }
+                return Stop::Near;
             }
             let lambda = self.lambda.value;
             if !self.solve(lambda) {

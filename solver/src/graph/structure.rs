@@ -89,6 +89,8 @@ impl Structure {
         let mut order: Vec<u32> = (0..width.len() as u32)
             .filter(|&b| chosen[b as usize])
             .collect();
+        // Those of the same width in a row: their products are added together.
+        order.sort_by_key(|&b| width[b as usize]);
         let eliminated = order.len();
         order.extend(left);
         let mut position = vec![NONE; width.len()];

@@ -5,45 +5,27 @@ use faer::{Accum, MatMut, MatRef, Par};
 use pulp::Simd;
 
 use super::blocks::{Layout, body};
-use super::product::{add_multiple, add_product};
+use super::neighbours::{Neighbour, Neighbours};
+use super::product::{add_multiple, add_products};
 use super::structure::Structure;
 
 /// Blocks that were eliminated and whose products are still to be added.
 ///
-/// The products of many of them are added to some columns of `S` that fit in a cache, then to the
-/// next columns: `S` as a whole fits in none. Every sum has its terms in the same order as if the
-/// blocks were taken one by one.
+/// The products of many of them are added block after block of `S`: each stays in registers while
+/// what is added to it is read, and `S` as a whole fits in no cache. Every sum has its terms in the
+/// same order as if the blocks were taken one by one.
 #[derive(Debug, Default)]
 pub(super) struct Update {
-    /// `Y` of every neighbour, column after column.
+    /// `Y` of every neighbour, column after column, and room for more.
     y: Vec<f64>,
-    neighbours: Vec<Neighbour>,
-    eliminated: Vec<Waiting>,
-    /// Where groups of columns end.
-    groups: Vec<u32>,
+    /// Entries of it that are used.
+    used: usize,
+    neighbours: Neighbours,
+    /// Columns of `Y`: the width of the blocks that wait.
+    width: usize,
     panel: Vec<f64>,
     /// Position of the neighbour of the columns (less the number eliminated).
     wide: Option<usize>,
-}
-
-/// A block that is left and meets the eliminated one.
-#[derive(Clone, Copy, Debug)]
-struct Neighbour {
-    /// Its position, less the number eliminated.
-    position: u32,
-    width: u32,
-    /// First unknown, less the eliminated ones.
-    first: u32,
-    /// Where its `Y` begins.
-    at: u32,
-}
-
-/// An eliminated block: its width and its neighbours whose columns are still to come.
-#[derive(Clone, Copy, Debug)]
-struct Waiting {
-    width: u32,
-    next: u32,
-    end: u32,
 }
 
 /// Width from which a single neighbour's columns are collected for a matrix product.
@@ -51,9 +33,6 @@ const WIDE: usize = 16;
 
 /// Columns collected.
 const COLUMNS: usize = 96;
-
-/// Entries of a group of columns: a quarter of a megabyte.
-const GROUP: usize = 1 << 15;
 
 /// Entries of `Y` that wait: half a megabyte.
 const WAITING: usize = 1 << 16;
@@ -72,23 +51,6 @@ pub(super) struct Eliminated<'a> {
 }
 
 impl Update {
-    /// Nothing waits.
-    pub fn new(layout: &Layout) -> Self {
-        let mut groups = Vec::new();
-        let mut from = 0;
-        for (k, column) in layout.columns.iter().enumerate() {
-            if column.base - from > GROUP {
-                groups.push(k as u32);
-                from = column.base;
-            }
-        }
-        groups.push(layout.columns.len() as u32);
-        Self {
-            groups,
-            ..Self::default()
-        }
-    }
-
     /// Takes `W V⁻¹ b` of a block from what is left of `b`, and adds its products to the blocks of
     /// `−S`, now or later.
     #[inline(always)]
@@ -100,22 +62,18 @@ impl Update {
         blocks: &mut [f64],
         left: &mut [f64],
     ) {
-        let first = self.neighbours.len();
-        let from = self.y.len();
+        if self.width != own.y.len() {
+            self.add_products(simd, layout, blocks);
+            self.width = own.y.len();
+        }
+        let from = self.used;
         self.solve_neighbours(simd, own, left);
-        if let [only] = self.neighbours[first..]
-            && only.width as usize >= WIDE
-        {
-            self.neighbours.pop();
+        if let Some(only) = self.neighbours.take_single(WIDE) {
             self.collect(layout, blocks, only.position as usize, from);
             return;
         }
-        self.eliminated.push(Waiting {
-            width: own.y.len() as u32,
-            next: first as u32,
-            end: self.neighbours.len() as u32,
-        });
-        if self.y.len() >= WAITING {
+        self.neighbours.close();
+        if self.used >= WAITING {
             self.add_products(simd, layout, blocks);
         }
     }
@@ -123,29 +81,18 @@ impl Update {
     /// Adds the products of the neighbours of the blocks that wait.
     #[inline(always)]
     pub fn add_products<S: Simd>(&mut self, simd: S, layout: &Layout, blocks: &mut [f64]) {
-        for &end in &self.groups {
-            for waiting in &mut self.eliminated {
-                let d = waiting.width as usize;
-                let mut own = &self.neighbours[waiting.next as usize..waiting.end as usize];
-                while let Some((j, others)) = own.split_first() {
-                    if j.position >= end {
-                        break;
-                    }
-                    let columns = j.width as usize;
-                    let y_j = &self.y[j.at as usize..][..columns * d];
-                    let reach = layout.reach(j.position as usize);
-                    for i in own {
-                        let rows = i.width as usize;
-                        let y_i = &self.y[i.at as usize..][..rows * d];
-                        let Some((place, _)) = reach.place(i.position, i.first as usize) else {
-                            continue;
-                        };
-                        let block = &mut blocks[place..place + rows * columns];
-                        add_product(simd, block, (rows, columns, d), y_i, y_j);
-                    }
-                    own = others;
-                    waiting.next += 1;
-                }
+        self.neighbours.sort(layout.columns.len());
+        for column in 0..layout.columns.len() {
+            self.neighbours.pair(column);
+            let reach = layout.reach(column);
+            let columns = reach.column.width;
+            while let Some((row, pairs)) = self.neighbours.next_row() {
+                let rows = row.width as usize;
+                let Some((place, _)) = reach.place(row.position, row.first as usize) else {
+                    continue;
+                };
+                let block = &mut blocks[place..place + rows * columns];
+                add_products(simd, block, (rows, columns, self.width), &self.y, pairs);
             }
         }
         self.forget();
@@ -153,9 +100,8 @@ impl Update {
 
     /// Drops what waits.
     pub fn forget(&mut self) {
-        self.eliminated.clear();
         self.neighbours.clear();
-        self.y.clear();
+        self.used = 0;
     }
 
     /// `Y` of all neighbours.
@@ -163,9 +109,12 @@ impl Update {
     fn solve_neighbours<S: Simd>(&mut self, simd: S, own: &Eliminated<'_>, left: &mut [f64]) {
         let (s, e, d) = (own.structure, own.e, own.y.len());
         let slots = s.column[e] + 1..s.column[e + 1];
-        let from = self.y.len();
+        let from = self.used;
         let before = s.entry[slots.start];
-        self.y.resize(from + s.entry[slots.end] - before, 0.0);
+        self.used += s.entry[slots.end] - before;
+        if self.y.len() < self.used {
+            self.y.resize(self.used, 0.0);
+        }
         for slot in slots {
             let row = s.row[slot] as usize;
             let rows = s.width(row);
@@ -195,8 +144,8 @@ impl Update {
             self.flush(layout, blocks);
         }
         self.wide = Some(position);
-        self.panel.extend_from_slice(&self.y[from..]);
-        self.y.truncate(from);
+        self.panel.extend_from_slice(&self.y[from..self.used]);
+        self.used = from;
         if self.panel.len() >= COLUMNS * layout.columns[position].width {
             self.flush(layout, blocks);
         }
