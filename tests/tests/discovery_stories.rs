@@ -50,3 +50,19 @@ fn what_is_outside_the_catalogue_is_unexplained() {
     let unexplained = outside.iter().filter(|r| r.unexplained.is_some()).count();
     assert!(unexplained >= 4, "{outside:?}");
 }
+
+#[test]
+fn knocks_between_samples_are_no_effect_of_the_gyroscope() {
+    // Two turns of these two sessions speak for a delay of one axis as much as all the others.
+    for index in [35, 83] {
+        let record = run(Row::Conditions, index).unwrap();
+        assert_eq!(record.kind, "knocks-point");
+        assert!(record.named.is_empty(), "{record:?}");
+        let found = record
+            .integrity
+            .iter()
+            .any(|name| name == "undersampled_motion");
+        assert!(found, "{record:?}");
+        assert_eq!(record.unexplained, None, "{record:?}");
+    }
+}

@@ -1,11 +1,13 @@
 //! Naming what is missing, one thing after the other, until the rest is noise.
 
+mod few_turns;
 mod outlying_turns;
 mod pairs;
 mod review;
 
 use std::cell::{Cell, RefCell};
 
+use few_turns::Turns;
 use outlying_turns::outlying_turns;
 
 use faer::Mat;
@@ -294,6 +296,14 @@ impl Finder<'_> {
                 Earth::No => r.evidence = f64::NEG_INFINITY,
                 Earth::Perhaps => r.only_a_tie = true,
                 Earth::Yes => {}
+            }
+        }
+        if let Some(turns) = Turns::knocked(state) {
+            for r in ranked.iter_mut().filter(|r| r.evidence > self.threshold) {
+                let family = &families[r.family];
+                if matches!(family.claim, Claim::Effect(_)) {
+                    r.evidence = turns.evidence_without(state, family, r);
+                }
             }
         }
         ranked.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
