@@ -1,12 +1,12 @@
 //! Evidence that a few turns make.
 
-use faer::{Mat, MatRef};
+use faer::Mat;
 
 use crate::discover::family::Family;
 use crate::discover::rank::Ranked;
 use crate::discover::score::{log_tail, score};
 use crate::discover::state::State;
-use crate::methods::joint::Disturbance;
+use crate::methods::joint::{Disturbance, without};
 
 /// Turns that evidence has to do without.
 ///
@@ -53,11 +53,4 @@ impl Turns {
         let statistic = ranked.statistic - ranked.score.statistic + least;
         ranked.evidence + ranked.log_p - log_tail(statistic, ranked.dof)
     }
-}
-
-/// `A` less what the columns of `B` can take of it.
-fn without(b: &Mat<f64>, a: &Mat<f64>) -> Mat<f64> {
-    let basis = b.qr().compute_thin_Q();
-    let basis: MatRef<'_, f64> = basis.as_ref();
-    a - basis * (basis.transpose() * a)
 }

@@ -112,9 +112,10 @@ pub fn approach(weighted: &Weighted<'_>, x: &[f64], free: &[usize]) -> Option<Ap
         if left <= enough {
             break;
         }
-        let step = match damping > 0.0 {
-            true => at.equations.damped(damping, &at.residuals)?,
-            false => step,
+        let step = if damping > 0.0 {
+            at.equations.damped(damping, &at.residuals)?
+        } else {
+            step
         };
         let mut tried = x.clone();
         add(&mut tried, free, &step);

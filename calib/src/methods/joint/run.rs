@@ -77,21 +77,18 @@ fn know(
     start: &Start,
     before: Option<&Point>,
 ) -> Result<Point, Error> {
-    let of = |data: &Data, point: &Point| {
-        let run = Run {
+    let first = match before {
+        Some(point) => Run {
             request,
             data,
             charts,
             start,
-        };
-        run.models(point)
-    };
-    let first = match before {
-        Some(point) => of(data, point),
+        }
+        .models(point),
         None => {
             let perfect = request.gyroscope.parameters();
-            let models = start.accelerometer.iter();
-            models
+            let first = start.accelerometer.iter();
+            first
                 .map(|p| (p.clone(), perfect.values().to_vec()))
                 .collect()
         }
