@@ -80,7 +80,7 @@ fn found(sensor: Sensor, stream: &Stream) -> Option<Finding> {
     let most = (MOST * values.len() as f64) as usize;
     let (mut rows, mut axes, mut largest) = (Vec::new(), Vec::new(), 0.0f64);
     for axis in 0..3 {
-        let spikes = of_axis(values, axis, most);
+        let spikes = of_axis(values, axis, resolution(sensor, values, axis), most);
         if spikes.is_empty() {
             continue;
         }
@@ -102,7 +102,12 @@ fn found(sensor: Sensor, stream: &Stream) -> Option<Finding> {
 }
 
 /// Places and sizes of an axis's spikes.
-fn of_axis(values: &[Vector3<f64>], axis: usize, most: usize) -> Vec<(usize, f64)> {
+fn of_axis(
+    values: &[Vector3<f64>],
+    axis: usize,
+    resolution: Resolution,
+    most: usize,
+) -> Vec<(usize, f64)> {
     let size = |k: usize| {
         let (before, at, after) = (values[k - 1][axis], values[k][axis], values[k + 1][axis]);
         let (left, right) = (at - before, at - after);
@@ -123,14 +128,13 @@ fn of_axis(values: &[Vector3<f64>], axis: usize, most: usize) -> Vec<(usize, f64
         sizes.select_nth_unstable_by(place, |a, b| b.1.total_cmp(&a.1));
         sizes.truncate(place);
     }
-    let step = least_step(values, axis).unwrap_or(0.0);
     let rank = (USUAL_SHARE * values.len() as f64) as usize;
     let usual = nth_smallest(values.iter().map(Vector3::amax), rank).unwrap_or(0.0);
     sizes.sort_by(|a, b| b.1.total_cmp(&a.1));
     let mut spikes = Vec::new();
     let mut misses = 0;
     for (k, size) in sizes {
-        if size > HUGE * usual || stands_out(values, axis, k, size, step) {
+        if size > HUGE * usual || stands_out(values, axis, k, size, &resolution) {
             spikes.push((k, size));
         } else {
             misses += 1;
@@ -145,8 +149,35 @@ fn of_axis(values: &[Vector3<f64>], axis: usize, most: usize) -> Vec<(usize, f64
 /// Places looked at in vain before the smaller ones are left.
 const MOST_MISSES: usize = 60;
 
+/// The smallest changes that an axis can show.
+struct Resolution {
+    /// The smallest step between neighbours.
+    step: f64,
+    /// The smallest reading that is not zero: half the width of a dead zone, where there is one.
+    beside_zero: f64,
+}
+
+fn resolution(sensor: Sensor, values: &[Vector3<f64>], axis: usize) -> Resolution {
+    let sizes = values.iter().map(|v| v[axis].abs()).filter(|&v| v > 0.0);
+    let beside_zero = sizes.min_by(f64::total_cmp).unwrap_or(0.0);
+    Resolution {
+        step: least_step(values, axis).unwrap_or(0.0),
+        // Gyroscopes alone are made with dead zones.
+        beside_zero: match sensor {
+            Sensor::Accelerometer => 0.0,
+            Sensor::Gyroscope => beside_zero,
+        },
+    }
+}
+
 /// Whether the samples around are quiet and the spike is far from them.
-fn stands_out(values: &[Vector3<f64>], axis: usize, k: usize, size: f64, step: f64) -> bool {
+fn stands_out(
+    values: &[Vector3<f64>],
+    axis: usize,
+    k: usize,
+    size: f64,
+    resolution: &Resolution,
+) -> bool {
     let before = &values[k.saturating_sub(AROUND)..k.saturating_sub(1)];
     let after = &values[(k + 2).min(values.len())..(k + AROUND + 1).min(values.len())];
     let around: Vec<f64> = before.iter().chain(after).map(|v| v[axis]).collect();
@@ -160,7 +191,14 @@ fn stands_out(values: &[Vector3<f64>], axis: usize, k: usize, size: f64, step: f
     let Some(usual) = median(off()) else {
         return false;
     };
-    let spread = (usual / 0.6745).max(step);
+    // Readings of zero may be noise within a dead zone: from there to its edge and back is no spike.
+    let zeros = values[k][axis] == 0.0 || around.contains(&0.0);
+    let least = if zeros {
+        resolution.step.max(resolution.beside_zero)
+    } else {
+        resolution.step
+    };
+    let spread = (usual / 0.6745).max(least);
     // Other spikes nearby do not make a place restless.
     let restless = off().filter(|v| *v > QUIET * spread).count();
     size > BEYOND * spread && 50 * restless <= around.len() * 3
@@ -208,6 +246,30 @@ mod tests {
             panic!("{findings:?}");
         };
         assert_eq!((rows.as_slice(), axes.as_slice()), (&[2002][..], &[1][..]));
+    }
+
+    #[test]
+    fn noise_that_leaves_a_dead_zone_is_no_spike_and_a_far_reading_is() {
+        let mut still = recording();
+        std::mem::swap(&mut still.accelerometer, &mut still.gyroscope);
+        let values = &mut still.gyroscope.as_mut().unwrap().values;
+        for (k, value) in values.iter_mut().enumerate() {
+            value.z = 0.0;
+            value.y = if k % 37 == 5 {
+                0.02 + 1e-5 * (k % 97) as f64
+            } else {
+                0.0
+            };
+        }
+        assert!(without_spikes(&still).is_none());
+        for k in 0..10 {
+            still.gyroscope.as_mut().unwrap().values[1700 + 200 * k].y = 1.5;
+        }
+        let (_, findings) = without_spikes(&still).unwrap();
+        let Finding::Spikes { rows, .. } = &findings[0] else {
+            panic!("{findings:?}");
+        };
+        assert_eq!(rows.len(), 10);
     }
 
     #[test]
