@@ -104,6 +104,15 @@ impl Analysis {
         self.components.len() > before
     }
 
+    /// Adds scatter of the turns to what the noise may have.
+    pub fn allow_scatter_of_turns(&mut self, rows: &Rows<'_>) {
+        let is_known = |c: &Component| c.kind == ComponentKind::TurnScatter;
+        if !self.components.iter().any(is_known) {
+            let [_, _, (kind, turns)] = groups(rows);
+            self.allow(rows, kind, &turns);
+        }
+    }
+
     /// Adds scatter of the kinds of rows that noise and walks of these levels leave by more than chance does; whether
     /// any do.
     pub fn allow_scatter_beyond(

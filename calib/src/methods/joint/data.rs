@@ -266,6 +266,12 @@ impl Data {
         samples + self.rests.len().pow(3) / 4
     }
 
+    /// Whether the rate moves between the samples of a recording, so that its turns miss more than noise.
+    pub fn misses_something_between_samples(&self) -> bool {
+        let mut shares = self.sources.iter().map(|s| s.clock.sampling.value);
+        shares.any(|share| share > 0.0)
+    }
+
     /// How many rests shake, where they are too many to have been touched one by one.
     pub fn shakes_throughout(&self) -> Option<usize> {
         let mut rests: Vec<usize> = self

@@ -118,7 +118,12 @@ impl Run<'_> {
         let most = given.len() + (MOST_DISTURBED * self.data.rests.len() as f64).ceil() as usize;
         let all = |places: &[usize]| places.iter().map(|&k| &candidates[k]).collect::<Vec<_>>();
         let patterns = at.allow_patterns(&all(&given), analysis, shown);
-        let misfit = analysis.allow_scatter_where_misfit(rows, &all(&given)) || patterns;
+        let mut misfit = analysis.allow_scatter_where_misfit(rows, &all(&given)) || patterns;
+        if self.data.misses_something_between_samples() {
+            // What falls between samples altogether shows in none of them: turns scatter by more than their samples say.
+            analysis.allow_scatter_of_turns(rows);
+            misfit = true;
+        }
         let columns = analysis.columns(&candidates);
         let mut found = given.clone();
         if !misfit {
