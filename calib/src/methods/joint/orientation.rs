@@ -9,7 +9,7 @@ use super::walk_filter::WalkFilter;
 use crate::methods::small_sample::by_chance;
 
 /// Chance that a sensor of which nothing is missing shows any pattern.
-const CHANCE: f64 = 5e-4;
+const CHANCE: f64 = 2e-3;
 
 /// Fewer spare numbers than this beside a pattern and its parameters show nothing.
 const LEAST_SPARE: usize = 3;
