@@ -56,7 +56,8 @@ pub(super) const ROWS: &[Condition] = &[
             s.faults.push(Fault::Lost { turn, length: 0.05 });
         },
     )
-    .right(&[Kind::Missing, Kind::BadTurn, Kind::Misfit]),
+    // The words for such a turn: rows lost, or a clock that jumped.
+    .right(&[Kind::Missing, Kind::BadTurn, Kind::Misfit, Kind::Clock]),
     row(
         "disturbed-two",
         "two placements are pushed by .05 m/s2",
