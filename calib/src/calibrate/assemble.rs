@@ -3,6 +3,7 @@
 use nalgebra::Matrix3;
 use sensor::{BASE_PARAMETERS, Base, Model, PLACES, Sensor, base_names};
 
+use super::left_out::left_out_by_norms;
 use super::rest_bias::rest_bias;
 use super::static_norm::StaticNorms;
 use super::{Frame, Request, checks, noise};
@@ -106,6 +107,9 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
             "nothing to calibrate in the recording".into(),
         ));
     }
+    let left_out = accelerometer
+        .zip(norms.as_ref())
+        .map_or_else(Vec::new, |(fit, norms)| left_out_by_norms(fit, norms));
     let calibration = Calibration {
         schema: SCHEMA.into(),
         created_by: concat!("stillpoint ", env!("CARGO_PKG_VERSION")).into(),
@@ -118,6 +122,7 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         parameters: table.names,
         covariance: table.covariance,
         misfit: remainders,
+        left_out,
         warnings,
         clocks: Vec::new(),
         history: Vec::new(),

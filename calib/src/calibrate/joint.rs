@@ -3,6 +3,7 @@
 use sensor::{BASE_PARAMETERS, Model, Sensor};
 
 use super::assemble::{effect_values, of_the_gyro_unit, of_the_unit, triad};
+use super::left_out::left_out;
 use super::same_device::of_one_device;
 use super::{Frame, Outcome, Request, checks, clocks, cut};
 use crate::averages::root_mean_square;
@@ -175,6 +176,7 @@ pub(crate) fn written_down(
             ..rate_triad(fit, rate, recordings)
         }),
         effects,
+        left_out: left_out(fit, &all),
         parameters: all.free,
         covariance: all.covariance,
         misfit: remainders,

@@ -5,6 +5,7 @@ mod checks;
 mod clocks;
 mod gyro_data;
 pub(crate) mod joint;
+mod left_out;
 mod means_file;
 mod noise;
 pub(crate) mod own_effects;

@@ -21,6 +21,8 @@ pub(super) struct StaticNorms {
     residuals: Vec<f64>,
     /// Standard deviations of the norms, m/s².
     sigma: Vec<f64>,
+    /// Means, in the unit of the readings.
+    means: Vec<Vector3<f64>>,
     /// Corrected means, m/s².
     forces: Vec<Vector3<f64>>,
     /// `Tᵀ u`: along what a norm is measured.
@@ -42,6 +44,7 @@ impl StaticNorms {
         let mut norms = Self {
             residuals: fit.first.residuals.clone(),
             sigma: Vec::new(),
+            means: Vec::new(),
             forces: Vec::new(),
             along: Vec::new(),
             times: Vec::new(),
@@ -67,6 +70,7 @@ impl StaticNorms {
         let sigma = coloured * noise::of_modulus(rest, base, &u);
         self.sigma.push(sigma.max(LEAST_NOISE));
         self.along.push(base.t.transpose() * u);
+        self.means.push(rest.mean);
         self.forces.push(force);
         self.recordings.push(at.0);
         self.times.push(at.1);
@@ -77,6 +81,14 @@ impl StaticNorms {
         let rows = self.residuals.iter().zip(&self.sigma);
         let sum: f64 = rows.map(|(r, sigma)| (r / sigma).powi(2)).sum();
         super::assemble::per_degree_of_freedom(sum, self.residuals.len(), self.rank)
+    }
+
+    /// Mean reading, corrected mean (m/s²) and standard deviation of the norm (m/s²) of every interval.
+    pub fn each(&self) -> impl Iterator<Item = (&Vector3<f64>, &Vector3<f64>, f64)> {
+        let corrected = self.means.iter().zip(&self.forces);
+        corrected
+            .zip(&self.sigma)
+            .map(|((mean, force), sigma)| (mean, force, *sigma))
     }
 
     /// What of them depends on the orientation as no noise and no walk of a bias does.

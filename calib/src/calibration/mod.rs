@@ -7,6 +7,7 @@ mod doubts;
 mod frame;
 mod gravity;
 mod inputs;
+mod left_out;
 mod misfit;
 mod outside;
 mod reading_unit;
@@ -22,6 +23,7 @@ pub use frame::in_symmetric_frame;
 pub use inputs::{
     Input, Options, Provenance, SIGN_CONVENTION, SensorInput, TemperatureInput, fingerprint,
 };
+pub use left_out::{Enlarged, LeftOut};
 pub use misfit::{Remainder, WITH_WALKS, WITHOUT_WALKS};
 pub use outside::Outside;
 pub use reading_unit::TriadUnits;
@@ -69,6 +71,9 @@ pub struct Calibration {
     /// What the data leave, before any error is enlarged.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub misfit: Vec<Remainder>,
+    /// Effects that the model leaves out, and how much less certain each would make a parameter.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<LeftOut>,
     /// What the user should know.
     pub warnings: Vec<String>,
     /// Reasons not to use the calibration as it stands.

@@ -3,10 +3,9 @@
 use faer::{Mat, MatRef};
 use sensor::{AnyEffect, Param, Role, Sensor};
 
-use super::columns::{effect_columns, step_columns};
 use super::remainder::shape::Shape;
 use super::state::State;
-use crate::methods::joint::Disturbance;
+use crate::methods::joint::{Disturbance, effect_columns, step_columns};
 
 /// The effect that the moving accelerometer shows.
 pub const LATE: &str = "time_offset";

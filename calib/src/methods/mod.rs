@@ -5,6 +5,7 @@ mod fitted;
 mod gyro_guess;
 mod gyroscope;
 pub mod joint;
+pub(crate) mod left_out;
 pub mod online_bias;
 mod outliers;
 pub mod six_position;

@@ -36,6 +36,7 @@ fn calibration(
         parameters: Vec::new(),
         covariance: Vec::new(),
         misfit: Vec::new(),
+        left_out: Vec::new(),
         warnings,
         failed_gates: Vec::new(),
         limits: Vec::new(),

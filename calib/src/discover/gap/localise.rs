@@ -6,11 +6,10 @@ use nalgebra::{DMatrix, Vector3};
 use sensor::Sensor;
 use serde::Serialize;
 
-use crate::discover::columns::{Instant, Sampling, error_columns};
 use crate::discover::gap::channel::{Channel, Sequence};
 use crate::discover::score::{log_tail, score};
 use crate::discover::state::State;
-use crate::methods::joint::BiasNoise;
+use crate::methods::joint::{BiasNoise, Instant, Sampling, error_columns};
 
 /// A channel disagrees where chance would show as much in one of so many recordings.
 const CHANCE: f64 = 0.01;

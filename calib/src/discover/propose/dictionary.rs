@@ -131,7 +131,7 @@ fn factors(covariates: &[Covariate], choice: &[usize]) -> Vec<(Covariate, u32)> 
 /// `∂r/∂c` (`m × 3 n`) of every product on x, y and z. As [`error_columns`], but what a turn adds up is the same
 /// for the three axes.
 ///
-/// [`error_columns`]: crate::discover::columns::error_columns
+/// [`error_columns`]: crate::methods::joint::error_columns
 fn columns(
     state: &State,
     sensor: Sensor,
@@ -182,8 +182,8 @@ fn columns(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::discover::columns::{Sampling, error_columns};
     use crate::discover::{Extension, Request, Session};
+    use crate::methods::joint::{Sampling, error_columns};
     use crate::simulate::Spec;
 
     #[test]

@@ -7,10 +7,9 @@ use std::f64::consts::PI;
 use nalgebra::Vector3;
 use sensor::Sensor;
 
-use crate::discover::columns::{Instant, Place, Sampling, error_columns};
 use crate::discover::family::{Claim, Family, Hypothesis, beside};
 use crate::discover::state::State;
-use crate::methods::joint::Mean;
+use crate::methods::joint::{Instant, Mean, Place, Sampling, error_columns};
 
 /// Cosines of time tried.
 const COSINES: usize = 6;

@@ -6,11 +6,10 @@ use serde::{Deserialize, Serialize};
 
 use super::information::Information;
 use crate::calibration::effect_named;
-use crate::discover::columns::effect_columns;
 use crate::discover::family::{Claim, Family, beside, coefficients, with_companions};
 use crate::discover::rank::Ranked;
 use crate::discover::state::State;
-use crate::methods::joint::{BiasNoise, columns};
+use crate::methods::joint::{BiasNoise, columns, effect_columns};
 
 /// An effect as it would be if it alone were what is missing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

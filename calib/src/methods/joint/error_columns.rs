@@ -6,7 +6,7 @@ use sensor::{AnyEffect, Kinematics, Sensor};
 use solver::scalar::{derivatives, variable};
 use solver::{Jet, LANES, lit};
 
-use crate::methods::joint::{MeanSensitivity, Sensitivities};
+use super::sensitivity::{MeanSensitivity, Sensitivities};
 
 /// Where an error is asked for.
 #[derive(Clone, Copy, Debug)]

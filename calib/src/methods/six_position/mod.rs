@@ -242,6 +242,7 @@ impl SixPosition {
             parameters: base_names(Sensor::Accelerometer).to_vec(),
             covariance,
             misfit: Vec::new(),
+            left_out: Vec::new(),
             warnings: self.warnings.clone(),
             failed_gates: self.failed_gates(),
             limits: Vec::new(),

@@ -1,0 +1,135 @@
+//! What the standard errors take for granted: that the sensors have no effects that the model leaves out.
+
+use faer::Mat;
+use nalgebra::Vector3;
+use sensor::{AnyEffect, Base, Model, Quantity, Role, Sensor};
+use solver::scalar::{derivatives, variable};
+use solver::{Jet, LANES, lit};
+
+use super::static_norm::StaticNorms;
+use crate::calibration::{LeftOut, catalogue};
+use crate::methods::joint::{JointFit, Sensitivities};
+use crate::methods::left_out::variances_added;
+use crate::methods::{AccelerometerFit, Fitted};
+use crate::truth::supposed;
+
+/// The effects that a joint fit leaves out: all of the catalogue that are functions of what their sensor measures, whatever
+/// else happens.
+pub(super) fn left_out(fit: &JointFit, fitted: &Fitted) -> Vec<LeftOut> {
+    let sensitivities = fit.sensitivities();
+    candidates(&fit.models)
+        .filter_map(|effect| of_joint(fit, fitted, &sensitivities, effect))
+        .collect()
+}
+
+/// The same of the accelerometer's fit to the norm of specific force, where one bias holds for all recordings.
+pub(super) fn left_out_by_norms(fit: &AccelerometerFit, norms: &StaticNorms) -> Vec<LeftOut> {
+    let Some(parameters) = slopes_of_norms(fit, norms) else {
+        return Vec::new();
+    };
+    let of = |effect: &'static dyn AnyEffect| {
+        let columns = columns_of_norms(norms, effect);
+        let added = variances_added(&parameters, &columns, |k| effect.typical_of(k))?;
+        worst(effect, &fit.fitted, fit.fitted.free.iter().zip(added))
+    };
+    candidates(std::slice::from_ref(&fit.model))
+        .filter(|effect| effect.sensor() == Sensor::Accelerometer)
+        .filter_map(of)
+        .collect()
+}
+
+/// The effects of the catalogue that are functions of their sensor's signal, with coefficients alone, and that no model has.
+fn candidates(models: &[Model]) -> impl Iterator<Item = &'static dyn AnyEffect> + use<> {
+    let own = models.iter().flat_map(|model| model.effects());
+    let known: Vec<&str> = own.map(|effect| effect.name()).collect();
+    catalogue().filter(move |effect| {
+        let signal = match effect.sensor() {
+            Sensor::Accelerometer => Quantity::SpecificForce,
+            Sensor::Gyroscope => Quantity::AngularRate,
+        };
+        let mut params = effect.params().iter();
+        effect.needs() == [signal]
+            && params.all(|p| p.role_by_name() == Role::Coefficient)
+            && !known.contains(&effect.name())
+    })
+}
+
+/// The parameter of an effect's sensor whose standard error grows most; `added` are variances in the unit of the parameters.
+fn worst<'a>(
+    effect: &dyn AnyEffect,
+    fitted: &Fitted,
+    added: impl Iterator<Item = (&'a String, f64)>,
+) -> Option<LeftOut> {
+    let prefix = format!("{}.", effect.sensor().prefix());
+    let own = added.filter(|(name, _)| name.starts_with(&prefix) && !name.contains('['));
+    let ratio = |(name, added): &(&String, f64)| Some(added.sqrt() / fitted.standard_error(name)?);
+    let each = own.filter_map(|own| Some((own, ratio(&own)?)));
+    let ((name, added), _) = each.max_by(|a, b| a.1.total_cmp(&b.1))?;
+    Some(LeftOut {
+        effect: effect.name().into(),
+        parameter: name.clone(),
+        std_added: added.sqrt(),
+    })
+}
+
+fn of_joint(
+    fit: &JointFit,
+    fitted: &Fitted,
+    sensitivities: &Sensitivities,
+    effect: &dyn AnyEffect,
+) -> Option<LeftOut> {
+    let added = fit.variances_added_by(effect, sensitivities)?;
+    let shared = fit.free.iter().copied().filter(|&k| k < fit.shared);
+    let each = shared.zip(added).map(|(k, added)| {
+        let (unit, place) = fit.unit_of(k);
+        let name = &fit.parameters.names()[k];
+        (name, added * unit.factor(place).powi(2))
+    });
+    worst(effect, fitted, each)
+}
+
+/// `∂|T (A − b)|/∂p` over the standard deviation of each norm (`n × free parameters`); `None` where recordings have biases
+/// of their own.
+fn slopes_of_norms(fit: &AccelerometerFit, norms: &StaticNorms) -> Option<Mat<f64>> {
+    if fit.own_bias {
+        return None;
+    }
+    let parameters = &fit.fitted.parameters;
+    let free: Vec<usize> = (fit.fitted.free.iter())
+        .map(|name| parameters.index(name))
+        .collect::<Option<_>>()?;
+    let mut slopes = Mat::zeros(norms.each().count(), free.len());
+    for (first, group) in (0..free.len()).step_by(LANES).zip(free.chunks(LANES)) {
+        let mut point: Vec<Jet> = parameters.values().iter().map(|&v| lit(v)).collect();
+        for (lane, &k) in group.iter().enumerate() {
+            point[k] = variable(parameters.values()[k], lane);
+        }
+        let base = Base::from_parameters(&point);
+        for (row, (mean, force, sigma)) in norms.each().enumerate() {
+            let corrected = base.correct(&mean.map(lit::<Jet>));
+            let u = force.normalize();
+            let by_lane = [0, 1, 2].map(|i| derivatives(&corrected[i]));
+            for lane in 0..group.len() {
+                let slope = Vector3::from_fn(|i, _| by_lane[i][lane]);
+                slopes[(row, first + lane)] = u.dot(&slope) / sigma;
+            }
+        }
+    }
+    Some(slopes)
+}
+
+/// What unit coefficients of an effect do to the norms, over their standard deviations (`n × q`).
+fn columns_of_norms(norms: &StaticNorms, effect: &dyn AnyEffect) -> Mat<f64> {
+    let count = effect.params().len();
+    let mut columns = Mat::zeros(norms.each().count(), count);
+    for (row, (_, force, sigma)) in norms.each().enumerate() {
+        let truth = supposed(*force, Vector3::zeros());
+        for k in 0..count {
+            let mut unit = vec![0.0; count];
+            unit[k] = 1.0;
+            let error = effect.error_f64(&truth, &unit);
+            columns[(row, k)] = force.normalize().dot(&error) / sigma;
+        }
+    }
+    columns
+}

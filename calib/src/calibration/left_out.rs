@@ -1,0 +1,61 @@
+//! Effects that a calibration leaves out.
+
+use serde::{Deserialize, Serialize};
+
+use super::Calibration;
+
+/// An effect that the model leaves out and that may be there without showing: what it would do to the parameter that it
+/// makes least certain.
+///
+/// The standard errors of a calibration hold for sensors without further effects. Were this one there, as large as in
+/// consumer-grade sensors, the parameter would be less well known by [`LeftOut::std_added`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LeftOut {
+    /// Name of the effect in the catalogue.
+    pub effect: String,
+    /// Name of the parameter.
+    pub parameter: String,
+    /// Standard deviation to be added to its standard error, as the root of the sum of squares; in the unit of the parameter.
+    pub std_added: f64,
+}
+
+/// A standard error as stated, and as it would be with an effect that the model leaves out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Enlarged<'a> {
+    /// The effect and the parameter.
+    pub by: &'a LeftOut,
+    /// As stated.
+    pub std_error: f64,
+    /// With the effect.
+    pub std_error_with: f64,
+}
+
+impl Enlarged<'_> {
+    /// How many times as large the standard error would be.
+    pub fn ratio(&self) -> f64 {
+        self.std_error_with / self.std_error
+    }
+}
+
+impl Calibration {
+    /// The standard errors that an effect left out would enlarge by more than `ratio`, the worst first.
+    pub fn enlarged_by_more_than(&self, ratio: f64) -> Vec<Enlarged<'_>> {
+        let of = |by| {
+            let std_error = self.standard_error(by)?;
+            Some(Enlarged {
+                by,
+                std_error,
+                std_error_with: std_error.hypot(by.std_added),
+            })
+        };
+        let mut all: Vec<Enlarged<'_>> = self.left_out.iter().filter_map(of).collect();
+        all.retain(|own| own.ratio() > ratio);
+        all.sort_by(|a, b| b.ratio().total_cmp(&a.ratio()));
+        all
+    }
+
+    fn standard_error(&self, of: &LeftOut) -> Option<f64> {
+        let k = self.parameters.iter().position(|p| *p == of.parameter)?;
+        Some(self.covariance.get(k)?.get(k)?.max(0.0).sqrt())
+    }
+}

@@ -1,0 +1,41 @@
+//! What the standard errors would be if a sensor had an effect that the joint fit leaves out.
+
+use faer::Mat;
+use sensor::AnyEffect;
+
+use super::error_columns::effect_columns;
+use super::fit::JointFit;
+use super::marginal::{columns, orthonormal};
+use super::sensitivity::Sensitivities;
+use crate::methods::left_out::variances_added;
+
+impl JointFit {
+    /// By how much the variance of each free shared parameter (near SI units, in their order) grows if a sensor has an
+    /// effect, in its usual size, that the model leaves out.
+    ///
+    /// `None` where the data do not determine the parameters.
+    pub fn variances_added_by(
+        &self,
+        effect: &dyn AnyEffect,
+        sensitivities: &Sensitivities,
+    ) -> Option<Vec<f64>> {
+        let count = effect.params().len();
+        let (nothing, wanted) = (vec![0.0; count], (0..count).collect::<Vec<_>>());
+        let m = self.residuals.len();
+        let mut added = effect_columns(sensitivities, m, effect, &nothing, &wanted);
+        self.whitening.apply(added.as_mut());
+        // Twice is enough: what the first projection leaves of rounding, the second takes.
+        let others = self.columns_of_others();
+        for _ in 0..2 {
+            added = &added - &others * (others.transpose() * &added);
+        }
+        variances_added(&self.reduced, &added, |k| effect.typical_of(k))
+    }
+
+    /// An orthonormal basis of the columns of all parameters that are not shared.
+    fn columns_of_others(&self) -> Mat<f64> {
+        let is_other = |k: &usize| self.free[*k] >= self.shared;
+        let others: Vec<usize> = (0..self.free.len()).filter(is_other).collect();
+        orthonormal(&columns(&self.jacobian, &others))
+    }
+}
