@@ -9,7 +9,7 @@ use solver::{Jet, LANES, lit};
 use super::static_norm::StaticNorms;
 use crate::calibration::{LeftOut, catalogue};
 use crate::methods::joint::{JointFit, Sensitivities};
-use crate::methods::left_out::variances_added;
+use crate::methods::left_out::squares_added;
 use crate::methods::{AccelerometerFit, Fitted};
 use crate::truth::supposed;
 
@@ -27,9 +27,12 @@ pub(super) fn left_out_by_norms(fit: &AccelerometerFit, norms: &StaticNorms) -> 
     let Some(parameters) = slopes_of_norms(fit, norms) else {
         return Vec::new();
     };
+    let residuals = norms.each().map(|norm| norm.residual / norm.sigma);
+    let residuals: Vec<f64> = residuals.collect();
+    let residuals = Mat::from_fn(residuals.len(), 1, |i, _| residuals[i]);
     let of = |effect: &'static dyn AnyEffect| {
         let columns = columns_of_norms(norms, effect);
-        let added = variances_added(&parameters, &columns, |k| effect.typical_of(k))?;
+        let added = squares_added(&parameters, &columns, &residuals, |k| effect.typical_of(k))?;
         worst(effect, &fit.fitted, fit.fitted.free.iter().zip(added))
     };
     candidates(std::slice::from_ref(&fit.model))
@@ -54,7 +57,7 @@ fn candidates(models: &[Model]) -> impl Iterator<Item = &'static dyn AnyEffect> 
     })
 }
 
-/// The parameter of an effect's sensor whose standard error grows most; `added` are variances in the unit of the parameters.
+/// The parameter of an effect's sensor that is most off; `added` are mean squares in the unit of the parameters.
 fn worst<'a>(
     effect: &dyn AnyEffect,
     fitted: &Fitted,
@@ -78,7 +81,7 @@ fn of_joint(
     sensitivities: &Sensitivities,
     effect: &dyn AnyEffect,
 ) -> Option<LeftOut> {
-    let added = fit.variances_added_by(effect, sensitivities)?;
+    let added = fit.squares_added_by(effect, sensitivities)?;
     let shared = fit.free.iter().copied().filter(|&k| k < fit.shared);
     let each = shared.zip(added).map(|(k, added)| {
         let (unit, place) = fit.unit_of(k);
@@ -105,13 +108,13 @@ fn slopes_of_norms(fit: &AccelerometerFit, norms: &StaticNorms) -> Option<Mat<f6
             point[k] = variable(parameters.values()[k], lane);
         }
         let base = Base::from_parameters(&point);
-        for (row, (mean, force, sigma)) in norms.each().enumerate() {
-            let corrected = base.correct(&mean.map(lit::<Jet>));
-            let u = force.normalize();
+        for (row, norm) in norms.each().enumerate() {
+            let corrected = base.correct(&norm.mean.map(lit::<Jet>));
+            let u = norm.force.normalize();
             let by_lane = [0, 1, 2].map(|i| derivatives(&corrected[i]));
             for lane in 0..group.len() {
                 let slope = Vector3::from_fn(|i, _| by_lane[i][lane]);
-                slopes[(row, first + lane)] = u.dot(&slope) / sigma;
+                slopes[(row, first + lane)] = u.dot(&slope) / norm.sigma;
             }
         }
     }
@@ -122,13 +125,13 @@ fn slopes_of_norms(fit: &AccelerometerFit, norms: &StaticNorms) -> Option<Mat<f6
 fn columns_of_norms(norms: &StaticNorms, effect: &dyn AnyEffect) -> Mat<f64> {
     let count = effect.params().len();
     let mut columns = Mat::zeros(norms.each().count(), count);
-    for (row, (_, force, sigma)) in norms.each().enumerate() {
-        let truth = supposed(*force, Vector3::zeros());
+    for (row, norm) in norms.each().enumerate() {
+        let truth = supposed(*norm.force, Vector3::zeros());
         for k in 0..count {
             let mut unit = vec![0.0; count];
             unit[k] = 1.0;
             let error = effect.error_f64(&truth, &unit);
-            columns[(row, k)] = force.normalize().dot(&error) / sigma;
+            columns[(row, k)] = norm.force.normalize().dot(&error) / norm.sigma;
         }
     }
     columns

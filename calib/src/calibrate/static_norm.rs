@@ -33,6 +33,18 @@ pub(super) struct StaticNorms {
     rank: usize,
 }
 
+/// One of them.
+pub(super) struct StaticNorm<'a> {
+    /// Mean, in the unit of the readings.
+    pub mean: &'a Vector3<f64>,
+    /// Corrected mean, m/s².
+    pub force: &'a Vector3<f64>,
+    /// Its norm less gravity, m/s².
+    pub residual: f64,
+    /// The standard deviation of the norm, m/s².
+    pub sigma: f64,
+}
+
 impl StaticNorms {
     /// Of all intervals; `None` where the residuals are not those of the intervals.
     pub fn of(
@@ -83,12 +95,14 @@ impl StaticNorms {
         super::assemble::per_degree_of_freedom(sum, self.residuals.len(), self.rank)
     }
 
-    /// Mean reading, corrected mean (m/s²) and standard deviation of the norm (m/s²) of every interval.
-    pub fn each(&self) -> impl Iterator<Item = (&Vector3<f64>, &Vector3<f64>, f64)> {
-        let corrected = self.means.iter().zip(&self.forces);
-        corrected
-            .zip(&self.sigma)
-            .map(|((mean, force), sigma)| (mean, force, *sigma))
+    /// Every interval.
+    pub fn each(&self) -> impl Iterator<Item = StaticNorm<'_>> {
+        (0..self.residuals.len()).map(|k| StaticNorm {
+            mean: &self.means[k],
+            force: &self.forces[k],
+            residual: self.residuals[k],
+            sigma: self.sigma[k],
+        })
     }
 
     /// What of them depends on the orientation as no noise and no walk of a bias does.

@@ -4,34 +4,33 @@ use serde::{Deserialize, Serialize};
 
 use super::Calibration;
 
-/// An effect that the model leaves out and that may be there without showing: what it would do to the parameter that it
-/// makes least certain.
+/// An effect that the model leaves out: how far off it may put the parameter that it moves most.
 ///
-/// The standard errors of a calibration hold for sensors without further effects. Were this one there, as large as in
-/// consumer-grade sensors, the parameter would be less well known by [`LeftOut::std_added`].
+/// The standard errors of a calibration hold for sensors without further effects. Where a sensor has this one, as large as is
+/// usual in consumer-grade sensors and as far as the recording does not show otherwise, errors are larger.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LeftOut {
     /// Name of the effect in the catalogue.
     pub effect: String,
     /// Name of the parameter.
     pub parameter: String,
-    /// Standard deviation to be added to its standard error, as the root of the sum of squares; in the unit of the parameter.
+    /// Root mean square of the error that leaving it out adds, beside the standard error; in the unit of the parameter.
     pub std_added: f64,
 }
 
-/// A standard error as stated, and as it would be with an effect that the model leaves out.
+/// A standard error as stated, and the root mean square of the error if the sensor has an effect that the model leaves out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Enlarged<'a> {
     /// The effect and the parameter.
     pub by: &'a LeftOut,
     /// As stated.
     pub std_error: f64,
-    /// With the effect.
+    /// If the sensor has the effect.
     pub std_error_with: f64,
 }
 
 impl Enlarged<'_> {
-    /// How many times as large the standard error would be.
+    /// How many times as large the error would be.
     pub fn ratio(&self) -> f64 {
         self.std_error_with / self.std_error
     }

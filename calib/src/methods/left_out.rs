@@ -1,23 +1,26 @@
-//! What the standard errors would be if a sensor had an effect that the model leaves out.
+//! How large errors would be if a sensor had an effect that the model leaves out.
 //!
 //! An effect too small to show moves the estimates of the parameters that it resembles, and neither their standard errors
-//! nor the misfit say so. With `R` the whitened columns of the parameters (`m × n`), `E` those of the effect (`m × q`) and
-//! its coefficients of the sizes `D` (diagonal) that sensors have,
+//! nor the misfit say so. With `R` the whitened columns of the parameters (`m × n`), `E` those of the effect (`m × q`), `r`
+//! what the fit leaves, and coefficients of the sizes `D` (diagonal, normal, mean 0) that sensors have,
 //!
-//! `A = R⁺ E`, `S = Eᵀ (I − R R⁺) E`, and the covariance of the parameters grows by `A (S + D⁻²)⁻¹ Aᵀ`:
+//! `A = R⁺ E`, `S = Eᵀ (I − R R⁺) E`, `C = (S + D⁻²)⁻¹`, `c = C Eᵀ r`:
 //!
-//! by nothing where the data tell the effect from all parameters, by `A D² Aᵀ` where they do not see it at all. That is the
-//! covariance of a fit that estimates the coefficients as well and knows them to be of the sizes `D` (normal, mean 0).
+//! given the data, the coefficients are `c` with the covariance `C`, and the mean square of the error that leaving them out
+//! makes of the parameters is `A (C + c cᵀ) Aᵀ`. That is nothing where the data show that there is no such effect, and
+//! `A D² Aᵀ` where they do not see it at all.
 
 use faer::linalg::solvers::{DenseSolveCore, Solve};
 use faer::{Mat, Side};
 
-/// By how much the variance of each parameter grows if there is an effect of the sizes `size`.
+/// The mean square error of each parameter that an effect of the sizes `size` adds if it is left out; `residuals` are those
+/// of the fit (`m × 1`), whitened as the columns are.
 ///
 /// `None` where the data do not determine the parameters.
-pub fn variances_added(
+pub fn squares_added(
     parameters: &Mat<f64>,
     effect: &Mat<f64>,
+    residuals: &Mat<f64>,
     size: impl Fn(usize) -> f64,
 ) -> Option<Vec<f64>> {
     let count = effect.ncols();
@@ -31,9 +34,14 @@ pub fn variances_added(
         information[(k, k)] += size(k).powi(-2);
     }
     let covariance = information.llt(Side::Lower).ok()?.inverse();
-    let grown = &moved * &covariance;
-    let of = |i: usize| (0..count).map(|k| grown[(i, k)] * moved[(i, k)]).sum();
-    Some((0..parameters.ncols()).map(of).collect())
+    let expected = &covariance * (left.transpose() * residuals);
+    let square = covariance + &expected * expected.transpose();
+    let errors = &moved * square * moved.transpose();
+    Some(
+        (0..parameters.ncols())
+            .map(|k| errors[(k, k)].max(0.0))
+            .collect(),
+    )
 }
 
 #[cfg(test)]
@@ -44,8 +52,13 @@ mod tests {
         Mat::from_fn(9, 3, |i, k| ((i * 7 + k * 4 + i * k) % 13) as f64 - 6.0)
     }
 
+    /// Residuals that show nothing.
+    fn nothing(m: usize) -> Mat<f64> {
+        Mat::zeros(m, 1)
+    }
+
     #[test]
-    fn the_variance_is_that_of_a_fit_that_estimates_the_effect_as_well() {
+    fn where_nothing_shows_the_square_is_the_variance_of_a_fit_that_estimates_the_effect() {
         let (r, size) = (parameters(), [0.3, 2.0]);
         let e = Mat::from_fn(9, 2, |i, k| ((i * 5 + k * 3 + 1) % 7) as f64 - 3.0);
         // Both, and a row for what is known of each coefficient.
@@ -56,7 +69,7 @@ mod tests {
             _ => 0.0,
         });
         let variance = |a: &Mat<f64>, k: usize| (a.transpose() * a).full_piv_lu().inverse()[(k, k)];
-        let added = variances_added(&r, &e, |k| size[k]).unwrap();
+        let added = squares_added(&r, &e, &nothing(9), |k| size[k]).unwrap();
         for (k, added) in added.into_iter().enumerate() {
             let expected = variance(&both, k) - variance(&r, k);
             assert!((added - expected).abs() < 1e-12 * variance(&both, k));
@@ -67,7 +80,7 @@ mod tests {
     fn an_effect_that_looks_like_a_parameter_adds_its_own_size() {
         let r = parameters();
         let e = Mat::from_fn(9, 1, |i, _| 4.0 * r[(i, 1)]);
-        let added = variances_added(&r, &e, |_| 0.5).unwrap();
+        let added = squares_added(&r, &e, &nothing(9), |_| 0.5).unwrap();
         assert!((added[1] - 4.0).abs() < 1e-9 && added[0].abs() < 1e-9);
     }
 
@@ -75,6 +88,19 @@ mod tests {
     fn an_effect_that_looks_like_no_parameter_adds_nothing() {
         let r = Mat::from_fn(4, 1, |i, _| [1.0, 1.0, 0.0, 0.0][i]);
         let e = Mat::from_fn(4, 1, |i, _| [1.0, -1.0, 5.0, 0.0][i]);
-        assert_eq!(variances_added(&r, &e, |_| 1.0).unwrap(), vec![0.0]);
+        assert_eq!(
+            squares_added(&r, &e, &nothing(4), |_| 1.0).unwrap(),
+            vec![0.0]
+        );
+    }
+
+    #[test]
+    fn an_effect_that_shows_adds_the_square_of_what_it_moves() {
+        // The effect moves the parameter by its size; of the residual of 20 it leaves the data see (0, 0, 5, 0).
+        let r = Mat::from_fn(4, 1, |i, _| [1.0, 1.0, 0.0, 0.0][i]);
+        let e = Mat::from_fn(4, 1, |i, _| [1.0, 1.0, 5.0, 0.0][i]);
+        let residuals = Mat::from_fn(4, 1, |i, _| [0.0, 0.0, 20.0, 0.0][i]);
+        let added = squares_added(&r, &e, &residuals, |_| 1e6).unwrap()[0];
+        assert!((added - (4.0 * 4.0 + 1.0 / 25.0)).abs() < 1e-9);
     }
 }

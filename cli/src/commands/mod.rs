@@ -18,6 +18,7 @@ mod import;
 mod info;
 mod inputs;
 mod joint;
+pub mod left_out;
 pub mod limits;
 mod live;
 mod pictures;

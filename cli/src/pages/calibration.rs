@@ -6,8 +6,8 @@ use calib::calibration::Triad;
 use super::coverage::{self, Coverage};
 use super::session::Session;
 use super::{noise, parameters, provenance, quantiles, residuals, verdict};
-use crate::commands::limits;
 use crate::commands::tables::{PARAMETERS, over_noise, parameters as rows};
+use crate::commands::{left_out, limits};
 use crate::exit::Failure;
 use crate::report::{Picture, Report, ReportTable};
 use crate::show;
@@ -125,6 +125,7 @@ pub fn page(
         }
     }
     report = effects(report, calibration);
+    report = left_out(report, calibration, units);
     report = drawn(
         report.section("What the misfit goes with"),
         &["against", "quantiles"],
@@ -190,6 +191,19 @@ fn effects(mut report: Report, calibration: &Calibration) -> Report {
         report = report.section(effect.name.clone()).table(table);
     }
     report
+}
+
+fn left_out(report: Report, calibration: &Calibration, units: [&str; 2]) -> Report {
+    let rows = left_out::rows(calibration, units);
+    if rows.is_empty() {
+        return report;
+    }
+    let mut table = ReportTable::new(left_out::HEADER);
+    for row in rows {
+        table.row(row);
+    }
+    let heading = "What the standard errors take for granted";
+    report.folded(heading).text(left_out::SENTENCE).table(table)
 }
 
 /// The calibration to be copied: as C, where that can hold it, and as JSON without the covariance.

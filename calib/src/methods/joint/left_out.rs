@@ -1,4 +1,4 @@
-//! What the standard errors would be if a sensor had an effect that the joint fit leaves out.
+//! How large errors would be if a sensor had an effect that the joint fit leaves out.
 
 use faer::Mat;
 use sensor::AnyEffect;
@@ -7,14 +7,14 @@ use super::error_columns::effect_columns;
 use super::fit::JointFit;
 use super::marginal::{columns, orthonormal};
 use super::sensitivity::Sensitivities;
-use crate::methods::left_out::variances_added;
+use crate::methods::left_out::squares_added;
 
 impl JointFit {
-    /// By how much the variance of each free shared parameter (near SI units, in their order) grows if a sensor has an
-    /// effect, in its usual size, that the model leaves out.
+    /// The mean square error of each free shared parameter (near SI units, in their order) that an effect of its usual size
+    /// adds if the model leaves it out.
     ///
     /// `None` where the data do not determine the parameters.
-    pub fn variances_added_by(
+    pub fn squares_added_by(
         &self,
         effect: &dyn AnyEffect,
         sensitivities: &Sensitivities,
@@ -29,7 +29,8 @@ impl JointFit {
         for _ in 0..2 {
             added = &added - &others * (others.transpose() * &added);
         }
-        variances_added(&self.reduced, &added, |k| effect.typical_of(k))
+        let residuals = Mat::from_fn(m, 1, |i, _| self.residuals[i]);
+        squares_added(&self.reduced, &added, &residuals, |k| effect.typical_of(k))
     }
 
     /// An orthonormal basis of the columns of all parameters that are not shared.

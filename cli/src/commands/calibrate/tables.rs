@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use calib::calibrate::Outcome;
 use calib::calibration::Triad;
 
-use crate::commands::{clocks, joint};
+use crate::commands::{clocks, joint, left_out};
 use crate::show;
 
 /// Units of the readings of accelerometer and gyroscope.
@@ -111,46 +111,8 @@ pub fn text(outcome: &Outcome) -> String {
         }
         let _ = writeln!(text, "\n{table}");
     }
-    text.push_str(&left_out(outcome));
+    text.push_str(&left_out::text(calibration, units(outcome)));
     text
-}
-
-/// An effect left out that makes no standard error so many times as large is not shown, and no more of them than this.
-const WORTH_SHOWING: f64 = 2.0;
-const MOST_SHOWN: usize = 4;
-
-/// What the standard errors take for granted.
-fn left_out(outcome: &Outcome) -> String {
-    let enlarged = outcome.calibration.enlarged_by_more_than(WORTH_SHOWING);
-    if enlarged.is_empty() {
-        return String::new();
-    }
-    let mut table = show::table(&[
-        "effect left out",
-        "parameter",
-        "std error",
-        "with it",
-        "unit",
-    ]);
-    for own in enlarged.iter().take(MOST_SHOWN) {
-        let unit = match own.by.parameter.split_once(".b_") {
-            Some(("accel", _)) => units(outcome)[0],
-            Some(_) => units(outcome)[1],
-            None => "",
-        };
-        let error = |value: f64| show::error(Some(value));
-        table.add_row([
-            own.by.effect.clone(),
-            own.by.parameter.clone(),
-            error(own.std_error),
-            error(own.std_error_with),
-            unit.to_owned(),
-        ]);
-    }
-    format!(
-        "\nThe standard errors hold for sensors without further effects. Where a sensor has one, as large as is usual in \
-         consumer-grade sensors, this recording knows a parameter no better than this:\n{table}\n"
-    )
 }
 
 /// For which time the bias holds and how much it moved, where that is known; `factor` carries SI units to `unit`.
