@@ -1,0 +1,511 @@
+//! The Cholesky factor of a block-sparse matrix of little fill: block after block.
+//!
+//! A supernodal factorisation spends more on its bookkeeping than on arithmetic while columns have only a
+//! few blocks below them, as in a chain of poses with some loops.
+
+use pulp::{Arch, Simd, WithSimd};
+
+use super::blocks::{Column, Layout};
+
+/// Multiplications up to which a matrix is factored block after block.
+const MOST: usize = 12_000_000;
+
+/// The rows of every column of the factor, ascending, given those of the lower triangle (by column, the
+/// diagonal first) and the width of every position; `None` where the factorisation is large.
+///
+/// Source: Davis, "Direct methods for sparse linear systems", 2006, theorem 4.2: below the diagonal a
+/// column has its own rows and those of its children in the elimination tree.
+pub(super) fn filled(rows: &[Vec<u32>], width: impl Fn(usize) -> usize) -> Option<Vec<Vec<u32>>> {
+    let mut all: Vec<Vec<u32>> = Vec::with_capacity(rows.len());
+    let mut children = vec![Vec::new(); rows.len()];
+    let mut seen = vec![u32::MAX; rows.len()];
+    let mut work = 0;
+    for (column, own) in rows.iter().enumerate() {
+        let mut merged = own.clone();
+        for &row in own {
+            seen[row as usize] = column as u32;
+        }
+        for &child in &children[column] {
+            let of_child: &Vec<u32> = &all[child];
+            for &row in &of_child[1..] {
+                if seen[row as usize] != column as u32 {
+                    seen[row as usize] = column as u32;
+                    merged.push(row);
+                }
+            }
+        }
+        merged.sort_unstable();
+        let below: usize = merged[1..].iter().map(|&row| width(row as usize)).sum();
+        work += width(column) * (width(column) + below) * (width(column) + below + 1) / 2;
+        if work > MOST {
+            return None;
+        }
+        if let Some(&parent) = merged.get(1) {
+            children[parent as usize].push(column);
+        }
+        all.push(merged);
+    }
+    Some(all)
+}
+
+/// A lower triangle whose pattern has its fill, then its factor in the same place.
+///
+/// Every column of blocks is one piece: all its rows of numbers, column after column.
+#[derive(Debug)]
+pub(super) struct BlockCholesky {
+    panels: Vec<Panel>,
+    /// Blocks below the diagonals, panel after panel.
+    below: Vec<Below>,
+    /// Where the product of two blocks of a panel belongs, in the order in which they are formed.
+    targets: Vec<u32>,
+    /// Where every column of numbers begins, and their end.
+    starts: Vec<u32>,
+    values: Vec<f64>,
+    /// The width of all blocks, if they have the same.
+    width: Option<usize>,
+}
+
+/// A column of blocks.
+#[derive(Clone, Copy, Debug)]
+struct Panel {
+    /// First of its entries.
+    start: usize,
+    /// First unknown.
+    first: usize,
+    width: usize,
+    /// Rows of numbers.
+    height: usize,
+    /// End of its blocks below the diagonal.
+    end: usize,
+}
+
+/// A block below the diagonal.
+#[derive(Clone, Copy, Debug)]
+struct Below {
+    /// Rows of numbers before it in its panel.
+    offset: u32,
+    /// First unknown.
+    first: u32,
+    /// Position of its row.
+    position: u32,
+    width: u32,
+}
+
+impl BlockCholesky {
+    /// Room for a matrix laid out with its fill; `None` where indices are too long.
+    pub fn new(layout: &Layout) -> Option<Self> {
+        let (mut panels, mut below) = (Vec::new(), Vec::new());
+        let mut starts = vec![0];
+        let mut start = 0;
+        for (k, &Column { first, width, .. }) in layout.columns.iter().enumerate() {
+            let mut height = 0;
+            layout.of_column(k, |row, offset, _| {
+                let Column { first, width, .. } = layout.columns[row];
+                height = offset + width;
+                if row > k {
+                    below.push(Below {
+                        offset: offset as u32,
+                        first: first as u32,
+                        position: row as u32,
+                        width: width as u32,
+                    });
+                }
+            });
+            panels.push(Panel {
+                start,
+                first,
+                width,
+                height,
+                end: below.len(),
+            });
+            for _ in 0..width {
+                start += height;
+                starts.push(u32::try_from(start).ok()?);
+            }
+        }
+        let width = panels.first().map_or(0, |panel| panel.width);
+        let same = panels.iter().all(|panel| panel.width == width);
+        let mut made = Self {
+            panels,
+            below,
+            targets: Vec::new(),
+            starts,
+            values: vec![0.0; start],
+            width: same.then_some(width),
+        };
+        made.find_targets();
+        Some(made)
+    }
+
+    /// The block of row `a` in the column of row `b`, for any two rows of a panel.
+    fn find_targets(&mut self) {
+        let mut from = 0;
+        for panel in &self.panels {
+            let own = &self.below[from..panel.end];
+            from = panel.end;
+            for (k, b) in own.iter().enumerate() {
+                let column = b.position as usize;
+                let target = self.panels[column];
+                let first = column.checked_sub(1).map_or(0, |p| self.panels[p].end);
+                let mut there = self.below[first..target.end].iter();
+                self.targets.push(target.start as u32);
+                for a in &own[k + 1..] {
+                    // Ascending, and all are there: the fill is part of the pattern.
+                    let found = there.find(|block| block.position == a.position);
+                    let offset = found.map_or(0, |block| block.offset);
+                    self.targets.push(target.start as u32 + offset);
+                }
+            }
+        }
+    }
+
+    /// Sets all entries to zero.
+    pub fn clear(&mut self) {
+        self.values.fill(0.0);
+    }
+
+    /// The values of a column of blocks from a row on, so many rows of numbers below its diagonal,
+    /// and how far its columns are apart.
+    pub fn columns(&mut self, column: &Column, offset: usize) -> (&mut [f64], usize) {
+        let start = self.starts[column.first] as usize;
+        let stride = self.starts[column.first + 1] as usize - start;
+        (&mut self.values[start + offset..], stride)
+    }
+
+    /// Factors the matrix; `false` where it is not positive definite.
+    pub fn factor(&mut self) -> bool {
+        Arch::new().dispatch(Factorisation(self))
+    }
+
+    /// Solves for as many right sides as `b` has columns of unknowns, in place.
+    pub fn solve(&self, b: &mut [f64]) {
+        let n = self.starts.len() - 1;
+        if n == 0 {
+            return;
+        }
+        for b in b.chunks_exact_mut(n) {
+            Arch::new().dispatch(Solution { factor: self, b });
+        }
+    }
+
+    /// `ln det` of the matrix, from its factor.
+    pub fn log_determinant(&self) -> f64 {
+        let mut sum = 0.0;
+        for panel in &self.panels {
+            let diagonal = (0..panel.width).map(|k| panel.start + k * (panel.height + 1));
+            sum += diagonal.map(|at| self.values[at].ln()).sum::<f64>();
+        }
+        2.0 * sum
+    }
+
+    /// Entries of the factor.
+    pub fn size(&self) -> usize {
+        self.values.len()
+    }
+}
+
+/// The factorisation, compiled for the vector instructions that the machine has.
+struct Factorisation<'a>(&'a mut BlockCholesky);
+
+impl WithSimd for Factorisation<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> bool {
+        let BlockCholesky {
+            panels,
+            below,
+            targets,
+            values,
+            width,
+            ..
+        } = self.0;
+        let (mut from, mut targets) = (0, &targets[..]);
+        for panel in panels.iter() {
+            let end = panel.start + panel.width * panel.height;
+            let (own, later) = values.split_at_mut(end);
+            let own = &mut own[panel.start..];
+            if !factor_panel(own, panel.width, panel.height) {
+                return false;
+            }
+            let blocks = &below[from..panel.end];
+            from = panel.end;
+            for (k, b) in blocks.iter().enumerate() {
+                let others = &blocks[k..];
+                let (places, further) = targets.split_at(others.len());
+                targets = further;
+                let stride = panels[b.position as usize].height;
+                let product = Product {
+                    panel: own,
+                    height: panel.height,
+                    b: b.offset as usize,
+                    others,
+                    places,
+                    before: end,
+                    stride,
+                };
+                match width {
+                    Some(2) => product.subtract::<2>(later),
+                    Some(3) => product.subtract::<3>(later),
+                    Some(6) => product.subtract::<6>(later),
+                    _ => product.subtract_any(panel.width, b.width as usize, later),
+                }
+            }
+        }
+        true
+    }
+}
+
+/// The factor of a panel: that of its diagonal block, and the rows below times its inverse transposed.
+#[inline(always)]
+fn factor_panel(panel: &mut [f64], width: usize, height: usize) -> bool {
+    for k in 0..width {
+        let (done, later) = panel.split_at_mut((k + 1) * height);
+        let column = &mut done[k * height..];
+        let pivot = column[k];
+        if !(pivot > 0.0 && pivot.is_finite()) {
+            return false;
+        }
+        let root = pivot.sqrt();
+        let inverse = 1.0 / root;
+        column[k] = root;
+        for value in &mut column[k + 1..] {
+            *value *= inverse;
+        }
+        for (c, other) in later.chunks_exact_mut(height).enumerate() {
+            let first = k + 1 + c;
+            let factor = column[first];
+            for (out, value) in other[first..].iter_mut().zip(&column[first..]) {
+                *out -= value * factor;
+            }
+        }
+    }
+    true
+}
+
+/// The products of the blocks of a panel from one on by that one.
+struct Product<'a> {
+    panel: &'a [f64],
+    height: usize,
+    /// Rows of numbers before the one.
+    b: usize,
+    others: &'a [Below],
+    /// Where they belong.
+    places: &'a [u32],
+    /// Entries before those that are changed.
+    before: usize,
+    /// How far columns are apart there.
+    stride: usize,
+}
+
+impl Product<'_> {
+    #[inline(always)]
+    fn subtract<const W: usize>(&self, later: &mut [f64]) {
+        let mut right = [[0.0; W]; W];
+        for (k, right) in right.iter_mut().enumerate() {
+            let Some(own) = self.panel[k * self.height + self.b..].first_chunk::<W>() else {
+                return;
+            };
+            *right = *own;
+        }
+        for (a, &place) in self.others.iter().zip(self.places) {
+            let mut left = [[0.0; W]; W];
+            for (k, left) in left.iter_mut().enumerate() {
+                let from = k * self.height + a.offset as usize;
+                let Some(own) = self.panel[from..].first_chunk::<W>() else {
+                    return;
+                };
+                *left = *own;
+            }
+            let out = &mut later[place as usize - self.before..];
+            for c in 0..W {
+                let Some(out) = out[c * self.stride..].first_chunk_mut::<W>() else {
+                    return;
+                };
+                let mut sum = *out;
+                for k in 0..W {
+                    for r in 0..W {
+                        sum[r] -= left[k][r] * right[k][c];
+                    }
+                }
+                *out = sum;
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn subtract_any(&self, width: usize, columns: usize, later: &mut [f64]) {
+        for (a, &place) in self.others.iter().zip(self.places) {
+            let rows = a.width as usize;
+            for c in 0..columns {
+                let from = place as usize - self.before + c * self.stride;
+                let out = &mut later[from..from + rows];
+                for k in 0..width {
+                    let column = &self.panel[k * self.height..];
+                    let factor = column[self.b + c];
+                    let left = &column[a.offset as usize..][..rows];
+                    for (out, left) in out.iter_mut().zip(left) {
+                        *out -= left * factor;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The solution for one right side, compiled for the vector instructions that the machine has.
+struct Solution<'a> {
+    factor: &'a BlockCholesky,
+    b: &'a mut [f64],
+}
+
+impl WithSimd for Solution<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        match self.factor.width {
+            Some(2) => self.solve(|_| 2),
+            Some(3) => self.solve(|_| 3),
+            Some(6) => self.solve(|_| 6),
+            _ => self.solve(|width| width),
+        }
+    }
+}
+
+impl Solution<'_> {
+    /// Solves; `known` replaces a width by that of all blocks.
+    #[inline(always)]
+    fn solve(self, known: impl Fn(usize) -> usize + Copy) {
+        let Self { factor, b } = self;
+        let mut from = 0;
+        for panel in &factor.panels {
+            let values = &factor.values[panel.start..];
+            let below = &factor.below[from..panel.end];
+            from = panel.end;
+            let width = known(panel.width);
+            for k in 0..width {
+                let column = &values[k * panel.height..][..panel.height];
+                let value = b[panel.first + k] / column[k];
+                b[panel.first + k] = value;
+                for r in k + 1..width {
+                    b[panel.first + r] -= column[r] * value;
+                }
+                for block in below {
+                    let width = known(block.width as usize);
+                    let own = &column[block.offset as usize..][..width];
+                    let out = &mut b[block.first as usize..][..width];
+                    for r in 0..width {
+                        out[r] -= own[r] * value;
+                    }
+                }
+            }
+        }
+        for (p, panel) in factor.panels.iter().enumerate().rev() {
+            let values = &factor.values[panel.start..];
+            let first = p.checked_sub(1).map_or(0, |p| factor.panels[p].end);
+            let below = &factor.below[first..panel.end];
+            let width = known(panel.width);
+            for k in (0..width).rev() {
+                let column = &values[k * panel.height..][..panel.height];
+                let mut sum = b[panel.first + k];
+                for r in k + 1..width {
+                    sum -= column[r] * b[panel.first + r];
+                }
+                for block in below {
+                    let width = known(block.width as usize);
+                    let own = &column[block.offset as usize..][..width];
+                    let other = &b[block.first as usize..][..width];
+                    for r in 0..width {
+                        sum -= own[r] * other[r];
+                    }
+                }
+                b[panel.first + k] = sum / column[k];
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::super::eliminate::Factored;
+    use super::super::normal::{Equations, Normal};
+    use super::super::structure::{Pattern, Structure};
+    use crate::graph::{Euclidean, Graph};
+    use crate::residual::Residual;
+    use crate::scalar::Scalar;
+
+    /// As many sums as numbers.
+    struct Sums(usize);
+
+    impl<D: Scalar> Residual<D> for Sums {
+        fn residuals(&self, x: &[D], out: &mut Vec<D>) {
+            for row in 0..x.len() {
+                let terms = x.iter().enumerate().map(|(k, value)| {
+                    let seed = (self.0 * 31 + row * 7 + k * 13) % 101;
+                    *value * (seed as f64 / 50.0 - 1.0)
+                });
+                out.push(terms.fold(D::from(1.0), |sum, term| sum + term));
+            }
+        }
+    }
+
+    /// A chain of blocks with loops.
+    fn chain(width: impl Fn(usize) -> usize) -> Graph<'static> {
+        let mut graph = Graph::new();
+        let blocks: Vec<_> = (0..150)
+            .map(|k| {
+                let manifold = Euclidean(width(k));
+                graph.add(format!("b{k}"), manifold, &vec![0.0; width(k)])
+            })
+            .collect::<Result<_, _>>()
+            .unwrap();
+        for k in 1..blocks.len() {
+            graph.add_factor(&[blocks[k - 1], blocks[k]], Sums(k));
+            if k % 5 == 0 {
+                graph.add_factor(&[blocks[k], blocks[k * k * 7 % k]], Sums(k + 500));
+            }
+            if k % 3 == 0 {
+                graph.add_factor(&[blocks[k], blocks[k * 37 % k.min(29)]], Sums(k + 900));
+            }
+        }
+        graph
+    }
+
+    #[test]
+    fn block_after_block_is_what_supernodes_give() {
+        let widths: [&dyn Fn(usize) -> usize; 4] = [&|_| 2, &|_| 3, &|_| 6, &|k| 1 + k % 4];
+        for width in widths {
+            let graph = chain(width);
+            let own = Structure::new(&graph).unwrap();
+            let mut other = Structure::new(&graph).unwrap();
+            let Pattern::Filled(rows) = other.reduced else {
+                panic!("the fill is little");
+            };
+            other.reduced = Pattern::Sparse(rows);
+            let found = [own, other].map(|structure| {
+                let structure = Arc::new(structure);
+                let mut normal = Normal::default();
+                let values = graph.values();
+                Equations::start(&graph, &structure, 1, values, &mut normal).unwrap();
+                let n = structure.unknowns();
+                let more: Vec<f64> = (0..n).map(|k| 0.5 + (k % 3) as f64).collect();
+                let mut factored = Factored::new(&structure).unwrap();
+                let mut b: Vec<f64> = (0..n).map(|k| (k as f64).sin()).collect();
+                assert!(factored.factor_and_solve(&normal.h, &more, &mut b));
+                let mut two: Vec<f64> = (0..2 * n).map(|k| (k as f64).cos()).collect();
+                factored.solve(&normal.h, &mut two);
+                b.extend(two);
+                (b, factored.log_determinant())
+            });
+            let [(own, own_log), (other, other_log)] = found;
+            assert!((own_log - other_log).abs() < 1e-12 * other_log.abs());
+            let size = other.iter().map(|v| v.abs()).fold(0.0, f64::max);
+            for (own, other) in own.iter().zip(&other) {
+                assert!((own - other).abs() < 1e-12 * size, "{own} {other}");
+            }
+        }
+    }
+}
