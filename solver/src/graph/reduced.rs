@@ -56,7 +56,7 @@ impl Reduced {
         let n = structure.unknowns() - structure.split();
         let too_large = || Error::TooLarge { unknowns: n };
         let layout = Layout::new(structure).ok_or_else(too_large)?;
-        let matrix = match structure.reduced {
+        let matrix = match &structure.reduced {
             Pattern::Dense => {
                 let need = cholesky_in_place_scratch::<f64>(n, Par::Seq, Default::default())
                     .or(solve_in_place_scratch::<f64>(n, 1, Par::Seq));
@@ -69,8 +69,8 @@ impl Reduced {
             Pattern::Sparse(_) => {
                 Matrix::Sparse(Box::new(Sparse::new(&layout).ok_or_else(too_large)?))
             }
-            Pattern::Filled(_) => {
-                let blocks = BlockCholesky::new(&layout).ok_or_else(too_large)?;
+            Pattern::Filled(filled) => {
+                let blocks = BlockCholesky::new(&layout, filled.tail).ok_or_else(too_large)?;
                 Matrix::Blocks(Box::new(blocks))
             }
         };

@@ -1,7 +1,7 @@
 //! The pattern of the normal equations: which blocks meet, in which order they are eliminated.
 
 use super::accumulate::FIRST;
-use super::block_cholesky::filled;
+use super::block_cholesky::{Filled, filled};
 use super::order::fill_reducing;
 use super::problem::Graph;
 use crate::error::Error;
@@ -62,7 +62,7 @@ pub(crate) enum Pattern {
     /// Positions of rows, ascending, by position of the column (both less `eliminated`).
     Sparse(Vec<Vec<u32>>),
     /// The same with the fill of the factor, where that is little.
-    Filled(Vec<Vec<u32>>),
+    Filled(Filled),
 }
 
 impl Pattern {
@@ -70,7 +70,8 @@ impl Pattern {
     pub fn rows(&self) -> Option<&[Vec<u32>]> {
         match self {
             Self::Dense => None,
-            Self::Sparse(rows) | Self::Filled(rows) => Some(rows),
+            Self::Sparse(rows) => Some(rows),
+            Self::Filled(filled) => Some(&filled.rows),
         }
     }
 }
