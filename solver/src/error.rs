@@ -96,6 +96,16 @@ pub enum Error {
         /// `ρ′(0)`.
         slope: f64,
     },
+    /// A loss of one's own that falls somewhere.
+    #[error(
+        "the loss has ρ′({s:e}) = {slope:e}, must be 0 or more: check its derivatives (check_loss)"
+    )]
+    LossSlope {
+        /// Squared residual over squared scale.
+        s: f64,
+        /// `ρ′(s)`.
+        slope: f64,
+    },
     /// A profile interval of a size that is not a positive number.
     #[error("a profile interval of {z} standard errors: must be positive")]
     ProfileLevel {

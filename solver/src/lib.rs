@@ -11,7 +11,7 @@
 //! | write a problem once over any scalar | [`Residual`] |
 //! | write one in a line | [`from_fn`], [`from_fn_numeric`], [`from_fn_with_jacobian`] |
 //! | take `abs`, `min`, `max`, `atan2` of a scalar | [`Elementary`] |
-//! | check its derivatives, first and second | [`check_derivatives`] |
+//! | check its derivatives, first and second | [`check_derivatives`], of a loss [`check_loss`] |
 //! | hold parameters, bound, order or tie them | [`Mask`], [`Constraints`] |
 //! | resist outliers, by rows, with a loss of one's own | [`Loss`], [`RowLoss`], [`LossFunction`] |
 //! | choose a variant, limit steps or time, cancel | [`Options`], [`Variant`] |
@@ -50,6 +50,7 @@ mod infinite;
 mod iterate;
 mod linear;
 mod loss;
+mod loss_check;
 mod minimise;
 mod multistart;
 mod newton;
@@ -89,6 +90,7 @@ pub use graph::{
 };
 pub use linear::{Factor as Factorization, LinearMethod, LinearSolver, OwnLinearSolver};
 pub use loss::{Loss, LossFunction, LossScale, OwnLoss, RowLoss};
+pub use loss_check::{LossMismatch, check_loss};
 pub use multistart::{Minimum, MultiStart, multi_start, spread};
 pub use options::{Damping, NewSearch, Options, OwnVariant, Variant};
 pub use parameters::{Mask, Parameters};

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
+use crate::loss_check::places;
 
 /// How near `ρ(0)` and `ρ′(0)` of a loss of one's own are to 0 and 1.
 const SHAPE: f64 = 1e-6;
@@ -53,7 +54,8 @@ pub enum Loss {
 /// assert_eq!(loss.weight(0.0, 1.0), 1.0);
 /// ```
 pub trait LossFunction: std::fmt::Debug + Sync {
-    /// `ρ`, `ρ′` and `ρ″` at `s ≥ 0`, with `ρ(0) = 0` and `ρ′(0) = 1`, which is checked before a fit.
+    /// `ρ`, `ρ′` and `ρ″` at `s ≥ 0`, with `ρ(0) = 0`, `ρ′(0) = 1` and `ρ′ ≥ 0`, which is checked before a fit;
+    /// [`check_loss`](crate::check_loss) compares the derivatives with differences.
     fn at(&self, s: f64) -> [f64; 3];
 }
 
@@ -94,18 +96,28 @@ impl Loss {
         Self::Own(OwnLoss(function), scale)
     }
 
-    /// What a loss of one's own must be at zero; the others are.
+    /// What a loss of one's own must be; the others are.
     ///
     /// # Errors
     /// `ρ(0)` other than 0 or `ρ′(0)` other than 1, to 1e-6: such a loss does not count a small residual by its
-    /// square, so that costs and standard errors mean something else.
+    /// square, so that costs and standard errors mean something else. A slope below 0, or none: a larger residual
+    /// would cost less, and weights have no square root.
     pub(crate) fn check(self) -> Result<(), Error> {
         let [value, slope, _] = self.at(0.0);
         let close = value.abs() <= SHAPE && (slope - 1.0).abs() <= SHAPE;
-        if close {
-            Ok(())
-        } else {
-            Err(Error::LossShape { value, slope })
+        if !close {
+            return Err(Error::LossShape { value, slope });
+        }
+        if !matches!(self, Self::Own(..)) {
+            return Ok(());
+        }
+        let slopes = places().map(|s| (s, self.at(s)[1]));
+        match slopes
+            .into_iter()
+            .find(|(_, slope)| slope.is_nan() || *slope < 0.0)
+        {
+            Some((s, slope)) => Err(Error::LossSlope { s, slope }),
+            None => Ok(()),
         }
     }
 

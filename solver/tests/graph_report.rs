@@ -140,6 +140,38 @@ fn a_loss_that_is_not_the_square_near_zero_is_refused_with_what_was_found() {
     assert!(text.to_string().contains("ρ′(0) = 2"), "{text}");
 }
 
+/// Counts a residual up to `s = 1`, and less than nothing beyond.
+#[derive(Debug)]
+struct Falling;
+
+impl LossFunction for Falling {
+    fn at(&self, s: f64) -> [f64; 3] {
+        [s - 0.5 * s * s, 1.0 - s, -1.0]
+    }
+}
+
+#[test]
+fn a_loss_that_falls_is_refused_with_the_place() {
+    let loss = Loss::own(&Falling, LossScale::Given(1.0));
+    let line = from_fn(|x: &[_], out: &mut Vec<_>| out.extend([x[0] - 1.0, x[0] - 2.0]));
+    let options = Options {
+        loss,
+        ..Options::default()
+    };
+    let found = solve(&line, &Parameters::unnamed(&[0.0]), &Mask::all(1), &options).unwrap_err();
+    assert!(
+        matches!(found, Error::LossSlope { s, slope } if s > 1.0 && slope < 0.0),
+        "{found}"
+    );
+    let mut graph = chain(1);
+    let first = graph.block("p0").unwrap();
+    graph.set_loss(first, loss);
+    assert_eq!(
+        solve_graph(&graph, &GraphOptions::default()).unwrap_err(),
+        found
+    );
+}
+
 /// An offset common to all groups on top of each group's own, and a slope.
 struct Shifted(f64);
 

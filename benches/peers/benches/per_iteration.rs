@@ -45,7 +45,7 @@ fn compare(c: &mut Criterion, name: &str, problems: &[Named]) {
 }
 
 fn benches(c: &mut Criterion) {
-    compare(c, "NIST from start 2", &regressions());
+    compare(c, "NIST from start 2", &regressions(2));
     compare(c, "accelerometer, 9 parameters", &[accelerometer()]);
 }
 

@@ -1,4 +1,4 @@
-//! NIST from start 2, and the accelerometer fit of nine parameters.
+//! NIST from start 1 or 2, and the accelerometer fit of nine parameters.
 
 use std::path::{Path, PathBuf};
 
@@ -32,8 +32,8 @@ pub fn accelerometer() -> Named {
     }
 }
 
-/// NIST's problems from start 2; none, with a message, where the files are missing.
-pub fn regressions() -> Vec<Named> {
+/// NIST's problems from a start, 1 or 2; none, with a message, where the files are missing.
+pub fn regressions(start: usize) -> Vec<Named> {
     let folder = folder();
     let found = Regression::all(&folder).unwrap_or_else(|error| {
         eprintln!("NIST's problems are skipped: {error}");
@@ -41,16 +41,16 @@ pub fn regressions() -> Vec<Named> {
     });
     let named = |p: Regression| Named {
         name: p.data.name.clone(),
-        start: p.start(2),
+        start: p.start(start),
         problem: Box::new(p),
     };
     found.into_iter().map(named).collect()
 }
 
-/// The accelerometer fit, and NIST.
-pub fn all() -> Vec<Named> {
+/// The accelerometer fit, and NIST from a start.
+pub fn all(start: usize) -> Vec<Named> {
     let mut all = vec![accelerometer()];
-    all.extend(regressions());
+    all.extend(regressions(start));
     all
 }
 

@@ -67,6 +67,7 @@ fn turn<D: Scalar>(w: &[D; 3], v: &[D; 3]) -> [D; 3] {
 }
 
 /// `R(w)` and `J(w)` with `∂(R X)/∂w = −R [X]× J`.
+#[inline(always)]
 fn rotation_and_slope(w: &[f64]) -> ([[f64; 3]; 3], [[f64; 3]; 3]) {
     let square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
     let (a, b, c) = if square < SMALL {
@@ -100,6 +101,8 @@ impl Factor for AnalyticReprojection {
         Residual::<f64>::residuals(&Reprojection(self.0), x, out);
     }
 
+    // Inlined, it is compiled for the vector instructions that the machine has.
+    #[inline(always)]
     fn linearize(&self, x: &[f64], residuals: &mut Vec<f64>, jacobian: &mut Vec<f64>) {
         let (r, slope) = rotation_and_slope(&x[..3]);
         let point = &x[9..12];

@@ -1,6 +1,6 @@
 //! The blocks of the matrix that is left, each in one piece, while others are eliminated into them.
 
-use super::structure::{Pattern, Structure};
+use super::structure::Structure;
 
 /// Rows of a block that are stored column after column; the others follow, each in one piece. So
 /// both parts fill vectors: of 9 × 9 it is 8 × 9 and a row of 9.
@@ -90,14 +90,12 @@ impl Layout {
         let split = structure.split();
         let positions = structure.eliminated..structure.order.len();
         let unknowns = structure.unknowns() - split;
-        let mut rows = match &structure.reduced {
-            Pattern::Dense => None,
-            Pattern::Sparse(all) => Some(Rows {
-                start: Vec::with_capacity(positions.len() + 1),
-                position: Vec::with_capacity(all.iter().map(Vec::len).sum()),
-                offset: Vec::with_capacity(all.iter().map(Vec::len).sum()),
-            }),
-        };
+        let pattern = structure.reduced.rows();
+        let mut rows = pattern.map(|all| Rows {
+            start: Vec::with_capacity(positions.len() + 1),
+            position: Vec::with_capacity(all.iter().map(Vec::len).sum()),
+            offset: Vec::with_capacity(all.iter().map(Vec::len).sum()),
+        });
         let mut columns = Vec::with_capacity(positions.len());
         let mut entries = 0;
         let mut widths = positions.clone().map(|p| structure.width(p));
@@ -117,7 +115,7 @@ impl Layout {
             });
             let mut height = unknowns - first;
             let mut blocks = last - position;
-            if let (Some(rows), Pattern::Sparse(all)) = (&mut rows, &structure.reduced) {
+            if let (Some(rows), Some(all)) = (&mut rows, pattern) {
                 rows.start.push(u32::try_from(rows.position.len()).ok()?);
                 height = 0;
                 blocks = all[position - structure.eliminated].len();

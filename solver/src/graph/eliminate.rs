@@ -40,7 +40,7 @@ impl Factored {
         let reduced = Reduced::new(structure)?;
         Ok(Self {
             structure: Arc::clone(structure),
-            update: Update::default(),
+            update: Update::new(reduced.layout.entries()),
             reduced,
             triangles: vec![0.0; entries],
             triangle,

@@ -23,7 +23,28 @@ pub trait Factor: Send + Sync {
     /// [`linearize`](Self::linearize) for the free columns only; for the solver.
     #[doc(hidden)]
     fn linearize_free(&self, at: &At<'_>, work: &mut Work) {
-        self.linearize(at.x, &mut work.residuals, &mut work.jacobian);
+        work.arch.dispatch(Own {
+            factor: self,
+            at,
+            work,
+        });
+    }
+}
+
+/// A Jacobian of one's own, compiled for the vector instructions that the machine has where it is inlined.
+struct Own<'a, F: ?Sized> {
+    factor: &'a F,
+    at: &'a At<'a>,
+    work: &'a mut Work,
+}
+
+impl<F: Factor + ?Sized> WithSimd for Own<'_, F> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Self { factor, at, work } = self;
+        factor.linearize(at.x, &mut work.residuals, &mut work.jacobian);
         at.keep_free(work);
     }
 }

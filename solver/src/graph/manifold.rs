@@ -95,6 +95,9 @@ pub(crate) trait AnyManifold: Debug + Send + Sync {
     fn tangent(&self, x: &[f64], basis: &mut [f64]);
 }
 
+/// Numbers of a manifold up to which none are put on the heap.
+const FEW: usize = 8;
+
 impl<M: Manifold> AnyManifold for M {
     fn is_flat(&self) -> bool {
         Manifold::is_flat(self)
@@ -106,16 +109,28 @@ impl<M: Manifold> AnyManifold for M {
 
     fn tangent(&self, x: &[f64], basis: &mut [f64]) {
         let d = Manifold::dimension(self);
-        let at: Vec<Jet> = x.iter().map(|&x| Jet::from(x)).collect();
-        let mut out = at.clone();
+        let mut room = [[Jet::from(0.0); FEW]; 3];
+        let mut more = Vec::new();
+        let [at, out, step] = if x.len().max(d) <= FEW {
+            room.each_mut().map(|part| &mut part[..])
+        } else {
+            let longest = x.len().max(d);
+            more.resize(3 * longest, Jet::from(0.0));
+            let (at, others) = more.split_at_mut(longest);
+            let (out, step) = others.split_at_mut(longest);
+            [at, out, step]
+        };
+        let (at, out, step) = (&mut at[..x.len()], &mut out[..x.len()], &mut step[..d]);
+        at.iter_mut().zip(x).for_each(|(at, &x)| *at = Jet::from(x));
         for first in (0..d).step_by(LANES) {
-            let mut step = vec![Jet::from(0.0); d];
+            out.copy_from_slice(at);
+            step.fill(Jet::from(0.0));
             let lanes = LANES.min(d - first);
             for lane in 0..lanes {
                 step[first + lane] = variable(0.0, lane);
             }
-            Manifold::retract(self, &at, &step, &mut out);
-            for (row, value) in basis.chunks_exact_mut(d).zip(&out) {
+            Manifold::retract(self, at, step, out);
+            for (row, value) in basis.chunks_exact_mut(d).zip(&*out) {
                 row[first..first + lanes].copy_from_slice(&derivatives(value)[..lanes]);
             }
         }

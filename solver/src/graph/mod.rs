@@ -5,9 +5,11 @@
 //! Manifold ─────► Block ─┴► Graph ──► solve_graph ──► GraphReport
 //! ```
 //! How a step is found: `normal` adds up `H = JᵀJ` and `g = Jᵀr` block by block; `eliminate` takes
-//! small blocks out one by one; `reduced` factors what is left, dense or sparse.
+//! small blocks out one by one; `reduced` factors what is left: dense, sparse, or, of little fill, by
+//! `block_cholesky`.
 
 mod accumulate;
+mod block_cholesky;
 mod blocks;
 mod culprit;
 mod damping;

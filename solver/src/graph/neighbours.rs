@@ -3,6 +3,9 @@
 /// No neighbour.
 const NONE: u32 = u32::MAX;
 
+/// Share of the rows from which they are looked for one by one rather than sorted: one in so many.
+const FEW: usize = 8;
+
 /// A block that is left and meets an eliminated one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Neighbour {
@@ -135,6 +138,20 @@ impl Neighbours {
                 *head = k;
             }
         }
+    }
+
+    /// Puts the rows of a column in ascending order, as their blocks lie: so the machine fetches them ahead.
+    pub fn order_rows(&mut self, column: usize) {
+        let positions = self.head.len();
+        if self.rows.len() * FEW < positions - column {
+            self.rows.sort_unstable_by(|a, b| b.cmp(a));
+            return;
+        }
+        self.rows.clear();
+        let paired = (column..positions)
+            .rev()
+            .filter(|&row| self.head[row] != NONE);
+        self.rows.extend(paired.map(|row| row as u32));
     }
 
     /// The next row in which neighbours were paired: one of them for all, and the pairs.

@@ -13,6 +13,7 @@ use faer::sparse::linalg::cholesky::{
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, MatRef, Par, Side};
 
+use super::block_cholesky::BlockCholesky;
 use super::blocks::{Aligned, Column, Layout, pack_negative, unpack_negative};
 use super::structure::{Pattern, Structure};
 use crate::error::Error;
@@ -35,6 +36,8 @@ enum Matrix {
     },
     /// Only the blocks that are not zero.
     Sparse(Box<Sparse>),
+    /// Those, and the blocks that the factor has besides; factored in place.
+    Blocks(Box<BlockCholesky>),
 }
 
 /// A block-sparse lower triangle, column after column, and its factor.
@@ -53,7 +56,7 @@ impl Reduced {
         let n = structure.unknowns() - structure.split();
         let too_large = || Error::TooLarge { unknowns: n };
         let layout = Layout::new(structure).ok_or_else(too_large)?;
-        let matrix = match structure.reduced {
+        let matrix = match &structure.reduced {
             Pattern::Dense => {
                 let need = cholesky_in_place_scratch::<f64>(n, Par::Seq, Default::default())
                     .or(solve_in_place_scratch::<f64>(n, 1, Par::Seq));
@@ -65,6 +68,10 @@ impl Reduced {
             }
             Pattern::Sparse(_) => {
                 Matrix::Sparse(Box::new(Sparse::new(&layout).ok_or_else(too_large)?))
+            }
+            Pattern::Filled(filled) => {
+                let blocks = BlockCholesky::new(&layout, filled.tail).ok_or_else(too_large)?;
+                Matrix::Blocks(Box::new(blocks))
             }
         };
         let blocks = Aligned::new(match structure.eliminated {
@@ -84,8 +91,12 @@ impl Reduced {
         let base = s.eliminated;
         if base > 0 {
             self.blocks.entries().fill(0.0);
-        } else if let Matrix::Dense { values, .. } = &mut self.matrix {
-            values.fill(0.0);
+        } else {
+            match &mut self.matrix {
+                Matrix::Dense { values, .. } => values.fill(0.0),
+                Matrix::Blocks(blocks) => blocks.clear(),
+                Matrix::Sparse(_) => {}
+            }
         }
         for position in base..s.order.len() {
             let width = s.width(position);
@@ -149,6 +160,7 @@ impl Reduced {
                 factored.is_ok() && (0..*n).all(|k| values[k * (*n + 1)].is_finite())
             }
             Matrix::Sparse(sparse) => sparse.factor(),
+            Matrix::Blocks(blocks) => blocks.factor(),
         }
     }
 
@@ -165,6 +177,7 @@ impl Reduced {
                 solve_in_place(factor, right, Par::Seq, MemStack::new(&mut more));
             }
             Matrix::Sparse(sparse) => sparse.solve(b),
+            Matrix::Blocks(blocks) => blocks.solve(b),
         }
     }
 
@@ -175,6 +188,7 @@ impl Reduced {
                 2.0 * (0..*n).map(|k| values[k * (n + 1)].ln()).sum::<f64>()
             }
             Matrix::Sparse(sparse) => sparse.log_determinant(),
+            Matrix::Blocks(blocks) => blocks.log_determinant(),
         }
     }
 
@@ -183,6 +197,7 @@ impl Reduced {
         match &self.matrix {
             Matrix::Dense { n, .. } => n * (n + 1) / 2,
             Matrix::Sparse(sparse) => sparse.factor.len(),
+            Matrix::Blocks(blocks) => blocks.size(),
         }
     }
 }
@@ -197,6 +212,7 @@ impl Matrix {
                 let from = column.first * (*n + 1) + offset;
                 (&mut values[from..], *n)
             }
+            Self::Blocks(blocks) => blocks.columns(column, offset),
             Self::Sparse(sparse) => {
                 let start = sparse.starts[column.first] as usize;
                 let stride = sparse.starts[column.first + 1] as usize - start;

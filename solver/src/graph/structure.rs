@@ -1,6 +1,7 @@
 //! The pattern of the normal equations: which blocks meet, in which order they are eliminated.
 
 use super::accumulate::FIRST;
+use super::block_cholesky::{Filled, filled};
 use super::order::fill_reducing;
 use super::problem::Graph;
 use crate::error::Error;
@@ -60,6 +61,19 @@ pub(crate) enum Pattern {
     Dense,
     /// Positions of rows, ascending, by position of the column (both less `eliminated`).
     Sparse(Vec<Vec<u32>>),
+    /// The same with the fill of the factor, where that is little.
+    Filled(Filled),
+}
+
+impl Pattern {
+    /// Positions of rows, by position of the column; of a dense matrix none.
+    pub fn rows(&self) -> Option<&[Vec<u32>]> {
+        match self {
+            Self::Dense => None,
+            Self::Sparse(rows) => Some(rows),
+            Self::Filled(filled) => Some(&filled.rows),
+        }
+    }
 }
 
 /// Place of the pair `(i, k)`, `i ≤ k`, among the pairs of `n`.
@@ -300,7 +314,12 @@ fn left_over(
         below.sort_unstable();
         rows[column as usize] = below;
     }
-    Ok((ordered, Pattern::Sparse(rows)))
+    let width_of = |place: usize| width[ordered[place] as usize];
+    let pattern = match filled(&rows, width_of) {
+        Some(filled) => Pattern::Filled(filled),
+        None => Pattern::Sparse(rows),
+    };
+    Ok((ordered, pattern))
 }
 
 /// For each block that is left those that it meets, itself included, directly or over a block that

@@ -21,6 +21,8 @@ pub(super) struct Update {
     /// Entries of it that are used.
     used: usize,
     neighbours: Neighbours,
+    /// Entries from which they are added.
+    waiting: usize,
     /// Columns of `Y`: the width of the blocks that wait.
     width: usize,
     panel: Vec<f64>,
@@ -34,8 +36,12 @@ const WIDE: usize = 16;
 /// Columns collected.
 const COLUMNS: usize = 96;
 
-/// Entries of `Y` that wait: half a megabyte.
-const WAITING: usize = 1 << 16;
+/// Entries of `Y` that wait, by the root of those of `S`: the more there are, the more often a block of
+/// `S` is used once it is at hand, and the farther `Y` is. Measured with 20, 50 and 100 cameras.
+const WAITING: f64 = 128.0;
+
+/// Most entries of `Y` that wait: a megabyte.
+const MOST_WAITING: usize = 1 << 17;
 
 /// A block being eliminated.
 pub(super) struct Eliminated<'a> {
@@ -51,6 +57,14 @@ pub(super) struct Eliminated<'a> {
 }
 
 impl Update {
+    /// Nothing waits; products go to blocks of so many entries.
+    pub fn new(entries: usize) -> Self {
+        Self {
+            waiting: ((WAITING * (entries as f64).sqrt()) as usize).min(MOST_WAITING),
+            ..Self::default()
+        }
+    }
+
     /// Takes `W V⁻¹ b` of a block from what is left of `b`, and adds its products to the blocks of
     /// `−S`, now or later.
     #[inline(always)]
@@ -73,7 +87,7 @@ impl Update {
             return;
         }
         self.neighbours.close();
-        if self.used >= WAITING {
+        if self.used >= self.waiting {
             self.add_products(simd, layout, blocks);
         }
     }
@@ -84,6 +98,7 @@ impl Update {
         self.neighbours.sort(layout.columns.len());
         for column in 0..layout.columns.len() {
             self.neighbours.pair(column);
+            self.neighbours.order_rows(column);
             let reach = layout.reach(column);
             let columns = reach.column.width;
             while let Some((row, pairs)) = self.neighbours.next_row() {

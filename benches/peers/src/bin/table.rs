@@ -2,7 +2,7 @@
 //! least of rounds in which the solvers take turns, which leaves out what else the machine does.
 //!
 //! ```text
-//! cargo run --release --bin table -- [ROUNDS]
+//! cargo run --release --bin table -- [ROUNDS [START]]
 //! ```
 
 use std::time::Instant;
@@ -26,13 +26,17 @@ struct Row {
 fn main() {
     let asked = std::env::args().nth(1).and_then(|word| word.parse().ok());
     let rounds = asked.unwrap_or(ROUNDS).max(1);
-    println!("microseconds per iteration, least of {rounds} rounds; ratios to levenberg-marquardt");
+    let start = std::env::args().nth(2).and_then(|word| word.parse().ok());
+    let start = start.unwrap_or(2);
+    println!(
+        "microseconds per iteration, least of {rounds} rounds, NIST from start {start}; ratios to levenberg-marquardt"
+    );
     println!("{:13} {:>14} {:>31} {:>15}", "", "Jacobians", "µs", "ratio");
     println!(
         "{:13} {:>4} {:>4} {:>4}  {:>9} {:>9} {:>9}  {:>7} {:>7}",
         "problem", "ours", "w/o", "peer", "ours", "w/o", "peer", "ours", "w/o"
     );
-    let rows: Vec<Row> = all()
+    let rows: Vec<Row> = all(start)
         .iter()
         .map(|problem| measured(problem, rounds))
         .collect();

@@ -1,0 +1,669 @@
+//! The Cholesky factor of a block-sparse matrix of little fill: block after block.
+//!
+//! A supernodal factorisation spends more on its bookkeeping than on arithmetic while columns have only a
+//! few blocks below them, as in a chain of poses with some loops. The last columns, where all rows meet,
+//! are one dense matrix.
+
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::{
+    LltRegularization, cholesky_in_place, cholesky_in_place_scratch,
+};
+use faer::linalg::cholesky::llt::solve::{solve_in_place, solve_in_place_scratch};
+use faer::{MatMut, MatRef, Par};
+use pulp::{Arch, Simd, WithSimd};
+
+use super::blocks::{Column, Layout};
+
+/// Multiplications up to which the columns before the dense ones are taken block after block; of
+/// pose graphs those of 3,000 poses in space are half of it.
+const MOST: usize = 200_000_000;
+
+/// Blocks of the factor above which its pattern is not looked for here.
+const MOST_BLOCKS: usize = 400_000;
+
+/// Share of the last columns' blocks from which those columns are one dense matrix.
+const FULL: f64 = 0.9;
+
+/// Least unknowns of that.
+const DENSE: usize = 96;
+
+/// The pattern of a factor of little fill.
+#[derive(Debug)]
+pub(crate) struct Filled {
+    /// The rows of every column, ascending, the diagonal first.
+    pub rows: Vec<Vec<u32>>,
+    /// The columns from this one on have all rows: one dense matrix.
+    pub tail: usize,
+}
+
+/// The pattern of the factor, given the rows of the lower triangle (by column, the diagonal first) and
+/// the width of every position; `None` where the factorisation is large.
+pub(super) fn filled(rows: &[Vec<u32>], width: impl Fn(usize) -> usize) -> Option<Filled> {
+    let mut rows = with_fill(rows)?;
+    let columns = rows.len();
+    let (mut tail, mut blocks) = (columns, 0);
+    for column in (0..columns).rev() {
+        blocks += rows[column].len();
+        let all = (columns - column) * (columns - column + 1) / 2;
+        if blocks as f64 >= FULL * all as f64 {
+            tail = column;
+        }
+    }
+    if (tail..columns).map(&width).sum::<usize>() < DENSE {
+        tail = columns;
+    }
+    let mut work = 0;
+    for (column, own) in rows[..tail].iter().enumerate() {
+        let height: usize = own.iter().map(|&row| width(row as usize)).sum();
+        work += width(column) * height * (height + 1) / 2;
+    }
+    for (column, own) in rows.iter_mut().enumerate().skip(tail) {
+        *own = (column as u32..columns as u32).collect();
+    }
+    (work <= MOST).then_some(Filled { rows, tail })
+}
+
+/// The rows of every column of the factor; `None` where they are many.
+///
+/// Source: Davis, "Direct methods for sparse linear systems", 2006, theorem 4.2: below the diagonal a
+/// column has its own rows and those of its children in the elimination tree.
+fn with_fill(rows: &[Vec<u32>]) -> Option<Vec<Vec<u32>>> {
+    let mut all: Vec<Vec<u32>> = Vec::with_capacity(rows.len());
+    let mut children = vec![Vec::new(); rows.len()];
+    let mut seen = vec![u32::MAX; rows.len()];
+    let mut blocks = 0;
+    for (column, own) in rows.iter().enumerate() {
+        let mut merged = own.clone();
+        for &row in own {
+            seen[row as usize] = column as u32;
+        }
+        for &child in &children[column] {
+            let of_child: &Vec<u32> = &all[child];
+            for &row in &of_child[1..] {
+                if seen[row as usize] != column as u32 {
+                    seen[row as usize] = column as u32;
+                    merged.push(row);
+                }
+            }
+        }
+        merged.sort_unstable();
+        blocks += merged.len();
+        if blocks > MOST_BLOCKS {
+            return None;
+        }
+        if let Some(&parent) = merged.get(1) {
+            children[parent as usize].push(column);
+        }
+        all.push(merged);
+    }
+    Some(all)
+}
+
+/// A lower triangle whose pattern has its fill, then its factor in the same place.
+///
+/// Every column of blocks is one piece: all its rows of numbers, column after column. The last columns
+/// are one dense matrix.
+pub(super) struct BlockCholesky {
+    panels: Vec<Panel>,
+    /// Blocks below the diagonals, panel after panel.
+    below: Vec<Below>,
+    /// Where the product of two blocks of a panel belongs, in the order in which they are formed.
+    targets: Vec<u32>,
+    /// Of every unknown its entry on the diagonal of a panel's first block, and how far columns are apart.
+    starts: Vec<(u32, u32)>,
+    values: Vec<f64>,
+    /// Number of panels before the dense matrix.
+    tail: usize,
+    /// First unknown of the dense matrix, its first entry and its size.
+    dense: Dense,
+    memory: MemBuffer,
+    /// The width of all blocks, if they have the same.
+    width: Option<usize>,
+}
+
+/// The dense matrix at the end.
+#[derive(Clone, Copy, Debug)]
+struct Dense {
+    first: usize,
+    start: usize,
+    size: usize,
+}
+
+/// A column of blocks.
+#[derive(Clone, Copy, Debug)]
+struct Panel {
+    /// First of its entries.
+    start: usize,
+    /// First unknown.
+    first: usize,
+    width: usize,
+    /// How far its columns are apart: its rows of numbers, in the dense matrix all of that.
+    height: usize,
+    /// End of its blocks below the diagonal.
+    end: usize,
+}
+
+/// A block below the diagonal.
+#[derive(Clone, Copy, Debug)]
+struct Below {
+    /// Rows of numbers before it in its panel.
+    offset: u32,
+    /// First unknown.
+    first: u32,
+    /// Position of its row.
+    position: u32,
+    width: u32,
+}
+
+impl BlockCholesky {
+    /// Room for a matrix laid out with its fill; `None` where indices are too long.
+    pub fn new(layout: &Layout, tail: usize) -> Option<Self> {
+        let n = layout.unknowns;
+        let (mut panels, mut below) = (Vec::with_capacity(layout.columns.len()), Vec::new());
+        let mut starts = Vec::with_capacity(n);
+        let mut start = 0;
+        let first = layout.columns.get(tail).map_or(n, |column| column.first);
+        let size = n - first;
+        for (k, &Column { first, width, .. }) in layout.columns.iter().enumerate() {
+            let mut height = 0;
+            layout.of_column(k, |row, offset, _| {
+                let Column { first, width, .. } = layout.columns[row];
+                height = offset + width;
+                if row > k && k < tail {
+                    below.push(Below {
+                        offset: offset as u32,
+                        first: first as u32,
+                        position: row as u32,
+                        width: width as u32,
+                    });
+                }
+            });
+            let stride = if k < tail { height } else { size };
+            let panel = Panel {
+                start,
+                first,
+                width,
+                height: stride,
+                end: below.len(),
+            };
+            panels.push(panel);
+            let place = (u32::try_from(start).ok()?, u32::try_from(stride).ok()?);
+            starts.extend(std::iter::repeat_n(place, width));
+            // Within the dense matrix down the diagonal.
+            start += width * stride + if k < tail { 0 } else { width };
+        }
+        let dense = Dense {
+            first,
+            start: panels.get(tail).map_or(start, |panel| panel.start),
+            size,
+        };
+        let width = panels.first().map_or(0, |panel| panel.width);
+        let same = panels.iter().all(|panel| panel.width == width);
+        let need = cholesky_in_place_scratch::<f64>(size, Par::Seq, Default::default())
+            .or(solve_in_place_scratch::<f64>(size, 1, Par::Seq));
+        let mut made = Self {
+            panels,
+            below,
+            targets: Vec::new(),
+            starts,
+            values: vec![0.0; dense.start + size * size],
+            tail,
+            dense,
+            memory: MemBuffer::try_new(need).ok()?,
+            width: same.then_some(width),
+        };
+        made.find_targets();
+        Some(made)
+    }
+
+    /// The block of row `a` in the column of row `b`, for any two rows of a panel.
+    fn find_targets(&mut self) {
+        let mut from = 0;
+        for panel in &self.panels[..self.tail] {
+            let own = &self.below[from..panel.end];
+            from = panel.end;
+            for (k, b) in own.iter().enumerate() {
+                let column = b.position as usize;
+                let target = self.panels[column];
+                if column >= self.tail {
+                    let rows = own[k..].iter().map(|a| (a.first - b.first) as usize);
+                    let places = rows.map(|row| (target.start + row) as u32);
+                    self.targets.extend(places);
+                    continue;
+                }
+                let first = column.checked_sub(1).map_or(0, |p| self.panels[p].end);
+                let mut there = self.below[first..target.end].iter();
+                self.targets.push(target.start as u32);
+                for a in &own[k + 1..] {
+                    // Ascending, and all are there: the fill is part of the pattern.
+                    let found = there.find(|block| block.position == a.position);
+                    let offset = found.map_or(0, |block| block.offset);
+                    self.targets.push(target.start as u32 + offset);
+                }
+            }
+        }
+    }
+
+    /// Sets all entries to zero.
+    pub fn clear(&mut self) {
+        self.values.fill(0.0);
+    }
+
+    /// The values of a column of blocks from a row on, so many rows of numbers below its diagonal,
+    /// and how far its columns are apart.
+    pub fn columns(&mut self, column: &Column, offset: usize) -> (&mut [f64], usize) {
+        let (start, stride) = self.starts[column.first];
+        (&mut self.values[start as usize + offset..], stride as usize)
+    }
+
+    /// Factors the matrix; `false` where it is not positive definite.
+    pub fn factor(&mut self) -> bool {
+        Arch::new().dispatch(Factorisation(self)) && self.factor_dense()
+    }
+
+    fn factor_dense(&mut self) -> bool {
+        let Dense { start, size, .. } = self.dense;
+        let values = &mut self.values[start..];
+        let factored = cholesky_in_place(
+            MatMut::from_column_major_slice_mut(values, size, size),
+            LltRegularization::default(),
+            Par::Seq,
+            MemStack::new(&mut self.memory),
+            Default::default(),
+        );
+        factored.is_ok() && (0..size).all(|k| values[k * (size + 1)].is_finite())
+    }
+
+    /// Solves for as many right sides as `b` has columns of unknowns, in place.
+    pub fn solve(&mut self, b: &mut [f64]) {
+        let n = self.starts.len();
+        if n == 0 {
+            return;
+        }
+        let Dense { first, start, size } = self.dense;
+        for b in b.chunks_exact_mut(n) {
+            for forward in [true, false] {
+                Arch::new().dispatch(Solution {
+                    factor: self,
+                    b,
+                    forward,
+                });
+                if forward && size > 0 {
+                    solve_in_place(
+                        MatRef::from_column_major_slice(&self.values[start..], size, size),
+                        MatMut::from_column_major_slice_mut(&mut b[first..], size, 1),
+                        Par::Seq,
+                        MemStack::new(&mut self.memory),
+                    );
+                }
+            }
+        }
+    }
+
+    /// `ln det` of the matrix, from its factor.
+    pub fn log_determinant(&self) -> f64 {
+        let mut sum = 0.0;
+        for panel in &self.panels {
+            let diagonal = (0..panel.width).map(|k| panel.start + k * (panel.height + 1));
+            sum += diagonal.map(|at| self.values[at].ln()).sum::<f64>();
+        }
+        2.0 * sum
+    }
+
+    /// Entries of the factor.
+    pub fn size(&self) -> usize {
+        self.values.len()
+    }
+}
+
+/// The factorisation, compiled for the vector instructions that the machine has.
+struct Factorisation<'a>(&'a mut BlockCholesky);
+
+impl WithSimd for Factorisation<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> bool {
+        let BlockCholesky {
+            panels,
+            below,
+            targets,
+            values,
+            width,
+            tail,
+            ..
+        } = self.0;
+        let (mut from, mut targets) = (0, &targets[..]);
+        for panel in &panels[..*tail] {
+            let end = panel.start + panel.width * panel.height;
+            let (own, later) = values.split_at_mut(end);
+            let own = &mut own[panel.start..];
+            if !factor_panel(own, panel.width, panel.height) {
+                return false;
+            }
+            let blocks = &below[from..panel.end];
+            from = panel.end;
+            for (k, b) in blocks.iter().enumerate() {
+                let others = &blocks[k..];
+                let (places, further) = targets.split_at(others.len());
+                targets = further;
+                let stride = panels[b.position as usize].height;
+                let product = Product {
+                    panel: own,
+                    height: panel.height,
+                    b: b.offset as usize,
+                    others,
+                    places,
+                    before: end,
+                    stride,
+                };
+                match width {
+                    Some(2) => product.subtract::<S, 2>(simd, later),
+                    Some(3) => product.subtract::<S, 3>(simd, later),
+                    Some(6) => product.subtract::<S, 6>(simd, later),
+                    _ => product.subtract_any(panel.width, b.width as usize, later),
+                }
+            }
+        }
+        true
+    }
+}
+
+/// The factor of a panel: that of its diagonal block, and the rows below times its inverse transposed.
+#[inline(always)]
+fn factor_panel(panel: &mut [f64], width: usize, height: usize) -> bool {
+    for k in 0..width {
+        let (done, later) = panel.split_at_mut((k + 1) * height);
+        let column = &mut done[k * height..];
+        let pivot = column[k];
+        if !(pivot > 0.0 && pivot.is_finite()) {
+            return false;
+        }
+        let root = pivot.sqrt();
+        let inverse = 1.0 / root;
+        column[k] = root;
+        for value in &mut column[k + 1..] {
+            *value *= inverse;
+        }
+        for (c, other) in later.chunks_exact_mut(height).enumerate() {
+            let first = k + 1 + c;
+            let factor = column[first];
+            for (out, value) in other[first..].iter_mut().zip(&column[first..]) {
+                *out -= value * factor;
+            }
+        }
+    }
+    true
+}
+
+/// The products of the blocks of a panel from one on by that one.
+struct Product<'a> {
+    panel: &'a [f64],
+    height: usize,
+    /// Rows of numbers before the one.
+    b: usize,
+    others: &'a [Below],
+    /// Where they belong.
+    places: &'a [u32],
+    /// Entries before those that are changed.
+    before: usize,
+    /// How far columns are apart there.
+    stride: usize,
+}
+
+impl Product<'_> {
+    #[inline(always)]
+    fn subtract<S: Simd, const W: usize>(&self, simd: S, later: &mut [f64]) {
+        let mut right = [[0.0; W]; W];
+        for (k, right) in right.iter_mut().enumerate() {
+            let Some(own) = self.panel[k * self.height + self.b..].first_chunk::<W>() else {
+                return;
+            };
+            *right = own.map(|value| -value);
+        }
+        for (a, &place) in self.others.iter().zip(self.places) {
+            let mut left = [[0.0; W]; W];
+            for (k, left) in left.iter_mut().enumerate() {
+                let from = k * self.height + a.offset as usize;
+                let Some(own) = self.panel[from..].first_chunk::<W>() else {
+                    return;
+                };
+                *left = *own;
+            }
+            let out = &mut later[place as usize - self.before..];
+            for c in 0..W {
+                let Some(out) = out[c * self.stride..].first_chunk_mut::<W>() else {
+                    return;
+                };
+                if W >= S::F64_LANES {
+                    add_columns(simd, out, &left, right.each_ref().map(|right| right[c]));
+                    continue;
+                }
+                let mut sum = *out;
+                for k in 0..W {
+                    for r in 0..W {
+                        sum[r] += left[k][r] * right[k][c];
+                    }
+                }
+                *out = sum;
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn subtract_any(&self, width: usize, columns: usize, later: &mut [f64]) {
+        for (a, &place) in self.others.iter().zip(self.places) {
+            let rows = a.width as usize;
+            for c in 0..columns {
+                let from = place as usize - self.before + c * self.stride;
+                let out = &mut later[from..from + rows];
+                for k in 0..width {
+                    let column = &self.panel[k * self.height..];
+                    let factor = column[self.b + c];
+                    let left = &column[a.offset as usize..][..rows];
+                    for (out, left) in out.iter_mut().zip(left) {
+                        *out -= left * factor;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Adds columns times factors: the first numbers as a vector, the others one by one.
+#[inline(always)]
+fn add_columns<S: Simd, const W: usize>(
+    simd: S,
+    out: &mut [f64; W],
+    left: &[[f64; W]; W],
+    factors: [f64; W],
+) {
+    let (body, end) = S::as_mut_simd_f64s(out.as_mut_slice());
+    let Some(body) = body.first_mut() else {
+        return;
+    };
+    let mut sum = *body;
+    for (column, factor) in left.iter().zip(factors) {
+        let (own, rest) = S::as_simd_f64s(column.as_slice());
+        sum = simd.mul_add_e_f64s(own[0], simd.splat_f64s(factor), sum);
+        for (out, value) in end.iter_mut().zip(rest) {
+            *out += value * factor;
+        }
+    }
+    *body = sum;
+}
+
+/// A half of the solution for one right side before the dense matrix, compiled for the vector
+/// instructions that the machine has.
+struct Solution<'a> {
+    factor: &'a BlockCholesky,
+    b: &'a mut [f64],
+    /// Whether by `L`, else by `Lᵀ`.
+    forward: bool,
+}
+
+impl WithSimd for Solution<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        match (self.factor.width, self.forward) {
+            (Some(2), true) => self.forward(|_| 2),
+            (Some(3), true) => self.forward(|_| 3),
+            (Some(6), true) => self.forward(|_| 6),
+            (_, true) => self.forward(|width| width),
+            (Some(2), false) => self.backward(|_| 2),
+            (Some(3), false) => self.backward(|_| 3),
+            (Some(6), false) => self.backward(|_| 6),
+            (_, false) => self.backward(|width| width),
+        }
+    }
+}
+
+impl Solution<'_> {
+    /// By `L`; `known` replaces a width by that of all blocks.
+    #[inline(always)]
+    fn forward(self, known: impl Fn(usize) -> usize + Copy) {
+        let Self { factor, b, .. } = self;
+        let mut from = 0;
+        for panel in &factor.panels[..factor.tail] {
+            let values = &factor.values[panel.start..];
+            let below = &factor.below[from..panel.end];
+            from = panel.end;
+            let width = known(panel.width);
+            for k in 0..width {
+                let column = &values[k * panel.height..][..panel.height];
+                let value = b[panel.first + k] / column[k];
+                b[panel.first + k] = value;
+                for r in k + 1..width {
+                    b[panel.first + r] -= column[r] * value;
+                }
+                for block in below {
+                    let width = known(block.width as usize);
+                    let own = &column[block.offset as usize..][..width];
+                    let out = &mut b[block.first as usize..][..width];
+                    for r in 0..width {
+                        out[r] -= own[r] * value;
+                    }
+                }
+            }
+        }
+    }
+
+    /// By `Lᵀ`.
+    #[inline(always)]
+    fn backward(self, known: impl Fn(usize) -> usize + Copy) {
+        let Self { factor, b, .. } = self;
+        for (p, panel) in factor.panels[..factor.tail].iter().enumerate().rev() {
+            let values = &factor.values[panel.start..];
+            let first = p.checked_sub(1).map_or(0, |p| factor.panels[p].end);
+            let below = &factor.below[first..panel.end];
+            let width = known(panel.width);
+            for k in (0..width).rev() {
+                let column = &values[k * panel.height..][..panel.height];
+                let mut sum = b[panel.first + k];
+                for r in k + 1..width {
+                    sum -= column[r] * b[panel.first + r];
+                }
+                for block in below {
+                    let width = known(block.width as usize);
+                    let own = &column[block.offset as usize..][..width];
+                    let other = &b[block.first as usize..][..width];
+                    for r in 0..width {
+                        sum -= own[r] * other[r];
+                    }
+                }
+                b[panel.first + k] = sum / column[k];
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::super::eliminate::Factored;
+    use super::super::normal::{Equations, Normal};
+    use super::super::structure::{Pattern, Structure};
+    use crate::graph::{Euclidean, Graph};
+    use crate::residual::Residual;
+    use crate::scalar::Scalar;
+
+    /// As many sums as numbers.
+    struct Sums(usize);
+
+    impl<D: Scalar> Residual<D> for Sums {
+        fn residuals(&self, x: &[D], out: &mut Vec<D>) {
+            for row in 0..x.len() {
+                let terms = x.iter().enumerate().map(|(k, value)| {
+                    let seed = (self.0 * 31 + row * 7 + k * 13) % 101;
+                    *value * (seed as f64 / 50.0 - 1.0)
+                });
+                out.push(terms.fold(D::from(1.0), |sum, term| sum + term));
+            }
+        }
+    }
+
+    /// A chain of blocks with loops.
+    fn chain(width: impl Fn(usize) -> usize) -> Graph<'static> {
+        let mut graph = Graph::new();
+        let blocks: Vec<_> = (0..150)
+            .map(|k| {
+                let manifold = Euclidean(width(k));
+                graph.add(format!("b{k}"), manifold, &vec![0.0; width(k)])
+            })
+            .collect::<Result<_, _>>()
+            .unwrap();
+        for k in 1..blocks.len() {
+            graph.add_factor(&[blocks[k - 1], blocks[k]], Sums(k));
+            if k % 5 == 0 {
+                graph.add_factor(&[blocks[k], blocks[k * k * 7 % k]], Sums(k + 500));
+            }
+            if k % 3 == 0 {
+                graph.add_factor(&[blocks[k], blocks[k * 37 % k.min(29)]], Sums(k + 900));
+            }
+            // The last ones all meet.
+            for j in 90..k {
+                graph.add_factor(&[blocks[k], blocks[j]], Sums(k + 7 * j));
+            }
+        }
+        graph
+    }
+
+    #[test]
+    fn block_after_block_is_what_supernodes_give() {
+        let widths: [&dyn Fn(usize) -> usize; 4] = [&|_| 2, &|_| 3, &|_| 6, &|k| 1 + k % 4];
+        for width in widths {
+            let graph = chain(width);
+            let own = Structure::new(&graph).unwrap();
+            let mut other = Structure::new(&graph).unwrap();
+            let Pattern::Filled(filled) = other.reduced else {
+                panic!("the fill is little");
+            };
+            assert!((1..149).contains(&filled.tail), "{}", filled.tail);
+            other.reduced = Pattern::Sparse(filled.rows);
+            let found = [own, other].map(|structure| {
+                let structure = Arc::new(structure);
+                let mut normal = Normal::default();
+                let values = graph.values();
+                Equations::start(&graph, &structure, 1, values, &mut normal).unwrap();
+                let n = structure.unknowns();
+                let more: Vec<f64> = (0..n).map(|k| 0.5 + (k % 3) as f64).collect();
+                let mut factored = Factored::new(&structure).unwrap();
+                let mut b: Vec<f64> = (0..n).map(|k| (k as f64).sin()).collect();
+                assert!(factored.factor_and_solve(&normal.h, &more, &mut b));
+                let mut two: Vec<f64> = (0..2 * n).map(|k| (k as f64).cos()).collect();
+                factored.solve(&normal.h, &mut two);
+                b.extend(two);
+                (b, factored.log_determinant())
+            });
+            let [(own, own_log), (other, other_log)] = found;
+            assert!((own_log - other_log).abs() < 1e-12 * other_log.abs());
+            let size = other.iter().map(|v| v.abs()).fold(0.0, f64::max);
+            for (own, other) in own.iter().zip(&other) {
+                assert!((own - other).abs() < 1e-12 * size, "{own} {other}");
+            }
+        }
+    }
+}
