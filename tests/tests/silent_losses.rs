@@ -5,8 +5,9 @@
 
 use std::path::Path;
 
-use calib::recording::{Described, ReadOptions};
+use calib::recording::{Described, ReadOptions, Stream};
 use calib::{Error, Recording};
+use file_formats::make::Packing;
 use sensor::Sensor;
 use stillpoint_tests::layouts::{Layout, Samples, layouts};
 
@@ -29,7 +30,7 @@ const CHANGES: [Change; 5] = [
 ];
 
 /// Layouts whose rows are no cells between separators: what names one sensor in them, and what does not.
-const WORDS: [(&str, &str, &str); 14] = [
+const WORDS: [(&str, &str, &str); 23] = [
     ("serial plotter", "gx:", "p:"),
     ("serial plotter", "ax:", "p:"),
     ("Adafruit MPU6050", "Rotation", "Foo"),
@@ -42,8 +43,25 @@ const WORDS: [(&str, &str, &str); 14] = [
     ("Sensor Logger, JSON", "Gyroscope", "Foo"),
     ("Sensor Logger, JSON", "TotalAcceleration", "Foo"),
     ("PX4 log", "sensor_gyro", "sensor_fooo"),
+    ("PX4 log", "sensor_accel", "sensor_fooos"),
+    ("PX4 log", "float x;", "float q;"),
     ("ArduPilot log", "GyrX", "FooX"),
+    ("ArduPilot log", "AccX", "FooX"),
+    ("ArduPilot log", "IMU", "FOO"),
+    ("ROS 1 bag", "sensor_msgs/Imu", "sensor_msgs/Foo"),
+    ("MCAP", "sensor_msgs/msg/Imu", "sensor_msgs/msg/Foo"),
+    (
+        "ROS 2 bag, folder",
+        "sensor_msgs/msg/Imu",
+        "sensor_msgs/msg/Foo",
+    ),
+    (
+        "ROS 2 bag, db3",
+        "sensor_msgs/msg/Imu",
+        "sensor_msgs/msg/Foo",
+    ),
     ("MATLAB matrices", "gyro", "fooo"),
+    ("MATLAB matrices", "acc", "foo"),
 ];
 
 fn write(files: &[(String, Vec<u8>)], folder: &Path) {
@@ -235,7 +253,7 @@ fn a_sensor_that_is_called_otherwise_in_lines_and_logs_is_asked_about() {
         let whole = read(layout, &layout.files).unwrap();
         let mut files = layout.files.clone();
         let content = if name == "MATLAB matrices" {
-            renamed_matrix(&samples, to)
+            renamed_matrix(&samples, from, to)
         } else {
             replaced(&files[0].1, from.as_bytes(), to.as_bytes())
         };
@@ -266,12 +284,144 @@ fn replaced(bytes: &[u8], from: &[u8], to: &[u8]) -> Vec<u8> {
     out
 }
 
-/// The MATLAB file with another name for the gyroscope's matrix.
-fn renamed_matrix(samples: &Samples, name: &str) -> Vec<u8> {
-    let rows = |stream: &calib::recording::Stream| {
+/// The MATLAB file with another name for the matrix called `from`.
+fn renamed_matrix(samples: &Samples, from: &str, to: &str) -> Vec<u8> {
+    let rows = |stream: &Stream| {
         let row = |(t, v): (&f64, &nalgebra::Vector3<f64>)| ((t * 1e9).round() as i64, (*v).into());
         stream.t.iter().zip(&stream.values).map(row).collect()
     };
     let (accel, gyro) = (rows(&samples.accel), rows(&samples.gyro));
-    file_formats::make::mat(&[("acc", &accel), (name, &gyro)])
+    let name = |name| if name == from { to } else { name };
+    file_formats::make::mat(&[(name("acc"), &accel), (name("gyro"), &gyro)])
+}
+
+#[test]
+fn a_topic_of_an_unknown_type_that_may_be_the_missing_sensor_is_asked_about() {
+    let samples = Samples::of_session();
+    let all = layouts(&samples);
+    let name = "ROS 1 bag, a topic for each sensor";
+    let layout = all.iter().find(|layout| layout.name == name).unwrap();
+    let whole = read(layout, &layout.files).unwrap();
+    let content = &layout.files[0].1;
+    for topic in ["/camera/gyro/sample", "/camera/accel/sample"] {
+        let (kind, other) = (b"sensor_msgs/Imu", b"foo_drivers/Imu");
+        let mut changed = content.clone();
+        let places = |bytes: &[u8], what: &[u8]| -> Vec<usize> {
+            let windows = bytes.windows(what.len()).enumerate();
+            windows
+                .filter(|(_, w)| *w == what)
+                .map(|(at, _)| at)
+                .collect()
+        };
+        let topics = places(content, b"/sample");
+        for at in places(content, kind) {
+            // The type stands behind its topic.
+            let before = topics.iter().rfind(|before| **before < at).unwrap() + b"/sample".len();
+            if content[..before].ends_with(topic.as_bytes()) {
+                changed[at..at + kind.len()].copy_from_slice(other);
+            }
+        }
+        assert_ne!(&changed, content);
+        let files = vec![(layout.files[0].0.clone(), changed)];
+        let judged = judge(read(layout, &files), &whole, Sensor::Gyroscope, None);
+        assert_eq!(judged, Ok(()), "{topic}");
+    }
+}
+
+#[test]
+fn fields_of_logs_are_taken_by_name_wherever_they_stand() {
+    let samples = Samples::of_session();
+    let all = layouts(&samples);
+    let swapped = |stream: &Option<Stream>| {
+        let mut stream = stream.clone().unwrap();
+        let values = stream.values.iter_mut();
+        values.for_each(|v| *v = nalgebra::Vector3::new(v.z, v.y, v.x));
+        Some(stream)
+    };
+    for (name, from, to, is_force) in [
+        (
+            "PX4 log",
+            "float x;float y;float z",
+            "float z;float y;float x",
+            true,
+        ),
+        ("ArduPilot log", "GyrX,GyrY,GyrZ", "GyrZ,GyrY,GyrX", false),
+    ] {
+        let layout = all.iter().find(|layout| layout.name == name).unwrap();
+        let whole = read(layout, &layout.files).unwrap();
+        let content = replaced(&layout.files[0].1, from.as_bytes(), to.as_bytes());
+        let found = read(layout, &[(layout.files[0].0.clone(), content)]).unwrap();
+        assert_eq!(
+            found.gyroscope.unwrap().len(),
+            whole.gyroscope.as_ref().unwrap().len()
+        );
+        if is_force {
+            assert_eq!(found.accelerometer, swapped(&whole.accelerometer), "{name}");
+        } else {
+            assert_eq!(found.accelerometer, whole.accelerometer, "{name}");
+        }
+    }
+}
+
+fn is_near(found: &Option<Stream>, whole: &Option<Stream>) -> bool {
+    let (Some(found), Some(whole)) = (found, whole) else {
+        return found.is_none() && whole.is_none();
+    };
+    let mut pairs = found.values.iter().zip(&whole.values);
+    found.len() == whole.len() && pairs.all(|(a, b)| (a - b).amax() < 1e-4)
+}
+
+#[test]
+fn a_file_of_a_folder_or_archive_that_is_called_otherwise_is_read_or_asked_about() {
+    let samples = Samples::of_session();
+    let (mut failures, mut tried) = (Vec::new(), 0);
+    for layout in layouts(&samples) {
+        let whole = read(&layout, &layout.files).unwrap();
+        for sensor in &whole.description.sensors {
+            let of_sensor = |(name, _): &&(String, Vec<u8>)| sensor.source.ends_with(name.as_str());
+            let Some(k) = layout.files.iter().position(|file| of_sensor(&file)) else {
+                continue;
+            };
+            if layout.files.len() < 2 || layout.call[0] != "." {
+                continue;
+            }
+            let mut files = layout.files.clone();
+            files[k].0 = files[k]
+                .0
+                .rsplit_once('/')
+                .map_or("", |(folder, _)| folder)
+                .to_owned()
+                + "Foo.csv";
+            let entries: Vec<_> = files
+                .iter()
+                .map(|(name, content)| (name.as_str(), content.as_slice(), Packing::Deflated))
+                .collect();
+            let archive = vec![("a.zip".to_owned(), file_formats::make::zip(&entries))];
+            let packed = Layout {
+                call: vec!["a.zip"],
+                ..layout.clone()
+            };
+            for (of, layout, files) in [("folder", &layout, &files), ("archive", &packed, &archive)]
+            {
+                tried += 1;
+                let found = read(layout, files);
+                // Of an iPhone the sum of two others is the same to rounding.
+                let is_same = found.as_ref().is_ok_and(|found| {
+                    is_near(&found.accelerometer, &whole.accelerometer)
+                        && is_near(&found.gyroscope, &whole.gyroscope)
+                });
+                if is_same {
+                    continue;
+                }
+                let judged = judge(found, &whole, sensor.sensor, None);
+                if let Err(words) = judged {
+                    let sensor = sensor.sensor.name();
+                    failures.push(format!("{} ({of}), {sensor}: {words}", layout.name));
+                }
+            }
+        }
+    }
+    println!("{tried} renamed files, {} wrong", failures.len());
+    assert!(failures.is_empty(), "\n{}", failures.join("\n"));
+    assert!(tried >= 8, "{tried}");
 }

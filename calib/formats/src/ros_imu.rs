@@ -161,14 +161,36 @@ struct Counted {
 }
 
 impl Counted {
-    /// True for messages of three values that may be a sensor's.
-    fn is_vector(&self) -> bool {
+    /// True for messages that are not read and may be a sensor's: of three values, or of a type that is not known.
+    fn may_be_sensor(&self) -> bool {
         let name = self.kind.rsplit('/').next().unwrap_or_default();
         let is_one = matches!(
             name,
             "Vector3" | "Vector3Stamped" | "AccelStamped" | "TwistStamped"
         );
-        is_one && self.messages > 0
+        let others = ["Info", "Extrinsics", "Bias", "Status", "Temperature"];
+        let is_other = others.iter().any(|end| name.ends_with(end));
+        (is_one || self.is_of_others() && !is_other) && self.messages > 1
+    }
+
+    /// True for messages of a package of one's own that are called like a sensor's.
+    fn is_of_others(&self) -> bool {
+        const USUAL: [&str; 8] = [
+            "sensor_msgs",
+            "geometry_msgs",
+            "std_msgs",
+            "nav_msgs",
+            "tf2_msgs",
+            "rcl_interfaces",
+            "diagnostic_msgs",
+            "rosgraph_msgs",
+        ];
+        let package = self.kind.split('/').next().unwrap_or_default();
+        let called = format!("{} {}", self.name, self.kind).to_lowercase();
+        let is_called = ["imu", "gyr", "acc", "inertial"]
+            .iter()
+            .any(|word| called.contains(word));
+        self.read.is_none() && is_called && !USUAL.contains(&package)
     }
 }
 
@@ -229,7 +251,7 @@ impl<K: Eq + Hash> Topics<K> {
             } = topic;
             format!("{name} ({kind}, {messages} messages)")
         });
-        let vectors = self.0.values().filter(|topic| topic.is_vector());
+        let vectors = self.0.values().filter(|topic| topic.may_be_sensor());
         recorder.content.unclear = vectors.map(|topic| topic.name.clone()).collect();
         recorder.content.unclear.sort();
         recorder.content.listed = listed.collect();

@@ -57,14 +57,22 @@ pub(super) fn assemble(
         unclear::refuse(&tables)?;
     }
     let gyro = tables.iter().find(|table| !table.gyro.t.is_empty());
-    let gyro = gyro.map(|table| (table.name.clone(), table.stated.gyro));
+    let gyro = gyro.map(|table| {
+        let strange = table.strange[1].clone();
+        (table.name.clone(), table.stated.gyro, strange)
+    });
     for table in tables {
         add(&mut recording, table, options)?;
     }
-    if let (Some((name, stated)), Some(stream)) = (gyro, recording.gyroscope.take()) {
+    if let (Some((name, stated, strange)), Some(stream)) = (gyro, recording.gyroscope.take()) {
+        let said = decide::Said {
+            given: options.gyro_unit,
+            stated,
+            strange: strange.as_deref(),
+        };
         let accel = recording.accelerometer.as_ref();
         let warnings = &mut recording.warnings;
-        let unit = decide::gyro_unit(&name, &stream, accel, stated, options.gyro_unit, warnings)?;
+        let unit = decide::gyro_unit(&name, &stream, accel, said, warnings)?;
         recording.gyroscope = Some(scaled(stream, unit.scale()));
         let sensors = recording.description.sensors.iter_mut();
         sensors
@@ -117,12 +125,16 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
         .extend(overridden(&name, stated, options));
     let (accelerometer, gyroscope) = rayon::join(
         || {
-            let stated = options.accel_unit.or(stated.accel);
+            let said = decide::Said {
+                given: options.accel_unit,
+                stated: stated.accel,
+                strange: table.strange[0].as_deref(),
+            };
             finish(
                 &name,
                 Sensor::Accelerometer,
                 table.accel,
-                |stream, warnings| decide::accel_unit(&name, stream, stated, warnings),
+                |stream, warnings| decide::accel_unit(&name, stream, said, warnings),
             )
         },
         // Its unit is decided when the accelerometer is known.

@@ -7,6 +7,7 @@ use super::units::{AccelUnit, GyroUnit};
 use super::{Stream, values};
 use crate::Error;
 use crate::order_statistic::nth_smallest;
+use crate::shown::shown;
 
 /// Rates beyond this are no hand-held motion in rad/s (29 turns per second): the unit is another.
 const FASTEST: f64 = 180.0;
@@ -28,6 +29,17 @@ const KNOWN: [std::ops::Range<f64>; 3] = [0.8..1.25, 7.5..12.5, 100.0..f64::INFI
 /// Samples looked at.
 const LOOKED_AT: usize = 360_000;
 
+/// What is said of a sensor's unit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Said<'a, U> {
+    /// By the user.
+    pub given: Option<U>,
+    /// By the file.
+    pub stated: Option<U>,
+    /// By the file, in words that are no known unit.
+    pub strange: Option<&'a str>,
+}
+
 /// The radius of the sphere that the means at rest lie on.
 fn gravity_at_rest(stream: &Stream) -> Option<f64> {
     let values = &stream.values[..stream.len().min(LOOKED_AT)];
@@ -43,9 +55,10 @@ fn gravity_at_rest(stream: &Stream) -> Option<f64> {
 pub(super) fn accel_unit(
     name: &str,
     stream: &Stream,
-    stated: Option<AccelUnit>,
+    said: Said<'_, AccelUnit>,
     warnings: &mut Vec<String>,
 ) -> Result<AccelUnit, Error> {
+    let stated = said.given.or(said.stated);
     // A bias of half of gravity hides it from the median, but not from the sphere that the rests lie on.
     let by_rests = stated.is_none().then(|| gravity_at_rest(stream)).flatten();
     let norm = by_rests.unwrap_or_else(|| median_norm(stream));
@@ -55,6 +68,16 @@ pub(super) fn accel_unit(
             format!(
                 "at rest the accelerometer's readings lie on a sphere of radius {norm:.3}, which is gravity in no unit that is known; say the unit, as in --accel-unit m/s^2, or --accel-unit counts to keep them"
             ),
+        ));
+    }
+    let is_gravity = KNOWN[..2].iter().any(|range| range.contains(&norm));
+    if let Some(strange) = said.strange.filter(|_| stated.is_none() && !is_gravity) {
+        return Err(unknown_unit(
+            name,
+            "accelerometer",
+            strange,
+            "--accel-unit cm/s^2",
+            "ax",
         ));
     }
     let unit = stated.unwrap_or(match norm {
@@ -90,6 +113,17 @@ pub(super) fn accel_unit(
     Ok(unit)
 }
 
+/// Refuses a unit that is written in the file and not known, where the samples do not tell it either.
+fn unknown_unit(name: &str, sensor: &str, unit: &str, option: &str, column: &str) -> Error {
+    in_file(
+        name,
+        format!(
+            "the file states {} for the {sensor}, which is no known unit, and the readings do not tell it; say the unit, as in {option}, or what one of it is, as in --columns {column}=NAME*0.001",
+            shown(unit)
+        ),
+    )
+}
+
 /// False where one reading in two hundred is faster than a hand turns; spikes are fewer.
 fn turns_as_a_hand(stream: &Stream, unit: GyroUnit) -> bool {
     let limit = FASTEST / unit.scale();
@@ -106,13 +140,13 @@ pub(super) fn gyro_unit(
     name: &str,
     stream: &Stream,
     accel: Option<&Stream>,
-    stated: Option<GyroUnit>,
-    given: Option<GyroUnit>,
+    said: Said<'_, GyroUnit>,
     warnings: &mut Vec<String>,
 ) -> Result<GyroUnit, Error> {
-    if let Some(unit) = given {
+    if let Some(unit) = said.given {
         return Ok(unit);
     }
+    let stated = said.stated;
     let by_turns = accel.and_then(|accel| turn_unit(accel, stream));
     if let (Some(stated), Some(told)) = (stated.filter(|unit| *unit != GyroUnit::Counts), by_turns)
         && stated != told
@@ -138,6 +172,15 @@ pub(super) fn gyro_unit(
                 ),
             )),
         };
+    }
+    if let Some(strange) = said.strange.filter(|_| by_turns.is_none()) {
+        return Err(unknown_unit(
+            name,
+            "gyroscope",
+            strange,
+            "--gyro-unit deg/s",
+            "gx",
+        ));
     }
     let fastest = stream
         .values

@@ -79,8 +79,40 @@ const SIGNATURES: &[Signature] = &[
         "download the file itself",
     ),
     (b"<?xml", "an XML file", EXPORT),
+    // The last one, which an array of them is refused as.
     (b"{", "a JSON file", EXPORT),
 ];
+
+/// True for a MAT file of level 4, which has no signature: type, rows, columns, imaginary part, length of a name that ends
+/// in NUL (MathWorks, "MAT-File Format", R2024, appendix).
+fn is_mat4(head: &[u8]) -> bool {
+    let number = |at: usize| {
+        let bytes = head.get(4 * at..4 * at + 4)?.try_into().ok()?;
+        Some(u32::from_le_bytes(bytes) as usize)
+    };
+    let [
+        Some(kind),
+        Some(rows),
+        Some(columns),
+        Some(imaginary),
+        Some(length),
+    ] = [0, 1, 2, 3, 4].map(number)
+    else {
+        return false;
+    };
+    let name = head.get(20..20 + length.min(64)).unwrap_or_default();
+    let is_name = |text: &[u8]| !text.is_empty() && text.iter().all(u8::is_ascii_graphic);
+    kind <= 52
+        && rows.max(columns) < 1 << 30
+        && imaginary <= 1
+        && name.strip_suffix(b"\0").is_some_and(is_name)
+}
+
+/// True for JSON such as `[{"ax": 1}]`.
+fn is_array_of_objects(head: &[u8]) -> bool {
+    let objects = head.trim_ascii_start().strip_prefix(b"[");
+    objects.is_some_and(|rest| rest.trim_ascii_start().starts_with(b"{"))
+}
 
 /// What a stream of bytes holds when it is decompressed.
 pub(super) struct Unpacked {
@@ -136,9 +168,14 @@ pub(super) fn text(name: &str, unpacked: Unpacked) -> (Box<dyn Read + Send>, Vec
 
 /// Refuses formats that are known but not read.
 pub(super) fn refuse_other_formats(name: &str, head: &[u8]) -> Result<(), Error> {
+    if is_mat4(head) {
+        let words = "this is a MATLAB file of version 4; save it again in MATLAB with `save -v7`";
+        return Err(in_file(name, words));
+    }
     let known = SIGNATURES
         .iter()
-        .find(|(magic, ..)| head.starts_with(magic));
+        .find(|(magic, ..)| head.starts_with(magic))
+        .or_else(|| SIGNATURES.last().filter(|_| is_array_of_objects(head)));
     known.map_or(Ok(()), |(_, what, advice)| {
         Err(in_file(name, format!("this is {what}; {advice}")))
     })

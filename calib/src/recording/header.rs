@@ -7,7 +7,7 @@ use super::by_unit::by_unit;
 use super::names::{role_of, take_apart};
 use super::options::{ColumnMap, Role};
 use super::suggest::{nearest, suggestion};
-use super::units::Stated;
+use super::units::{Stated, looks_like_unit};
 use crate::shown::{shown, shown_list};
 
 /// Which column of a table is what.
@@ -29,6 +29,8 @@ pub(super) struct Layout {
     pub field: Option<[usize; 3]>,
     /// Units in the names.
     pub stated: Stated,
+    /// What the names of the accelerometer and of the gyroscope hold in place of a known unit.
+    pub strange: [Option<String>; 2],
     /// Scales and offsets that the user gave.
     pub affine: Vec<(Role, Affine)>,
     /// What was told by the units in the names, in words.
@@ -115,6 +117,16 @@ impl Layout {
             temperature: unit(self.temperature).and_then(|u| u.parse().ok()),
             field: unit(first(self.field)).and_then(|u| u.parse().ok()),
         };
+        // Who gives a factor knows the unit.
+        let scaled = |role: Role| self.affine.iter().any(|(given, _)| *given == role);
+        let strange = |triad: Option<[usize; 3]>, is_known: bool| {
+            let unit = unit(first(triad)).filter(|unit| !is_known && looks_like_unit(unit))?;
+            Some(unit.to_owned())
+        };
+        self.strange = [
+            strange(self.accel, stated.accel.is_some() || scaled(Role::Accel(0))),
+            strange(self.gyro, stated.gyro.is_some() || scaled(Role::Gyro(0))),
+        ];
         self.stated = stated;
     }
 

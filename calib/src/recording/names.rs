@@ -124,12 +124,22 @@ pub(super) fn take_apart(name: &str) -> (String, Option<&str>) {
             let unit = name[at + 1..].trim_end().trim_end_matches([')', ']', '}']);
             (&name[..at], Some(unit))
         }
-        None => match name.trim().rsplit_once('_') {
-            Some((word, unit)) if units::is_unit(unit) => (word, Some(unit)),
-            _ => (name, None),
-        },
+        None => behind_underscores(name.trim()).map_or((name, None), |(w, unit)| (w, Some(unit))),
     };
     (compact(word), unit)
+}
+
+/// A name and the unit behind an underscore; one of a sensor may have underscores itself: `gyro_x_deg_per_sec`.
+fn behind_underscores(name: &str) -> Option<(&str, &str)> {
+    let splits: Vec<(&str, &str)> = name
+        .rmatch_indices('_')
+        .take(3)
+        .map(|(at, _)| (&name[..at], &name[at + 1..]))
+        .collect();
+    let long = splits.iter().skip(1).rev();
+    let of_sensor = long.copied().find(|(_, unit)| units::is_of_sensor(unit));
+    let last = splits.first().copied();
+    of_sensor.or_else(|| last.filter(|(_, unit)| units::is_unit(unit)))
 }
 
 fn compact(word: &str) -> String {

@@ -35,6 +35,8 @@ pub(super) struct Table {
     pub temperature: Vec<f64>,
     /// Units in the header.
     pub stated: Stated,
+    /// What the header states of the accelerometer and of the gyroscope, where that is no known unit.
+    pub strange: [Option<String>; 2],
     /// The name of the time column is `t`: seconds, by contract.
     pub plain_time: bool,
     /// Names of columns that no sensor is read from.
@@ -74,6 +76,7 @@ impl Table {
         let mut table = Self {
             name: input.name.clone(),
             stated: start.layout.stated,
+            strange: start.layout.strange.clone(),
             unused: start.layout.unused(),
             unclear: start.unclear.clone(),
             names: start.layout.names.clone(),

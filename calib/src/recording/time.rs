@@ -7,6 +7,9 @@ use super::units::TimeUnit;
 use crate::Error;
 use crate::shown::figure;
 
+/// Rates that a unit in the file may mean, Hz.
+const POSSIBLE: std::ops::RangeInclusive<f64> = 0.2..=60_000.0;
+
 /// Turns the stamps of every table, on one clock and in one unit, into seconds.
 pub(super) fn to_seconds(
     tables: &mut [Table],
@@ -43,10 +46,24 @@ fn unit(
     if table.clock.dates {
         return Ok(TimeUnit::Nanoseconds);
     }
-    if let Some(unit) = options.time_unit.or(table.stated.time) {
+    if let Some(unit) = options.time_unit {
         return Ok(unit);
     }
     let step = usual_step(table);
+    if let Some(unit) = table.stated.time {
+        let rate = step.map(|step| unit.per_second() / step);
+        return match rate.filter(|rate| !POSSIBLE.contains(rate)) {
+            None => Ok(unit),
+            Some(rate) => Err(in_file(
+                &table.name,
+                format!(
+                    "the file states {} for the time, in which the rate would be {} Hz; say the unit, as in --time-unit ms",
+                    unit.name(),
+                    figure(rate)
+                ),
+            )),
+        };
+    }
     let Some(step) = step else {
         return Ok(TimeUnit::Seconds);
     };

@@ -2,9 +2,13 @@
 
 use std::collections::HashMap;
 
+use sensor::Sensor;
+
+use super::names::take_apart;
 use super::place::in_file;
-use super::suggest::suggestion;
+use super::suggest::{completed, suggestion};
 use super::table::Table;
+use super::units::is_of_sensor;
 use crate::Error;
 use crate::shown::shown_list;
 
@@ -26,16 +30,29 @@ const OTHER_NAMES: [&str; 34] = [
 /// Three columns make a sensor.
 const SENSOR: usize = 3;
 
+/// Parts of names that an accelerometer's or a gyroscope's columns have.
+const SENSORS: [&str; 10] = [
+    "acc", "gyr", "rot", "omega", "angul", "rate", "turn", "force", "imu", "inertial",
+];
+/// Parts of names of what is worked out from such columns or said about them.
+const DERIVED: [&str; 26] = [
+    "gravit", "linear", "user", "free", "ohne", "without", "sans", "cov", "clip", "calib",
+    "integral", "relative", "valid", "status", "flag", "accuracy", "heart", "quat", "euler",
+    "orient", "mag", "norm", "bias", "offset", "step", "error",
+];
+
 /// True for a name that says what a column holds, and that it is no accelerometer and no gyroscope.
 fn is_of_another(name: &str) -> bool {
-    let word: String = name
-        .chars()
-        .filter(|c| c.is_alphanumeric())
-        .flat_map(char::to_lowercase)
-        .collect();
+    let (word, unit) = take_apart(name);
     let is_xyz = matches!(word.as_str(), "x" | "y" | "z");
-    OTHERS.iter().any(|part| word.contains(part))
+    if DERIVED.iter().any(|part| word.contains(part))
         || (!is_xyz && OTHER_NAMES.contains(&word.as_str()))
+    {
+        return true;
+    }
+    // `gyro_counts_x` counts, and is a gyroscope's all the same.
+    let may_be = SENSORS.iter().any(|part| word.contains(part)) || unit.is_some_and(is_of_sensor);
+    !may_be && OTHERS.iter().any(|part| word.contains(part))
 }
 
 /// Refuses tables of which a sensor is missing and three columns may be it.
@@ -61,13 +78,21 @@ pub(super) fn refuse(tables: &[Table]) -> Result<(), Error> {
             .cloned()
             .collect();
         if unclear.len() >= SENSOR {
-            let missing = if accel { "gyroscope" } else { "accelerometer" };
+            let missing = match accel {
+                true => Sensor::Gyroscope,
+                false => Sensor::Accelerometer,
+            };
+            // Parts of a text have its columns under other numbers.
+            let alone = tables.len() == 1;
+            let completed = completed(&tables[0].roles, &tables[0].names, &unclear, missing);
+            let proposed = completed.filter(|_| alone);
             return Err(in_file(
                 file,
                 format!(
-                    "no {missing} by name, but the columns {} change and are not used: one of them may be it; {}, or name only those of the sensor there is to go on without",
+                    "no {} by name, but the columns {} change and are not used: one of them may be it; {}, or name only those of the sensor there is to go on without",
+                    missing.name(),
                     shown_list(unclear.iter()),
-                    suggestion(&tables[0].names)
+                    proposed.unwrap_or_else(|| suggestion(&tables[0].names))
                 ),
             ));
         }
@@ -81,7 +106,19 @@ mod tests {
 
     #[test]
     fn what_may_be_a_sensor_is_told_from_what_is_another() {
-        for name in ["foo1", "rot_x", "Rotation Y (deg/s)", "p", "u", "x"] {
+        for name in [
+            "foo1",
+            "rot_x",
+            "Rotation Y (deg/s)",
+            "p",
+            "u",
+            "x",
+            "gyro_counts_x",
+            "rotation speed z (rad/sec)",
+            "yaw_rate",
+            "body_frame_acc_y",
+            "device rotation x",
+        ] {
             assert!(!is_of_another(name), "{name}");
         }
         for name in [
@@ -91,6 +128,12 @@ mod tests {
             "field.orientation.x",
             "TgF",
             "YYYY-MO-DD time",
+            "gyro_bias_x",
+            "accel_calibration_count",
+            "accelerometer accuracy",
+            "count",
+            "yaw",
+            "MagX (G)",
         ] {
             assert!(is_of_another(name), "{name}");
         }

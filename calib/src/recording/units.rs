@@ -40,15 +40,15 @@ unit! {
     /// Unit of time stamps.
     TimeUnit {
         /// Seconds.
-        Seconds = "s" | "sec" | "secs" | "second" | "seconds",
+        Seconds = "s",
         /// Milliseconds.
-        Milliseconds = "ms" | "msec" | "millis" | "milliseconds",
+        Milliseconds = "ms" | "millis",
         /// Tenths of milliseconds.
         TenthMilliseconds = "0.1ms" | "100us",
         /// Microseconds.
-        Microseconds = "us" | "µs" | "usec" | "micros" | "microseconds",
+        Microseconds = "us" | "µs" | "micros",
         /// Nanoseconds.
-        Nanoseconds = "ns" | "nsec" | "nanos" | "nanoseconds",
+        Nanoseconds = "ns" | "nanos",
     }
 }
 
@@ -72,9 +72,9 @@ unit! {
     /// Unit of a gyroscope.
     GyroUnit {
         /// Radians per second.
-        RadiansPerSecond = "rad/s" | "rads^-1" | "rads-1" | "rad.s-1" | "rad*s^-1" | "rads⁻¹" | "rps",
+        RadiansPerSecond = "rad/s" | "rads" | "rads^-1" | "rads-1" | "rad.s-1" | "rad*s^-1" | "rads⁻¹",
         /// Degrees per second.
-        DegreesPerSecond = "deg/s" | "°/s" | "dps" | "degs^-1" | "degs-1" | "degrees/s" | "º/s",
+        DegreesPerSecond = "deg/s" | "°/s" | "dps" | "degs" | "degs^-1" | "degs-1" | "º/s",
         /// Thousandths of degrees per second.
         MilliDegreesPerSecond = "mdeg/s" | "mdps" | "m°/s",
         /// Raw counts: kept as they are.
@@ -94,12 +94,38 @@ unit! {
     }
 }
 
+/// Parts of units in words, and what stands for them.
+const WORDS: [(&str, &str); 10] = [
+    ("degrees", "deg"),
+    ("degree", "deg"),
+    ("radians", "rad"),
+    ("radian", "rad"),
+    ("seconds", "s"),
+    ("second", "s"),
+    ("secs", "s"),
+    ("sec", "s"),
+    ("per", "/"),
+    ("**", "^"),
+];
+
+/// Lower case without blanks and underscores, words as their signs: `deg per sec` as `deg/s`.
 fn normal(text: &str) -> String {
     let text = text.trim().replace('μ', "µ");
-    text.chars()
-        .filter(|c| !c.is_whitespace())
+    let text = text
+        .chars()
+        .filter(|c| !c.is_whitespace() && *c != '_')
         .flat_map(char::to_lowercase)
-        .collect()
+        .collect();
+    WORDS
+        .iter()
+        .fold(text, |text: String, (word, sign)| text.replace(word, sign))
+}
+
+/// True for what is written as a unit of a sensor is, known or not: `rev/s`, `cdps`, `rpm`.
+pub(super) fn looks_like_unit(text: &str) -> bool {
+    let text = normal(text);
+    let is_rate = text.ends_with("ps") || text.ends_with("pm") || text.contains("s-1");
+    text.contains(['/', '^', '²']) || is_rate || text.ends_with("s2")
 }
 
 /// True if `text` spells a unit of any of the quantities.
@@ -108,6 +134,11 @@ pub(super) fn is_unit(text: &str) -> bool {
         || text.parse::<AccelUnit>().is_ok()
         || text.parse::<GyroUnit>().is_ok()
         || text.parse::<TemperatureUnit>().is_ok()
+}
+
+/// True if `text` spells a unit of an accelerometer or a gyroscope.
+pub(super) fn is_of_sensor(text: &str) -> bool {
+    text.parse::<AccelUnit>().is_ok() || text.parse::<GyroUnit>().is_ok()
 }
 
 /// Units that a header states.

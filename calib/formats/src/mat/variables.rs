@@ -33,6 +33,34 @@ pub(super) fn quantity(name: &str) -> Option<Quantity> {
     }
 }
 
+/// Words in the names of variables that are of neither sensor.
+const OTHERS: [&str; 12] = [
+    "orient", "position", "angle", "quat", "euler", "rpy", "gps", "lat", "lon", "press", "temp",
+    "bias",
+];
+/// Fewer numbers are no recording.
+const SHORT: usize = 150;
+
+/// True for a variable that is not read and may be a sensor's: called like one, or a table of three columns and more.
+fn may_be_sensor(name: &str, value: &Value<'_>, class: Option<&str>) -> bool {
+    let lower = name.to_lowercase();
+    let quantity = quantity(name);
+    if quantity == Some(Quantity::MagneticField) || OTHERS.iter().any(|word| lower.contains(word)) {
+        return false;
+    }
+    match value {
+        Value::Numbers { dims, real, .. } => {
+            let narrow = dims
+                .iter()
+                .min()
+                .is_some_and(|width| (3..=10).contains(width));
+            dims.len() == 2 && narrow && real.len() >= SHORT
+        }
+        Value::Text(_) => false,
+        _ => quantity.is_some() || class == Some("timetable"),
+    }
+}
+
 impl Variables {
     pub fn new(wanted: &Wanted, limits: Limits) -> Self {
         Self {
@@ -60,19 +88,12 @@ impl Variables {
             (Value::Object(_), Some(objects), Some(quantity)) => {
                 self.timetable(name, value, objects, quantity)?
             }
-            (Value::Object(_), Some(_), None) if class.as_deref() == Some("timetable") => {
-                let known = ["orientation", "position"]
-                    .iter()
-                    .any(|word| name.to_lowercase().contains(word));
-                self.recorder
-                    .content
-                    .unclear
-                    .extend((!known).then(|| name.clone()));
-                false
-            }
             (Value::Numbers { dims, real, .. }, _, _) => self.matrix(name, dims, *real)?,
             _ => false,
         };
+        if !read && may_be_sensor(name, value, class.as_deref()) {
+            self.recorder.content.unclear.push(name.clone());
+        }
         let unread = class
             .as_deref()
             .filter(|class| !read && *class != "timetable");
@@ -173,16 +194,11 @@ impl Variables {
         let sensors: &[(Quantity, usize)] = match (columns, quantity(name)) {
             (4, Some(quantity)) => &[(quantity, 1)],
             (7, _) => &[(Quantity::SpecificForce, 1), (Quantity::AngularRate, 4)],
-            (4, None) => &[],
             _ => return Ok(false),
         };
         let at = |row: usize, column: usize| numbers.get(column * rows + row);
         let increases = (1..rows).all(|row| at(row - 1, 0) < at(row, 0));
         if !increases {
-            return Ok(false);
-        }
-        if sensors.is_empty() {
-            self.recorder.content.unclear.push(name.to_owned());
             return Ok(false);
         }
         for (quantity, first) in sensors {

@@ -66,7 +66,35 @@ impl Format for Folder {
 fn sensors(files: &Files) -> Result<Vec<(&Entry, Sensor)>, Error> {
     let accel = choose(files, &ACCEL)?.map(|entry| (entry, Sensor::Accelerometer));
     let gyro = choose(files, &GYRO)?.map(|entry| (entry, Sensor::Gyroscope));
+    if accel.is_none()
+        && gyro.is_none()
+        && let Some(pair) = by_words(files)
+    {
+        return Ok(pair.to_vec());
+    }
     Ok(accel.into_iter().chain(gyro).collect())
+}
+
+/// The two files in whose names a word is a sensor's, as in `Sensor1_2026_Accelerometer_100Hz.csv`.
+fn by_words(files: &Files) -> Option<[(&Entry, Sensor); 2]> {
+    const DERIVED: [&str; 4] = ["linear", "gravity", "user", "free"];
+    let only = |names: &[&str]| {
+        let mut called = files.entries().iter().filter(|entry| {
+            let name = entry
+                .name
+                .rsplit('/')
+                .next()
+                .unwrap_or_default()
+                .to_lowercase();
+            let words: Vec<&str> = name.split(|c: char| !c.is_alphanumeric()).collect();
+            let has = |all: &[&str]| words.iter().any(|word| all.contains(word));
+            has(names) && has(&EXTENSIONS) && !has(&DERIVED)
+        });
+        called.next().filter(|_| called.next().is_none())
+    };
+    let (accel, gyro) = (only(&ACCEL)?, only(&GYRO)?);
+    // One file of both is another format's.
+    (accel.name != gyro.name).then_some([(accel, Sensor::Accelerometer), (gyro, Sensor::Gyroscope)])
 }
 
 /// The one file called after a sensor.

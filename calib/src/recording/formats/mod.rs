@@ -7,6 +7,7 @@ mod csv;
 mod folder;
 mod imu_tk;
 mod kalibr;
+mod long;
 mod measured;
 mod phyphox;
 mod physics_toolbox;
@@ -76,6 +77,7 @@ pub static FORMATS: &[&dyn Format] = &[
     &tagged::GET_SENSOR_DATA,
     &tagged::GNSS_LOGGER,
     &tagged::VECTORNAV,
+    &long::LONG,
     &serial::ADAFRUIT,
     &serial::SERIAL,
     &clock_text::TIME_OF_DAY,

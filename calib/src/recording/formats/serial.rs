@@ -33,6 +33,13 @@ struct Numbers<'a> {
     pairs: Vec<(&'a str, &'a str)>,
 }
 
+impl Numbers<'_> {
+    /// What its numbers are called.
+    fn names(&self) -> impl Iterator<Item = &str> {
+        self.pairs.iter().map(|(name, _)| *name)
+    }
+}
+
 /// The numbers of a line of which at least one has a name or a label; `None` for any other line.
 fn numbers(line: &str) -> Option<Numbers<'_>> {
     let (stamp, rest) = match split(line) {
@@ -57,9 +64,10 @@ fn numbers(line: &str) -> Option<Numbers<'_>> {
 fn labelled(look: &Look) -> Option<Vec<Part>> {
     let rows: Vec<Numbers> = look.lines().filter_map(numbers).collect();
     let first = rows.first()?;
+    // Rows that are called by turns differently are of several sensors.
     let alike = rows
         .iter()
-        .filter(|row| row.pairs.len() == first.pairs.len())
+        .filter(|row| row.names().eq(first.names()))
         .count();
     // Three in four lines, but for what the program says at its start.
     if 4 * alike < 3 * look.lines().count().saturating_sub(5) || alike < 2 {
@@ -94,17 +102,25 @@ fn labelled(look: &Look) -> Option<Vec<Part>> {
 
 fn rows_of_numbers(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
     let mut clock = TimeOfDay::default();
-    let mut begun = false;
+    // What the numbers of the first row are called.
+    let mut names: Vec<String> = Vec::new();
     rewritten(text, move |line, out| {
         let text = std::str::from_utf8(line).unwrap_or_default();
         let Some(found) = numbers(text) else {
             // What a program says before its rows is no row; a broken row later is for the reader to refuse.
-            if begun {
+            if !names.is_empty() {
                 out.extend_from_slice(line);
             }
             return;
         };
-        begun = true;
+        if names.is_empty() {
+            names = found.names().map(str::to_owned).collect();
+        }
+        // Of another sensor, and no row of this table.
+        if found.pairs.len() == names.len() && !found.names().eq(names.iter().map(String::as_str)) {
+            out.extend_from_slice(line);
+            return;
+        }
         let stamp = found
             .stamp
             .and_then(|stamp| clock.read(stamp))
