@@ -8,7 +8,7 @@ use solver::{Jet, LANES, lit};
 
 use super::static_norm::StaticNorms;
 use crate::calibration::{LeftOut, catalogue};
-use crate::methods::joint::{JointFit, Sensitivities};
+use crate::methods::joint::JointFit;
 use crate::methods::left_out::squares_added;
 use crate::methods::{AccelerometerFit, Fitted};
 use crate::truth::supposed;
@@ -16,9 +16,10 @@ use crate::truth::supposed;
 /// The effects that a joint fit leaves out: all of the catalogue that are functions of what their sensor measures, whatever
 /// else happens.
 pub(super) fn left_out(fit: &JointFit, fitted: &Fitted) -> Vec<LeftOut> {
-    let sensitivities = fit.sensitivities();
-    candidates(&fit.models)
-        .filter_map(|effect| of_joint(fit, fitted, &sensitivities, effect))
+    let effects: Vec<&dyn AnyEffect> = candidates(&fit.models).collect();
+    let added = fit.squares_added_by(&effects);
+    let each = effects.into_iter().zip(added);
+    each.filter_map(|(effect, added)| of_joint(fit, fitted, effect, added?))
         .collect()
 }
 
@@ -75,13 +76,13 @@ fn worst<'a>(
     })
 }
 
+/// `added` are the mean squares for the free shared parameters, near SI units.
 fn of_joint(
     fit: &JointFit,
     fitted: &Fitted,
-    sensitivities: &Sensitivities,
     effect: &dyn AnyEffect,
+    added: Vec<f64>,
 ) -> Option<LeftOut> {
-    let added = fit.squares_added_by(effect, sensitivities)?;
     let shared = fit.free.iter().copied().filter(|&k| k < fit.shared);
     let each = shared.zip(added).map(|(k, added)| {
         let (unit, place) = fit.unit_of(k);
