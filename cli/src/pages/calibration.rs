@@ -221,6 +221,8 @@ pub fn exports(report: Report, calibration: &Calibration) -> Result<Report, Fail
     let mut small = calibration.clone();
     small.covariance.clear();
     small.parameters.clear();
+    // Beside the errors only it says something.
+    small.left_out.clear();
     let json = show::json(&small)?;
     // What is copied needs no indentation.
     let lines: Vec<&str> = json.lines().map(str::trim_start).collect();
