@@ -219,6 +219,20 @@ impl Loss {
     }
 }
 
+/// The losses of the crate.
+#[cfg(test)]
+pub(crate) fn all(scale: LossScale) -> [Loss; 7] {
+    [
+        Loss::Quadratic,
+        Loss::Huber(scale),
+        Loss::Cauchy(scale),
+        Loss::Tukey(scale),
+        Loss::SoftL1(scale),
+        Loss::Arctan(scale),
+        Loss::GemanMcClure(scale),
+    ]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -226,15 +240,7 @@ mod tests {
     #[test]
     fn slopes_and_curvatures_are_the_derivatives_of_the_loss() {
         let scale = LossScale::Given(1.0);
-        for loss in [
-            Loss::Quadratic,
-            Loss::Huber(scale),
-            Loss::Cauchy(scale),
-            Loss::Tukey(scale),
-            Loss::SoftL1(scale),
-            Loss::Arctan(scale),
-            Loss::GemanMcClure(scale),
-        ] {
+        for loss in all(scale) {
             for s in [0.1, 0.7, 1.3, 9.0] {
                 let h = 1e-5;
                 let ([below, slope_below, _], [above, slope_above, _]) =

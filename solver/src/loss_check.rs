@@ -87,7 +87,7 @@ pub fn check_loss(loss: &dyn LossFunction, tolerance: f64) -> Vec<LossMismatch> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::loss::{Loss, LossScale};
+    use crate::loss::{Loss, LossScale, all};
 
     /// One of the crate's own losses as a user's.
     #[derive(Debug)]
@@ -101,16 +101,7 @@ mod tests {
 
     #[test]
     fn the_losses_of_the_crate_pass() {
-        let scale = LossScale::Given(1.0);
-        for loss in [
-            Loss::Quadratic,
-            Loss::Huber(scale),
-            Loss::Cauchy(scale),
-            Loss::Tukey(scale),
-            Loss::SoftL1(scale),
-            Loss::Arctan(scale),
-            Loss::GemanMcClure(scale),
-        ] {
+        for loss in all(LossScale::Given(1.0)) {
             assert_eq!(check_loss(&Known(loss), 1e-6), [], "{loss:?}");
         }
     }

@@ -17,6 +17,7 @@ mod display;
 mod eliminate;
 mod evaluate;
 mod factor;
+mod fill;
 mod manifold;
 mod manifolds;
 mod neighbours;

@@ -1,7 +1,7 @@
 //! The pattern of the normal equations: which blocks meet, in which order they are eliminated.
 
 use super::accumulate::FIRST;
-use super::block_cholesky::{Filled, filled};
+use super::fill::{Filled, filled};
 use super::order::fill_reducing;
 use super::problem::Graph;
 use crate::error::Error;
