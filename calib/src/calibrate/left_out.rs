@@ -2,16 +2,16 @@
 
 use faer::Mat;
 use nalgebra::Vector3;
-use sensor::{AnyEffect, Base, Model, Quantity, Role, Sensor};
-use solver::scalar::{derivatives, variable};
-use solver::{Jet, LANES, lit};
+use sensor::{AnyEffect, Model, Quantity, Role, Sensor};
+use solver::Problem;
 
 use super::static_norm::StaticNorms;
 use crate::calibration::{LeftOut, catalogue};
-use crate::methods::joint::JointFit;
+use crate::methods::joint::{JointFit, effect_slopes};
 use crate::methods::left_out::squares_added;
 use crate::methods::{AccelerometerFit, Fitted};
-use crate::truth::supposed;
+use crate::residuals::{GravityNorm, StaticMean};
+use crate::truth::{supposed, unneeded};
 
 /// The effects that a joint fit leaves out: all of the catalogue that are functions of what their sensor measures, whatever
 /// else happens.
@@ -102,22 +102,24 @@ fn slopes_of_norms(fit: &AccelerometerFit, norms: &StaticNorms) -> Option<Mat<f6
     let free: Vec<usize> = (fit.fitted.free.iter())
         .map(|name| parameters.index(name))
         .collect::<Option<_>>()?;
-    let mut slopes = Mat::zeros(norms.each().count(), free.len());
-    for (first, group) in (0..free.len()).step_by(LANES).zip(free.chunks(LANES)) {
-        let mut point: Vec<Jet> = parameters.values().iter().map(|&v| lit(v)).collect();
-        for (lane, &k) in group.iter().enumerate() {
-            point[k] = variable(parameters.values()[k], lane);
-        }
-        let base = Base::from_parameters(&point);
-        for (row, norm) in norms.each().enumerate() {
-            let corrected = base.correct(&norm.mean.map(lit::<Jet>));
-            let u = norm.force.normalize();
-            let by_lane = [0, 1, 2].map(|i| derivatives(&corrected[i]));
-            for lane in 0..group.len() {
-                let slope = Vector3::from_fn(|i, _| by_lane[i][lane]);
-                slopes[(row, first + lane)] = u.dot(&slope) / norm.sigma;
-            }
-        }
+    let means: Vec<StaticMean> = (norms.each())
+        .map(|norm| StaticMean {
+            raw: *norm.mean,
+            rest: unneeded(),
+            white: 0.0,
+        })
+        .collect();
+    let problem = GravityNorm {
+        model: &accelerometer::model(),
+        means: &means,
+        gravity: 0.0,
+    };
+    let mut slopes = problem.linearize(parameters.values(), &free, &mut Vec::new());
+    for (row, norm) in norms.each().enumerate() {
+        slopes
+            .row_mut(row)
+            .iter_mut()
+            .for_each(|slope| *slope /= norm.sigma);
     }
     Some(slopes)
 }
@@ -126,13 +128,15 @@ fn slopes_of_norms(fit: &AccelerometerFit, norms: &StaticNorms) -> Option<Mat<f6
 fn columns_of_norms(norms: &StaticNorms, effect: &dyn AnyEffect) -> Mat<f64> {
     let count = effect.params().len();
     let mut columns = Mat::zeros(norms.each().count(), count);
+    let (nothing, wanted) = (vec![0.0; count], (0..count).collect::<Vec<_>>());
+    let mut errors = Vec::with_capacity(count);
     for (row, norm) in norms.each().enumerate() {
         let truth = supposed(*norm.force, Vector3::zeros());
-        for k in 0..count {
-            let mut unit = vec![0.0; count];
-            unit[k] = 1.0;
-            let error = effect.error_f64(&truth, &unit);
-            columns[(row, k)] = norm.force.normalize().dot(&error) / norm.sigma;
+        errors.clear();
+        effect_slopes(effect, &truth, &nothing, &wanted, &mut errors);
+        let u = norm.force.normalize();
+        for (k, error) in errors.iter().enumerate() {
+            columns[(row, k)] = u.dot(error) / norm.sigma;
         }
     }
     columns

@@ -5,7 +5,7 @@ use std::ops::Range;
 use nalgebra::Vector3;
 use sensor::Sensor;
 
-use super::{Finding, OfSensor, least_step};
+use super::{Finding, OfSensor, least_beside_zero, least_step};
 use crate::recording::Stream;
 
 /// Share of zeros in static intervals that a working sensor of any noise does not give.
@@ -74,9 +74,8 @@ impl DeadZone {
         if share < SHARE {
             return None;
         }
-        let sizes = || values.iter().map(move |v| v[axis].abs());
-        let edge = sizes().filter(|&v| v > 0.0).min_by(f64::total_cmp)?;
-        let largest = sizes().fold(0.0, f64::max);
+        let edge = least_beside_zero(values, axis)?;
+        let largest = values.iter().map(|v| v[axis].abs()).fold(0.0, f64::max);
         let step = least_step(values, axis)?;
         (edge > WIDE * step || step < FINE * largest).then_some(Self { share, edge })
     }

@@ -107,6 +107,12 @@ impl<'a> OfSensor<'a> {
 /// The row of the first sample, under a line of header.
 const FIRST_ROW: usize = 2;
 
+/// The smallest size of an axis's readings that are not zero; `None` where all are.
+fn least_beside_zero(values: &[Vector3<f64>], axis: usize) -> Option<f64> {
+    let sizes = values.iter().map(|v| v[axis].abs()).filter(|&v| v > 0.0);
+    sizes.min_by(f64::total_cmp)
+}
+
 /// The smallest difference of neighbouring values of an axis that differ; `None` where none do.
 fn least_step(values: &[Vector3<f64>], axis: usize) -> Option<f64> {
     let steps = values

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use sensor::Sensor;
 
-use super::{FIRST_ROW, Finding, least_step};
+use super::{FIRST_ROW, Finding, least_beside_zero, least_step};
 use crate::averages::median;
 use crate::order_statistic::nth_smallest;
 use crate::recording::{Recording, Stream};
@@ -158,14 +158,12 @@ struct Resolution {
 }
 
 fn resolution(sensor: Sensor, values: &[Vector3<f64>], axis: usize) -> Resolution {
-    let sizes = values.iter().map(|v| v[axis].abs()).filter(|&v| v > 0.0);
-    let beside_zero = sizes.min_by(f64::total_cmp).unwrap_or(0.0);
     Resolution {
         step: least_step(values, axis).unwrap_or(0.0),
         // Gyroscopes alone are made with dead zones.
         beside_zero: match sensor {
             Sensor::Accelerometer => 0.0,
-            Sensor::Gyroscope => beside_zero,
+            Sensor::Gyroscope => least_beside_zero(values, axis).unwrap_or(0.0),
         },
     }
 }

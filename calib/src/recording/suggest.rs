@@ -39,17 +39,14 @@ pub(super) fn completed(
         .iter()
         .filter(|(role, _)| !matches!(role, Role::Field(_)));
     let known = known.map(|(role, name)| format!("{}={}", role.name(), called(name)));
-    let letter = match missing {
-        Sensor::Accelerometer => "a",
-        Sensor::Gyroscope => "g",
+    let role = match missing {
+        Sensor::Accelerometer => Role::Accel,
+        Sensor::Gyroscope => Role::Gyro,
     };
-    let axes = ["x", "y", "z"].iter().zip(&triad);
-    let added = axes.map(|(axis, name)| format!("{letter}{axis}={}", called(name)));
+    let axes = triad.iter().enumerate();
+    let added = axes.map(|(axis, name)| format!("{}={}", role(axis).name(), called(name)));
     let entries: Vec<String> = known.chain(added).collect();
-    Some(format!(
-        "say which is which: --columns '{}'",
-        entries.join(",")
-    ))
+    Some(asked(&entries))
 }
 
 /// A `--columns` line ready to paste, with the names most like the plain ones.
@@ -84,6 +81,10 @@ pub(super) fn suggestion(names: &[String]) -> String {
         return "say which is which by number or name, as in --columns 't=1,ax=2,ay=3,az=4'"
             .to_owned();
     }
+    asked(&entries)
+}
+
+fn asked(entries: &[String]) -> String {
     format!("say which is which: --columns '{}'", entries.join(","))
 }
 

@@ -100,7 +100,7 @@ pub fn effect_columns(
         (sensor, Sampling::Every),
         wanted.len(),
         |instant, out| {
-            slopes(effect, instant.truth, p, wanted, out);
+            effect_slopes(effect, instant.truth, p, wanted, out);
         },
     )
 }
@@ -120,7 +120,7 @@ pub fn step_columns(
     let of_sensor = |s: &&MeanSensitivity| s.sensor == effect.sensor();
     for mean in sensitivities.means.iter().filter(of_sensor) {
         e.clear();
-        slopes(effect, &mean.truth, p, wanted, &mut e);
+        effect_slopes(effect, &mean.truth, p, wanted, &mut e);
         for (k, _) in instants
             .iter()
             .enumerate()
@@ -145,7 +145,7 @@ pub fn step_columns(
             while let Some((by_error, truth)) = samples.next_if(|(_, truth)| truth.time > *instant)
             {
                 e.clear();
-                slopes(effect, truth, p, wanted, &mut e);
+                effect_slopes(effect, truth, p, wanted, &mut e);
                 for (sum, e) in sums.iter_mut().zip(&e) {
                     *sum += by_error * e;
                 }
@@ -160,7 +160,7 @@ pub fn step_columns(
 }
 
 /// Pushes `∂e/∂p` of the parameters `wanted`.
-fn slopes(
+pub fn effect_slopes(
     effect: &dyn AnyEffect,
     truth: &Kinematics<f64>,
     p: &[f64],

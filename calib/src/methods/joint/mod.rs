@@ -75,7 +75,9 @@ pub use chart::Chart;
 pub use clock::{ClockMode, ClockState, SourceClock, TurnClock};
 pub use data::{Chunk, Data, LostTurn, Mean, Rest, Source, TurnSamples};
 pub use disturbance::{Disturbance, Suspect, excursions, suspects};
-pub use error_columns::{Instant, Place, Sampling, effect_columns, error_columns, step_columns};
+pub use error_columns::{
+    Instant, Place, Sampling, effect_columns, effect_slopes, error_columns, step_columns,
+};
 pub use fit::JointFit;
 pub use influence::Influence;
 pub use layout::Layout;
