@@ -12,7 +12,7 @@ use super::table::Table;
 use super::time;
 use super::units::{AccelUnit, GyroUnit, Stated, TemperatureUnit, TimeUnit};
 use super::{Described, Recording, Stream, Temperature, UnitBy};
-use super::{checks, decide, held, rests, sort, unclear, values};
+use super::{checks, decide, held, rests, sort, thermometer, unclear, values};
 use crate::Error;
 use crate::shown::figure;
 
@@ -44,6 +44,7 @@ pub(super) fn assemble(
         recording.warnings.push(words);
     }
     recording.magnetometer = Magnetometer::taken(&mut tables);
+    thermometer::join(&mut tables)?;
     let unused: Vec<String> = tables
         .iter()
         .flat_map(|table| table.unused.clone())
@@ -87,6 +88,7 @@ pub(super) fn assemble(
     }
     flip(&mut recording, &options.flip);
     overlap(&recording)?;
+    thermometer::check_clock(&mut recording);
     for (present, missing) in [
         (
             recording.accelerometer.is_some(),

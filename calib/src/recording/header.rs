@@ -58,6 +58,7 @@ impl Layout {
             ..Self::default()
         };
         layout.assign(&roles)?;
+        layout.refuse_without_sensor(map)?;
         layout.state_units();
         Ok(layout)
     }
@@ -94,14 +95,27 @@ impl Layout {
             [Some(x), Some(y), Some(z)] => Some([x, y, z]),
             _ => None,
         };
-        if self.accel.is_none() && self.gyro.is_none() && self.field.is_none() {
-            return Err(format!(
-                "no accelerometer and no gyroscope columns among {}; expected t,ax,ay,az,gx,gy,gz[,temp]; {}",
-                shown_list(self.names.iter()),
-                suggestion(&self.names)
-            ));
-        }
         Ok(())
+    }
+
+    /// True if three columns are a sensor's.
+    pub fn has_sensor(&self) -> bool {
+        [self.accel, self.gyro, self.field]
+            .iter()
+            .any(Option::is_some)
+    }
+
+    /// Refuses a table without a sensor, unless the user or the format named its temperature.
+    pub fn refuse_without_sensor(&self, map: &ColumnMap) -> Result<(), String> {
+        let is_thermometer = map.0.iter().any(|(role, _)| *role == Role::Temperature);
+        if is_thermometer || self.has_sensor() {
+            return Ok(());
+        }
+        Err(format!(
+            "no accelerometer and no gyroscope columns among {}; expected t,ax,ay,az,gx,gy,gz[,temp]; {}",
+            shown_list(self.names.iter()),
+            suggestion(&self.names)
+        ))
     }
 
     fn state_units(&mut self) {

@@ -109,7 +109,7 @@ impl Magnetometer {
                 ..Self::of(&t, &values)?
             })
         });
-        tables.retain(|table| !table.accel.t.is_empty() || !table.gyro.t.is_empty());
+        tables.retain(|table| table.has_sensor() || !table.temperature.is_empty());
         found
     }
 }

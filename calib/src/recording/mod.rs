@@ -53,6 +53,7 @@ mod source;
 mod stream;
 mod suggest;
 mod table;
+mod thermometer;
 mod time;
 mod time_of_day;
 mod turn_unit;

@@ -181,6 +181,11 @@ impl Table {
         Ok(())
     }
 
+    /// True for readings of an accelerometer or a gyroscope.
+    pub fn has_sensor(&self) -> bool {
+        !self.accel.t.is_empty() || !self.gyro.t.is_empty()
+    }
+
     /// The stamps of everything in it.
     pub fn stamps_mut(&mut self) -> [&mut Vec<f64>; 4] {
         [

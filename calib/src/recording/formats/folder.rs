@@ -7,17 +7,19 @@ use super::{Format, Source};
 use crate::Error;
 use crate::recording::assemble::assemble;
 use crate::recording::files::Files;
+use crate::recording::look::Look;
 use crate::recording::parts::Part;
 use crate::recording::place::in_file;
 use crate::recording::table::Table;
-use crate::recording::{ReadOptions, Recording};
+use crate::recording::{ReadOptions, Recording, thermometer};
 
-/// `acc.csv` and `gyro.csv`, each sensor on its own clock.
+/// `acc.csv` and `gyro.csv`, each sensor with stamps of its own, and `temp.csv`.
 #[derive(Debug)]
 pub(super) struct Folder;
 
 const ACCEL: [&str; 3] = ["acc", "accel", "accelerometer"];
 const GYRO: [&str; 3] = ["gyro", "gyr", "gyroscope"];
+const THERMOMETER: [&str; 3] = ["temp", "temperature", "thermometer"];
 const EXTENSIONS: [&str; 4] = ["csv", "txt", "tsv", "dat"];
 
 impl Format for Folder {
@@ -26,7 +28,7 @@ impl Format for Folder {
     }
 
     fn about(&self) -> &'static str {
-        "a folder with acc.csv (t,ax,ay,az) and gyro.csv (t,gx,gy,gz), t on one clock"
+        "a folder with acc.csv (t,ax,ay,az), gyro.csv (t,gx,gy,gz) and, if any, temp.csv (t,temp), t on one clock"
     }
 
     fn recognises(&self, source: &Source) -> bool {
@@ -56,6 +58,7 @@ impl Format for Folder {
             return Err(in_file(&files.name, words));
         }
         super::add_magnetometer(&files, &mut tables, None, options);
+        add_thermometer(&files, &mut tables, options)?;
         let mut recording = assemble(files.name.clone(), tables, options)?;
         recording.warnings.extend(files.warnings());
         Ok(recording)
@@ -73,6 +76,27 @@ fn sensors(files: &Files) -> Result<Vec<(&Entry, Sensor)>, Error> {
         return Ok(pair.to_vec());
     }
     Ok(accel.into_iter().chain(gyro).collect())
+}
+
+/// Adds the temperature of a file that is called so; the sensors' files may hold one of their own.
+fn add_thermometer(
+    files: &Files,
+    tables: &mut Vec<Table>,
+    options: &ReadOptions,
+) -> Result<(), Error> {
+    let known = tables.iter().any(|table| !table.temperature.is_empty());
+    let entry = choose(files, &THERMOMETER)?.filter(|_| !known);
+    let columns = entry.and_then(|entry| thermometer::columns(&Look::at(&files.head(entry))));
+    if let Some((entry, columns)) = entry.zip(columns) {
+        let origin = tables.first().and_then(|table| table.clock.origin);
+        let options = ReadOptions {
+            columns,
+            ..options.clone()
+        };
+        let text = files.text(entry, &options)?;
+        tables.push(Table::read(text, None, origin, &options)?);
+    }
+    Ok(())
 }
 
 /// The two files in whose names a word is a sensor's, as in `Sensor1_2026_Accelerometer_100Hz.csv`.

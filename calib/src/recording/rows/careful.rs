@@ -42,10 +42,6 @@ impl Rows<'_> {
         let accel = self.triad(line, layout.accel)?;
         let gyro = self.triad(line, layout.gyro)?;
         let field = self.field(line);
-        if accel.is_none() && gyro.is_none() && field.is_none() {
-            let words = "every cell of the sensors is empty; --na drop leaves such rows out";
-            return Err(Trouble::Missing(self.at(line, 0, words.to_owned())));
-        }
         let temperature = match layout
             .temperature
             .map(|column| (column, &line.bytes[self.cells[column].clone()]))
@@ -53,6 +49,12 @@ impl Rows<'_> {
             Some((column, cell)) if !cell.is_empty() => Some(self.number(line, column)?),
             _ => None,
         };
+        // A file of a thermometer has no others.
+        let alone = temperature.filter(|_| !layout.has_sensor());
+        if accel.is_none() && gyro.is_none() && field.is_none() && alone.is_none() {
+            let words = "every cell of the sensors is empty; --na drop leaves such rows out";
+            return Err(Trouble::Missing(self.at(line, 0, words.to_owned())));
+        }
         let t = self.stamp(line)?;
         self.keep(t, accel, gyro, Others { temperature, field }, line)
     }

@@ -1,0 +1,103 @@
+//! Temperatures with stamps of their own: read between them, left out where they are of another clock.
+
+use super::look::Look;
+use super::names::role_of;
+use super::options::{ColumnMap, Role};
+use super::place::in_file;
+use super::table::Table;
+use super::{Recording, Stream};
+use crate::Error;
+use crate::shown::figure;
+
+/// Share of a recording over which the temperature has to be known; beyond its stamps it is taken as constant.
+const KNOWN: f64 = 0.5;
+
+/// Steps between readings of the temperature that the first and last may miss of the recording.
+const MISSED: f64 = 3.0;
+
+/// The columns of a file of a thermometer, by number.
+pub(super) fn columns(look: &Look) -> Option<ColumnMap> {
+    let names = look.first();
+    let column = |wanted: Role| {
+        let at = names
+            .iter()
+            .position(|name| role_of(name, None) == Some(wanted))?;
+        Some((wanted, (at + 1).to_string()))
+    };
+    let columns = [Role::Time, Role::Temperature].map(column);
+    columns.into_iter().collect::<Option<_>>().map(ColumnMap)
+}
+
+/// Gives the temperature of a table without sensors to the first one with.
+///
+/// # Errors
+/// [`Error::Input`] where no table has a sensor.
+pub(super) fn join(tables: &mut Vec<Table>) -> Result<(), Error> {
+    let alone = tables.iter().position(|table| !table.has_sensor());
+    let Some(mut table) = alone.map(|at| tables.remove(at)) else {
+        return Ok(());
+    };
+    let Some(first) = tables.iter_mut().find(|table| table.has_sensor()) else {
+        return Err(in_file(
+            &table.name,
+            "no accelerometer and no gyroscope, only a temperature",
+        ));
+    };
+    first.warnings.append(&mut table.warnings);
+    first.temperature_t = table.temperature_t;
+    first.temperature = table.temperature;
+    first.stated.temperature = table.stated.temperature;
+    Ok(())
+}
+
+/// Leaves out a temperature whose stamps are of another clock, and says where one begins late or ends early.
+pub(super) fn check_clock(recording: &mut Recording) {
+    let Some((words, is_known)) = misfit(recording) else {
+        return;
+    };
+    recording
+        .warnings
+        .push(format!("{}: {words}", recording.name));
+    if !is_known {
+        recording.temperature = None;
+    }
+}
+
+/// What is wrong with the stamps of the temperature, and whether it can be used all the same.
+fn misfit(recording: &Recording) -> Option<(String, bool)> {
+    let readings = recording.temperature.as_ref()?;
+    let (first, last) = (*readings.t.first()?, *readings.t.last()?);
+    let (from, to) = span(recording)?;
+    if readings.t.len() == 1 && (from..=to).contains(&first) {
+        return None;
+    }
+    let step = (last - first) / (readings.t.len() - 1).max(1) as f64;
+    if first <= from + MISSED * step && last >= to - MISSED * step {
+        return None;
+    }
+    let common = (last.min(to) - first.max(from)) / (to - from);
+    let spans = format!(
+        "the temperature is known from {} to {} s, the sensors from {} to {} s",
+        figure(first),
+        figure(last),
+        figure(from),
+        figure(to)
+    );
+    let is_known = common >= KNOWN;
+    let words = if is_known {
+        format!("{spans}: before and after it is taken as constant")
+    } else {
+        format!(
+            "{spans}: left out; are both stamps of one clock? Shift the temperature's to that of the sensors"
+        )
+    };
+    Some((words, is_known))
+}
+
+/// First and last stamp of the sensors.
+fn span(recording: &Recording) -> Option<(f64, f64)> {
+    let streams = [&recording.accelerometer, &recording.gyroscope];
+    let ends = |stream: &Stream| Some((*stream.t.first()?, *stream.t.last()?));
+    let ends = streams.into_iter().flatten().filter_map(ends);
+    ends.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+}
