@@ -178,7 +178,7 @@ impl From<exchange::Error> for Failure {
         let code = match error {
             E::Settings(_) => USAGE,
             E::Lacks { .. } => NOT_ENOUGH,
-            E::LeftHanded { .. } => GATE,
+            E::LeftHanded { .. } | E::Flipped { .. } => GATE,
             _ => INPUT,
         };
         Self::new(code, error.to_string())

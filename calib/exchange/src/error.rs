@@ -58,6 +58,23 @@ pub enum Error {
         /// The sensor.
         sensor: &'static str,
     },
+    /// Axes of one sensor point against the other's, which the target cannot hold.
+    #[error(
+        "{target} keeps no sign of an axis, and the {sensor}'s scale factor of {axis} is {value}; read it with the other sign, \
+         as in `calibrate --flip {flip}`"
+    )]
+    Flipped {
+        /// The target.
+        target: &'static str,
+        /// The sensor.
+        sensor: &'static str,
+        /// The axis.
+        axis: &'static str,
+        /// The diagonal element of `T`.
+        value: f64,
+        /// All axes of the sensor that are flipped, as the option takes them.
+        flip: String,
+    },
     /// An option that this target cannot follow.
     #[error("{0}")]
     Settings(String),

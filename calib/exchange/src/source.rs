@@ -82,6 +82,33 @@ impl<'a> Source<'a> {
         Ok(())
     }
 
+    /// Refuses axes with a negative scale factor: the target multiplies by a positive one, or by none.
+    ///
+    /// # Errors
+    /// [`Error::Flipped`].
+    pub fn needs_signs(&self, target: &'static str) -> Result<(), Error> {
+        let sensors = [
+            ("accelerometer", ["ax", "ay", "az"], &self.accelerometer),
+            ("gyroscope", ["gx", "gy", "gz"], &self.gyroscope),
+        ];
+        for (sensor, names, base) in sensors {
+            let Some(base) = base else { continue };
+            let scale = base.t.diagonal();
+            let flipped: Vec<usize> = (0..3).filter(|&axis| scale[axis] < 0.0).collect();
+            if let [first, ..] = flipped[..] {
+                let flip: Vec<&str> = flipped.iter().map(|&axis| names[axis]).collect();
+                return Err(Error::Flipped {
+                    target,
+                    sensor,
+                    axis: AXES[first],
+                    value: scale[first],
+                    flip: flip.join(","),
+                });
+            }
+        }
+        Ok(())
+    }
+
     /// The unit of a sensor's readings.
     pub fn unit(&self, sensor: Sensor) -> Option<String> {
         let triad = self.calibration.triad(sensor)?;

@@ -40,6 +40,7 @@ impl Target for ArduPilot {
 
     fn write(&self, source: &Source<'_>, settings: &Settings) -> Result<Written, Error> {
         source.needs_si("ardupilot")?;
+        source.needs_signs("ardupilot")?;
         let names = Names::of(settings.instance)?;
         let before = settings.logged_with.as_deref().map(parameters);
         let before = before.transpose()?;

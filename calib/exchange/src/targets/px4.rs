@@ -37,6 +37,7 @@ impl Target for Px4 {
 
     fn write(&self, source: &Source<'_>, settings: &Settings) -> Result<Written, Error> {
         source.needs_si("px4")?;
+        source.needs_signs("px4")?;
         let k = settings.instance;
         if k >= MOST {
             return Err(Error::Settings(format!(
@@ -64,7 +65,7 @@ impl Target for Px4 {
                         value,
                         least,
                         most,
-                        next: "read the axis with the other sign (`calibrate --flip`), or check the unit",
+                        next: "is a unit wrong?",
                     });
                 }
                 put(format!("CAL_ACC{k}_{axis}SCALE"), value);
