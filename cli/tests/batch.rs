@@ -37,7 +37,7 @@ fn bytes(path: &Path) -> Vec<u8> {
 }
 
 #[test]
-fn shards_merge_to_the_bytes_of_one_run_and_a_rerun_changes_nothing() {
+fn case_141_shards_merge_to_the_bytes_of_one_run_and_a_rerun_changes_nothing() {
     let (_dir, folder) = devices(5);
     let whole = stillpoint(
         &folder,
@@ -186,6 +186,28 @@ fn bad_devices_have_their_reasons_and_the_others_are_as_without_them() {
     );
 }
 
+#[test]
+fn case_133_a_device_called_like_a_formula_stays_a_word_in_the_table() {
+    let (_dir, folder) = devices(1);
+    let formula = "=cmd|' 'calc'!A0";
+    let from = folder.join("devices/d00.csv");
+    std::fs::rename(from, folder.join(format!("devices/{formula}.csv"))).unwrap();
+    let run = stillpoint(&folder, &["batch", "devices", "-o", "out"]);
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    let merge = [
+        "batch", "merge", "out", "-o", "all", "--csv", "--jsonl", "--report",
+    ];
+    let run = stillpoint(&folder, &merge);
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    let table = std::fs::read_to_string(folder.join("all.csv")).unwrap();
+    let id = table.lines().nth(1).unwrap();
+    assert!(id.starts_with(&format!("'{formula},")), "{id}");
+    // What programs read has the name as it is.
+    let lines = std::fs::read_to_string(folder.join("all.jsonl")).unwrap();
+    let record: Value = serde_json::from_str(lines.lines().next().unwrap()).unwrap();
+    assert_eq!(record["id"], formula);
+}
+
 /// Kills by SIGKILL; `STILLPOINT_KILLS=50` is the large version.
 fn kills() -> u64 {
     let asked = std::env::var("STILLPOINT_KILLS").ok();
@@ -193,7 +215,7 @@ fn kills() -> u64 {
 }
 
 #[test]
-fn a_batch_killed_at_any_time_resumes_to_the_same_bytes() {
+fn case_141_a_batch_killed_at_any_time_resumes_to_the_same_bytes() {
     let (_dir, folder) = devices(4);
     let begin = Instant::now();
     assert_eq!(

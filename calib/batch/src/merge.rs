@@ -162,6 +162,14 @@ fn is_part(path: &Path) -> bool {
     name.is_some_and(|name| name.starts_with("part-") && name.ends_with(".jsonl"))
 }
 
+/// Words as a spreadsheet takes them for words: what begins like a formula gets an apostrophe in front.
+fn as_text(words: &str) -> String {
+    match words.starts_with(['=', '+', '-', '@', '\t', '\r']) {
+        true => format!("'{words}"),
+        false => words.to_owned(),
+    }
+}
+
 /// The records as a table: a row per device, a column per parameter with its standard error.
 pub fn to_csv(records: &[Record]) -> String {
     let mut names: Vec<&str> = Vec::new();
@@ -202,15 +210,15 @@ pub fn to_csv(records: &[Record]) -> String {
     for r in records {
         let findings: Vec<&str> = r.findings.iter().map(|f| f.name.as_str()).collect();
         let m = &r.misfit;
-        let word = |word: &Option<String>| word.clone().unwrap_or_default();
+        let word = |word: &Option<String>| word.as_deref().map_or(String::new(), as_text);
         let mut row = vec![
-            r.id.clone(),
+            as_text(&r.id),
             word(&r.lot),
             word(&r.station),
             word(&r.time),
             r.status.name().into(),
             r.exit.to_string(),
-            r.reasons.join("; "),
+            as_text(&r.reasons.join("; ")),
             number(m.residual_mm_s2),
             number(m.accelerometer_chi2),
             count(m.static_intervals),
@@ -219,7 +227,7 @@ pub fn to_csv(records: &[Record]) -> String {
             count(m.turns),
             r.warnings.to_string(),
             word(&r.verdict),
-            findings.join(";"),
+            as_text(&findings.join(";")),
             r.belongs.map_or(String::new(), |b| b.to_string()),
         ];
         for name in &names {
