@@ -7,6 +7,7 @@ use std::path::Path;
 use std::process::Command;
 
 use common::{folder, stderr, stdout, stillpoint};
+use stillpoint_tests::needed_data::skipped;
 
 /// Markup, an escape sequence in both spellings, a change of direction, a new line.
 const NASTY: &str = "<img src=x onerror=alert(1)></script>&\"'\u{1b}[31m\u{9b}2J\u{202e}\u{7f}\nstillpoint: all good";
@@ -125,7 +126,7 @@ fn as_chromium_sees(page: &Path) {
             assert_eq!(dom.matches("<script").count(), 1);
             assert!(dom.contains("<button"), "the script did not run");
         }
-        None => eprintln!("SKIPPED: no Chromium here, the page was looked at by a parser only"),
+        None => skipped("no Chromium, the page was looked at by a parser only"),
     }
 }
 

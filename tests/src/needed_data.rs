@@ -32,14 +32,18 @@ pub fn needed(part: &str) -> Option<PathBuf> {
             path.display()
         );
     }
+    skipped(&format!("no {}", path.display()));
+    None
+}
+
+/// Says on standard error that the calling test is skipped, and why. The test is to end then.
+pub fn skipped(why: &str) {
     let count = SKIPPED.fetch_add(1, Ordering::Relaxed) + 1;
     let thread = std::thread::current();
     let test = thread.name().unwrap_or("a test");
     // Not by `eprintln!`: the output of a test that passes is captured.
     let _ = writeln!(
         std::io::stderr(),
-        "skipped: {test}: no {} ({count} skipped in this file so far)",
-        path.display()
+        "skipped: {test}: {why} ({count} skipped in this file so far)"
     );
-    None
 }

@@ -2,18 +2,13 @@
 
 #![allow(clippy::unwrap_used)]
 
-use std::path::Path;
-
 use solver::{Mask, Options, Report, solve};
-use stillpoint_tests::problems::nist::{Regression, default_folder};
+use stillpoint_tests::needed_data::needed;
+use stillpoint_tests::problems::nist::Regression;
 
-/// The problems, or `None` with a message where the files are missing.
+/// The problems; the test is to end where their files are missing.
 fn problems() -> Option<Vec<Regression>> {
-    let folder = default_folder();
-    if !Path::new(&folder).is_dir() {
-        eprintln!("skipped: no {}", folder.display());
-        return None;
-    }
+    let folder = needed("nist")?;
     Some(Regression::all(&folder).unwrap())
 }
 

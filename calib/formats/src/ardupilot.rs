@@ -281,7 +281,7 @@ impl File {
         {
             let number = match stream.instance {
                 0 => String::new(),
-                instance => (instance + 1).to_string(),
+                instance => (u64::from(instance) + 1).to_string(),
             };
             let axes =
                 |what: &str| ["X", "Y", "Z"].map(|axis| parameter(format!("INS_{what}_{axis}")));

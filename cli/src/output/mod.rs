@@ -211,7 +211,11 @@ fn not_written(path: &Path, error: &std::io::Error) -> Failure {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => "make room, or write to another disk",
         ErrorKind::FileTooLarge => "raise the limit on file sizes (ulimit -f)",
         ErrorKind::NotFound => "make the folder first",
-        _ => "choose a folder that can be written to",
+        ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => {
+            "choose a folder that can be written to"
+        }
+        // Network file systems fail now and then, and some cannot rename over a file.
+        _ => "try again, or choose a folder on another file system",
     };
     let why = format!("cannot be written: {error}; {advice}");
     Failure::new(OUTPUT, format!("{}: {why}", show::path(path)))

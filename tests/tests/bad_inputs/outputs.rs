@@ -4,6 +4,8 @@ use std::os::unix::fs::{PermissionsExt, symlink};
 
 use serde_json::Value;
 
+use stillpoint_tests::needed_data::skipped;
+
 use crate::bench::{Bench, Run};
 use crate::device::{csv, good};
 
@@ -155,8 +157,7 @@ fn case_123_a_full_disk() {
         command.status().is_ok_and(|status| status.success())
     };
     if !mount(&["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs"]) {
-        eprintln!("SKIPPED: a full disk needs the right to mount one (root)");
-        return;
+        return skipped("a full disk needs the right to mount one (root)");
     }
     bench.write("disk/c.csv", "old");
     bench.write(
@@ -232,6 +233,29 @@ fn case_129_a_device_as_output() {
         let run = bench.run(&["calibrate", "r.csv", "-o", target, "--force"]);
         run.ends(6).says(&[target]);
     }
+}
+
+#[test]
+fn case_130_a_file_system_that_does_not_rename() {
+    let bench = calibrated();
+    bench.write("c.csv", "precious");
+    // A name that something is mounted on cannot be renamed over, whoever asks.
+    let program = env!("CARGO_BIN_EXE_stillpoint");
+    let mounted =
+        format!("mount --bind c.csv c.csv && exec {program} apply cal.json r.csv -o c.csv --force");
+    let within = |script: &str| {
+        let mut command = std::process::Command::new("unshare");
+        command
+            .args(["--user", "--map-root-user", "--mount", "sh", "-c", script])
+            .current_dir(bench.path(""));
+        command
+    };
+    let allowed = within("mount --bind c.csv c.csv").output();
+    if !allowed.is_ok_and(|output| output.status.success()) {
+        return skipped("a mount needs unshare of util-linux and user namespaces");
+    }
+    let run = bench.watch(within(&mounted));
+    run.ends(6).says(&["c.csv", "again"]).changes(&[]);
 }
 
 #[test]

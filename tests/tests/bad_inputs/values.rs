@@ -92,6 +92,22 @@ fn case_086_axes_of_the_gyroscope_turned_by_a_right_angle() {
 }
 
 #[test]
+fn case_087_a_negative_scale_is_not_exported_where_no_sign_can_be_kept() {
+    let rows = spoilt(|_, row| row[4..6].iter_mut().for_each(|v| *v = -*v));
+    let bench = Bench::with("r.csv", csv(&rows));
+    bench
+        .run(&["calibrate", "r.csv", "-o", "cal.json"])
+        .ends(0)
+        .says(&["x and y are flipped"]);
+    for target in ["px4", "ardupilot"] {
+        let run = bench.run(&["export", "cal.json", "--to", target, "-o", "out"]);
+        run.ends(1).says(&["--flip gx,gy"]).changes(&[]);
+    }
+    let run = bench.run(&["export", "cal.json", "--to", "c", "-o", "out.h"]);
+    run.ends(0);
+}
+
+#[test]
 fn case_088_a_bias_of_half_a_g() {
     let rows = spoilt(|_, row| row[1] += 0.5 * G);
     calibrate(csv(&rows), &[]).ends(0);
@@ -163,6 +179,39 @@ fn case_098_temperatures_that_cannot_be() {
     let run = bench.run(&["calibrate", "r.csv", "--effects", "accel_temperature"]);
     run.ends(4)
         .says(&["not observable", "accel_temperature.x, accel_temperature.y"]);
+}
+
+#[test]
+fn case_099_a_temperature_with_stamps_of_its_own() {
+    let columns = |from: usize| {
+        let line = |row: &Row| {
+            let [x, y, z] = [0, 1, 2].map(|axis| row[from + axis]);
+            format!("{:.4},{x:.6},{y:.6},{z:.6}", row[0])
+        };
+        good().iter().map(line).collect::<Vec<_>>()
+    };
+    let end = good().last().unwrap()[0];
+    let with = |shift: f64| {
+        let bench = Bench::with("r/acc.csv", table("t,ax,ay,az", &columns(1)));
+        bench.write("r/gyro.csv", table("t,gx,gy,gz", &columns(4)));
+        let line = |k: u32| {
+            let t = 1.7 * f64::from(k);
+            format!("{:.2},{:.2}", t + shift, 20.0 + 0.05 * t)
+        };
+        let lines: Vec<String> = (0..=(end / 1.7) as u32).map(line).collect();
+        bench.write("r/temp.csv", table("t,temp", &lines));
+        bench.run(&["calibrate", "r", "--effects", "accel_temperature", "--json"])
+    };
+    // Read between its own stamps.
+    let run = with(0.0);
+    run.ends(0).is_silent_on(&["the temperature is known from"]);
+    assert_eq!(run.json()["effects"][0]["name"], "accel_temperature");
+    with(-0.2 * end)
+        .ends(0)
+        .says(&["the temperature is known from", "taken as constant"]);
+    with(1.7e9)
+        .ends(4)
+        .says(&["the temperature is known from", "left out", "one clock"]);
 }
 
 #[test]
