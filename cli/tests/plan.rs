@@ -35,6 +35,7 @@ fn a_plan_of_twelve_placements_has_words_turns_predictions_and_pictures() {
     );
     let page = std::fs::read_to_string(dir.path().join("plan.html")).unwrap();
     assert_eq!(page.matches("<svg").count(), 12);
+    assert!(page.contains("default-src 'none'; style-src 'sha256-") && page.contains("<main>"));
     let file: serde_json::Value =
         serde_json::from_slice(&std::fs::read(dir.path().join("plan.json")).unwrap()).unwrap();
     assert_eq!(file, plan);

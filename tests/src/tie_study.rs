@@ -102,6 +102,10 @@ pub struct Outcome {
     pub refused: Option<String>,
     /// What the plan says would help where it does not.
     pub shown_by: ShownBy,
+    /// Statistic and degrees of freedom of what is hidden and of the other, against the base models and both recordings.
+    pub against: [Option<(f64, f64)>; 2],
+    /// Seconds that the plan took.
+    pub planning: f64,
 }
 
 impl Outcome {
@@ -132,6 +136,7 @@ pub fn follow(tie: &Tie, index: u64) -> Result<Option<Outcome>, Error> {
     let Some(rivalry) = tied(&discovery, tie) else {
         return Ok(None);
     };
+    let start = std::time::Instant::now();
     let aim = separate(
         std::slice::from_ref(&rivalry),
         None,
@@ -144,6 +149,7 @@ pub fn follow(tie: &Tie, index: u64) -> Result<Option<Outcome>, Error> {
             catalogue: request.catalogue.clone(),
         },
     )?;
+    let planning = start.elapsed().as_secs_f64();
     let again = Spec {
         seed: spec.seed ^ PLANNED,
         motion: Motion::Planned(aim.design.motion()),
@@ -153,9 +159,12 @@ pub fn follow(tie: &Tie, index: u64) -> Result<Option<Outcome>, Error> {
     };
     let mut second = again.run()?.recording;
     second.name = "planned".into();
-    let (found, refused) = match discover(&[session.recording, second], &request) {
-        Ok(discovery) => (names(&discovery), None),
-        Err(error) => (Vec::new(), Some(error.to_string())),
+    let (found, refused, against) = match discover(&[session.recording, second], &request) {
+        Ok(discovery) => {
+            let against = [tie.hidden, tie.other].map(|name| statistic(&discovery, name));
+            (names(&discovery), None, against)
+        }
+        Err(error) => (Vec::new(), Some(error.to_string()), [None; 2]),
     };
     Ok(aim.ties.first().map(|planned| Outcome {
         index,
@@ -167,6 +176,8 @@ pub fn follow(tie: &Tie, index: u64) -> Result<Option<Outcome>, Error> {
         shown_by: planned.shown_by(),
         found,
         refused,
+        against,
+        planning,
     }))
 }
 
@@ -178,6 +189,12 @@ fn tied(discovery: &Discovery, tie: &Tie) -> Option<Rivalry> {
         names == [tie.hidden, tie.other] || names == [tie.other, tie.hidden]
     };
     all.into_iter().find(is_it).cloned()
+}
+
+fn statistic(discovery: &Discovery, name: &str) -> Option<(f64, f64)> {
+    let mut all = discovery.search.first_ranking.iter();
+    let found = all.find(|(claim, _)| claim.name() == name);
+    found.map(|(_, ranked)| (ranked.statistic, ranked.dof))
 }
 
 fn names(discovery: &Discovery) -> Vec<(String, Vec<String>)> {

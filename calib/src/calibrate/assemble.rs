@@ -378,6 +378,8 @@ pub(super) fn of_the_unit(unit: &RawUnit) -> Option<String> {
     (!unit.is_si()).then(|| {
         if (9.0..10.5).contains(&scale) {
             "the accelerometer's readings look like units of g: T carries them to m/s²".into()
+        } else if (9.0..10.5).contains(&scale.recip()) {
+            "the accelerometer's readings look like m/s² that were read as units of g: T carries them back".into()
         } else {
             format!(
                 "the accelerometer's readings are raw counts: one is about {scale:.4e} m/s², zero lies \
@@ -396,6 +398,8 @@ pub(super) fn of_the_gyro_unit(unit: &RawUnit, accelerometer_is_si: bool) -> Opt
     }
     Some(if (scale.to_degrees() - 1.0).abs() < 0.15 {
         "the gyroscope's readings look like degrees per second: T carries them to rad/s".into()
+    } else if (scale.to_radians() - 1.0).abs() < 0.15 {
+        "the gyroscope's readings look like rad/s that were read as degrees per second: T carries them back".into()
     } else {
         format!("the gyroscope's readings are raw counts: one is about {scale:.4e} rad/s")
     })

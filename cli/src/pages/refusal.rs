@@ -69,7 +69,7 @@ pub fn page(
         pictures.push(("coverage".into(), coverage::picture(&session, coverage)));
     }
     pictures.push(("modulus".into(), residuals::norm(&session, None).into()));
-    let units = ["reading", "reading"];
+    let units = units(&session, gravity);
     let named = |name: &'static str, all: Vec<Picture>| {
         let all = all.into_iter().enumerate();
         all.map(move |(k, p)| (format!("{name}-{}", k + 1), p))
@@ -82,6 +82,33 @@ pub fn page(
         .fold(report, |report, (_, picture)| report.plot(picture));
     (report.table(session.table()), pictures)
 }
+
+/// Readings that come to gravity at rest are m/s², and those that carry its direction through the turns rad/s; of others the
+/// unit is not known.
+fn units(session: &Session<'_>, gravity: f64) -> [&'static str; 2] {
+    let all =
+        |values: Vec<f64>, most: f64| !values.is_empty() && values.iter().all(|v| v.abs() < most);
+    let norms = session.rests.iter().filter_map(|rest| rest.raw).collect();
+    let mut angles: Vec<f64> = session.turns.iter().filter_map(|turn| turn.raw).collect();
+    angles.sort_by(f64::total_cmp);
+    angles.truncate(angles.len().div_ceil(2));
+    [
+        if all(norms, 1e3 * NEAR_GRAVITY * gravity) {
+            "m/s²"
+        } else {
+            "reading"
+        },
+        if all(angles, NEAR_DIRECTION) {
+            "rad/s"
+        } else {
+            "reading"
+        },
+    ]
+}
+
+/// How far raw norms may be off gravity, as a share of it, and raw directions off the predicted ones, °, half of the turns.
+const NEAR_GRAVITY: f64 = 0.5;
+const NEAR_DIRECTION: f64 = 20.0;
 
 /// Placements named one by one; the picture and the warnings have all.
 const NAMED: usize = 6;

@@ -158,9 +158,11 @@ impl<'a> Session<'a> {
         self.rests.iter().filter_map(|rest| rest.up).collect()
     }
 
-    /// The table that points in pictures refer to.
+    /// The table that points in pictures refer to; with notes where there are any.
     pub fn table(&self) -> ReportTable {
-        let mut table = ReportTable::new([
+        let has_notes = self.parts.len() > 1 || self.turns.iter().any(|turn| turn.fault.is_some());
+        let columns = if has_notes { 8 } else { 7 };
+        let header = [
             "interval",
             "from, s",
             "to, s",
@@ -169,42 +171,39 @@ impl<'a> Session<'a> {
             "left",
             "std error",
             "note",
-        ]);
+        ];
+        let mut table = ReportTable::new(header.into_iter().take(columns));
         let mut turns = self.turns.iter().peekable();
         for rest in &self.rests {
             let number = |v: Option<f64>| v.map_or(String::new(), |v| format!("{v:+.2}"));
-            table.keyed(
-                &rest.key,
-                [
-                    format!("static {}", rest.key),
-                    format!("{:.2}", rest.span.0),
-                    format!("{:.2}", rest.span.1),
-                    rest.up.as_ref().map_or(String::new(), coverage::words),
-                    number(rest.raw),
-                    number(rest.left),
-                    rest.std.map_or(String::new(), |v| format!("{v:.3}")),
-                    self.of_several(rest.part),
-                ],
-            );
+            let cells = [
+                format!("static {}", rest.key),
+                format!("{:.2}", rest.span.0),
+                format!("{:.2}", rest.span.1),
+                rest.up.as_ref().map_or(String::new(), coverage::words),
+                number(rest.raw),
+                number(rest.left),
+                rest.std.map_or(String::new(), |v| format!("{v:.3}")),
+                self.of_several(rest.part),
+            ];
+            table.keyed(&rest.key, cells.into_iter().take(columns));
             if let Some(turn) = turns.next_if(|turn| turn.key[1..] == rest.key) {
                 let number = |v: Option<f64>| v.map_or(String::new(), |v| format!("{v:.3}"));
                 let note = turn
                     .fault
                     .as_ref()
                     .map(|fault| format!("not used: {fault}"));
-                table.keyed(
-                    &turn.key,
-                    [
-                        format!("turn {}", rest.key),
-                        format!("{:.2}", turn.span.0),
-                        format!("{:.2}", turn.span.1),
-                        String::new(),
-                        number(turn.raw),
-                        number(turn.left),
-                        String::new(),
-                        note.unwrap_or_else(|| self.of_several(turn.part)),
-                    ],
-                );
+                let cells = [
+                    format!("turn {}", rest.key),
+                    format!("{:.2}", turn.span.0),
+                    format!("{:.2}", turn.span.1),
+                    String::new(),
+                    number(turn.raw),
+                    number(turn.left),
+                    String::new(),
+                    note.unwrap_or_else(|| self.of_several(turn.part)),
+                ];
+                table.keyed(&turn.key, cells.into_iter().take(columns));
             }
         }
         table

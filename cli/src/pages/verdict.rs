@@ -19,9 +19,7 @@ const CAUSES: [(&[&str], &str); 7] = [
     ),
     (
         &["readings look like"],
-        "Calibrate again and say the unit of the sensor that the verdict names: --gyro-unit deg/s for a gyroscope, \
-         --accel-unit g for an accelerometer. As it is, the calibration fits only recordings that are read in the same wrong \
-         unit.",
+        "As it is, the calibration fits only recordings that are read in the same wrong unit.",
     ),
     (
         &["saturat", "cut off at the end of its range"],
@@ -47,9 +45,10 @@ const CAUSES: [(&[&str], &str); 7] = [
     ),
 ];
 
-/// The places of a wrong unit and of a misfit among the causes.
+/// The places of a wrong unit, of a misfit and of placements among the causes.
 const UNIT: usize = 1;
 const MISFIT: usize = 4;
+const PLACEMENTS: usize = 5;
 
 /// The level, the sentence under it, and what to do.
 #[derive(Clone, Debug, PartialEq)]
@@ -81,7 +80,7 @@ pub fn judged(
             format!("Do not use this calibration: {}", sentence_of(gate)),
         )
     } else if let (Some(k), Some(warning)) = (cause, warning) {
-        next.push(CAUSES[k].1.into());
+        next.push(advice(k, warning));
         // A wrong unit or rate is in every figure of the sensor.
         if k <= UNIT {
             (
@@ -239,6 +238,31 @@ fn short(v: f64) -> String {
     format!("{v:.decimals$}")
 }
 
+/// What to do about a cause: of placements what the warning itself says, where it does.
+fn advice(cause: usize, warning: &str) -> String {
+    let usual = CAUSES[cause].1;
+    match cause {
+        UNIT => format!("Calibrate again with {}. {usual}", unit_option(warning)),
+        PLACEMENTS => {
+            let own =
+                advice_in(warning).filter(|own| own.starts_with("Use ") || own.starts_with("Add "));
+            own.unwrap_or(usual.into())
+        }
+        _ => usual.into(),
+    }
+}
+
+/// The option that says the unit which a warning about readings names.
+fn unit_option(warning: &str) -> &'static str {
+    let looks = warning.split("look like ").nth(1).unwrap_or("");
+    match (warning.contains("gyroscope"), looks) {
+        (true, looks) if looks.starts_with("rad") => "--gyro-unit rad/s",
+        (true, _) => "--gyro-unit deg/s",
+        (false, looks) if looks.starts_with("m/s") => "--accel-unit m/s^2",
+        (false, _) => "--accel-unit g",
+    }
+}
+
 /// What a cause means, and its figures.
 fn meaning(cause: usize, warning: &str) -> String {
     let sentence = sentence_of(warning);
@@ -315,6 +339,30 @@ mod tests {
         assert_eq!(gravest(&warnings).0, Some(0));
         assert_eq!(gravest(&warnings[..2]).0, Some(MISFIT));
         assert_eq!(gravest(&warnings[..1]).0, None);
+    }
+
+    #[test]
+    fn the_unit_that_readings_look_like_is_the_one_to_state() {
+        for (warning, option) in [
+            (
+                "the accelerometer's readings look like units of g: T",
+                "--accel-unit g",
+            ),
+            (
+                "the accelerometer's readings look like m/s² that were read as units of g",
+                "--accel-unit m/s^2",
+            ),
+            (
+                "the gyroscope's readings look like degrees per second: T",
+                "--gyro-unit deg/s",
+            ),
+            (
+                "the gyroscope's readings look like rad/s that were read as degrees per second",
+                "--gyro-unit rad/s",
+            ),
+        ] {
+            assert_eq!(unit_option(warning), option);
+        }
     }
 
     #[test]

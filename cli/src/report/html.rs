@@ -276,6 +276,22 @@ impl Report {
             .map_err(|e| Failure::new(BUG, format!("the report could not be made: {e}")))
     }
 
+    /// The text before an option, the option, the text before the next one …: a line does not end within an option.
+    fn options(step: &str) -> impl Iterator<Item = &str> {
+        let mut parts = Vec::new();
+        let mut remaining = step;
+        while let Some(at) = remaining.find(" --") {
+            let (before, option) = remaining.split_at(at + 1);
+            let end = option
+                .find([' ', ',', ';', ')', ':'])
+                .unwrap_or(option.len());
+            parts.extend([before, &option[..end]]);
+            remaining = &option[end..];
+        }
+        parts.push(remaining);
+        parts.into_iter()
+    }
+
     /// The style, exactly as it stands in the page.
     fn style(&self) -> String {
         theme::of_page() + STYLE
@@ -288,11 +304,7 @@ impl Report {
 
     /// What the page may do: nothing but its own style and script.
     fn policy(&self) -> String {
-        format!(
-            "default-src 'none'; style-src '{}'; script-src '{}'; base-uri 'none'; form-action 'none'",
-            hash(&self.style()),
-            hash(self.script())
-        )
+        policy(&self.style(), Some(self.script()))
     }
 
     fn block(mut self, block: Block) -> Self {
@@ -304,6 +316,17 @@ impl Report {
         }
         self
     }
+}
+
+/// The content security policy of a page with this style and, where it has one, this script: nothing else.
+pub fn policy(style: &str, script: Option<&str>) -> String {
+    let script = script.map_or(String::new(), |script| {
+        format!("; script-src '{}'", hash(script))
+    });
+    format!(
+        "default-src 'none'; style-src '{}'{script}; base-uri 'none'; form-action 'none'",
+        hash(style)
+    )
 }
 
 /// The source expression of an inline text (Content Security Policy Level 3, section 2.3.1).
@@ -320,6 +343,13 @@ fn safe<'a>(text: impl Into<std::borrow::Cow<'a, str>>) -> String {
 mod tests {
     use super::super::{Axis, Plot, Series};
     use super::*;
+
+    #[test]
+    fn options_stand_between_the_texts_around_them() {
+        let parts: Vec<&str> = Report::options("give --rest, or see --help").collect();
+        assert_eq!(parts, ["give ", "--rest", ", or see ", "--help", ""]);
+        assert_eq!(Report::options("no option").count(), 1);
+    }
 
     const NASTY: &str = "<img src=x onerror=alert(1)></script>&\"'";
 

@@ -22,7 +22,7 @@ mod theme;
 
 pub use axis::Axis;
 pub use forest::{Group, Row};
-pub use html::{Figure, Level, Limit, Report, ReportTable};
+pub use html::{Figure, Level, Limit, Report, ReportTable, policy};
 pub use picture::Picture;
 pub use plot::{Plot, Series};
 pub use sphere::{Placed, Sphere};

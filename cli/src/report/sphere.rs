@@ -54,10 +54,12 @@ impl Sphere {
         svg.height = TOP + 2.0 * RADIUS + 26.0;
         let y = svg.height - 5.0;
         let mut x = 4.0;
-        for (mark, class, words) in [
+        let marks = [
             ("dot", "c0", "upward direction of a placement"),
             ("ring", "c1", "missing"),
-        ] {
+        ];
+        let shown = 1 + usize::from(!self.missing.is_empty());
+        for (mark, class, words) in marks.into_iter().take(shown) {
             svg.open(&format!("class=\"{class}\""));
             svg.circle((x + 6.0, y - 4.0), 4.0, &format!("class=\"{mark}\""));
             svg.close();

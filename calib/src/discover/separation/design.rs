@@ -9,10 +9,16 @@ use super::rivalry::Rivalry;
 use crate::discover::request::{Request, Session};
 use crate::discover::state::{Extension, State};
 use crate::methods::joint::BiasNoise;
-use crate::simulate::{Grade, Motion, Planned, PlannedStep, SensorSpec, Spec, Temperature};
+use crate::simulate::{
+    Grade, Motion, Planned, PlannedStep, Sampling, SensorSpec, Spec, Temperature,
+};
 
 /// Half of what temperature rises and falls by, K.
 const SWING: f64 = 8.0;
+
+/// Samples per second of a recording that is tried: the noise is given by its density, so that more tell the same. They are
+/// points of a smooth motion, not means: a third of the time, and what errors would do there is the same.
+const RATE: f64 = 50.0;
 
 /// What the device is like and what may be asked for.
 #[derive(Clone, Debug)]
@@ -82,8 +88,13 @@ impl Design {
             ..SensorSpec::default()
         };
         Spec {
+            rate: RATE,
+            sampling: Sampling::Point,
             gravity: conditions.gravity,
-            motion: Motion::Planned(self.motion()),
+            motion: Motion::Planned(Planned {
+                tremor: 0.0,
+                ..self.motion()
+            }),
             grade: Grade::Perfect,
             accelerometer: white(0),
             gyroscope: white(1),

@@ -23,8 +23,11 @@ const COUNTS: [usize; 3] = [12, 24, 36];
 /// More placements have to gain this share of what fewer came to.
 const WORTH_MORE: f64 = 1.1;
 
+/// Exchange is worth its time from this share of what settles on.
+const NEARLY: f64 = 0.5;
+
 /// Rounds of exchange, and designs beside the best that each round looks at.
-const ROUNDS: usize = 14;
+const ROUNDS: usize = 10;
 const TRIALS: usize = 8;
 
 /// Changes of one trial.
@@ -36,6 +39,9 @@ const MINUTE: f64 = 0.02;
 /// Rests of the longer kinds, s: of every placement, and the first alone.
 const LONG_REST: f64 = 20.0;
 const LONG_FIRST: f64 = 300.0;
+
+/// The first rest of one who leaves the device alone for a while, s.
+const PATIENT_FIRST: f64 = 900.0;
 
 /// A design with what it separates and how good that is.
 #[derive(Clone, Debug)]
@@ -54,6 +60,15 @@ impl Judged {
             separations,
             design,
         }
+    }
+
+    /// What the least separated comes to.
+    fn reached(&self) -> f64 {
+        self.separations
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min)
+            .min(SETTLED)
     }
 
     fn is_enough(&self) -> bool {
@@ -79,20 +94,22 @@ pub fn separate(
     }
     let counts = count.map_or(COUNTS.to_vec(), |count| vec![count]);
     let mut best: Option<Judged> = None;
-    for count in counts {
-        let found = searched(rivalries, count, conditions)?;
-        let reached = |judged: &Judged| -> f64 {
-            let separations = judged.separations.iter();
-            separations.map(|s| s.min(SETTLED)).sum()
+    for (k, count) in counts.iter().enumerate() {
+        let start = judge(starts(*count, conditions), rivalries, conditions)
+            .ok_or_else(|| Error::NotEnough("no placements to begin with".into()))?;
+        // What is far from settled by any start wants more placements, not better ones.
+        let found = if start.reached() >= NEARLY * SETTLED || k + 1 == counts.len() {
+            exchanged(start, *count, rivalries, conditions)?
+        } else {
+            start
         };
         if best
             .as_ref()
-            .is_none_or(|b| reached(&found) > WORTH_MORE * reached(b))
+            .is_none_or(|b| found.reached() > WORTH_MORE * b.reached())
         {
             best = Some(found);
         }
-        let settled = |b: &Judged| b.separations.iter().all(|s| *s >= SETTLED);
-        if best.as_ref().is_some_and(settled) {
+        if best.as_ref().is_some_and(|b| b.reached() >= SETTLED) {
             break;
         }
     }
@@ -131,26 +148,32 @@ pub fn separate(
     })
 }
 
-fn searched(rivalries: &[Rivalry], count: usize, conditions: &Conditions) -> Result<Judged, Error> {
-    let judge = |designs: Vec<Design>| -> Option<Judged> {
-        let all: Vec<Judged> = designs
-            .into_par_iter()
-            .map(|design| Judged::of(design, rivalries, conditions))
-            .collect();
-        let better = |a: &Judged, b: &Judged| a.value.total_cmp(&b.value);
-        all.into_iter().rev().max_by(better)
-    };
-    let mut best = judge(starts(count, conditions))
-        .ok_or_else(|| Error::NotEnough("no placements to begin with".into()))?;
+/// The best of some designs.
+fn judge(designs: Vec<Design>, rivalries: &[Rivalry], conditions: &Conditions) -> Option<Judged> {
+    let all: Vec<Judged> = designs
+        .into_par_iter()
+        .map(|design| Judged::of(design, rivalries, conditions))
+        .collect();
+    let better = |a: &Judged, b: &Judged| a.value.total_cmp(&b.value);
+    all.into_iter().rev().max_by(better)
+}
+
+/// Exchanges placements, ways and speeds of a design, as long as that is not enough.
+fn exchanged(
+    mut best: Judged,
+    seed: usize,
+    rivalries: &[Rivalry],
+    conditions: &Conditions,
+) -> Result<Judged, Error> {
     let candidates = tilts();
-    let mut random = ChaCha8Rng::seed_from_u64(count as u64);
+    let mut random = ChaCha8Rng::seed_from_u64(seed as u64);
     for _ in 0..ROUNDS {
         step(Stage::Searching)?;
         if best.is_enough() {
             break;
         }
         let trials = (0..TRIALS).map(|_| changed(&best.design, &candidates, &mut random));
-        match judge(trials.collect()) {
+        match judge(trials.collect(), rivalries, conditions) {
             Some(found) if found.value > best.value => best = found,
             _ => {}
         }
@@ -170,6 +193,10 @@ fn starts(count: usize, conditions: &Conditions) -> Vec<Design> {
         first_rest: usual.first_rest.max(LONG_FIRST),
         ..usual
     };
+    let patient = Timing {
+        first_rest: usual.first_rest.max(PATIENT_FIRST),
+        ..long
+    };
     let best = best(count, &ForceMatrix::zeros());
     let candidates = tilts();
     let mut random = ChaCha8Rng::seed_from_u64(count as u64);
@@ -186,7 +213,7 @@ fn starts(count: usize, conditions: &Conditions) -> Vec<Design> {
         let none = plan::Information::zeros();
         let found = sequence(&ups, None, &none, &noise, &usual);
         let ordered: Vec<Vector3<f64>> = found.order.iter().map(|k| ups[*k]).collect();
-        for timing in [usual, long, wait] {
+        for timing in [usual, long, wait, patient] {
             for mixed in [false, true] {
                 let mut turns = found.turns.clone();
                 for (k, turn) in turns.iter_mut().enumerate().filter(|_| mixed) {

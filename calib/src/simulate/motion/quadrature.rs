@@ -22,6 +22,9 @@ const PANEL: f64 = 0.01;
 /// The mean of `f` over `[from, to]`, split at `knots` (ascending), where `f` need not be smooth;
 /// `f(from)` if the window is empty.
 pub(crate) fn mean_over<V: Mean>(knots: &[f64], from: f64, to: f64, f: impl Fn(f64) -> V) -> V {
+    if to <= from {
+        return f(from);
+    }
     let inner = knots.partition_point(|&k| k <= from)..knots.partition_point(|&k| k < to);
     let mut sum: Option<V> = None;
     let mut left = from;
@@ -43,6 +46,13 @@ pub(crate) fn mean_over<V: Mean>(knots: &[f64], from: f64, to: f64, f: impl Fn(f
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_instant_has_its_own_value_also_on_a_knot() {
+        for at in [0.5, 1.0] {
+            assert_eq!(mean_over(&[1.0, 2.0], at, at, |t| 3.0 * t), 3.0 * at);
+        }
+    }
 
     #[test]
     fn a_polynomial_of_degree_nine_is_averaged_exactly() {

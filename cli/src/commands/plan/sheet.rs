@@ -6,6 +6,7 @@ use nalgebra::{Matrix3, Rotation3, Vector3};
 use plan::{Plan, Step};
 
 use super::tables::instruction;
+use crate::report::policy;
 use crate::show;
 
 /// Half the sides of a phone.
@@ -21,7 +22,13 @@ const BESIDE: [f64; 2] = [24.0, 22.0];
 
 /// The page.
 pub fn page(plan: &Plan, notes: &[String], force_only: bool) -> String {
-    let mut page = String::from(HEAD);
+    let mut page = format!(
+        "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\">\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\
+         <meta name=\"viewport\" content=\"width=device-width\"><title>Placements to record</title>\
+         <style>{STYLE}</style></head><body><main>",
+        policy(STYLE, None)
+    );
     let _ = write!(
         page,
         "<h1>{} placements, {:.0} minutes</h1><ol>",
@@ -36,22 +43,21 @@ pub fn page(plan: &Plan, notes: &[String], force_only: bool) -> String {
     for note in notes {
         let _ = write!(page, "<p>{}</p>", escaped(note));
     }
-    page.push_str("</body></html>\n");
+    page.push_str("</main></body></html>\n");
     page
 }
 
-const HEAD: &str = "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\">\
-<meta name=\"viewport\" content=\"width=device-width\"><title>Placements to record</title><style>\
+const STYLE: &str = "\
 :root{color-scheme:light dark;--ink:#1d2733;--paper:#fff;--side:#c9d3de;--edge:#44566b;--screen:#2f6fb3;--line:#d5dce4}\
-@media (prefers-color-scheme:dark){:root{--ink:#e6ebf1;--paper:#14191f;--side:#4d5c6d;--edge:#b8c6d6;--screen:#5c9be0;\
---line:#313b46}}@media print{:root{--ink:#000;--paper:#fff;--side:#ddd;--edge:#333;--screen:#88a}}\
+@media (prefers-color-scheme:dark){:root{--ink:#e6ebf1;--paper:#14191f;--side:#4d5c6d;--edge:#b8c6d6;--screen:#2f6fb3;\
+--line:#313b46}}@media print{:root{--ink:#000;--paper:#fff;--side:#ddd;--edge:#333;--screen:#446}}\
 body{font:15px/1.4 system-ui,sans-serif;color:var(--ink);background:var(--paper);max-width:72rem;margin:1.5rem auto;\
 padding:0 1rem}ol{display:grid;grid-template-columns:repeat(auto-fill,minmax(15rem,1fr));gap:1rem;padding:0;\
 list-style-position:inside}li{border:1px solid var(--line);border-radius:.5rem;padding:.6rem;break-inside:avoid}\
 li::marker{font-weight:600}svg{display:block;width:100%;max-height:11rem}p{margin:.4rem 0}text{text-anchor:middle;\
 font:11px system-ui,sans-serif}.side{fill:var(--side)}.screen{fill:var(--screen)}\
 .box{stroke:var(--edge);stroke-width:1.5;stroke-linejoin:round}.table{fill:none;stroke:var(--line);stroke-width:2}\
-.ink{fill:var(--ink)}.name{fill:#fff}</style></head><body>";
+.ink{fill:var(--ink)}.name{fill:#fff}";
 
 /// The box with its placement's direction up.
 fn picture(step: &Step) -> String {

@@ -39,7 +39,7 @@ pub(super) fn charts(
         "lot means beyond",
         "lot spreads beyond",
     ]);
-    let mut drawn = 0;
+    let (mut drawn, mut rows) = (0, 0);
     for name in names {
         let all: Vec<f64> = order
             .iter()
@@ -70,6 +70,7 @@ pub(super) fn charts(
         let out = beyond.iter().any(|n| n != "0" && n != "-");
         let [a, b, c, d] = beyond;
         table.row([name.clone(), a, b, c, d]);
+        rows += 1;
         if out && drawn < CHARTS || drawn == 0 {
             drawn += 1;
             report = report.plot(&chart(name, "device", &own).into());
@@ -83,7 +84,11 @@ pub(super) fn charts(
             }
         }
     }
-    Ok(report.table(table))
+    Ok(if rows == 0 {
+        report.text("Too few devices for a chart.")
+    } else {
+        report.table(table)
+    })
 }
 
 fn chart(title: &str, what: &str, chart: &Chart) -> Plot {

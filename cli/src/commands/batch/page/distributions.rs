@@ -2,6 +2,7 @@
 
 use batch::Record;
 use batch::statistics::{median, spread};
+use calib::calibration::effect_named;
 use calib::limits::Limit;
 
 use super::values;
@@ -29,6 +30,7 @@ pub(super) fn distributions(
         "session's error",
         "least",
         "greatest",
+        "unit",
         "limits",
     ]);
     let mut report = report.section("Parameters");
@@ -52,6 +54,7 @@ pub(super) fn distributions(
             number(median(&errors)),
             number(least),
             number(greatest),
+            unit(name).into(),
             limit,
         ]);
     }
@@ -68,6 +71,20 @@ pub(super) fn distributions(
         }
     }
     Ok(report)
+}
+
+/// The unit of a parameter: biases in SI units, scale factors and misalignments without one, coefficients in their own.
+fn unit(name: &str) -> &'static str {
+    let (owner, parameter) = name.split_once('.').unwrap_or(("", name));
+    match (owner, parameter) {
+        ("accel", p) if p.starts_with("b_") => "m/s²",
+        ("gyro", p) if p.starts_with("b_") => "rad/s",
+        _ => {
+            let params = effect_named(owner).map_or(&[][..], |effect| effect.params());
+            let own = params.iter().find(|p| p.name == parameter);
+            own.map_or("", |p| p.unit)
+        }
+    }
 }
 
 /// All parameters in one picture: the middle 90 % of the devices as a bar, those further out than `FAR` spreads as dots.

@@ -11,16 +11,29 @@ use batch::Record;
 
 use super::tables::summary;
 use crate::exit::Failure;
-use crate::report::Report;
+use crate::report::{Level, Report};
 
 /// Rows of a table of devices.
 const ROWS: usize = 30;
 
 /// The page.
 pub fn page(records: &[Record]) -> Result<Report, Failure> {
+    let failed = records.iter().any(|r| r.exit != 0);
+    let (level, next) = if failed {
+        (
+            Level::Care,
+            "Cure the commonest reason in the table below, then run the batch again with --resume: devices that passed are kept.",
+        )
+    } else {
+        (
+            Level::Good,
+            "Correct the recordings of each device with its own file: stillpoint apply OUT/devices/ID/cal.json RECORDING -o \
+             corrected.csv",
+        )
+    };
     let mut report = Report::new("Batch")
-        .section("Yield")
-        .text(format!("{}.", summary(records)));
+        .verdict(level, format!("{}.", summary(records).replace('_', " ")))
+        .next(&[next.to_owned()]);
     report = reasons::reasons(report, records)?;
     let names = names(records);
     report = distributions::distributions(report, records, &names)?;

@@ -11,21 +11,23 @@ use crate::show;
 
 /// Bars of the picture.
 const BARS: usize = 24;
+/// What the axis of devices reaches at least: fewer would have ticks between whole numbers.
+const FEWEST: f64 = 5.0;
 
 /// Reasons, the commonest first, and what is left when each is cured.
 pub(super) fn reasons(report: Report, records: &[Record]) -> Result<Report, Failure> {
     let causes = pareto(records);
     if causes.is_empty() {
-        return Ok(report.text("No device failed."));
+        return Ok(report);
     }
     let failed: usize = causes.iter().map(|c| c.count).sum();
     let mut table = ReportTable::new([
         "number",
-        "reason",
         "devices",
         "share of failures",
         "so far",
         "example",
+        "reason",
     ]);
     let mut so_far = 0;
     for (k, cause) in causes.iter().take(ROWS).enumerate() {
@@ -33,11 +35,11 @@ pub(super) fn reasons(report: Report, records: &[Record]) -> Result<Report, Fail
         let share = |n: usize| format!("{:.1} %", 100.0 * n as f64 / failed as f64);
         table.row([
             (k + 1).to_string(),
-            short(&cause.words, 80),
             cause.count.to_string(),
             share(cause.count),
             share(so_far),
             show::name(&cause.example),
+            short(&cause.words, 160),
         ]);
     }
     let corners = causes.iter().take(BARS).enumerate();
@@ -52,8 +54,13 @@ pub(super) fn reasons(report: Report, records: &[Record]) -> Result<Report, Fail
     });
     let plot = Plot::new(
         "Failed devices by reason",
-        Axis::linear("reason, numbered as in the table"),
-        Axis::linear("devices"),
+        Axis::categories(
+            "reason, numbered as in the table",
+            (1..=causes.len().min(BARS))
+                .map(|k| k.to_string())
+                .collect(),
+        ),
+        Axis::linear("devices").between(0.0, FEWEST),
     )
     .with(Series::line("", 0, corners.collect()));
     let report = report.section("Why devices fail");
