@@ -47,8 +47,6 @@ const SIGNATURES: &[Signature] = &[
         "unpack it first: unzstd FILE",
     ),
     (b"MATLAB 5.0 MAT-file", "a MATLAB file", EXPORT),
-    (b"MATLAB 7.3 MAT-file", "a MATLAB 7.3 file", EXPORT),
-    (b"\x89HDF\r\n\x1a\n", "an HDF5 file", EXPORT),
     (b"#ROSBAG V", "a ROS 1 bag", EXPORT),
     (b"\x89MCAP0\r\n", "an MCAP file", EXPORT),
     (
@@ -58,7 +56,6 @@ const SIGNATURES: &[Signature] = &[
     ),
     (b"ULog\x01\x12\x35", "a PX4 log", EXPORT),
     (b"\xa3\x95", "an ArduPilot log", EXPORT),
-    (b"PAR1", "a Parquet file", EXPORT),
     (b"ARROW1", "an Arrow file", EXPORT),
     (b"\x93NUMPY", "a NumPy array", EXPORT),
     (b"%PDF-", "a PDF document", EXPORT),

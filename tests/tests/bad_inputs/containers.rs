@@ -235,7 +235,7 @@ fn case_044_a_workbook_is_to_be_saved_as_csv() {
     let workbook = zip(&[("xl/workbook.xml", b"<workbook/>", Packing::Deflated)]);
     calibrate("a.xlsx", workbook, &[])
         .ends(3)
-        .says(&["Excel", "CSV"]);
+        .says(&["Excel", "CSV", "--features xlsx"]);
 }
 
 #[test]
@@ -248,7 +248,9 @@ fn cases_045_and_047_matlab_files_are_read_or_listed() {
         .says(&["voltage (numbers", "no accelerometer"]);
     let mut v73 = b"MATLAB 7.3 MAT-file, Platform: GLNXA64".to_vec();
     v73.resize(600, 0);
-    calibrate("a.mat", v73, &[]).ends(3).says(&["7.3"]);
+    calibrate("a.mat", v73, &[])
+        .ends(3)
+        .says(&["7.3", "save -v7", "--features hdf5"]);
 }
 
 #[test]
