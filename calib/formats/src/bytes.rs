@@ -20,7 +20,7 @@ pub(crate) struct Bytes<'a> {
 
 /// Bytes asked from the reader at a time: little of a short file, whose buffer would cost more than its content.
 const FIRST_CHUNK: usize = 8 << 10;
-const CHUNK: usize = 256 << 10;
+const CHUNK: usize = 64 << 10;
 
 impl<'a> Bytes<'a> {
     pub fn new(reader: &'a mut dyn Read, limits: Limits) -> Self {

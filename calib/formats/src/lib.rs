@@ -31,6 +31,7 @@ mod sensor_logger_choice;
 mod sensor_logger_json;
 mod sqlite;
 mod stream;
+mod tables;
 mod ulog;
 mod unpack;
 
@@ -40,3 +41,4 @@ pub use format::{Format, ReadSeek};
 pub use limits::Limits;
 pub use registry::{FORMATS, recognise};
 pub use stream::{Content, Quantity, Stream, Wanted};
+pub use tables::{TABULAR, Tabular, write_parquet};

@@ -10,12 +10,23 @@ const GRAVITY: &str = "Gravity";
 
 /// Keeps one stream of a sensor; `turned` for an accelerometer that reads -1 g on the axis that points up.
 pub(crate) fn choose(content: &mut Content, turned: bool) {
-    let streams = std::mem::take(&mut content.streams);
-    let find = |name: &str| streams.iter().find(|stream| stream.source == name);
+    let mut streams = std::mem::take(&mut content.streams);
+    // Taken out, not copied: a recording is there once.
+    let mut taken = |name: &str| {
+        let at = streams.iter().position(|stream| stream.source == name)?;
+        Some(streams.remove(at))
+    };
     let mut chosen: Vec<Stream> = Vec::new();
-    let accel = ACCEL.iter().find_map(|name| find(name)).cloned();
-    let sum = || sum(find(LINEAR)?, find(GRAVITY)?);
-    if let Some(mut accel) = accel.or_else(sum) {
+    let mut accel = ACCEL.iter().find_map(|name| taken(name));
+    let linear = taken(LINEAR);
+    if accel.is_none() {
+        accel = linear
+            .as_ref()
+            .zip(taken(GRAVITY))
+            .and_then(|(linear, gravity)| sum(linear, &gravity));
+    }
+    let gyro = GYRO.iter().find_map(|name| taken(name));
+    if let Some(mut accel) = accel {
         accel.in_si = false;
         if turned {
             accel
@@ -27,20 +38,16 @@ pub(crate) fn choose(content: &mut Content, turned: bool) {
             content.warnings.push(words.to_owned());
         }
         chosen.push(accel);
-    } else if find(LINEAR).is_some() {
+    } else if linear.is_some() {
         let words = "Accelerometer of Sensor Logger is without gravity and left out; record with \"Total Acceleration\" or \"Accelerometer (Uncalibrated)\" switched on";
         content.warnings.push(words.to_owned());
     }
-    chosen.extend(GYRO.iter().find_map(|name| find(name)).cloned());
+    chosen.extend(gyro);
     let taken: Vec<&str> = chosen.iter().map(|stream| stream.source.as_str()).collect();
     let words = format!("Sensor Logger: taken are {}", taken.join(" and "));
     content.warnings.push(words);
-    chosen.extend(
-        streams
-            .iter()
-            .find(|stream| stream.quantity == Quantity::MagneticField)
-            .cloned(),
-    );
+    let field = |stream: &Stream| stream.quantity == Quantity::MagneticField;
+    chosen.extend(streams.into_iter().find(field));
     content.streams = chosen;
 }
 

@@ -183,9 +183,19 @@ impl Recorder {
     }
 }
 
+/// Samples that a stream has room for at first, and those from which on it is a long one.
+const SHORT: usize = 1024;
+/// Room for as many is so large that the system's allocator moves it without a copy when it grows, and costs nothing until
+/// it is used.
+const LONG: usize = 64 << 10;
+
 /// Room for one more, by an eighth of what there is: doubling would take half as much again as is needed.
 fn grow<T>(vector: &mut Vec<T>) {
-    if vector.len() == vector.capacity() {
-        vector.reserve_exact((vector.len() / 8).max(1024));
+    let length = vector.len();
+    if length == vector.capacity() {
+        vector.reserve_exact(match length {
+            0 => SHORT,
+            _ => (length / 8).max(LONG),
+        });
     }
 }

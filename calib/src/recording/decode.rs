@@ -4,6 +4,7 @@ use std::io::{self, BufRead, BufReader, Cursor, Read};
 
 use encoding_rs_io::DecodeReaderBytesBuilder;
 
+use super::bounded::Bounded;
 use super::place::in_file;
 use super::source::take_head;
 use crate::Error;
@@ -47,8 +48,6 @@ const SIGNATURES: &[Signature] = &[
         "unpack it first: unzstd FILE",
     ),
     (b"MATLAB 5.0 MAT-file", "a MATLAB file", EXPORT),
-    (b"MATLAB 7.3 MAT-file", "a MATLAB 7.3 file", EXPORT),
-    (b"\x89HDF\r\n\x1a\n", "an HDF5 file", EXPORT),
     (b"#ROSBAG V", "a ROS 1 bag", EXPORT),
     (b"\x89MCAP0\r\n", "an MCAP file", EXPORT),
     (
@@ -58,7 +57,6 @@ const SIGNATURES: &[Signature] = &[
     ),
     (b"ULog\x01\x12\x35", "a PX4 log", EXPORT),
     (b"\xa3\x95", "an ArduPilot log", EXPORT),
-    (b"PAR1", "a Parquet file", EXPORT),
     (b"ARROW1", "an Arrow file", EXPORT),
     (b"\x93NUMPY", "a NumPy array", EXPORT),
     (b"%PDF-", "a PDF document", EXPORT),
@@ -200,10 +198,14 @@ fn look(
 
 fn decompressed(head: &[u8], reader: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
     if head.starts_with(GZIP[0]) {
-        return Box::new(flate2::read::MultiGzDecoder::new(reader));
+        return Box::new(Bounded::of(reader, |packed| {
+            Box::new(flate2::read::MultiGzDecoder::new(packed))
+        }));
     }
     if head.starts_with(ZSTD[0]) {
-        return Box::new(Zstd::Between(BufReader::new(reader)));
+        return Box::new(Bounded::of(reader, |packed| {
+            Box::new(Zstd::Between(BufReader::new(packed)))
+        }));
     }
     reader
 }

@@ -69,6 +69,25 @@ impl Files {
         self.container.is_archive()
     }
 
+    /// What holds them, in words.
+    pub(super) fn kind(&self) -> &'static str {
+        match (self.container.tabular(), self.is_archive()) {
+            (Some(format), _) => format.called,
+            (None, true) => "an archive",
+            (None, false) => "a folder",
+        }
+    }
+
+    /// True for the tables of a file, whose names have no extension.
+    pub(super) fn are_tables(&self) -> bool {
+        self.container.tabular().is_some()
+    }
+
+    /// The path of an entry that is a file of its own.
+    pub(super) fn path<'a>(&self, entry: &'a Entry) -> Option<&'a Path> {
+        self.container.path(entry)
+    }
+
     /// What was left out.
     pub(super) fn warnings(&self) -> impl Iterator<Item = String> + '_ {
         let warnings = self.container.warnings.iter();
@@ -77,7 +96,11 @@ impl Files {
 
     /// An entry's name in messages.
     pub(super) fn called(&self, entry: &Entry) -> String {
-        format!("{}/{}", self.name, shown(&entry.name))
+        match entry.name.is_empty() {
+            // The only table of a file.
+            true => self.name.clone(),
+            false => format!("{}/{}", self.name, shown(&entry.name)),
+        }
     }
 
     /// The first bytes of an entry; none of one that cannot be opened.

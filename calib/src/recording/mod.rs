@@ -12,6 +12,7 @@ mod affine;
 mod arrays;
 mod assemble;
 pub(crate) mod batches;
+mod bounded;
 mod by_unit;
 mod checks;
 mod clock;
@@ -80,7 +81,7 @@ pub use source::Input;
 pub(crate) use stream::is_before;
 pub use stream::{Gap, INSTANT, Stream, Temperature};
 pub use units::{AccelUnit, GyroUnit, TemperatureUnit, TimeUnit};
-pub use write::{field_names, stream_to_csv, to_csv};
+pub use write::{field_names, stream_to_csv, to_csv, to_parquet};
 
 use crate::Error;
 use crate::shown::shown_path;

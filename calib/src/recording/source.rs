@@ -17,7 +17,7 @@ use super::preface::is_comment;
 use super::sniff::Start;
 use crate::Error;
 use crate::shown::shown_path;
-use file_formats::{Container, Entry};
+use file_formats::{Container, Entry, Tabular};
 
 /// Bytes of a text that are looked at before it is read, comments at its beginning not counted.
 const HEAD: u64 = 64 << 10;
@@ -33,6 +33,8 @@ pub enum Source {
     Text(Input),
     /// A binary or structured file of a known format.
     Binary(Binary),
+    /// The text of the only table in a file of that format, or the texts of all.
+    Tables(&'static Tabular, Box<Source>),
 }
 
 /// A binary or structured file that is about to be read.
@@ -129,6 +131,11 @@ impl Source {
                 input.warn_of_extension(path);
             }
             Self::Binary(binary) => binary.unchanged = unchanged,
+            Self::Tables(_, inner) => {
+                if let Self::Text(input) = &mut **inner {
+                    input.unchanged = unchanged;
+                }
+            }
             Self::Files(_) => {}
         }
         Ok(source)
@@ -177,7 +184,10 @@ impl Source {
         let unpacked = decode::unpacked(&name, reader)?;
         let is_nested = matches!(origin, Origin::Entry(..));
         if unpacked.head.starts_with(ZIP) && !is_nested {
-            return archive(name, unpacked, &origin, options).map(Self::Files);
+            return archive(name, unpacked, &origin, options);
+        }
+        if let Some(format) = Tabular::recognise(&unpacked.head) {
+            return tables(name, format, unpacked, &origin, options);
         }
         if let Some(format) = file_formats::recognise(&unpacked.head) {
             return Ok(Self::Binary(Binary {
@@ -200,6 +210,18 @@ impl Source {
             Self::Files(_) => false,
             Self::Binary(_) => true,
             Self::Text(input) => Start::look(&input.name, &input.head, None, options).is_ok(),
+            Self::Tables(_, inner) => match **inner {
+                Self::Files(_) => true,
+                _ => inner.holds_samples(options),
+            },
+        }
+    }
+
+    /// What is in a file of tables; anything else as it is.
+    pub(super) fn within(self) -> Self {
+        match self {
+            Self::Tables(_, inner) => *inner,
+            other => other,
         }
     }
 
@@ -208,14 +230,10 @@ impl Source {
     /// # Errors
     /// Anything that is not one file of text.
     pub(super) fn into_text(self) -> Result<Input, Error> {
-        match self {
+        match self.within() {
             Self::Text(input) => Ok(input),
             Self::Files(files) => {
-                let what = match files.is_archive() {
-                    true => "an archive",
-                    false => "a folder",
-                };
-                let words = format!("{what}, where a file was expected");
+                let words = format!("{}, where one table was expected", files.kind());
                 Err(in_file(&files.name, words))
             }
             Self::Binary(binary) => {
@@ -223,6 +241,7 @@ impl Source {
                     "no text, where a table of one sensor was expected; name the file by itself";
                 Err(in_file(&binary.name, words))
             }
+            Self::Tables(_, inner) => inner.into_text(),
         }
     }
 
@@ -232,6 +251,7 @@ impl Source {
             Self::Files(files) => &files.name,
             Self::Text(input) => &input.name,
             Self::Binary(binary) => &binary.name,
+            Self::Tables(_, inner) => inner.name(),
         }
     }
 }
@@ -239,35 +259,96 @@ impl Source {
 /// Bytes that a zip archive begins with.
 const ZIP: &[u8] = b"PK\x03\x04";
 
-/// The files of a zip archive; of one that cannot be sought in, in memory.
+/// The files of a zip archive, or the tables of a workbook.
 fn archive(
     name: String,
     mut unpacked: decode::Unpacked,
     origin: &Origin,
     options: &ReadOptions,
-) -> Result<Files, Error> {
+) -> Result<Source, Error> {
     let limits = limits(options);
-    let container = match origin {
-        Origin::Path(path) if !unpacked.packed => Container::zip(path, limits),
-        _ => {
-            let mut bytes = Vec::new();
-            let read = (&mut unpacked.reader).take(limits.bytes + 1);
-            let read = { read }.read_to_end(&mut bytes);
-            read.map_err(|error| in_file(&name, format!("reading stopped: {error}")))?;
-            if bytes.len() as u64 > limits.bytes {
-                let words = format!("an archive of more than {} bytes", limits.bytes);
-                return Err(in_file(&name, words));
-            }
-            Container::zip_in_memory(bytes, limits)
-        }
+    let (path, bytes) = place(&name, &mut unpacked, origin, options)?;
+    let container = match path {
+        Some(path) => Container::zip(path, limits),
+        None => Container::zip_in_memory(bytes.clone(), limits),
     };
     let container = container.map_err(|error| in_file(&name, error.to_string()))?;
     let files = Files::new(name, container);
-    if files.entry("xl/workbook.xml").is_some() {
-        let words = "an Excel workbook; save the sheet as CSV and name that file";
-        return Err(in_file(&files.name, words));
+    match Tabular::by_name("xlsx").filter(|_| files.entry("xl/workbook.xml").is_some()) {
+        Some(format) => tables_of(files.name, format, path, bytes, options),
+        None => Ok(Source::Files(files)),
     }
-    Ok(files)
+}
+
+/// The tables of a file of `format`.
+fn tables(
+    name: String,
+    format: &'static Tabular,
+    mut unpacked: decode::Unpacked,
+    origin: &Origin,
+    options: &ReadOptions,
+) -> Result<Source, Error> {
+    let (path, bytes) = match format.is_built() {
+        true => place(&name, &mut unpacked, origin, options)?,
+        // It is refused unread.
+        false => (None, Arc::default()),
+    };
+    tables_of(name, format, path, bytes, options)
+}
+
+fn tables_of(
+    name: String,
+    format: &'static Tabular,
+    path: Option<&Path>,
+    bytes: Arc<[u8]>,
+    options: &ReadOptions,
+) -> Result<Source, Error> {
+    let limits = limits(options);
+    let container = match path {
+        Some(path) => Container::tables(format, path, limits),
+        None => Container::tables_in_memory(format, bytes, limits),
+    };
+    let container = container.map_err(|error| in_file(&name, error.to_string()))?;
+    let files = Files::new(name, container);
+    let inner = match files.entries() {
+        [only] => {
+            let mut source = files.source(only, options)?;
+            if let Source::Text(input) = &mut source {
+                input.warnings.extend(files.warnings());
+            }
+            source
+        }
+        _ => Source::Files(files),
+    };
+    Ok(Source::Tables(format, Box::new(inner)))
+}
+
+/// Where a file can be sought in: on the disk, else in memory.
+fn place<'o>(
+    name: &str,
+    unpacked: &mut decode::Unpacked,
+    origin: &'o Origin,
+    options: &ReadOptions,
+) -> Result<(Option<&'o Path>, Arc<[u8]>), Error> {
+    let path = match origin {
+        Origin::Path(path) => Some(path.as_path()),
+        Origin::Entry(files, entry) => files.path(entry),
+        Origin::Memory(bytes) if !unpacked.packed => return Ok((None, bytes.clone())),
+        _ => None,
+    };
+    if let Some(path) = path.filter(|_| !unpacked.packed) {
+        return Ok((Some(path), Arc::default()));
+    }
+    let limit = limits(options).bytes;
+    let mut bytes = Vec::new();
+    let read = (&mut unpacked.reader).take(limit.saturating_add(1));
+    let read = { read }.read_to_end(&mut bytes);
+    read.map_err(|error| in_file(name, format!("reading stopped: {error}")))?;
+    if bytes.len() as u64 > limit {
+        let words = format!("a file of more than {limit} bytes");
+        return Err(in_file(name, words));
+    }
+    Ok((None, bytes.into()))
 }
 
 impl Input {

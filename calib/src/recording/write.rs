@@ -1,79 +1,138 @@
-//! Recordings as plain CSV.
+//! Recordings as plain CSV or Parquet.
 
 use std::fmt::Write as _;
 
-use super::{Magnetometer, Recording, Stream};
+use file_formats::write_parquet;
+
+use super::{Magnetometer, Recording, Stream, Temperature};
+use crate::Error;
 
 /// The recording as one plain CSV table, numbers to their last digit.
 ///
 /// Where the sensors have clocks of their own the gyroscope is interpolated to the stamps of the
 /// accelerometer that lie within its own; a warning is added that says so.
 pub fn to_csv(recording: &mut Recording) -> String {
-    let mut names = String::from("t");
-    let mut streams: Vec<Stream> = Vec::new();
-    if let Some(stream) = &recording.accelerometer {
-        names.push_str(",ax,ay,az");
-        streams.push(stream.clone());
-    }
-    if let Some(stream) = &recording.gyroscope {
-        names.push_str(",gx,gy,gz");
-        streams.push(stream.clone());
-    }
-    if let [first, second] = streams.as_mut_slice()
-        && first.t != second.t
-    {
-        recording.warnings.push(
-            "the sensors have clocks of their own: the gyroscope is interpolated to the \
-             accelerometer's stamps; `-o FOLDER` keeps both clocks"
-                .into(),
-        );
-        *first = within(first, second);
-        let values = first.t.iter().filter_map(|&t| second.at(t)).collect();
-        *second = Stream {
-            t: first.t.clone(),
-            values,
-        };
-    }
-    if recording.temperature.is_some() {
-        names.push_str(",temp");
-    }
-    let field = recording.magnetometer.as_ref();
-    if let Some(field) = field {
-        names.push(',');
-        names.push_str(&field_names(field));
-    }
-    if field.is_some_and(|field| {
-        streams
-            .first()
-            .is_none_or(|first| first.t != field.stream.t)
-    }) {
-        let words = "the magnetometer has a clock of its own and is interpolated to the stamps of the others; \
-                     `-o FOLDER` keeps it";
-        recording.warnings.push(words.into());
-    }
-    let mut text = names + "\n";
-    let stamps = streams.first().map_or(&[][..], |s| &s.t);
-    for (k, t) in stamps.iter().enumerate() {
-        let _ = write!(text, "{t}");
-        for stream in &streams {
-            for x in &stream.values[k] {
-                let _ = write!(text, ",{x}");
+    let plain = Plain::of(recording);
+    let mut text = plain.names.join(",") + "\n";
+    for row in 0..plain.rows() {
+        let mut separator = "";
+        plain.cells(row, |cell| {
+            text.push_str(std::mem::replace(&mut separator, ","));
+            if let Some(number) = cell {
+                // Writing to a string does not fail.
+                let _ = write!(text, "{number}");
             }
-        }
-        if let Some(celsius) = recording.temperature.as_ref().and_then(|c| c.at(*t)) {
-            let _ = write!(text, ",{celsius}");
-        }
-        if let Some(field) = &recording.magnetometer {
-            // Nothing where it was not on.
-            let on = field.stream.t.first() <= Some(t) && Some(t) <= field.stream.t.last();
-            match field.stream.at(*t).filter(|_| on) {
-                Some(v) => _ = write!(text, ",{},{},{}", v.x, v.y, v.z),
-                None => text.push_str(",,,"),
-            }
-        }
+        });
         text.push('\n');
     }
     text
+}
+
+/// The same table as a Parquet file.
+///
+/// # Errors
+/// [`Error::Usage`] in a build without the feature `parquet`.
+pub fn to_parquet(recording: &mut Recording) -> Result<Vec<u8>, Error> {
+    let plain = Plain::of(recording);
+    let rows = plain.rows();
+    let column = |name: &String| (name.clone(), Vec::with_capacity(rows));
+    let mut columns: Vec<(String, Vec<f64>)> = plain.names.iter().map(column).collect();
+    for row in 0..rows {
+        let mut column = columns.iter_mut();
+        plain.cells(row, |cell| {
+            if let Some((_, values)) = column.next() {
+                values.push(cell.unwrap_or(f64::NAN));
+            }
+        });
+    }
+    write_parquet(&columns).map_err(|error| Error::Usage(error.to_string()))
+}
+
+/// A recording as one table.
+struct Plain<'a> {
+    names: Vec<String>,
+    streams: Vec<Stream>,
+    temperature: Option<&'a Temperature>,
+    field: Option<&'a Magnetometer>,
+}
+
+impl<'a> Plain<'a> {
+    /// The table of `recording`, with warnings added where a clock is given up.
+    fn of(recording: &'a mut Recording) -> Self {
+        let mut names = vec!["t".to_owned()];
+        let mut streams: Vec<Stream> = Vec::new();
+        for (stream, axes) in [
+            (&recording.accelerometer, ["ax", "ay", "az"]),
+            (&recording.gyroscope, ["gx", "gy", "gz"]),
+        ] {
+            if let Some(stream) = stream {
+                names.extend(axes.map(str::to_owned));
+                streams.push(stream.clone());
+            }
+        }
+        if let [first, second] = streams.as_mut_slice()
+            && first.t != second.t
+        {
+            recording.warnings.push(
+                "the sensors have clocks of their own: the gyroscope is interpolated to the \
+             accelerometer's stamps; `-o FOLDER` keeps both clocks"
+                    .into(),
+            );
+            *first = within(first, second);
+            let values = first.t.iter().filter_map(|&t| second.at(t)).collect();
+            *second = Stream {
+                t: first.t.clone(),
+                values,
+            };
+        }
+        if recording.temperature.is_some() {
+            names.push("temp".to_owned());
+        }
+        if let Some(field) = &recording.magnetometer {
+            names.extend(field_names(field).split(',').map(str::to_owned));
+            let stamps = streams.first().map(|first| &first.t);
+            if stamps != Some(&field.stream.t) {
+                let words = "the magnetometer has a clock of its own and is interpolated to the stamps of the others; \
+                     `-o FOLDER` keeps it";
+                recording.warnings.push(words.into());
+            }
+        }
+        Self {
+            names,
+            streams,
+            temperature: recording.temperature.as_ref(),
+            field: recording.magnetometer.as_ref(),
+        }
+    }
+
+    fn stamps(&self) -> &[f64] {
+        self.streams.first().map_or(&[][..], |stream| &stream.t)
+    }
+
+    fn rows(&self) -> usize {
+        self.stamps().len()
+    }
+
+    /// Hands over the cells of a row, `None` where there is nothing.
+    fn cells(&self, row: usize, mut cell: impl FnMut(Option<f64>)) {
+        let t = self.stamps()[row];
+        cell(Some(t));
+        for stream in &self.streams {
+            stream.values[row]
+                .iter()
+                .for_each(|value| cell(Some(*value)));
+        }
+        if let Some(temperature) = self.temperature {
+            cell(temperature.at(t));
+        }
+        if let Some(field) = self.field {
+            // Nothing where it was not on.
+            let stamps = &field.stream.t;
+            let on = stamps.first() <= Some(&t) && Some(&t) <= stamps.last();
+            let value = field.stream.at(t).filter(|_| on);
+            (0..3).for_each(|axis| cell(value.map(|value| value[axis])));
+        }
+    }
 }
 
 /// The names of a magnetometer's columns, with its unit where it is known: `mx (gauss),my (gauss),mz (gauss)`.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use calib::Recording;
 use calib::calibration::{apply, load};
-use calib::recording::{field_names, stream_to_csv, to_csv};
+use calib::recording::{field_names, stream_to_csv, to_csv, to_parquet};
 
 use super::inputs::{DeviceArgs, read};
 use crate::exit::Failure;
@@ -59,6 +59,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 pub(super) enum Target {
     Stdout,
     File(Box<Output>),
+    Parquet(Box<Output>),
     /// `acc.csv`, `gyro.csv` and `mag.csv` of a folder, each sensor on its own clock.
     Folder(Box<[Output; 3]>, Folder),
 }
@@ -67,8 +68,14 @@ impl Target {
     /// A name without an extension is a folder.
     pub(super) fn claim(path: &Path, replace: Replace, inputs: &[&Path]) -> Result<Self, Failure> {
         if path.extension().is_some() {
-            let output = Output::claim(path, replace, inputs)?;
-            return Ok(Self::File(Box::new(output)));
+            let output = Box::new(Output::claim(path, replace, inputs)?);
+            let is_parquet = path
+                .extension()
+                .is_some_and(|e| e.eq_ignore_ascii_case("parquet"));
+            return Ok(match is_parquet {
+                true => Self::Parquet(output),
+                false => Self::File(output),
+            });
         }
         let folder = Folder::make(path)?;
         let acc = Output::claim(&path.join("acc.csv"), replace, inputs)?;
@@ -84,6 +91,7 @@ impl Target {
                 Ok(())
             }
             Self::File(output) => output.write(to_csv(corrected).as_bytes()),
+            Self::Parquet(output) => output.write(&to_parquet(corrected)?),
             Self::Folder(outputs, _folder) => {
                 let [acc, gyro, mag] = *outputs;
                 let field = corrected.magnetometer.as_ref();

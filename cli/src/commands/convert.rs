@@ -2,6 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use calib::Recording;
+use calib::recording::to_parquet;
+
 use super::apply::Target;
 use super::inputs::read;
 use crate::exit::{Failure, USAGE};
@@ -9,19 +12,20 @@ use crate::output::Replace;
 use crate::read_args::ReadArgs;
 use crate::show;
 
-/// Writes a recording as plain CSV: seconds, m/s², rad/s, °C.
+/// Writes a recording as plain CSV or Parquet: seconds, m/s², rad/s, °C.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 A name without an extension is a folder, in which each sensor keeps its own clock.
 
 Example:
   stillpoint convert log.ulg -o plain/
-  stillpoint convert experiment.zip -o experiment.csv")]
+  stillpoint convert experiment.zip -o experiment.csv
+  stillpoint convert experiment.zip -o experiment.parquet")]
 pub struct Args {
     /// File or folder; `-` reads standard input
     #[arg(value_name = "FILE")]
     recording: PathBuf,
-    /// Write here: `.csv`, or a folder for acc.csv and gyro.csv
+    /// Write here: `.csv`, `.parquet` (a feature of the build), or a folder for acc.csv and gyro.csv
     #[arg(short, value_name = "OUT", required = true)]
     output: PathBuf,
     #[command(flatten)]
@@ -36,11 +40,18 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .output
         .extension()
         .map(|e| e.to_string_lossy().to_lowercase());
-    if let Some(other) = extension.filter(|e| !matches!(e.as_str(), "csv" | "txt")) {
-        let message = format!(
-            "-o {}: .{other} is not written; name a .csv file or a folder",
-            show::path(&args.output)
-        );
+    let why = match extension.as_deref() {
+        None | Some("csv" | "txt") => None,
+        // Whether this build can, before anything is read.
+        Some("parquet") => to_parquet(&mut Recording::default())
+            .err()
+            .map(|error| error.to_string()),
+        Some(other) => Some(format!(
+            ".{other} is not written; name a .csv file or a folder"
+        )),
+    };
+    if let Some(why) = why {
+        let message = format!("-o {}: {why}", show::path(&args.output));
         return Err(Failure::new(USAGE, message));
     }
     let target = Target::claim(&args.output, args.replace, &[&args.recording])?;

@@ -113,6 +113,14 @@ fn case_037_bombs_are_refused() {
     let zeros = vec![b'0'; 64 << 20];
     let bomb = zip(&[("Accelerometer.csv", &zeros, Packing::Deflated)]);
     calibrate("a.zip", &bomb, &[]).ends(3).says(&["1000 times"]);
+    // Blocks of one byte, 128 kB each.
+    let block = [[0x02, 0x00, 0x10, b'.'], [0x03, 0x00, 0x10, b'.']];
+    let mut repeated = b"\x28\xb5\x2f\xfd\0\x58".to_vec();
+    (0..99).for_each(|_| repeated.extend(block[0]));
+    repeated.extend(block[1]);
+    calibrate("a.csv.zst", repeated, &[])
+        .ends(3)
+        .says(&["1000 times"]);
     let nested = zip(&[("inner.zip", &archive(&[]), Packing::Stored)]);
     calibrate("a.zip", nested, &[]).ends(3).says(&["inner.zip"]);
     let many: Vec<String> = (0..10_001).map(|k| format!("{k}.csv")).collect();
@@ -235,7 +243,7 @@ fn case_044_a_workbook_is_to_be_saved_as_csv() {
     let workbook = zip(&[("xl/workbook.xml", b"<workbook/>", Packing::Deflated)]);
     calibrate("a.xlsx", workbook, &[])
         .ends(3)
-        .says(&["Excel", "CSV"]);
+        .says(&["Excel", "CSV", "--features xlsx"]);
 }
 
 #[test]
@@ -248,7 +256,9 @@ fn cases_045_and_047_matlab_files_are_read_or_listed() {
         .says(&["voltage (numbers", "no accelerometer"]);
     let mut v73 = b"MATLAB 7.3 MAT-file, Platform: GLNXA64".to_vec();
     v73.resize(600, 0);
-    calibrate("a.mat", v73, &[]).ends(3).says(&["7.3"]);
+    calibrate("a.mat", v73, &[])
+        .ends(3)
+        .says(&["7.3", "save -v7", "--features hdf5"]);
 }
 
 #[test]

@@ -13,7 +13,7 @@ const LOCAL_SIZE: usize = 30;
 
 /// The bytes of the entry that `packed` describes.
 pub(super) fn unpacked(
-    mut archive: Box<dyn super::Bytes>,
+    mut archive: Box<dyn super::Stored>,
     packed: &Packed,
 ) -> Result<Box<dyn Read + Send>, Error> {
     archive.seek(SeekFrom::Start(packed.at))?;

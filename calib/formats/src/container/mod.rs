@@ -1,4 +1,4 @@
-//! Files by name: a folder, or a zip archive that is never unpacked to the disk.
+//! Files by name: a folder, a zip archive that is never unpacked to the disk, or a file of tables.
 
 mod directory;
 mod entry;
@@ -8,6 +8,7 @@ use std::io::{Cursor, Read, Seek};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::tables::Tabular;
 use crate::{Error, Limits};
 use directory::directory;
 use entry::unpacked;
@@ -20,7 +21,7 @@ const DEPTH: usize = 2;
 pub struct Entry {
     /// Its name, with `/` between folders.
     pub name: String,
-    /// Its size when unpacked, bytes.
+    /// Its size when unpacked, bytes; 0 of a table.
     pub size: u64,
     place: Place,
 }
@@ -30,20 +31,21 @@ pub struct Entry {
 enum Place {
     File(PathBuf),
     Packed(directory::Packed),
+    Table,
 }
 
-/// Where an archive's bytes are.
+/// Where an archive's bytes are, or those of a file of tables.
 #[derive(Clone, Debug)]
-enum Archive {
+pub(crate) enum Store {
     File(PathBuf),
     Memory(Arc<[u8]>),
 }
 
-trait Bytes: Read + Seek + Send {}
-impl<T: Read + Seek + Send> Bytes for T {}
+pub(crate) trait Stored: Read + Seek + Send {}
+impl<T: Read + Seek + Send> Stored for T {}
 
-impl Archive {
-    fn open(&self) -> Result<Box<dyn Bytes>, Error> {
+impl Store {
+    pub fn open(&self) -> Result<Box<dyn Stored>, Error> {
         Ok(match self {
             Self::File(path) => Box::new(File::open(path)?),
             Self::Memory(bytes) => Box::new(Cursor::new(bytes.clone())),
@@ -55,7 +57,9 @@ impl Archive {
 #[derive(Clone, Debug)]
 pub struct Container {
     entries: Vec<Entry>,
-    archive: Option<Archive>,
+    archive: Option<Store>,
+    /// The format of tables, of which each is an entry.
+    tabular: Option<&'static Tabular>,
     limits: Limits,
     /// What was left out, in words.
     pub warnings: Vec<String>,
@@ -110,18 +114,52 @@ impl Container {
     /// # Errors
     /// A damaged directory with the byte, encryption, or an archive beyond the limits.
     pub fn zip(path: &Path, limits: Limits) -> Result<Self, Error> {
-        Self::of_archive(Archive::File(path.to_owned()), limits)
+        Self::of_store(Store::File(path.to_owned()), limits)
     }
 
     /// The entries of a zip archive in memory.
     ///
     /// # Errors
     /// As [`Container::zip`].
-    pub fn zip_in_memory(bytes: Vec<u8>, limits: Limits) -> Result<Self, Error> {
-        Self::of_archive(Archive::Memory(bytes.into()), limits)
+    pub fn zip_in_memory(bytes: impl Into<Arc<[u8]>>, limits: Limits) -> Result<Self, Error> {
+        Self::of_store(Store::Memory(bytes.into()), limits)
     }
 
-    fn of_archive(archive: Archive, limits: Limits) -> Result<Self, Error> {
+    /// The tables of the file at `path`, texts of comma-separated cells.
+    ///
+    /// # Errors
+    /// A format that this build does not read, damage, or a file beyond the limits.
+    pub fn tables(format: &'static Tabular, path: &Path, limits: Limits) -> Result<Self, Error> {
+        Self::of_tables(format, Store::File(path.to_owned()), limits)
+    }
+
+    /// The tables of a file in memory.
+    ///
+    /// # Errors
+    /// As [`Container::tables`].
+    pub fn tables_in_memory(
+        format: &'static Tabular,
+        bytes: Arc<[u8]>,
+        limits: Limits,
+    ) -> Result<Self, Error> {
+        Self::of_tables(format, Store::Memory(bytes), limits)
+    }
+
+    fn of_tables(format: &'static Tabular, store: Store, limits: Limits) -> Result<Self, Error> {
+        let listed = format.tables(&store, limits)?;
+        let entry = |name: String| Entry {
+            name,
+            size: 0,
+            place: Place::Table,
+        };
+        let entries = listed.names.into_iter().map(entry).collect();
+        Ok(Self {
+            tabular: Some(format),
+            ..Self::new(entries, Some(store), limits, listed.warnings)
+        })
+    }
+
+    pub(crate) fn of_store(archive: Store, limits: Limits) -> Result<Self, Error> {
         let packed = directory(&mut archive.open()?, limits)?;
         let mut warnings = Vec::new();
         let mut entries = Vec::new();
@@ -144,7 +182,7 @@ impl Container {
 
     fn new(
         mut entries: Vec<Entry>,
-        archive: Option<Archive>,
+        archive: Option<Store>,
         limits: Limits,
         warnings: Vec<String>,
     ) -> Self {
@@ -152,6 +190,7 @@ impl Container {
         Self {
             entries,
             archive,
+            tabular: None,
             limits,
             warnings,
         }
@@ -164,7 +203,12 @@ impl Container {
 
     /// True for an archive.
     pub fn is_archive(&self) -> bool {
-        self.archive.is_some()
+        self.archive.is_some() && self.tabular.is_none()
+    }
+
+    /// The format of tables that it is.
+    pub fn tabular(&self) -> Option<&'static Tabular> {
+        self.tabular
     }
 
     /// The content of an entry. Reading fails where it is damaged.
@@ -179,7 +223,10 @@ impl Container {
                     .check_unpacked(&entry.name, packed.packed_size, packed.size)?;
                 unpacked(archive.open()?, packed)
             }
-            (Place::Packed(_), None) => Err(Error::refused("an entry without its archive")),
+            (Place::Table, Some(store)) if let Some(format) = self.tabular => {
+                format.text(store, &entry.name, self.limits)
+            }
+            _ => Err(Error::refused("an entry without its archive")),
         }
     }
 
@@ -187,7 +234,7 @@ impl Container {
     pub fn path<'a>(&self, entry: &'a Entry) -> Option<&'a Path> {
         match &entry.place {
             Place::File(path) => Some(path),
-            Place::Packed(_) => None,
+            Place::Packed(_) | Place::Table => None,
         }
     }
 }

@@ -4,12 +4,14 @@ mod db3;
 mod logs;
 mod matlab;
 mod ros;
+mod tables;
 mod zip;
 
 pub use db3::db3;
 pub use logs::{ardupilot, ulog};
 pub use matlab::mat;
 pub use ros::{Packer, Ros, bag, mcap};
+pub use tables::{SheetCell, hdf5, workbook};
 pub use zip::{Packing, zip};
 
 /// Stamps and samples: ns and three values.

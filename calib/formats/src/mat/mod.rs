@@ -17,6 +17,8 @@ use element::{COMPRESSED, Element, MATRIX};
 use objects::Objects;
 use value::{Value, Variable};
 use variables::Variables;
+#[cfg(feature = "hdf5")]
+pub(crate) use variables::quantity;
 
 /// MAT files with an accelerometer and a gyroscope.
 #[derive(Debug)]

@@ -19,7 +19,7 @@ pub(super) struct Variables {
 }
 
 /// The quantity that a variable is named after.
-pub(super) fn quantity(name: &str) -> Option<Quantity> {
+pub(crate) fn quantity(name: &str) -> Option<Quantity> {
     let name = name.to_lowercase();
     let has = |words: &[&str]| words.iter().any(|word| name.contains(word));
     if has(&["acc"]) {

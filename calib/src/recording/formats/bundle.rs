@@ -60,12 +60,8 @@ fn only<'a>(files: &'a Files, options: &ReadOptions) -> Result<&'a file_formats:
         [] => Err(in_file(
             &files.name,
             format!(
-                "neither acc.csv (t,ax,ay,az) nor gyro.csv (t,gx,gy,gz) in this {}, and no other recording; found {}",
-                if files.is_archive() {
-                    "archive"
-                } else {
-                    "folder"
-                },
+                "{}, with neither acc.csv (t,ax,ay,az) nor gyro.csv (t,gx,gy,gz) nor any other recording; found {}",
+                files.kind(),
                 files.listed()
             ),
         )),

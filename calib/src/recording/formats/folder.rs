@@ -20,7 +20,7 @@ pub(super) struct Folder;
 const ACCEL: [&str; 3] = ["acc", "accel", "accelerometer"];
 const GYRO: [&str; 3] = ["gyro", "gyr", "gyroscope"];
 const THERMOMETER: [&str; 3] = ["temp", "temperature", "thermometer"];
-const EXTENSIONS: [&str; 4] = ["csv", "txt", "tsv", "dat"];
+const EXTENSIONS: [&str; 5] = ["csv", "txt", "tsv", "dat", "parquet"];
 
 impl Format for Folder {
     fn name(&self) -> &'static str {
@@ -112,7 +112,7 @@ fn by_words(files: &Files) -> Option<[(&Entry, Sensor); 2]> {
                 .to_lowercase();
             let words: Vec<&str> = name.split(|c: char| !c.is_alphanumeric()).collect();
             let has = |all: &[&str]| words.iter().any(|word| all.contains(word));
-            has(names) && has(&EXTENSIONS) && !has(&DERIVED)
+            has(names) && (has(&EXTENSIONS) || files.are_tables()) && !has(&DERIVED)
         });
         called.next().filter(|_| called.next().is_none())
     };
@@ -126,7 +126,7 @@ fn choose<'a>(files: &'a Files, names: &[&str]) -> Result<Option<&'a Entry>, Err
     let mut named = files
         .entries()
         .iter()
-        .filter(|entry| is_called(&entry.name, names));
+        .filter(|entry| is_called(&entry.name, names, files.are_tables()));
     match (named.next(), named.next()) {
         (Some(one), Some(two)) => Err(in_file(
             &files.name,
@@ -140,12 +140,12 @@ fn choose<'a>(files: &'a Files, names: &[&str]) -> Result<Option<&'a Entry>, Err
     }
 }
 
-/// True for `acc.csv`, `Accelerometer.txt`, `acc.csv.gz` and the like.
-fn is_called(path: &str, names: &[&str]) -> bool {
+/// True for `acc.csv`, `Accelerometer.txt`, `acc.csv.gz` and the like; for `acc`, where that is a table's name.
+fn is_called(path: &str, names: &[&str], is_table: bool) -> bool {
     let name = path.rsplit('/').next().unwrap_or_default().to_lowercase();
     let name = name.trim_end_matches(".gz").trim_end_matches(".zst");
     let Some((stem, extension)) = name.split_once('.') else {
-        return false;
+        return is_table && names.contains(&name);
     };
     names.contains(&stem) && EXTENSIONS.contains(&extension)
 }

@@ -16,6 +16,7 @@ mod ros_text;
 mod sensor_logger;
 mod sensorlog;
 mod serial;
+mod tables;
 mod tagged;
 mod texts;
 mod trackers;
@@ -54,6 +55,9 @@ pub trait Format: fmt::Debug + Sync {
 
 /// Every format.
 pub static FORMATS: &[&dyn Format] = &[
+    &tables::Tables("parquet"),
+    &tables::Tables("hdf5"),
+    &tables::Tables("xlsx"),
     &phyphox::Phyphox,
     &sensor_logger::SensorLogger,
     &folder::Folder,
@@ -110,7 +114,7 @@ pub(super) fn recognise(source: &Source) -> Option<&'static dyn Format> {
 
 /// The text in `source`; anything else is refused by name of the format.
 fn text(source: Source, format: &dyn Format) -> Result<Input, Error> {
-    match source {
+    match source.within() {
         Source::Text(input) => Ok(input),
         other => Err(mismatch(other.name(), format, "a file of text")),
     }
@@ -118,7 +122,7 @@ fn text(source: Source, format: &dyn Format) -> Result<Input, Error> {
 
 /// The files in `source`; anything else is refused by name of the format.
 fn files(source: Source, format: &dyn Format) -> Result<Files, Error> {
-    match source {
+    match source.within() {
         Source::Files(files) => Ok(files),
         other => Err(mismatch(other.name(), format, "a folder or an archive")),
     }

@@ -1,0 +1,173 @@
+//! Files of tables: Parquet, HDF5 with MATLAB 7.3, Excel workbooks.
+//!
+//! Their columns have names and no meaning, as those of a text. So a table is read as the comma-separated text that it
+//! would be, and one reader of texts knows names, units and sensors. Every reader is a feature of the build.
+
+#[cfg(feature = "hdf5")]
+mod hdf5;
+#[cfg(feature = "parquet")]
+mod parquet;
+#[cfg(any(feature = "hdf5", feature = "parquet", feature = "xlsx"))]
+mod rows;
+mod stream;
+#[cfg(feature = "xlsx")]
+mod xlsx;
+
+use std::fmt;
+use std::io::{Read, Write};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use crate::container::Store;
+use crate::{Error, Limits};
+
+/// A format of tables.
+#[derive(Debug)]
+pub struct Tabular {
+    /// The name for `--format`.
+    pub name: &'static str,
+    /// What it is, in a line.
+    pub about: &'static str,
+    /// What it is called in a sentence.
+    pub called: &'static str,
+    /// First bytes, any of them.
+    begins: &'static [&'static [u8]],
+    /// What to do where it is not read.
+    instead: &'static str,
+    reader: Option<&'static dyn Reader>,
+}
+
+/// What reads a format of tables.
+pub(crate) trait Reader: fmt::Debug + Sync {
+    /// The tables in the file.
+    fn tables(&self, store: &Store, limits: Limits) -> Result<Listed, Error>;
+
+    /// Writes the table called `name` as comma-separated text, its names first.
+    fn write(
+        &self,
+        store: &Store,
+        name: &str,
+        limits: Limits,
+        out: &mut dyn Write,
+    ) -> Result<(), Error>;
+}
+
+/// The tables of a file.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Listed {
+    /// Their names; empty of the only one.
+    pub names: Vec<String>,
+    /// What was left out, in words.
+    pub warnings: Vec<String>,
+}
+
+macro_rules! reader {
+    ($feature:literal, $reader:path) => {{
+        #[cfg(feature = $feature)]
+        let reader: Option<&'static dyn Reader> = Some(&$reader);
+        #[cfg(not(feature = $feature))]
+        let reader: Option<&'static dyn Reader> = None;
+        reader
+    }};
+}
+
+/// Every format of tables, those among them that this build does not read.
+pub static TABULAR: &[Tabular] = &[
+    Tabular {
+        name: "parquet",
+        about: "a Parquet file with the columns of a CSV (feature `parquet` of the build)",
+        called: "a Parquet file",
+        begins: &[b"PAR1"],
+        instead: "convert it to CSV, as in `pandas.read_parquet(FILE).to_csv(OUT)`",
+        reader: reader!("parquet", parquet::Parquet),
+    },
+    Tabular {
+        name: "hdf5",
+        about: "an HDF5 or MATLAB 7.3 file: datasets called as the columns of a CSV (feature `hdf5` of the build)",
+        called: "an HDF5 or MATLAB 7.3 file",
+        begins: &[b"\x89HDF\r\n\x1a\n", b"MATLAB 7.3 MAT-file"],
+        instead: "save it in MATLAB with `save -v7`, or export its columns as CSV",
+        reader: reader!("hdf5", hdf5::Hdf5),
+    },
+    // A zip archive is a workbook by what is in it.
+    Tabular {
+        name: "xlsx",
+        about: "an Excel workbook, a table per sheet (feature `xlsx` of the build)",
+        called: "an Excel workbook",
+        begins: &[],
+        instead: "save the sheet as CSV and name that file",
+        reader: reader!("xlsx", xlsx::Xlsx),
+    },
+];
+
+impl Tabular {
+    /// The format called `name`.
+    pub fn by_name(name: &str) -> Option<&'static Self> {
+        TABULAR.iter().find(|format| format.name == name)
+    }
+
+    /// The format of a file that begins with `head`.
+    pub fn recognise(head: &[u8]) -> Option<&'static Self> {
+        let begins = |format: &&Self| format.begins.iter().any(|magic| head.starts_with(magic));
+        TABULAR.iter().find(begins)
+    }
+
+    /// True if this build reads it.
+    pub fn is_built(&self) -> bool {
+        self.reader.is_some()
+    }
+
+    /// Its reader.
+    ///
+    /// # Errors
+    /// A build without it, and what to do.
+    fn reader(&self) -> Result<&'static dyn Reader, Error> {
+        self.reader.ok_or_else(|| {
+            Error::refused(format!(
+                "this is {}, which this build does not read; {}, or build with `--features {}`",
+                self.called, self.instead, self.name
+            ))
+        })
+    }
+
+    /// The tables in `store`.
+    pub(crate) fn tables(&self, store: &Store, limits: Limits) -> Result<Listed, Error> {
+        let reader = self.reader()?;
+        guarded(|| reader.tables(store, limits))
+    }
+
+    /// The text of the table called `name`.
+    pub(crate) fn text(
+        &self,
+        store: &Store,
+        name: &str,
+        limits: Limits,
+    ) -> Result<Box<dyn Read + Send>, Error> {
+        let (reader, store, name) = (self.reader()?, store.clone(), name.to_owned());
+        stream::text(move |out| guarded(|| reader.write(&store, &name, limits, out)))
+    }
+}
+
+/// A Parquet file with `columns` of equal length; what is not finite is a null.
+///
+/// # Errors
+/// A build without the feature `parquet`.
+pub fn write_parquet(columns: &[(String, Vec<f64>)]) -> Result<Vec<u8>, Error> {
+    #[cfg(feature = "parquet")]
+    return parquet::write(columns);
+    #[cfg(not(feature = "parquet"))]
+    {
+        let _ = columns;
+        Err(Error::refused(
+            "this build does not write Parquet; name a .csv file, or build with `--features parquet`",
+        ))
+    }
+}
+
+/// What a parser of another project reads; a panic in it is the damage that it did not foresee.
+fn guarded<T>(read: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
+    catch_unwind(AssertUnwindSafe(read)).unwrap_or_else(|_| {
+        Err(Error::refused(
+            "the reader of this format gave up at damage that it does not understand; export the table as CSV",
+        ))
+    })
+}

@@ -1,0 +1,198 @@
+//! Excel workbooks: a table per sheet that is shown, its lines those of the sheet.
+
+use std::io::{self, Read, Seek, Write};
+
+use calamine::{
+    Cell as Found, DataRef, Reader as _, SheetType, SheetVisible, Xlsx as Workbook, XlsxError,
+};
+
+use super::rows::Cell;
+use super::{Listed, Reader};
+use crate::container::{Container, Store, Stored};
+use crate::{Error, Limits};
+
+/// `.xlsx` workbooks.
+#[derive(Debug)]
+pub(super) struct Xlsx;
+
+/// Excel has no more columns, nor more rows: "Excel specifications and limits", Microsoft.
+const COLUMNS: u32 = 16_384;
+const ROWS: u32 = 1_048_576;
+/// Bytes of what is held in memory beside a sheet: shared words, styles.
+const HELD: u64 = 256 << 20;
+
+impl Reader for Xlsx {
+    fn tables(&self, store: &Store, limits: Limits) -> Result<Listed, Error> {
+        check(store, limits)?;
+        let workbook = open(store)?;
+        let mut listed = Listed::default();
+        for sheet in workbook.sheets_metadata() {
+            match (sheet.typ, sheet.visible) {
+                (SheetType::WorkSheet, SheetVisible::Visible) => {
+                    listed.names.push(sheet.name.clone());
+                }
+                (SheetType::WorkSheet, _) => listed.warnings.push(format!(
+                    "the sheet {} is hidden and is left out",
+                    sheet.name.escape_default()
+                )),
+                _ => {}
+            }
+        }
+        match listed.names.is_empty() {
+            true => Err(Error::refused("a workbook without a sheet of cells")),
+            false => Ok(listed),
+        }
+    }
+
+    fn write(
+        &self,
+        store: &Store,
+        name: &str,
+        _limits: Limits,
+        out: &mut dyn Write,
+    ) -> Result<(), Error> {
+        let mut workbook = open(store)?;
+        let mut cells = workbook.worksheet_cells_reader(name).map_err(damaged)?;
+        let mut sheet = Sheet {
+            name,
+            first: cells.dimensions().start.1,
+            row: 0,
+            line: String::new(),
+            columns: 0,
+            numbers: false,
+            date: None,
+            out,
+        };
+        while let Some(cell) = cells.next_cell().map_err(damaged)? {
+            sheet.add(&cell)?;
+        }
+        sheet.end_line()
+    }
+}
+
+fn damaged(error: XlsxError) -> Error {
+    Error::refused(format!("the workbook cannot be read: {error}"))
+}
+
+fn open(store: &Store) -> Result<Workbook<Box<dyn Stored>>, Error> {
+    let mut file = store.open()?;
+    file.rewind()?;
+    Workbook::new(file).map_err(damaged)
+}
+
+/// Unpacks what the parser holds in memory, so that no entry is longer than it says.
+fn check(store: &Store, limits: Limits) -> Result<(), Error> {
+    let archive = Container::of_store(store.clone(), limits)?;
+    for entry in archive.entries() {
+        let is_sheet = entry.name.starts_with("xl/worksheets/");
+        let mut content = archive.open(entry)?;
+        if is_sheet {
+            continue;
+        }
+        let unpacked = io::copy(&mut (&mut content).take(HELD), &mut io::sink());
+        let unpacked = unpacked
+            .map_err(|error| Error::refused(format!("{}: {error}", entry.name.escape_default())))?;
+        if unpacked == HELD {
+            return Err(Error::refused(format!(
+                "{} unpacks to more than {HELD} bytes; save the sheet as CSV",
+                entry.name.escape_default()
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// A sheet while it is written.
+struct Sheet<'a> {
+    name: &'a str,
+    /// The first column that holds anything.
+    first: u32,
+    /// The row of `line`, from 0.
+    row: u32,
+    line: String,
+    /// Cells in `line`.
+    columns: u32,
+    /// There is a number in `line`.
+    numbers: bool,
+    /// The first date in `line`.
+    date: Option<(u32, u32)>,
+    out: &'a mut dyn Write,
+}
+
+impl Sheet<'_> {
+    fn add(&mut self, found: &Found<DataRef<'_>>) -> Result<(), Error> {
+        let (row, column) = found.get_position();
+        let cell = match found.get_value() {
+            DataRef::Empty => return Ok(()),
+            DataRef::Int(number) => Cell::Whole(*number),
+            DataRef::Float(number) => Cell::Double(*number),
+            DataRef::String(words) => Cell::Text(words.clone()),
+            DataRef::SharedString(words) => Cell::Text((*words).to_owned()),
+            DataRef::Bool(yes) => Cell::Whole(i64::from(*yes)),
+            DataRef::DateTime(date) => Cell::Double(date.as_f64()),
+            DataRef::DateTimeIso(words) | DataRef::DurationIso(words) => Cell::Text(words.clone()),
+            DataRef::Error(error) => Cell::Text(error.to_string()),
+        };
+        if row < self.row || row >= ROWS || column >= COLUMNS || column < self.first {
+            return Err(Error::refused(format!(
+                "the cell {} stands where no cell can be: the workbook is damaged",
+                self.place(row, column)
+            )));
+        }
+        while self.row < row {
+            self.end_line()?;
+        }
+        let at = column - self.first;
+        if self.columns > at {
+            return Err(Error::refused(format!(
+                "the cell {} is there twice: the workbook is damaged",
+                self.place(row, column)
+            )));
+        }
+        for _ in self.columns.max(1)..=at {
+            self.line.push(',');
+        }
+        self.columns = at + 1;
+        match found.get_value() {
+            DataRef::DateTime(_) | DataRef::DateTimeIso(_) => {
+                self.date = self.date.or(Some((row, column)));
+            }
+            DataRef::Int(_) | DataRef::Float(_) => self.numbers = true,
+            _ => {}
+        }
+        cell.write(&mut self.line);
+        Ok(())
+    }
+
+    /// Writes the row, blank ones too, so that a line's number is the row's.
+    fn end_line(&mut self) -> Result<(), Error> {
+        // A date among words is a remark; among numbers it is the stamp of a reading.
+        if let (Some((row, column)), true) = (self.date, self.numbers) {
+            return Err(Error::refused(format!(
+                "the cell {} is a date or time of day; format the column as numbers, in seconds, and save again",
+                self.place(row, column)
+            )));
+        }
+        self.line.push('\n');
+        self.out.write_all(self.line.as_bytes())?;
+        self.line.clear();
+        (self.columns, self.numbers, self.date) = (0, false, None);
+        self.row += 1;
+        Ok(())
+    }
+
+    /// A cell as Excel calls it: `Raw!B7`.
+    fn place(&self, row: u32, column: u32) -> String {
+        let (mut letters, mut left) = (Vec::new(), column + 1);
+        while left > 0 {
+            letters.push(char::from(b'A' + ((left - 1) % 26) as u8));
+            left = (left - 1) / 26;
+        }
+        let letters: String = letters.iter().rev().collect();
+        format!(
+            "{}!{letters}{}",
+            self.name.escape_default(),
+            u64::from(row) + 1
+        )
+    }
+}
