@@ -26,6 +26,7 @@ fn texts(format: &str, bytes: &[u8]) -> Result<Vec<(String, String)>, String> {
 }
 
 /// The numbers of a text below its names.
+#[cfg(any(feature = "parquet", feature = "hdf5", feature = "xlsx"))]
 fn numbers(text: &str) -> Vec<Vec<f64>> {
     let row = |line: &str| {
         let cells = line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN));
