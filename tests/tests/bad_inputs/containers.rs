@@ -113,11 +113,13 @@ fn case_037_bombs_are_refused() {
     let zeros = vec![b'0'; 64 << 20];
     let bomb = zip(&[("Accelerometer.csv", &zeros, Packing::Deflated)]);
     calibrate("a.zip", &bomb, &[]).ends(3).says(&["1000 times"]);
-    // Blocks of one byte, 128 kB each.
-    let block = [[0x02, 0x00, 0x10, b'.'], [0x03, 0x00, 0x10, b'.']];
+    // Rows, then blocks of one byte that stands for 128 kB of blank lines.
+    let rows = csv(&good()[..100]);
     let mut repeated = b"\x28\xb5\x2f\xfd\0\x58".to_vec();
-    (0..99).for_each(|_| repeated.extend(block[0]));
-    repeated.extend(block[1]);
+    repeated.extend(&(rows.len() as u32 * 8).to_le_bytes()[..3]);
+    repeated.extend(rows.as_bytes());
+    (0..99).for_each(|_| repeated.extend([0x02, 0x00, 0x10, b'\n']));
+    repeated.extend([0x03, 0x00, 0x10, b'\n']);
     calibrate("a.csv.zst", repeated, &[])
         .ends(3)
         .says(&["1000 times"]);
