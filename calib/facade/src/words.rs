@@ -104,7 +104,14 @@ mod tests {
             }
         }
         // Of another program, and of cargo.
-        let others = ["---", "--csv", "--release", "--ignored", "--prior"];
+        let others = [
+            "---",
+            "--csv",
+            "--features",
+            "--release",
+            "--ignored",
+            "--prior",
+        ];
         let unknown: Vec<_> = flags
             .iter()
             .filter(|flag| !others.contains(&flag.as_str()))
