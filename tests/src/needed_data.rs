@@ -7,7 +7,15 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Tests of this process that were skipped.
 static SKIPPED: AtomicUsize = AtomicUsize::new(0);
 
-/// `part` of the folder of recordings: `$STILLPOINT_DATA`, by default `../shared/data` beside the workspace.
+/// The folder of recordings: `$STILLPOINT_DATA`, by default `../shared/data` beside the workspace.
+pub fn data_folder() -> PathBuf {
+    std::env::var_os("STILLPOINT_DATA").map_or_else(
+        || PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../shared/data"),
+        PathBuf::from,
+    )
+}
+
+/// `part` of [`data_folder`].
 ///
 /// Where it is missing the calling test is to end: that it was skipped is said on standard error, uncaptured and
 /// counted. With `STILLPOINT_REQUIRE_DATA=1` (as in `.ci/run`) it fails instead.
@@ -16,11 +24,7 @@ static SKIPPED: AtomicUsize = AtomicUsize::new(0);
 /// Where the recordings are required and missing.
 #[allow(clippy::panic)]
 pub fn needed(part: &str) -> Option<PathBuf> {
-    let data = std::env::var_os("STILLPOINT_DATA").map_or_else(
-        || PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../shared/data"),
-        PathBuf::from,
-    );
-    let path = data.join(part);
+    let path = data_folder().join(part);
     if path.exists() {
         return Some(path);
     }

@@ -29,6 +29,7 @@ mod registry;
 mod ros_imu;
 mod sensor_logger_choice;
 mod sensor_logger_json;
+mod shown;
 mod sqlite;
 mod stream;
 mod tables;

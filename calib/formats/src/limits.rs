@@ -43,7 +43,7 @@ impl Limits {
         }
         if large > ALWAYS && large / self.ratio > small {
             return Err(Error::refused(format!(
-                "{what} unpacks to more than {} times its {small} bytes, as no recording does; unpack it yourself if you trust it",
+                "{what} unpacks to more than {} times its size, as no recording does; unpack it yourself if you trust it",
                 self.ratio
             )));
         }

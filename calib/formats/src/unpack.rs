@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::io::Read;
 
+use crate::shown::shown;
 use crate::{Error, Limits};
 
 /// The chunks of a file, which together unpack to no more than the limit.
@@ -45,9 +46,6 @@ impl Chunks {
     }
 }
 
-/// Characters of an unknown method's name that a message quotes.
-const NAMED: usize = 40;
-
 /// The `size` bytes that `packed` holds, compressed by the method called so in bags and MCAP files.
 fn unpack<'a>(method: &str, packed: &'a [u8], size: u64) -> Result<Cow<'a, [u8]>, Error> {
     let mut unpacked = Vec::new();
@@ -63,11 +61,7 @@ fn unpack<'a>(method: &str, packed: &'a [u8], size: u64) -> Result<Cow<'a, [u8]>
         other => {
             return Err(Error::refused(format!(
                 "chunks compressed by `{}` are not read; known are lz4, bz2 and zstd",
-                other
-                    .chars()
-                    .take(NAMED)
-                    .collect::<String>()
-                    .escape_default()
+                shown(other)
             )));
         }
     };

@@ -300,8 +300,7 @@ fn overlap(recording: &Recording) -> Result<(), Error> {
     let (Some(accel), Some(gyro)) = (&recording.accelerometer, &recording.gyroscope) else {
         return Ok(());
     };
-    let range = |stream: &Stream| Some((*stream.t.first()?, *stream.t.last()?));
-    match (range(accel), range(gyro)) {
+    match (accel.span(), gyro.span()) {
         (Some((a0, a1)), Some((g0, g1))) if a1 < g0 || g1 < a0 => Err(in_file(
             &recording.name,
             format!(

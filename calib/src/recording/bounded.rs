@@ -4,11 +4,7 @@ use std::io::{self, Read};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// What a compressed file unpacks to, times its size, before it is no recording: text of sensors takes a tenth to a half.
-const LARGEST_RATIO: u64 = 1000;
-
-/// Bytes that may be unpacked from any file.
-const ALWAYS: u64 = 1 << 20;
+use file_formats::Limits;
 
 /// Counts what is read of a compressed file.
 struct Packed {
@@ -52,11 +48,13 @@ impl Read for Bounded {
         let read = self.content.read(buffer)?;
         self.count += read as u64;
         let packed = self.packed.load(Ordering::Relaxed);
-        if self.count > ALWAYS + LARGEST_RATIO * packed {
-            return Err(io::Error::other(format!(
-                "it unpacks to more than {LARGEST_RATIO} times its size, as no recording does; if it is one, unpack it first"
-            )));
-        }
+        // Text is read as it comes, so that its size does not matter.
+        let limits = Limits {
+            bytes: u64::MAX,
+            ..Limits::default()
+        };
+        let checked = limits.check_unpacked("it", packed, self.count);
+        checked.map_err(io::Error::other)?;
         Ok(read)
     }
 }

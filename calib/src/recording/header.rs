@@ -7,6 +7,7 @@ use super::by_unit::by_unit;
 use super::names::{role_of, take_apart};
 use super::options::{ColumnMap, Role};
 use super::suggest::{nearest, suggestion};
+use super::thermometer;
 use super::units::{Stated, looks_like_unit};
 use crate::shown::{shown, shown_list};
 
@@ -57,14 +58,14 @@ impl Layout {
             by_unit,
             ..Self::default()
         };
-        layout.assign(&roles)?;
-        layout.refuse_without_sensor(map)?;
+        layout.assign(&roles, map)?;
         layout.state_units();
         Ok(layout)
     }
 
-    /// Takes over columns by role and checks that triads are whole.
-    pub fn assign(&mut self, roles: &[(Role, usize)]) -> Result<(), String> {
+    /// Takes over columns by role; `map` is what was said of them. Triads have to be whole, and there has to be one,
+    /// unless the table is a thermometer's.
+    pub fn assign(&mut self, roles: &[(Role, usize)], map: &ColumnMap) -> Result<(), String> {
         let column = |role: Role| {
             roles
                 .iter()
@@ -95,20 +96,7 @@ impl Layout {
             [Some(x), Some(y), Some(z)] => Some([x, y, z]),
             _ => None,
         };
-        Ok(())
-    }
-
-    /// True if three columns are a sensor's.
-    pub fn has_sensor(&self) -> bool {
-        [self.accel, self.gyro, self.field]
-            .iter()
-            .any(Option::is_some)
-    }
-
-    /// Refuses a table without a sensor, unless the user or the format named its temperature.
-    pub fn refuse_without_sensor(&self, map: &ColumnMap) -> Result<(), String> {
-        let is_thermometer = map.0.iter().any(|(role, _)| *role == Role::Temperature);
-        if is_thermometer || self.has_sensor() {
+        if thermometer::is_only(map) || self.has_sensor() {
             return Ok(());
         }
         Err(format!(
@@ -116,6 +104,13 @@ impl Layout {
             shown_list(self.names.iter()),
             suggestion(&self.names)
         ))
+    }
+
+    /// True if three columns are a sensor's.
+    pub fn has_sensor(&self) -> bool {
+        [self.accel, self.gyro, self.field]
+            .iter()
+            .any(Option::is_some)
     }
 
     fn state_units(&mut self) {

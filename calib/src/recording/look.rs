@@ -1,5 +1,7 @@
 //! The beginning of a text as lines and names, for formats to know it by.
 
+use super::names::role_of;
+use super::options::Role;
 use super::preface::{is_comment, without_comment_mark};
 
 /// Lines looked at.
@@ -37,6 +39,15 @@ impl Look {
         let mut lines = self.lines();
         let first = lines.find(|line| !is_comment(line.as_bytes()) && !line.starts_with("sep="));
         first.map(cells).unwrap_or_default()
+    }
+
+    /// The column that [`Self::first`] calls so that it has this role, numbered from 1.
+    pub fn column(&self, wanted: Role) -> Option<String> {
+        let names = self.first();
+        let name = names
+            .iter()
+            .find(|name| role_of(name, None) == Some(wanted))?;
+        numbered(&names, name)
     }
 }
 

@@ -6,8 +6,7 @@ use nalgebra::Vector3;
 
 use super::Stream;
 use super::held::held_runs;
-use super::look::Look;
-use super::names::role_of;
+use super::look::{Look, numbered};
 use super::options::Role;
 use super::parts::Part;
 use super::samples::Samples;
@@ -116,13 +115,9 @@ impl Magnetometer {
 
 /// A file of a magnetometer by itself: its time and its axes, by their names or called x, y, z.
 pub(super) fn part(look: &Look, unit: Option<FieldUnit>) -> Option<Part> {
-    let names = look.first();
     let at = |wanted: Role, letter: &str| {
-        let named = names
-            .iter()
-            .position(|name| role_of(name, None) == Some(wanted));
-        let found = named.or_else(|| names.iter().position(|name| name.trim() == letter))?;
-        Some((found + 1).to_string())
+        let named = look.column(wanted);
+        named.or_else(|| numbered(&look.first(), letter))
     };
     let columns = [
         at(Role::Time, "t")?,

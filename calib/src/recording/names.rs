@@ -117,6 +117,9 @@ const TEMPERATURE: &[&str] = &[
     "tempf",
 ];
 
+/// Bytes of the longest name that may have a role: paths of topics take some tens.
+const LONGEST: usize = 200;
+
 /// A column name taken apart: what it calls, and the unit in brackets or behind an underscore.
 pub(super) fn take_apart(name: &str) -> (String, Option<&str>) {
     let (word, unit) = match name.find(['(', '[', '{']) {
@@ -151,11 +154,15 @@ fn compact(word: &str) -> String {
 
 /// The role of a name, or of what follows a point or slash in it: `field.angular_velocity.x`.
 pub(super) fn role_of(name: &str, only: Option<Sensor>) -> Option<Role> {
+    if name.len() > LONGEST {
+        return None;
+    }
     let bracket = name.find(['(', '[', '{']).unwrap_or(name.len());
     let ends = name[..bracket]
         .match_indices(['.', '/'])
         .map(|(at, _)| &name[at + 1..]);
-    let qualified = std::iter::once(name).chain(ends.filter(|end| compact(end).len() > 1));
+    let is_word = |end: &&str| end.chars().filter(|c| c.is_alphanumeric()).nth(1).is_some();
+    let qualified = std::iter::once(name).chain(ends.filter(is_word));
     qualified
         .into_iter()
         .find_map(|name| role_of_word(name, only))

@@ -97,6 +97,7 @@ impl Part {
         }
         if self.is_field {
             (table.accel, table.gyro) = Default::default();
+            (table.temperature_t, table.temperature) = Default::default();
             table
                 .roles
                 .retain(|(role, _)| matches!(role, Role::Time | Role::Field(_)));

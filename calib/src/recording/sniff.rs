@@ -307,10 +307,8 @@ impl Start {
             self.layout.affine = header::affines(&names, &options.columns);
             header::roles_by_map(&names, &options.columns).map_err(refuse)?
         };
-        self.layout.assign(&roles).map_err(refuse)?;
-        self.layout
-            .refuse_without_sensor(&options.columns)
-            .map_err(refuse)
+        let assigned = self.layout.assign(&roles, &options.columns);
+        assigned.map_err(refuse)
     }
 }
 

@@ -38,6 +38,11 @@ impl Stream {
         self.t.is_empty()
     }
 
+    /// First and last stamp, s; `None` without samples.
+    pub fn span(&self) -> Option<(f64, f64)> {
+        Some((*self.t.first()?, *self.t.last()?))
+    }
+
     /// Median time between samples, s; `None` with fewer than two.
     pub fn median_step(&self) -> Option<f64> {
         median_step(&self.t)

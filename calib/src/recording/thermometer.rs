@@ -1,7 +1,6 @@
 //! Temperatures with stamps of their own: read between them, left out where they are of another clock.
 
 use super::look::Look;
-use super::names::role_of;
 use super::options::{ColumnMap, Role};
 use super::place::in_file;
 use super::table::Table;
@@ -17,15 +16,15 @@ const MISSED: f64 = 3.0;
 
 /// The columns of a file of a thermometer, by number.
 pub(super) fn columns(look: &Look) -> Option<ColumnMap> {
-    let names = look.first();
-    let column = |wanted: Role| {
-        let at = names
-            .iter()
-            .position(|name| role_of(name, None) == Some(wanted))?;
-        Some((wanted, (at + 1).to_string()))
-    };
-    let columns = [Role::Time, Role::Temperature].map(column);
-    columns.into_iter().collect::<Option<_>>().map(ColumnMap)
+    let roles = [Role::Time, Role::Temperature].into_iter();
+    let columns = roles.map(|role| Some((role, look.column(role)?)));
+    columns.collect::<Option<_>>().map(ColumnMap)
+}
+
+/// True if `map` names the columns of a thermometer and no others.
+pub(super) fn is_only(map: &ColumnMap) -> bool {
+    let names = |wanted: Role| map.0.iter().any(|(role, _)| *role == wanted);
+    map.0.len() == 2 && names(Role::Time) && names(Role::Temperature)
 }
 
 /// Gives the temperature of a table without sensors to the first one with.
@@ -97,7 +96,6 @@ fn misfit(recording: &Recording) -> Option<(String, bool)> {
 /// First and last stamp of the sensors.
 fn span(recording: &Recording) -> Option<(f64, f64)> {
     let streams = [&recording.accelerometer, &recording.gyroscope];
-    let ends = |stream: &Stream| Some((*stream.t.first()?, *stream.t.last()?));
-    let ends = streams.into_iter().flatten().filter_map(ends);
-    ends.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+    let spans = streams.into_iter().flatten().filter_map(Stream::span);
+    spans.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
 }

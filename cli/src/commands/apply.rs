@@ -7,7 +7,7 @@ use calib::calibration::{apply, load};
 use calib::recording::{field_names, stream_to_csv, to_csv, to_parquet};
 
 use super::inputs::{DeviceArgs, read};
-use crate::exit::Failure;
+use crate::exit::{Failure, USAGE};
 use crate::output::{Filled, Folder, Output, Replace};
 use crate::read_args::ReadArgs;
 use crate::show;
@@ -68,10 +68,15 @@ impl Target {
     /// A name without an extension is a folder.
     pub(super) fn claim(path: &Path, replace: Replace, inputs: &[&Path]) -> Result<Self, Failure> {
         if path.extension().is_some() {
-            let output = Box::new(Output::claim(path, replace, inputs)?);
             let is_parquet = path
                 .extension()
                 .is_some_and(|e| e.eq_ignore_ascii_case("parquet"));
+            if is_parquet && let Err(error) = to_parquet(&mut Recording::default()) {
+                // This build cannot, and nothing has been read yet.
+                let message = format!("-o {}: {error}", show::path(path));
+                return Err(Failure::new(USAGE, message));
+            }
+            let output = Box::new(Output::claim(path, replace, inputs)?);
             return Ok(match is_parquet {
                 true => Self::Parquet(output),
                 false => Self::File(output),

@@ -2,9 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use calib::Recording;
-use calib::recording::to_parquet;
-
 use super::apply::Target;
 use super::inputs::read;
 use crate::exit::{Failure, USAGE};
@@ -40,19 +37,15 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .output
         .extension()
         .map(|e| e.to_string_lossy().to_lowercase());
-    let why = match extension.as_deref() {
-        None | Some("csv" | "txt") => None,
-        // Whether this build can, before anything is read.
-        Some("parquet") => to_parquet(&mut Recording::default())
-            .err()
-            .map(|error| error.to_string()),
-        Some(other) => Some(format!(
-            ".{other} is not written; name a .csv file or a folder"
-        )),
-    };
-    if let Some(why) = why {
-        let message = format!("-o {}: {why}", show::path(&args.output));
-        return Err(Failure::new(USAGE, message));
+    match extension.as_deref() {
+        None | Some("csv" | "txt" | "parquet") => {}
+        Some(other) => {
+            let output = show::path(&args.output);
+            return Err(Failure::new(
+                USAGE,
+                format!("-o {output}: .{other} is not written; name a .csv file or a folder"),
+            ));
+        }
     }
     let target = Target::claim(&args.output, args.replace, &[&args.recording])?;
     args.replace.end_if_all_exist()?;

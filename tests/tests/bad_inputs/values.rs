@@ -215,6 +215,45 @@ fn case_099_a_temperature_with_stamps_of_its_own() {
 }
 
 #[test]
+fn case_099_the_temperature_of_a_magnetometer_is_not_the_sensors() {
+    let lines = |names: &str, from: usize, temperature: Option<f64>| {
+        let line = |row: &Row| {
+            let [x, y, z] = [0, 1, 2].map(|axis| row[from + axis]);
+            let warmer = temperature.map(|start| format!(",{:.3}", start + 0.05 * row[0]));
+            let warmer = warmer.unwrap_or_default();
+            format!("{:.4},{x:.6},{y:.6},{z:.6}{warmer}", row[0])
+        };
+        table(names, &good().iter().map(line).collect::<Vec<_>>())
+    };
+    let bench = Bench::with("r/acc.csv", lines("t,ax,ay,az,temp", 1, Some(20.0)));
+    bench.write("r/gyro.csv", lines("t,gx,gy,gz", 4, None));
+    bench.write("r/mag.csv", lines("t,mx,my,mz,temp", 1, Some(50.0)));
+    bench.run(&["convert", "r", "-o", "out.csv"]).ends(0);
+    let text = std::fs::read_to_string(bench.path("out.csv")).unwrap();
+    let (names, first) = text.split_once('\n').unwrap();
+    let at = names.split(',').position(|name| name == "temp").unwrap();
+    let first = first.lines().next().unwrap().split(',').nth(at).unwrap();
+    assert!(
+        (first.parse::<f64>().unwrap() - 20.0).abs() < 0.1,
+        "{first}"
+    );
+}
+
+#[test]
+fn case_099_a_column_of_temperature_is_no_sensor() {
+    let rows: Vec<String> = good()
+        .iter()
+        .map(|row| format!("{:.4},20,21,22", row[0]))
+        .collect();
+    calibrate(table("t,temp,p,q", &rows), &["--columns", "temp=2"])
+        .ends(3)
+        .says(&[
+            "no accelerometer and no gyroscope columns among",
+            "--columns",
+        ]);
+}
+
+#[test]
 fn case_100_a_wrong_gravity() {
     calibrate(csv(good()), &["--gravity", "48.1"])
         .ends(2)

@@ -3,6 +3,7 @@
 use std::io::{Read, Seek, SeekFrom};
 
 use super::too_many;
+use crate::shown::shown;
 use crate::{Error, Limits};
 
 const END: &[u8] = b"PK\x05\x06";
@@ -82,7 +83,7 @@ pub(super) fn directory(
         if number(header, 8, 2) & 1 == 1 {
             return Err(Error::refused(format!(
                 "entry `{}` is encrypted; unpack the archive with its password and name the folder",
-                name_text.escape_default()
+                shown(&name_text)
             )));
         }
         let extra_fields = header.get(46 + name..46 + name + extra).unwrap_or_default();
@@ -190,7 +191,7 @@ fn check(files: &[(String, Packed)], end: u64, limits: Limits) -> Result<(), Err
                 packed.at,
                 format!(
                     "entry `{}` reaches beyond the archive; is the file complete?",
-                    name.escape_default()
+                    shown(name)
                 ),
             ));
         }
@@ -206,8 +207,8 @@ fn check(files: &[(String, Packed)], end: u64, limits: Limits) -> Result<(), Err
     if let Some(pair) = spans.windows(2).find(|pair| pair[0].1 > pair[1].0) {
         return Err(Error::refused(format!(
             "entries `{}` and `{}` overlap, as in no honest archive",
-            pair[0].2.escape_default(),
-            pair[1].2.escape_default()
+            shown(pair[0].2),
+            shown(pair[1].2)
         )));
     }
     Ok(())

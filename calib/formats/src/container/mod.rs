@@ -8,6 +8,7 @@ use std::io::{Cursor, Read, Seek};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::shown::shown;
 use crate::tables::Tabular;
 use crate::{Error, Limits};
 use directory::directory;
@@ -167,7 +168,7 @@ impl Container {
             if is_outside(&name) {
                 warnings.push(format!(
                     "entry `{}` lies outside of the archive and is left out",
-                    name.escape_default()
+                    shown(&name)
                 ));
                 continue;
             }

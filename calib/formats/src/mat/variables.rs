@@ -3,6 +3,7 @@
 use super::element::Raw;
 use super::objects::{Objects, TIMETABLE};
 use super::value::{Value, Variable};
+use crate::shown::shown;
 use crate::stream::Recorder;
 use crate::{Content, Error, Limits, Quantity, Wanted};
 
@@ -100,8 +101,8 @@ impl Variables {
         if let Some(class) = unread {
             let words = format!(
                 "the variable {} is an object of class {} and is not read",
-                name.escape_default(),
-                class.escape_default()
+                shown(name),
+                shown(class)
             );
             self.recorder.content.warnings.push(words);
         }

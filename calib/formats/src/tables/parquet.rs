@@ -17,6 +17,7 @@ use parquet::schema::types::{ColumnDescriptor, Type as SchemaType};
 use super::rows::{self, Cell};
 use super::{Listed, Reader};
 use crate::container::{Store, Stored};
+use crate::shown::shown;
 use crate::{Error, Limits};
 
 /// Parquet files of plain columns.
@@ -78,13 +79,7 @@ impl Reader for Parquet {
                     .checked_sub(count as u64)
                     .ok_or_else(|| Error::refused("more rows than the Parquet file announces"))?;
                 for row in 0..count {
-                    line.clear();
-                    for (at, cells) in cells.iter().enumerate() {
-                        line.push_str(if at == 0 { "" } else { "," });
-                        cells[row].write(&mut line);
-                    }
-                    line.push('\n');
-                    out.write_all(line.as_bytes())?;
+                    rows::write(out, &mut line, cells.iter().map(|cells| &cells[row]))?;
                 }
             }
         }
@@ -132,7 +127,7 @@ fn check(metadata: &ParquetMetaData, limits: Limits) -> Result<(), Error> {
             size(chunk.compressed_size()),
             size(chunk.uncompressed_size()),
         );
-        let what = format!("the column {}", chunk.column_path().string());
+        let what = format!("the column {}", shown(&chunk.column_path().string()));
         limits.check_unpacked(&what, small, large)?;
         all = all.saturating_add(large);
     }
@@ -210,7 +205,7 @@ impl Column {
         if let Some(why) = self.refused {
             return Err(Error::refused(format!(
                 "the column {} has {why}",
-                self.name.escape_default()
+                shown(&self.name)
             )));
         }
         let whole = |number: i64| match self.divisor {

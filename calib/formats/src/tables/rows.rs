@@ -1,6 +1,7 @@
 //! Cells of a row of comma-separated text.
 
 use std::fmt::Write as _;
+use std::io::Write;
 
 use crate::Error;
 
@@ -50,6 +51,22 @@ pub(super) fn quoted(words: &str) -> String {
         true => format!("\"{}\"", line.replace('"', "\"\"")),
         false => line,
     }
+}
+
+/// Writes `cells` as a row; `line` is scratch space.
+pub(super) fn write<'a>(
+    out: &mut dyn Write,
+    line: &mut String,
+    cells: impl Iterator<Item = &'a Cell>,
+) -> Result<(), Error> {
+    line.clear();
+    for (at, cell) in cells.enumerate() {
+        line.push_str(if at == 0 { "" } else { "," });
+        cell.write(line);
+    }
+    line.push('\n');
+    out.write_all(line.as_bytes())?;
+    Ok(())
 }
 
 /// A line of names.

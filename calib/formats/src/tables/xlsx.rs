@@ -9,6 +9,7 @@ use calamine::{
 use super::rows::Cell;
 use super::{Listed, Reader};
 use crate::container::{Container, Store, Stored};
+use crate::shown::shown;
 use crate::{Error, Limits};
 
 /// `.xlsx` workbooks.
@@ -33,7 +34,7 @@ impl Reader for Xlsx {
                 }
                 (SheetType::WorkSheet, _) => listed.warnings.push(format!(
                     "the sheet {} is hidden and is left out",
-                    sheet.name.escape_default()
+                    shown(&sheet.name)
                 )),
                 _ => {}
             }
@@ -90,12 +91,12 @@ fn check(store: &Store, limits: Limits) -> Result<(), Error> {
             continue;
         }
         let unpacked = io::copy(&mut (&mut content).take(HELD), &mut io::sink());
-        let unpacked = unpacked
-            .map_err(|error| Error::refused(format!("{}: {error}", entry.name.escape_default())))?;
+        let unpacked =
+            unpacked.map_err(|error| Error::refused(format!("{}: {error}", shown(&entry.name))))?;
         if unpacked == HELD {
             return Err(Error::refused(format!(
                 "{} unpacks to more than {HELD} bytes; save the sheet as CSV",
-                entry.name.escape_default()
+                shown(&entry.name)
             )));
         }
     }
@@ -189,10 +190,6 @@ impl Sheet<'_> {
             left = (left - 1) / 26;
         }
         let letters: String = letters.iter().rev().collect();
-        format!(
-            "{}!{letters}{}",
-            self.name.escape_default(),
-            u64::from(row) + 1
-        )
+        format!("{}!{letters}{}", shown(self.name), u64::from(row) + 1)
     }
 }

@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::needed_data::data_folder;
+
 /// One `.dat` file.
 #[derive(Clone, Debug)]
 pub struct Dataset {
@@ -94,9 +96,7 @@ impl Dataset {
 
 /// `../shared/data/nist` next to the workspace, or `nist` in the folder that `STILLPOINT_DATA` names.
 pub fn default_folder() -> PathBuf {
-    let data = std::env::var_os("STILLPOINT_DATA").map(PathBuf::from);
-    data.unwrap_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/data"))
-        .join("nist")
+    data_folder().join("nist")
 }
 
 /// `b1 = start1 start2 certified deviation`.

@@ -1,0 +1,80 @@
+//! HDF5, which MATLAB 7.3 files are too: vectors of one length in a group are the columns of a table, a matrix of three
+//! columns is a triad of them, records and other matrices are tables of their own.
+
+mod element;
+mod found;
+mod set;
+
+use std::io::Write;
+use std::sync::Arc;
+
+use hdf5_reader::error::Error as Hdf5Error;
+use hdf5_reader::storage::FileStorage;
+use hdf5_reader::{Hdf5File, OpenOptions};
+
+use self::found::Found;
+use super::{Listed, Reader};
+use crate::container::Store;
+use crate::{Error, Limits};
+
+/// HDF5 files. Links to other files are not followed.
+#[derive(Debug)]
+pub(super) struct Hdf5;
+
+/// Fewer rows are settings, no readings.
+const FEWEST: u64 = 10;
+/// More columns are a picture.
+const WIDEST: u64 = 64;
+/// Bytes of chunks that are kept unpacked.
+const CACHE: usize = 32 << 20;
+
+impl Reader for Hdf5 {
+    fn tables(&self, store: &Store, limits: Limits) -> Result<Listed, Error> {
+        let mut found = Found::default();
+        found.look(&open(store)?, limits)?;
+        if found.tables.is_empty() {
+            let words = format!(
+                "no dataset of numbers with {FEWEST} rows or more; it holds {}",
+                found.listed()
+            );
+            return Err(Error::refused(words));
+        }
+        Ok(Listed {
+            names: found.tables.into_iter().map(|table| table.name).collect(),
+            warnings: found.warnings,
+        })
+    }
+
+    fn write(
+        &self,
+        store: &Store,
+        name: &str,
+        limits: Limits,
+        out: &mut dyn Write,
+    ) -> Result<(), Error> {
+        let file = open(store)?;
+        let mut found = Found::default();
+        found.look(&file, limits)?;
+        let table = found.tables.iter().find(|table| table.name == name);
+        let table = table.ok_or_else(|| Error::refused("the file has changed"))?;
+        table.write(out)
+    }
+}
+
+fn damaged(error: Hdf5Error) -> Error {
+    Error::refused(format!("the HDF5 file cannot be read: {error}"))
+}
+
+fn open(store: &Store) -> Result<Hdf5File, Error> {
+    let options = OpenOptions::default()
+        .with_chunk_cache_bytes(CACHE)
+        .with_max_read_bytes(hdf5_reader::DEFAULT_MAX_CHUNK_BYTES);
+    match store {
+        Store::File(path) => {
+            let storage = FileStorage::open(path).map_err(damaged)?;
+            Hdf5File::from_storage_with_options(Arc::new(storage), options)
+        }
+        Store::Memory(bytes) => Hdf5File::from_shared_bytes_with_options(bytes.clone(), options),
+    }
+    .map_err(damaged)
+}
