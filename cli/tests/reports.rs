@@ -283,6 +283,49 @@ fn a_calibrations_report_tells_recordings_rests_and_turns_apart() {
 }
 
 #[test]
+fn what_the_page_says_of_a_touched_device_mends_the_calibration() {
+    let dir = tempfile::tempdir().unwrap();
+    let touched = "[[faults]]\ndisturbed = { interval = 7, size = 0.08 }\n";
+    std::fs::write(dir.path().join("run.toml"), [SESSION, touched].concat()).unwrap();
+    let made = stillpoint(dir.path(), &["simulate", "run.toml", "-o", "run"]);
+    assert!(made.status.success(), "{}", stderr(&made));
+    let calibrate = |more: &[&str]| {
+        let args = ["calibrate", "run", "--gravity", "9.80665", "--force"];
+        let outputs = ["-o", "cal.json", "--report", "cal.html"];
+        let output = stillpoint(dir.path(), &[&args[..], &outputs, more].concat());
+        let page = std::fs::read_to_string(dir.path().join("cal.html")).unwrap();
+        (output, page.replace("</span>", "").replace("<span>", ""))
+    };
+    let (output, page) = calibrate(&[]);
+    // The turns on either side are sound.
+    let said = stderr(&output);
+    assert!(
+        said.contains("static interval 8 (") && !said.contains("rows lost"),
+        "{said}"
+    );
+    let next = page.split("--leave-out ").nth(1).expect("the option");
+    let instant = next.split(' ').next().unwrap();
+    let (output, page) = calibrate(&["--leave-out", instant]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    assert!(
+        page.contains("The model explains the recording"),
+        "{}",
+        stderr(&output)
+    );
+    assert!(page.contains(&format!("static intervals left out at {instant} s")));
+    // A wrong one is refused with the nearest.
+    for (wrong, words) in [
+        ("1e5", "the nearest lasts from"),
+        ("2:50", "no recording 2"),
+        ("x", "a stamp in s"),
+    ] {
+        let (output, _) = calibrate(&["--leave-out", wrong]);
+        assert_eq!(output.status.code(), Some(2), "{wrong}");
+        assert!(stderr(&output).contains(words), "{}", stderr(&output));
+    }
+}
+
+#[test]
 fn segment_draws_the_rests_it_found() {
     let dir = tempfile::tempdir().unwrap();
     recording(&dir.path().join("two.csv"), &[UP; 2], 10.0);

@@ -61,6 +61,7 @@ fn refuse_for_six_positions(request: &Request) -> Result<(), Error> {
     let ignored = [
         ("effects", !request.effects.is_empty()),
         ("sections", !request.sections.is_empty()),
+        ("left_out", !request.left_out.is_empty()),
         ("gyro_recordings", !request.gyro_recordings.is_empty()),
         ("nominal_rate", request.nominal_rate.is_some()),
     ];

@@ -1,6 +1,6 @@
 //! What to calibrate and how.
 
-use calib::calibrate::{Frame, GyroBias, NOMINAL_RATES, Request as CalibRequest};
+use calib::calibrate::{Frame, GyroBias, Instant, NOMINAL_RATES, Request as CalibRequest};
 use calib::discover::Request as DiscoverRequest;
 use calib::effect_file::catalogue_with;
 use calib::gravity::{ACCEPTED, Gravity, NotOnEarth};
@@ -57,6 +57,8 @@ pub struct Request {
     pub detector: DetectorOptions,
     /// Static intervals picked by hand, begin and end in s: a list for each recording, one for all, or none.
     pub sections: Vec<Vec<(f64, f64)>>,
+    /// Static intervals to leave out, each by an instant within it: the number of the recording from 1, and a stamp in s.
+    pub left_out: Vec<(usize, f64)>,
     /// Recordings to take the gyroscope's turns from instead.
     pub gyro_recordings: Vec<Recording>,
     /// Frame of the accelerometer's matrix.
@@ -94,6 +96,7 @@ impl Default for Request {
             altitude: None,
             detector: DetectorOptions::default(),
             sections: Vec::new(),
+            left_out: Vec::new(),
             gyro_recordings: Vec::new(),
             frame: Frame::default(),
             integrator: Integrator::default(),
@@ -152,6 +155,7 @@ impl Request {
             detector,
             choose_multiplier,
             sections: self.sections_for(recordings)?,
+            left_out: self.left_out_of(recordings)?,
             frame: self.frame,
             integrator: self.integrator,
             gyro_bias: self.gyro_bias,
@@ -213,6 +217,18 @@ impl Request {
                 "{n} lists of sections for {recordings} recordings; give one for all or one for each"
             ))),
         }
+    }
+
+    fn left_out_of(&self, recordings: usize) -> Result<Vec<Instant>, Error> {
+        let instant = |&(recording, t): &(usize, f64)| {
+            let is_there = (1..=recordings).contains(&recording) && t.is_finite();
+            is_there.then_some(Instant { recording, t }).ok_or_else(|| {
+                Error::usage(format!(
+                    "{t} s of recording {recording} to leave out: a stamp and a recording from 1 to {recordings} expected"
+                ))
+            })
+        };
+        self.left_out.iter().map(instant).collect()
     }
 
     fn named_effects(&self) -> Result<Vec<&'static dyn AnyEffect>, Error> {

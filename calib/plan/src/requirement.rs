@@ -233,17 +233,9 @@ pub fn coverage(directions: &[Vector3<f64>]) -> Coverage {
             distinct.push(*u);
         }
     }
-    let missing_faces: Vec<usize> = faces()
-        .iter()
-        .enumerate()
-        .filter(|(_, face)| directions.iter().all(|u| face.dot(u) < FACE_REACHED))
-        .map(|(k, _)| k)
-        .collect();
+    let missing_faces = missing_faces(directions);
     let information = force_information(directions);
-    let mut added = fewest(directions);
-    if added.is_empty() {
-        added = missing_faces.iter().map(|k| faces()[*k]).collect();
-    }
+    let added = fewest_with_faces(directions, &missing_faces);
     let all = [directions, &added].concat();
     let (before, after) = (known_to(&information), known_to(&force_information(&all)));
     Coverage {
@@ -257,6 +249,25 @@ pub fn coverage(directions: &[Vector3<f64>]) -> Coverage {
         reading_before: before.map(|b| b.1),
         reading_after: after.map(|a| a.1),
     }
+}
+
+/// Faces that no placement comes within 50° of.
+fn missing_faces(directions: &[Vector3<f64>]) -> Vec<usize> {
+    let faces = faces();
+    let is_missing = |k: &usize| directions.iter().all(|u| faces[*k].dot(u) < FACE_REACHED);
+    (0..faces.len()).filter(is_missing).collect()
+}
+
+/// The fewest placements that meet the requirement: those by which the parameters are known where they come to the
+/// missing faces too, else these faces and what is needed beside them.
+fn fewest_with_faces(directions: &[Vector3<f64>], missing: &[usize]) -> Vec<Vector3<f64>> {
+    let known = fewest(directions);
+    if missing_faces(&[directions, &known].concat()).is_empty() {
+        return known;
+    }
+    let mut added: Vec<Vector3<f64>> = missing.iter().map(|k| faces()[*k]).collect();
+    added.extend(fewest(&[directions, &added].concat()));
+    added
 }
 
 /// The fewest placements (faces, edges, corners) that determine every parameter beside those that are there.
@@ -306,6 +317,20 @@ mod tests {
         assert_eq!(found.wanted.len(), 4, "{}", found.advice());
         assert!(found.missing_faces.is_empty() && found.before.is_none());
         println!("{} {:?}", found.advice(), found.after);
+    }
+
+    #[test]
+    fn advice_that_is_followed_leaves_nothing_to_ask_for() {
+        let all = faces_edges_corners();
+        for (start, count) in (0..all.len()).flat_map(|k| [(k, 3), (k, 6), (k, 9), (k, 12)]) {
+            let there: Vec<_> = (0..count)
+                .map(|k| all[(start + 5 * k) % all.len()])
+                .collect();
+            let found = coverage(&there);
+            let added = found.wanted.iter().map(|w| Vector3::from(w.up));
+            let after = coverage(&[there, added.collect()].concat());
+            assert!(after.is_complete(), "{}", after.advice());
+        }
     }
 
     #[test]

@@ -22,6 +22,7 @@ use std::borrow::Borrow;
 
 use nalgebra::Vector3;
 use sensor::{AnyEffect, Model, Quantity};
+use serde::{Deserialize, Serialize};
 
 use crate::calibration::{Calibration, Options, RecordingClock};
 use crate::error::Error;
@@ -76,6 +77,15 @@ pub enum Method {
     Joint,
 }
 
+/// An instant of a recording.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Instant {
+    /// Which recording, from 1.
+    pub recording: usize,
+    /// Its stamp, s.
+    pub t: f64,
+}
+
 /// What to calibrate and how.
 #[derive(Clone, Debug)]
 pub struct Request {
@@ -91,6 +101,8 @@ pub struct Request {
     pub choose_multiplier: bool,
     /// Static intervals given by hand, one list per recording; empty to detect them.
     pub sections: Vec<Vec<Span>>,
+    /// Static intervals to leave out, each by an instant within it.
+    pub left_out: Vec<Instant>,
     /// Frame of the result.
     pub frame: Frame,
     /// How the rate is integrated.
@@ -122,6 +134,7 @@ impl Default for Request {
             detector: Detector::default(),
             choose_multiplier: true,
             sections: Vec::new(),
+            left_out: Vec::new(),
             frame: Frame::default(),
             integrator: Integrator::default(),
             gyro_bias: GyroBias::default(),
@@ -448,8 +461,23 @@ fn stepwise(
     })
 }
 
-/// The rests and turns of a recording; `k` is its place among those that sections were given for.
+/// The rests and turns of a recording without those that are left out; `k` is its place among those that sections were
+/// given for.
 fn cut(recording: &Recording, request: &Request, k: Option<usize>) -> Result<Choice, Error> {
+    let mut choice = whole(recording, request, k)?;
+    let of_this = request
+        .left_out
+        .iter()
+        .filter(|i| Some(i.recording) == k.map(|k| k + 1));
+    let instants: Vec<f64> = of_this.map(|instant| instant.t).collect();
+    if !instants.is_empty() {
+        choice.segmentation = choice.segmentation.without(recording, &instants)?;
+    }
+    Ok(choice)
+}
+
+/// All rests and turns of a recording.
+fn whole(recording: &Recording, request: &Request, k: Option<usize>) -> Result<Choice, Error> {
     let named = |error| match error {
         Error::NotEnough(what) => Error::NotEnough(format!("{}: {what}", recording.name)),
         other => other,

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::Calibration;
-use crate::calibrate::{Frame, GyroBias, Method, Request};
+use crate::calibrate::{Frame, GyroBias, Instant, Method, Request};
 use crate::intervals::{Moments, Segmentation, StaticInterval};
 use crate::methods::joint::ClockMode;
 use crate::recording::{Recording, Stream};
@@ -112,6 +112,9 @@ pub struct Options {
     pub min_static: f64,
     /// Whether static intervals were given by hand.
     pub sections: bool,
+    /// Static intervals that were left out, each by an instant within it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<Instant>,
     /// Effects that were asked for.
     pub effects: Vec<String>,
     /// Latitude, °.
@@ -271,6 +274,7 @@ impl Options {
             multipliers,
             min_static: request.detector.min_static,
             sections: request.sections.iter().any(|spans| !spans.is_empty()),
+            left_out: request.left_out.clone(),
             effects: request.effects.iter().map(|e| e.name().into()).collect(),
             latitude: request.latitude,
             nominal_step: request.nominal_step,

@@ -6,7 +6,9 @@ use super::moments::Moments;
 use super::rejected::Rejected;
 use super::saturation::Rails;
 use super::spans::Span;
+use crate::error::Error;
 use crate::recording::{INSTANT, Recording, Stream};
+use crate::shown::figure;
 
 /// A step between gyroscope samples longer than this many median steps is a gap: the rotation in it
 /// is unknown.
@@ -120,6 +122,41 @@ impl Segmentation {
             multiplier,
             level_at_rest: [None; 2],
         }
+    }
+
+    /// The same without the static intervals that hold `instants`, s: a turn then lasts from the one before to the one after.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] for an instant within no static interval; it names the nearest.
+    pub fn without(&self, recording: &Recording, instants: &[f64]) -> Result<Self, Error> {
+        for &t in instants {
+            let away = |rest: &StaticInterval| (rest.span.from - t).max(t - rest.span.to);
+            let nearest = self
+                .statics
+                .iter()
+                .min_by(|a, b| away(a).total_cmp(&away(b)));
+            if nearest.is_none_or(|rest| away(rest) > 0.0) {
+                let nearest = nearest.map_or_else(String::new, |rest| {
+                    format!(
+                        "; the nearest lasts from {:.2} to {:.2} s",
+                        rest.span.from, rest.span.to
+                    )
+                });
+                return Err(Error::Usage(format!(
+                    "{}: no static interval at t = {} s that could be left out{nearest}",
+                    recording.name,
+                    figure(t)
+                )));
+            }
+        }
+        let is_kept = |span: &Span| !instants.iter().any(|t| (span.from..=span.to).contains(t));
+        let spans = self.statics.iter().map(|rest| rest.span);
+        let spans: Vec<Span> = spans.filter(is_kept).collect();
+        Ok(Self {
+            rejected: self.rejected.clone(),
+            level_at_rest: self.level_at_rest,
+            ..Self::from_spans(recording, &spans, self.multiplier)
+        })
     }
 
     /// A stretch of neighbouring static intervals with the turns between them, counted from its first.

@@ -25,6 +25,7 @@ pub struct Options<'py> {
     window: Option<f64>,
     initial_static: Option<f64>,
     sections: Vec<Vec<(f64, f64)>>,
+    leave_out: Vec<(usize, f64)>,
     gyro_recordings: Vec<PyRef<'py, Recording>>,
     frame: String,
     integrator: String,
@@ -65,6 +66,7 @@ impl Options<'_> {
                 initial_static: self.initial_static,
             },
             sections: self.sections.clone(),
+            left_out: self.leave_out.clone(),
             gyro_recordings: self.gyro_recordings.iter().map(|r| r.0.clone()).collect(),
             frame: match self.frame.as_str() {
                 "triangular" => Frame::Triangular,

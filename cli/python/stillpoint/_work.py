@@ -29,6 +29,7 @@ _DEFAULTS: dict[str, Any] = {
     "window": None,
     "initial_static": None,
     "sections": [],
+    "leave_out": [],
     "gyro_recordings": [],
     "frame": "triangular",
     "integrator": "exponential",
@@ -52,7 +53,7 @@ def _options(given: dict[str, Any]) -> dict[str, Any]:
     options["gyro_recordings"] = [r._native for r in _all(options["gyro_recordings"])]
     if options["validation"] is not None:
         options["validation"] = options["validation"]._native
-    for name in ("effects", "effect_files", "sections"):
+    for name in ("effects", "effect_files", "sections", "leave_out"):
         options[name] = list(options[name])
     return options
 
@@ -85,7 +86,8 @@ def calibrate(
         effect_files: TOML files that define effects as expressions.
         progress: called as ``progress(stage, steps)`` at every step; what it raises ends the work.
         more: first_order, multiplier, min_static (s), min_dynamic (s), window (s), initial_static (s), sections (lists of
-            (begin, end), s), gyro_recordings, frame, integrator, gyro_bias, nominal_rate (Hz), clock, force_device: as the
+            (begin, end), s), leave_out (static intervals to leave out, each as (recording from 1, an instant within it, s)),
+            gyro_recordings, frame, integrator, gyro_bias, nominal_rate (Hz), clock, force_device: as the
             command's options of these names.
 
     Raises:

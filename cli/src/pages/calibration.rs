@@ -154,7 +154,7 @@ pub fn notes(calibration: &Calibration) -> Vec<String> {
 fn names(session: &Session<'_>) -> String {
     match session.parts.as_slice() {
         [] => "static means".into(),
-        [one] => one.name.clone(),
+        [one] => format!("the recording “{}”", one.name),
         many => format!("{} recordings", many.len()),
     }
 }

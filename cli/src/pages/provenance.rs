@@ -102,6 +102,14 @@ fn options(provenance: &Provenance) -> Option<[String; 2]> {
     if o.sections {
         parts.push("static intervals given by hand".into());
     }
+    if !o.left_out.is_empty() {
+        let instants = o
+            .left_out
+            .iter()
+            .map(|i| format!("{} s of recording {}", i.t, i.recording));
+        let instants = instants.collect::<Vec<_>>().join(", ");
+        parts.push(format!("static intervals left out at {instants}"));
+    }
     if !o.effects.is_empty() {
         parts.push(format!("effects {}", o.effects.join(", ")));
     }

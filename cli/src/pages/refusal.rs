@@ -127,22 +127,30 @@ fn too_few(failure: &Failure, session: &Session<'_>) -> Option<plan::Coverage> {
         .then(|| plan::coverage(&ups).or_more(MORE))
 }
 
-/// `too few placements. There are 6, 5 of which …; at least 10 are needed, no placement has z up.`
+/// `too few placements: 6 of at least 10, and no placement has z up.`
 fn few_in_words(found: &plan::Coverage) -> String {
+    let (count, least) = (found.covered.len(), REQUIREMENT.placements);
+    let there = if count < least {
+        format!("too few placements: {count} of at least {least}")
+    } else {
+        format!("too few different placements: {}", found.found())
+    };
     let missing = found.missing();
-    format!(
-        "too few placements. Found are {}; at least {} are needed{}{missing}.",
-        found.found(),
-        REQUIREMENT.placements,
-        if missing.is_empty() { "" } else { ", and " }
-    )
+    let and = if missing.is_empty() { "" } else { ", and " };
+    format!("{there}{and}{missing}.")
 }
 
-/// A sentence for each placement to add.
+/// How many placements to add, and a sentence for each.
 fn placements_to_add(found: &plan::Coverage) -> Vec<String> {
     let wanted = found.wanted.iter().take(NAMED);
     let each = wanted.map(|w| format!("Add a placement with {} (a phone: {}).", w.axes, w.words));
-    let mut all: Vec<String> = each.collect();
+    let count = found.wanted.len();
+    let plural = if count == 1 { "" } else { "s" };
+    let mut all = vec![format!(
+        "Make a second recording with {count} more placement{plural}, as listed next. One on an edge counts for both faces \
+         beside it."
+    )];
+    all.extend(each);
     let more = found.wanted.len().saturating_sub(NAMED);
     if more > 0 {
         all.push(format!("Add {more} more: the warning below names them."));

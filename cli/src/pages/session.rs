@@ -27,6 +27,8 @@ pub struct Session<'a> {
 pub struct Part<'a> {
     /// A name that no other has, short enough for a legend.
     pub name: String,
+    /// `NAME: `, as messages about it begin.
+    pub heading: String,
     /// Itself.
     pub recording: &'a Recording,
     /// How it was cut.
@@ -95,6 +97,7 @@ impl<'a> Session<'a> {
         for ((recording, segmentation), name) in cut.into_iter().zip(names) {
             let part = Part {
                 name,
+                heading: format!("{}: ", recording.name),
                 recording,
                 segmentation,
                 first: session.rests.len() + 1,
@@ -102,6 +105,21 @@ impl<'a> Session<'a> {
             session.add(part, calibration, gravity)?;
         }
         Ok(session)
+    }
+
+    /// `NAME: `, as messages about the only recording begin; `None` of several.
+    pub fn only(&self) -> Option<&str> {
+        match self.parts.as_slice() {
+            [one] => Some(&one.heading),
+            _ => None,
+        }
+    }
+
+    /// The number of a static interval in its own recording, from 1.
+    pub fn number(&self, rest: &Rest) -> usize {
+        let through_all: usize = rest.key.parse().unwrap_or(0);
+        let first = self.parts[rest.part].first;
+        (through_all + 1).saturating_sub(first)
     }
 
     fn add(

@@ -19,7 +19,8 @@ const CAUSES: [(&[&str], &str); 7] = [
     ),
     (
         &["readings look like"],
-        "As it is, the calibration fits only recordings that are read in the same wrong unit.",
+        "As it is, the calibration fits only recordings that are read in the same wrong unit; those it fits well, and so \
+         the pictures below look right all the same.",
     ),
     (
         &["saturat", "cut off at the end of its range"],
@@ -27,13 +28,12 @@ const CAUSES: [(&[&str], &str); 7] = [
     ),
     (
         &["touched", "pushed", "disturbed", "fit neither", "outl"],
-        "Record again without touching the device while it is still. Or, without a new recording, calibrate again with the \
-         other intervals only: write their begins and ends (s) into a table with the columns t0,t1 and give it, \
-         --sections table.csv. The warnings name all intervals to leave out.",
+        "Record again: let nothing touch or shake the device while it is still, and do not knock it while it turns.",
     ),
     (
         &["misfit of the"],
-        "Learn what the model lacks: stillpoint discover RECORDING --report findings.html",
+        "Let the program look for the effect: stillpoint discover RECORDING -o findings.json --report findings.html. What it \
+         names is in findings.json, which takes the place of this calibration.",
     ),
     (
         &["placements", "orientations", "spare"],
@@ -45,8 +45,9 @@ const CAUSES: [(&[&str], &str); 7] = [
     ),
 ];
 
-/// The places of a wrong unit, of a misfit and of placements among the causes.
+/// The places of a wrong unit, of a disturbance, of a misfit and of placements among the causes.
 const UNIT: usize = 1;
+const DISTURBED: usize = 3;
 const MISFIT: usize = 4;
 const PLACEMENTS: usize = 5;
 
@@ -70,9 +71,15 @@ pub fn judged(
     let (cause, warning) = gravest(&calibration.warnings);
     let mut next = Vec::new();
     let reasons = limits::reasons(calibration);
+    // Of one recording everybody knows the name.
+    let only = session.and_then(Session::only).unwrap_or_default();
+    let sentence_of = |message: &str| sentence_of(message.strip_prefix(only).unwrap_or(message));
     let (level, mut sentence) = if let Some(gate) = reasons.first() {
         let by_gate = gravest(std::slice::from_ref(gate)).0.or(cause);
-        let advice = by_gate.map(|k| CAUSES[k].1.to_owned());
+        let touched = session.filter(|_| by_gate == Some(DISTURBED));
+        let touched = touched.and_then(|s| Disturbed::in_session(s, &reasons));
+        let advice = touched.map(|found| found.advice());
+        let advice = advice.or_else(|| by_gate.map(|k| CAUSES[k].1.to_owned()));
         let advice = advice.or_else(|| advice_in(gate));
         next.push(advice.unwrap_or("Record again, as the verdict says.".into()));
         (
@@ -80,17 +87,22 @@ pub fn judged(
             format!("Do not use this calibration: {}", sentence_of(gate)),
         )
     } else if let (Some(k), Some(warning)) = (cause, warning) {
-        next.push(advice(k, warning));
+        let disturbed = session.filter(|_| k == DISTURBED);
+        let disturbed = disturbed.and_then(|s| Disturbed::in_session(s, &calibration.warnings));
+        next.push(disturbed.map_or_else(|| advice(k, warning), |found| found.advice()));
         // A wrong unit or rate is in every figure of the sensor.
         if k <= UNIT {
             (
                 Level::Bad,
-                format!("Do not use this calibration yet: {}", meaning(k, warning)),
+                format!(
+                    "Do not use this calibration yet: {}",
+                    meaning(k, &sentence_of(warning))
+                ),
             )
         } else {
             (
                 Level::Care,
-                format!("Usable with care: {}", meaning(k, warning)),
+                format!("Usable with care: {}", meaning(k, &sentence_of(warning))),
             )
         }
     } else if let Some(warning) = calibration.warnings.iter().find(|w| !is_of_gravity(w)) {
@@ -110,8 +122,8 @@ pub fn judged(
         next.insert(
             0,
             format!(
-                "Look at {} in the pictures below. If the device was touched or moved there, record again without, or leave \
-                 it out with --sections.",
+                "Look at {} in the pictures below. What was touched or moved there is to be left out: add --leave-out with \
+                 an instant within it (s) to the command that made this page.",
                 if flagged.len() == 1 { "the flagged static interval" } else { "the flagged static intervals" }
             ),
         );
@@ -119,7 +131,7 @@ pub fn judged(
     if let Some(advice) = coverage.and_then(Coverage::advice) {
         next.push(advice);
     }
-    let apply = "Correct recordings with it: stillpoint apply cal.json RECORDING -o corrected.csv";
+    let apply = "Correct recordings with the calibration: stillpoint apply cal.json RECORDING -o corrected.csv";
     if level != Level::Bad && calibration.gravity_source == GravitySource::Assumed {
         next.push(
             "For better scale factors of the accelerometer calibrate again with the local gravity (--gravity) or the place \
@@ -137,7 +149,12 @@ pub fn judged(
         );
     }
     if level == Level::Care {
-        next.push(apply.into());
+        let unless = if cause == Some(MISFIT) {
+            "Where errors of that size do not matter, correct"
+        } else {
+            "Correct"
+        };
+        next.push(apply.replacen("Correct", unless, 1));
     }
     Judged {
         level,
@@ -171,6 +188,80 @@ fn flagged_in(session: &Session<'_>) -> Vec<String> {
         )
     });
     words.take(NAMED).collect()
+}
+
+/// Static intervals that something disturbed, by the warnings.
+struct Disturbed {
+    /// What they are called, with begin and end.
+    names: Vec<String>,
+    /// Instants within them, as the option takes them.
+    instants: Vec<String>,
+    /// The calibration uses some of them.
+    used: bool,
+    /// Share of all static intervals.
+    share: f64,
+}
+
+/// With a larger share of them a new recording is better.
+const LARGEST_SHARE: f64 = 0.25;
+
+impl Disturbed {
+    /// `None` where no warning names a static interval.
+    fn in_session(session: &Session<'_>, warnings: &[String]) -> Option<Self> {
+        let speaks = |w: &&String| CAUSES[DISTURBED].0.iter().any(|word| w.contains(word));
+        let warnings: Vec<&String> = warnings.iter().filter(speaks).collect();
+        let mut found = Self {
+            names: Vec::new(),
+            instants: Vec::new(),
+            used: false,
+            share: 0.0,
+        };
+        for rest in &session.rests {
+            let number = session.number(rest);
+            let heading = &session.parts[rest.part].heading;
+            let begin = format!("{heading}static interval {number} (");
+            let Some(warning) = warnings.iter().find(|w| w.starts_with(&begin)) else {
+                continue;
+            };
+            let (from, to) = rest.span;
+            let of = match session.parts.len() {
+                1 => String::new(),
+                _ => format!("{}:", rest.part + 1),
+            };
+            found
+                .names
+                .push(format!("{number} ({from:.1} to {to:.1} s)"));
+            found.instants.push(format!("{of}{:.1}", 0.5 * (from + to)));
+            found.used |= !warning.contains("not used");
+        }
+        found.share = found.names.len() as f64 / session.rests.len().max(1) as f64;
+        Some(found).filter(|found| !found.names.is_empty())
+    }
+
+    fn advice(&self) -> String {
+        let one = self.names.len() == 1;
+        let (plural, them, are) = if one {
+            ("", "it", "is")
+        } else {
+            ("s", "them", "are")
+        };
+        let names = self.names.join(", ");
+        if self.share > LARGEST_SHARE {
+            return format!("{} (Static interval{plural} {names}.)", CAUSES[DISTURBED].1);
+        }
+        if self.used {
+            format!(
+                "Static interval{plural} {names} {are} in this calibration. Leave {them} out and take the calibration that \
+                 this gives: add --leave-out {} to the command that made this page. A new recording is not needed.",
+                self.instants.join(",")
+            )
+        } else {
+            format!(
+                "Nothing has to be mended: static interval{plural} {names} {are} not in this calibration. In the next \
+                 recording let nothing touch or shake the device while it is still."
+            )
+        }
+    }
 }
 
 /// Raw to calibrated residual, weakest parameter, coverage.
@@ -263,16 +354,18 @@ fn unit_option(warning: &str) -> &'static str {
     }
 }
 
-/// What a cause means, and its figures.
-fn meaning(cause: usize, warning: &str) -> String {
-    let sentence = sentence_of(warning);
+/// What a cause means, and its figures: the warning's first sentence.
+fn meaning(cause: usize, sentence: &str) -> String {
     match cause {
-        MISFIT => format!("an effect is missing in the model. {}", capital(&sentence)),
+        MISFIT => format!(
+            "an effect is missing in the model. {} Corrected readings may be off by as much.",
+            capital(sentence)
+        ),
         UNIT => {
-            let looks = sentence.split(": ").next().unwrap_or(&sentence);
+            let looks = sentence.split(": ").next().unwrap_or(sentence);
             format!("the unit is wrong or not stated: {looks}.")
         }
-        _ => sentence,
+        _ => sentence.to_owned(),
     }
 }
 
@@ -302,13 +395,14 @@ pub fn advice_in(message: &str) -> Option<String> {
 /// The first sentence of a message without its heading and without odds, which the warnings have in full.
 fn sentence_of(message: &str) -> String {
     let end = message.find(". ").unwrap_or(message.len());
-    let first = message[..end].trim_end_matches('.');
-    let first = first.strip_prefix("disturbed: ").unwrap_or(first);
     let mut short = String::new();
-    let mut remaining = first;
+    let mut remaining = message[..end].trim_end_matches('.');
     while let Some((before, inside, after)) = brackets(remaining) {
         short.push_str(before);
-        if !inside.contains("p = ") && !inside.starts_with("by chance") {
+        let has_odds = ["p = ", "p < ", "by chance"]
+            .iter()
+            .any(|odds| inside.contains(odds));
+        if !has_odds {
             short.push_str(&format!(" ({inside})"));
         }
         remaining = after;
@@ -369,7 +463,7 @@ mod tests {
     fn the_verdict_has_the_figures_of_a_message_and_not_its_odds() {
         assert_eq!(
             sentence_of(
-                "disturbed: static interval 10 (t = 1 to 2 s) disagrees by 61 mm/s² (by chance in 2e-16 of recordings): \
+                "static interval 10 (t = 1 to 2 s) disagrees by 61 mm/s² (by chance in 2e-16 of recordings): \
                  was it touched?"
             ),
             "static interval 10 (t = 1 to 2 s) disagrees by 61 mm/s²: was it touched?"

@@ -19,6 +19,15 @@ pub(in crate::calibrate) enum Kind {
     Swapped(Sensor, [usize; 2]),
     /// The one turn there misses gravity by this angle, rad, which all the others meet.
     Turn(f64),
+    /// The direction of the one static interval there is off by this angle, rad, by the turns before and after it.
+    Rest(f64),
+}
+
+impl Kind {
+    /// True for a single turn or static interval, after which all is as it was.
+    pub fn is_single(self) -> bool {
+        matches!(self, Self::Turn(_) | Self::Rest(_))
+    }
 }
 
 /// Where: behind the interval before it and in front of the one after it.
@@ -95,6 +104,17 @@ impl fmt::Display for Change {
                 axis_name(one),
                 axis_name(other)
             ),
+            Kind::Rest(angle) => {
+                return write!(
+                    f,
+                    "static interval {} (t = {:.2} to {:.2} s) lies {:.2}° off where the turns before and after it carry \
+                     gravity: was the device touched, or did it slip?",
+                    after.0 + 1,
+                    after.1,
+                    before.1,
+                    angle.to_degrees()
+                );
+            }
             Kind::Turn(angle) => {
                 return write!(
                     f,

@@ -34,7 +34,7 @@ const MOST_TURNS: usize = 300;
 const MOST_SAMPLES: usize = 3_000_000;
 
 /// What changes part of the way through a recording, in words: a bias, a scale factor, a sign, two columns, a clock; and
-/// single turns that miss gravity. `gyroscope` is the matrix that it was calibrated with and by how much it then
+/// single turns and static intervals that miss gravity. `gyroscope` is the matrix that it was calibrated with and by how much it then
 /// misses gravity, rad; without it the turns are not looked at.
 ///
 /// # Examples
@@ -108,15 +108,15 @@ fn changes(
     if !is_reflected(&found) {
         found.extend(rate::steps(&rests));
     }
-    // Nor is a turn that something changes in.
+    // Nor is a turn or a static interval that something changes in.
     let changed: Vec<Place> = found
         .iter()
-        .filter(|c| !matches!(c.kind, Kind::Turn(_)))
+        .filter(|c| !c.kind.is_single())
         .map(|c| c.place)
         .collect();
     found.retain(|c| {
         let inside = |p: &Place| c.place.after.1 >= p.after.1 && c.place.before.1 <= p.before.1;
-        !matches!(c.kind, Kind::Turn(_)) || !changed.iter().any(inside)
+        !c.kind.is_single() || !changed.iter().any(inside)
     });
     found
 }

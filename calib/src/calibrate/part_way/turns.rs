@@ -54,7 +54,7 @@ pub(super) fn changes(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Vec<Change
     };
     let floor = FLOOR * n as f64;
     let changed = change(turns, &carried, &t, base);
-    let alone = alone(turns, &carried, base);
+    let alone = alone(turns, &carried, &t, base);
     let criterion = |e: &Explanation| e.criterion(2 * n, floor);
     match (changed, alone) {
         (Some((one, by)), Some((_, other))) if criterion(&by) < criterion(&other) => vec![one],
@@ -64,10 +64,11 @@ pub(super) fn changes(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Vec<Change
     }
 }
 
-/// Single turns that miss gravity where the others meet it.
+/// Single turns that miss gravity where the others meet it, and single static intervals that they miss.
 fn alone(
     turns: &[Turning<'_>],
     carried: &[Carried],
+    t: &Matrix3<f64>,
     base: f64,
 ) -> Option<(Vec<Change>, Explanation)> {
     let n = turns.len();
@@ -85,13 +86,40 @@ fn alone(
         left: sums.left(&sums.solution()?),
         parameters: 2 * outliers.len(),
     };
-    let named = outliers.iter().map(|&k| Change {
-        kind: Kind::Turn(angles[k]),
-        place: turns[k].place,
-    });
-    explanation
-        .holds(base, 2 * n - BASE, n)
-        .then(|| (named.collect(), explanation))
+    let holds = explanation.holds(base, 2 * n - BASE, n);
+    holds.then(|| (named(turns, carried, t, limit), explanation))
+}
+
+/// The turns that miss gravity by more than `limit`; two in a row that meet it together miss the static interval between them.
+fn named(turns: &[Turning<'_>], carried: &[Carried], t: &Matrix3<f64>, limit: f64) -> Vec<Change> {
+    let misses = |k: &usize| carried.get(*k).is_some_and(|one| one.angle() > limit);
+    let mut named = Vec::new();
+    let mut k = 0;
+    while k < turns.len() {
+        if misses(&k) {
+            let place = turns[k].place;
+            let rest = Some(k + 1).filter(misses).filter(|&next| {
+                let both = carried[k].miss + turns[k].rates.rotation(t) * carried[next].miss;
+                turns[next].place.after.0 == place.before.0 && both.norm() < limit
+            });
+            named.push(match rest {
+                Some(next) => Change {
+                    kind: Kind::Rest(carried[k].angle()),
+                    place: Place {
+                        after: place.before,
+                        before: turns[next].place.after,
+                    },
+                },
+                None => Change {
+                    kind: Kind::Turn(carried[k].angle()),
+                    place,
+                },
+            });
+            k += usize::from(rest.is_some());
+        }
+        k += 1;
+    }
+    named
 }
 
 fn all_carried(turns: &[Turning<'_>], t: &Matrix3<f64>) -> Vec<Carried> {
