@@ -6,6 +6,7 @@ use serde::Serialize;
 use crate::accelerometer::{ForceMatrix, ForceRow, force_row};
 use crate::direction::{Words, axes_up, faces_edges_corners, tilts, whole_angles};
 use crate::exchange::{Criterion, descend, exchange};
+use crate::relaxation::volume_efficiency;
 use crate::sequence::sequence;
 use crate::session::{Information, Noise, Prediction, Timing, predict};
 use crate::turn::{Speed, Turn, Way};
@@ -14,6 +15,8 @@ use crate::turn::{Speed, Turn, Way};
 const STARTS: [usize; 2] = [300, 100];
 /// Tilts are asked for only where they lower the error of a reading by more than this: they are harder to hold.
 const WORTH_TILTING: f64 = 0.02;
+/// Share of the best volume per placement (D-efficiency) that a plan keeps.
+const EFFICIENT: f64 = 0.97;
 /// Static positions of imu_tk's protocol.
 ///
 /// Source: Tedaldi, Pretto, Menegatti, A robust and easy to implement method for IMU calibration without external
@@ -53,19 +56,28 @@ impl Protocol {
 }
 
 /// The `count` placements that lower the error of a corrected reading most beside what is `known` (in units of one
-/// placement): faces, edges and corners, or tilts where those are worth it.
+/// placement): faces, edges and corners, or tilts where those are worth it. Of a plan from nothing the harder placements are
+/// also asked for where the easier ones keep less than 97 % of the volume that any number of placements could.
 pub fn best(count: usize, known: &ForceMatrix) -> Vec<Vector3<f64>> {
     let of = |candidates: Vec<Vector3<f64>>, starts: usize| {
         let (chosen, square) = exchange(&candidates, count, known, Criterion::Reading, starts);
         let ups: Vec<_> = chosen.iter().map(|k| candidates[*k]).collect();
         (ups, square.sqrt())
     };
+    let wastes = |ups: &[Vector3<f64>]| {
+        let share = Some(ups).filter(|_| *known == ForceMatrix::zeros());
+        share
+            .and_then(volume_efficiency)
+            .is_some_and(|share| share < EFFICIENT)
+    };
     let plain = of(faces_edges_corners(), STARTS[0]);
     let tilted = of(tilts(), STARTS[1]);
-    if tilted.1 < plain.1 * (1.0 - WORTH_TILTING) {
-        tilted.0
-    } else {
+    if tilted.1 >= plain.1 * (1.0 - WORTH_TILTING) && !wastes(&plain.0) {
         plain.0
+    } else if wastes(&tilted.0) {
+        finest(count, known, Criterion::Volume)
+    } else {
+        tilted.0
     }
 }
 

@@ -72,11 +72,18 @@ pub fn efficiency(chosen: &[Vector3<f64>]) -> Option<Efficiency> {
     let own = square(&(information / chosen.len().max(1) as f64))?;
     let shares = relaxation(&candidates, Criterion::Reading)?;
     let best = square(&weighted_information(&candidates, &shares))?;
-    let shares = relaxation(&candidates, Criterion::Volume)?;
     Some(Efficiency {
-        volume: d_efficiency(chosen, &candidates, &shares),
+        volume: volume_efficiency(chosen)?,
         reading: best / own,
     })
+}
+
+/// That by the volume alone.
+pub fn volume_efficiency(chosen: &[Vector3<f64>]) -> Option<f64> {
+    force_covariance(&force_information(chosen))?;
+    let candidates = faces_edges_corners();
+    let shares = relaxation(&candidates, Criterion::Volume)?;
+    Some(d_efficiency(chosen, &candidates, &shares))
 }
 
 /// `min qᵀx`, `b − A x` in a product of cones.
@@ -287,17 +294,16 @@ mod tests {
         (14, 1.0),
     ];
 
-    /// The default asks for tilts only where they are worth it: by the volume it may be a little below 97 %.
     #[test]
-    fn what_is_planned_unasked_keeps_95_percent_of_both_relaxations() {
-        for count in [9, 10, 11, 12, 13, 14, 16, 18, 20, 24, 26, 30] {
+    fn what_is_planned_unasked_keeps_97_percent_of_the_volume_and_95_of_the_reading() {
+        for count in 9..=30 {
             let start = std::time::Instant::now();
             let ups = Protocol::Optimal.placements(count);
             let elapsed = start.elapsed();
             let found = efficiency(&ups).unwrap();
             println!("{count}: {found:?} in {elapsed:?}");
             assert!(
-                found.volume > 0.965 && found.reading > 0.95,
+                found.volume > 0.97 && found.reading > 0.95,
                 "{count}: {found:?}"
             );
         }
