@@ -25,7 +25,7 @@ use serde::{Deserialize, Serialize};
 use crate::calibration::catalogue;
 use crate::error::Error;
 use crate::shown::shown_path;
-use crate::toml_place::{explain, key_position, place};
+use crate::toml_place::{explain_toml, key_position, place};
 
 /// What an effect file holds.
 #[derive(Debug, Default, Serialize, Deserialize)]
@@ -51,7 +51,7 @@ pub fn read_effects(path: &Path) -> Result<Vec<&'static dyn AnyEffect>, Error> {
 pub fn parse_effects(text: &str, name: &str) -> Result<Vec<&'static dyn AnyEffect>, Error> {
     let file: EffectFile = toml::from_str(text).map_err(|e| {
         let at = place(text, e.span().map_or(0, |span| span.start));
-        Error::Input(format!("{name}:{at}: {}", explain(e.message())))
+        Error::Input(format!("{name}:{at}: {}", explain_toml(e.message())))
     })?;
     effects_of(&file.definitions).map_err(|(key, what)| {
         let at = place(text, key_position(text, &key).unwrap_or(0));

@@ -42,3 +42,4 @@ pub use error::Error;
 pub use evaluate::{Evaluation, Misfit, Misfits, evaluate, misfits};
 pub use recording::Recording;
 pub use text_file::read_text;
+pub use toml_place::explain_toml;

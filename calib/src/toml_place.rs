@@ -15,22 +15,36 @@ pub(crate) fn place(text: &str, byte: usize) -> String {
     format!("{line}:{column}")
 }
 
-/// Characters of a parser's message that are shown: its list of known names fits.
-const LONGEST: usize = 1000;
+/// Characters of a parser's message that are shown before and from the list of known names on, which fits.
+const QUOTED: usize = 200;
+const KNOWN: usize = 800;
 
-/// The parser's message in one line, with the nearest of the names it lists.
-pub(crate) fn explain(message: &str) -> String {
+/// The parser's message in one line, with the nearest of the names it lists. What it quotes of the text is cut, as a parser
+/// quotes it whole.
+///
+/// ```
+/// let message = format!("unknown field `{}`, expected `device`", "x".repeat(100_000));
+/// let shown = stillpoint_calib::explain_toml(&message);
+/// assert!(shown.ends_with("x…, expected `device`") && shown.len() < 300);
+/// ```
+pub fn explain_toml(message: &str) -> String {
     let line = message.lines().collect::<Vec<_>>().join(" ");
     let mut quoted = line.split('`').skip(1).step_by(2);
     let hint = match (line.starts_with("unknown "), quoted.next()) {
         (true, Some(found)) => hint(found, quoted),
         _ => String::new(),
     };
-    if line.len() <= LONGEST {
-        return line + &hint;
+    let at = line.rfind(", expected").unwrap_or(line.len());
+    let (found, expected) = line.split_at(at);
+    cut(found, QUOTED) + &cut(expected, KNOWN) + &hint
+}
+
+/// The beginning of `text`, at most so many characters of it.
+fn cut(text: &str, most: usize) -> String {
+    match text.char_indices().nth(most) {
+        Some((end, _)) => text[..end].to_owned() + "…",
+        None => text.to_owned(),
     }
-    // A parser quotes what it met, whole.
-    line.chars().take(LONGEST).collect::<String>() + "…" + &hint
 }
 
 /// Where the longest known part of the dotted `key` stands in `text`.

@@ -88,6 +88,12 @@ pub fn capital(text: &str) -> String {
     first.into_iter().flatten().chain(letters).collect()
 }
 
+/// `1 minute`, `2 minutes`.
+pub fn counted(count: usize, what: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {what}{plural}")
+}
+
 /// A text for people in lines that fit on standard output.
 pub fn wrapped(text: &str) -> String {
     terminal::wrapped(text, terminal::width())

@@ -13,7 +13,7 @@ use stillpoint_tests::needed_data::skipped;
 const NASTY: &str = "<img src=x onerror=alert(1)></script>&\"'\u{1b}[31m\u{9b}2J\u{202e}\u{7f}\nstillpoint: all good";
 
 /// Elements that our pages and pictures are made of.
-const OURS: [&str; 36] = [
+const OURS: [&str; 37] = [
     "html",
     "head",
     "meta",
@@ -37,6 +37,7 @@ const OURS: [&str; 36] = [
     "dt",
     "dd",
     "span",
+    "code",
     "ul",
     "ol",
     "li",

@@ -9,7 +9,7 @@ use crate::calibration::catalogue;
 use crate::error::Error;
 use crate::shown::shown_path;
 use crate::simulate::hint;
-use crate::toml_place::{explain, key_position, place};
+use crate::toml_place::{explain_toml, key_position, place};
 
 /// The limits of the file at `path`.
 ///
@@ -36,7 +36,7 @@ pub fn read_limits(path: &Path) -> Result<Limits, Error> {
 pub fn parse_limits(text: &str, name: &str) -> Result<Limits, Error> {
     let limits: Limits = toml::from_str(text).map_err(|e| {
         let at = place(text, e.span().map_or(0, |span| span.start));
-        Error::Usage(format!("{name}:{at}: {}", explain(e.message())))
+        Error::Usage(format!("{name}:{at}: {}", explain_toml(e.message())))
     })?;
     match complaint(&limits) {
         None => Ok(limits),

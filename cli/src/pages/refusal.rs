@@ -46,11 +46,16 @@ pub fn page(
     if next.is_empty() {
         next.extend(verdict::advice_in(&failure.message));
     }
-    next.push(format!(
-        "Leave the device still for {:.0} s in each placement and turn it at {:.0} °/s at most between them. Then calibrate \
-         both recordings together: stillpoint calibrate FIRST SECOND -o cal.json",
-        REQUIREMENT.rest, REQUIREMENT.fastest
-    ));
+    if lacking.is_none() {
+        next.push(format!(
+            "Leave the device still for {:.0} s in each placement, and turn it at {:.0} °/s at most between them.",
+            REQUIREMENT.rest, REQUIREMENT.fastest
+        ));
+    }
+    next.push(
+        "Then calibrate both recordings together: stillpoint calibrate FIRST SECOND -o cal.json"
+            .into(),
+    );
     let turns = session.turns.iter().filter(|t| t.fault.is_none()).count();
     let mut figures = vec![Figure::new(
         "Found",
@@ -127,16 +132,16 @@ fn too_few(failure: &Failure, session: &Session<'_>) -> Option<plan::Coverage> {
         .then(|| plan::coverage(&ups).or_more(MORE))
 }
 
-/// `too few placements: 6 of at least 10, and no placement has z up.`
+/// `6 placements are too few, at least 10 are needed; no placement has z up.`
 fn few_in_words(found: &plan::Coverage) -> String {
     let (count, least) = (found.covered.len(), REQUIREMENT.placements);
     let there = if count < least {
-        format!("too few placements: {count} of at least {least}")
+        format!("too few placements, {count} where at least {least} are needed")
     } else {
-        format!("too few different placements: {}", found.found())
+        format!("too few different placements, {}", found.found())
     };
     let missing = found.missing();
-    let and = if missing.is_empty() { "" } else { ", and " };
+    let and = if missing.is_empty() { "" } else { "; " };
     format!("{there}{and}{missing}.")
 }
 
@@ -144,11 +149,11 @@ fn few_in_words(found: &plan::Coverage) -> String {
 fn placements_to_add(found: &plan::Coverage) -> Vec<String> {
     let wanted = found.wanted.iter().take(NAMED);
     let each = wanted.map(|w| format!("Add a placement with {} (a phone: {}).", w.axes, w.words));
-    let count = found.wanted.len();
-    let plural = if count == 1 { "" } else { "s" };
+    let more = show::counted(found.wanted.len(), "more placement");
     let mut all = vec![format!(
-        "Make a second recording with {count} more placement{plural}, as listed next. One on an edge counts for both faces \
-         beside it."
+        "Make a second recording with {more}: leave the device still for {:.0} s in each, leant on something where it is \
+         tilted, and turn it slowly between them, a quarter turn in a second.",
+        REQUIREMENT.rest
     )];
     all.extend(each);
     let more = found.wanted.len().saturating_sub(NAMED);

@@ -19,8 +19,7 @@ const CAUSES: [(&[&str], &str); 7] = [
     ),
     (
         &["readings look like"],
-        "As it is, the calibration fits only recordings that are read in the same wrong unit; those it fits well, and so \
-         the pictures below look right all the same.",
+        "Do not go by the pictures below: readings in a wrong unit fit as well as those in the right one.",
     ),
     (
         &["saturat", "cut off at the end of its range"],
@@ -32,8 +31,8 @@ const CAUSES: [(&[&str], &str); 7] = [
     ),
     (
         &["misfit of the"],
-        "Let the program look for the effect: stillpoint discover RECORDING -o findings.json --report findings.html. What it \
-         names is in findings.json, which takes the place of this calibration.",
+        "Let the program look for the effect in this recording: stillpoint discover RECORDING -o findings.json --report \
+         findings.html",
     ),
     (
         &["placements", "orientations", "spare"],
@@ -131,7 +130,8 @@ pub fn judged(
     if let Some(advice) = coverage.and_then(Coverage::advice) {
         next.push(advice);
     }
-    let apply = "Correct recordings with the calibration: stillpoint apply cal.json RECORDING -o corrected.csv";
+    let apply =
+        "Correct recordings with the calibration: stillpoint apply cal.json OTHER -o corrected.csv";
     if level != Level::Bad && calibration.gravity_source == GravitySource::Assumed {
         next.push(
             "For better scale factors of the accelerometer calibrate again with the local gravity (--gravity) or the place \
@@ -139,22 +139,20 @@ pub fn judged(
                 .into(),
         );
     }
-    if level == Level::Good {
+    if level == Level::Care && cause == Some(MISFIT) {
+        next.push(
+            "Where it names an effect, findings.json takes the place of cal.json: stillpoint apply findings.json OTHER -o \
+             corrected.csv. Where it names none, cal.json is the best that this model gives."
+                .into(),
+        );
+    } else if level != Level::Bad {
         next.push(apply.into());
     }
     if level != Level::Bad {
         next.push(
-            "Record a second session and check the calibration on it: stillpoint evaluate SECOND --calibration cal=cal.json"
+            "To check it, record a second session in the same way: stillpoint evaluate SECOND --calibration cal=cal.json"
                 .into(),
         );
-    }
-    if level == Level::Care {
-        let unless = if cause == Some(MISFIT) {
-            "Where errors of that size do not matter, correct"
-        } else {
-            "Correct"
-        };
-        next.push(apply.replacen("Correct", unless, 1));
     }
     Judged {
         level,
@@ -240,6 +238,11 @@ impl Disturbed {
 
     fn advice(&self) -> String {
         let one = self.names.len() == 1;
+        let (s, instants) = if one {
+            ("s", "an instant")
+        } else {
+            ("", "instants")
+        };
         let (plural, them, are) = if one {
             ("", "it", "is")
         } else {
@@ -251,8 +254,9 @@ impl Disturbed {
         }
         if self.used {
             format!(
-                "Static interval{plural} {names} {are} in this calibration. Leave {them} out and take the calibration that \
-                 this gives: add --leave-out {} to the command that made this page. A new recording is not needed.",
+                "Leave out static interval{plural} {names}, which spoil{s} this calibration: add --leave-out {} ({instants} \
+                 within {them}, s) to the command that made this page, and take the calibration that this gives. A new \
+                 recording is not needed.",
                 self.instants.join(",")
             )
         } else {
@@ -333,7 +337,10 @@ fn short(v: f64) -> String {
 fn advice(cause: usize, warning: &str) -> String {
     let usual = CAUSES[cause].1;
     match cause {
-        UNIT => format!("Calibrate again with {}. {usual}", unit_option(warning)),
+        UNIT => format!(
+            "Add {} to the command that made this page, and take the calibration that this gives. {usual}",
+            unit_option(warning)
+        ),
         PLACEMENTS => {
             let own =
                 advice_in(warning).filter(|own| own.starts_with("Use ") || own.starts_with("Add "));
@@ -357,13 +364,19 @@ fn unit_option(warning: &str) -> &'static str {
 /// What a cause means, and its figures: the warning's first sentence.
 fn meaning(cause: usize, sentence: &str) -> String {
     match cause {
-        MISFIT => format!(
-            "an effect is missing in the model. {} Corrected readings may be off by as much.",
-            capital(sentence)
-        ),
+        MISFIT => {
+            let size = sentence
+                .split_once(": ")
+                .and_then(|(_, more)| more.split(" rms").next());
+            let size = size.unwrap_or("as much");
+            format!(
+                "an effect is missing in the model. {} Corrected readings may be off by {size} and more.",
+                capital(sentence)
+            )
+        }
         UNIT => {
             let looks = sentence.split(": ").next().unwrap_or(sentence);
-            format!("the unit is wrong or not stated: {looks}.")
+            format!("the unit is wrong or not stated, as {looks}.")
         }
         _ => sentence.to_owned(),
     }

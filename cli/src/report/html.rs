@@ -276,6 +276,24 @@ impl Report {
             .map_err(|e| Failure::new(BUG, format!("the report could not be made: {e}")))
     }
 
+    /// The text before a command, the command, the text behind it …: a command of ours begins behind a colon, or stands between
+    /// backticks.
+    fn commands(step: &str) -> impl Iterator<Item = &str> {
+        let mut parts: Vec<&str> = step.split('`').collect();
+        if let [only] = parts[..]
+            && let Some((before, _)) = only.split_once(": stillpoint ")
+        {
+            let (before, command) = only.split_at(before.len() + 2);
+            let end = command.find(". ").unwrap_or(command.len());
+            parts = vec![before, &command[..end], &command[end..]];
+        }
+        // A backtick without its like is none.
+        if parts.len().is_multiple_of(2) {
+            parts = vec![step];
+        }
+        parts.into_iter()
+    }
+
     /// The text before an option, the option, the text before the next one …: a line does not end within an option.
     fn options(step: &str) -> impl Iterator<Item = &str> {
         let mut parts = Vec::new();
@@ -349,6 +367,21 @@ mod tests {
         let parts: Vec<&str> = Report::options("give --rest, or see --help").collect();
         assert_eq!(parts, ["give ", "--rest", ", or see ", "--help", ""]);
         assert_eq!(Report::options("no option").count(), 1);
+    }
+
+    #[test]
+    fn commands_stand_between_the_texts_around_them() {
+        let parts = |step| Report::commands(step).collect::<Vec<_>>();
+        assert_eq!(
+            parts("Learn more: stillpoint info a.csv. It is short."),
+            ["Learn more: ", "stillpoint info a.csv", ". It is short."]
+        );
+        assert_eq!(
+            parts("then `stillpoint plan` says"),
+            ["then ", "stillpoint plan", " says"]
+        );
+        assert_eq!(parts("one ` alone"), ["one ` alone"]);
+        assert_eq!(parts("no command"), ["no command"]);
     }
 
     const NASTY: &str = "<img src=x onerror=alert(1)></script>&\"'";

@@ -45,12 +45,8 @@ fn of_toml(text: &str) -> Lines {
     struct File {
         device: Vec<toml::Spanned<Map<String, Value>>>,
     }
-    let file: File = toml::from_str(text).map_err(|e| {
-        (
-            line(e.span()),
-            e.message().lines().collect::<Vec<_>>().join(" "),
-        )
-    })?;
+    let file: File =
+        toml::from_str(text).map_err(|e| (line(e.span()), calib::explain_toml(e.message())))?;
     let entries = file.device.into_iter();
     Ok(entries
         .map(|e| (line(Some(e.span())), e.into_inner()))

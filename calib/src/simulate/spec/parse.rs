@@ -3,7 +3,7 @@
 use super::Spec;
 use super::complaint::Complaint;
 use crate::Error;
-use crate::toml_place::{explain, key_position, place};
+use crate::toml_place::{explain_toml, key_position, place};
 
 /// A spec that shows what can be said, with comments.
 pub const EXAMPLE: &str = include_str!("example.toml");
@@ -17,7 +17,7 @@ impl Spec {
     pub fn from_toml(text: &str, name: &str) -> Result<Self, Error> {
         let spec: Self = toml::from_str(text).map_err(|e| {
             let at = place(text, e.span().map_or(0, |span| span.start));
-            Error::Input(format!("{name}:{at}: {}", explain(e.message())))
+            Error::Input(format!("{name}:{at}: {}", explain_toml(e.message())))
         })?;
         match spec.complaint() {
             None => Ok(spec),

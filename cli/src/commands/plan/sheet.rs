@@ -31,9 +31,9 @@ pub fn page(plan: &Plan, notes: &[String], force_only: bool) -> String {
     );
     let _ = write!(
         page,
-        "<h1>{} placements, {:.0} minutes</h1><ol>",
-        plan.steps.len(),
-        (plan.duration / 60.0).ceil()
+        "<h1>{}, {}</h1><ol>",
+        show::counted(plan.steps.len(), "placement"),
+        show::counted((plan.duration / 60.0).ceil() as usize, "minute")
     );
     for step in &plan.steps {
         let words = escaped(&instruction(step, force_only));

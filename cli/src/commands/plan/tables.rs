@@ -37,8 +37,8 @@ pub fn text(
     }
     let _ = writeln!(
         text,
-        "\n{:.0} minutes in all.\n",
-        (plan.duration / 60.0).ceil()
+        "\n{} in all.\n",
+        show::counted((plan.duration / 60.0).ceil() as usize, "minute")
     );
     if ties.is_empty() {
         let _ = writeln!(text, "{}\n", errors(plan, force_only));
