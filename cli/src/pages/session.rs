@@ -107,12 +107,11 @@ impl<'a> Session<'a> {
         Ok(session)
     }
 
-    /// `NAME: `, as messages about the only recording begin; `None` of several.
-    pub fn only(&self) -> Option<&str> {
-        match self.parts.as_slice() {
-            [one] => Some(&one.heading),
-            _ => None,
-        }
+    /// A message without the name of the recording that it is about.
+    pub fn body<'m>(&self, message: &'m str) -> &'m str {
+        let mut headings = self.parts.iter().map(|part| &part.heading);
+        let found = headings.find_map(|heading| message.strip_prefix(heading.as_str()));
+        found.unwrap_or(message)
     }
 
     /// The number of a static interval in its own recording, from 1.
@@ -324,6 +323,21 @@ pub fn short_names(names: &[&str]) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_recordings_name_is_no_part_of_what_is_said_of_it() {
+        let recording = Recording {
+            name: "touched".into(),
+            ..Recording::default()
+        };
+        let cut = Segmentation::from_spans(&recording, &[], 1.0);
+        let session = Session::of([(&recording, &cut)].into_iter(), None, 9.8).unwrap();
+        assert_eq!(
+            session.body("touched: turn 3 lasts 20 s"),
+            "turn 3 lasts 20 s"
+        );
+        assert_eq!(session.body("gravity was assumed"), "gravity was assumed");
+    }
 
     #[test]
     fn recordings_of_one_name_are_told_apart() {

@@ -67,14 +67,24 @@ pub fn judged(
     session: Option<&Session<'_>>,
     coverage: Option<&Coverage>,
 ) -> Judged {
-    let (cause, warning) = gravest(&calibration.warnings);
+    // A recording's name may be any word, and of one recording everybody knows it.
+    let body = |message: &String| {
+        session
+            .map_or(message.as_str(), |s| s.body(message))
+            .to_owned()
+    };
+    let warnings: Vec<String> = calibration.warnings.iter().map(body).collect();
+    let gravest_warning = gravest(&warnings);
+    let cause = gravest_warning.map(|(cause, _)| cause);
     let mut next = Vec::new();
     let reasons = limits::reasons(calibration);
-    // Of one recording everybody knows the name.
-    let only = session.and_then(Session::only).unwrap_or_default();
-    let sentence_of = |message: &str| sentence_of(message.strip_prefix(only).unwrap_or(message));
+    let only = session.is_none_or(|s| s.parts.len() == 1);
+    let sentence_of = |message: &String| match only {
+        true => sentence_of(&body(message)),
+        false => sentence_of(message),
+    };
     let (level, mut sentence) = if let Some(gate) = reasons.first() {
-        let by_gate = gravest(std::slice::from_ref(gate)).0.or(cause);
+        let by_gate = gravest(&[body(gate)]).map(|(cause, _)| cause).or(cause);
         let touched = session.filter(|_| by_gate == Some(DISTURBED));
         let touched = touched.and_then(|s| Disturbed::in_session(s, &reasons));
         let advice = touched.map(|found| found.advice());
@@ -85,7 +95,8 @@ pub fn judged(
             Level::Bad,
             format!("Do not use this calibration: {}", sentence_of(gate)),
         )
-    } else if let (Some(k), Some(warning)) = (cause, warning) {
+    } else if let Some((k, at)) = gravest_warning {
+        let warning = &calibration.warnings[at];
         let disturbed = session.filter(|_| k == DISTURBED);
         let disturbed = disturbed.and_then(|s| Disturbed::in_session(s, &calibration.warnings));
         next.push(disturbed.map_or_else(|| advice(k, warning), |found| found.advice()));
@@ -206,7 +217,8 @@ const LARGEST_SHARE: f64 = 0.25;
 impl Disturbed {
     /// `None` where no warning names a static interval.
     fn in_session(session: &Session<'_>, warnings: &[String]) -> Option<Self> {
-        let speaks = |w: &&String| CAUSES[DISTURBED].0.iter().any(|word| w.contains(word));
+        let causes = CAUSES[DISTURBED].0;
+        let speaks = |w: &&String| causes.iter().any(|word| session.body(w).contains(word));
         let warnings: Vec<&String> = warnings.iter().filter(speaks).collect();
         let mut found = Self {
             names: Vec::new(),
@@ -382,15 +394,12 @@ fn meaning(cause: usize, sentence: &str) -> String {
     }
 }
 
-/// The gravest cause that the warnings speak of, and the warning.
-fn gravest(warnings: &[String]) -> (Option<usize>, Option<&String>) {
-    for (k, (words, _)) in CAUSES.iter().enumerate() {
-        let speaks = |w: &&String| words.iter().any(|word| w.contains(word));
-        if let Some(warning) = warnings.iter().filter(|w| !is_of_gravity(w)).find(speaks) {
-            return (Some(k), Some(warning));
-        }
-    }
-    (None, None)
+/// The gravest cause that warnings speak of, and the place of the first that does.
+fn gravest(warnings: &[String]) -> Option<(usize, usize)> {
+    CAUSES.iter().enumerate().find_map(|(k, (words, _))| {
+        let speaks = |w: &String| !is_of_gravity(w) && words.iter().any(|word| w.contains(word));
+        Some((k, warnings.iter().position(speaks)?))
+    })
 }
 
 /// Whether a warning only says that gravity was assumed.
@@ -443,9 +452,9 @@ mod tests {
             "misfit of the norm: 3".to_owned(),
             "the scale is 0.49: a wrong time base or unit".to_owned(),
         ];
-        assert_eq!(gravest(&warnings).0, Some(0));
-        assert_eq!(gravest(&warnings[..2]).0, Some(MISFIT));
-        assert_eq!(gravest(&warnings[..1]).0, None);
+        assert_eq!(gravest(&warnings), Some((0, 2)));
+        assert_eq!(gravest(&warnings[..2]), Some((MISFIT, 1)));
+        assert_eq!(gravest(&warnings[..1]), None);
     }
 
     #[test]
