@@ -19,6 +19,7 @@
 //! | compare variants, as a table and a picture | [`compare`] |
 //! | start from many places | [`multi_start`], [`spread`] |
 //! | watch the steps | [`solve_observed`] |
+//! | minimise a quadratic cost over cones | [`ConeProgram`] |
 //! | know what the data say | [`Uncertainty`], [`profile_interval`], [`sandwich_covariance`] |
 //! | solve a graph: named blocks, manifolds, sparse, many small blocks with shared ones | [`Graph`], [`Manifold`], [`solve_graph`] |
 //!
@@ -36,6 +37,7 @@ mod check;
 mod clock;
 mod closure;
 mod compare;
+mod cone_program;
 mod constraints;
 mod covariance;
 mod descent;
@@ -72,11 +74,14 @@ mod vanishing;
 mod vector;
 
 pub use check::{Mismatch, check_derivatives};
+/// A column-compressed matrix and the cones of a [`ConeProgram`].
+pub use clarabel::{algebra::CscMatrix, solver::SupportedConeT};
 pub use closure::{from_fn, from_fn_numeric, from_fn_with_jacobian};
 pub use compare::{
     ComparedRun, Comparison, Measure, Profile, Table, compare, compare_graphs, compare_with,
     graph_variants,
 };
+pub use cone_program::{ConeProgram, ConeSolution};
 pub use constraints::{ActiveConstraint, Constraint, Constraints};
 pub use covariance::{Uncertainty, uncertainty};
 pub use descent::{Descent, Local, Step};

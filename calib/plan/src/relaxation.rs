@@ -1,4 +1,4 @@
-//! Designs with weights instead of counts: the best that any number of placements can come to, by `clarabel`.
+//! Designs with weights instead of counts: the best that any number of placements can come to.
 //!
 //! With shares `w_i ≥ 0`, `Σ w_i = 1` of candidates `h_i` and `M = Σ w_i h_i h_iᵀ` both problems are second-order cone
 //! programs in matrices `Z_i` with `Σ h_i Z_iᵀ = K`:
@@ -10,13 +10,10 @@
 //! Journal of Statistical Planning and Inference 2011; Sagnol and Harman, Computing exact D-optimal designs by mixed
 //! integer second-order cone programming, Annals of Statistics 2015, theorem 4.3.
 
-use clarabel::algebra::CscMatrix;
-use clarabel::solver::SupportedConeT::{
-    ExponentialConeT, NonnegativeConeT, SecondOrderConeT, ZeroConeT,
-};
-use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 use nalgebra::Vector3;
 use serde::Serialize;
+use solver::SupportedConeT::{ExponentialConeT, NonnegativeConeT, SecondOrderConeT, ZeroConeT};
+use solver::{ConeProgram, CscMatrix, SupportedConeT};
 
 use crate::accelerometer::{
     FORCE_PARAMETERS as P, ForceMatrix, ForceRow, error_weights, force_covariance,
@@ -142,18 +139,15 @@ impl Program {
         }
         let a = CscMatrix::new_from_triplets(m, n, i, j, v);
         let none = CscMatrix::zeros((n, n));
-        let settings = DefaultSettings {
-            verbose: false,
-            ..DefaultSettings::default()
+        let program = ConeProgram {
+            curvature: &none,
+            slope: &self.cost,
+            matrix: &a,
+            limits: &self.b,
+            cones: &self.cones,
         };
-        let mut solver =
-            DefaultSolver::new(&none, &self.cost, &a, &self.b, &self.cones, settings).ok()?;
-        solver.solve();
-        let solved = matches!(
-            solver.solution.status,
-            SolverStatus::Solved | SolverStatus::AlmostSolved
-        );
-        solved.then_some(solver.solution.x)
+        let found = program.solve()?;
+        found.solved.then_some(found.x)
     }
 }
 

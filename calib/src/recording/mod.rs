@@ -62,6 +62,7 @@ mod unclear;
 mod unit_row;
 mod units;
 mod unnamed;
+mod utf16;
 mod values;
 mod write;
 

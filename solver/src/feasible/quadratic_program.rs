@@ -1,12 +1,11 @@
 //! The damped step as a quadratic program.
 
 use clarabel::algebra::CscMatrix;
-use clarabel::solver::{
-    DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SupportedConeT, ZeroConeT,
-};
+use clarabel::solver::{NonnegativeConeT, SupportedConeT, ZeroConeT};
 use faer::{Mat, MatRef};
 
 use super::{Active, Polytope, Side};
+use crate::ConeProgram;
 use crate::linear::transpose_multiply;
 use crate::vector::{dot, norm, unscaled};
 
@@ -41,18 +40,18 @@ pub(crate) fn active_at_minimum(
     ];
     let matrix = columns(sides.len(), n, |i, k| sides[i].a[k]);
     let limits: Vec<f64> = sides.iter().map(|s| s.room).collect();
-    let settings = DefaultSettings {
-        verbose: false,
-        ..DefaultSettings::default()
+    let program = ConeProgram {
+        curvature: &quadratic,
+        slope: &linear,
+        matrix: &matrix,
+        limits: &limits,
+        cones: &cones,
     };
-    let mut solver =
-        DefaultSolver::new(&quadratic, &linear, &matrix, &limits, &cones, settings).ok()?;
-    solver.solve();
-    let (slack, dual) = (&solver.solution.s, &solver.solution.z);
-    if solver.solution.x.iter().any(|v| !v.is_finite()) {
+    let found = program.solve()?;
+    if found.x.iter().any(|v| !v.is_finite()) {
         return None;
     }
-    let held = |i: &usize| sides[*i].active.side == Side::Both || dual[*i] > slack[*i];
+    let held = |i: &usize| sides[*i].active.side == Side::Both || found.dual[*i] > found.slack[*i];
     Some(
         (0..sides.len())
             .filter(held)

@@ -2,11 +2,9 @@
 
 use std::ops::Range;
 
-use clarabel::algebra::CscMatrix;
-use clarabel::solver::{
-    DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT::SecondOrderConeT,
-};
 use faer::Mat;
+use solver::SupportedConeT::SecondOrderConeT;
+use solver::{ConeProgram, CscMatrix};
 
 /// A gradient that exceeds its bound by less than this share is within it: what the interior point leaves.
 const SLACK: f64 = 1e-5;
@@ -97,25 +95,21 @@ impl GroupLasso {
             _ => 0.0,
         });
         let negative = CscMatrix::new(n, n, (0..=n).collect(), (0..n).collect(), vec![-1.0; n]);
-        let settings = DefaultSettings {
-            verbose: false,
-            ..DefaultSettings::default()
+        let program = ConeProgram {
+            curvature: &quadratic,
+            slope: &linear,
+            matrix: &negative,
+            limits: &vec![0.0; n],
+            cones: &cones,
         };
-        let none = vec![0.0; n];
-        let mut solver =
-            DefaultSolver::new(&quadratic, &linear, &negative, &none, &cones, settings).ok()?;
-        solver.solve();
-        let solved = matches!(
-            solver.solution.status,
-            SolverStatus::Solved | SolverStatus::AlmostSolved
-        );
+        let found = program.solve()?;
         let mut beta = vec![0.0; self.moved.len()];
-        for (place, value) in places.iter().zip(&solver.solution.x) {
+        for (place, value) in places.iter().zip(&found.x) {
             if let Some(i) = place {
                 beta[*i] = lambda * value;
             }
         }
-        solved.then_some(beta)
+        found.solved.then_some(beta)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use faer::linalg::solvers::{DenseSolveCore, Solve};
+use faer::linalg::solvers::{DenseSolveCore, Llt, Solve};
 use faer::{Mat, Side};
 
 use super::bias_noise::Within;
@@ -82,11 +82,7 @@ impl Restricted {
     /// `log L` at these variances, up to a constant.
     #[cfg(test)]
     pub(super) fn log_likelihood(&self, theta: &[f64]) -> Option<f64> {
-        let active = vec![false; theta.len()];
-        Some(
-            self.measure(theta, &active, f64::NEG_INFINITY)?
-                .log_likelihood,
-        )
+        Some(self.measure(theta, f64::NEG_INFINITY)?.log_likelihood)
     }
 
     /// Newton steps by the average information (Gilmour, Thompson & Cullis 1995), in no more than the steps that are left, over the active components from the variances `from`, zero for the others; variances and
@@ -94,13 +90,13 @@ impl Restricted {
     fn maximise(&self, active: &[bool], from: &[f64], left: &Cell<usize>) -> (Vec<f64>, f64) {
         let start = from.iter().zip(active);
         let mut theta: Vec<f64> = start.map(|(&t, &on)| if on { t } else { 0.0 }).collect();
-        let mut at = match self.measure(&theta, active, f64::NEG_INFINITY) {
+        let mut at = match self.measure(&theta, f64::NEG_INFINITY) {
             Some(at) => at,
             None => return (theta, f64::NEG_INFINITY),
         };
         for _ in 0..STEPS.min(left.get()) {
             left.set(left.get() - 1);
-            let Some(step) = at.step(&theta, active) else {
+            let Some(step) = self.slopes(&at, active).step(&theta, active) else {
                 break;
             };
             let mut factor = 1.0;
@@ -111,7 +107,7 @@ impl Restricted {
                     .zip(&step)
                     .map(|(t, s)| (t + factor * s).max(0.0))
                     .collect();
-                if let Some(measured) = self.measure(&tried, active, at.log_likelihood) {
+                if let Some(measured) = self.measure(&tried, at.log_likelihood) {
                     next = Some((tried, measured));
                     break;
                 }
@@ -131,13 +127,13 @@ impl Restricted {
         (theta, at.log_likelihood)
     }
 
-    /// The log-likelihood and its derivatives; `None` where it is below `least`, which is known with half of the work.
-    fn measure(&self, theta: &[f64], active: &[bool], least: f64) -> Option<Measured> {
+    /// The log-likelihood; `None` where it is below `least`.
+    fn measure(&self, theta: &[f64], least: f64) -> Option<Measured> {
         let q = self.z.len();
         let mut v = Mat::<f64>::identity(q, q);
         for (c, value) in self.covariances.iter().zip(theta) {
             if *value > 0.0 {
-                v += faer::Scale(*value) * c;
+                add_lower(&mut v, *value, c);
             }
         }
         let factor = v.llt(Side::Lower).ok()?;
@@ -153,13 +149,29 @@ impl Restricted {
         if log_likelihood.is_nan() || log_likelihood < least {
             return None;
         }
+        Some(Measured {
+            log_likelihood,
+            factor,
+            weighted,
+            own,
+        })
+    }
+
+    /// Derivatives of the log-likelihood, which the last point of a search is not asked for: half of the work.
+    fn slopes(&self, at: &Measured, active: &[bool]) -> Slopes {
+        let Measured {
+            factor,
+            weighted,
+            own,
+            ..
+        } = at;
         let inverse = factor.inverse();
         let count = self.covariances.len();
         let moved: Vec<Option<Mat<f64>>> = self
             .covariances
             .iter()
             .zip(active)
-            .map(|(c, on)| on.then(|| c * &weighted))
+            .map(|(c, on)| on.then(|| c * weighted))
             .collect();
         let mut score = vec![0.0; count];
         let mut information = vec![vec![0.0; count]; count];
@@ -176,7 +188,7 @@ impl Restricted {
                 information[j][i] = sum;
             }
         }
-        for (w, v) in self.within.iter().zip(&own) {
+        for (w, v) in self.within.iter().zip(own) {
             for i in (0..count).filter(|&i| active[i]) {
                 let share = w.by_component[i] / v;
                 score[i] += 0.5 * share * (w.square / v - 1.0);
@@ -185,21 +197,28 @@ impl Restricted {
                 }
             }
         }
-        Some(Measured {
-            log_likelihood,
-            score,
-            information,
-        })
+        Slopes { score, information }
     }
 }
 
+/// The likelihood at some variances.
 struct Measured {
     log_likelihood: f64,
+    /// Of the covariance `V` of `z`.
+    factor: Llt<f64>,
+    /// `V⁻¹ z`.
+    weighted: Mat<f64>,
+    /// Variances of the independent numbers.
+    own: Vec<f64>,
+}
+
+/// First and second derivatives by the variances.
+struct Slopes {
     score: Vec<f64>,
     information: Vec<Vec<f64>>,
 }
 
-impl Measured {
+impl Slopes {
     /// `I⁻¹ s` over the components that are active and not held at zero by their score.
     fn step(&self, theta: &[f64], active: &[bool]) -> Option<Vec<f64>> {
         let free: Vec<usize> = (0..theta.len())
@@ -220,6 +239,14 @@ impl Measured {
             step[c] = solution[k];
         }
         Some(step)
+    }
+}
+
+/// `A += s B` on and below the diagonal, which is all that a Cholesky factor takes of a symmetric matrix.
+fn add_lower(a: &mut Mat<f64>, s: f64, b: &Mat<f64>) {
+    for k in 0..a.ncols() {
+        let below = a.col_as_slice_mut(k).iter_mut().zip(b.col_as_slice(k));
+        below.skip(k).for_each(|(a, b)| *a += s * b);
     }
 }
 
