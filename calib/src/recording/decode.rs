@@ -2,10 +2,11 @@
 
 use std::io::{self, BufRead, BufReader, Cursor, Read};
 
+use encoding_rs_io::DecodeReaderBytesBuilder;
+
 use super::bounded::Bounded;
 use super::place::in_file;
 use super::source::take_head;
-use super::utf16::{FromUtf16, Utf16};
 use crate::Error;
 
 /// A format that is recognised but not read: first bytes, name, what to do.
@@ -146,41 +147,21 @@ pub(super) fn unpacked(name: &str, reader: Box<dyn Read + Send>) -> Result<Unpac
 pub(super) fn text(name: &str, unpacked: Unpacked) -> (Box<dyn Read + Send>, Vec<String>) {
     let mut warnings = Vec::new();
     let Unpacked { head, reader, .. } = unpacked;
-    let (mark, utf16) = match &head[..] {
-        [0xff, 0xfe, ..] => (2, Some(Utf16::Little)),
-        [0xfe, 0xff, ..] => (2, Some(Utf16::Big)),
-        [0xef, 0xbb, 0xbf, ..] => (3, None),
-        head => (0, utf16_by_zeros(head)),
+    let encoding = match &head[..] {
+        [0xff, 0xfe, ..] => Some(encoding_rs::UTF_16LE),
+        [0xfe, 0xff, ..] => Some(encoding_rs::UTF_16BE),
+        head => utf16_by_zeros(head),
     };
-    let reader = AfterMark { reader, left: mark };
-    match utf16 {
-        Some(order) => {
-            warnings.push(format!("{name}: {}, read as text", order.name()));
-            (Box::new(FromUtf16::new(reader, order)), warnings)
-        }
-        None => (Box::new(reader), warnings),
+    if let Some(encoding) = encoding {
+        warnings.push(format!("{name}: {}, read as text", encoding.name()));
     }
-}
-
-/// A text without its byte order mark.
-struct AfterMark {
-    reader: Box<dyn Read + Send>,
-    /// Bytes of the mark that are still to be passed.
-    left: usize,
-}
-
-impl Read for AfterMark {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        while self.left > 0 {
-            let mut mark = [0; 3];
-            let read = self.reader.read(&mut mark[..self.left])?;
-            if read == 0 {
-                return Ok(0);
-            }
-            self.left -= read;
-        }
-        self.reader.read(buffer)
-    }
+    // Without an encoding, bytes pass as they are, but for a UTF-8 byte order mark.
+    let reader = DecodeReaderBytesBuilder::new()
+        .encoding(encoding)
+        .utf8_passthru(true)
+        .strip_bom(true)
+        .build(reader);
+    (Box::new(reader), warnings)
 }
 
 /// Refuses formats that are known but not read.
@@ -230,7 +211,7 @@ fn decompressed(head: &[u8], reader: Box<dyn Read + Send>) -> Box<dyn Read + Sen
 }
 
 /// UTF-16 without a byte order mark: text whose every second byte is zero.
-fn utf16_by_zeros(head: &[u8]) -> Option<Utf16> {
+fn utf16_by_zeros(head: &[u8]) -> Option<&'static encoding_rs::Encoding> {
     let pairs = head.len() / 2;
     let zeros = |offset: usize| {
         head.iter()
@@ -241,9 +222,9 @@ fn utf16_by_zeros(head: &[u8]) -> Option<Utf16> {
     };
     let (even, odd) = (zeros(0), zeros(1));
     if pairs >= 4 && odd * 10 >= pairs * 9 && even * 10 < pairs {
-        Some(Utf16::Little)
+        Some(encoding_rs::UTF_16LE)
     } else if pairs >= 4 && even * 10 >= pairs * 9 && odd * 10 < pairs {
-        Some(Utf16::Big)
+        Some(encoding_rs::UTF_16BE)
     } else {
         None
     }

@@ -62,7 +62,6 @@ mod unclear;
 mod unit_row;
 mod units;
 mod unnamed;
-mod utf16;
 mod values;
 mod write;
 
