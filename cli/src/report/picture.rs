@@ -1,9 +1,7 @@
 //! A drawing as a file of its own: SVG for light and dark pages, PNG on white.
 
-use std::io::Read;
 use std::sync::{Arc, OnceLock};
 
-use flate2::read::ZlibDecoder;
 use resvg::{tiny_skia, usvg};
 
 use super::forest::{self, Group};
@@ -75,7 +73,7 @@ impl Picture {
         let document = show::printable(&document).into_owned();
         let options = usvg::Options {
             font_family: FONT.into(),
-            fontdb: fonts()?,
+            fontdb: fonts(),
             ..usvg::Options::default()
         };
         let tree = usvg::Tree::from_str(&document, &options).map_err(bug)?;
@@ -93,21 +91,14 @@ impl Picture {
 /// The embedded font: the same picture on every machine.
 const FONT: &str = "DejaVu Sans";
 
-/// Its file, packed by `build.rs`.
-const PACKED_FONT: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/font.zlib"));
-
-fn fonts() -> Result<Arc<usvg::fontdb::Database>, Failure> {
+fn fonts() -> Arc<usvg::fontdb::Database> {
     static FONTS: OnceLock<Arc<usvg::fontdb::Database>> = OnceLock::new();
-    if let Some(fonts) = FONTS.get() {
-        return Ok(fonts.clone());
-    }
-    let mut font = Vec::new();
-    ZlibDecoder::new(PACKED_FONT)
-        .read_to_end(&mut font)
-        .map_err(bug)?;
-    let mut fonts = usvg::fontdb::Database::new();
-    fonts.load_font_data(font);
-    Ok(FONTS.get_or_init(|| Arc::new(fonts)).clone())
+    let load = || {
+        let mut fonts = usvg::fontdb::Database::new();
+        fonts.load_font_data(dejavu::sans::regular().to_vec());
+        Arc::new(fonts)
+    };
+    FONTS.get_or_init(load).clone()
 }
 
 fn bug(error: impl std::fmt::Display) -> Failure {
