@@ -1,13 +1,13 @@
 //! `calibrate`: recordings to a calibration.
 
+mod leave_out;
 pub mod tables;
 
 use std::path::PathBuf;
-use std::str::FromStr;
 
 use calib::Recording;
 use calib::calibrate::{
-    Frame, GyroBias, Instant, NOMINAL_RATES, Outcome, Request, calibrate, read_static_means,
+    Frame, GyroBias, NOMINAL_RATES, Outcome, Request, calibrate, read_static_means,
 };
 use calib::effect_file::catalogue_with;
 use calib::gravity::Gravity;
@@ -110,7 +110,7 @@ pub struct Args {
         value_delimiter = ',',
         allow_hyphen_values = true
     )]
-    leave_out: Vec<LeftOut>,
+    leave_out: Vec<leave_out::LeftOut>,
     /// Table of static means (columns `ax,ay,az`) for the accelerometer, instead of the recordings'
     #[arg(long, value_name = "FILE")]
     static_means: Option<PathBuf>,
@@ -232,7 +232,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .map(|p| read(p, &args.read).map(calib::Recording::decimated))
         .collect::<Result<Vec<_>, _>>()?;
     request.sections = sections(args, &recordings)?;
-    request.left_out = left_out(args, recordings.len())?;
+    request.left_out = leave_out::instants(&args.leave_out, recordings.len())?;
     let spinner = spinner("calibrating");
     let mut outcome = match calibrate(&recordings, &gyro_recordings, &request) {
         Ok(outcome) => outcome,
@@ -481,40 +481,6 @@ fn sections(args: &Args, recordings: &[Recording]) -> Result<Vec<Vec<Span>>, Fai
                 recordings.len()
             ),
         )),
-    }
-}
-
-/// What `--leave-out` names.
-#[derive(Clone, Copy, Debug)]
-struct LeftOut(Instant);
-
-impl FromStr for LeftOut {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let (recording, t) = text.split_once(':').unwrap_or(("1", text));
-        let recording = recording.trim().parse().ok().filter(|k| *k > 0);
-        let t = t.trim().parse().ok().filter(|t: &f64| t.is_finite());
-        let instant = recording
-            .zip(t)
-            .map(|(recording, t)| Instant { recording, t });
-        let expected = "a stamp in s expected, as in 61.5, or 2:61.5 of the second recording";
-        instant.map(Self).ok_or_else(|| expected.to_owned())
-    }
-}
-
-/// The instants to leave out; each has to be of one of `recordings`.
-fn left_out(args: &Args, recordings: usize) -> Result<Vec<Instant>, Failure> {
-    let instants: Vec<Instant> = args.leave_out.iter().map(|given| given.0).collect();
-    match instants.iter().find(|i| i.recording > recordings) {
-        Some(i) => Err(Failure::new(
-            USAGE,
-            format!(
-                "--leave-out {}:{}: there is no recording {}, only {recordings}",
-                i.recording, i.t, i.recording
-            ),
-        )),
-        None => Ok(instants),
     }
 }
 

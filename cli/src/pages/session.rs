@@ -27,8 +27,6 @@ pub struct Session<'a> {
 pub struct Part<'a> {
     /// A name that no other has, short enough for a legend.
     pub name: String,
-    /// `NAME: `, as messages about it begin.
-    pub heading: String,
     /// Itself.
     pub recording: &'a Recording,
     /// How it was cut.
@@ -97,7 +95,6 @@ impl<'a> Session<'a> {
         for ((recording, segmentation), name) in cut.into_iter().zip(names) {
             let part = Part {
                 name,
-                heading: format!("{}: ", recording.name),
                 recording,
                 segmentation,
                 first: session.rests.len() + 1,
@@ -109,16 +106,9 @@ impl<'a> Session<'a> {
 
     /// A message without the name of the recording that it is about.
     pub fn body<'m>(&self, message: &'m str) -> &'m str {
-        let mut headings = self.parts.iter().map(|part| &part.heading);
-        let found = headings.find_map(|heading| message.strip_prefix(heading.as_str()));
+        let mut names = self.parts.iter().map(|part| &part.recording.name);
+        let found = names.find_map(|name| message.strip_prefix(name.as_str())?.strip_prefix(": "));
         found.unwrap_or(message)
-    }
-
-    /// The number of a static interval in its own recording, from 1.
-    pub fn number(&self, rest: &Rest) -> usize {
-        let through_all: usize = rest.key.parse().unwrap_or(0);
-        let first = self.parts[rest.part].first;
-        (through_all + 1).saturating_sub(first)
     }
 
     fn add(

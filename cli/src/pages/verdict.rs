@@ -4,6 +4,7 @@ use calib::Calibration;
 use calib::gravity::GravitySource;
 
 use super::coverage::Coverage;
+use super::disturbed::Disturbed;
 use super::parameters;
 use super::session::Session;
 use crate::commands::limits;
@@ -83,12 +84,15 @@ pub fn judged(
         true => sentence_of(&body(message)),
         false => sentence_of(message),
     };
+    let leave_out = |cause: Option<usize>, messages: &[String]| {
+        let (causes, again) = CAUSES[DISTURBED];
+        let session = session.filter(|_| cause == Some(DISTURBED))?;
+        Some(Disturbed::in_session(session, messages, causes)?.advice(again))
+    };
     let (level, mut sentence) = if let Some(gate) = reasons.first() {
         let by_gate = gravest(&[body(gate)]).map(|(cause, _)| cause).or(cause);
-        let touched = session.filter(|_| by_gate == Some(DISTURBED));
-        let touched = touched.and_then(|s| Disturbed::in_session(s, &reasons));
-        let advice = touched.map(|found| found.advice());
-        let advice = advice.or_else(|| by_gate.map(|k| CAUSES[k].1.to_owned()));
+        let usual = || by_gate.map(|k| CAUSES[k].1.to_owned());
+        let advice = leave_out(by_gate, &reasons).or_else(usual);
         let advice = advice.or_else(|| advice_in(gate));
         next.push(advice.unwrap_or("Record again, as the verdict says.".into()));
         (
@@ -97,9 +101,8 @@ pub fn judged(
         )
     } else if let Some((k, at)) = gravest_warning {
         let warning = &calibration.warnings[at];
-        let disturbed = session.filter(|_| k == DISTURBED);
-        let disturbed = disturbed.and_then(|s| Disturbed::in_session(s, &calibration.warnings));
-        next.push(disturbed.map_or_else(|| advice(k, warning), |found| found.advice()));
+        let disturbed = leave_out(cause, &calibration.warnings);
+        next.push(disturbed.unwrap_or_else(|| advice(k, warning)));
         // A wrong unit or rate is in every figure of the sensor.
         if k <= UNIT {
             (
@@ -197,87 +200,6 @@ fn flagged_in(session: &Session<'_>) -> Vec<String> {
         )
     });
     words.take(NAMED).collect()
-}
-
-/// Static intervals that something disturbed, by the warnings.
-struct Disturbed {
-    /// What they are called, with begin and end.
-    names: Vec<String>,
-    /// Instants within them, as the option takes them.
-    instants: Vec<String>,
-    /// The calibration uses some of them.
-    used: bool,
-    /// Share of all static intervals.
-    share: f64,
-}
-
-/// With a larger share of them a new recording is better.
-const LARGEST_SHARE: f64 = 0.25;
-
-impl Disturbed {
-    /// `None` where no warning names a static interval.
-    fn in_session(session: &Session<'_>, warnings: &[String]) -> Option<Self> {
-        let causes = CAUSES[DISTURBED].0;
-        let speaks = |w: &&String| causes.iter().any(|word| session.body(w).contains(word));
-        let warnings: Vec<&String> = warnings.iter().filter(speaks).collect();
-        let mut found = Self {
-            names: Vec::new(),
-            instants: Vec::new(),
-            used: false,
-            share: 0.0,
-        };
-        for rest in &session.rests {
-            let number = session.number(rest);
-            let heading = &session.parts[rest.part].heading;
-            let begin = format!("{heading}static interval {number} (");
-            let Some(warning) = warnings.iter().find(|w| w.starts_with(&begin)) else {
-                continue;
-            };
-            let (from, to) = rest.span;
-            let of = match session.parts.len() {
-                1 => String::new(),
-                _ => format!("{}:", rest.part + 1),
-            };
-            found
-                .names
-                .push(format!("{number} ({from:.1} to {to:.1} s)"));
-            found.instants.push(format!("{of}{:.1}", 0.5 * (from + to)));
-            found.used |= !warning.contains("not used");
-        }
-        found.share = found.names.len() as f64 / session.rests.len().max(1) as f64;
-        Some(found).filter(|found| !found.names.is_empty())
-    }
-
-    fn advice(&self) -> String {
-        let one = self.names.len() == 1;
-        let (s, instants) = if one {
-            ("s", "an instant")
-        } else {
-            ("", "instants")
-        };
-        let (plural, them, are) = if one {
-            ("", "it", "is")
-        } else {
-            ("s", "them", "are")
-        };
-        let names = self.names.join(", ");
-        if self.share > LARGEST_SHARE {
-            return format!("{} (Static interval{plural} {names}.)", CAUSES[DISTURBED].1);
-        }
-        if self.used {
-            format!(
-                "Leave out static interval{plural} {names}, which spoil{s} this calibration: add --leave-out {} ({instants} \
-                 within {them}, s) to the command that made this page, and take the calibration that this gives. A new \
-                 recording is not needed.",
-                self.instants.join(",")
-            )
-        } else {
-            format!(
-                "Nothing has to be mended: static interval{plural} {names} {are} not in this calibration. In the next \
-                 recording let nothing touch or shake the device while it is still."
-            )
-        }
-    }
 }
 
 /// Raw to calibrated residual, weakest parameter, coverage.
