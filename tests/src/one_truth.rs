@@ -94,7 +94,7 @@ fn size_of(effect: &dyn AnyEffect) -> f64 {
         // A table vibrates until the device leaves it, an interval ends a little before: over that time a gyroscope's error
         // goes uncorrected, and should stay below the noise of a turn.
         (true, Sensor::Gyroscope) => 6.0,
-        (false, _) => 3.0,
+        (_, Sensor::Magnetometer) | (false, _) => 3.0,
     }
 }
 

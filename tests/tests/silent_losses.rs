@@ -187,6 +187,7 @@ fn judge(
     let (other_is_right, missing) = match sensor {
         Sensor::Accelerometer => (is_rate, found.accelerometer.is_none()),
         Sensor::Gyroscope => (is_force, found.gyroscope.is_none()),
+        Sensor::Magnetometer => (true, found.magnetometer.is_none()),
     };
     let said = found.warnings.iter().any(|words| words.contains(" only"));
     // What is not in the file any more cannot be read; it is said.

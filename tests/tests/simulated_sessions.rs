@@ -8,10 +8,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use sensor::{Kinematics, Model, Quantity, Sensor};
 
 fn samples(session: &Session, sensor: Sensor) -> (&[f64], &[Vector3<f64>]) {
-    let stream = match sensor {
-        Sensor::Accelerometer => session.recording.accelerometer.as_ref().unwrap(),
-        Sensor::Gyroscope => session.recording.gyroscope.as_ref().unwrap(),
-    };
+    let stream = session.recording.stream(sensor).unwrap();
     (&stream.t, &stream.values)
 }
 

@@ -181,6 +181,7 @@ fn loss(sensor: Sensor, what: String, size: f64) -> Loss {
     let (unit, at) = match sensor {
         Sensor::Accelerometer => ("m/s^2", "1 g"),
         Sensor::Gyroscope => ("rad/s", "1 rad/s"),
+        Sensor::Magnetometer => ("uT", "50 uT"),
     };
     Loss {
         what,
@@ -195,6 +196,7 @@ fn probes(sensor: Sensor, gravity: f64) -> impl Iterator<Item = Vector3<f64>> {
     let size = match sensor {
         Sensor::Accelerometer => gravity,
         Sensor::Gyroscope => 1.0,
+        Sensor::Magnetometer => 50.0,
     };
     let all = (0..27).map(|k| Vector3::new(k % 3, k / 3 % 3, k / 9).map(|v| f64::from(v) - 1.0));
     all.filter(|v| v.norm() > 0.5)

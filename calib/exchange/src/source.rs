@@ -19,6 +19,8 @@ pub struct Source<'a> {
     pub accelerometer: Option<Base<f64>>,
     /// The gyroscope.
     pub gyroscope: Option<Base<f64>>,
+    /// The magnetometer.
+    pub magnetometer: Option<Base<f64>>,
     /// `G`, (rad/s)/(m/s²), where the calibration has it.
     pub g_sensitivity: Option<Matrix3<f64>>,
 }
@@ -36,8 +38,15 @@ impl<'a> Source<'a> {
             calibration,
             accelerometer: base(Sensor::Accelerometer),
             gyroscope: base(Sensor::Gyroscope),
+            magnetometer: base(Sensor::Magnetometer),
             g_sensitivity: own.map(matrix).next(),
         }
+    }
+
+    /// Unit of a corrected magnetic field.
+    pub fn field_unit(&self) -> &str {
+        let field = self.calibration.magnetic_field.as_ref();
+        field.map_or("uT", |field| field.unit.as_str())
     }
 
     /// The accelerometer of a target that cannot do without.

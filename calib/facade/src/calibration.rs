@@ -102,7 +102,7 @@ impl Calibration {
     /// ```
     pub fn parameters(&self) -> Vec<Parameter> {
         let mut all = Vec::new();
-        for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+        for sensor in Sensor::ALL {
             if let Some(triad) = self.inner.triad(sensor) {
                 push_triad(&mut all, sensor, triad);
             }
@@ -205,8 +205,7 @@ impl AsRef<calib::Calibration> for Calibration {
 fn push_triad(all: &mut Vec<Parameter>, sensor: Sensor, triad: &Triad) {
     let unit = match (&triad.units, sensor) {
         (Some(units), _) => units.reading.clone(),
-        (None, Sensor::Accelerometer) => "m/s^2".into(),
-        (None, Sensor::Gyroscope) => "rad/s".into(),
+        (None, sensor) => sensor.unit().into(),
     };
     let names = base_names(sensor);
     for (name, (i, j)) in names.iter().zip(PLACES) {

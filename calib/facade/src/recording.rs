@@ -199,10 +199,7 @@ impl Recording {
     }
 
     fn stream(&self, sensor: Sensor) -> Option<&Stream> {
-        match sensor {
-            Sensor::Accelerometer => self.0.accelerometer.as_ref(),
-            Sensor::Gyroscope => self.0.gyroscope.as_ref(),
-        }
+        self.0.stream(sensor)
     }
 
     /// The same with sensors faster than any hand read as means, as fits want it.

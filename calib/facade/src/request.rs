@@ -53,6 +53,8 @@ pub struct Request {
     pub latitude: Option<f64>,
     /// Height above sea level, m.
     pub altitude: Option<f64>,
+    /// Strength of the magnetic field of the place, µT; without it the magnetometer's `T` has determinant 1.
+    pub field: Option<f64>,
     /// How static intervals are found.
     pub detector: DetectorOptions,
     /// Static intervals picked by hand, begin and end in s: a list for each recording, one for all, or none.
@@ -93,6 +95,7 @@ impl Default for Request {
             method: Method::default(),
             gravity: None,
             latitude: None,
+            field: None,
             altitude: None,
             detector: DetectorOptions::default(),
             sections: Vec::new(),
@@ -164,6 +167,7 @@ impl Request {
             latitude: self.latitude,
             force_device: self.force_device,
             clock: self.clock,
+            field: self.field,
             static_means: Vec::new(),
         })
     }

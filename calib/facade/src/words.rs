@@ -3,13 +3,14 @@
 /// What a message calls an option of the command, and what it is called here.
 ///
 /// An entry for every flag that a message of the libraries names; a test reads their sources.
-const OPTIONS: [(&str, &str); 30] = [
+const OPTIONS: [(&str, &str); 31] = [
     ("--accel-file", "`Recording::from_pair`"),
     ("--accel-unit", "`ReadOptions::accel_unit`"),
     ("--altitude", "`Request::altitude`"),
     ("--columns", "`ReadOptions::columns`"),
     ("--effects", "`Request::effects`"),
     ("--entry", "`ReadOptions::entry`"),
+    ("--field", "`Request::field`"),
     ("--flip", "`ReadOptions::flip`"),
     ("--force-device", "`Request::force_device`"),
     ("--format", "`ReadOptions::format`"),

@@ -118,6 +118,8 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         method: "stepwise".into(),
         accelerometer: accelerometer_triad,
         gyroscope: gyroscope_triad,
+        magnetometer: None,
+        magnetic_field: None,
         effects,
         parameters: table.names,
         covariance: table.covariance,

@@ -33,6 +33,7 @@ impl<'a> Source<'a> {
         let models = Models {
             accelerometer: Some(Sensing::new(model.clone(), p)),
             gyroscope: rate.cloned(),
+            ..Models::default()
         };
         Truth::as_far_as_known(self.recording, Some(self.segmentation), models)
     }

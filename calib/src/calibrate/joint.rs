@@ -175,6 +175,8 @@ pub(crate) fn written_down(
             reduced_chi2: chi2(Channel::Direction),
             ..rate_triad(fit, rate, recordings)
         }),
+        magnetometer: None,
+        magnetic_field: None,
         effects,
         left_out: left_out(fit, &all),
         parameters: all.free,
@@ -340,10 +342,7 @@ fn force_triad(fit: &JointFit, fitted: &Fitted, recordings: &[&Recording]) -> Tr
 fn bias_time(fit: &JointFit, sensor: Sensor, bias: &[f64; 3]) -> Option<BiasTime> {
     let last = fit.data.sources.len().checked_sub(1)?;
     let moved = fit.bias_motion(sensor, last)?;
-    let unit = match sensor {
-        Sensor::Accelerometer => fit.force_unit.scale,
-        Sensor::Gyroscope => fit.rate_unit.scale,
-    };
+    let unit = fit.unit(sensor).scale;
     let change = moved.change / unit;
     let at = |share: f64| std::array::from_fn(|k| bias[k] + share * change[k]);
     Some(BiasTime {

@@ -47,10 +47,7 @@ fn candidates(models: &[Model]) -> impl Iterator<Item = &'static dyn AnyEffect> 
     let own = models.iter().flat_map(|model| model.effects());
     let known: Vec<&str> = own.map(|effect| effect.name()).collect();
     catalogue().filter(move |effect| {
-        let signal = match effect.sensor() {
-            Sensor::Accelerometer => Quantity::SpecificForce,
-            Sensor::Gyroscope => Quantity::AngularRate,
-        };
+        let signal = Quantity::signal_of(effect.sensor());
         let mut params = effect.params().iter();
         effect.needs() == [signal]
             && params.all(|p| p.role_by_name() == Role::Coefficient)

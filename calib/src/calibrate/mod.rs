@@ -6,6 +6,7 @@ mod clocks;
 mod gyro_data;
 pub(crate) mod joint;
 mod left_out;
+mod magnetic;
 mod means_file;
 mod noise;
 pub(crate) mod own_effects;
@@ -15,6 +16,7 @@ pub(crate) mod same_device;
 mod static_norm;
 
 pub(crate) use checks::not_in_one_plane;
+pub use magnetic::FIELDS;
 pub use means_file::read_static_means;
 pub use part_way::changes_part_way;
 
@@ -121,6 +123,8 @@ pub struct Request {
     /// By which clock the turns are integrated. What is left to the data are the stamps in the stepwise method, as
     /// published.
     pub clock: ClockMode,
+    /// Strength of the magnetic field of the place, µT. Without it the scale of a magnetometer stays free.
+    pub field: Option<f64>,
     /// Means to use for the accelerometer instead of those of the recordings.
     pub static_means: Vec<Vector3<f64>>,
 }
@@ -143,6 +147,7 @@ impl Default for Request {
             latitude: None,
             force_device: false,
             clock: ClockMode::default(),
+            field: None,
             static_means: Vec::new(),
         }
     }
@@ -256,8 +261,6 @@ fn by_stamps(
     for (recording, found) in cleaned.iter().flatten() {
         warnings.extend(found.iter().map(|f| format!("{}: {f}", recording.name)));
     }
-    let with_field = recordings.iter().filter(|r| r.magnetometer.is_some());
-    warnings.extend(with_field.map(|r| format!("{}: its magnetometer is not calibrated", r.name)));
     let mut choices = recordings
         .iter()
         .enumerate()
@@ -284,7 +287,10 @@ fn by_stamps(
         Err(Error::NotConverged(reason)) => {
             return Err(Error::NotConverged(in_the_hand(reason, &recordings)));
         }
-        Ok(outcome) => return Ok(with_changes(outcome, &recordings, request.gravity)),
+        Ok(outcome) => {
+            let outcome = with_changes(outcome, &recordings, request.gravity);
+            return magnetic::with_magnetometer(outcome, &recordings, request);
+        }
         Err(other) => return Err(other),
     };
     match parts.without_gyroscope(choices, &refused) {
@@ -674,7 +680,7 @@ fn known_means(
     let of = |(k, (recording, choice)): (usize, (&&Recording, &Choice))| {
         let models = Models {
             accelerometer: Some(by(k)),
-            gyroscope: None,
+            ..Models::default()
         };
         let truth = Truth::as_far_as_known(recording, Some(&choice.segmentation), models);
         static_means_by(&truth, &choice.segmentation)

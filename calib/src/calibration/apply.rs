@@ -46,15 +46,24 @@ pub fn apply_with(
     let truth = Truth::of(recording, intervals.or(found.as_ref()), models.clone())?;
     let mut corrected = recording.clone();
     corrected.warnings.extend(doubt);
-    for (sensor, name) in [
-        (Sensor::Accelerometer, "accelerometer"),
-        (Sensor::Gyroscope, "gyroscope"),
-    ] {
-        let stream = match sensor {
-            Sensor::Accelerometer => &mut corrected.accelerometer,
-            Sensor::Gyroscope => &mut corrected.gyroscope,
+    if let (Some(field), true) = (
+        &mut corrected.magnetometer,
+        calibration.magnetometer.is_some(),
+    ) {
+        field.convert_to_microtesla();
+        let own = calibration.magnetic_field.as_ref();
+        if own.is_some_and(|own| (own.unit == "uT") != field.unit.is_some()) {
+            corrected.warnings.push(
+                "the unit of the magnetometer is known in this recording or in those of the calibration, not in both: it is \
+                 corrected as if it were the same"
+                    .into(),
+            );
+        }
+    }
+    for sensor in Sensor::ALL {
+        let Some(stream) = corrected.stream_mut(sensor) else {
+            continue;
         };
-        let Some(stream) = stream else { continue };
         match models.get(sensor) {
             Some(sensing) if sensing.model.effects().is_empty() => {
                 let base = Base::from_parameters(&sensing.parameters);
@@ -62,7 +71,8 @@ pub fn apply_with(
             }
             Some(_) => correct(stream, sensor, &truth, &models)?,
             None => corrected.warnings.push(format!(
-                "the calibration has no {name}: its readings are left as they are"
+                "the calibration has no {}: its readings are left as they are",
+                sensor.name()
             )),
         }
     }

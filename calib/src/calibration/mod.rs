@@ -8,7 +8,9 @@ mod frame;
 mod gravity;
 mod inputs;
 mod left_out;
+mod magnetic_field;
 mod misfit;
+mod moved;
 mod outside;
 mod reading_unit;
 mod units;
@@ -24,6 +26,7 @@ pub use inputs::{
     Input, Options, Provenance, SIGN_CONVENTION, SensorInput, TemperatureInput, fingerprint,
 };
 pub use left_out::{Enlarged, LeftOut};
+pub use magnetic_field::{MagneticField, RecordingField};
 pub use misfit::{Remainder, WITH_WALKS, WITHOUT_WALKS};
 pub use outside::Outside;
 pub use reading_unit::TriadUnits;
@@ -62,6 +65,12 @@ pub struct Calibration {
     pub accelerometer: Option<Triad>,
     /// The gyroscope.
     pub gyroscope: Option<Triad>,
+    /// The magnetometer.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub magnetometer: Option<Triad>,
+    /// The field in which it was calibrated.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub magnetic_field: Option<MagneticField>,
     /// Effects on top of the base models.
     pub effects: Vec<EffectValues>,
     /// Names in the order of the covariance.
@@ -276,6 +285,16 @@ impl Calibration {
         match sensor {
             Sensor::Accelerometer => self.accelerometer.as_ref(),
             Sensor::Gyroscope => self.gyroscope.as_ref(),
+            Sensor::Magnetometer => self.magnetometer.as_ref(),
+        }
+    }
+
+    /// The triad of a sensor, to be changed.
+    pub(crate) fn triad_mut(&mut self, sensor: Sensor) -> Option<&mut Triad> {
+        match sensor {
+            Sensor::Accelerometer => self.accelerometer.as_mut(),
+            Sensor::Gyroscope => self.gyroscope.as_mut(),
+            Sensor::Magnetometer => self.magnetometer.as_mut(),
         }
     }
 
@@ -317,6 +336,7 @@ pub fn catalogue() -> impl Iterator<Item = &'static dyn AnyEffect> {
     accelerometer::EFFECTS
         .iter()
         .chain(gyroscope::EFFECTS)
+        .chain(magnetometer::EFFECTS)
         .copied()
 }
 

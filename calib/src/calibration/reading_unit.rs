@@ -13,11 +13,13 @@ const SI: Range<f64> = 0.5..2.0;
 const G: Range<f64> = 9.0..10.6;
 /// The same of degrees per second.
 const DEGREES: Range<f64> = 0.015..0.0205;
+/// Microtesla per unit of the reading where that is gauss.
+const GAUSS: Range<f64> = 50.0..200.0;
 
 /// Units of one sensor's numbers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TriadUnits {
-    /// Of a raw reading, and so of `bias` and `bias_std`: `m/s^2`, `rad/s`, `g`, `deg/s` or `count`.
+    /// Of a raw reading, and so of `bias` and `bias_std`: `m/s^2`, `rad/s`, `uT`, `g`, `deg/s`, `gauss` or `count`.
     pub reading: String,
     /// Of `T` and `T_std`: `1` where the reading is in SI units, else such as `(m/s^2)/count`.
     #[serde(rename = "T")]
@@ -33,6 +35,7 @@ impl TriadUnits {
         let (corrected, other, name) = match sensor {
             Sensor::Accelerometer => ("m/s^2", G, "g"),
             Sensor::Gyroscope => ("rad/s", DEGREES, "deg/s"),
+            Sensor::Magnetometer => ("uT", GAUSS, "gauss"),
         };
         let reading = if SI.contains(&scale) {
             corrected

@@ -86,7 +86,7 @@ fn of_effect(name: &Name, finding: &EffectFinding, last: &State) -> Vec<Picture>
     if finding.channel == Channel::Direction && goes_with.is_some() {
         channels.push(match name.claim.sensor() {
             Sensor::Accelerometer => Channel::StaticNorm,
-            Sensor::Gyroscope => Channel::StaticRate,
+            Sensor::Gyroscope | Sensor::Magnetometer => Channel::StaticRate,
         });
     }
     channels

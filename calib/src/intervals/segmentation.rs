@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use sensor::Sensor;
+
 use super::moments::Moments;
 use super::rejected::Rejected;
 use super::saturation::Rails;
@@ -25,6 +27,17 @@ pub struct StaticInterval {
     pub gyroscope: Option<Moments>,
     /// Mean temperature, °C.
     pub temperature: Option<f64>,
+}
+
+impl StaticInterval {
+    /// Moments of an inertial sensor, raw unit.
+    pub fn moments(&self, sensor: Sensor) -> Option<Moments> {
+        match sensor {
+            Sensor::Accelerometer => self.accelerometer,
+            Sensor::Gyroscope => self.gyroscope,
+            Sensor::Magnetometer => None,
+        }
+    }
 }
 
 /// The motion from static interval `from` to `from + 1`.

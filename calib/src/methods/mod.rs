@@ -6,6 +6,7 @@ mod gyro_guess;
 mod gyroscope;
 pub mod joint;
 pub(crate) mod left_out;
+pub mod magnetic;
 pub mod online_bias;
 mod outliers;
 pub mod six_position;

@@ -192,10 +192,7 @@ fn shifted(
     std: Vector3<f64>,
 ) -> Result<Calibration, Error> {
     let mut updated = calibration.clone();
-    let triad = match sensor {
-        Sensor::Accelerometer => updated.accelerometer.as_mut(),
-        Sensor::Gyroscope => updated.gyroscope.as_mut(),
-    };
+    let triad = updated.triad_mut(sensor);
     let back = triad.as_ref().and_then(|triad| inverse(&triad.base().t));
     let (Some(triad), Some(back)) = (triad, back) else {
         return Err(Error::NotEnough(

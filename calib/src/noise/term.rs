@@ -61,6 +61,9 @@ impl NoiseTerm {
             (Self::RandomWalk, Sensor::Accelerometer) => "acceleration random walk",
             (Self::Ramp, Sensor::Gyroscope) => "rate ramp",
             (Self::Ramp, Sensor::Accelerometer) => "acceleration ramp",
+            (Self::WhiteNoise, Sensor::Magnetometer) => "white noise",
+            (Self::RandomWalk, Sensor::Magnetometer) => "random walk",
+            (Self::Ramp, Sensor::Magnetometer) => "ramp",
         }
     }
 
@@ -77,6 +80,11 @@ impl NoiseTerm {
             (Self::RandomWalk, Sensor::Accelerometer) => "m/s²/√s",
             (Self::Ramp, Sensor::Gyroscope) => "rad/s²",
             (Self::Ramp, Sensor::Accelerometer) => "m/s³",
+            (Self::Quantisation, Sensor::Magnetometer) => "µT s",
+            (Self::WhiteNoise, Sensor::Magnetometer) => "µT √s",
+            (Self::BiasInstability, Sensor::Magnetometer) => "µT",
+            (Self::RandomWalk, Sensor::Magnetometer) => "µT/√s",
+            (Self::Ramp, Sensor::Magnetometer) => "µT/s",
         }
     }
 }

@@ -161,11 +161,9 @@ fn set(calibration: &mut Calibration, name: &str, value: f64, std: f64) {
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
         let place = base_names(sensor).iter().position(|own| own == name);
         let own = bias_of(name).filter(|(of, ..)| *of == sensor);
-        let triad = match sensor {
-            Sensor::Accelerometer => calibration.accelerometer.as_mut(),
-            Sensor::Gyroscope => calibration.gyroscope.as_mut(),
+        let Some(triad) = calibration.triad_mut(sensor) else {
+            continue;
         };
-        let Some(triad) = triad else { continue };
         if let Some(k) = place {
             match PLACES.get(k) {
                 Some(&(i, j)) => (triad.t[i][j], triad.t_std[i][j]) = (value, Some(std)),

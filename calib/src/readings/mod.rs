@@ -71,14 +71,8 @@ impl<'a> OfSensor<'a> {
         recording: &'a Recording,
         segmentation: &'a Segmentation,
     ) -> Option<Self> {
-        let of_interval = |interval: &StaticInterval| match sensor {
-            Sensor::Accelerometer => interval.accelerometer,
-            Sensor::Gyroscope => interval.gyroscope,
-        };
-        let stream = match sensor {
-            Sensor::Accelerometer => recording.accelerometer.as_ref(),
-            Sensor::Gyroscope => recording.gyroscope.as_ref(),
-        };
+        let of_interval = |interval: &StaticInterval| interval.moments(sensor);
+        let stream = recording.stream(sensor);
         let statics = &segmentation.statics;
         let moments = statics.iter().enumerate();
         Some(Self {

@@ -162,7 +162,7 @@ fn resolution(sensor: Sensor, values: &[Vector3<f64>], axis: usize) -> Resolutio
         step: least_step(values, axis).unwrap_or(0.0),
         // Gyroscopes alone are made with dead zones.
         beside_zero: match sensor {
-            Sensor::Accelerometer => 0.0,
+            Sensor::Accelerometer | Sensor::Magnetometer => 0.0,
             Sensor::Gyroscope => least_beside_zero(values, axis).unwrap_or(0.0),
         },
     }

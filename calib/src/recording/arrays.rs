@@ -111,6 +111,7 @@ impl Rows<'_> {
         let (values, array, first) = match sensor {
             Sensor::Accelerometer => (self.accel, "accel", 2),
             Sensor::Gyroscope => (self.gyro, "gyro", 5),
+            Sensor::Magnetometer => return Ok(Samples::default()),
         };
         let zero = origin(self.t) as f64;
         let mut samples = Samples::with_room(values.len());

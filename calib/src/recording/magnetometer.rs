@@ -1,4 +1,4 @@
-//! Readings of a magnetometer: kept as the file has them, on their own clock. No calibration uses them yet.
+//! Readings of a magnetometer: kept as the file has them, on their own clock.
 
 use std::str::FromStr;
 
@@ -28,6 +28,17 @@ pub enum FieldUnit {
 }
 
 impl FieldUnit {
+    /// Its size in millionths of a tesla.
+    pub fn in_microtesla(self) -> f64 {
+        match self {
+            Self::Tesla => 1e6,
+            Self::Microtesla => 1.0,
+            Self::Nanotesla => 1e-3,
+            Self::Gauss => 100.0,
+            Self::Milligauss => 0.1,
+        }
+    }
+
     /// The usual spelling.
     pub fn name(self) -> &'static str {
         match self {
@@ -69,6 +80,28 @@ pub struct Magnetometer {
 }
 
 impl Magnetometer {
+    /// Readings in millionths of a tesla.
+    pub fn in_microtesla(stream: Stream) -> Self {
+        Self {
+            stream,
+            unit: Some(FieldUnit::Microtesla),
+            ..Self::default()
+        }
+    }
+
+    /// Brings the readings to millionths of a tesla, where their unit is known.
+    pub fn convert_to_microtesla(&mut self) {
+        if let Some(unit) = self.unit.replace(FieldUnit::Microtesla) {
+            let factor = unit.in_microtesla();
+            self.stream
+                .values
+                .iter_mut()
+                .for_each(|value| *value *= factor);
+        } else {
+            self.unit = None;
+        }
+    }
+
     /// Readings that are finite, each stamp once and each value once where a slower sensor's was held; those of a sensor
     /// that has not begun, all three exactly 0, are left out. `None` where nothing is left.
     pub(super) fn of(t: &[f64], values: &[Vector3<f64>]) -> Option<Self> {

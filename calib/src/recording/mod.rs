@@ -110,6 +110,24 @@ pub struct Recording {
 }
 
 impl Recording {
+    /// The readings of a sensor.
+    pub fn stream(&self, sensor: Sensor) -> Option<&Stream> {
+        match sensor {
+            Sensor::Accelerometer => self.accelerometer.as_ref(),
+            Sensor::Gyroscope => self.gyroscope.as_ref(),
+            Sensor::Magnetometer => self.magnetometer.as_ref().map(|field| &field.stream),
+        }
+    }
+
+    /// The readings of a sensor, to be changed.
+    pub fn stream_mut(&mut self, sensor: Sensor) -> Option<&mut Stream> {
+        match sensor {
+            Sensor::Accelerometer => self.accelerometer.as_mut(),
+            Sensor::Gyroscope => self.gyroscope.as_mut(),
+            Sensor::Magnetometer => self.magnetometer.as_mut().map(|field| &mut field.stream),
+        }
+    }
+
     /// The earliest time stamp, s.
     pub fn start(&self) -> f64 {
         [&self.accelerometer, &self.gyroscope]

@@ -193,10 +193,7 @@ fn role_of_word(name: &str, only: Option<Sensor>) -> Option<Role> {
     } else if FIELD.contains(&stem) {
         only.is_none().then_some(Role::Field(axis))
     } else if stem.is_empty() {
-        only.map(|sensor| match sensor {
-            Sensor::Accelerometer => Role::Accel(axis),
-            Sensor::Gyroscope => Role::Gyro(axis),
-        })
+        only.map(|sensor| Role::axis(sensor, axis))
     } else {
         None
     }

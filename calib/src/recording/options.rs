@@ -2,6 +2,8 @@
 
 use std::str::FromStr;
 
+use sensor::Sensor;
+
 use super::formats::Format;
 use super::units::{AccelUnit, GyroUnit, TimeUnit};
 use crate::Error;
@@ -113,6 +115,15 @@ impl Role {
         Self::Field(1),
         Self::Field(2),
     ];
+
+    /// An axis of a sensor.
+    pub fn axis(sensor: Sensor, axis: usize) -> Self {
+        match sensor {
+            Sensor::Accelerometer => Self::Accel(axis),
+            Sensor::Gyroscope => Self::Gyro(axis),
+            Sensor::Magnetometer => Self::Field(axis),
+        }
+    }
 
     /// The name in the plain CSV header.
     pub fn name(self) -> &'static str {

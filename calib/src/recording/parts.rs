@@ -44,10 +44,7 @@ pub(super) struct Part {
 impl Part {
     /// The columns of one sensor: `t`, x, y and z as they are called or numbered.
     pub fn of(sensor: Sensor, columns: [&str; 4]) -> Self {
-        let axis = |axis| match sensor {
-            Sensor::Accelerometer => Role::Accel(axis),
-            Sensor::Gyroscope => Role::Gyro(axis),
-        };
+        let axis = |axis| Role::axis(sensor, axis);
         let roles = [Role::Time, axis(0), axis(1), axis(2)];
         let columns = columns.map(str::to_owned).into_iter();
         Self {

@@ -39,10 +39,7 @@ pub(super) fn completed(
         .iter()
         .filter(|(role, _)| !matches!(role, Role::Field(_)));
     let known = known.map(|(role, name)| format!("{}={}", role.name(), called(name)));
-    let role = match missing {
-        Sensor::Accelerometer => Role::Accel,
-        Sensor::Gyroscope => Role::Gyro,
-    };
+    let role = |axis| Role::axis(missing, axis);
     let axes = triad.iter().enumerate();
     let added = axes.map(|(axis, name)| format!("{}={}", role(axis).name(), called(name)));
     let entries: Vec<String> = known.chain(added).collect();

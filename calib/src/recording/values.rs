@@ -108,11 +108,7 @@ fn stuck(name: &str, called: &str, samples: &Samples, value: f64) -> Error {
 
 /// The column of an axis in plain CSV.
 fn column(sensor: Sensor, axis: usize) -> &'static str {
-    match sensor {
-        Sensor::Accelerometer => Role::Accel(axis),
-        Sensor::Gyroscope => Role::Gyro(axis),
-    }
-    .name()
+    Role::axis(sensor, axis).name()
 }
 
 fn stuck_within(samples: &Samples, axis: usize) -> Option<Range<usize>> {
@@ -213,6 +209,8 @@ fn is_full_scale(sensor: Sensor, peak: f64, integers: bool) -> bool {
         Sensor::Gyroscope => [125.0f64, 250.0, 500.0, 1000.0, 2000.0, 4000.0]
             .iter()
             .any(|r| near(*r) || near(r.to_radians())),
+        // Ranges of magnetometers are as many as there are sensors.
+        Sensor::Magnetometer => false,
     }
 }
 

@@ -15,7 +15,7 @@ pub enum Grade {
     /// No errors, no noise.
     Perfect,
     /// Bias 0.3 m/s² and 0.02 rad/s, scale 1.5 %, misalignment 1 %, noise 2e-3 m/s²/√Hz and
-    /// 1e-4 rad/s/√Hz.
+    /// 1e-4 rad/s/√Hz; of a magnetometer 30 µT, 5 %, 3 % and 0.05 µT/√Hz.
     #[default]
     Consumer,
     /// A tenth of consumer grade.
@@ -38,6 +38,7 @@ impl Grade {
             * match sensor {
                 Sensor::Accelerometer => 2e-3,
                 Sensor::Gyroscope => 1e-4,
+                Sensor::Magnetometer => 0.05,
             }
     }
 
@@ -55,11 +56,17 @@ impl Grade {
         let bias = match sensor {
             Sensor::Accelerometer => 0.3,
             Sensor::Gyroscope => 0.02,
+            Sensor::Magnetometer => 30.0,
         };
-        let errors = Matrix3::from_fn(|i, j| random.normal() * if i == j { 0.015 } else { 0.01 });
+        let [scale, misalignment] = match sensor {
+            Sensor::Accelerometer | Sensor::Gyroscope => [0.015, 0.01],
+            Sensor::Magnetometer => [0.05, 0.03],
+        };
+        let size = |i, j| if i == j { scale } else { misalignment };
+        let errors = Matrix3::from_fn(|i, j| random.normal() * size(i, j));
         let errors = match sensor {
             Sensor::Accelerometer => errors.upper_triangle(),
-            Sensor::Gyroscope => errors,
+            Sensor::Gyroscope | Sensor::Magnetometer => errors,
         };
         Base {
             t: Matrix3::identity() + errors * self.factor(),

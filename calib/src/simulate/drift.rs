@@ -9,8 +9,8 @@ use super::samples::Sample;
 #[derive(Clone, Debug)]
 pub(crate) struct DriftMeans {
     rests: Vec<(f64, f64)>,
-    sums: [Vec<(Vector3<f64>, f64)>; 2],
-    at: [usize; 2],
+    sums: [Vec<(Vector3<f64>, f64)>; 3],
+    at: [usize; 3],
 }
 
 impl DriftMeans {
@@ -19,14 +19,14 @@ impl DriftMeans {
         let empty = vec![(Vector3::zeros(), 0.0); rests.len()];
         Self {
             rests,
-            sums: [empty.clone(), empty],
-            at: [0, 0],
+            sums: [empty.clone(), empty.clone(), empty],
+            at: [0; 3],
         }
     }
 
     /// Adds the next sample of `sensor`.
     pub fn add(&mut self, sensor: Sensor, sample: &Sample) {
-        let which = usize::from(sensor == Sensor::Gyroscope);
+        let which = sensor as usize;
         while let Some(&(start, end)) = self.rests.get(self.at[which]) {
             if sample.true_time < end {
                 if sample.true_time >= start {
@@ -42,7 +42,7 @@ impl DriftMeans {
 
     /// Mean over placement `k`; zero where it has no samples.
     pub fn mean(&self, sensor: Sensor, k: usize) -> Vector3<f64> {
-        let (sum, count) = self.sums[usize::from(sensor == Sensor::Gyroscope)][k];
+        let (sum, count) = self.sums[sensor as usize][k];
         sum / f64::max(count, 1.0)
     }
 }

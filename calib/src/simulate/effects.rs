@@ -22,14 +22,13 @@ pub fn catalogue(sensor: Sensor) -> &'static [&'static dyn AnyEffect] {
     match sensor {
         Sensor::Accelerometer => accelerometer::EFFECTS,
         Sensor::Gyroscope => gyroscope::EFFECTS,
+        Sensor::Magnetometer => magnetometer::EFFECTS,
     }
 }
 
 /// What an effect of the catalogues looks at; nothing of one that they do not have.
 pub(crate) fn needs_of(name: &str) -> Vec<Quantity> {
-    let mut all = [Sensor::Accelerometer, Sensor::Gyroscope]
-        .into_iter()
-        .flat_map(catalogue);
+    let mut all = Sensor::ALL.into_iter().flat_map(catalogue);
     let own = all.find(|effect| effect.name() == name);
     own.map_or_else(Vec::new, |effect| effect.needs())
 }

@@ -37,7 +37,7 @@ pub use samples::{Sample, Samples};
 pub use sampling::{Between, Clock, Resampled, Sampling, Stamp};
 pub use simulation::{MOST_SAMPLES, Session, Simulation};
 pub use spec::{EARTH_RATE, EXAMPLE, Motion, SensorSpec, Spec};
-pub use surroundings::{Fault, Temperature, Unsteady, Vibration};
+pub use surroundings::{Fault, MagneticField, Temperature, Unsteady, Vibration};
 pub use truth::{StaticInterval, TRUTH_SCHEMA, Truth};
 pub use write::{FILES, Files};
 

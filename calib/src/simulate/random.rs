@@ -54,11 +54,17 @@ pub(crate) enum Purpose {
     Hidden(usize),
     /// The fault with this place in the list.
     Fault(usize),
+    /// What the magnetic field is off by in the placement with this place in the session.
+    Uneven(usize),
 }
 
 impl Purpose {
     fn stream(self) -> u64 {
-        let of = |kind: u64, sensor: Sensor| 2 * kind + u64::from(sensor == Sensor::Gyroscope);
+        let of = |kind: u64, sensor: Sensor| match sensor {
+            Sensor::Accelerometer => 2 * kind,
+            Sensor::Gyroscope => 2 * kind + 1,
+            Sensor::Magnetometer => (1 << 36) + kind,
+        };
         match self {
             Self::Motion => 0,
             Self::Shock => 1,
@@ -80,6 +86,7 @@ impl Purpose {
             Self::Hidden(place) => (1 << 34) + place as u64,
             Self::Unsteady(place) => (1 << 35) + place as u64,
             Self::Fault(place) => (1 << 33) + place as u64,
+            Self::Uneven(place) => (1 << 37) + place as u64,
         }
     }
 }

@@ -149,7 +149,7 @@ impl<'a> Converter<'a> {
         let noise = NoiseSource::new(&spec.noise(sensor), rate, seed, sensor);
         let purpose = match sensor {
             Sensor::Accelerometer => Purpose::Vibration,
-            Sensor::Gyroscope => Purpose::Rocking,
+            Sensor::Gyroscope | Sensor::Magnetometer => Purpose::Rocking,
         };
         Self {
             simulation,
@@ -192,6 +192,7 @@ impl<'a> Converter<'a> {
         let size = match self.sensor {
             Sensor::Accelerometer => rest.vibration.map(f64::sqrt),
             Sensor::Gyroscope => rest.vibration.map(f64::sqrt) * spec.rocking,
+            Sensor::Magnetometer => Vector3::zeros(),
         };
         size.component_mul(&match spec.frequency {
             None => self.vibration.normal3(),

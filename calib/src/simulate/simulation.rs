@@ -19,7 +19,7 @@ use super::surroundings::Fault;
 use super::truth::{StaticInterval, TRUTH_SCHEMA, Truth};
 use super::world::{Delays, World};
 use crate::Error;
-use crate::recording::{Recording, Stream, Temperature};
+use crate::recording::{Magnetometer, Recording, Stream, Temperature};
 use crate::watch::{Stage, step};
 
 /// Most samples of a sensor that are kept in memory: 32 bytes each.
@@ -45,6 +45,7 @@ pub struct Simulation {
     world: World,
     accelerometer: Device,
     gyroscope: Device,
+    magnetometer: Device,
     delays: Delays,
     lost_spans: Vec<Range<f64>>,
     /// One for each of the spec's `hidden`.
@@ -73,13 +74,16 @@ impl Simulation {
         let device = |sensor| draw_device(spec, sensor, seed, end);
         let accelerometer = device(Sensor::Accelerometer)?;
         let gyroscope = device(Sensor::Gyroscope)?;
+        let magnetometer = device(Sensor::Magnetometer)?;
         let delays = Delays::of(&accelerometer, &gyroscope);
         let (gravity, temperature) = (spec.true_gravity(), spec.temperature.clone());
         let lost_spans = lost_spans(spec, &motion);
+        let field = spec.magnetic_field.map(|field| field.place(seed, &motion));
         let world = World {
             motion,
             gravity,
             temperature,
+            field,
             disturbances: disturbances.iter().flatten().cloned().collect(),
         };
         Ok(Self {
@@ -87,6 +91,7 @@ impl Simulation {
             world,
             accelerometer,
             gyroscope,
+            magnetometer,
             delays,
             disturbances,
             lost_spans,
@@ -139,7 +144,7 @@ impl Simulation {
     /// [`Error::Usage`] where it has more than [`MOST_SAMPLES`]: [`Simulation::samples`] and
     /// [`Simulation::write`] need no memory.
     pub fn run(&self) -> Result<Session, Error> {
-        for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+        for sensor in Sensor::ALL.into_iter().filter(|&sensor| self.has(sensor)) {
             let rate = self
                 .spec
                 .sensor(sensor)
@@ -167,10 +172,15 @@ impl Simulation {
         };
         let accelerometer = stream(Sensor::Accelerometer)?;
         let gyroscope = stream(Sensor::Gyroscope)?;
+        let magnetometer = match self.has(Sensor::Magnetometer) {
+            true => stream(Sensor::Magnetometer)?.map(Magnetometer::in_microtesla),
+            false => None,
+        };
         let recording = Recording {
             name: format!("simulated, seed {}", self.spec.seed),
             accelerometer,
             gyroscope,
+            magnetometer,
             temperature: self.thermometer(),
             warnings: Vec::new(),
             ..Recording::default()
@@ -189,7 +199,13 @@ impl Simulation {
         match sensor {
             Sensor::Accelerometer => &self.accelerometer,
             Sensor::Gyroscope => &self.gyroscope,
+            Sensor::Magnetometer => &self.magnetometer,
         }
+    }
+
+    /// Whether the device has the sensor: a magnetometer where there is a field.
+    pub fn has(&self, sensor: Sensor) -> bool {
+        sensor != Sensor::Magnetometer || self.spec.magnetic_field.is_some()
     }
 
     /// When samples are lost that leave no gap in the stamps, s.
@@ -209,10 +225,9 @@ impl Simulation {
     }
 
     pub(crate) fn truth(&self, drift: &DriftMeans) -> Truth {
-        let sensors = [Sensor::Accelerometer, Sensor::Gyroscope];
+        let sensors = Sensor::ALL.into_iter().filter(|&sensor| self.has(sensor));
         let models = sensors.map(|sensor| &self.device(sensor).model);
         let effects = models
-            .iter()
             .flat_map(|m| m.effects())
             .map(|e| e.name().to_owned());
         Truth {
@@ -220,6 +235,10 @@ impl Simulation {
             spec: self.spec.clone(),
             accelerometer: self.in_recorded_units(Sensor::Accelerometer),
             gyroscope: self.in_recorded_units(Sensor::Gyroscope),
+            magnetometer: match self.has(Sensor::Magnetometer) {
+                true => self.in_recorded_units(Sensor::Magnetometer),
+                false => Parameters::default(),
+            },
             accelerometer_noise: self.spec.noise(Sensor::Accelerometer),
             gyroscope_noise: self.spec.noise(Sensor::Gyroscope),
             effects: effects.collect(),

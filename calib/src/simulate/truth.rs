@@ -23,6 +23,9 @@ pub struct Truth {
     pub accelerometer: Parameters,
     /// The same of the gyroscope.
     pub gyroscope: Parameters,
+    /// The same of the magnetometer, whose `T` carries to the field's microtesla; none without a magnetic field.
+    #[serde(default, skip_serializing_if = "Parameters::is_empty")]
+    pub magnetometer: Parameters,
     /// Noise densities of the accelerometer, SI units.
     pub accelerometer_noise: Noise,
     /// The same of the gyroscope.
@@ -42,14 +45,14 @@ impl Truth {
         match sensor {
             Sensor::Accelerometer => &self.accelerometer,
             Sensor::Gyroscope => &self.gyroscope,
+            Sensor::Magnetometer => &self.magnetometer,
         }
     }
 
-    /// The true value of the parameter called `name`, of either sensor.
+    /// The true value of the parameter called `name`, of any sensor.
     pub fn get(&self, name: &str) -> Option<f64> {
-        self.accelerometer
-            .get(name)
-            .or_else(|| self.gyroscope.get(name))
+        let mut all = Sensor::ALL.into_iter().map(|s| self.parameters(s));
+        all.find_map(|parameters| parameters.get(name))
     }
 }
 

@@ -7,7 +7,7 @@ use sensor::{Kinematics, REFERENCE_TEMPERATURE, Sensor, Since};
 use super::device::Device;
 use super::hidden::{Instant, Placed};
 use super::motion::{Motion, mean_over};
-use super::surroundings::Temperature;
+use super::surroundings::{PlacedField, Temperature};
 
 /// The true motion of the device and what surrounds it.
 #[derive(Clone, Debug)]
@@ -18,6 +18,8 @@ pub(crate) struct World {
     pub gravity: f64,
     /// Temperature; constant where there is none.
     pub temperature: Option<Temperature>,
+    /// The magnetic field, where there is one.
+    pub field: Option<PlacedField>,
     /// What disturbs readings.
     pub disturbances: Vec<Placed>,
 }
@@ -54,6 +56,9 @@ impl World {
                 w: state.attitude.w,
                 v: state.attitude.imag(),
             },
+            magnetic_field: self.field.as_ref().map_or_else(Vector3::zeros, |field| {
+                state.attitude.inverse_transform_vector(&field.at(t))
+            }),
             ..Kinematics::new(
                 force + rest.map_or_else(Vector3::zeros, |r| r.push),
                 state.rate,
@@ -146,7 +151,7 @@ impl Delays {
     /// Of which sensor, on which axes.
     pub fn of_axes(&self, sensor: Sensor) -> Vector3<f64> {
         match sensor {
-            Sensor::Accelerometer => Vector3::zeros(),
+            Sensor::Accelerometer | Sensor::Magnetometer => Vector3::zeros(),
             Sensor::Gyroscope => self.gyroscope,
         }
     }

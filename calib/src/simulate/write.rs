@@ -12,8 +12,8 @@ use super::truth::Truth;
 use crate::Error;
 use crate::recording::Temperature;
 
-/// The files of a simulated recording.
-pub const FILES: [&str; 3] = ["acc.csv", "gyro.csv", "truth.json"];
+/// The files of a simulated recording; `mag.csv` where there is a magnetic field.
+pub const FILES: [&str; 4] = ["acc.csv", "gyro.csv", "mag.csv", "truth.json"];
 
 /// The files of a simulated recording, into any writer, in constant memory.
 #[derive(Debug)]
@@ -23,7 +23,7 @@ pub struct Files<'a> {
 }
 
 impl Files<'_> {
-    /// What `acc.csv` (`t,ax,ay,az`, and `temp` where there is a thermometer) or `gyro.csv` (`t,gx,gy,gz`) holds.
+    /// What `acc.csv` (`t,ax,ay,az`, and `temp` where there is a thermometer), `gyro.csv` (`t,gx,gy,gz`) or `mag.csv` (in µT) holds.
     ///
     /// # Errors
     /// Those of the writer.
@@ -31,6 +31,7 @@ impl Files<'_> {
         let (columns, temperature) = match sensor {
             Sensor::Accelerometer => ("t,ax,ay,az", self.simulation.thermometer()),
             Sensor::Gyroscope => ("t,gx,gy,gz", None),
+            Sensor::Magnetometer => ("t,mx (uT),my (uT),mz (uT)", None),
         };
         header(out, columns, temperature.as_ref())?;
         for sample in self.simulation.samples(sensor) {
@@ -74,15 +75,19 @@ impl Simulation {
         let mut write = |name: &str, sensor: Sensor| {
             into_new_file(dir, |out| files.readings(sensor, out)).map_err(|e| refuse(name, e))
         };
-        let acc = write(FILES[0], Sensor::Accelerometer)?;
-        let gyro = write(FILES[1], Sensor::Gyroscope)?;
+        let sensors = Sensor::ALL.into_iter().zip(FILES);
+        let mut written = Vec::new();
+        for (sensor, name) in sensors.filter(|(sensor, _)| self.has(*sensor)) {
+            written.push((write(name, sensor)?, name));
+        }
         let truth = files.truth();
         let json = into_new_file(dir, |out| {
             serde_json::to_writer_pretty(&mut *out, &truth)?;
             out.write_all(b"\n")
         })
-        .map_err(|e| refuse(FILES[2], e))?;
-        for (file, name) in [acc, gyro, json].into_iter().zip(FILES) {
+        .map_err(|e| refuse(FILES[3], e))?;
+        written.push((json, FILES[3]));
+        for (file, name) in written {
             publish(file, &dir.join(name), force).map_err(|e| refuse(name, e))?;
         }
         Ok(truth)

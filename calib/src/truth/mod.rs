@@ -23,7 +23,7 @@ use sensor::{Kinematics, Quantity, Sensor, Since};
 use crate::covariates::slope_at;
 use crate::error::Error;
 use crate::intervals::Segmentation;
-use crate::recording::{Recording, Stream};
+use crate::recording::Recording;
 
 pub use needs::{require, silent_at_static_intervals, without_instant};
 pub use sensing::{Models, Sensing};
@@ -182,7 +182,7 @@ impl<'a> Truth<'a> {
 
     /// The reading of a sensor at `t` and its slope; `None` without the sensor or without a model of it.
     fn seen(&self, sensor: Sensor, t: f64) -> Option<Seen> {
-        let stream = self.stream(sensor)?;
+        let stream = self.recording.stream(sensor)?;
         let sensing = self.models.get(sensor)?;
         let near = stream
             .t
@@ -198,13 +198,6 @@ impl<'a> Truth<'a> {
             reading: sensing.unit.to_si(&stream.at(t)?),
             slope: sensing.slope(&slope),
         })
-    }
-
-    fn stream(&self, sensor: Sensor) -> Option<&Stream> {
-        match sensor {
-            Sensor::Accelerometer => self.recording.accelerometer.as_ref(),
-            Sensor::Gyroscope => self.recording.gyroscope.as_ref(),
-        }
     }
 
     fn instant(

@@ -21,7 +21,7 @@ pub fn require(
     effect: &dyn AnyEffect,
 ) -> Result<(), Error> {
     for quantity in effect.needs() {
-        if own_signal(effect.sensor()) == quantity {
+        if Quantity::signal_of(effect.sensor()) == quantity {
             continue;
         }
         if let Some((why, advice)) = lacking(recording, intervals, models, quantity) {
@@ -33,13 +33,6 @@ pub fn require(
         }
     }
     Ok(())
-}
-
-fn own_signal(sensor: Sensor) -> Quantity {
-    match sensor {
-        Sensor::Accelerometer => Quantity::SpecificForce,
-        Sensor::Gyroscope => Quantity::AngularRate,
-    }
 }
 
 fn lacking(
@@ -81,6 +74,10 @@ fn lacking(
         Quantity::Time => None,
         Quantity::SpecificForce | Quantity::SpecificForceRate => force(),
         Quantity::AngularRate | Quantity::AngularAcceleration => rate(),
+        Quantity::MagneticField => Some((
+            "only the magnetometer's own effects see it",
+            "leave the effect out",
+        )),
         Quantity::Temperature | Quantity::TemperatureRate | Quantity::Warming => recording.temperature.is_none().then_some((
             "no temperature was recorded",
             "record it, or leave the effect out",

@@ -66,6 +66,8 @@ pub struct Models {
     pub accelerometer: Option<Sensing>,
     /// Of the gyroscope.
     pub gyroscope: Option<Sensing>,
+    /// Of the magnetometer.
+    pub magnetometer: Option<Sensing>,
 }
 
 impl Models {
@@ -75,6 +77,7 @@ impl Models {
         Self {
             accelerometer: of(Sensor::Accelerometer),
             gyroscope: of(Sensor::Gyroscope),
+            magnetometer: of(Sensor::Magnetometer),
         }
     }
 
@@ -83,12 +86,13 @@ impl Models {
         match sensor {
             Sensor::Accelerometer => self.accelerometer.as_ref(),
             Sensor::Gyroscope => self.gyroscope.as_ref(),
+            Sensor::Magnetometer => self.magnetometer.as_ref(),
         }
     }
 
-    /// The effects of both.
+    /// The effects of all.
     pub fn effects(&self) -> impl Iterator<Item = &'static dyn AnyEffect> + '_ {
-        [&self.accelerometer, &self.gyroscope]
+        [&self.accelerometer, &self.gyroscope, &self.magnetometer]
             .into_iter()
             .flatten()
             .flat_map(|sensing| sensing.model.effects().iter().copied())

@@ -33,6 +33,7 @@ fn perfect() -> Models {
             gyroscope::model(),
             crate::methods::RawUnit::SI,
         )),
+        ..Models::default()
     }
 }
 
@@ -162,6 +163,7 @@ fn what_cannot_be_known_is_refused_with_effect_and_quantity() {
         let sensing = match named(name).sensor() {
             Sensor::Accelerometer => models.accelerometer.as_mut(),
             Sensor::Gyroscope => models.gyroscope.as_mut(),
+            Sensor::Magnetometer => models.magnetometer.as_mut(),
         };
         let sensing = sensing.unwrap();
         sensing.model = sensing.model.clone().with(named(name));

@@ -32,6 +32,7 @@ pub struct Options<'py> {
     gyro_bias: String,
     nominal_rate: Option<f64>,
     clock: String,
+    field: Option<f64>,
     effects: Vec<String>,
     effect_files: Vec<PathBuf>,
     force_device: bool,
@@ -57,6 +58,7 @@ impl Options<'_> {
             },
             gravity: self.gravity,
             latitude: self.latitude,
+            field: self.field,
             altitude: self.altitude,
             detector: DetectorOptions {
                 multiplier: self.multiplier,

@@ -36,6 +36,7 @@ _DEFAULTS: dict[str, Any] = {
     "gyro_bias": "adjacent",
     "nominal_rate": None,
     "clock": "auto",
+    "field": None,
     "effects": [],
     "effect_files": [],
     "force_device": False,
@@ -87,7 +88,7 @@ def calibrate(
         progress: called as ``progress(stage, steps)`` at every step; what it raises ends the work.
         more: first_order, multiplier, min_static (s), min_dynamic (s), window (s), initial_static (s), sections (lists of
             (begin, end), s), leave_out (static intervals to leave out, each as (recording from 1, an instant within it, s)),
-            gyro_recordings, frame, integrator, gyro_bias, nominal_rate (Hz), clock, force_device: as the
+            gyro_recordings, frame, integrator, gyro_bias, nominal_rate (Hz), clock, field (µT), force_device: as the
             command's options of these names.
 
     Raises:

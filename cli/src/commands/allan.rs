@@ -72,7 +72,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         let plots = sensors(&summary).map(|(_, s, noise)| plot(s, noise));
         let names = sensors(&summary).map(|(_, s, _)| match s {
             Sensor::Gyroscope => PLOTS[0],
-            Sensor::Accelerometer => PLOTS[1],
+            Sensor::Accelerometer | Sensor::Magnetometer => PLOTS[1],
         });
         let plots = named(names, plots);
         pictures.write(&plots, &report(&summary, &args.recording, &plots))?;
@@ -139,6 +139,7 @@ fn human(term: NoiseTerm, sensor: Sensor) -> (&'static str, f64) {
         (NoiseTerm::BiasInstability, Sensor::Accelerometer) => ("mg", mg),
         (NoiseTerm::RandomWalk, Sensor::Accelerometer) => ("mg/√h", 60.0 * mg),
         (NoiseTerm::Ramp, Sensor::Accelerometer) => ("mg/h", 3600.0 * mg),
+        (_, Sensor::Magnetometer) => (term.unit(sensor), 1.0),
     }
 }
 
@@ -248,6 +249,7 @@ fn plot(sensor: Sensor, noise: &SensorNoise) -> Plot {
     let (name, unit) = match sensor {
         Sensor::Gyroscope => ("gyroscope", "rad/s"),
         Sensor::Accelerometer => ("accelerometer", "m/s²"),
+        Sensor::Magnetometer => ("magnetometer", "µT"),
     };
     let mut plot = Plot::new(
         format!("Allan deviation of the {name}"),

@@ -99,6 +99,10 @@ pub struct Args {
     /// By which clock the turns are integrated
     #[arg(long, value_enum, default_value_t = ClockArg::Auto)]
     clock: ClockArg,
+    /// Strength of the magnetic field of the place, µT: the magnetometer's scale is then absolute, else its `T` has
+    /// determinant 1
+    #[arg(long, value_name = "UT")]
+    field: Option<f64>,
     /// Table of static intervals picked by hand, for each recording in turn (columns `t0,t1` or
     /// `start,stop`)
     #[arg(long, value_name = "FILE")]
@@ -452,6 +456,7 @@ fn request(args: &Args) -> Result<Request, Failure> {
         latitude: args.place.latitude,
         force_device: args.force_device,
         clock: args.clock.mode(),
+        field: args.field,
         static_means,
     })
 }

@@ -173,6 +173,7 @@ impl<'a> Facts<'a> {
         match sensor {
             Sensor::Accelerometer => self.recording.accelerometer.as_ref(),
             Sensor::Gyroscope => self.recording.gyroscope.as_ref(),
+            Sensor::Magnetometer => None,
         }
     }
 
@@ -318,7 +319,7 @@ impl<'a> Facts<'a> {
         if let Some(field) = &self.recording.magnetometer {
             let _ = writeln!(
                 text,
-                "magnetometer: {} readings at {:.2} Hz in {} from {}, kept as they are: no calibration uses them",
+                "magnetometer: {} readings at {:.2} Hz in {} from {}, kept as they are",
                 field.stream.len(),
                 Clock::of(&field.stream).map_or(0.0, |clock| clock.rate),
                 field

@@ -7,7 +7,7 @@ use sensor::Sensor;
 
 use super::inputs::spinner;
 use crate::exit::{Failure, USAGE};
-use crate::output::{Folder, Output, Replace};
+use crate::output::{Filled, Folder, Output, Replace};
 use crate::show;
 
 /// Simulates a recording with known truth: motion, sensor errors, noise, effects, faults.
@@ -71,19 +71,23 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         let inputs = [spec.as_path()];
         Output::claim(&folder.join(name), args.replace, &inputs)
     };
-    let [acc, gyro, json] = FILES.map(claim);
-    let (acc, gyro, json) = (acc?, gyro?, json?);
+    let sensors = Sensor::ALL.into_iter().zip(FILES);
+    let sensors = sensors.filter(|(sensor, _)| simulation.has(*sensor));
+    let readings: Vec<(Sensor, Output)> = sensors
+        .map(|(sensor, name)| Ok((sensor, claim(name)?)))
+        .collect::<Result<_, Failure>>()?;
+    let json = claim(FILES[3])?;
     args.replace.end_if_all_exist()?;
     let progress = spinner("simulating");
     let mut files = simulation.files();
-    let acc = acc.fill(|out| files.readings(Sensor::Accelerometer, out))?;
-    let gyro = gyro.fill(|out| files.readings(Sensor::Gyroscope, out))?;
+    let mut filled = Vec::new();
+    for (sensor, output) in readings {
+        filled.push(output.fill(|out| files.readings(sensor, out))?);
+    }
     let truth = files.truth();
     let document = show::json(&truth)?;
-    let json = json.fill(|out| out.write_all(document.as_bytes()))?;
-    for filled in [acc, gyro, json] {
-        filled.publish()?;
-    }
+    filled.push(json.fill(|out| out.write_all(document.as_bytes()))?);
+    filled.into_iter().try_for_each(Filled::publish)?;
     progress.finish_and_clear();
     show::print(&show::wrapped(&format!(
         "{}: {:.0} s, {} placements, seed {}, effects: {}",

@@ -2,11 +2,12 @@
 
 use calib::Calibration;
 use calib::calibration::Triad;
+use sensor::Sensor;
 
 use super::coverage::{self, Coverage};
 use super::session::Session;
 use super::{noise, parameters, provenance, quantiles, residuals, verdict};
-use crate::commands::tables::{PARAMETERS, over_noise, parameters as rows};
+use crate::commands::tables::{PARAMETERS, field, field_unit, over_noise, parameters as rows};
 use crate::commands::{left_out, limits};
 use crate::exit::Failure;
 use crate::report::{Picture, Report, ReportTable};
@@ -106,23 +107,25 @@ pub fn page(
         report.section("Placements and parameters"),
         &["coverage", "parameters"],
     );
-    for (heading, triad, unit, prefix) in [
+    for (kind, heading, unit) in [
         (
+            Sensor::Accelerometer,
             "Accelerometer, a = T (A − b)",
-            &calibration.accelerometer,
             units[0],
-            "accel",
         ),
+        (Sensor::Gyroscope, "Gyroscope, w = T (W − b)", units[1]),
         (
-            "Gyroscope, w = T (W − b)",
-            &calibration.gyroscope,
-            units[1],
-            "gyro",
+            Sensor::Magnetometer,
+            "Magnetometer, m = T (M − b)",
+            field_unit(calibration),
         ),
     ] {
-        if let Some(triad) = triad {
-            report = sensor(report, heading, triad, unit, prefix);
+        if let Some(triad) = calibration.triad(kind) {
+            report = sensor(report, heading, triad, unit, kind);
         }
+    }
+    if calibration.magnetic_field.is_some() {
+        report = report.text(field(calibration).trim_end());
     }
     report = effects(report, calibration);
     report = left_out(report, calibration, units);
@@ -159,9 +162,9 @@ fn names(session: &Session<'_>) -> String {
     }
 }
 
-fn sensor(report: Report, heading: &str, triad: &Triad, unit: &str, prefix: &str) -> Report {
+fn sensor(report: Report, heading: &str, triad: &Triad, unit: &str, kind: Sensor) -> Report {
     let mut table = ReportTable::new(PARAMETERS);
-    for row in rows(triad, unit, prefix) {
+    for row in rows(triad, unit, kind) {
         table.row(row);
     }
     let mut report = report.folded(heading).table(table).text(format!(

@@ -4,6 +4,7 @@ use calib::Calibration;
 use calib::calibrate::STANDARD_GRAVITY;
 use calib::calibration::Triad;
 
+use crate::commands::tables::field_unit;
 use crate::report::{Figure, Group, Picture, Row};
 use crate::show;
 
@@ -46,7 +47,20 @@ fn sensors(calibration: &Calibration) -> Vec<Sensor<'_>> {
         // A brisk turn by hand.
         at: 1.0,
     });
-    accelerometer.into_iter().chain(gyroscope).collect()
+    let magnetometer = calibration.magnetometer.as_ref().map(|triad| Sensor {
+        name: "magnetometer",
+        angle: "gamma",
+        scale: scale(triad),
+        triad,
+        bias: (field_unit(calibration), 1.0),
+        // The earth's field.
+        at: calibration
+            .magnetic_field
+            .as_ref()
+            .map_or(50.0, |field| field.last.strength),
+    });
+    let all = accelerometer.into_iter().chain(gyroscope);
+    all.chain(magnetometer).collect()
 }
 
 /// All parameters, an axis for each unit.
@@ -127,7 +141,11 @@ pub fn correlation(calibration: &Calibration) -> Option<Picture> {
     };
     let rows = covariance.iter().enumerate().map(row).collect();
     let names = calibration.parameters.iter().map(|name| {
-        let short = name.replacen("accel.", "a.", 1).replacen("gyro.", "g.", 1);
+        let short = [("accel.", "a."), ("gyro.", "g."), ("mag.", "m.")]
+            .into_iter()
+            .fold(name.clone(), |name, (long, short)| {
+                name.replacen(long, short, 1)
+            });
         show::printable(&short).into_owned()
     });
     let title = "Correlations of the parameters".to_owned();
@@ -177,10 +195,10 @@ pub fn weakest(calibration: &Calibration) -> Option<Figure> {
     let note = format!(
         "{name}, 95 % interval: {} % of {}",
         figures(HALF * 100.0 * share),
-        if name.starts_with('a') {
-            "one g"
-        } else {
-            "a turn at 1 rad/s"
+        match name.chars().next() {
+            Some('a') => "one g",
+            Some('g') => "a turn at 1 rad/s",
+            _ => "the magnetic field",
         }
     );
     Some(Figure::new("Weakest parameter", text, note))

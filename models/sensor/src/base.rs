@@ -78,10 +78,7 @@ impl Base<f64> {
 
 /// The names of the twelve parameters: `accel.s_x`, `accel.alpha_yz`, `gyro.beta_yz`, `gyro.b_x` …
 pub fn base_names(sensor: Sensor) -> [String; BASE_PARAMETERS] {
-    let angle = match sensor {
-        Sensor::Accelerometer => "alpha",
-        Sensor::Gyroscope => "beta",
-    };
+    let angle = sensor.misalignment();
     [
         "s_x", "s_y", "s_z", "yz", "zy", "xz", "zx", "xy", "yx", "b_x", "b_y", "b_z",
     ]

@@ -39,7 +39,7 @@ pub enum Covariate {
 }
 
 /// What a product of covariates is measured in: powers of (m/s², rad/s, rad/s², s, K).
-pub(crate) type Dimension = [i32; 5];
+pub(crate) type Dimension = [i32; 6];
 
 impl Covariate {
     /// Every one of them.
@@ -137,14 +137,14 @@ impl Covariate {
 
     pub(crate) fn dimension(self) -> Dimension {
         match self {
-            Self::SpecificForce(_) => [1, 0, 0, 0, 0],
-            Self::AngularRate(_) => [0, 1, 0, 0, 0],
-            Self::AngularAcceleration(_) => [0, 0, 1, 0, 0],
-            Self::Vibration(_) => [2, 0, 0, 0, 0],
-            Self::LastChange(_) | Self::Warming | Self::LastTurn(_) => [0; 5],
-            Self::Time | Self::SinceTurn => [0, 0, 0, 1, 0],
-            Self::Temperature | Self::TemperatureChange => [0, 0, 0, 0, 1],
-            Self::TemperatureRate => [0, 0, 0, -1, 1],
+            Self::SpecificForce(_) => [1, 0, 0, 0, 0, 0],
+            Self::AngularRate(_) => [0, 1, 0, 0, 0, 0],
+            Self::AngularAcceleration(_) => [0, 0, 1, 0, 0, 0],
+            Self::Vibration(_) => [2, 0, 0, 0, 0, 0],
+            Self::LastChange(_) | Self::Warming | Self::LastTurn(_) => [0; 6],
+            Self::Time | Self::SinceTurn => [0, 0, 0, 1, 0, 0],
+            Self::Temperature | Self::TemperatureChange => [0, 0, 0, 0, 1, 0],
+            Self::TemperatureRate => [0, 0, 0, -1, 1, 0],
         }
     }
 }

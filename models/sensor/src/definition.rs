@@ -202,6 +202,7 @@ impl Definition {
         let letter = match self.sensor {
             Sensor::Accelerometer => "A",
             Sensor::Gyroscope => "W",
+            Sensor::Magnetometer => "M",
         };
         let written = Axis::ALL
             .iter()

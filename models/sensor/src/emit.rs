@@ -44,6 +44,7 @@ fn sensor_words(sensor: Sensor) -> (&'static str, &'static str, &'static str) {
     match sensor {
         Sensor::Accelerometer => ("an accelerometer", "Accelerometer", "m/s²"),
         Sensor::Gyroscope => ("a gyroscope", "Gyroscope", "rad/s"),
+        Sensor::Magnetometer => ("a magnetometer", "Magnetometer", "µT"),
     }
 }
 

@@ -85,8 +85,9 @@ impl Term {
     /// Unit of the coefficient on `sensor`.
     pub fn unit(&self, sensor: Sensor) -> String {
         let mut net: Dimension = match sensor {
-            Sensor::Accelerometer => [1, 0, 0, 0, 0],
-            Sensor::Gyroscope => [0, 1, 0, 0, 0],
+            Sensor::Accelerometer => [1, 0, 0, 0, 0, 0],
+            Sensor::Gyroscope => [0, 1, 0, 0, 0, 0],
+            Sensor::Magnetometer => [0, 0, 0, 0, 0, 1],
         };
         for factor in &self.factors {
             let own = factor.covariate.dimension();
@@ -109,7 +110,7 @@ impl Term {
 
 /// `m/s^2/K`, `1/(rad/s)^2`: first what is above the line, then what is below.
 fn unit(net: &Dimension) -> String {
-    let names = ["m/s^2", "rad/s", "rad/s^2", "s", "K"];
+    let names = ["m/s^2", "rad/s", "rad/s^2", "s", "K", "uT"];
     let power = |name: &str, n: i32| match (n, name.contains('/')) {
         (1, _) => name.to_owned(),
         (_, true) => format!("({name})^{n}"),

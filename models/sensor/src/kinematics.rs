@@ -14,22 +14,56 @@ pub enum Sensor {
     Accelerometer,
     /// Measures angular rate.
     Gyroscope,
+    /// Measures the magnetic field.
+    Magnetometer,
 }
 
 impl Sensor {
-    /// `accelerometer` or `gyroscope`: the sensor in words.
+    /// Every kind of sensor, in the order in which results list them.
+    pub const ALL: [Self; 3] = [Self::Accelerometer, Self::Gyroscope, Self::Magnetometer];
+
+    /// `accelerometer`, `gyroscope` or `magnetometer`: the sensor in words.
     pub fn name(self) -> &'static str {
         match self {
             Self::Accelerometer => "accelerometer",
             Self::Gyroscope => "gyroscope",
+            Self::Magnetometer => "magnetometer",
         }
     }
 
-    /// `accel` or `gyro`: the prefix of parameter names.
+    /// `accel`, `gyro` or `mag`: the prefix of parameter names.
     pub fn prefix(self) -> &'static str {
         match self {
             Self::Accelerometer => "accel",
             Self::Gyroscope => "gyro",
+            Self::Magnetometer => "mag",
+        }
+    }
+
+    /// Unit of the signal. Of a magnetic field it is that of the readings, microtesla where that is known.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Accelerometer => "m/s^2",
+            Self::Gyroscope => "rad/s",
+            Self::Magnetometer => "uT",
+        }
+    }
+
+    /// The name of a misalignment: the letter before its two axes.
+    pub fn misalignment(self) -> &'static str {
+        match self {
+            Self::Accelerometer => "alpha",
+            Self::Gyroscope => "beta",
+            Self::Magnetometer => "gamma",
+        }
+    }
+
+    /// The equation of the base model, small letters corrected, capital ones read.
+    pub fn equation(self) -> &'static str {
+        match self {
+            Self::Accelerometer => "a = T (A - b)",
+            Self::Gyroscope => "w = T (W - b)",
+            Self::Magnetometer => "m = T (M - b)",
         }
     }
 }
@@ -46,6 +80,8 @@ pub struct Kinematics<D> {
     pub specific_force: Vector3<D>,
     /// Angular rate `ω`, rad/s.
     pub angular_rate: Vector3<D>,
+    /// Magnetic field `m`, in the unit of the magnetometer's readings; zero where nobody knows it.
+    pub magnetic_field: Vector3<D>,
     /// Time since the start of the recording, s.
     pub time: f64,
     /// Temperature, °C.
@@ -123,6 +159,7 @@ impl<D: Scalar> Kinematics<D> {
         Self {
             specific_force,
             angular_rate,
+            magnetic_field: Vector3::from_element(lit(0.0)),
             time: 0.0,
             temperature: REFERENCE_TEMPERATURE,
             angular_acceleration: Vector3::zeros(),
@@ -147,6 +184,7 @@ impl<D: Scalar> Kinematics<D> {
         Kinematics {
             specific_force: self.specific_force.map(|v| lit(v.re())),
             angular_rate: self.angular_rate.map(|v| lit(v.re())),
+            magnetic_field: self.magnetic_field.map(|v| lit(v.re())),
             time: self.time,
             temperature: self.temperature,
             angular_acceleration: self.angular_acceleration,
@@ -177,6 +215,7 @@ impl<D: Scalar> Kinematics<D> {
         match sensor {
             Sensor::Accelerometer => self.specific_force,
             Sensor::Gyroscope => self.angular_rate,
+            Sensor::Magnetometer => self.magnetic_field,
         }
     }
 
@@ -191,6 +230,10 @@ impl<D: Scalar> Kinematics<D> {
                 angular_rate: signal,
                 ..*self
             },
+            Sensor::Magnetometer => Self {
+                magnetic_field: signal,
+                ..*self
+            },
         }
     }
 }
@@ -201,6 +244,7 @@ impl Kinematics<f64> {
         Kinematics {
             specific_force: self.specific_force.map(lit),
             angular_rate: self.angular_rate.map(lit),
+            magnetic_field: self.magnetic_field.map(lit),
             time: self.time,
             temperature: self.temperature,
             angular_acceleration: self.angular_acceleration,

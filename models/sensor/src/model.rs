@@ -49,10 +49,7 @@ impl Model {
 
     /// Names, units and nominal values of all parameters: `accel.s_x`, …, `gyro_g_sensitivity.xx`.
     pub fn parameters(&self) -> Parameters {
-        let unit = match self.sensor {
-            Sensor::Accelerometer => "m/s^2",
-            Sensor::Gyroscope => "rad/s",
-        };
+        let unit = self.sensor.unit();
         let mut parameters = Parameters::new();
         let nominal = Base::identity().parameters();
         for (k, name) in base_names(self.sensor).into_iter().enumerate() {

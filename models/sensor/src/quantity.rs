@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use crate::attitude::Attitude;
 use crate::covariate::Covariate;
 use crate::effect::AnyEffect;
-use crate::kinematics::{Kinematics, Since};
+use crate::kinematics::{Kinematics, Sensor, Since};
 
 /// A field of [`Kinematics`]: what an effect can need.
 ///
@@ -22,6 +22,8 @@ pub enum Quantity {
     SpecificForce,
     /// Angular rate, rad/s.
     AngularRate,
+    /// Magnetic field, in the unit of the magnetometer's readings.
+    MagneticField,
     /// Time since the start of the recording, s.
     Time,
     /// Temperature, °C.
@@ -48,9 +50,10 @@ pub enum Quantity {
 
 impl Quantity {
     /// Every one of them.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::SpecificForce,
         Self::AngularRate,
+        Self::MagneticField,
         Self::Time,
         Self::Temperature,
         Self::AngularAcceleration,
@@ -63,6 +66,15 @@ impl Quantity {
         Self::SinceTurn,
         Self::Attitude,
     ];
+
+    /// What a sensor measures.
+    pub fn signal_of(sensor: Sensor) -> Self {
+        match sensor {
+            Sensor::Accelerometer => Self::SpecificForce,
+            Sensor::Gyroscope => Self::AngularRate,
+            Sensor::Magnetometer => Self::MagneticField,
+        }
+    }
 
     /// The quantity that a covariate of an expression is a component of.
     pub fn of(covariate: Covariate) -> Self {
@@ -112,6 +124,7 @@ impl Quantity {
         match self {
             Self::SpecificForce => other.specific_force += step(1.3, -2.1, 1.7),
             Self::AngularRate => other.angular_rate += step(0.7, 1.1, -0.9),
+            Self::MagneticField => other.magnetic_field += step(13.0, -21.0, 17.0),
             Self::Time => other.time += 70.0 * size,
             Self::Temperature => other.temperature += 9.0 * size,
             Self::AngularAcceleration => other.angular_acceleration += step(2.3, -1.9, 3.1),
@@ -154,6 +167,7 @@ impl fmt::Display for Quantity {
         f.write_str(match self {
             Self::SpecificForce => "specific force",
             Self::AngularRate => "angular rate",
+            Self::MagneticField => "magnetic field",
             Self::Time => "time",
             Self::Temperature => "temperature",
             Self::AngularAcceleration => "angular acceleration",
@@ -243,6 +257,7 @@ fn instant(k: u8) -> Kinematics<f64> {
             to: 4.0 * part,
         },
         attitude: Attitude::exp(&(Vector3::new(0.3, -0.5, 0.7) * (sign * part))),
+        magnetic_field: Vector3::new(20.0, -30.0, 25.0) * (sign * part),
         ..Kinematics::new(
             Vector3::new(6.0, -5.0, 4.0) * (sign * part),
             Vector3::new(-1.0, 2.0, 3.0) * (sign * part),

@@ -306,11 +306,7 @@ fn drifts(simulation: &Simulation, walks: bool, fit: &JointFit) -> [Vector3<f64>
 }
 
 fn span(chunk: &Chunk, sensor: Sensor) -> Option<Span> {
-    let mean = match sensor {
-        Sensor::Accelerometer => chunk.accelerometer,
-        Sensor::Gyroscope => chunk.gyroscope,
-    };
-    mean.map(|m| m.span)
+    chunk.mean(sensor).map(|m| m.span)
 }
 
 fn figures_of(

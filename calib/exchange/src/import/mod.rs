@@ -32,6 +32,8 @@ fn calibration(
         method: tool.into(),
         accelerometer: Some(triad("a = T (A - b)", accelerometer)),
         gyroscope: Some(triad("w = T (W - b)", gyroscope)),
+        magnetometer: None,
+        magnetic_field: None,
         effects: effects.map(of_g_sensitivity).into_iter().collect(),
         parameters: Vec::new(),
         covariance: Vec::new(),

@@ -60,6 +60,7 @@ fn function(source: &Source<'_>, sensor: Sensor, base: &Base<f64>) -> Result<Str
     let (name, unit, small) = match sensor {
         Sensor::Accelerometer => ("accelerometer", "m/s^2", "mm/s^2"),
         Sensor::Gyroscope => ("gyroscope", "rad/s", "urad/s"),
+        Sensor::Magnetometer => ("magnetometer", source.field_unit(), "nT"),
     };
     let reading = source.unit(sensor).unwrap_or_default();
     let g = source.g_sensitivity.filter(|_| sensor == Sensor::Gyroscope);
@@ -98,6 +99,7 @@ fn function(source: &Source<'_>, sensor: Sensor, base: &Base<f64>) -> Result<Str
         let scale = match sensor {
             Sensor::Accelerometer => 1e3,
             Sensor::Gyroscope => 1e6,
+            Sensor::Magnetometer => 1e3,
         };
         text.push_str(&integers(base, name, small, scale)?);
     }

@@ -37,6 +37,7 @@ impl Target for RustModule {
         let sensors = [
             (Sensor::Accelerometer, &source.accelerometer),
             (Sensor::Gyroscope, &source.gyroscope),
+            (Sensor::Magnetometer, &source.magnetometer),
         ];
         for (sensor, base) in sensors {
             if let Some(base) = base {
@@ -51,6 +52,7 @@ fn module(source: &Source<'_>, sensor: Sensor, base: &Base<f64>) -> String {
     let (name, unit) = match sensor {
         Sensor::Accelerometer => ("accelerometer", "m/s^2"),
         Sensor::Gyroscope => ("gyroscope", "rad/s"),
+        Sensor::Magnetometer => ("magnetometer", source.field_unit()),
     };
     let upper = name.to_uppercase();
     let reading = source.unit(sensor).unwrap_or_default();

@@ -17,6 +17,7 @@ pub fn refuse_unknowable<'a>(
     let models = Models {
         accelerometer: first(accelerometer::model()),
         gyroscope: first(gyroscope::model()),
+        magnetometer: first(magnetometer::model()),
     };
     for effect in effects {
         silent_at_static_intervals(*effect)?;
@@ -24,11 +25,7 @@ pub fn refuse_unknowable<'a>(
     }
     for (recording, segmentation) in recordings {
         for effect in effects {
-            let own = match effect.sensor() {
-                Sensor::Accelerometer => &recording.accelerometer,
-                Sensor::Gyroscope => &recording.gyroscope,
-            };
-            if own.is_some() {
+            if recording.stream(effect.sensor()).is_some() {
                 require(recording, Some(segmentation), &models, *effect)?;
             }
         }

@@ -79,7 +79,7 @@ impl fmt::Display for Change {
                 "the accelerometer's scale factor on all axes changes by {:+.2} % {place}: another unit or range",
                 100.0 * share
             ),
-            Kind::Scale(Sensor::Gyroscope, None, share) => write!(
+            Kind::Scale(Sensor::Gyroscope | Sensor::Magnetometer, None, share) => write!(
                 f,
                 "the gyroscope's scale factor on all axes changes by {:+.2} % {place}: another range, or a clock \
                  that runs at another rate from there on",

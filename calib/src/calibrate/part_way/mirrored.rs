@@ -61,7 +61,7 @@ pub(super) fn change(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Option<Chan
                     let each = as_read.iter().zip(turns);
                     each.map(|(c, turn)| miss(c, turn, m)).collect()
                 }
-                Sensor::Gyroscope => {
+                Sensor::Gyroscope | Sensor::Magnetometer => {
                     let each = turns.iter();
                     each.map(|turn| miss(&turn.rates.rotation(&(start * m)), turn, &one))
                         .collect()

@@ -161,6 +161,7 @@ pub fn name_of(sensor: Sensor) -> &'static str {
     match sensor {
         Sensor::Accelerometer => "accel_proposed",
         Sensor::Gyroscope => "gyro_proposed",
+        Sensor::Magnetometer => "mag_proposed",
     }
 }
 

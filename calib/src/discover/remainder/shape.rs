@@ -173,7 +173,7 @@ fn fine_orientation<'a>(sensor: Sensor) -> Vec<Way<'a>> {
             }),
             None,
         )],
-        Sensor::Gyroscope => (0..3)
+        Sensor::Gyroscope | Sensor::Magnetometer => (0..3)
             .map(|axis| -> Way<'a> {
                 (
                     16,

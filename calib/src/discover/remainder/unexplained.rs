@@ -217,7 +217,7 @@ fn of_shape(family: &Family, ranked: &Ranked) -> Trial {
 fn channel_at_rest(sensor: Sensor) -> Channel {
     match sensor {
         Sensor::Accelerometer => Channel::StaticNorm,
-        Sensor::Gyroscope => Channel::StaticRate,
+        Sensor::Gyroscope | Sensor::Magnetometer => Channel::StaticRate,
     }
 }
 
@@ -237,10 +237,8 @@ fn slopes(state: &State, sensor: Sensor, noise: BiasNoise) -> (f64, f64) {
     let (mut chi2, mut dof) = (0.0, 0.0);
     for chunk in data.chunks.iter().filter(|chunk| !disturbed(chunk)) {
         let source = &data.sources[data.rests[chunk.rest].recording];
-        let (mean, white, place) = match sensor {
-            Sensor::Accelerometer => (chunk.accelerometer, source.accelerometer, 0),
-            Sensor::Gyroscope => (chunk.gyroscope, source.gyroscope, 1),
-        };
+        let (mean, white) = (chunk.mean(sensor), source.noise(sensor));
+        let place = usize::from(sensor != Sensor::Accelerometer);
         if let (Some(mean), Some(white)) = (mean, white) {
             let length = mean.span.length();
             let of_bias = |axis| noise.slope_variance(place, axis, length);

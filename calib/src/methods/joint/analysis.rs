@@ -193,7 +193,7 @@ impl Analysis {
                 self.white.apply(columns.as_mut());
                 (ComponentKind::ForceOfOrientation, columns)
             }
-            Sensor::Gyroscope => {
+            Sensor::Gyroscope | Sensor::Magnetometer => {
                 let shifts = self.rate_shifts(rows);
                 let stacked =
                     Mat::from_fn(3 * errors.len(), count, |i, c| errors[i / 3][(i % 3, c)]);

@@ -63,22 +63,13 @@ fn carried_over(c: &Mat<f64>, total: &Mat<f64>, shares: &Mat<f64>) -> Mat<f64> {
 
 /// `A` (`3 recordings × m`) for rows that the white noise has whitened.
 fn shares(rows: &Rows<'_>, sensor: Sensor, white: &White) -> Mat<f64> {
-    let length = |chunk: &Chunk| {
-        let mean = match sensor {
-            Sensor::Accelerometer => chunk.accelerometer,
-            Sensor::Gyroscope => chunk.gyroscope,
-        };
-        mean.map_or(0.0, |m| m.span.length())
-    };
+    let length = |chunk: &Chunk| chunk.mean(sensor).map_or(0.0, |m| m.span.length());
     let recording = |chunk: &Chunk| rows.data.rests[chunk.rest].recording;
     let mut sums = vec![0.0; rows.data.sources.len()];
     for (_, chunk) in rows.means(sensor) {
         sums[recording(chunk)] += length(chunk);
     }
-    let first = match sensor {
-        Sensor::Accelerometer => 0,
-        Sensor::Gyroscope => rows.first_rate_row(),
-    };
+    let first = rows.first_row(sensor);
     let mut shares = Mat::zeros(3 * sums.len(), rows.count());
     for (k, (_, chunk)) in rows.means(sensor).enumerate() {
         let place = recording(chunk);

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use nalgebra::Vector3;
-use sensor::Kinematics;
+use sensor::{Kinematics, Sensor};
 
 use super::broken::{Beside, Pair, touched};
 use super::clock::{ClockMode, SourceClock, TurnClock, clocks_behind, window};
@@ -62,6 +62,17 @@ pub struct Chunk {
     pub temperature: Option<f64>,
     /// Its derivative, K/s, and whether it rises (1) or falls (−1).
     pub thermal: [f64; 2],
+}
+
+impl Chunk {
+    /// The mean of a sensor; the joint estimate has none of a magnetometer.
+    pub fn mean(&self, sensor: Sensor) -> Option<Mean> {
+        match sensor {
+            Sensor::Accelerometer => self.accelerometer,
+            Sensor::Gyroscope => self.gyroscope,
+            Sensor::Magnetometer => None,
+        }
+    }
 }
 
 /// A static interval: one direction of specific force.
@@ -142,6 +153,17 @@ pub struct Source {
     pub timing: f64,
     /// Scatter of the turns that is allowed for while the clock is fitted, rad.
     pub floor: f64,
+}
+
+impl Source {
+    /// The noise of a sensor, near SI units.
+    pub fn noise(&self, sensor: Sensor) -> Option<SensorNoise> {
+        match sensor {
+            Sensor::Accelerometer => self.accelerometer,
+            Sensor::Gyroscope => self.gyroscope,
+            Sensor::Magnetometer => None,
+        }
+    }
 }
 
 /// All recordings.

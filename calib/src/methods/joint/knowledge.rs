@@ -14,7 +14,7 @@ pub fn by_units<'a>(cut: &Cut<'a>) -> Truth<'a> {
     let first = |sensor, unit: &RawUnit| Some(Sensing::first(Model::base(sensor), *unit));
     let models = Models {
         accelerometer: first(Sensor::Accelerometer, cut.force_unit),
-        gyroscope: None,
+        ..Models::default()
     };
     Truth::as_far_as_known(cut.recording, Some(cut.segmentation), models)
 }
@@ -31,6 +31,7 @@ pub fn by_models<'a>(cut: &Cut<'a>, force: NearSi<'_>, rate: NearSi<'_>) -> Trut
     let models = Models {
         accelerometer: sensing(force, cut.force_unit),
         gyroscope: sensing(rate, cut.rate_unit),
+        ..Models::default()
     };
     Truth::as_far_as_known(cut.recording, Some(cut.segmentation), models)
 }

@@ -67,7 +67,9 @@ impl Layout {
     pub fn columns(&self, sensor: Sensor, recording: usize) -> Vec<usize> {
         let (first, count, own) = match sensor {
             Sensor::Accelerometer => (0, self.accelerometer, self.own_force_bias.then_some(0)),
-            Sensor::Gyroscope => (self.accelerometer, self.gyroscope, Some(self.own_force())),
+            Sensor::Gyroscope | Sensor::Magnetometer => {
+                (self.accelerometer, self.gyroscope, Some(self.own_force()))
+            }
         };
         let mut columns: Vec<usize> = (first..first + count).collect();
         if let Some(own) = own.filter(|_| recording + 1 < self.recordings && count > 0) {

@@ -103,14 +103,8 @@ impl At<'_> {
     /// The rows of a sensor's chunks in a rest: first row, mean, variance of the mean.
     fn chunks(&self, sensor: Sensor, rest: usize) -> Vec<(usize, Mean, Vector3<f64>)> {
         let source = &self.rows.data.sources[self.rows.data.rests[rest].recording];
-        let (first, own) = match sensor {
-            Sensor::Accelerometer => (0, source.accelerometer),
-            Sensor::Gyroscope => (self.rows.first_rate_row(), source.gyroscope),
-        };
-        let mean = |chunk: &Chunk| match sensor {
-            Sensor::Accelerometer => chunk.accelerometer,
-            Sensor::Gyroscope => chunk.gyroscope,
-        };
+        let (first, own) = (self.rows.first_row(sensor), source.noise(sensor));
+        let mean = |chunk: &Chunk| chunk.mean(sensor);
         self.rows
             .means(sensor)
             .enumerate()
@@ -131,7 +125,9 @@ impl At<'_> {
                 let base = Base::from_parameters(&p);
                 vec![base.t.transpose() * self.rows.direction(self.x, rest)]
             }
-            Sensor::Gyroscope => (0..3).map(|k| Vector3::ith(k, 1.0)).collect(),
+            Sensor::Gyroscope | Sensor::Magnetometer => {
+                (0..3).map(|k| Vector3::ith(k, 1.0)).collect()
+            }
         }
     }
 

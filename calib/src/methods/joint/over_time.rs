@@ -26,10 +26,7 @@ impl JointFit {
     /// How much a bias moved in a recording: the slope of the readings at rest over time, beside everything that was fitted,
     /// walks counted as noise. `None` with fewer than two static intervals.
     pub fn bias_motion(&self, sensor: Sensor, recording: usize) -> Option<BiasMotion> {
-        let mean = |chunk: &Chunk| match sensor {
-            Sensor::Accelerometer => chunk.accelerometer,
-            Sensor::Gyroscope => chunk.gyroscope,
-        };
+        let mean = |chunk: &Chunk| chunk.mean(sensor);
         let own = |chunk: &Chunk| self.data.rests[chunk.rest].recording == recording;
         let chunks: Vec<Mean> = self
             .data
@@ -53,9 +50,10 @@ impl JointFit {
             return None;
         }
         let mut columns = Mat::zeros(self.residuals.len(), 3);
-        let mut row = match sensor {
-            Sensor::Accelerometer => 0,
-            Sensor::Gyroscope => self.first_rows[0],
+        let mut row = if sensor == Sensor::Accelerometer {
+            0
+        } else {
+            self.first_rows[0]
         };
         for chunk in &self.data.chunks {
             let Some(m) = mean(chunk) else { continue };

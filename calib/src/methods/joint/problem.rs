@@ -87,6 +87,14 @@ impl<'a> Rows<'a> {
         self.count() - 2 * self.data.turns.len()
     }
 
+    /// First row of a sensor's means.
+    pub fn first_row(&self, sensor: Sensor) -> usize {
+        match sensor {
+            Sensor::Accelerometer => 0,
+            Sensor::Gyroscope | Sensor::Magnetometer => self.first_rate_row(),
+        }
+    }
+
     /// First row of the gyroscope's means.
     pub fn first_rate_row(&self) -> usize {
         3 * self.means(Sensor::Accelerometer).count()
@@ -98,10 +106,7 @@ impl<'a> Rows<'a> {
             .chunks
             .iter()
             .enumerate()
-            .filter(move |(_, chunk)| match sensor {
-                Sensor::Accelerometer => chunk.accelerometer.is_some(),
-                Sensor::Gyroscope => chunk.gyroscope.is_some(),
-            })
+            .filter(move |(_, chunk)| chunk.mean(sensor).is_some())
     }
 
     /// The model of a sensor, and its mean over a chunk with samples of it.
@@ -110,10 +115,11 @@ impl<'a> Rows<'a> {
         sensor: Sensor,
         chunk: &Chunk,
     ) -> (&'a Model, Option<Mean>) {
-        match sensor {
-            Sensor::Accelerometer => (self.accelerometer, chunk.accelerometer),
-            Sensor::Gyroscope => (self.gyroscope, chunk.gyroscope),
-        }
+        let model = match sensor {
+            Sensor::Accelerometer => self.accelerometer,
+            Sensor::Gyroscope | Sensor::Magnetometer => self.gyroscope,
+        };
+        (model, chunk.mean(sensor))
     }
 
     /// The model's parameters in one recording.
@@ -176,10 +182,12 @@ impl<'a> Rows<'a> {
         let effects = EffectSlopes::at(model, &truth, &p, Sensor::Accelerometer);
         let signal = truth.signal(sensor) + effects.value;
         let reading = inverse * signal;
-        let by_force = match sensor {
-            Sensor::Accelerometer => inverse * (Matrix3::identity() + effects.by_signal),
-            Sensor::Gyroscope => inverse * effects.by_signal,
-        } * by_direction;
+        let own = if sensor == Sensor::Accelerometer {
+            Matrix3::identity()
+        } else {
+            Matrix3::zeros()
+        };
+        let by_force = inverse * (own + effects.by_signal) * by_direction;
         let residual = reading + base.bias - mean.value;
         for i in 0..3 {
             out.residuals[row + i] = residual[i];

@@ -85,7 +85,7 @@ impl JointFit {
                     1.0
                 }
             }
-            Sensor::Gyroscope => {
+            Sensor::Gyroscope | Sensor::Magnetometer => {
                 let spare = (2 * self.chords.len()).saturating_sub(BASE_PARAMETERS - 3);
                 let turns = found(&[ComponentKind::TurnScatter]);
                 let kinds = [ComponentKind::RateScatter, ComponentKind::RateOfOrientation];
@@ -107,12 +107,17 @@ impl JointFit {
             || self.parameters.names()[k].starts_with(Sensor::Gyroscope.prefix())
     }
 
+    /// What brings the readings of a sensor near SI units.
+    pub fn unit(&self, sensor: Sensor) -> RawUnit {
+        self.of_sensor(sensor).0
+    }
+
     /// The unit and the number of parameters of a sensor, and where they begin.
     fn of_sensor(&self, sensor: Sensor) -> (RawUnit, usize, usize) {
         let accelerometer = self.models[0].parameters().len();
         match sensor {
             Sensor::Accelerometer => (self.force_unit, 0, accelerometer),
-            Sensor::Gyroscope => {
+            Sensor::Gyroscope | Sensor::Magnetometer => {
                 let count = self.models[1].parameters().len();
                 (self.rate_unit, accelerometer, count)
             }

@@ -44,11 +44,7 @@ impl Rows<'_> {
             for (_, chunk) in self.means(sensor) {
                 let recording = self.data.rests[chunk.rest].recording;
                 let source = &self.data.sources[recording];
-                let (mean, own) = match sensor {
-                    Sensor::Accelerometer => (chunk.accelerometer, source.accelerometer),
-                    Sensor::Gyroscope => (chunk.gyroscope, source.gyroscope),
-                };
-                let (Some(mean), Some(own)) = (mean, own) else {
+                let (Some(mean), Some(own)) = (chunk.mean(sensor), source.noise(sensor)) else {
                     continue;
                 };
                 // What rounding makes of a mean is the same in all chunks of a rest, which count as one together.

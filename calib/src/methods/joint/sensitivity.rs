@@ -78,10 +78,7 @@ impl Rows<'_> {
     ) -> Option<MeanSensitivity> {
         let own = &self.data.chunks[chunk];
         let rest = &self.data.rests[own.rest];
-        let mean = match sensor {
-            Sensor::Accelerometer => own.accelerometer?,
-            Sensor::Gyroscope => own.gyroscope?,
-        };
+        let mean = own.mean(sensor)?;
         let base = Base::from_parameters(&self.local(x, sensor, rest.recording));
         let u = self.direction(x, own.rest);
         Some(MeanSensitivity {

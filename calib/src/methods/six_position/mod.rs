@@ -238,6 +238,8 @@ impl SixPosition {
             method: "six-position".into(),
             accelerometer: Some(triad),
             gyroscope: self.gyroscope.as_ref().map(GyroscopePart::triad),
+            magnetometer: None,
+            magnetic_field: None,
             effects: Vec::new(),
             parameters: base_names(Sensor::Accelerometer).to_vec(),
             covariance,

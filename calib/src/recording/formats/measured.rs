@@ -237,20 +237,24 @@ fn table(
         ..Table::default()
     };
     table.stated.time = Some(TimeUnit::Seconds);
-    let axes: fn(usize) -> Role = match sensor {
+    match sensor {
         Sensor::Accelerometer => {
             table.accel = samples;
             table.stated.accel = in_si.then_some(AccelUnit::MetresPerSecondSquared);
-            Role::Accel
         }
         Sensor::Gyroscope => {
             table.gyro = samples;
             table.stated.gyro = in_si.then_some(GyroUnit::RadiansPerSecond);
-            Role::Gyro
         }
-    };
+        Sensor::Magnetometer => table.magnetometer = samples,
+    }
     table.roles = (0..3)
-        .map(|axis| (axes(axis), format!("{source}.{}", ["x", "y", "z"][axis])))
+        .map(|axis| {
+            (
+                Role::axis(sensor, axis),
+                format!("{source}.{}", ["x", "y", "z"][axis]),
+            )
+        })
         .collect();
     table.name = name;
     Ok(table)

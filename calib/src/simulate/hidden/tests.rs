@@ -64,12 +64,7 @@ fn session(hidden: Option<&Hidden>) -> Session {
 }
 
 fn values(session: &Session, sensor: Sensor) -> &[Vector3<f64>] {
-    let recording = &session.recording;
-    let stream = match sensor {
-        Sensor::Accelerometer => recording.accelerometer.as_ref(),
-        Sensor::Gyroscope => recording.gyroscope.as_ref(),
-    };
-    &stream.unwrap().values
+    &session.recording.stream(sensor).unwrap().values
 }
 
 /// What `hidden` adds to each sample.

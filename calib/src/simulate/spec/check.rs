@@ -3,7 +3,7 @@
 use super::complaint::{Complaint, number};
 use super::{Motion, SensorSpec, Spec};
 use crate::Error;
-use crate::simulate::surroundings::{Fault, Temperature, Unsteady, Vibration};
+use crate::simulate::surroundings::{Fault, MagneticField, Temperature, Unsteady, Vibration};
 
 /// Longest recording, s: 30 days.
 const LONGEST: f64 = 30.0 * 86400.0;
@@ -38,6 +38,10 @@ impl Spec {
         self.check_motion()?;
         self.accelerometer.check("accelerometer", self.rate)?;
         self.gyroscope.check("gyroscope", self.rate)?;
+        self.magnetometer.check("magnetometer", self.rate)?;
+        if let Some(field) = &self.magnetic_field {
+            field.check()?;
+        }
         if let Some(temperature) = &self.temperature {
             temperature.check()?;
         }
@@ -139,6 +143,15 @@ impl Spec {
             }
         }
         Ok(())
+    }
+}
+
+impl MagneticField {
+    fn check(&self) -> Result<(), Complaint> {
+        let key = |name: &str| format!("magnetic_field.{name}");
+        number(&key("strength"), self.strength, 1e-3..=LARGE)?;
+        number(&key("inclination"), self.inclination, -90.0..=90.0)?;
+        number(&key("unevenness"), self.unevenness, 0.0..=LARGE)
     }
 }
 

@@ -27,7 +27,7 @@ use crate::simulate::motion::{
 use crate::simulate::noise::{Distribution, Noise, Spikes};
 use crate::simulate::sampling::{Clock, Readout, Resampled, Sampling, Stamp};
 use crate::simulate::simulation::{Session, Simulation};
-use crate::simulate::surroundings::{Fault, Temperature, Unsteady, Vibration};
+use crate::simulate::surroundings::{Fault, MagneticField, Temperature, Unsteady, Vibration};
 
 /// Rate of the earth's rotation, rad/s (WGS 84).
 pub const EARTH_RATE: f64 = 7.292_115e-5;
@@ -70,6 +70,10 @@ pub struct Spec {
     pub accelerometer: SensorSpec,
     /// Noise, clock and readout of the gyroscope.
     pub gyroscope: SensorSpec,
+    /// The magnetic field of the place: switches a magnetometer on.
+    pub magnetic_field: Option<MagneticField>,
+    /// Noise, clock and readout of the magnetometer, µT.
+    pub magnetometer: SensorSpec,
     /// Temperature and thermometer; constant and unrecorded without.
     pub temperature: Option<Temperature>,
     /// Vibration of the table at rest.
@@ -100,6 +104,8 @@ impl Default for Spec {
             effects: Effects::new(),
             accelerometer: SensorSpec::default(),
             gyroscope: SensorSpec::default(),
+            magnetic_field: None,
+            magnetometer: SensorSpec::default(),
             temperature: None,
             vibration: None,
             unsteady: None,
@@ -234,6 +240,10 @@ impl Spec {
         if looks_at_vibration(name) {
             self.vibration.get_or_insert_default();
         }
+        let mut of_field = catalogue(Sensor::Magnetometer).iter();
+        if of_field.any(|effect| effect.name() == name) {
+            self.magnetic_field.get_or_insert_default();
+        }
         if name == "earth_rate" {
             self.latitude.get_or_insert(45.0);
             return self;
@@ -260,7 +270,11 @@ impl Spec {
     /// Without white noise, random walk and instability.
     #[must_use]
     pub fn noise_free(mut self) -> Self {
-        for sensor in [&mut self.accelerometer, &mut self.gyroscope] {
+        for sensor in [
+            &mut self.accelerometer,
+            &mut self.gyroscope,
+            &mut self.magnetometer,
+        ] {
             sensor.white = Some(0.0);
             sensor.random_walk = 0.0;
             sensor.instability = 0.0;
@@ -292,6 +306,7 @@ impl Spec {
         match sensor {
             Sensor::Accelerometer => &self.accelerometer,
             Sensor::Gyroscope => &self.gyroscope,
+            Sensor::Magnetometer => &self.magnetometer,
         }
     }
 

@@ -6,16 +6,14 @@ use super::Spec;
 use super::complaint::{Complaint, hint, number};
 use crate::simulate::effects::{SIZE, looks_at_temperature, looks_at_vibration};
 
-const SENSORS: [Sensor; 2] = [Sensor::Accelerometer, Sensor::Gyroscope];
-
 /// Largest number that makes sense anywhere in a spec.
 const HUGE: f64 = 1e9;
 
 impl Spec {
     /// Effects and parameters exist, have numbers, and can show.
     pub(super) fn check_names(&self) -> Result<(), Complaint> {
-        let [accelerometer, gyroscope] = SENSORS.map(|sensor| self.catalogue(sensor));
-        let all = [accelerometer?, gyroscope?].concat();
+        let each = Sensor::ALL.map(|sensor| self.catalogue(sensor));
+        let all = each.into_iter().collect::<Result<Vec<_>, _>>()?.concat();
         for (name, wanted) in &self.effects {
             let key = format!("effects.{name}");
             let Some(effect) = all.iter().find(|e| e.name() == name) else {
@@ -43,6 +41,10 @@ impl Spec {
                     -HUGE
                 };
                 number(&key, *value, smallest..=HUGE)?;
+            }
+            if effect.sensor() == Sensor::Magnetometer && self.magnetic_field.is_none() {
+                let what = "is silent without a [magnetic_field] section";
+                return Err(Complaint::new(key, what));
             }
             self.check_effect_shows(name)?;
         }
@@ -72,7 +74,7 @@ impl Spec {
     }
 
     fn check_parameters(&self, all: &[&'static dyn AnyEffect]) -> Result<(), Complaint> {
-        let mut known: Vec<String> = SENSORS.iter().flat_map(|s| base_names(*s)).collect();
+        let mut known: Vec<String> = Sensor::ALL.into_iter().flat_map(base_names).collect();
         for effect in all.iter().filter(|e| self.effects.contains_key(e.name())) {
             known.extend(
                 effect

@@ -51,6 +51,7 @@ impl Vibration {
         match sensor {
             Sensor::Accelerometer => Vector3::new(of(0.0), of(2.0), of(4.0)),
             Sensor::Gyroscope => Vector3::new(of(1.0), of(3.0), of(5.0)),
+            Sensor::Magnetometer => Vector3::zeros(),
         }
     }
 }

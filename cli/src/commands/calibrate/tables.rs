@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 
 use calib::calibrate::Outcome;
-use calib::calibration::Triad;
+use calib::calibration::{Calibration, MagneticField, RecordingField, Triad};
+use sensor::{PLACES, Sensor, base_names};
 
 use crate::commands::{clocks, joint, left_out};
 use crate::show;
@@ -36,7 +37,11 @@ pub fn text(outcome: &Outcome) -> String {
             "Accelerometer   a = T (A - b), gravity {} m/s²",
             calibration.gravity
         );
-        let _ = writeln!(text, "{}", triad_table(triad, units(outcome)[0], "accel"));
+        let _ = writeln!(
+            text,
+            "{}",
+            triad_table(triad, units(outcome)[0], Sensor::Accelerometer)
+        );
         let _ = writeln!(
             text,
             "{} static intervals, residual {:.2} mm/s² rms{}, condition {:.1}, rank {}",
@@ -77,7 +82,11 @@ pub fn text(outcome: &Outcome) -> String {
     }
     if let Some(triad) = &calibration.gyroscope {
         let _ = writeln!(text, "Gyroscope   w = T (W - b)");
-        let _ = writeln!(text, "{}", triad_table(triad, units(outcome)[1], "gyro"));
+        let _ = writeln!(
+            text,
+            "{}",
+            triad_table(triad, units(outcome)[1], Sensor::Gyroscope)
+        );
         if let Some(fit) = &outcome.gyroscope {
             let _ = writeln!(
                 text,
@@ -97,6 +106,7 @@ pub fn text(outcome: &Outcome) -> String {
     if let Some(fit) = &outcome.joint {
         text.push_str(&joint::text(fit));
     }
+    text.push_str(&magnetometer(calibration));
     text.push_str(&clocks::text(calibration));
     for effect in &calibration.effects {
         let mut table = show::table(&[&effect.name, "value", "std error", "unit"]);
@@ -113,6 +123,78 @@ pub fn text(outcome: &Outcome) -> String {
     }
     text.push_str(&left_out::text(calibration, units(outcome)));
     text
+}
+
+/// The magnetometer and the field that it was calibrated in.
+fn magnetometer(calibration: &Calibration) -> String {
+    let (Some(triad), Some(field)) = (&calibration.magnetometer, &calibration.magnetic_field)
+    else {
+        return String::new();
+    };
+    let unit = field_unit(calibration);
+    let mut text = String::from("\nMagnetometer   m = T (M - b)");
+    if !field.strength_given {
+        text.push_str(", T of determinant 1 (--field gives the scale)");
+    }
+    let _ = writeln!(text, "\n{}", triad_table(triad, unit, Sensor::Magnetometer));
+    let _ = writeln!(
+        text,
+        "{} static intervals and {} turns, residual {:.3} {unit} rms{}",
+        triad.static_intervals.unwrap_or(0),
+        triad.dynamic_intervals.unwrap_or(0),
+        triad.residual_rms,
+        over_noise(triad)
+    );
+    text + &self::field(calibration)
+}
+
+/// The magnetic field of the place in words.
+pub fn field(calibration: &Calibration) -> String {
+    let Some(field) = &calibration.magnetic_field else {
+        return String::new();
+    };
+    let (unit, mut text) = (field_unit(calibration), String::new());
+    if field.recordings.is_empty() {
+        text.push_str(&of_place(&field.last, unit, ""));
+    }
+    for own in &field.recordings {
+        let name = format!(" in {}", show::name(&own.recording));
+        text.push_str(&of_place(own, unit, &name));
+    }
+    text + &uneven(field, unit)
+}
+
+fn of_place(field: &RecordingField, unit: &str, name: &str) -> String {
+    let strength = match field.strength_std {
+        Some(std) => format!(
+            "{} ± {}",
+            show::value(field.strength, Some(std)),
+            show::error(Some(std))
+        ),
+        None => format!("{} (given)", field.strength),
+    };
+    format!(
+        "the magnetic field{name}: {strength} {unit}, {:.2} ± {:.2}° below the horizontal\n",
+        field.inclination, field.inclination_std
+    )
+}
+
+fn uneven(field: &MagneticField, unit: &str) -> String {
+    if field.unevenness == 0.0 {
+        return String::new();
+    }
+    format!(
+        "it differs by {:.3} {unit} per axis from one static interval to the next, beyond the noise\n",
+        field.unevenness
+    )
+}
+
+/// Unit of the magnetometer's numbers.
+pub fn field_unit(calibration: &Calibration) -> &'static str {
+    match &calibration.magnetic_field {
+        Some(field) if field.unit != "uT" => "reading",
+        _ => "µT",
+    }
 }
 
 /// For which time the bias holds and how much it moved, where that is known; `factor` carries SI units to `unit`.
@@ -149,50 +231,22 @@ pub fn over_noise(triad: &Triad) -> String {
 /// Header of [`parameters`].
 pub const PARAMETERS: [&str; 4] = ["parameter", "value", "std error", "unit"];
 
-fn triad_table(triad: &Triad, unit: &str, prefix: &str) -> comfy_table::Table {
+fn triad_table(triad: &Triad, unit: &str, sensor: Sensor) -> comfy_table::Table {
     let mut table = show::table(&PARAMETERS);
-    parameters(triad, unit, prefix).into_iter().for_each(|row| {
+    parameters(triad, unit, sensor).into_iter().for_each(|row| {
         table.add_row(row);
     });
     table
 }
 
 /// The parameters of a sensor's base model, a row each.
-pub fn parameters(triad: &Triad, unit: &str, prefix: &str) -> Vec<[String; 4]> {
-    let angle = if prefix == "accel" { "alpha" } else { "beta" };
-    let names = [
-        [
-            "s_x".to_owned(),
-            format!("{angle}_yz"),
-            format!("{angle}_zy"),
-        ],
-        [
-            format!("{angle}_xz"),
-            "s_y".to_owned(),
-            format!("{angle}_zx"),
-        ],
-        [
-            format!("{angle}_xy"),
-            format!("{angle}_yx"),
-            "s_z".to_owned(),
-        ],
-    ];
+pub fn parameters(triad: &Triad, unit: &str, sensor: Sensor) -> Vec<[String; 4]> {
     let mut rows = Vec::new();
-    let places = [
-        (0, 0),
-        (1, 1),
-        (2, 2),
-        (0, 1),
-        (0, 2),
-        (1, 0),
-        (1, 2),
-        (2, 0),
-        (2, 1),
-    ];
-    for (i, j) in places {
+    for (name, (i, j)) in base_names(sensor).iter().zip(PLACES) {
         let (value, std) = (triad.t[i][j], triad.t_std[i][j]);
+        let name = name.split_once('.').map_or(name.as_str(), |(_, own)| own);
         rows.push([
-            names[i][j].clone(),
+            name.to_owned(),
             show::value(value, std),
             show::error(std),
             String::new(),

@@ -3,6 +3,7 @@
 use calib::Recording;
 use calib::discover::{Discovery, Findings, Request, Verdict};
 use calib::methods::cut;
+use sensor::Sensor;
 
 use super::super::calibrate::tables::{PARAMETERS, parameters};
 use super::tables::{self, Rows};
@@ -223,18 +224,18 @@ fn calibrated(mut report: Report, discovery: &Discovery) -> Report {
             "Accelerometer, a = T (A − b)",
             &calibration.accelerometer,
             unit(fit.force_unit.is_si(), "m/s²"),
-            "accel",
+            Sensor::Accelerometer,
         ),
         (
             "Gyroscope, w = T (W − b)",
             &calibration.gyroscope,
             unit(fit.rate_unit.is_si(), "rad/s"),
-            "gyro",
+            Sensor::Gyroscope,
         ),
     ];
-    for (heading, triad, unit, prefix) in sensors {
+    for (heading, triad, unit, sensor) in sensors {
         if let Some(triad) = triad {
-            let rows = parameters(triad, unit, prefix);
+            let rows = parameters(triad, unit, sensor);
             report = section(report, heading, (PARAMETERS, rows));
         }
     }

@@ -30,17 +30,12 @@ impl Rows<'_> {
     }
 
     fn fading(&self, flicker: &Flicker, x: &[f64], sensor: Sensor, white: &White) -> Vec<Fading> {
-        let first = match sensor {
-            Sensor::Accelerometer => 0,
-            Sensor::Gyroscope => self.first_rate_row(),
-        };
+        let first = self.first_row(sensor);
         let mut all = Vec::new();
         for (k, (_, chunk)) in self.means(sensor).enumerate() {
-            let mean = match sensor {
-                Sensor::Accelerometer => chunk.accelerometer,
-                Sensor::Gyroscope => chunk.gyroscope,
+            let Some(mean) = chunk.mean(sensor) else {
+                continue;
             };
-            let Some(mean) = mean else { continue };
             let (row, recording) = (first + 3 * k, self.data.rests[chunk.rest].recording);
             let span = (mean.span.from, mean.span.to);
             all.push(flicker.of_mean(row..row + 3, recording, span, -1.0));

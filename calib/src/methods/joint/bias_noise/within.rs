@@ -53,11 +53,7 @@ fn of_sensor(data: &Data, sensor: Sensor, kinds: &[ComponentKind]) -> Vec<Within
     let mut all = Vec::new();
     for chunk in &data.chunks {
         let source = &data.sources[data.rests[chunk.rest].recording];
-        let (mean, noise) = match sensor {
-            Sensor::Accelerometer => (chunk.accelerometer, source.accelerometer),
-            Sensor::Gyroscope => (chunk.gyroscope, source.gyroscope),
-        };
-        let (Some(mean), Some(noise)) = (mean, noise) else {
+        let (Some(mean), Some(noise)) = (chunk.mean(sensor), source.noise(sensor)) else {
             continue;
         };
         let white = noise.variance_of(&mean) * (mean.count as f64 / mean.spread);

@@ -1,0 +1,46 @@
+//! Placements where the field is another: near iron, a magnet or a current.
+
+use super::problem::{Minimum, Problem};
+use crate::methods::small_sample::by_chance;
+
+/// Taken for disturbed where so large a difference happens by chance in fewer than this many recordings.
+const UNLIKELY: f64 = 1e-3;
+
+/// The placement that differs most from the others' field, if by more than chance; with its difference (norm, unit of the
+/// readings).
+pub fn most_disturbed(problem: &Problem<'_>, minimum: &Minimum) -> Option<(usize, f64)> {
+    let residuals = readings_left(problem, minimum);
+    let squares = residuals.iter().zip(&minimum.variances);
+    let squares =
+        squares.map(|(left, variance)| left.iter().map(|r| r * r).sum::<f64>() / variance);
+    let used = problem.placements.iter().filter(|p| p.is_used).count();
+    let (place, square) = squares
+        .enumerate()
+        .filter(|(k, _)| problem.placements[*k].is_used)
+        .max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let p = by_chance(square, 3.0) * used as f64;
+    let size = residuals[place].iter().map(|r| r * r).sum::<f64>().sqrt();
+    (p < UNLIKELY).then_some((place, size))
+}
+
+/// Reading less model of each placement, in the unit of the readings.
+pub fn readings_left(problem: &Problem<'_>, minimum: &Minimum) -> Vec<[f64; 3]> {
+    let report = &minimum.report;
+    let of = |(k, placement): (usize, &super::Placement)| {
+        let blocks = &minimum.blocks;
+        let x: Vec<f64> = [
+            blocks.model,
+            blocks.fields[placement.recording],
+            blocks.headings[k],
+            blocks.errors,
+        ]
+        .into_iter()
+        .flat_map(|block| report.value(block).iter().copied())
+        .collect();
+        let factor = super::factors::Reading::new(problem.model, placement, problem.strength, 1.0);
+        let mut out = Vec::new();
+        solver::Factor::values(&factor, &x, &mut out);
+        [out[0], out[1], out[2]]
+    };
+    problem.placements.iter().enumerate().map(of).collect()
+}
