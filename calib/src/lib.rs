@@ -39,7 +39,7 @@ pub mod watch;
 
 pub use calibration::Calibration;
 pub use error::Error;
-pub use evaluate::{Evaluation, Misfit, Misfits, evaluate, misfits};
+pub use evaluate::{Evaluation, FieldMisfit, Misfit, Misfits, evaluate, misfits};
 pub use recording::Recording;
 pub use text_file::read_text;
 pub use toml_place::explain_toml;

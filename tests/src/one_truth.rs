@@ -7,7 +7,9 @@ use calib::calibrate::{Method, Outcome, Request, calibrate};
 use calib::calibration::{Calibration, apply};
 use calib::intervals::{Segmentation, Span, StaticInterval};
 use calib::residuals::{Integrator, attitude_of};
-use calib::simulate::{HandHeld, Motion, SIZE, SensorSpec, Session, Spec, Temperature, Vibration};
+use calib::simulate::{
+    HandHeld, MagneticField, Motion, SIZE, SensorSpec, Session, Spec, Temperature, Vibration,
+};
 use calib::{Error, Recording};
 use nalgebra::{Matrix3, Vector3};
 use sensor::{AnyEffect, DefinedParam, Definition, Quantity, Sensor};
@@ -154,6 +156,9 @@ impl Trial {
             }
             spec.temperature = Some(temperature);
         }
+        if self.effect.sensor() == Sensor::Magnetometer {
+            spec.magnetic_field = Some(MagneticField::default());
+        }
         if needs.contains(&Quantity::Vibration) {
             // A machine's: what its sine leaves in the mean of an interval is small beside the noise.
             spec.vibration = Some(Vibration {
@@ -182,7 +187,7 @@ impl Trial {
         let mut second = self.spec(seed + 1000, placements, 1.0);
         let earth = self.effect.name() == "earth_rate";
         second.latitude = earth.then_some(50.0);
-        for parameters in [&first.truth.accelerometer, &first.truth.gyroscope] {
+        for parameters in Sensor::ALL.map(|sensor| first.truth.parameters(sensor)) {
             for (name, value) in parameters.names().iter().zip(parameters.values()) {
                 let own = name.strip_prefix(&format!("{}.", self.effect.name()));
                 match own {

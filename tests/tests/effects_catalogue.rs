@@ -10,7 +10,7 @@ use solver::scalar::{along, derivatives, second_derivative, variable};
 use solver::{Jet, Jet2, LANES, lit};
 
 /// The names that users script against.
-const PROMISED: [(Sensor, &[&str]); 2] = [
+const PROMISED: [(Sensor, &[&str]); 3] = [
     (
         Sensor::Accelerometer,
         &[
@@ -59,10 +59,23 @@ const PROMISED: [(Sensor, &[&str]); 2] = [
             "earth_rate",
         ],
     ),
+    (
+        Sensor::Magnetometer,
+        &[
+            "mag_temperature",
+            "mag_scale_temperature",
+            "mag_g_sensitivity",
+        ],
+    ),
 ];
 
 fn catalogue() -> Vec<&'static dyn AnyEffect> {
-    [accelerometer::EFFECTS, gyroscope::EFFECTS].concat()
+    [
+        accelerometer::EFFECTS,
+        gyroscope::EFFECTS,
+        magnetometer::EFFECTS,
+    ]
+    .concat()
 }
 
 /// Numbers in (−1, 1) that look random and keep 0.01 away from 0, where some effects have kinks.
@@ -91,6 +104,7 @@ fn instant(seed: usize) -> Kinematics<f64> {
         last_turn: vector(1.5),
         since_turn: Since::at(0.7 + seed as f64),
         attitude: Attitude::exp(&vector(1.5)),
+        magnetic_field: vector(60.0),
         ..Kinematics::new(vector(19.6), vector(10.0))
     }
 }
@@ -271,7 +285,7 @@ fn correct_undoes_distort_at_ten_times_the_typical_size() {
 
 #[test]
 fn all_effects_of_a_sensor_at_once_can_be_undone() {
-    for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+    for sensor in Sensor::ALL {
         let own: Vec<_> = catalogue()
             .into_iter()
             .filter(|e| e.sensor() == sensor)

@@ -12,6 +12,8 @@ pub struct Kept {
     pub accelerometer: Option<Base<f64>>,
     /// `w = T (W − b)` of the gyroscope.
     pub gyroscope: Option<Base<f64>>,
+    /// `m = T (M − b)` of the magnetometer.
+    pub magnetometer: Option<Base<f64>>,
     /// Whether `G f` is taken off the rate.
     pub g_sensitivity: bool,
     /// Whether the form holds every effect of the calibration.
@@ -21,7 +23,7 @@ pub struct Kept {
 }
 
 impl Kept {
-    /// Both sensors in full.
+    /// Accelerometer and gyroscope in full.
     pub fn base_of(source: &Source<'_>) -> Self {
         Self {
             accelerometer: source.accelerometer,
@@ -47,13 +49,21 @@ impl Kept {
         }
     }
 
+    /// All sensors in full.
+    pub fn sensors_of(source: &Source<'_>) -> Self {
+        Self {
+            magnetometer: source.magnetometer,
+            ..Self::base_of(source)
+        }
+    }
+
     /// Everything.
     pub fn all_of(source: &Source<'_>) -> Self {
         Self {
             g_sensitivity: true,
             effects: true,
             errors: true,
-            ..Self::base_of(source)
+            ..Self::sensors_of(source)
         }
     }
 }

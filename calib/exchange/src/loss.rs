@@ -57,6 +57,11 @@ pub(crate) fn losses(source: &Source<'_>, kept: &Kept) -> Vec<Loss> {
             &kept.accelerometer,
         ),
         (Sensor::Gyroscope, &source.gyroscope, &kept.gyroscope),
+        (
+            Sensor::Magnetometer,
+            &source.magnetometer,
+            &kept.magnetometer,
+        ),
     ] {
         if let Some(own) = own {
             lost.extend(of_base(

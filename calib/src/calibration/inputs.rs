@@ -231,7 +231,10 @@ impl Calibration {
             &self.gyroscope,
             &self.effects,
         );
-        let text = serde_json::to_string(&all).ok()?;
+        let mut text = serde_json::to_string(&all).ok()?;
+        if let Some(magnetometer) = &self.magnetometer {
+            text += &serde_json::to_string(magnetometer).ok()?;
+        }
         Some(hexadecimal(&Sha256::digest(text)))
     }
 }

@@ -68,5 +68,12 @@ impl Calibration {
                 triad.units = Some(TriadUnits::of(sensor, triad));
             }
         }
+        if let (Some(triad), Some(field)) = (&mut self.magnetometer, &self.magnetic_field) {
+            triad.units = Some(TriadUnits {
+                reading: field.unit.clone(),
+                t: "1".into(),
+                corrected: field.unit.clone(),
+            });
+        }
     }
 }

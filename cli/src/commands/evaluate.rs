@@ -152,7 +152,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             format!("{}: {}", show::name(name), limits::text(lines))
         };
         let verdicts: String = judged.iter().map(verdict).collect();
-        show::print(&(verdicts + &table(&rows).to_string()))?;
+        show::print(&(verdicts + &table(&rows).to_string() + &fields(&rows)))?;
     }
     limits::gate_of(&judged)
 }
@@ -183,6 +183,38 @@ fn cells(rows: &[(String, Evaluation)]) -> Vec<Vec<String>> {
         ]
     };
     rows.iter().map(row).collect()
+}
+
+/// The magnetic field over the static intervals, where there is a magnetometer.
+fn fields(rows: &[(String, Evaluation)]) -> String {
+    let mut table = show::table(&[
+        "calibration",
+        "static",
+        "norm of the field",
+        "its spread, %",
+        "angle to up, °",
+        "its spread, °",
+    ]);
+    let with_field = rows
+        .iter()
+        .filter_map(|(name, e)| Some((name, e.magnetic_field?)));
+    let mut is_empty = true;
+    for (name, field) in with_field {
+        is_empty = false;
+        table.add_row([
+            show::name(name),
+            field.static_intervals.to_string(),
+            show::value(field.norm, Some(0.01 * field.norm)),
+            format!("{:.2}", 100.0 * field.norm_spread),
+            format!("{:.1}", field.angle),
+            format!("{:.2}", field.angle_spread),
+        ]);
+    }
+    if is_empty {
+        String::new()
+    } else {
+        format!("\n{table}")
+    }
 }
 
 fn table(rows: &[(String, Evaluation)]) -> comfy_table::Table {

@@ -43,7 +43,9 @@ Conditions and their keys (--example prints all keys with units):
   a table that vibrates              [vibration] rms, frequency, rocking
   knocks, sampling at an instant     [motion.hand_held] shock, knocks; sampling
   short, few, slow                   [motion.hand_held] rest, placements, turn
-  the earth's rotation               latitude")]
+  the earth's rotation               latitude
+  a magnetometer, iron nearby        [magnetic_field] strength, inclination,
+                                     unevenness; [magnetometer]")]
 pub struct Args {
     /// What to simulate (TOML)
     #[arg(value_name = "SPEC.toml", required_unless_present = "example")]

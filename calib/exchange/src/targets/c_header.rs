@@ -34,7 +34,7 @@ impl Target for CHeader {
     fn keeps(&self, source: &Source<'_>) -> Kept {
         Kept {
             g_sensitivity: true,
-            ..Kept::base_of(source)
+            ..Kept::sensors_of(source)
         }
     }
 
@@ -50,6 +50,9 @@ impl Target for CHeader {
         }
         if let Some(base) = &source.gyroscope {
             text.push_str(&function(source, Sensor::Gyroscope, base)?);
+        }
+        if let Some(base) = &source.magnetometer {
+            text.push_str(&function(source, Sensor::Magnetometer, base)?);
         }
         text.push_str("#endif\n");
         Ok(Written::text(text))

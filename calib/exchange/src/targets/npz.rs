@@ -20,7 +20,7 @@ impl Target for Npz {
     }
 
     fn about(&self) -> &'static str {
-        "a NumPy archive: T and bias of both sensors, covariance, and all of cal.json as text"
+        "a NumPy archive: T and bias of every sensor, covariance, and all of cal.json as text"
     }
 
     fn keeps(&self, source: &Source<'_>) -> Kept {
@@ -34,6 +34,7 @@ impl Target for Npz {
         let sensors = [
             ("accelerometer", &calibration.accelerometer),
             ("gyroscope", &calibration.gyroscope),
+            ("magnetometer", &calibration.magnetometer),
         ];
         for (name, triad) in sensors {
             let Some(triad) = triad else { continue };

@@ -35,6 +35,7 @@ impl Target for NumPy {
         let sensors = [
             ("accelerometer", source.accelerometer.is_some()),
             ("gyroscope", source.gyroscope.is_some()),
+            ("magnetometer", source.magnetometer.is_some()),
         ];
         for (name, there) in sensors {
             if there {

@@ -25,7 +25,7 @@ impl Target for RustModule {
     fn keeps(&self, source: &Source<'_>) -> Kept {
         Kept {
             g_sensitivity: true,
-            ..Kept::base_of(source)
+            ..Kept::sensors_of(source)
         }
     }
 

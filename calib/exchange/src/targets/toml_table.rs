@@ -28,7 +28,7 @@ impl Target for TomlTable {
     fn write(&self, source: &Source<'_>, _: &Settings) -> Result<Written, Error> {
         let mut text = source.provenance("#");
         text.push_str(
-            "# accelerometer: f = T (A - b), gyroscope: w = T (W - b), rows of T in order\n",
+            "# accelerometer: f = T (A - b), gyroscope: w = T (W - b), magnetometer: m = T (M - b), rows of T in order\n",
         );
         let tree = converted(&document(source)?, false);
         let tree = tree.unwrap_or_else(|| toml::Value::Table(toml::Table::new()));

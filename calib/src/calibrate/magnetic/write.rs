@@ -147,6 +147,12 @@ fn effects<'a>(written: &'a Written<'_>) -> impl Iterator<Item = EffectValues> +
     })
 }
 
+/// Two significant digits.
+fn short(v: f64) -> String {
+    let decimals = (1.0 - v.abs().max(1e-12).log10().floor()).clamp(0.0, 12.0) as usize;
+    format!("{v:.decimals$}")
+}
+
 fn warnings(written: &Written<'_>) -> Vec<String> {
     let fit = written.fit;
     let unit = if written.unit.is_some() {
@@ -158,12 +164,13 @@ fn warnings(written: &Written<'_>) -> Vec<String> {
     for (place, size) in &fit.disturbed {
         let placement = &fit.placements[*place];
         all.push(format!(
-            "{}: in static interval {} (t = {:.2} to {:.2} s) the magnetic field is off by {size:.2} {unit} from that of the \
-             others: iron, a magnet or a current nearby; the magnetometer's reading there is not used",
+            "{}: in static interval {} (t = {:.2} to {:.2} s) the magnetic field is off by {} {unit} from that of the others, \
+             as near iron, a magnet or a current; the magnetometer's reading there is not used",
             written.recordings[placement.recording],
             placement.interval + 1,
             placement.span.from,
-            placement.span.to
+            placement.span.to,
+            short(*size)
         ));
     }
     let strength = fit
@@ -173,12 +180,12 @@ fn warnings(written: &Written<'_>) -> Vec<String> {
         .fold(f64::INFINITY, f64::min);
     if fit.unevenness > UNEVEN * strength {
         all.push(format!(
-            "the magnetic field differs by {:.2} {unit} per axis from one static interval to the next ({:.0} % of it; the \
-             magnetometer's noise explains {:.2}): iron or currents nearby. The errors of the magnetometer are enlarged to it; \
-             record outdoors, away from steel",
-            fit.unevenness,
+            "the magnetic field differs by {} {unit} per axis from one static interval to the next ({:.0} % of it; the \
+             magnetometer's noise explains {}), as near iron or currents, or where the magnetometer has an effect that the \
+             model lacks. Its errors are enlarged to it; record outdoors, away from steel",
+            short(fit.unevenness),
             100.0 * fit.unevenness / strength,
-            fit.residual_rms / fit.reduced_chi2.sqrt()
+            short(fit.residual_rms / fit.reduced_chi2.sqrt())
         ));
     }
     if written.updates_others && fit.turns_p_value <= CONTRADICTION {

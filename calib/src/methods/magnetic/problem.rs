@@ -218,8 +218,9 @@ impl<'a> Problem<'a> {
         let report = solve_graph(&graph, &options).map_err(failed)?;
         if !report.termination.converged() {
             let why = &report.termination;
-            return Err(Error::NotConverged(format!(
-                "the fit of the magnetometer did not converge: {why}"
+            return Err(Error::NotEnough(format!(
+                "its fit did not end ({why}), as where the attitudes hardly determine it: hold every face up and turn the \
+                 device to other headings in between"
             )));
         }
         let log_determinant = Products::new(&graph, &report.values)

@@ -1,5 +1,9 @@
 //! What a calibration is worth on a recording that it has not seen.
 
+mod field;
+
+pub use field::FieldMisfit;
+
 use nalgebra::Vector3;
 use serde::Serialize;
 
@@ -28,6 +32,9 @@ pub struct Evaluation {
     pub static_rate: Option<[f64; 3]>,
     /// How far a rest's mean rate is from that mean, root mean square over rests of the norm, rad/s.
     pub static_rate_scatter: Option<f64>,
+    /// The magnetic field over the rests; `None` without a magnetometer.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub magnetic_field: Option<FieldMisfit>,
 }
 
 /// What a calibration leaves in one rest or one turn.
@@ -50,6 +57,8 @@ pub struct Misfits {
     pub turns: Vec<Misfit>,
     /// Mean corrected rate in each rest, rad/s.
     pub rates: Vec<Vector3<f64>>,
+    /// Norm of the magnetic field in each rest and its angle to the specific force, degrees.
+    pub fields: Vec<[f64; 2]>,
 }
 
 /// Measures a calibration, or the raw readings with `None`, on the rests and turns of a recording.
@@ -78,6 +87,7 @@ pub fn evaluate(
         modulus_rms: rms(values(&misfits.rests)),
         turns: misfits.turns.len(),
         direction_rms: rms(values(&misfits.turns)),
+        magnetic_field: FieldMisfit::of(&misfits.fields),
     })
 }
 
@@ -120,6 +130,7 @@ pub fn misfits(
             .filter_map(modulus)
             .collect(),
         turns: sound.filter_map(direction).collect(),
+        fields: field::fields(&corrected, &rests),
         rates: rests
             .statics
             .iter()
