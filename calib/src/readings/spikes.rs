@@ -39,19 +39,14 @@ const MOST: f64 = 0.02;
 /// The recording with its spikes replaced by the mean of their neighbours, and what was found; `None` where
 /// there are none.
 pub fn without_spikes(recording: &Recording) -> Option<(Recording, Vec<Finding>)> {
-    let sensors = [
-        (Sensor::Accelerometer, &recording.accelerometer),
-        (Sensor::Gyroscope, &recording.gyroscope),
-    ];
-    let found = sensors.map(|(sensor, stream)| found(sensor, stream.as_ref()?));
+    let found = Sensor::ALL.map(|sensor| found(sensor, recording.stream(sensor)?));
     if found.iter().all(Option::is_none) {
         return None;
     }
     let mut cleaned = recording.clone();
-    let streams = [&mut cleaned.accelerometer, &mut cleaned.gyroscope];
     let mut findings = Vec::new();
-    for (stream, finding) in streams.into_iter().zip(found) {
-        if let (Some(stream), Some(finding)) = (stream, finding) {
+    for (sensor, finding) in Sensor::ALL.into_iter().zip(found) {
+        if let (Some(stream), Some(finding)) = (cleaned.stream_mut(sensor), finding) {
             if let Finding::Spikes { rows, .. } = &finding {
                 replace(&mut stream.values, rows);
             }

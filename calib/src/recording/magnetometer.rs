@@ -103,13 +103,12 @@ impl Magnetometer {
     }
 
     /// Readings that are finite, each stamp once and each value once where a slower sensor's was held; those of a sensor
-    /// that has not begun, all three exactly 0, are left out. `None` where nothing is left.
+    /// that has not begun or drops out, all three exactly 0, are left out. `None` where nothing is left.
     pub(super) fn of(t: &[f64], values: &[Vector3<f64>]) -> Option<Self> {
         let mut stream = Stream::default();
         for (t, value) in t.iter().zip(values) {
-            let begun = !stream.is_empty() || value.amax() > 0.0;
             let later = stream.t.last().is_none_or(|last| t > last);
-            if begun && later && t.is_finite() && value.iter().all(|v| v.is_finite()) {
+            if value.amax() > 0.0 && later && t.is_finite() && value.iter().all(|v| v.is_finite()) {
                 stream.t.push(*t);
                 stream.values.push(*value);
             }

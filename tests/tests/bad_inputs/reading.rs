@@ -138,7 +138,7 @@ fn columns_take_signs_factors_and_offsets_in_two_files() {
 }
 
 #[test]
-fn a_magnetometer_is_listed_kept_and_left_alone() {
+fn a_magnetometer_that_never_changes_is_kept_and_not_calibrated() {
     let rows = good().iter().zip(0..).map(|(r, k)| {
         let field = match k {
             0..10 => "0,0,0".to_owned(),
@@ -153,7 +153,7 @@ fn a_magnetometer_is_listed_kept_and_left_alone() {
     let bench = Bench::with("r.csv", text);
     let run = bench.run(&["calibrate", "r.csv", "--json"]);
     run.ends(0)
-        .says(&["its magnetometer is not calibrated"])
+        .says(&["the magnetometer is not calibrated"])
         .is_silent_on(&["not used", "only"]);
     let plain = calibrate("r.csv", csv(good()), &["--json"]).json();
     assert_eq!(

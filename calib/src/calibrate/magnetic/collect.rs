@@ -14,6 +14,9 @@ use crate::methods::magnetic::{HeadingChange, Placement, Rest};
 use crate::recording::{Recording, Stream};
 use crate::truth::{Models, Truth};
 
+/// A mean is not better known than to this share of it, such as where coarse steps hide the noise.
+const LEAST_NOISE: f64 = 1e-5;
+
 /// What is measured, of all recordings.
 #[derive(Debug, Default)]
 pub struct Collected {
@@ -47,6 +50,7 @@ pub fn collect<'a>(
             models,
             inertial,
             misfit: direction_misfit(calibration),
+            colour: long_run(recording.gyroscope.as_ref(), segmentation),
         };
         source.collect(&mut collected);
     }
@@ -90,7 +94,10 @@ struct Source<'a> {
     truth: Truth<'a>,
     models: Models,
     inertial: &'a Inertial,
+    /// How much more the turns scatter than their noise, squared.
     misfit: f64,
+    /// How much more means of the rate scatter than white noise of the same samples would.
+    colour: f64,
 }
 
 impl Source<'_> {
@@ -117,7 +124,8 @@ impl Source<'_> {
                 continue;
             };
             let count = moments.map_or(1, |m| m.count) as f64;
-            placement.noise = (variance / count).sqrt() * coloured * self.unit;
+            let least = LEAST_NOISE * placement.mean.norm();
+            placement.noise = ((variance / count).sqrt() * coloured * self.unit).max(least);
             placement.rate = rates[k];
             let place = collected.placements.len();
             collected.placements.push(placement);
@@ -167,7 +175,6 @@ impl Source<'_> {
 
     /// The mean rate of every static interval, corrected.
     fn rates(&self) -> Vec<Option<Rest>> {
-        let coloured = long_run(self.recording.gyroscope.as_ref(), self.segmentation);
         let of = |(k, rest): (usize, &crate::intervals::StaticInterval)| {
             let sensing = self.models.gyroscope.as_ref()?;
             let moments = rest.gyroscope?;
@@ -178,7 +185,7 @@ impl Source<'_> {
                 .cbrt();
             Some(Rest {
                 mean: sensing.correct(&moments.mean, &self.truth.at_rest(k)),
-                noise: (moments.white_of_mean() * coloured * scale).max(f64::MIN_POSITIVE),
+                noise: (moments.white_of_mean() * self.colour * scale).max(f64::MIN_POSITIVE),
             })
         };
         self.segmentation
@@ -260,8 +267,7 @@ impl Source<'_> {
             )
         };
         let variance = (rest(turn.from)? + rest(turn.from + 1)?) / 6.0;
-        let coloured = long_run(self.recording.gyroscope.as_ref(), self.segmentation);
-        Some(variance.sqrt() * coloured)
+        Some(variance.sqrt() * self.colour)
     }
 }
 

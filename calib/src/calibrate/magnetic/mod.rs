@@ -1,10 +1,11 @@
 //! The magnetometer, after the sensors that give it the attitude.
 //!
-//! `inertial` is what their calibration leaves open, `collect` cuts the recordings into placements and turns, `write` puts
-//! the fit into the calibration.
+//! `inertial` is what their calibration leaves open, `collect` cuts the recordings into placements and turns, `missing` asks whether
+//! an effect of the catalogue would explain what is left, `write` puts the fit into the calibration.
 
 mod collect;
 mod inertial;
+mod missing;
 mod write;
 
 use sensor::{AnyEffect, Sensor};
@@ -78,7 +79,7 @@ fn fitted(
         &inertial,
         unit.map_or(1.0, FieldUnit::in_microtesla),
     );
-    let fit = fit_magnetometer(MagneticRequest {
+    let base = MagneticRequest {
         model: &model,
         placements: collected.placements,
         changes: collected.changes,
@@ -86,7 +87,14 @@ fn fitted(
         errors: inertial.errors(),
         strength: request.field,
         walk: collected.walk,
-    })?;
+    };
+    let fit = fit_magnetometer(base.clone())?;
+    let has_temperature = with_field
+        .iter()
+        .all(|&k| recordings[k].temperature.is_some());
+    let missing = missing::effect(&model, has_temperature, |larger| {
+        fit_magnetometer(base.clone().with_model(larger)).ok()
+    });
     let names: Vec<&str> = with_field
         .iter()
         .map(|&k| recordings[k].name.as_str())
@@ -100,6 +108,8 @@ fn fitted(
             recordings: &names,
             unit,
             strength_given: request.field.is_some(),
+            latitude: request.latitude,
+            missing: missing.filter(|_| fit.unevenness > 0.0),
             updates_others: request.method == super::Method::Joint,
         },
     );

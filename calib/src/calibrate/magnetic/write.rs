@@ -1,18 +1,22 @@
 //! The fit into the calibration.
 
 use nalgebra::DMatrix;
-use sensor::{Base, Model, PLACES, Sensor, base_names};
+use sensor::{AnyEffect, Base, Model, PLACES, Sensor, base_names};
 
 use super::inertial::Inertial;
 use crate::calibration::{
-    Calibration, EffectParameter, EffectValues, MagneticField, Outside, RecordingField, Triad,
-    effect_named,
+    Calibration, EffectParameter, EffectValues, MagneticField, Outside, RecordingBias,
+    RecordingField, Triad, effect_named,
 };
-use crate::methods::magnetic::{Field, MagneticFit};
+use crate::methods::magnetic::{Field, MagneticFit, OwnBias};
 use crate::recording::FieldUnit;
 
 /// Turns and headings that disagree by chance in fewer cases than this do not correct the gyroscope.
 const CONTRADICTION: f64 = 1e-3;
+
+/// Inclinations and latitudes beyond this have a sign that cannot be mistaken, degrees: the magnetic equator is nowhere
+/// farther from the other.
+const PLAIN: f64 = 25.0;
 
 /// A field that differs by more than this share of itself from place to place is worth a warning.
 const UNEVEN: f64 = 0.02;
@@ -26,6 +30,10 @@ pub struct Written<'a> {
     pub recordings: &'a [&'a str],
     pub unit: Option<FieldUnit>,
     pub strength_given: bool,
+    /// Latitude, degrees north, if it is known.
+    pub latitude: Option<f64>,
+    /// An effect that the readings go with and the model lacks, and the probability of so much by chance.
+    pub missing: Option<(&'static dyn AnyEffect, f64)>,
     /// Whether accelerometer and gyroscope are corrected by what the magnetometer says.
     pub updates_others: bool,
 }
@@ -87,8 +95,22 @@ fn triad(written: &Written<'_>) -> Triad {
         condition: 1.0,
         unobservable: Vec::new(),
         units: None,
-        recordings: Vec::new(),
+        recordings: if fit.biases.len() > 1 {
+            own_biases(written)
+        } else {
+            Vec::new()
+        },
     }
+}
+
+fn own_biases(written: &Written<'_>) -> Vec<RecordingBias> {
+    let all = written.recordings.iter().zip(&written.fit.biases);
+    let of = |(name, own): (&&str, &OwnBias)| RecordingBias {
+        recording: (*name).to_owned(),
+        bias: own.value,
+        bias_std: own.std.map(Some),
+    };
+    all.map(of).collect()
 }
 
 fn field(written: &Written<'_>) -> MagneticField {
@@ -147,6 +169,20 @@ fn effects<'a>(written: &'a Written<'_>) -> impl Iterator<Item = EffectValues> +
     })
 }
 
+/// Says where the field points to the other hemisphere: a sign is wrong.
+fn wrong_hemisphere(fit: &MagneticFit, latitude: f64) -> Option<String> {
+    let inclination = fit.fields.last()?.inclination.to_degrees();
+    let plain = latitude.abs() > PLAIN && inclination.abs() > PLAIN;
+    (plain && inclination * latitude < 0.0).then(|| {
+        format!(
+            "the magnetic field points {:.0}° {} the horizontal, at a latitude of {latitude}°: the signs of an odd number of the \
+             magnetometer's axes, or of all of the accelerometer's, are wrong; headings by the corrected field may be turned",
+            inclination.abs(),
+            if inclination < 0.0 { "above" } else { "below" }
+        )
+    })
+}
+
 /// Two significant digits.
 fn short(v: f64) -> String {
     let decimals = (1.0 - v.abs().max(1e-12).log10().floor()).clamp(0.0, 12.0) as usize;
@@ -188,6 +224,19 @@ fn warnings(written: &Written<'_>) -> Vec<String> {
             short(fit.residual_rms / fit.reduced_chi2.sqrt())
         ));
     }
+    all.extend(
+        written
+            .latitude
+            .and_then(|latitude| wrong_hemisphere(fit, latitude)),
+    );
+    all.extend(written.missing.map(|(effect, p)| {
+        format!(
+            "the readings of the magnetometer go with {} (p = {p:.0e}), which the model lacks: its errors do not cover that; \
+             calibrate with --effects {}",
+            effect.name(),
+            effect.name()
+        )
+    }));
     if written.updates_others && fit.turns_p_value <= CONTRADICTION {
         all.push(format!(
             "magnetometer and gyroscope disagree about the heading after turns by more than noise (p = {:.0e}): the gyroscope is \

@@ -1,5 +1,6 @@
 //! Placements where the field is another: near iron, a magnet or a current.
 
+use super::factors::Reading;
 use super::problem::{Minimum, Problem};
 use crate::methods::small_sample::by_chance;
 
@@ -28,6 +29,7 @@ pub fn readings_left(problem: &Problem<'_>, minimum: &Minimum) -> Vec<[f64; 3]> 
     let report = &minimum.report;
     let of = |(k, placement): (usize, &super::Placement)| {
         let blocks = &minimum.blocks;
+        let own = blocks.biases.get(placement.recording).copied();
         let x: Vec<f64> = [
             blocks.model,
             blocks.fields[placement.recording],
@@ -35,9 +37,11 @@ pub fn readings_left(problem: &Problem<'_>, minimum: &Minimum) -> Vec<[f64; 3]> 
             blocks.errors,
         ]
         .into_iter()
+        .chain(own)
         .flat_map(|block| report.value(block).iter().copied())
         .collect();
-        let factor = super::factors::Reading::new(problem.model, placement, problem.strength, 1.0);
+        let factor = Reading::new(problem.model, placement, problem.strength, 1.0);
+        let factor = factor.with_own_bias(own.is_some());
         let mut out = Vec::new();
         solver::Factor::values(&factor, &x, &mut out);
         [out[0], out[1], out[2]]

@@ -1,9 +1,9 @@
 //! The factors that are not linear: a placement's reading, and what fixes the common scale.
 
 use nalgebra::{Matrix3, Vector3};
-use sensor::{BASE_PARAMETERS, Base, Model, ModelScalar};
+use sensor::{BASE_PARAMETERS, Base, Model, ModelScalar, PLACES};
 use solver::scalar::{derivatives, variable};
-use solver::{Factor, Jet, LANES, Residual, Scalar, lit};
+use solver::{Factor, Jet, LANES, Scalar, lit};
 
 use super::placement::Placement;
 
@@ -18,7 +18,8 @@ const TIE: f64 = 1e-7;
 
 /// The mean reading of a placement less that of the model, over its standard deviation (3 rows).
 ///
-/// Blocks: the model's parameters, the field (`FIELD`), the heading (rad), the errors of the other sensors.
+/// Blocks: the model's parameters, the field (`FIELD`), the heading (rad), the errors of the other sensors, and, of a
+/// recording before the last, how far its bias lies from that of the last (3).
 #[derive(Debug)]
 pub struct Reading<'a> {
     model: &'a Model,
@@ -29,6 +30,8 @@ pub struct Reading<'a> {
     strength: f64,
     /// Standard deviation of an axis.
     sigma: f64,
+    /// Whether the recording has a bias of its own.
+    own_bias: bool,
 }
 
 impl<'a> Reading<'a> {
@@ -39,7 +42,13 @@ impl<'a> Reading<'a> {
             level: placement.reference(),
             strength,
             sigma,
+            own_bias: false,
         }
+    }
+
+    /// The same with a bias of the recording's own.
+    pub fn with_own_bias(self, own_bias: bool) -> Self {
+        Self { own_bias, ..self }
     }
 
     /// The field in body axes for inclination, logarithm of the strength and heading.
@@ -62,7 +71,7 @@ impl<'a> Reading<'a> {
     }
 
     fn parameters(&self, x: &[f64]) -> usize {
-        x.len() - OWN - self.placement.tilt.len()
+        x.len() - OWN - self.placement.tilt.len() - if self.own_bias { 3 } else { 0 }
     }
 
     fn tilt(&self, errors: &[f64]) -> Vector3<f64> {
@@ -74,7 +83,10 @@ impl<'a> Reading<'a> {
 impl Factor for Reading<'_> {
     fn values(&self, x: &[f64], out: &mut Vec<f64>) {
         let n = self.parameters(x);
-        let rows = self.rows(&x[..n], &x[n..n + OWN], &self.tilt(&x[n + OWN..]));
+        let mut rows = self.rows(&x[..n], &x[n..n + OWN], &self.tilt(&x[n + OWN..]));
+        if self.own_bias {
+            rows -= Vector3::from_column_slice(&x[x.len() - 3..]) / self.sigma;
+        }
         out.clear();
         out.extend_from_slice(rows.as_slice());
     }
@@ -104,7 +116,13 @@ impl Factor for Reading<'_> {
         }
         let by_tilt = Matrix3::from_columns(&columns[n + OWN..]);
         let errors = self.placement.tilt.iter().map(|by| by_tilt * by);
-        let columns: Vec<Vector3<f64>> = columns[..n + OWN].iter().copied().chain(errors).collect();
+        let own_bias = (0..if self.own_bias { 3 } else { 0 }).map(|axis| {
+            let mut column = Vector3::zeros();
+            column[axis] = -1.0 / self.sigma;
+            column
+        });
+        let columns = columns[..n + OWN].iter().copied().chain(errors);
+        let columns: Vec<Vector3<f64>> = columns.chain(own_bias).collect();
         jacobian.clear();
         jacobian.extend((0..3).flat_map(|row| columns.iter().map(move |column| column[row])));
     }
@@ -114,13 +132,21 @@ impl Factor for Reading<'_> {
 #[derive(Debug)]
 pub struct UnitDeterminant;
 
-impl<D: Scalar> Residual<D> for UnitDeterminant {
-    fn residuals(&self, x: &[D], out: &mut Vec<D>) {
+impl Factor for UnitDeterminant {
+    fn values(&self, x: &[f64], out: &mut Vec<f64>) {
         let t = Base::from_parameters(&x[..BASE_PARAMETERS]).t;
-        let cofactor = |a: usize, b: usize| t[(1, a)] * t[(2, b)] - t[(1, b)] * t[(2, a)];
-        let determinant =
-            t[(0, 0)] * cofactor(1, 2) + t[(0, 1)] * cofactor(2, 0) + t[(0, 2)] * cofactor(0, 1);
-        out.push(determinant.abs().ln() * lit::<D>(1.0 / TIE));
+        out.clear();
+        out.push(t.determinant().abs().ln() / TIE);
+    }
+
+    /// `∂ ln |det T| / ∂T = T⁻ᵀ`.
+    fn linearize(&self, x: &[f64], residuals: &mut Vec<f64>, jacobian: &mut Vec<f64>) {
+        self.values(x, residuals);
+        let t = Base::from_parameters(&x[..BASE_PARAMETERS]).t;
+        let inverse = t.try_inverse().unwrap_or_else(|| Matrix3::repeat(f64::NAN));
+        jacobian.clear();
+        jacobian.extend(PLACES.iter().map(|&(i, j)| inverse[(j, i)] / TIE));
+        jacobian.resize(x.len(), 0.0);
     }
 }
 
@@ -139,33 +165,40 @@ mod tests {
         (model, placement)
     }
 
-    #[test]
-    fn the_jacobian_is_that_of_differences() {
-        let (model, placement) = reading();
-        let factor = Reading::new(&model, &placement, 48.0, 0.5);
-        let mut x = model.parameters().values().to_vec();
-        for (k, v) in x.iter_mut().enumerate() {
-            *v += 0.01 * (k as f64 - 4.0);
-        }
-        x.extend([1.1, 0.02, 0.7, 0.01, -0.02]);
+    fn is_differentiated(factor: &impl Factor, x: &[f64]) {
         let (mut residuals, mut jacobian) = (Vec::new(), Vec::new());
-        factor.linearize(&x, &mut residuals, &mut jacobian);
-        assert_eq!(jacobian.len(), 3 * x.len());
+        factor.linearize(x, &mut residuals, &mut jacobian);
+        assert_eq!(jacobian.len(), residuals.len() * x.len());
         for k in 0..x.len() {
             let at = |step: f64| {
-                let mut moved = x.clone();
+                let mut moved = x.to_vec();
                 moved[k] += step;
                 let mut out = Vec::new();
                 factor.values(&moved, &mut out);
                 out
             };
             let (after, before) = (at(1e-6), at(-1e-6));
-            for row in 0..3 {
+            for row in 0..residuals.len() {
                 let difference = (after[row] - before[row]) / 2e-6;
                 let own = jacobian[row * x.len() + k];
                 assert!((difference - own).abs() < 1e-5 * own.abs().max(1.0), "{k}");
             }
         }
+    }
+
+    #[test]
+    fn jacobians_are_those_of_differences() {
+        let (model, placement) = reading();
+        let mut x = model.parameters().values().to_vec();
+        for (k, v) in x.iter_mut().enumerate() {
+            *v += 0.01 * (k as f64 - 4.0);
+        }
+        is_differentiated(&UnitDeterminant, &x);
+        x.extend([1.1, 0.02, 0.7, 0.01, -0.02]);
+        is_differentiated(&Reading::new(&model, &placement, 48.0, 0.5), &x);
+        x.extend([0.3, -0.2, 0.1]);
+        let reading = Reading::new(&model, &placement, 48.0, 0.5);
+        is_differentiated(&reading.with_own_bias(true), &x);
     }
 
     #[test]

@@ -1,16 +1,15 @@
-//! The fit: start, unevenness, disturbed placements, covariance.
+//! The fit: start, unevenness, disturbed placements, result.
 
 use nalgebra::DMatrix;
 use sensor::Model;
-use solver::{Block, Products};
 
-use super::disturbed::{most_disturbed, readings_left};
+use super::disturbed::most_disturbed;
 use super::placement::{HeadingChange, Placement};
-use super::problem::{Minimum, Problem};
+use super::problem::Problem;
+use super::result::Judged;
 use super::start::linear_start;
 use super::unevenness::unevenness;
 use crate::error::Error;
-use crate::methods::small_sample::{by_chance, widening};
 
 /// Fewer static intervals say too little: thirteen unknowns, a heading each, and something spare.
 const LEAST_PLACEMENTS: usize = 6;
@@ -19,7 +18,7 @@ const LEAST_PLACEMENTS: usize = 6;
 const DISTURBED_SHARE: usize = 5;
 
 /// What to fit.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct MagneticRequest<'a> {
     /// Base model and effects.
     pub model: &'a Model,
@@ -37,6 +36,13 @@ pub struct MagneticRequest<'a> {
     pub walk: f64,
 }
 
+impl MagneticRequest<'_> {
+    /// The same for another model.
+    pub fn with_model(self, model: &Model) -> MagneticRequest<'_> {
+        MagneticRequest { model, ..self }
+    }
+}
+
 /// The field of one recording.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Field {
@@ -48,6 +54,15 @@ pub struct Field {
     pub inclination: f64,
     /// Standard error.
     pub inclination_std: f64,
+}
+
+/// The bias of one recording.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OwnBias {
+    /// Its value.
+    pub value: [f64; 3],
+    /// Standard errors.
+    pub std: [f64; 3],
 }
 
 /// Values and their covariance.
@@ -70,6 +85,9 @@ pub struct MagneticFit {
     pub between: DMatrix<f64>,
     /// The field of each recording.
     pub fields: Vec<Field>,
+    /// The bias of each recording: magnets that turn with the device may have moved in between. That of the last is the
+    /// model's.
+    pub biases: Vec<OwnBias>,
     /// How much the field differs from place to place, standard deviation per axis, in the unit of the readings.
     pub unevenness: f64,
     /// Reading less model, root mean square of an axis.
@@ -130,109 +148,6 @@ fn fit_all(request: &MagneticRequest<'_>) -> Result<(MagneticFit, Option<(usize,
         walk: request.walk,
     };
     let (uneven, minimum) = unevenness(&problem, &start)?;
-    let fit = written(&problem, request, &start, uneven, &minimum)?;
+    let fit = Judged::new(&problem, &start, uneven, &minimum)?.written()?;
     Ok((fit, most_disturbed(&problem, &minimum)))
-}
-
-fn written(
-    problem: &Problem<'_>,
-    request: &MagneticRequest<'_>,
-    start: &super::start::Start,
-    uneven: f64,
-    minimum: &Minimum,
-) -> Result<MagneticFit, Error> {
-    let (report, blocks) = (&minimum.report, &minimum.blocks);
-    let made = problem.graph(start, uneven)?;
-    let failed = |e: solver::Error| Error::NotConverged(e.to_string());
-    let products = Products::new(&made.graph, &report.values).map_err(failed)?;
-    if let Some(open) = products.null_space().first() {
-        return Err(Error::NotEnough(format!(
-            "the attitudes do not determine the magnetometer ({}): hold every face up and turn the device to \
-             other headings in between",
-            open.words
-        )));
-    }
-    let all_left = readings_left(problem, minimum);
-    let used = || {
-        problem
-            .placements
-            .iter()
-            .zip(&all_left)
-            .filter(|(p, _)| p.is_used)
-    };
-    let squares = |each: &[f64; 3]| each.iter().map(|r| r * r).sum::<f64>();
-    let rows = 3 * used().count();
-    let over_noise: f64 = used()
-        .map(|(placement, left)| squares(left) / (placement.noise * placement.noise))
-        .sum();
-    let parameters = report.value(blocks.model).len();
-    let fields = if problem.strength_given { 1 } else { 2 } * problem.recordings;
-    let gauge = usize::from(!problem.strength_given);
-    let known = rows + problem.changes.len() + gauge;
-    let dof = known.saturating_sub(parameters + fields + problem.placements.len());
-    if dof == 0 {
-        return Err(Error::NotEnough(format!(
-            "{} static intervals leave nothing to judge the magnetometer by",
-            rows / 3
-        )));
-    }
-    let widened = if uneven > 0.0 {
-        widening(dof).powi(2)
-    } else {
-        1.0
-    };
-    let all: Vec<Block> = [blocks.model, blocks.errors]
-        .into_iter()
-        .chain(blocks.fields.iter().copied())
-        .collect();
-    let covariance = products.covariance(&all);
-    let at =
-        |i: usize, j: usize| covariance[i][j] * if i.max(j) < parameters { widened } else { 1.0 };
-    let block = |rows: std::ops::Range<usize>, columns: std::ops::Range<usize>| {
-        DMatrix::from_fn(rows.len(), columns.len(), |i, j| {
-            at(rows.start + i, columns.start + j)
-        })
-    };
-    let (model, errors) = (0..parameters, parameters..parameters + problem.errors);
-    let mut next = errors.end;
-    let mut fields = Vec::new();
-    for &field in &blocks.fields {
-        let value = report.value(field);
-        let strength = start.strength * value[1].exp();
-        let std = |k: usize| (covariance[k][k] * widened).max(0.0).sqrt();
-        fields.push(Field {
-            strength,
-            strength_std: (!problem.strength_given).then(|| strength * std(next + 1)),
-            inclination: value[0],
-            inclination_std: std(next),
-        });
-        next += if problem.strength_given { 1 } else { 2 };
-    }
-    let turns = problem.changes.len();
-    let turned = problem.turns_left(minimum);
-    Ok(MagneticFit {
-        model: Fitted {
-            values: report.value(blocks.model).to_vec(),
-            covariance: block(model.clone(), model.clone()),
-        },
-        errors: Fitted {
-            values: report.value(blocks.errors).to_vec(),
-            covariance: block(errors.clone(), errors.clone()),
-        },
-        between: block(model, errors),
-        fields,
-        unevenness: uneven,
-        residual_rms: (used().map(|(_, left)| squares(left)).sum::<f64>() / rows as f64).sqrt(),
-        reduced_chi2: over_noise / dof as f64,
-        degrees_of_freedom: dof,
-        placements: request.placements.clone(),
-        disturbed: Vec::new(),
-        turns_p_value: if turns == 0 {
-            1.0
-        } else {
-            by_chance(turned, turns as f64)
-        },
-        rank: parameters - gauge,
-        turns,
-    })
 }

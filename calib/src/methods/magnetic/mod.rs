@@ -22,8 +22,9 @@ mod fit;
 mod linear;
 mod placement;
 mod problem;
+mod result;
 mod start;
 mod unevenness;
 
-pub use fit::{Field, Fitted, MagneticFit, MagneticRequest, fit_magnetometer};
+pub use fit::{Field, Fitted, MagneticFit, MagneticRequest, OwnBias, fit_magnetometer};
 pub use placement::{HeadingChange, Placement, Rest};

@@ -37,6 +37,8 @@ pub struct Blocks {
     pub errors: Block,
     pub fields: Vec<Block>,
     pub headings: Vec<Block>,
+    /// How far the bias of each recording but the last lies from that of the last.
+    pub biases: Vec<Block>,
     /// Rate offsets of the placements that turns begin or end at.
     pub rates: Vec<Option<Block>>,
 }
@@ -93,15 +95,20 @@ impl<'a> Problem<'a> {
             graph.add_factor(&[model], UnitDeterminant);
         }
         graph.add_factor(&[errors], Linear::standard(self.errors));
+        let biases = (1..self.recordings).map(|k| add(&mut graph, format!("bias {k}"), &[0.0; 3]));
+        let biases = biases.collect::<Result<Vec<_>, _>>()?;
         let mut headings = Vec::new();
         let of_each = self.placements.iter().zip(&start.headings);
         for (k, ((placement, heading), variance)) in of_each.zip(self.variances(uneven)).enumerate()
         {
             let heading = add(&mut graph, format!("heading {k}"), &[*heading])?;
             let reading = Reading::new(self.model, placement, self.strength, variance.sqrt());
-            let field = fields[placement.recording];
             if placement.is_used {
-                graph.add_factor(&[model, field, heading, errors], reading);
+                let own = biases.get(placement.recording);
+                let reading = reading.with_own_bias(own.is_some());
+                let shared = [model, fields[placement.recording], heading, errors];
+                let touched: Vec<Block> = shared.into_iter().chain(own.copied()).collect();
+                graph.add_factor(&touched, reading);
             }
             headings.push(heading);
         }
@@ -110,6 +117,7 @@ impl<'a> Problem<'a> {
             errors,
             fields,
             headings,
+            biases,
             rates: vec![None; self.placements.len()],
         };
         self.turns(&mut graph, &mut blocks)?;

@@ -4,14 +4,14 @@ use super::problem::{Minimum, Problem};
 use super::start::Start;
 use crate::error::Error;
 
-/// Steps of the search: each narrows the interval by the golden section, to a fiftieth of it in all.
-const STEPS: usize = 14;
+/// Steps of the search: each narrows the interval by the golden section, to a thousandth of it in all.
+const STEPS: usize = 15;
 
 /// The search begins at this share of the noise of a mean, and below it the field counts as even.
 const LEAST: f64 = 0.1;
 
-/// And ends at this many times what a fit with the noise alone leaves.
-const MOST: f64 = 3.0;
+/// And ends at this share of the field: the first fit is at it, where the start is good enough.
+const MOST: f64 = 0.2;
 
 /// The golden section.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
@@ -26,16 +26,16 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 pub fn unevenness(problem: &Problem<'_>, start: &Start) -> Result<(f64, Minimum), Error> {
     let used = || problem.placements.iter().filter(|p| p.is_used);
     let noise = used().map(|p| p.noise).sum::<f64>() / used().count() as f64;
-    let even = problem.minimum(start, 0.0, None)?;
-    let left = (2.0 * even.report.cost / (3 * used().count()) as f64).sqrt() * noise;
+    let widest = (MOST * problem.strength).max(10.0 * noise);
+    let uneven = problem.minimum(start, widest, None)?;
     let at = |logarithm: f64, from: &Minimum| {
         let uneven = logarithm.exp();
         let minimum = problem.minimum(start, uneven, Some(&from.report.values))?;
         Ok::<_, Error>((criterion(problem, &minimum), uneven, minimum))
     };
-    let (mut low, mut high) = ((LEAST * noise).ln(), (MOST * left.max(noise)).ln());
-    let mut first = at(high - GOLDEN * (high - low), &even)?;
-    let mut second = at(low + GOLDEN * (high - low), &first.2)?;
+    let (mut low, mut high) = ((LEAST * noise).ln(), widest.ln());
+    let mut second = at(low + GOLDEN * (high - low), &uneven)?;
+    let mut first = at(high - GOLDEN * (high - low), &second.2)?;
     for _ in 0..STEPS {
         if first.0 < second.0 {
             high = second.1.ln();
@@ -48,10 +48,11 @@ pub fn unevenness(problem: &Problem<'_>, start: &Start) -> Result<(f64, Minimum)
         }
     }
     let best = if first.0 < second.0 { first } else { second };
-    Ok(if best.0 < criterion(problem, &even) {
-        (best.1, best.2)
-    } else {
-        (0.0, even)
+    // Where the field is anything but even a fit that takes it for even need not end.
+    let even = problem.minimum(start, 0.0, Some(&best.2.report.values));
+    Ok(match even {
+        Ok(even) if criterion(problem, &even) <= best.0 => (0.0, even),
+        _ => (best.1, best.2),
     })
 }
 

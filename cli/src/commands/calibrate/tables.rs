@@ -139,10 +139,10 @@ fn magnetometer(calibration: &Calibration) -> String {
     let _ = writeln!(text, "\n{}", triad_table(triad, unit, Sensor::Magnetometer));
     let _ = writeln!(
         text,
-        "{} static intervals and {} turns, residual {:.3} {unit} rms{}",
+        "{} static intervals and {} turns, residual {} {unit} rms{}",
         triad.static_intervals.unwrap_or(0),
         triad.dynamic_intervals.unwrap_or(0),
-        triad.residual_rms,
+        show::error(Some(triad.residual_rms)),
         over_noise(triad)
     );
     text + &self::field(calibration)
@@ -174,8 +174,9 @@ fn of_place(field: &RecordingField, unit: &str, name: &str) -> String {
         None => format!("{} (given)", field.strength),
     };
     format!(
-        "the magnetic field{name}: {strength} {unit}, {:.2} ± {:.2}° below the horizontal\n",
-        field.inclination, field.inclination_std
+        "the magnetic field{name}: {strength} {unit}, {} ± {}° below the horizontal\n",
+        show::value(field.inclination, Some(field.inclination_std)),
+        show::error(Some(field.inclination_std))
     )
 }
 
@@ -184,8 +185,8 @@ fn uneven(field: &MagneticField, unit: &str) -> String {
         return String::new();
     }
     format!(
-        "it differs by {:.3} {unit} per axis from one static interval to the next, beyond the noise\n",
-        field.unevenness
+        "it differs by {} {unit} per axis from one static interval to the next, beyond the noise\n",
+        show::error(Some(field.unevenness))
     )
 }
 

@@ -1,0 +1,57 @@
+//! An effect of the magnetometer that the readings go with and the model lacks.
+
+use nalgebra::DVector;
+use sensor::{AnyEffect, Model, Quantity};
+use statrs::distribution::{ContinuousCDF, FisherSnedecor};
+
+use crate::methods::magnetic::MagneticFit;
+use crate::methods::small_sample::widening;
+
+/// By chance in fewer calibrations than this, over all effects.
+const UNLIKELY: f64 = 1e-3;
+
+/// The effect that is the least likely to be nothing, with its probability, if that is small; `fit` fits a larger model.
+///
+/// By Wald's test in the larger model, with the degrees of freedom of its residuals.
+pub fn effect(
+    model: &Model,
+    has_temperature: bool,
+    fit: impl Fn(&Model) -> Option<MagneticFit>,
+) -> Option<(&'static dyn AnyEffect, f64)> {
+    let candidates = magnetometer::EFFECTS.iter().copied().filter(|effect| {
+        let own = model
+            .effects()
+            .iter()
+            .any(|own| own.name() == effect.name());
+        let thermal = effect.needs().into_iter().any(Quantity::is_thermal);
+        !own && (has_temperature || !thermal)
+    });
+    let judged = candidates.filter_map(|effect| {
+        let larger = fit(&model.clone().with(effect))?;
+        Some((effect, by_chance(&larger, effect.params().len())?))
+    });
+    let (effect, p) = judged.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let p = p * magnetometer::EFFECTS.len() as f64;
+    (p < UNLIKELY).then_some((effect, p))
+}
+
+/// Probability that the last `count` parameters are as far from 0 by chance.
+fn by_chance(fit: &MagneticFit, count: usize) -> Option<f64> {
+    let (values, n) = (&fit.model.values, fit.model.values.len());
+    let theta = DVector::from_column_slice(&values[n - count..]);
+    let covariance = fit
+        .model
+        .covariance
+        .view((n - count, n - count), (count, count));
+    let inverse = covariance.into_owned().try_inverse()?;
+    let dof = fit.degrees_of_freedom;
+    // The test allows for few degrees of freedom itself.
+    let widened = if fit.unevenness > 0.0 {
+        widening(dof).powi(2)
+    } else {
+        1.0
+    };
+    let square = theta.dot(&(inverse * &theta)) * widened / count as f64;
+    let law = FisherSnedecor::new(count as f64, dof as f64).ok()?;
+    Some(law.sf(square))
+}
