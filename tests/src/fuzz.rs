@@ -11,7 +11,8 @@ use calib::effect_file::parse_effects;
 use calib::intervals::read_sections;
 use calib::recording::{ColumnMap, ReadOptions, Stream};
 use calib::simulate::{Simulation, Spec};
-use file_formats::{Container, Limits, Wanted};
+use file_formats::make::{self, Packing};
+use file_formats::{Container, Limits, Tabular, Wanted};
 use nalgebra::Vector3;
 use sensor::expression::Expression;
 use solver::Jet;
@@ -24,7 +25,7 @@ const LONGEST_MESSAGE: usize = 4_000;
 pub type Target = (&'static str, fn(&[u8]));
 
 /// Every target, by the name of its corpus.
-pub const TARGETS: [Target; 18] = [
+pub const TARGETS: [Target; 21] = [
     ("recording", recording),
     ("header", header),
     ("columns", columns),
@@ -45,6 +46,10 @@ pub const TARGETS: [Target; 18] = [
         binary("sensor_logger_json", bytes)
     }),
     ("zip", zip),
+    // In a build with the feature `tables`; others refuse all files of these.
+    ("parquet", |bytes| table("parquet", bytes)),
+    ("hdf5", hdf5),
+    ("xlsx", workbook),
 ];
 
 thread_local! {
@@ -161,6 +166,98 @@ fn zip(bytes: &[u8]) {
             let _ = std::io::copy(&mut content, &mut std::io::sink());
         }
     }
+}
+
+/// A file of tables of the format called `name`, every one of which is written as text.
+fn table(name: &str, bytes: &[u8]) {
+    let limits = Limits {
+        rows: 500,
+        ..LIMITS
+    };
+    let Some(format) = Tabular::by_name(name) else {
+        return;
+    };
+    let tables = match Container::tables_in_memory(format, bytes.into(), limits) {
+        Ok(tables) => tables,
+        Err(error) => return is_short(&error),
+    };
+    tables.warnings.iter().for_each(is_short);
+    for entry in tables.entries() {
+        let text = tables.open(entry);
+        let read = text.map(|mut text| std::io::copy(&mut text, &mut std::io::sink()));
+        if let Ok(Err(error)) = read {
+            is_short(&error);
+        }
+    }
+}
+
+/// An HDF5 file as it is, and with the check sums that it should have: the fuzzer does not find them.
+fn hdf5(bytes: &[u8]) {
+    table("hdf5", bytes);
+    #[cfg(feature = "tables")]
+    if let Some(bytes) = with_check_sums(bytes) {
+        table("hdf5", &bytes);
+    }
+}
+
+/// The file with right check sums in superblocks, headers of objects, and those of indices of fixed length; none where
+/// they are right. "HDF5 File Format Specification", version 3.0.
+#[cfg(feature = "tables")]
+fn with_check_sums(bytes: &[u8]) -> Option<Vec<u8>> {
+    let mut fixed = bytes.to_vec();
+    for at in 0..bytes.len() {
+        let rest = &bytes[at..];
+        let length = match rest.first_chunk() {
+            Some(b"\x89HDF") if rest.get(8).is_some_and(|version| *version >= 2) => Some(44),
+            Some(b"OHDR") => header_length(rest),
+            Some(b"BTHD") => Some(34),
+            Some(b"FAHD") => Some(24),
+            Some(b"EAHD") => Some(68),
+            _ => None,
+        };
+        let end = length.and_then(|length| at.checked_add(length));
+        if let Some(end) = end.filter(|end| end.saturating_add(4) <= fixed.len()) {
+            let sum = hdf5_reader::checksum::jenkins_lookup3(&fixed[at..end]);
+            fixed[end..end + 4].copy_from_slice(&sum.to_le_bytes());
+        }
+    }
+    (fixed != bytes).then_some(fixed)
+}
+
+/// Bytes of an object's header, version 2, before its check sum.
+#[cfg(feature = "tables")]
+fn header_length(header: &[u8]) -> Option<usize> {
+    let flags = *header.get(5)?;
+    let times = if flags & 0x20 == 0 { 0 } else { 16 };
+    let phases = if flags & 0x10 == 0 { 0 } else { 4 };
+    let (from, width) = (6 + times + phases, 1 << (flags & 3));
+    let size = header.get(from..from + width)?;
+    let size = size
+        .iter()
+        .rev()
+        .fold(0, |sum, byte| sum << 8 | usize::from(*byte));
+    size.checked_add(from + width)
+}
+
+/// A workbook; what is no zip archive is its texts, a null byte between them: the words, the styles, what is related to
+/// what, the list of sheets, a sheet. Packing and check sums would hide them from the fuzzer.
+fn workbook(bytes: &[u8]) {
+    const NAMES: [&str; 5] = [
+        "xl/sharedStrings.xml",
+        "xl/styles.xml",
+        "xl/_rels/workbook.xml.rels",
+        "xl/workbook.xml",
+        "xl/worksheets/sheet1.xml",
+    ];
+    if bytes.starts_with(b"PK") {
+        return table("xlsx", bytes);
+    }
+    const BEGINNING: &[u8] = b"<Relationships><Relationship Type=\"/relationships/officeDocument\" Target=\"xl/workbook.xml\"/></Relationships>";
+    let texts = bytes.splitn(NAMES.len(), |byte| *byte == 0);
+    let entries = NAMES.into_iter().zip(texts);
+    let entries = std::iter::once(("_rels/.rels", BEGINNING)).chain(entries);
+    let entries = entries.map(|(name, text)| (name, text, Packing::Stored));
+    table("xlsx", &make::zip(&entries.collect::<Vec<_>>()));
 }
 
 /// What `--columns` takes.

@@ -257,6 +257,79 @@ mod workbooks {
     }
 }
 
+/// What small files may ask for, and how they are refused.
+#[cfg(all(feature = "parquet", feature = "hdf5", feature = "xlsx"))]
+mod claims {
+    use super::*;
+    use stillpoint_formats::make::{Packing, zip};
+
+    /// A Parquet file with this schema and nothing else.
+    fn with_schema(elements: usize, children: [u8; 5]) -> Vec<u8> {
+        // Fields 1 (version), 2 (the schema, a list of structures with a name and a number of children).
+        let mut metadata = vec![0x15, 2, 0x19, 0xfc];
+        metadata.extend([0, 7, 14].map(|shift| (elements >> shift) as u8 & 0x7f | 0x80));
+        metadata.push((elements >> 21) as u8);
+        for _ in 0..elements {
+            metadata.extend([0x48, 1, b'x', 0x15]);
+            metadata.extend(children);
+            metadata.push(0);
+        }
+        metadata.extend([0x16, 0, 0x19, 0x0c, 0]);
+        let length = (metadata.len() as u32).to_le_bytes();
+        [b"PAR1", &metadata[..], &length, b"PAR1"].concat()
+    }
+
+    #[test]
+    fn a_schema_with_more_children_than_elements_is_refused() {
+        let file = with_schema(1, [0xfe, 0xff, 0xff, 0xff, 0x0f]);
+        let error = texts("parquet", &file).unwrap_err();
+        assert!(error.contains("schema"), "{error}");
+    }
+
+    /// The parser would end the program by want of stack.
+    #[test]
+    fn a_schema_of_groups_within_groups_is_refused() {
+        let file = with_schema(1 << 20, [0x82, 0x80, 0x80, 0x80, 0]);
+        let error = texts("parquet", &file).unwrap_err();
+        assert!(error.contains("schema"), "{error}");
+    }
+
+    /// The parser would end the program by want of memory.
+    #[test]
+    fn a_workbook_that_announces_more_words_than_it_has_is_refused() {
+        let words = r#"<sst uniqueCount="99999999999999"><si><t>t</t></si></sst>"#;
+        let wide: Vec<u8> = words.bytes().flat_map(|byte| [byte, 0]).collect();
+        for (folder, words) in [("xl", words.as_bytes()), ("xl/worksheets", &wide)] {
+            let beginning = format!(
+                "<Relationships><Relationship Type=\"/relationships/officeDocument\" Target=\"{folder}/workbook.xml\"/></Relationships>"
+            );
+            let file = zip(&[
+                ("_rels/.rels", beginning.as_bytes(), Packing::Deflated),
+                (
+                    &format!("{folder}/sharedStrings.xml"),
+                    words,
+                    Packing::Deflated,
+                ),
+            ]);
+            let error = texts("xlsx", &file).unwrap_err();
+            assert!(error.contains("99999999999999"), "{error}");
+        }
+    }
+}
+
+/// What the fuzzers kept, `tests/fuzz/run parquet` and the others.
+#[cfg(all(feature = "parquet", feature = "hdf5", feature = "xlsx"))]
+#[test]
+fn the_corpus_is_read_or_refused() {
+    for format in ["parquet", "hdf5", "xlsx"] {
+        let corpus = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/corpus");
+        let folder = std::path::Path::new(corpus).join(format);
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let _ = texts(format, &std::fs::read(entry.unwrap().path()).unwrap());
+        }
+    }
+}
+
 /// Every file with bytes changed or cut gives tables or an error, and comes to an end.
 #[test]
 fn damage_is_an_error_or_harmless() {

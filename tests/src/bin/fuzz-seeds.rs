@@ -7,7 +7,7 @@ use calib::calibrate::{Request, calibrate};
 use calib::recording::to_csv;
 use calib::simulate::{EXAMPLE, Spec};
 use clap::Parser;
-use file_formats::make::{self, ImuRow, Packer, Packing, Rows};
+use file_formats::make::{self, ImuRow, Packer, Packing, Rows, SheetCell};
 
 /// Writes seeds for the fuzzers, a folder per target.
 #[derive(Debug, Parser)]
@@ -96,7 +96,40 @@ fn binaries() -> Vec<(&'static str, usize, Vec<u8>)> {
     let entries: Vec<String> = sensor.iter().map(entry).collect();
     let json = format!("[{}]", entries.join(","));
     let text = b"t,ax,ay,az\n0,0,0,9.8\n".as_slice();
-    vec![
+    let cell = |row: usize, column: usize| row as f64 + 0.25 * column as f64;
+    let columns: Vec<(&str, Vec<f64>)> = ["t", "ax", "ay", "az"]
+        .into_iter()
+        .enumerate()
+        .map(|(at, name)| (name, (0..12).map(|row| cell(row, at)).collect()))
+        .collect();
+    let sets: Vec<_> = columns
+        .iter()
+        .map(|(name, values)| (*name, &[12_u64][..], values.clone()))
+        .collect();
+    let matrices: [(&str, &[u64], Vec<f64>); 2] = [
+        ("acc", &[3, 12], vec![0.5; 36]),
+        ("t", &[1, 12], columns[0].1.clone()),
+    ];
+    let matlab = [
+        b"MATLAB 7.3 MAT-file".as_slice(),
+        &[0; 512 - 19],
+        &make::hdf5(&matrices),
+    ];
+    let sheet: Vec<Vec<SheetCell>> = (0..4)
+        .map(|row| (0..4).map(|at| SheetCell::Number(cell(row, at))).collect())
+        .collect();
+    let named: Vec<_> = columns
+        .iter()
+        .map(|(name, values)| ((*name).to_owned(), values.clone()))
+        .collect();
+    // In a build with the feature `tables`.
+    let parquet = file_formats::write_parquet(&named).ok();
+    let parquet = parquet.map(|file| ("parquet", 0, file));
+    let others = vec![
+        ("hdf5", 0, make::hdf5(&sets)),
+        ("hdf5", 1, matlab.concat()),
+        ("xlsx", 0, make::workbook(&[("Raw", false, sheet)])),
+        ("xlsx", 1, WORKBOOK.replace('\n', "\0").into_bytes()),
         ("mat", 0, make::mat(&[("acc", &sensor), ("gyro", &sensor)])),
         (
             "ulog",
@@ -127,7 +160,8 @@ fn binaries() -> Vec<(&'static str, usize, Vec<u8>)> {
                 ("b/c.csv", text, Packing::Deflated),
             ]),
         ),
-    ]
+    ];
+    parquet.into_iter().chain(others).collect()
 }
 
 /// The same recording as programs write it.
@@ -173,6 +207,13 @@ const NOISE: &str = r#"{"schema":"stillpoint.noise/1","created_by":"","accelerom
 "axes":[{"terms":[{"term":"random_walk","name":"","unit":"","value":1e-4,"lower":1e-5,"upper":1e-3}],"model_error":null,"curve":[]},
 {"terms":[],"model_error":null,"curve":[]},{"terms":[],"model_error":1.5,"curve":[]}]},"gyroscope":null,
 "initial_static_time":null,"warnings":[]}"#;
+
+/// Shared words, styles, relations, sheets and a sheet, one a line.
+const WORKBOOK: &str = r#"<sst uniqueCount="4"><si><t>t</t></si><si><r><t>a</t></r><r><t>x</t></r></si><si><t>ay</t></si><si><t>az</t></si></sst>
+<styleSheet><numFmts><numFmt numFmtId="164" formatCode="0.00"/></numFmts><fonts><font><b/><sz val="9"/></font></fonts><cellXfs><xf numFmtId="0"/><xf numFmtId="22"/><xf numFmtId="164"/></cellXfs></styleSheet>
+<Relationships><Relationship Id="rId1" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/worksheet" Target="worksheets/sheet1.xml"/></Relationships>
+<workbook xmlns:r="http://schemas.openxmlformats.org/officeDocument/2006/relationships"><workbookPr date1904="0"/><sheets><sheet name="Raw" sheetId="1" r:id="rId1"/></sheets></workbook>
+<worksheet><dimension ref="A1:D3"/><sheetData><row r="1"><c r="A1" t="s"><v>0</v></c><c r="B1" t="s"><v>1</v></c><c t="s"><v>2</v></c><c t="inlineStr"><is><t>az</t></is></c></row><row><c><v>0.5</v></c><c s="2"><v>-1e3</v></c><c t="b"><v>1</v></c><c t="e"><v>#N/A</v></c></row><row r="3"><c r="A3" t="str"><f t="shared" si="0" ref="A3:A4">A2+1</f><v>7</v></c><c t="d"><v>2026-01-02T03:04:05</v></c><c s="1"><v>45000.5</v></c></row></sheetData></worksheet>"#;
 
 fn write(folder: &Path, target: &str, k: usize, bytes: &[u8]) -> std::io::Result<()> {
     let folder = folder.join(target);

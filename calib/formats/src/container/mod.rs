@@ -52,6 +52,15 @@ impl Store {
             Self::Memory(bytes) => Box::new(Cursor::new(bytes.clone())),
         })
     }
+
+    /// Bytes in it.
+    #[cfg(any(feature = "parquet", feature = "hdf5"))]
+    pub fn length(&self) -> Result<u64, Error> {
+        Ok(match self {
+            Self::File(path) => path.metadata()?.len(),
+            Self::Memory(bytes) => bytes.len() as u64,
+        })
+    }
 }
 
 /// Files by name, in the order of their names.

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::io::Write;
 
-use crate::Error;
+use crate::{Error, Limits};
 
 /// A cell before it is written.
 #[derive(Clone, Debug, PartialEq)]
@@ -88,6 +88,24 @@ pub(super) fn check(rows: u64, limit: u64) -> Result<(), Error> {
     match rows > limit {
         true => Err(Error::refused(format!(
             "a table of {rows} rows, more than {limit}; --max-rows raises the limit"
+        ))),
+        false => Ok(()),
+    }
+}
+
+/// Refuses more cells than a file of `length` bytes holds of readings, however well it is packed: their text takes time.
+pub(super) fn check_cells(
+    rows: u64,
+    columns: usize,
+    length: u64,
+    limits: Limits,
+) -> Result<(), Error> {
+    /// As many may always be there.
+    const ALWAYS: u64 = 1 << 20;
+    let cells = rows.saturating_mul(columns as u64);
+    match cells > ALWAYS && cells / limits.ratio > length {
+        true => Err(Error::refused(format!(
+            "a table of {cells} cells in a file of {length} bytes, as no recording is"
         ))),
         false => Ok(()),
     }

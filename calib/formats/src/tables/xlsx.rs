@@ -85,12 +85,14 @@ fn open(store: &Store) -> Result<Workbook<Box<dyn Stored>>, Error> {
 fn check(store: &Store, limits: Limits) -> Result<(), Error> {
     let archive = Container::of_store(store.clone(), limits)?;
     for entry in archive.entries() {
-        let is_sheet = entry.name.starts_with("xl/worksheets/");
+        let name = entry.name.to_ascii_lowercase();
+        let is_sheet = name.starts_with("xl/worksheets/sheet");
         let mut content = archive.open(entry)?;
         if is_sheet {
             continue;
         }
-        let unpacked = io::copy(&mut (&mut content).take(HELD), &mut io::sink());
+        let mut words = Words::default();
+        let unpacked = io::copy(&mut (&mut content).take(HELD), &mut words);
         let unpacked =
             unpacked.map_err(|error| Error::refused(format!("{}: {error}", shown(&entry.name))))?;
         if unpacked == HELD {
@@ -99,8 +101,69 @@ fn check(store: &Store, limits: Limits) -> Result<(), Error> {
                 shown(&entry.name)
             )));
         }
+        if words.most > unpacked.max(MANY) {
+            return Err(Error::refused(format!(
+                "{} announces {} words in {unpacked} bytes: the workbook is damaged",
+                shown(&entry.name),
+                words.most
+            )));
+        }
     }
     Ok(())
+}
+
+/// As many shared words may always be announced.
+const MANY: u64 = 1 << 20;
+
+/// The most words that an entry announces: the parser makes room for them at once, and the program would end for want of
+/// memory.
+#[derive(Debug, Default)]
+struct Words {
+    most: u64,
+    /// Bytes of [`Words::NAME`] that were just read.
+    matched: usize,
+    /// The number that is being read, and whether its digits have begun.
+    number: u64,
+    begun: bool,
+}
+
+impl Words {
+    /// The attribute with the number of words.
+    const NAME: &[u8] = b"uniqueCount";
+
+    fn read(&mut self, byte: u8) {
+        if self.matched < Self::NAME.len() {
+            // A space stands before the attribute, so that it never begins within what was matched so far.
+            self.matched = match byte == Self::NAME[self.matched] {
+                true => self.matched + 1,
+                false => usize::from(byte == Self::NAME[0]),
+            };
+            return;
+        }
+        match byte {
+            b'0'..=b'9' => {
+                self.begun = true;
+                let digit = u64::from(byte - b'0');
+                self.number = self.number.saturating_mul(10).saturating_add(digit);
+                self.most = self.most.max(self.number);
+            }
+            b' ' | b'\t' | b'\r' | b'\n' | b'=' | b'"' | b'\'' | b'+' if !self.begun => {}
+            _ => (self.matched, self.number, self.begun) = (0, 0, false),
+        }
+    }
+}
+
+impl Write for Words {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        // Without the zeros of text in 16 bits.
+        let bytes_there = bytes.iter().filter(|byte| **byte != 0);
+        bytes_there.for_each(|byte| self.read(*byte));
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
 }
 
 /// A sheet while it is written.

@@ -95,6 +95,20 @@ fn ordered(bytes: &[u8], order: ByteOrder) -> impl Iterator<Item = u8> + '_ {
     })
 }
 
+/// Numbers in an element, those of records within it too.
+pub(super) fn numbers_in(datatype: &Datatype) -> u64 {
+    match datatype {
+        Datatype::Compound { fields, .. } => {
+            let numbers = fields.iter().map(|field| numbers_in(&field.datatype));
+            numbers.fold(0, u64::saturating_add)
+        }
+        Datatype::Array { base, dims } => dims
+            .iter()
+            .fold(numbers_in(base), |all, dim| all.saturating_mul(*dim)),
+        _ => 1,
+    }
+}
+
 /// Numbers in a field of a record.
 pub(super) fn width_of(datatype: &Datatype) -> usize {
     match datatype {
@@ -105,5 +119,22 @@ pub(super) fn width_of(datatype: &Datatype) -> usize {
             .unwrap_or(usize::MAX)
             .min(WIDEST as usize),
         _ => 1,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_of_arrays_within_arrays_multiply() {
+        let mut datatype = f64::hdf5_type();
+        for _ in 0..3 {
+            datatype = Datatype::Array {
+                base: Box::new(datatype),
+                dims: vec![64],
+            };
+        }
+        assert_eq!(numbers_in(&datatype), 64 * 64 * 64);
     }
 }

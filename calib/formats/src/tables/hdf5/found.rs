@@ -15,6 +15,8 @@ use crate::{Error, Limits};
 
 /// Groups within groups that are looked into.
 const DEPTH: usize = 8;
+/// Cells read at a time, however large the chunks are: a cell takes a hundred bytes.
+const CELLS: u64 = 1 << 20;
 
 /// Datasets of one length.
 pub(super) struct Table {
@@ -23,6 +25,12 @@ pub(super) struct Table {
 }
 
 impl Table {
+    /// Rows times columns.
+    fn cells(&self) -> u64 {
+        let cells = |set: &Set| set.rows.saturating_mul(set.width as u64);
+        self.sets.iter().map(cells).fold(0, u64::saturating_add)
+    }
+
     /// Writes it as comma-separated text.
     pub fn write(&self, out: &mut dyn Write) -> Result<(), Error> {
         let names: Option<Vec<&Vec<String>>> =
@@ -32,7 +40,9 @@ impl Table {
             out.write_all(rows::header(&names).as_bytes())?;
         }
         let rows = self.sets.first().map_or(0, |set| set.rows);
+        let width = self.sets.iter().map(|set| set.width as u64).sum::<u64>();
         let block = self.sets.iter().map(Set::block).max().unwrap_or(1);
+        let block = block.min(CELLS / width.max(1)).max(1);
         let mut line = String::new();
         let mut start = 0;
         while start < rows {
@@ -63,9 +73,14 @@ pub(super) struct Found {
 }
 
 impl Found {
-    pub fn look(&mut self, file: &Hdf5File, limits: Limits) -> Result<(), Error> {
+    /// Looks into a file of `length` bytes.
+    pub fn look(&mut self, file: &Hdf5File, length: u64, limits: Limits) -> Result<(), Error> {
         let root = file.root_group().map_err(damaged)?;
-        self.group(&root, "", 0, limits)
+        self.group(&root, "", 0, limits)?;
+        let tables = self.tables.iter();
+        let cells = tables.map(|table| table.cells());
+        let cells = cells.fold(0, u64::saturating_add);
+        rows::check_cells(cells, 1, length, limits)
     }
 
     fn group(

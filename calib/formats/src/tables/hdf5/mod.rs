@@ -26,12 +26,14 @@ const FEWEST: u64 = 10;
 /// More columns are a picture.
 const WIDEST: u64 = 64;
 /// Bytes of chunks that are kept unpacked.
-const CACHE: usize = 32 << 20;
+const CACHE: usize = 64 << 20;
+/// Bytes that a read may always take.
+const ALWAYS: u64 = 1 << 20;
 
 impl Reader for Hdf5 {
     fn tables(&self, store: &Store, limits: Limits) -> Result<Listed, Error> {
         let mut found = Found::default();
-        found.look(&open(store)?, limits)?;
+        found.look(&open(store, limits)?, store.length()?, limits)?;
         if found.tables.is_empty() {
             let words = format!(
                 "no dataset of numbers with {FEWEST} rows or more; it holds {}",
@@ -52,9 +54,9 @@ impl Reader for Hdf5 {
         limits: Limits,
         out: &mut dyn Write,
     ) -> Result<(), Error> {
-        let file = open(store)?;
+        let file = open(store, limits)?;
         let mut found = Found::default();
-        found.look(&file, limits)?;
+        found.look(&file, store.length()?, limits)?;
         let table = found.tables.iter().find(|table| table.name == name);
         let table = table.ok_or_else(|| Error::refused("the file has changed"))?;
         table.write(out)
@@ -65,10 +67,15 @@ fn damaged(error: Hdf5Error) -> Error {
     Error::refused(format!("the HDF5 file cannot be read: {error}"))
 }
 
-fn open(store: &Store) -> Result<Hdf5File, Error> {
+fn open(store: &Store, limits: Limits) -> Result<Hdf5File, Error> {
+    // Memory grows with what there is: what was never written is read as well, as fill values.
+    let most = store.length()?.saturating_mul(limits.ratio).max(ALWAYS);
+    let most = usize::try_from(most).unwrap_or(usize::MAX);
+    let most = most.min(hdf5_reader::DEFAULT_MAX_CHUNK_BYTES);
     let options = OpenOptions::default()
         .with_chunk_cache_bytes(CACHE)
-        .with_max_read_bytes(hdf5_reader::DEFAULT_MAX_CHUNK_BYTES);
+        .with_max_chunk_bytes(most)
+        .with_max_read_bytes(most);
     match store {
         Store::File(path) => {
             let storage = FileStorage::open(path).map_err(damaged)?;

@@ -5,13 +5,15 @@ use hdf5_reader::dataset::{Dataset, SliceInfo, SliceInfoElem};
 use hdf5_reader::group::Group;
 
 use super::super::rows::{self, Cell};
-use super::element::{Element, width_of};
+use super::element::{Element, numbers_in, width_of};
 use super::{FEWEST, WIDEST};
 use crate::Error;
 use crate::shown::shown;
 
 /// Rows read at a time, more where a chunk holds more.
 const ROWS: u64 = 4096;
+/// More numbers in a record are none of readings.
+const FIELDS: u64 = 1024;
 
 /// A dataset of rows.
 pub(super) struct Set {
@@ -41,6 +43,7 @@ impl Set {
             return Ok(None);
         }
         let width = match (&widths[..], is_record) {
+            ([], true) if numbers_in(dataset.dtype()) > FIELDS => return Ok(None),
             ([], _) => 1,
             ([width], false) if *width <= WIDEST => *width as usize,
             _ if crate::mat::quantity(&name).is_some() => {
@@ -164,13 +167,16 @@ pub(super) fn attribute(dataset: &Dataset, names: &[&str]) -> Option<String> {
 /// `block0_values`.
 fn column_names(dataset: &Dataset, group: &Group, width: usize) -> Option<Vec<String>> {
     let attributes = ["columns", "column_names", "names", "labels"];
-    let given = attributes
-        .iter()
-        .find_map(|name| dataset.attribute(name).ok()?.read_strings().ok());
+    let given = attributes.iter().find_map(|name| {
+        let given = dataset.attribute(name).ok()?;
+        let is_row = given.num_elements().ok()? <= WIDEST;
+        is_row.then(|| given.read_strings().ok())?
+    });
     let names = given.or_else(|| {
         let stem = dataset.name().strip_suffix("_values")?;
         let items = group.dataset(&format!("{stem}_items")).ok()?;
-        items.read_strings().ok()
+        let is_row = items.num_elements().ok()? == width as u64;
+        is_row.then(|| items.read_strings().ok())?
     });
     names.filter(|names| names.len() == width)
 }

@@ -1,5 +1,8 @@
 //! Parquet: columns in row groups, <https://parquet.apache.org/docs/file-format/>.
 
+mod claims;
+mod thrift;
+
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::sync::Arc;
 
@@ -30,7 +33,7 @@ const ROWS: usize = 4096;
 impl Reader for Parquet {
     fn tables(&self, store: &Store, limits: Limits) -> Result<Listed, Error> {
         let file = open(store)?;
-        check(file.metadata(), limits)?;
+        check(file.metadata(), store.length()?, limits)?;
         Ok(Listed {
             names: vec![String::new()],
             warnings: Vec::new(),
@@ -45,7 +48,7 @@ impl Reader for Parquet {
         out: &mut dyn Write,
     ) -> Result<(), Error> {
         let file = open(store)?;
-        check(file.metadata(), limits)?;
+        let rows = check(file.metadata(), store.length()?, limits)?;
         let columns: Vec<Column> = {
             let schema = file.metadata().file_metadata().schema_descr();
             let all = schema.columns().iter().enumerate();
@@ -54,11 +57,12 @@ impl Reader for Parquet {
         };
         let names: Vec<String> = columns.iter().map(|column| column.name.clone()).collect();
         out.write_all(rows::header(&names).as_bytes())?;
-        let (mut line, mut left) = (String::new(), limits.rows);
+        let (mut line, mut left) = (String::new(), rows);
         for group in 0..file.num_row_groups() {
             let group = file.get_row_group(group).map_err(damaged)?;
             let mut readers = Vec::new();
             for column in &columns {
+                claims::check_pages(store, group.metadata().column(column.at), limits)?;
                 readers.push(group.get_column_reader(column.at).map_err(damaged)?);
             }
             loop {
@@ -92,20 +96,23 @@ fn damaged(error: ParquetError) -> Error {
 }
 
 fn open(store: &Store) -> Result<SerializedFileReader<Chunks>, Error> {
-    let length = store.open()?.seek(SeekFrom::End(0))?;
+    claims::check_schema(&mut *store.open()?)?;
     let chunks = Chunks {
         store: store.clone(),
-        length,
+        length: store.length()?,
     };
     SerializedFileReader::new(chunks).map_err(damaged)
 }
 
-/// Refuses what is too much, or packed in a way that this build does not know.
-fn check(metadata: &ParquetMetaData, limits: Limits) -> Result<(), Error> {
+/// Refuses what is too much in a file of `length` bytes, or packed in a way that this build does not know; else the
+/// number of rows.
+fn check(metadata: &ParquetMetaData, length: u64, limits: Limits) -> Result<u64, Error> {
     let rows = u64::try_from(metadata.file_metadata().num_rows()).unwrap_or(u64::MAX);
     rows::check(rows, limits.rows)?;
+    let columns = metadata.file_metadata().schema_descr().num_columns();
+    rows::check_cells(rows, columns, length, limits)?;
     let chunks = metadata.row_groups().iter().flat_map(|g| g.columns());
-    let mut all: u64 = 0;
+    let (mut all, mut packed): (u64, u64) = (0, 0);
     for chunk in chunks {
         let what = match chunk.compression() {
             Compression::ZSTD(_) if cfg!(not(feature = "parquet-zstd")) => Some("zstd"),
@@ -130,6 +137,12 @@ fn check(metadata: &ParquetMetaData, limits: Limits) -> Result<(), Error> {
         let what = format!("the column {}", shown(&chunk.column_path().string()));
         limits.check_unpacked(&what, small, large)?;
         all = all.saturating_add(large);
+        packed = packed.saturating_add(small);
+    }
+    if packed > length {
+        return Err(Error::refused(
+            "columns that together are longer than the Parquet file: it is damaged",
+        ));
     }
     if all > limits.bytes {
         return Err(Error::refused(format!(
@@ -137,7 +150,7 @@ fn check(metadata: &ParquetMetaData, limits: Limits) -> Result<(), Error> {
             limits.bytes
         )));
     }
-    Ok(())
+    Ok(rows)
 }
 
 /// A column that is read.
@@ -347,4 +360,28 @@ pub(super) fn write(columns: &[(String, Vec<f64>)]) -> Result<Vec<u8>, Error> {
         group.close().map_err(cannot)?;
     }
     file.into_inner().map_err(cannot)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pages_are_weighed_before_they_are_unpacked() {
+        let file = write(&[("t".to_owned(), vec![0.5; 4000])]).unwrap();
+        let store = Store::Memory(file.into());
+        let opened = open(&store).unwrap();
+        let chunk = opened.metadata().row_group(0).column(0);
+        let with = |bytes| {
+            let limits = Limits {
+                bytes,
+                ..Limits::default()
+            };
+            claims::check_pages(&store, chunk, limits)
+        };
+        // Doubles, and whether they are there.
+        assert!(with(8 * 4000 + 100).is_ok());
+        let error = with(8 * 4000 - 1).unwrap_err().to_string();
+        assert!(error.contains("page of the column t"), "{error}");
+    }
 }

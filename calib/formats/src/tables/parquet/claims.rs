@@ -1,0 +1,155 @@
+//! What a Parquet file announces, weighed before its parser makes room for it.
+
+use std::io::{BufReader, Read, Seek, SeekFrom};
+
+use parquet::file::metadata::ColumnChunkMetaData;
+
+use super::thrift::{BINARY, Field, I32, LIST, STRUCTURE, Thrift};
+use crate::container::{Store, Stored};
+use crate::shown::shown;
+use crate::{Error, Limits};
+
+/// Groups within groups of columns.
+const DEPTH: usize = 64;
+/// Bytes behind the metadata: its length and the mark.
+const TAIL: u64 = 8;
+/// Types of the fields of an element of the schema, by number.
+const ELEMENT: [u8; 10] = [I32, I32, I32, BINARY, I32, I32, I32, I32, I32, STRUCTURE];
+/// The field with the number of children.
+const CHILDREN: i64 = 5;
+/// The field of the metadata with the schema.
+const SCHEMA: i64 = 2;
+
+fn damaged(what: &str) -> Error {
+    Error::refused(format!("{what} of the Parquet file is damaged"))
+}
+
+/// Refuses a schema with more children than it has elements, or deeper than any recording's: the parser would make room
+/// for the former, and call itself for the latter.
+///
+/// # Errors
+/// Damage.
+pub(super) fn check_schema(file: &mut dyn Stored) -> Result<(), Error> {
+    let length = file.seek(SeekFrom::End(0))?;
+    let Some(tail) = length.checked_sub(TAIL) else {
+        return Ok(());
+    };
+    file.seek(SeekFrom::Start(tail))?;
+    let mut size = [0; 4];
+    file.read_exact(&mut size)?;
+    let size = u64::from(u32::from_le_bytes(size));
+    // The parser says what is wrong with the length.
+    let Some(start) = tail.checked_sub(size) else {
+        return Ok(());
+    };
+    file.seek(SeekFrom::Start(start))?;
+    let mut thrift = Thrift::new(BufReader::new(file.take(size)));
+    let mut before = 0;
+    let broken = |_| damaged("the metadata");
+    while let Some(field) = thrift.field(before).map_err(broken)? {
+        before = field.number;
+        if field.number != SCHEMA {
+            thrift.pass(field.kind).map_err(broken)?;
+            continue;
+        }
+        let (kind, count) = thrift.list().map_err(broken)?;
+        if field.kind != LIST || kind != STRUCTURE {
+            return Err(damaged("the schema"));
+        }
+        elements(&mut thrift, count)?;
+    }
+    Ok(())
+}
+
+/// Reads the elements of a schema, parents before their children.
+fn elements(thrift: &mut Thrift<impl Read>, count: u64) -> Result<(), Error> {
+    // Children still to come, of every group that is open.
+    let mut open: Vec<u64> = Vec::new();
+    for read in 1..=count {
+        let children = children(thrift).map_err(|_| damaged("the schema"))?;
+        while open.last() == Some(&0) {
+            open.pop();
+        }
+        if let Some(left) = open.last_mut() {
+            *left -= 1;
+        }
+        if children > count - read || open.len() == DEPTH {
+            return Err(damaged("the schema"));
+        }
+        if children > 0 {
+            open.push(children);
+        }
+    }
+    Ok(())
+}
+
+/// The number of children of the next element of a schema.
+fn children(thrift: &mut Thrift<impl Read>) -> std::io::Result<u64> {
+    let (mut before, mut children) = (0, 0);
+    while let Some(Field { number, kind }) = thrift.field(before)? {
+        before = number;
+        let at = usize::try_from(number - 1).unwrap_or(usize::MAX);
+        // The parser does not look at the types, and would go on at another byte.
+        if ELEMENT.get(at).is_some_and(|known| *known != kind) {
+            return Err(std::io::ErrorKind::InvalidData.into());
+        }
+        match number {
+            CHILDREN => children = u64::try_from(thrift.number()?).unwrap_or(u64::MAX),
+            _ => thrift.pass(kind)?,
+        }
+    }
+    Ok(children)
+}
+
+/// Refuses pages that unpack to more than their packed bytes can hold, or announce what does not follow: the parser makes
+/// room for the former, and counts the latter.
+///
+/// # Errors
+/// Damage, or a page beyond the limits.
+pub(super) fn check_pages(
+    store: &Store,
+    chunk: &ColumnChunkMetaData,
+    limits: Limits,
+) -> Result<(), Error> {
+    let what = format!(
+        "a page of the column {}",
+        shown(&chunk.column_path().string())
+    );
+    let (start, mut left) = chunk.byte_range();
+    let mut file = BufReader::new(store.open()?);
+    file.seek(SeekFrom::Start(start))?;
+    while left > 0 {
+        let mut thrift = Thrift::new(&mut file);
+        let [unpacked, packed] = sizes(&mut thrift).map_err(|_| damaged(&what))?;
+        limits.check_unpacked(&what, packed, unpacked)?;
+        let length = thrift.taken.saturating_add(packed);
+        left = left.checked_sub(length).ok_or_else(|| damaged(&what))?;
+        // Most headers lie in the bytes that are there already.
+        let step = i64::try_from(packed).map_err(|_| damaged(&what))?;
+        file.seek_relative(step)?;
+    }
+    Ok(())
+}
+
+/// The sizes in the header of a page: unpacked and packed, fields 2 and 3.
+fn sizes(thrift: &mut Thrift<impl Read>) -> std::io::Result<[u64; 2]> {
+    let damaged = std::io::ErrorKind::InvalidData;
+    let (mut before, mut sizes) = (0, [None; 2]);
+    while let Some(Field { number, kind }) = thrift.field(before)? {
+        before = number;
+        match (number, kind) {
+            (2 | 3, I32) => {
+                let size = u64::try_from(thrift.number()?).map_err(|_| damaged)?;
+                if sizes[usize::from(number == 3)].replace(size).is_some() {
+                    return Err(damaged.into());
+                }
+            }
+            (1..=3, kind) if kind != I32 => return Err(damaged.into()),
+            _ => thrift.pass(kind)?,
+        }
+    }
+    let [Some(unpacked), Some(packed)] = sizes else {
+        return Err(damaged.into());
+    };
+    Ok([unpacked, packed])
+}
