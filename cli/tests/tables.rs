@@ -70,3 +70,24 @@ fn tables_are_calibrated_as_the_csv_that_they_hold() {
         fs::read_to_string(folder.join("good.csv")).unwrap()
     );
 }
+
+/// The parser panics at a column that begins before the file; that is told as every other damage is.
+#[test]
+fn damage_at_which_a_parser_gives_up_is_one_message() {
+    let (_keep, folder) = folder();
+    let converted = stillpoint(&folder, &["convert", "good.csv", "-o", "good.parquet"]);
+    assert_eq!(status(&converted), 0, "{}", stderr(&converted));
+    let mut bytes = fs::read(folder.join("good.parquet")).unwrap();
+    // The first field with the first column's offset, 4, which becomes -4.
+    let tail = bytes.len() - 8;
+    let size = u32::from_le_bytes(*bytes[tail..].first_chunk().unwrap());
+    let metadata = &mut bytes[tail - size as usize..tail];
+    let at = metadata.windows(2).position(|w| w == [0x26, 8]).unwrap();
+    metadata[at + 1] = 7;
+    fs::write(folder.join("damaged.parquet"), bytes).unwrap();
+    let run = stillpoint(&folder, &["calibrate", "damaged.parquet"]);
+    assert_ne!(status(&run), 0);
+    let told = stderr(&run);
+    assert!(told.contains("gave up"), "{told}");
+    assert!(!told.contains("panicked"), "{told}");
+}

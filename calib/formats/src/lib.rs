@@ -42,4 +42,4 @@ pub use format::{Format, ReadSeek};
 pub use limits::Limits;
 pub use registry::{FORMATS, recognise};
 pub use stream::{Content, Quantity, Stream, Wanted};
-pub use tables::{TABULAR, Tabular, write_parquet};
+pub use tables::{TABULAR, Tabular, catches_panics, write_parquet};

@@ -13,6 +13,7 @@ mod stream;
 #[cfg(feature = "xlsx")]
 mod xlsx;
 
+use std::cell::Cell;
 use std::fmt;
 use std::io::{Read, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -163,11 +164,35 @@ pub fn write_parquet(columns: &[(String, Vec<f64>)]) -> Result<Vec<u8>, Error> {
     }
 }
 
+thread_local! {
+    static CATCHES: Cell<bool> = const { Cell::new(false) };
+}
+
+/// True while a panic of this thread would be caught and told as damage of a file, so that no hook has to tell it.
+pub fn catches_panics() -> bool {
+    CATCHES.get()
+}
+
 /// What a parser of another project reads; a panic in it is the damage that it did not foresee.
 fn guarded<T>(read: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
-    catch_unwind(AssertUnwindSafe(read)).unwrap_or_else(|_| {
+    let before = CATCHES.replace(true);
+    let read = catch_unwind(AssertUnwindSafe(read));
+    CATCHES.set(before);
+    read.unwrap_or_else(|_| {
         Err(Error::refused(
             "the reader of this format gave up at damage that it does not understand; export the table as CSV",
         ))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_is_known_as_caught_where_it_is() {
+        assert!(!catches_panics());
+        assert!(guarded(|| Ok(catches_panics())).unwrap());
+        assert!(!catches_panics());
+    }
 }

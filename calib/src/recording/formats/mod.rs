@@ -23,6 +23,8 @@ mod trackers;
 
 use std::fmt;
 
+pub use file_formats::catches_panics;
+
 use super::files::Files;
 use super::look::Look;
 use super::magnetometer;
