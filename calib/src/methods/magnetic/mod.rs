@@ -13,8 +13,8 @@
 //! The errors of accelerometer and gyroscope enter with the covariance of their own calibration: they widen the errors of
 //! the magnetometer, and what the magnetometer says of headings comes back to the gyroscope.
 //!
-//! [`linear_start`] finds the neighbourhood without a guess; [`unevenness`] is how much the field differs from place to
-//! place, by restricted likelihood; [`fit_magnetometer`] does all of it.
+//! `start` finds the neighbourhood without a guess; `unevenness` is how much the field differs from place to place, by
+//! restricted likelihood; `disturbed` finds places that differ from all others; [`fit_magnetometer`] does all of it.
 
 mod disturbed;
 mod factors;
