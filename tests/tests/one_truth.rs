@@ -62,7 +62,7 @@ fn every_effect_leaves_the_noise_on_another_recording_or_is_refused_by_name() {
         .into_iter()
         .flat_map(|trial| METHODS.map(|method| (trial.clone(), method)))
         .collect();
-    assert_eq!(all.len(), 2 * 41);
+    assert_eq!(all.len(), 2 * 44);
     let ends: Vec<End> = all
         .par_iter()
         .enumerate()

@@ -7,8 +7,8 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 use crate::methods::magnetic::MagneticFit;
 use crate::methods::small_sample::widening;
 
-/// By chance in fewer calibrations than this, over all effects.
-const UNLIKELY: f64 = 1e-3;
+/// By chance in fewer calibrations than this, over all effects. A false name costs more than a missing one.
+const UNLIKELY: f64 = 1e-5;
 
 /// The effect that is the least likely to be nothing, with its probability, if that is small; `fit` fits a larger model.
 ///

@@ -13,9 +13,6 @@ pub const FIELD: usize = 2;
 /// Coordinates of a reading before those of the other sensors' errors: model, field, heading.
 const OWN: usize = FIELD + 1;
 
-/// A tighter tie than any recording gives, and loose enough for the factorisation: the scale is fixed to this share.
-const TIE: f64 = 1e-7;
-
 /// The mean reading of a placement less that of the model, over its standard deviation (3 rows).
 ///
 /// Blocks: the model's parameters, the field (`FIELD`), the heading (rad), the errors of the other sensors, and, of a
@@ -128,15 +125,16 @@ impl Factor for Reading<'_> {
     }
 }
 
-/// `ln |det T| = 0`: the common scale of `T`, where the strength of the field is not given.
+/// `ln |det T| = 0` to within this share: the common scale of `T`, where the strength of the field is not given. Nothing
+/// else sees that scale, so that the minimum is the same for any share.
 #[derive(Debug)]
-pub struct UnitDeterminant;
+pub struct UnitDeterminant(pub f64);
 
 impl Factor for UnitDeterminant {
     fn values(&self, x: &[f64], out: &mut Vec<f64>) {
         let t = Base::from_parameters(&x[..BASE_PARAMETERS]).t;
         out.clear();
-        out.push(t.determinant().abs().ln() / TIE);
+        out.push(t.determinant().abs().ln() / self.0);
     }
 
     /// `∂ ln |det T| / ∂T = T⁻ᵀ`.
@@ -145,7 +143,7 @@ impl Factor for UnitDeterminant {
         let t = Base::from_parameters(&x[..BASE_PARAMETERS]).t;
         let inverse = t.try_inverse().unwrap_or_else(|| Matrix3::repeat(f64::NAN));
         jacobian.clear();
-        jacobian.extend(PLACES.iter().map(|&(i, j)| inverse[(j, i)] / TIE));
+        jacobian.extend(PLACES.iter().map(|&(i, j)| inverse[(j, i)] / self.0));
         jacobian.resize(x.len(), 0.0);
     }
 }
@@ -193,7 +191,7 @@ mod tests {
         for (k, v) in x.iter_mut().enumerate() {
             *v += 0.01 * (k as f64 - 4.0);
         }
-        is_differentiated(&UnitDeterminant, &x);
+        is_differentiated(&UnitDeterminant(0.1), &x);
         x.extend([1.1, 0.02, 0.7, 0.01, -0.02]);
         is_differentiated(&Reading::new(&model, &placement, 48.0, 0.5), &x);
         x.extend([0.3, -0.2, 0.1]);

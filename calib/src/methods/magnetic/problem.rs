@@ -9,6 +9,12 @@ use super::placement::{HeadingChange, Placement};
 use super::start::Start;
 use crate::error::Error;
 
+/// Relative offset at which a fit ends: its cost lies the square of that above the minimum.
+const TOLERANCE: f64 = 1e-6;
+
+/// The common scale is tied so loosely while the minimum is looked for: a tight tie is a narrow valley with a bend.
+const LOOSE: f64 = 0.1;
+
 /// A walk of nothing still needs a width, in shares of the noise of a rest's mean.
 const LEAST_WALK: f64 = 1e-3;
 
@@ -68,8 +74,8 @@ impl<'a> Problem<'a> {
         own.map(|own| own + uneven * uneven).collect()
     }
 
-    /// The graph at `start`.
-    pub fn graph(&self, start: &Start, uneven: f64) -> Result<Made<'a>, Error> {
+    /// The graph at `start`, the common scale free to within the share `tie` where no strength is given.
+    pub fn graph(&self, start: &Start, uneven: f64, tie: f64) -> Result<Made<'a>, Error> {
         let mut graph = Graph::new();
         let mut p = self.model.parameters().values().to_vec();
         let base = sensor::Base {
@@ -92,7 +98,7 @@ impl<'a> Problem<'a> {
             fields.push(field);
         }
         if !self.strength_given {
-            graph.add_factor(&[model], UnitDeterminant);
+            graph.add_factor(&[model], UnitDeterminant(tie));
         }
         graph.add_factor(&[errors], Linear::standard(self.errors));
         let biases = (1..self.recordings).map(|k| add(&mut graph, format!("bias {k}"), &[0.0; 3]));
@@ -214,12 +220,16 @@ impl<'a> Problem<'a> {
         uneven: f64,
         from: Option<&[f64]>,
     ) -> Result<Minimum, Error> {
-        let Made { mut graph, blocks } = self.graph(start, uneven)?;
+        let Made { mut graph, blocks } = self.graph(start, uneven, LOOSE)?;
         if let Some(values) = from {
             graph.start_at(values);
         }
+        // Every point of the search for the unevenness begins near its minimum, where rounding would be all that is left of
+        // the last digits.
         let options = GraphOptions {
             rank: false,
+            last_digits: false,
+            gradient_tolerance: TOLERANCE,
             ..GraphOptions::default()
         };
         let failed = |e: solver::Error| Error::NotConverged(e.to_string());

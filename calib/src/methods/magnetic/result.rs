@@ -15,6 +15,10 @@ use super::start::Start;
 use crate::error::Error;
 use crate::methods::small_sample::{by_chance, widening};
 
+/// The common scale counts as known to this share: far better than any recording tells, and loose enough for the
+/// factorisation.
+const TIE: f64 = 1e-7;
+
 /// A minimum with the covariance of all but headings and rates.
 pub struct Judged<'a> {
     problem: &'a Problem<'a>,
@@ -37,7 +41,7 @@ impl<'a> Judged<'a> {
         uneven: f64,
         minimum: &'a Minimum,
     ) -> Result<Self, Error> {
-        let graph = problem.graph(start, uneven)?.graph;
+        let graph = problem.graph(start, uneven, TIE)?.graph;
         let failed = |e: solver::Error| Error::NotConverged(e.to_string());
         let products = Products::new(&graph, &minimum.report.values).map_err(failed)?;
         if let Some(open) = products.null_space().first() {
