@@ -148,6 +148,7 @@ fn fit_all(request: &MagneticRequest<'_>) -> Result<(MagneticFit, Option<(usize,
         walk: request.walk,
     };
     let (uneven, minimum) = unevenness(&problem, &start)?;
+    let minimum = problem.polished(&start, uneven, minimum);
     let fit = Judged::new(&problem, &start, uneven, &minimum)?.written()?;
     Ok((fit, most_disturbed(&problem, &minimum)))
 }

@@ -220,20 +220,33 @@ impl<'a> Problem<'a> {
         uneven: f64,
         from: Option<&[f64]>,
     ) -> Result<Minimum, Error> {
+        self.minimum_by(start, uneven, from, &searching())
+    }
+
+    /// The same minimum to the last digits that double precision allows; as it is where rounding is all that is left.
+    pub fn polished(&self, start: &Start, uneven: f64, minimum: Minimum) -> Minimum {
+        let values = Some(minimum.report.values.as_slice());
+        let options = GraphOptions {
+            rank: false,
+            ..GraphOptions::default()
+        };
+        let polished = self.minimum_by(start, uneven, values, &options);
+        polished.unwrap_or(minimum)
+    }
+
+    fn minimum_by(
+        &self,
+        start: &Start,
+        uneven: f64,
+        from: Option<&[f64]>,
+        options: &GraphOptions,
+    ) -> Result<Minimum, Error> {
         let Made { mut graph, blocks } = self.graph(start, uneven, LOOSE)?;
         if let Some(values) = from {
             graph.start_at(values);
         }
-        // Every point of the search for the unevenness begins near its minimum, where rounding would be all that is left of
-        // the last digits.
-        let options = GraphOptions {
-            rank: false,
-            last_digits: false,
-            gradient_tolerance: TOLERANCE,
-            ..GraphOptions::default()
-        };
         let failed = |e: solver::Error| Error::NotConverged(e.to_string());
-        let report = solve_graph(&graph, &options).map_err(failed)?;
+        let report = solve_graph(&graph, options).map_err(failed)?;
         if !report.termination.converged() {
             let why = &report.termination;
             return Err(Error::NotEnough(format!(
@@ -250,5 +263,15 @@ impl<'a> Problem<'a> {
             log_determinant,
             variances: self.variances(uneven),
         })
+    }
+}
+
+/// Every point of a search begins near its minimum: the last digits are of no use there.
+fn searching() -> GraphOptions {
+    GraphOptions {
+        rank: false,
+        last_digits: false,
+        gradient_tolerance: TOLERANCE,
+        ..GraphOptions::default()
     }
 }
