@@ -74,6 +74,7 @@ fn errors_are_as_large_as_stated_by_both_methods() {
                 ..request(method)
             };
             let calibration = calibrated(&session, &asked);
+            assert!(!names_an_effect(&calibration), "{:?}", calibration.warnings);
             squares.extend(errors(&calibration, &session).iter().map(|z| z * z));
             let found = calibration.magnetic_field.unwrap();
             assert!((found.unevenness - unevenness).abs() < 0.2, "{found:?}");
@@ -174,6 +175,31 @@ fn effects_are_estimated_saved_and_applied() {
     assert!(misfit.magnetic_field.unwrap().norm_spread < 2e-3);
     let bare = calibrated(&session, &request(Method::Joint));
     assert!(bare.magnetic_field.unwrap().unevenness > 0.1);
+}
+
+fn names_an_effect(calibration: &Calibration) -> bool {
+    let mut warnings = calibration.warnings.iter();
+    warnings.any(|w| w.contains("the readings of the magnetometer go with"))
+}
+
+#[test]
+fn an_effect_that_the_model_lacks_is_named() {
+    for effect in magnetometer::EFFECTS {
+        let session = spec(12, 0.0).with_effect(effect.name(), 3.0).run().unwrap();
+        let bare = calibrated(&session, &request(Method::Stepwise));
+        let named = format!("go with {} ", effect.name());
+        let mut warnings = bare.warnings.iter();
+        assert!(
+            warnings.any(|w| w.contains(&named)),
+            "{named}: {:?}",
+            bare.warnings
+        );
+        let asked = Request {
+            effects: vec![*effect],
+            ..request(Method::Stepwise)
+        };
+        assert!(!names_an_effect(&calibrated(&session, &asked)));
+    }
 }
 
 #[test]

@@ -10,11 +10,17 @@ use crate::methods::small_sample::widening;
 /// By chance in fewer calibrations than this, over all effects. A false name costs more than a missing one.
 const UNLIKELY: f64 = 1e-5;
 
-/// The effect that is the least likely to be nothing, with its probability, if that is small; `fit` fits a larger model.
+/// An effect explains what is left where it leaves less than this share of the field's unevenness. Iron whose distance
+/// changes with the attitude looks like an effect too, and only a part of it goes with any.
+const EXPLAINED: f64 = 0.5;
+
+/// The effect that is the least likely to be nothing, with its probability, if that is small and it explains most of what
+/// `found` leaves; `fit` fits a larger model.
 ///
 /// By Wald's test in the larger model, with the degrees of freedom of its residuals.
 pub fn effect(
     model: &Model,
+    found: &MagneticFit,
     has_temperature: bool,
     fit: impl Fn(&Model) -> Option<MagneticFit>,
 ) -> Option<(&'static dyn AnyEffect, f64)> {
@@ -28,6 +34,9 @@ pub fn effect(
     });
     let judged = candidates.filter_map(|effect| {
         let larger = fit(&model.clone().with(effect))?;
+        if larger.unevenness >= EXPLAINED * found.unevenness {
+            return None;
+        }
         Some((effect, by_chance(&larger, effect.params().len())?))
     });
     let (effect, p) = judged.min_by(|a, b| a.1.total_cmp(&b.1))?;

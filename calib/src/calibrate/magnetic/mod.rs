@@ -92,7 +92,7 @@ fn fitted(
     let has_temperature = with_field
         .iter()
         .all(|&k| recordings[k].temperature.is_some());
-    let missing = missing::effect(&model, has_temperature, |larger| {
+    let missing = missing::effect(&model, &fit, has_temperature, |larger| {
         fit_magnetometer(base.clone().with_model(larger)).ok()
     });
     let names: Vec<&str> = with_field
@@ -109,7 +109,7 @@ fn fitted(
             unit,
             strength_given: request.field.is_some(),
             latitude: request.latitude,
-            missing: missing.filter(|_| fit.unevenness > 0.0),
+            missing,
             updates_others: request.method == super::Method::Joint,
         },
     );
