@@ -171,7 +171,7 @@ fn accelerometer_triad(
     norms: Option<&StaticNorms>,
     request: &Request,
 ) -> Triad {
-    let mut triad = triad(Sensor::Accelerometer, "a = T (A - b)", &fit.fitted);
+    let mut triad = triad(Sensor::Accelerometer, &fit.fitted);
     triad.residual_rms = fit.first.rms();
     triad.static_intervals = Some(fit.first.residuals.len());
     if fit.own_bias {
@@ -212,7 +212,7 @@ fn gyroscope_triad(
     request: &Request,
     table: &mut Table,
 ) -> Triad {
-    let mut triad = triad(Sensor::Gyroscope, "w = T (W - b)", &fit.fitted);
+    let mut triad = triad(Sensor::Gyroscope, &fit.fitted);
     triad.residual_rms = fit.rms().to_degrees();
     triad.dynamic_intervals = Some(fit.chords.len());
     let base = Base::from_parameters(force.fitted.parameters.values());
@@ -263,7 +263,7 @@ fn resting_gyroscope(turning: &[(&Recording, &Segmentation)], table: &mut Table)
     rests.clone().find_map(|rest| rest.gyroscope)?;
     let identity = Matrix3::identity();
     let mut triad = Triad {
-        model: "w = T (W - b)".into(),
+        model: Sensor::Gyroscope.equation().into(),
         t: rows(&identity),
         bias: [0.0; 3],
         t_std: [[None; 3]; 3],
@@ -310,7 +310,7 @@ fn rest_biases(triad: &mut Triad, turning: &[(&Recording, &Segmentation)], table
     }
 }
 
-pub(super) fn triad(sensor: Sensor, equation: &str, fitted: &Fitted) -> Triad {
+pub(super) fn triad(sensor: Sensor, fitted: &Fitted) -> Triad {
     let names = base_names(sensor);
     let base = Base::from_parameters(fitted.parameters.values());
     let mut t_std = [[None; 3]; 3];
@@ -318,7 +318,7 @@ pub(super) fn triad(sensor: Sensor, equation: &str, fitted: &Fitted) -> Triad {
         t_std[i][j] = fitted.standard_error(name);
     }
     Triad {
-        model: equation.into(),
+        model: sensor.equation().into(),
         t: rows(&base.t),
         bias: base.bias.into(),
         t_std,

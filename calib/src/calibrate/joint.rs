@@ -327,7 +327,7 @@ fn influences(fit: &JointFit, warnings: &mut Vec<String>) {
 }
 
 fn force_triad(fit: &JointFit, fitted: &Fitted, recordings: &[&Recording]) -> Triad {
-    let mut triad = triad(Sensor::Accelerometer, "a = T (A - b)", fitted);
+    let mut triad = triad(Sensor::Accelerometer, fitted);
     triad.residual_rms = fit.norm_rms();
     triad.bias_time = bias_time(fit, Sensor::Accelerometer, &triad.bias);
     triad.static_intervals = Some(fit.data.rests.len());
@@ -372,7 +372,7 @@ fn latitude_in_doubt(fit: &JointFit, latitude: f64) -> Option<String> {
 }
 
 fn rate_triad(fit: &JointFit, fitted: &Fitted, recordings: &[&Recording]) -> Triad {
-    let mut triad = triad(Sensor::Gyroscope, "w = T (W - b)", fitted);
+    let mut triad = triad(Sensor::Gyroscope, fitted);
     triad.residual_rms = fit.direction_rms().to_degrees();
     triad.bias_time = bias_time(fit, Sensor::Gyroscope, &triad.bias);
     triad.dynamic_intervals = Some(fit.chords.len());

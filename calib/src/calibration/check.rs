@@ -218,7 +218,7 @@ fn absurd(name: &str, triad: &Triad) -> Result<(), String> {
             largest / least
         ));
     }
-    let scale = base.t.determinant().abs().cbrt();
+    let scale = base.scale();
     let (range, unit) = match name {
         "accelerometer" => (LARGEST_FORCE, "m/s²"),
         "gyroscope" => (LARGEST_RATE, "rad/s"),

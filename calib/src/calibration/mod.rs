@@ -10,10 +10,10 @@ mod inputs;
 mod left_out;
 mod magnetic_field;
 mod misfit;
-mod moved;
 mod outside;
 mod reading_unit;
 mod units;
+mod values;
 
 pub use apply::{apply, apply_with};
 pub use check::FINDINGS_SCHEMA;
@@ -258,10 +258,7 @@ impl Calibration {
         recordings: impl IntoIterator<Item = (&'a Recording, Option<&'a Segmentation>)>,
         options: Option<Options>,
     ) {
-        let scale = |triad: &Option<Triad>| {
-            let base = triad.as_ref()?.base();
-            Some(base.t.determinant().abs().cbrt())
-        };
+        let scale = |triad: &Option<Triad>| Some(triad.as_ref()?.base().scale());
         let scales = [scale(&self.accelerometer), scale(&self.gyroscope)];
         let inputs = recordings.into_iter();
         let inputs = inputs.map(|(r, intervals)| Input::of(r, intervals, scales));

@@ -31,7 +31,7 @@ pub struct TriadUnits {
 impl TriadUnits {
     /// By the scale of `T`, SI units per unit of the reading.
     pub fn of(sensor: Sensor, triad: &Triad) -> Self {
-        let scale = triad.base().t.determinant().abs().cbrt();
+        let scale = triad.base().scale();
         let (corrected, other, name) = match sensor {
             Sensor::Accelerometer => ("m/s^2", G, "g"),
             Sensor::Gyroscope => ("rad/s", DEGREES, "deg/s"),

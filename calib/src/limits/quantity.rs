@@ -16,7 +16,7 @@ pub(super) enum Class {
 /// Largest standard error of a class: relative, rad, or the corrected signal's unit.
 pub(super) fn largest_error(triad: &Triad, class: Class) -> Option<f64> {
     let t = triad.t;
-    let scale = triad.base().t.determinant().abs().cbrt();
+    let scale = triad.base().scale();
     let of_t = |wanted: bool| {
         let places = PLACES.iter().filter(move |(i, j)| (i == j) == wanted);
         places.filter_map(|&(i, j)| Some(triad.t_std[i][j]? / scale))
@@ -40,7 +40,7 @@ pub(super) fn unexplained(triad: &Triad) -> Option<f64> {
 
 /// Value and standard error of a parameter by its name in `parameters`; of one that was held fixed the error is none.
 pub fn parameter(calibration: &Calibration, name: &str) -> Option<(f64, Option<f64>)> {
-    for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+    for sensor in Sensor::ALL {
         let Some(k) = base_names(sensor).iter().position(|n| n == name) else {
             continue;
         };

@@ -1,13 +1,11 @@
 //! A calibration with what the type has in common.
 
 use nalgebra::{DMatrix, DVector};
-use sensor::{PLACES, Sensor, base_names};
 
 use super::belonging::{Belonging, belonging};
 use super::{Prior, PriorShare, PriorUse};
 use crate::calibration::Calibration;
 use crate::error::Error;
-use crate::limits::parameter;
 
 impl Prior {
     /// Adds the type's information to a calibration whose own covariance is that of its session; writes down what came from
@@ -38,7 +36,7 @@ impl Prior {
         }
         let n = all.len();
         let c = DMatrix::from_fn(n, n, |i, j| calibration.covariance[i][j]);
-        let values = values(calibration);
+        let values = calibration.parameter_values();
         let spread = self.spread();
         let m = common.len();
         let prior = DMatrix::from_fn(m, m, |i, j| spread[(common[i].1, common[j].1)]);
@@ -70,7 +68,7 @@ impl Prior {
         };
         let shares: Vec<PriorShare> = common.iter().map(share).collect();
         if used {
-            write(calibration, &after, &c_after);
+            calibration.write_parameters(&after, &c_after);
         } else {
             calibration.warnings.push(self.stranger(&judged, &shares));
         }
@@ -112,89 +110,6 @@ fn scaled_solve(
     let shift = &cross * factor.solve(&gap.component_div(&scale));
     let shrink = &cross * factor.solve(&cross.transpose());
     Some((shift, shrink))
-}
-
-/// The values of all parameters, biases of single recordings among them.
-fn values(calibration: &Calibration) -> DVector<f64> {
-    let value = |name: &String| match parameter(calibration, name) {
-        Some((value, _)) => value,
-        None => of_recording(calibration, name).unwrap_or(0.0),
-    };
-    DVector::from_iterator(
-        calibration.parameters.len(),
-        calibration.parameters.iter().map(value),
-    )
-}
-
-/// `accel.b_x[evening]` taken apart: sensor, axis, recording.
-fn bias_of(name: &str) -> Option<(Sensor, usize, &str)> {
-    let (base, recording) = name.split_once('[')?;
-    let recording = recording.strip_suffix(']')?;
-    [Sensor::Accelerometer, Sensor::Gyroscope]
-        .into_iter()
-        .find_map(|sensor| {
-            let k = base_names(sensor).iter().position(|own| own == base)?;
-            Some((sensor, k.checked_sub(PLACES.len())?, recording))
-        })
-}
-
-fn of_recording(calibration: &Calibration, name: &str) -> Option<f64> {
-    let (sensor, axis, recording) = bias_of(name)?;
-    let own = calibration.triad(sensor)?.recordings.iter();
-    Some(own.clone().find(|r| r.recording == recording)?.bias[axis])
-}
-
-/// Writes values and covariance into every place that has them.
-fn write(calibration: &mut Calibration, values: &DVector<f64>, covariance: &DMatrix<f64>) {
-    let n = values.len();
-    let names = calibration.parameters.clone();
-    for (k, name) in names.iter().enumerate() {
-        let (value, std) = (values[k], covariance[(k, k)].max(0.0).sqrt());
-        set(calibration, name, value, std);
-    }
-    calibration.covariance = (0..n)
-        .map(|i| (0..n).map(|j| covariance[(i, j)]).collect())
-        .collect();
-}
-
-fn set(calibration: &mut Calibration, name: &str, value: f64, std: f64) {
-    for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
-        let place = base_names(sensor).iter().position(|own| own == name);
-        let own = bias_of(name).filter(|(of, ..)| *of == sensor);
-        let Some(triad) = calibration.triad_mut(sensor) else {
-            continue;
-        };
-        if let Some(k) = place {
-            match PLACES.get(k) {
-                Some(&(i, j)) => (triad.t[i][j], triad.t_std[i][j]) = (value, Some(std)),
-                None => {
-                    let axis = k - PLACES.len();
-                    (triad.bias[axis], triad.bias_std[axis]) = (value, Some(std));
-                    // Without a name of its own the last recording's bias is the device's.
-                    if let Some(last) = triad.recordings.last_mut() {
-                        (last.bias[axis], last.bias_std[axis]) = (value, Some(std));
-                    }
-                }
-            }
-        } else if let Some((_, axis, recording)) = own
-            && let Some(own) = triad
-                .recordings
-                .iter_mut()
-                .find(|r| r.recording == recording)
-        {
-            (own.bias[axis], own.bias_std[axis]) = (value, Some(std));
-        }
-    }
-    let Some((effect, parameter)) = name.split_once('.') else {
-        return;
-    };
-    let effects = calibration.effects.iter_mut().filter(|e| e.name == effect);
-    for found in effects
-        .flat_map(|e| &mut e.parameters)
-        .filter(|p| p.name == parameter)
-    {
-        (found.value, found.std) = (value, Some(std));
-    }
 }
 
 #[cfg(test)]

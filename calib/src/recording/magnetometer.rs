@@ -91,15 +91,11 @@ impl Magnetometer {
 
     /// Brings the readings to millionths of a tesla, where their unit is known.
     pub fn convert_to_microtesla(&mut self) {
-        if let Some(unit) = self.unit.replace(FieldUnit::Microtesla) {
-            let factor = unit.in_microtesla();
-            self.stream
-                .values
-                .iter_mut()
-                .for_each(|value| *value *= factor);
-        } else {
-            self.unit = None;
-        }
+        let Some(unit) = self.unit else { return };
+        let factor = unit.in_microtesla();
+        let values = self.stream.values.iter_mut();
+        values.for_each(|value| *value *= factor);
+        self.unit = Some(FieldUnit::Microtesla);
     }
 
     /// Readings that are finite, each stamp once and each value once where a slower sensor's was held; those of a sensor

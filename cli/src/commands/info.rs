@@ -169,14 +169,6 @@ impl<'a> Facts<'a> {
         }
     }
 
-    fn stream(&self, sensor: Sensor) -> Option<&Stream> {
-        match sensor {
-            Sensor::Accelerometer => self.recording.accelerometer.as_ref(),
-            Sensor::Gyroscope => self.recording.gyroscope.as_ref(),
-            Sensor::Magnetometer => None,
-        }
-    }
-
     fn temperature(&self) -> Option<[f64; 2]> {
         let celsius = &self.recording.temperature.as_ref()?.celsius;
         Some([
@@ -195,7 +187,7 @@ impl<'a> Facts<'a> {
 
     fn document(&self) -> Value {
         let sensors = self.recording.description.sensors.iter().map(|sensor| {
-            let clock = self.stream(sensor.sensor).and_then(Clock::of);
+            let clock = self.recording.stream(sensor.sensor).and_then(Clock::of);
             json!({
                 "sensor": sensor.sensor.name(),
                 "source": sensor.source,
@@ -264,7 +256,7 @@ impl<'a> Facts<'a> {
             "gaps",
         ]);
         for sensor in &description.sensors {
-            let Some(clock) = self.stream(sensor.sensor).and_then(Clock::of) else {
+            let Some(clock) = self.recording.stream(sensor.sensor).and_then(Clock::of) else {
                 continue;
             };
             table.add_row([

@@ -27,7 +27,7 @@ struct Sensor<'a> {
 
 fn sensors(calibration: &Calibration) -> Vec<Sensor<'_>> {
     let scale = |triad: &Triad| {
-        let all = triad.base().t.determinant().abs().cbrt();
+        let all = triad.base().scale();
         if (0.5..2.0).contains(&all) { 1.0 } else { all }
     };
     let accelerometer = calibration.accelerometer.as_ref().map(|triad| Sensor {

@@ -238,7 +238,7 @@ fn up(rest: &StaticInterval, triad: Option<&Triad>) -> Option<[f64; 3]> {
 }
 
 fn std(rest: &StaticInterval, triad: Option<&Triad>) -> Option<f64> {
-    let scale = triad.map_or(1.0, |triad| triad.base().t.determinant().abs().cbrt());
+    let scale = triad.map_or(1.0, |triad| triad.base().scale());
     Some(1e3 * scale * rest.accelerometer.as_ref()?.white_of_mean())
 }
 

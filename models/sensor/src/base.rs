@@ -65,6 +65,11 @@ impl Base<f64> {
         }
     }
 
+    /// Units of the signal per unit of the reading, all axes together: `|det T|^(1/3)`.
+    pub fn scale(&self) -> f64 {
+        self.t.determinant().abs().cbrt()
+    }
+
     /// The twelve parameters in the order of [`PLACES`], then the bias.
     pub fn parameters(&self) -> [f64; BASE_PARAMETERS] {
         let mut p = [0.0; BASE_PARAMETERS];

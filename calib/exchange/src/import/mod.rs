@@ -11,7 +11,7 @@ use calib::calibrate::STANDARD_GRAVITY;
 use calib::calibration::{EffectParameter, EffectValues, Provenance, SCHEMA, Triad, effect_named};
 use calib::gravity::GravitySource;
 use nalgebra::Matrix3;
-use sensor::Base;
+use sensor::{Base, Sensor};
 
 use crate::source::{G_SENSITIVITY, rows};
 
@@ -30,8 +30,8 @@ fn calibration(
         gravity: STANDARD_GRAVITY,
         gravity_source: GravitySource::Given,
         method: tool.into(),
-        accelerometer: Some(triad("a = T (A - b)", accelerometer)),
-        gyroscope: Some(triad("w = T (W - b)", gyroscope)),
+        accelerometer: Some(triad(Sensor::Accelerometer, accelerometer)),
+        gyroscope: Some(triad(Sensor::Gyroscope, gyroscope)),
         magnetometer: None,
         magnetic_field: None,
         effects: effects.map(of_g_sensitivity).into_iter().collect(),
@@ -52,9 +52,9 @@ fn calibration(
     calibration
 }
 
-fn triad(model: &str, base: &Base<f64>) -> Triad {
+fn triad(sensor: Sensor, base: &Base<f64>) -> Triad {
     Triad {
-        model: model.into(),
+        model: sensor.equation().into(),
         t: std::array::from_fn(|i| std::array::from_fn(|j| base.t[(i, j)])),
         bias: base.bias.into(),
         t_std: [[None; 3]; 3],

@@ -1,14 +1,13 @@
-//! Recordings to placements and heading changes.
+//! Recordings to placements, and the turns between them.
 
-use nalgebra::{Matrix3, Vector3};
-use sensor::attitude::Attitude;
 use sensor::{Base, Sensor};
 
 use super::inertial::Inertial;
+use super::turns::walk_of;
 use crate::averages::median;
 use crate::calibrate::noise::long_run;
 use crate::calibration::Calibration;
-use crate::intervals::{Moments, Segmentation, Turn};
+use crate::intervals::{Moments, Segmentation};
 use crate::methods::joint::Channel;
 use crate::methods::magnetic::{HeadingChange, Placement, Rest};
 use crate::recording::{Recording, Stream};
@@ -85,19 +84,19 @@ fn own_biases(models: &mut Models, calibration: &Calibration, recording: &str) {
 }
 
 /// One recording.
-struct Source<'a> {
+pub(super) struct Source<'a> {
     number: usize,
-    recording: &'a Recording,
-    segmentation: &'a Segmentation,
+    pub recording: &'a Recording,
+    pub segmentation: &'a Segmentation,
     field: &'a Stream,
     unit: f64,
-    truth: Truth<'a>,
-    models: Models,
-    inertial: &'a Inertial,
+    pub truth: Truth<'a>,
+    pub models: Models,
+    pub inertial: &'a Inertial,
     /// How much more the turns scatter than their noise, squared.
-    misfit: f64,
+    pub misfit: f64,
     /// How much more means of the rate scatter than white noise of the same samples would.
-    colour: f64,
+    pub colour: f64,
 }
 
 impl Source<'_> {
@@ -178,11 +177,7 @@ impl Source<'_> {
         let of = |(k, rest): (usize, &crate::intervals::StaticInterval)| {
             let sensing = self.models.gyroscope.as_ref()?;
             let moments = rest.gyroscope?;
-            let scale = Base::from_parameters(&sensing.parameters)
-                .t
-                .determinant()
-                .abs()
-                .cbrt();
+            let scale = Base::from_parameters(&sensing.parameters).scale();
             Some(Rest {
                 mean: sensing.correct(&moments.mean, &self.truth.at_rest(k)),
                 noise: (moments.white_of_mean() * self.colour * scale).max(f64::MIN_POSITIVE),
@@ -194,114 +189,5 @@ impl Source<'_> {
             .enumerate()
             .map(of)
             .collect()
-    }
-
-    /// The rotation about the vertical in a turn from one placement to the next.
-    fn change(
-        &self,
-        turn: &Turn,
-        from: usize,
-        before: &Placement,
-        after: &Placement,
-    ) -> Option<HeadingChange> {
-        let stream = self.recording.gyroscope.as_ref()?;
-        let sensing = self.models.gyroscope.as_ref()?;
-        let (rest_before, rest_after) = (before.rate?, after.rate?);
-        let (t, raw) = (
-            &stream.t[turn.samples.clone()],
-            &stream.values[turn.samples.clone()],
-        );
-        let still = self.still(turn)?;
-        let offset = 0.5 * (rest_before.mean + rest_after.mean);
-        let rates: Vec<Vector3<f64>> = self
-            .truth
-            .along(t, raw)
-            .iter()
-            .map(|known| known.angular_rate - offset)
-            .collect();
-        let mut attitude = Attitude::identity();
-        let (mut by_rate, mut sums) = (Vector3::zeros(), Matrix3::zeros());
-        let mut squares = 0.0;
-        for k in 0..t.len().checked_sub(1)? {
-            let step = t[k + 1] - t[k];
-            let up = attitude.into_body(&before.up);
-            attitude = attitude.then(&Attitude::exp(&(0.5 * step * (rates[k] + rates[k + 1]))));
-            let up = 0.5 * (up + attitude.into_body(&before.up)) * step;
-            by_rate += up;
-            sums += up * (0.5 * (raw[k] + raw[k + 1]) - still).transpose();
-            squares += step * step;
-        }
-        let scale = Base::from_parameters(&sensing.parameters)
-            .t
-            .determinant()
-            .abs()
-            .cbrt();
-        let white = scale * self.sample_noise(turn)?;
-        Some(HeadingChange {
-            from,
-            angle: turned(&attitude, before, after)?,
-            by_rate,
-            by_error: self.inertial.by_difference(Sensor::Gyroscope, &sums),
-            noise: (white * white * squares * self.misfit)
-                .sqrt()
-                .max(f64::MIN_POSITIVE),
-        })
-    }
-
-    /// Raw mean of the rests on both sides.
-    fn still(&self, turn: &Turn) -> Option<Vector3<f64>> {
-        let rest = |k: usize| Some(self.segmentation.statics.get(k)?.gyroscope?.mean);
-        Some(0.5 * (rest(turn.from)? + rest(turn.from + 1)?))
-    }
-
-    /// Standard deviation of an axis of a raw sample, with what its colour adds over a turn.
-    fn sample_noise(&self, turn: &Turn) -> Option<f64> {
-        let rest = |k: usize| {
-            Some(
-                self.segmentation
-                    .statics
-                    .get(k)?
-                    .gyroscope?
-                    .covariance
-                    .trace(),
-            )
-        };
-        let variance = (rest(turn.from)? + rest(turn.from + 1)?) / 6.0;
-        Some(variance.sqrt() * self.colour)
-    }
-}
-
-/// From the reference of one placement to that of the other, about the vertical, rad.
-///
-/// What the gyroscope misses of gravity's direction is taken off by the shortest rotation: it turns nothing about the
-/// vertical.
-fn turned(attitude: &Attitude<f64>, before: &Placement, after: &Placement) -> Option<f64> {
-    let [from, to] = [before, after].map(Placement::reference);
-    let foretold = attitude.into_body(&before.up);
-    let axis = attitude.into_body(&from.column(0).into_owned());
-    let back = nalgebra::Rotation3::rotation_between(&foretold, &after.up)?;
-    let axis = back * axis;
-    let (x, y) = (to.column(0), to.column(1));
-    // The other's x axis as seen from the carried one: counter-clockwise about up.
-    Some((-axis.dot(&y)).atan2(axis.dot(&x)))
-}
-
-/// The walk of the rate offsets that their noise does not explain, by moments, rad/s/√s.
-fn walk_of(collected: &Collected) -> f64 {
-    let (mut square, mut time) = (0.0, 0.0);
-    for change in &collected.changes {
-        let pair = [change.from, change.from + 1].map(|k| &collected.placements[k]);
-        let (Some(before), Some(after)) = (pair[0].rate, pair[1].rate) else {
-            continue;
-        };
-        let moved = (after.mean - before.mean).norm_squared() / 3.0;
-        square += moved - before.noise.powi(2) - after.noise.powi(2);
-        let middle = |p: &Placement| 0.5 * (p.span.from + p.span.to);
-        time += middle(pair[1]) - middle(pair[0]);
-    }
-    if time > 0.0 {
-        (square / time).max(0.0).sqrt()
-    } else {
-        0.0
     }
 }

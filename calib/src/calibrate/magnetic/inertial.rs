@@ -46,12 +46,7 @@ impl Inertial {
         self.root.ncols()
     }
 
-    /// Names of the parameters, in the order of the rows of [`Self::root`].
-    pub fn names(&self) -> &[String] {
-        &self.names
-    }
-
-    /// `L`.
+    /// `L`, its rows in the order of the calibration's parameters.
     pub fn root(&self) -> &DMatrix<f64> {
         &self.root
     }

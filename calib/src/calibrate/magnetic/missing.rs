@@ -24,6 +24,10 @@ pub fn effect(
     has_temperature: bool,
     fit: impl Fn(&Model) -> Option<MagneticFit>,
 ) -> Option<(&'static dyn AnyEffect, f64)> {
+    // An even field leaves nothing to explain.
+    if found.unevenness == 0.0 {
+        return None;
+    }
     let candidates = magnetometer::EFFECTS.iter().copied().filter(|effect| {
         let own = model
             .effects()

@@ -1,11 +1,13 @@
 //! The magnetometer, after the sensors that give it the attitude.
 //!
-//! `inertial` is what their calibration leaves open, `collect` cuts the recordings into placements and turns, `missing` asks whether
+//! `inertial` is what their calibration leaves open, `collect` cuts the recordings into placements and `turns` carries
+//! the heading from one to the next, `missing` asks whether
 //! an effect of the catalogue would explain what is left, `write` puts the fit into the calibration.
 
 mod collect;
 mod inertial;
 mod missing;
+mod turns;
 mod write;
 
 use sensor::{AnyEffect, Sensor};

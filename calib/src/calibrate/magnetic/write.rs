@@ -1,13 +1,12 @@
 //! The fit into the calibration.
 
-use nalgebra::DMatrix;
-use sensor::{AnyEffect, Base, Model, PLACES, Sensor, base_names};
+use nalgebra::{DMatrix, DVector};
+use sensor::{AnyEffect, Model, Sensor};
 
 use super::inertial::Inertial;
-use crate::calibration::{
-    Calibration, EffectParameter, EffectValues, MagneticField, Outside, RecordingBias,
-    RecordingField, Triad, effect_named,
-};
+use crate::calibrate::assemble;
+use crate::calibration::{Calibration, MagneticField, RecordingBias, RecordingField, Triad};
+use crate::methods::Fitted;
 use crate::methods::magnetic::{Field, MagneticFit, OwnBias};
 use crate::recording::FieldUnit;
 
@@ -46,60 +45,64 @@ pub fn write(calibration: &mut Calibration, written: &Written<'_>) {
     let root = written.inertial.root();
     let mut between = DMatrix::zeros(fit.model.values.len(), root.nrows());
     if update {
-        let shift = root * nalgebra::DVector::from_column_slice(&fit.errors.values);
+        let shift = root * DVector::from_column_slice(&fit.errors.values);
         let covariance = root * &fit.errors.covariance * root.transpose();
         between = &fit.between * root.transpose();
-        let shift: Vec<f64> = shift.iter().copied().collect();
-        calibration.move_by(written.inertial.names(), &shift, &covariance);
+        let moved = calibration.parameter_values() + shift;
+        calibration.write_parameters(&moved, &covariance);
     }
-    calibration.magnetometer = Some(triad(written));
+    let fitted = fitted(written);
+    calibration.magnetometer = Some(triad(written, &fitted));
     calibration.magnetic_field = Some(field(written));
-    calibration.effects.extend(effects(written));
-    append(calibration, written, &between);
+    let effects = assemble::effect_values(written.model, &fitted);
+    calibration.effects.extend(effects);
+    append(calibration, &fitted, &between);
 }
 
-/// Names and covariance of the magnetometer's parameters after those of the others.
-fn append(calibration: &mut Calibration, written: &Written<'_>, between: &DMatrix<f64>) {
-    let (own, names) = (&written.fit.model.covariance, written.model.parameters());
+/// Names and covariance of the magnetometer's parameters after those of the others; `between` is their covariance with
+/// those (own × others).
+fn append(calibration: &mut Calibration, own: &Fitted, between: &DMatrix<f64>) {
     for (k, row) in calibration.covariance.iter_mut().enumerate() {
-        row.extend((0..own.nrows()).map(|i| between[(i, k)]));
+        row.extend(between.column(k).iter());
     }
-    for i in 0..own.nrows() {
-        let others = (0..between.ncols()).map(|k| between[(i, k)]);
-        let row = others.chain((0..own.ncols()).map(|j| own[(i, j)]));
-        calibration.covariance.push(row.collect());
+    for (i, row) in own.covariance.iter().enumerate() {
+        let others = between.row(i).iter().copied().collect::<Vec<f64>>();
+        calibration
+            .covariance
+            .push([&others, row.as_slice()].concat());
     }
-    calibration.parameters.extend(names.names().iter().cloned());
+    calibration.parameters.extend_from_slice(&own.free);
 }
 
-fn triad(written: &Written<'_>) -> Triad {
+fn triad(written: &Written<'_>, fitted: &Fitted) -> Triad {
     let fit = written.fit;
-    let base = Base::from_parameters(&fit.model.values);
-    let std = |k: usize| Some(fit.model.covariance[(k, k)].max(0.0).sqrt());
-    let mut t_std = [[None; 3]; 3];
-    for (k, (i, j)) in PLACES.into_iter().enumerate() {
-        t_std[i][j] = std(k);
-    }
     Triad {
-        model: Sensor::Magnetometer.equation().into(),
-        t: std::array::from_fn(|i| std::array::from_fn(|j| base.t[(i, j)])),
-        bias: base.bias.into(),
-        t_std,
-        bias_std: [9, 10, 11].map(std),
-        bias_time: None,
         residual_rms: fit.residual_rms,
         reduced_chi2: Some(fit.reduced_chi2),
         static_intervals: Some(fit.placements.iter().filter(|p| p.is_used).count()),
         dynamic_intervals: (fit.turns > 0).then_some(fit.turns),
-        rank: fit.rank,
-        condition: 1.0,
-        unobservable: Vec::new(),
-        units: None,
         recordings: if fit.biases.len() > 1 {
             own_biases(written)
         } else {
             Vec::new()
         },
+        ..assemble::triad(Sensor::Magnetometer, fitted)
+    }
+}
+
+/// The fit as those of the other sensors are written down.
+fn fitted(written: &Written<'_>) -> Fitted {
+    let own = &written.fit.model;
+    let mut parameters = written.model.parameters();
+    parameters.values_mut().copy_from_slice(&own.values);
+    let row = |i: usize| own.covariance.row(i).iter().copied().collect();
+    Fitted {
+        free: parameters.names().to_vec(),
+        parameters,
+        covariance: (0..own.covariance.nrows()).map(row).collect(),
+        rank: written.fit.rank,
+        condition: 1.0,
+        unobservable: Vec::new(),
     }
 }
 
@@ -140,33 +143,6 @@ fn field(written: &Written<'_>) -> MagneticField {
         last,
         recordings: if all.len() > 1 { all } else { Vec::new() },
     }
-}
-
-fn effects<'a>(written: &'a Written<'_>) -> impl Iterator<Item = EffectValues> + 'a {
-    let fit = written.fit;
-    let mut next = base_names(Sensor::Magnetometer).len();
-    written.model.effects().iter().map(move |effect| {
-        let first = next;
-        next += effect.params().len();
-        let parameters = effect
-            .params()
-            .iter()
-            .zip(first..)
-            .map(|(p, k)| EffectParameter {
-                name: p.name.into(),
-                value: fit.model.values[k],
-                std: Some(fit.model.covariance[(k, k)].max(0.0).sqrt()),
-                unit: p.unit.into(),
-            });
-        EffectValues {
-            name: effect.name().into(),
-            definition: effect.definition().cloned(),
-            parameters: parameters.collect(),
-            outside: effect_named(effect.name())
-                .is_none()
-                .then_some(Outside(*effect)),
-        }
-    })
 }
 
 /// Says where the field points to the other hemisphere: a sign is wrong.

@@ -1,5 +1,7 @@
 //! Placements where the field is another: near iron, a magnet or a current.
 
+use nalgebra::Vector3;
+
 use super::factors::Reading;
 use super::problem::{Minimum, Problem};
 use crate::methods::small_sample::by_chance;
@@ -9,23 +11,25 @@ const UNLIKELY: f64 = 1e-3;
 
 /// The placement that differs most from the others' field, if by more than chance; with its difference (norm, unit of the
 /// readings).
-pub fn most_disturbed(problem: &Problem<'_>, minimum: &Minimum) -> Option<(usize, f64)> {
-    let residuals = readings_left(problem, minimum);
-    let squares = residuals.iter().zip(&minimum.variances);
-    let squares =
-        squares.map(|(left, variance)| left.iter().map(|r| r * r).sum::<f64>() / variance);
+/// `left` is what [`readings_left`] finds at the minimum.
+pub fn most_disturbed(
+    problem: &Problem<'_>,
+    minimum: &Minimum,
+    left: &[Vector3<f64>],
+) -> Option<(usize, f64)> {
+    let squares = left.iter().zip(&minimum.variances);
+    let squares = squares.map(|(left, variance)| left.norm_squared() / variance);
     let used = problem.placements.iter().filter(|p| p.is_used).count();
     let (place, square) = squares
         .enumerate()
         .filter(|(k, _)| problem.placements[*k].is_used)
         .max_by(|a, b| a.1.total_cmp(&b.1))?;
     let p = by_chance(square, 3.0) * used as f64;
-    let size = residuals[place].iter().map(|r| r * r).sum::<f64>().sqrt();
-    (p < UNLIKELY).then_some((place, size))
+    (p < UNLIKELY).then(|| (place, left[place].norm()))
 }
 
 /// Reading less model of each placement, in the unit of the readings.
-pub fn readings_left(problem: &Problem<'_>, minimum: &Minimum) -> Vec<[f64; 3]> {
+pub fn readings_left(problem: &Problem<'_>, minimum: &Minimum) -> Vec<Vector3<f64>> {
     let report = &minimum.report;
     let of = |(k, placement): (usize, &super::Placement)| {
         let blocks = &minimum.blocks;
@@ -44,7 +48,7 @@ pub fn readings_left(problem: &Problem<'_>, minimum: &Minimum) -> Vec<[f64; 3]> 
         let factor = factor.with_own_bias(own.is_some());
         let mut out = Vec::new();
         solver::Factor::values(&factor, &x, &mut out);
-        [out[0], out[1], out[2]]
+        Vector3::from_column_slice(&out)
     };
     problem.placements.iter().enumerate().map(of).collect()
 }

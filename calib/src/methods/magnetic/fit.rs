@@ -149,6 +149,7 @@ fn fit_all(request: &MagneticRequest<'_>) -> Result<(MagneticFit, Option<(usize,
     };
     let (uneven, minimum) = unevenness(&problem, &start)?;
     let minimum = problem.polished(&start, uneven, minimum);
-    let fit = Judged::new(&problem, &start, uneven, &minimum)?.written()?;
-    Ok((fit, most_disturbed(&problem, &minimum)))
+    let judged = Judged::new(&problem, &start, uneven, &minimum)?;
+    let worst = most_disturbed(&problem, &minimum, judged.left());
+    Ok((judged.written()?, worst))
 }

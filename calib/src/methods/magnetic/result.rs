@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Vector3};
 use sensor::{BASE_PARAMETERS, PLACES};
 use solver::{Block, Products};
 
@@ -27,7 +27,7 @@ pub struct Judged<'a> {
     /// Of model, other sensors' errors and fields, one after the other.
     covariance: Vec<Vec<f64>>,
     /// Reading less model of each placement.
-    left: Vec<[f64; 3]>,
+    left: Vec<Vector3<f64>>,
 }
 
 impl<'a> Judged<'a> {
@@ -63,6 +63,11 @@ impl<'a> Judged<'a> {
         })
     }
 
+    /// Reading less model of each placement, in the unit of the readings.
+    pub fn left(&self) -> &[Vector3<f64>] {
+        &self.left
+    }
+
     /// The result.
     ///
     /// # Errors
@@ -82,7 +87,7 @@ impl<'a> Judged<'a> {
         };
         let (model, errors) = (self.model(), self.errors());
         let turns = self.problem.changes.len();
-        let squares: f64 = self.used().map(|(_, left)| square(left)).sum();
+        let squares: f64 = self.used().map(|(_, left)| left.norm_squared()).sum();
         Ok(MagneticFit {
             model: Fitted {
                 values: self.values(self.minimum.blocks.model),
@@ -110,14 +115,14 @@ impl<'a> Judged<'a> {
         })
     }
 
-    fn used(&self) -> impl Iterator<Item = (&Placement, &[f64; 3])> {
+    fn used(&self) -> impl Iterator<Item = (&Placement, &Vector3<f64>)> {
         let all = self.problem.placements.iter().zip(&self.left);
         all.filter(|(placement, _)| placement.is_used)
     }
 
     /// `Σ (left / noise)²`, without what the field differs by.
     fn over_noise(&self) -> f64 {
-        let of = |(p, left): (&Placement, &[f64; 3])| square(left) / (p.noise * p.noise);
+        let of = |(p, left): (&Placement, &Vector3<f64>)| left.norm_squared() / (p.noise * p.noise);
         self.used().map(of).sum()
     }
 
@@ -202,8 +207,4 @@ impl<'a> Judged<'a> {
         };
         all.map(of).collect()
     }
-}
-
-fn square(v: &[f64; 3]) -> f64 {
-    v.iter().map(|v| v * v).sum()
 }

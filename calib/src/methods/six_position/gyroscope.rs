@@ -1,6 +1,7 @@
 //! The gyroscope's part of the six-position method, and why it means nothing for a phone.
 
 use nalgebra::{Matrix3x6, Vector3};
+use sensor::Sensor;
 
 use super::placement::Face;
 use crate::calibration::Triad;
@@ -91,7 +92,7 @@ impl GyroscopePart {
     pub(super) fn triad(&self) -> Triad {
         let identity = nalgebra::Matrix3::<f64>::identity();
         Triad {
-            model: "w = T (W - b)".into(),
+            model: Sensor::Gyroscope.equation().into(),
             t: std::array::from_fn(|i| std::array::from_fn(|j| identity[(i, j)])),
             bias: self.bias.into(),
             t_std: [[None; 3]; 3],

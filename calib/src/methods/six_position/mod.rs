@@ -214,7 +214,7 @@ impl SixPosition {
             })
             .collect();
         let triad = Triad {
-            model: "a = T (A - b)".into(),
+            model: Sensor::Accelerometer.equation().into(),
             t: std::array::from_fn(|i| std::array::from_fn(|j| base.t[(i, j)])),
             bias: base.bias.into(),
             t_std: [[Some(t_std); 3]; 3],
