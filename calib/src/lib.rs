@@ -1,45 +1,23 @@
-//! From hand-held recordings to calibrations.
+//! From hand-held recordings to calibrations: the rooms of the library under one name.
 //!
 //! ```text
-//! Recording ──► intervals ──► residuals + model + mask ──► methods ──► Calibration
-//!     ▲         rests, turns                                fits        cal.json, apply
-//! simulate
+//! recording ──► estimate ──► discover
+//!     ▲            ▲
+//! simulate      effects
 //! ```
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
-mod averages;
-pub mod calibrate;
-pub mod calibration;
-pub mod covariates;
-pub mod discover;
 pub mod document;
-pub mod effect_file;
-mod error;
-mod evaluate;
-pub mod gravity;
-pub mod intervals;
-pub mod kernel;
-pub mod limits;
 pub mod message;
-pub mod methods;
-pub mod noise;
-mod order_statistic;
-pub mod prior;
-pub mod readings;
 pub mod reckon;
-pub mod recording;
-pub mod residuals;
-mod shown;
-pub mod simulate;
-mod text_file;
-mod toml_place;
-pub mod truth;
-pub mod watch;
 
-pub use calibration::Calibration;
-pub use error::Error;
-pub use evaluate::{Evaluation, FieldMisfit, Misfit, Misfits, evaluate, misfits};
-pub use recording::Recording;
-pub use text_file::read_text;
-pub use toml_place::explain_toml;
+pub use discover;
+pub use effects::{self, covariates, effect_file};
+pub use estimate::{
+    Calibration, Evaluation, FieldMisfit, Misfit, Misfits, calibrate, calibration, evaluate,
+    gravity, kernel, limits, methods, misfits, prior, residuals, truth,
+};
+pub use noise;
+pub use recording::{self, Error, Recording, explain_toml, intervals, read_text, readings, watch};
+pub use simulate;

@@ -1,9 +1,8 @@
 //! Simulated sessions as an estimator sees them, against the truth they come with.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use calib::simulate::{
-    Fault, Grade, HandHeld, Motion, Session, Spec, StaticInterval, Vibration, catalogue,
-};
+use calib::effects::catalogue_of;
+use calib::simulate::{Fault, Grade, HandHeld, Motion, Session, Spec, StaticInterval, Vibration};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use sensor::{Kinematics, Model, Quantity, Sensor};
 
@@ -129,7 +128,7 @@ fn corrected_rates_carry_gravity_from_one_rest_to_the_next() {
 #[test]
 fn every_effect_of_the_catalogue_changes_the_session_it_is_in() {
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
-        for effect in catalogue(sensor) {
+        for effect in catalogue_of(sensor) {
             let name = effect.name();
             let mut with = Spec::hand_held(5).noise_free().with_effect(name, 1.0);
             let motion = HandHeld {
@@ -162,7 +161,7 @@ fn every_effect_of_the_catalogue_changes_the_session_it_is_in() {
 #[test]
 fn the_model_with_the_true_parameters_explains_every_effect_at_rest() {
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
-        for effect in catalogue(sensor) {
+        for effect in catalogue_of(sensor) {
             let name = effect.name();
             // What turned before is tested with what is known of an instant.
             if effect.needs().contains(&Quantity::LastTurn) {

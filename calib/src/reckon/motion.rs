@@ -1,8 +1,8 @@
 //! The motion to reckon and the rests on both sides of it.
 
-use crate::error::Error;
-use crate::intervals::{Detector, Span, segment};
-use crate::recording::{INSTANT, Recording, Stream};
+use recording::Error;
+use recording::intervals::{Detector, Span, segment};
+use recording::{INSTANT, Recording, Stream};
 
 /// Half a second sees the start of a push; 256 is four standard deviations to the fourth power.
 const DETECTOR: Detector = Detector {

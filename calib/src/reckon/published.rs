@@ -9,7 +9,7 @@ use nalgebra::{Matrix3, Vector3};
 use sensor::Base;
 
 use super::butterworth::FirstOrder;
-use crate::recording::Stream;
+use recording::Stream;
 
 /// The constants of the procedure.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,9 +5,9 @@ use sensor::attitude::Attitude;
 
 use super::ending::{Ending, level_the_end, shortest_rotation, stop_at_the_end};
 use super::motion::Motion;
-use crate::error::Error;
-use crate::intervals::{Moments, Span};
-use crate::recording::{Recording, Stream};
+use recording::Error;
+use recording::intervals::{Moments, Span};
+use recording::{Recording, Stream};
 
 /// Where the attitude comes from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

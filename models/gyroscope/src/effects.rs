@@ -22,7 +22,7 @@ mod gyro_thermal_hysteresis;
 mod gyro_vibration_rectification;
 mod gyro_warmup;
 
-pub use earth_rate::EarthRate;
+pub use earth_rate::{EARTH_RATE, EarthRate};
 pub use gyro_asymmetry::GyroAsymmetry;
 pub use gyro_cubic::GyroCubic;
 pub use gyro_delay::GyroDelay;

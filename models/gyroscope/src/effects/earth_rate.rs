@@ -4,6 +4,9 @@ use nalgebra::Vector3;
 use sensor::{Effect, Kinematics, Param, Quantity, Role, Sensor};
 use solver::Scalar;
 
+/// Rate of the earth's rotation, rad/s (WGS 84).
+pub const EARTH_RATE: f64 = 7.292_115e-5;
+
 /// A gyroscope turns with the earth: `e = Rᵀ Ω`, `Ω = ω_E (0, cos L, sin L)` for y north and z up.
 ///
 /// | symbol | meaning | unit | shape |
@@ -26,7 +29,7 @@ impl Effect for EarthRate {
         Param::new("y", "rad/s", 0.0).in_role(Role::Reference),
         Param::new("z", "rad/s", 0.0),
     ];
-    const TYPICAL: f64 = 7.292_115e-5;
+    const TYPICAL: f64 = EARTH_RATE;
     const LINEAR: bool = true;
     const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::Attitude]);
 

@@ -1,0 +1,453 @@
+//! The whole way from recordings to findings.
+
+use std::borrow::Borrow;
+
+use estimate::calibrate::of_one_device;
+use estimate::calibrate::own_effects;
+use estimate::calibrate::{Request as CalibrationRequest, not_in_one_plane};
+use estimate::calibrate::{refuse_unobservable, written_down};
+use estimate::calibration::{Calibration, EffectParameter, EffectValues};
+use estimate::methods::static_means;
+use recording::Error;
+use recording::Recording;
+
+use sensor::AnyEffect;
+
+use super::enough::{enough_rests, enough_to_compare};
+use super::family::{Claim, LATE, effect_family};
+use super::fault::integrity::{disturbed, integrity, undersampled};
+use super::fault::time_offset::{Delay, delay};
+use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
+use super::gap::channel::{Channel, Misfit, Sequence, channel_of};
+use super::gap::held_out::{gap_of, held_out};
+use super::gap::localise::disagreements;
+use super::propose::{Proposal, propose};
+use super::rank::Ranked;
+use super::remainder::unexplained::{Unexplained, rest_of, unexplained};
+use super::remainder::weighed_again::weighed_again;
+use super::request::{Request, Session};
+use super::score::log_tail;
+use super::search::{Name, Search, search};
+use super::settle::{HeldShape, say_held, settle};
+use super::state::State;
+use super::visible::{NEVER_VISIBLE, told_apart_by};
+use estimate::methods::joint::{BiasNoise, SensorNoise};
+
+/// The effect that delays the axes of the gyroscope.
+const GYRO_DELAY: &str = "gyro_delay";
+
+/// Stamps are late beyond what delays of the gyroscope do if by more standard errors than this.
+const MUCH_LATER: f64 = 3.0;
+
+/// The findings with the models behind them, for pictures.
+#[derive(Clone, Debug)]
+pub struct Discovery {
+    /// What was found.
+    pub findings: Findings,
+    /// The models.
+    pub search: Search,
+}
+
+/// Finds what the base models lack.
+///
+/// # Errors
+/// Recordings that cannot be cut or have too few rests, a fit that fails, a calibration that the data do not determine.
+pub fn discover<R: Borrow<Recording>>(
+    recordings: &[R],
+    request: &Request,
+) -> Result<Discovery, Error> {
+    let recordings: Vec<&Recording> = recordings.iter().map(R::borrow).collect();
+    own_effects::grant_steps(&request.catalogue, recordings.iter().copied());
+    let mut discovery = discover_all(&recordings, request)?;
+    let warnings = &mut discovery.findings.calibration.warnings;
+    warnings.extend(own_effects::left_out(&request.catalogue));
+    Ok(discovery)
+}
+
+fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discovery, Error> {
+    let session = Session::new(recordings, request)?;
+    enough_rests(&session)?;
+    let cuts = session.recordings.iter();
+    let means: Vec<_> = cuts
+        .map(|(r, choice)| static_means(r, &choice.segmentation))
+        .collect();
+    not_in_one_plane(&means)?;
+    if !request.force_device {
+        let of = session.recordings.iter().map(|(recording, _)| *recording);
+        of_one_device(of.zip(means), request.gravity)?;
+    }
+    let base = State::fit(&session, super::Extension::default())?;
+    refuse_unobservable(&base.fit)?;
+    enough_to_compare(&session, &base)?;
+    let mut faults = integrity(&session, &base);
+    let quantised = faults.iter().any(|f| f.name == "quantisation");
+    let mut search = if quantised {
+        Search::without_names(base)
+    } else {
+        search(&session, request, base)?
+    };
+    let alpha = request.half_alpha();
+    let mut rest = if quantised {
+        None
+    } else {
+        unexplained(&mut search, alpha)
+    };
+    if rest.is_some() && without_weak(&session, &mut search, request)? {
+        rest = rest_of(&search.last, alpha);
+    }
+    if let Some(found) = rest.as_mut() {
+        weigh_beside_shape(&session, request, &mut search, found)?;
+    }
+    let late = (!quantised).then(|| late(&search.last, request)).flatten();
+    if let Some((effect, late)) = late {
+        let mut extension = search.last.extension.clone();
+        extension.effects.push((effect, Some((0, late.delay))));
+        search.last = State::fit(&session, extension)?;
+    }
+    let held = settle(&session, &mut search.last);
+    let proposed = match &rest {
+        Some(rest) => proposal(&session, request, &mut search, rest)?,
+        None => None,
+    };
+    let (mut calibration, held) = determined(&session, request, &mut search, held)?;
+    say_held(&mut calibration, &held);
+    calibration.warnings.extend(search.spent.clone());
+    let named = |name: &&Name| matches!(name.claim, Claim::Effect(_));
+    let mut effects = Vec::new();
+    if search.names.iter().any(|name| named(&name)) {
+        let last = Final::of(&search.last, &calibration);
+        let names = search.names.iter().filter(named);
+        effects.extend(names.map(|name| finding(name, &last)));
+    }
+    if let Some((_, late)) = late {
+        let again = delay(&search.last);
+        effects.push(late_finding(&late, again, request, &mut calibration));
+    }
+    let lasting = disturbed(&search.last, &faults);
+    faults.extend(lasting);
+    faults.extend(undersampled(&search.last));
+    let named = !effects.is_empty() || !faults.is_empty();
+    let verdict = match (named, rest.is_some()) {
+        (false, false) => Verdict::Nothing,
+        (true, false) => Verdict::Named,
+        (false, true) => Verdict::Unexplained,
+        (true, true) => Verdict::NamedAndUnexplained,
+    };
+    let cut = |k: usize| session.recordings.get(k).map(|(_, c)| &c.segmentation);
+    let inputs = recordings.iter().enumerate().map(|(k, r)| (*r, cut(k)));
+    calibration.state_inputs(inputs, None);
+    let findings = Findings {
+        schema: FINDINGS_SCHEMA,
+        verdict,
+        effects,
+        integrity: faults,
+        unexplained: rest,
+        proposed,
+        // What chance and a wandering bias explain is no disagreement.
+        disagreement: match verdict {
+            Verdict::Nothing => Vec::new(),
+            _ => disagreements(&search.base, search.last.noise),
+        },
+        ranking: search
+            .first_ranking
+            .iter()
+            .map(|(c, r)| ranked_claim(c, r))
+            .collect(),
+        not_observable: search.not_observable.clone(),
+        never_visible: NEVER_VISIBLE.to_vec(),
+        validation: Vec::new(),
+        walks: search.last.noise.walk,
+        bias_instability: search.last.noise.flicker,
+        white: white(&search.last),
+        calibration,
+    };
+    Ok(Discovery { findings, search })
+}
+
+fn calibration(
+    session: &Session<'_>,
+    last: &State,
+    request: &Request,
+) -> Result<Calibration, Error> {
+    let recordings: Vec<&Recording> = session.recordings.iter().map(|(r, _)| *r).collect();
+    let choices: Vec<_> = session.recordings.iter().map(|(_, c)| c).collect();
+    let mut warnings = session.cut_down.clone();
+    let how = CalibrationRequest {
+        gravity: request.gravity,
+        gravity_source: request.gravity_source,
+        ..CalibrationRequest::default()
+    };
+    let calibration = written_down(&last.fit, &recordings, &choices, &how, &mut warnings)?;
+    let mut calibration = Calibration {
+        warnings,
+        ..calibration
+    };
+    calibration.carry_gravity(request.gravity_source);
+    Ok(calibration)
+}
+
+/// The calibration of the final model, with the names that these recordings determine: where they leave a parameter open,
+/// the one goes without which they do not, that with the most parameters first, or else the least evident one.
+fn determined(
+    session: &Session<'_>,
+    request: &Request,
+    search: &mut Search,
+    mut held: Vec<HeldShape>,
+) -> Result<(Calibration, Vec<HeldShape>), Error> {
+    loop {
+        let refused = match calibration(session, &search.last, request) {
+            Ok(calibration) => return Ok((calibration, held)),
+            Err(Error::Cancelled) => return Err(Error::Cancelled),
+            Err(refused) => refused,
+        };
+        let extension = search.last.extension.clone();
+        let less = |effect: &dyn AnyEffect| {
+            let mut less = extension.clone();
+            less.settles = false;
+            less.effects.retain(|(own, _)| own.name() != effect.name());
+            less
+        };
+        let effects = search.names.iter().filter_map(|name| match name.claim {
+            Claim::Effect(effect) => Some(effect),
+            _ => None,
+        });
+        let mut effects: Vec<&'static dyn AnyEffect> = effects.collect();
+        let Some(weakest) = effects.last().copied() else {
+            return Err(refused);
+        };
+        effects.sort_by_key(|effect| std::cmp::Reverse(effect.params().len()));
+        let helps = |effect: &&&'static dyn AnyEffect| {
+            let state = State::fit(session, less(**effect));
+            state.is_ok_and(|state| calibration(session, &state, request).is_ok())
+        };
+        let gone = effects.iter().find(helps).copied().unwrap_or(weakest);
+        search.withdraw_to(session, less(gone))?;
+        held = settle(session, &mut search.last);
+    }
+}
+
+/// A formula for what remains, with its coefficients; names that it explains are withdrawn, and the formula is then
+/// looked for without them.
+fn proposal(
+    session: &Session<'_>,
+    request: &Request,
+    search: &mut Search,
+    rest: &Unexplained,
+) -> Result<Option<Proposal>, Error> {
+    let Some(mut proposed) = propose(session, request, &search.last, rest) else {
+        return Ok(None);
+    };
+    let family = effect_family(&search.base, proposed.effect, &[]);
+    let noise = proposed.state.noise;
+    if let Some(less) = weighed_again(search, request, &family.columns, noise) {
+        search.withdraw_to(session, less)?;
+        let Some(again) = propose(session, request, &search.last, rest) else {
+            return Ok(None);
+        };
+        proposed = again;
+    }
+    // A formula whose parameters these recordings do not determine is none.
+    let Ok(calibration) = calibration(session, &proposed.state, request) else {
+        return Ok(None);
+    };
+    let parameters = parameters_of(proposed.effect.name(), &calibration);
+    Ok(Some(proposed.written(rest.channel, parameters)))
+}
+
+/// Withdraws what is no longer evident beside the shape of what remains.
+fn weigh_beside_shape(
+    session: &Session<'_>,
+    request: &Request,
+    search: &mut Search,
+    found: &mut Unexplained,
+) -> Result<(), Error> {
+    let Some(shape) = &found.columns else {
+        return Ok(());
+    };
+    let Some(less) = weighed_again(search, request, &shape.columns, shape.noise) else {
+        return Ok(());
+    };
+    let withdrawn = search.withdraw_to(session, less)?;
+    found.instead_of.extend(withdrawn);
+    Ok(())
+}
+
+/// The final model with its misfits, in the fit and on blocks left out.
+struct Final<'a> {
+    state: &'a State,
+    noise: BiasNoise,
+    misfits: [Misfit; 3],
+    held_out: Option<[Misfit; 3]>,
+    calibration: &'a Calibration,
+}
+
+impl<'a> Final<'a> {
+    fn of(last: &'a State, calibration: &'a Calibration) -> Self {
+        let noise = last.noise;
+        Self {
+            state: last,
+            noise,
+            misfits: Sequence::of(last, noise).misfits(last),
+            held_out: held_out(last, noise),
+            calibration,
+        }
+    }
+}
+
+fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
+    let without = &name.without;
+    let noise = last.noise;
+    let sequence = Sequence::of(without, noise);
+    let channel = channel_of(&sequence.of_column(name.predicted.clone()));
+    let held = |misfits: &Option<[Misfit; 3]>| misfits.map_or(1.0, |m| gap_of(&m, channel));
+    let ties: Vec<String> = name.ties.iter().map(|t| t.claim.name().into()).collect();
+    EffectFinding {
+        name: name.claim.name().into(),
+        statistic: name.ranked.statistic,
+        dof: name.ranked.dof,
+        p_value: name.ranked.log_p.exp(),
+        adjusted_p_value: adjusted(&name.ranked),
+        told_apart_by: told_apart_by(name.claim.name(), &ties),
+        indistinguishable_from: ties,
+        shared: name.ties.iter().map(|t| t.shared).collect(),
+        rivals: name.ties.iter().filter_map(|t| t.rivalry.clone()).collect(),
+        parameters: parameters_of(name.claim.name(), last.calibration),
+        channel,
+        gap_before: gap_of(&sequence.misfits(without), channel),
+        gap_after: gap_of(&last.misfits, channel),
+        rms_before: without.rms(channel),
+        rms_after: last.state.rms(channel),
+        held_out_gap_before: held(&held_out(without, noise)),
+        held_out_gap_after: held(&last.held_out),
+    }
+}
+
+/// White noise densities at low frequency of the first recording, the mean of the axes.
+fn white(state: &State) -> [f64; 2] {
+    let source = state.fit.data.sources.first();
+    let density = |noise: Option<&SensorNoise>| {
+        noise.map_or(0.0, |n| {
+            n.white.component_mul(&n.long_run).mean() * n.interval.sqrt()
+        })
+    };
+    [
+        density(source.and_then(|s| s.accelerometer.as_ref())),
+        density(source.and_then(|s| s.gyroscope.as_ref())),
+    ]
+}
+
+/// Withdraws the effects that are not evident against what remains unexplained: a rest of `g` times the noise
+/// makes all likelihood ratios `g²` times too large.
+fn without_weak(
+    session: &Session<'_>,
+    found: &mut Search,
+    request: &Request,
+) -> Result<bool, Error> {
+    let threshold = request.threshold();
+    let noise = found.last.noise;
+    let left = Sequence::of(&found.last, noise).misfits(&found.last);
+    let mut extension = found.last.extension.clone();
+    let before = found.names.len();
+    found.names.retain(|name| {
+        let Claim::Effect(effect) = name.claim else {
+            return true;
+        };
+        let parts = Sequence::of(&name.without, noise).of_column(name.predicted.clone());
+        let gap = gap_of(&left, channel_of(&parts)).max(1.0);
+        let ranked = &name.ranked;
+        let search_cost = -ranked.log_p - ranked.evidence;
+        let evident =
+            -log_tail(ranked.statistic / (gap * gap), ranked.dof) - search_cost > threshold;
+        if !evident {
+            extension.effects.retain(|(e, _)| e.name() != effect.name());
+        }
+        evident
+    });
+    if found.names.len() == before {
+        return Ok(false);
+    }
+    found.last = State::fit(session, extension)?;
+    Ok(true)
+}
+
+/// The effect of late stamps, where the moving accelerometer shows it.
+fn late(state: &State, request: &Request) -> Option<(&'static dyn AnyEffect, Delay)> {
+    let candidates = request.candidates();
+    let effect = candidates.iter().find(|e| e.name() == LATE)?;
+    let found = delay(state)?;
+    // What delays the gyroscope's axes delays them against the accelerometer too.
+    if found.delay.abs() <= 2.0 * gyroscope_delay(state) + MUCH_LATER * found.std {
+        return None;
+    }
+    (late_evidence(&found, candidates.len()) > request.threshold()).then_some((*effect, found))
+}
+
+/// The longest delay of an axis of the gyroscope against another in the model, s.
+fn gyroscope_delay(state: &State) -> f64 {
+    let fitted = &state.fit.parameters;
+    let named = fitted.names().iter().zip(fitted.values());
+    let of_delay = named.filter(|(name, _)| name.starts_with(GYRO_DELAY));
+    of_delay.map(|(_, d)| d.abs()).fold(0.0, f64::max)
+}
+
+fn late_evidence(found: &Delay, candidates: usize) -> f64 {
+    -found.log_p - (2.0 * candidates as f64).ln()
+}
+
+/// `again` is the delay that remains with the effect in the model: its gap is that after.
+fn late_finding(
+    found: &Delay,
+    again: Option<Delay>,
+    request: &Request,
+    calibration: &mut Calibration,
+) -> EffectFinding {
+    for effect in calibration.effects.iter_mut().filter(|e| e.name == LATE) {
+        for p in &mut effect.parameters {
+            p.std = Some(found.std);
+        }
+    }
+    EffectFinding {
+        name: LATE.into(),
+        statistic: found.statistic,
+        dof: 1.0,
+        p_value: found.log_p.exp(),
+        adjusted_p_value: (-late_evidence(found, request.candidates().len()))
+            .exp()
+            .min(1.0),
+        indistinguishable_from: Vec::new(),
+        shared: Vec::new(),
+        rivals: Vec::new(),
+        told_apart_by: None,
+        parameters: parameters_of(LATE, calibration),
+        channel: Channel::MovingForce,
+        gap_before: found.gap_before,
+        rms_before: None,
+        rms_after: None,
+        gap_after: again.map_or(found.gap_before, |again| again.gap_before),
+        held_out_gap_before: found.held_out_gap_before,
+        held_out_gap_after: found.held_out_gap_after,
+    }
+}
+
+fn adjusted(ranked: &Ranked) -> f64 {
+    (-ranked.evidence).exp().min(1.0)
+}
+
+fn parameters_of(name: &str, calibration: &Calibration) -> Vec<EffectParameter> {
+    let own = |effect: &&EffectValues| effect.name == name;
+    calibration
+        .effects
+        .iter()
+        .find(own)
+        .map(|effect| effect.parameters.clone())
+        .unwrap_or_default()
+}
+
+fn ranked_claim(claim: &Claim, ranked: &Ranked) -> RankedClaim {
+    RankedClaim {
+        name: claim.name().into(),
+        statistic: ranked.statistic,
+        dof: ranked.dof,
+        adjusted_p_value: adjusted(ranked),
+    }
+}

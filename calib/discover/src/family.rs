@@ -1,0 +1,376 @@
+//! What may be missing: families of hypotheses about one recording.
+
+use faer::{Mat, MatRef};
+use sensor::{AnyEffect, Param, Role, Sensor};
+
+use super::remainder::shape::Shape;
+use super::state::State;
+use estimate::methods::joint::{Disturbance, effect_columns, step_columns};
+
+/// The effect that the moving accelerometer shows.
+pub const LATE: &str = "time_offset";
+
+/// Time constants tried for an effect that settles, s. Between neighbours the shapes correlate by more than
+/// 0.98 over a session of minutes.
+const TIME_CONSTANTS: [f64; 6] = [20.0, 40.0, 70.0, 120.0, 200.0, 350.0];
+
+/// Typical sizes of what is no sensor effect: creep of a rest (rad/s: 1.5 mrad in 7 s), a pushed chunk
+/// (m/s²), a turn with lost samples (rad).
+const TYPICAL_CREEP: f64 = 2e-4;
+const TYPICAL_PUSH: f64 = 2e-2;
+const TYPICAL_MISS: f64 = 1e-2;
+
+/// The same of a rate that is off in one interval (rad/s), and of a slip at once (rad).
+const TYPICAL_EXCURSION: f64 = 2e-4;
+const TYPICAL_SLIP: f64 = 1e-3;
+
+/// A temperature effect of higher order comes with those of lower order: they stand for the
+/// reference temperature, which is nobody's to choose.
+const COMPANIONS: [(&str, &str); 2] = [
+    ("accel_temperature_quadratic", "accel_temperature"),
+    ("gyro_temperature_quadratic", "gyro_temperature"),
+];
+
+/// Coefficients that are nothing by convention: the others are differences to them, and what is common to
+/// all does not show.
+const REFERENCES: [(&str, &str); 1] = [("gyro_delay", "z")];
+
+/// What a family claims.
+#[derive(Clone, Copy, Debug)]
+pub enum Claim {
+    /// The sensor has an effect of the catalogue.
+    Effect(&'static dyn AnyEffect),
+    /// The recording was disturbed.
+    Disturbed(Disturbance),
+    /// Something is left that no effect of the catalogue explains, of this shape.
+    Shape(Shape, Sensor),
+}
+
+impl Claim {
+    /// The name in findings.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Effect(effect) => effect.name(),
+            Self::Disturbed(Disturbance::MountSlip | Disturbance::SuddenSlip) => "mount_slip",
+            Self::Disturbed(Disturbance::DisturbedInterval | Disturbance::RateExcursion) => {
+                "disturbed_interval"
+            }
+            Self::Disturbed(Disturbance::BadTurn) => "outlying_turn",
+            Self::Shape(shape, _) => shape.words(),
+        }
+    }
+
+    /// Whether both claim the same.
+    pub fn is_same(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Effect(one), Self::Effect(two)) => one.name() == two.name(),
+            (Self::Disturbed(one), Self::Disturbed(two)) => one == two,
+            (Self::Shape(one, a), Self::Shape(two, b)) => one == two && a == b,
+            _ => false,
+        }
+    }
+
+    /// The sensor whose bias walk can be taken for it.
+    pub fn sensor(&self) -> Sensor {
+        match self {
+            Self::Effect(effect) => effect.sensor(),
+            Self::Disturbed(Disturbance::DisturbedInterval | Disturbance::SuddenSlip) => {
+                Sensor::Accelerometer
+            }
+            Self::Disturbed(_) => Sensor::Gyroscope,
+            Self::Shape(_, sensor) => *sensor,
+        }
+    }
+}
+
+/// One way in which a claim can hold: an instant, a time constant, an interval.
+#[derive(Clone, Debug)]
+pub struct Hypothesis {
+    /// A parameter that shapes the effect, by its place, with its value: `tau` or `t0`.
+    pub shape: Option<(usize, f64)>,
+    /// The rest, chunk or turn of a disturbance.
+    pub place: Option<usize>,
+    /// Its columns among those of the family.
+    pub columns: std::ops::Range<usize>,
+}
+
+/// All hypotheses of one claim.
+#[derive(Clone, Debug)]
+pub struct Family {
+    /// What it claims.
+    pub claim: Claim,
+    /// The ways.
+    pub hypotheses: Vec<Hypothesis>,
+    /// `∂r/∂c · typical` (`m × …`), white-whitened: columns of all hypotheses side by side.
+    pub columns: Mat<f64>,
+    /// The size that a column stands for.
+    pub typical: f64,
+    /// Degrees of freedom that the choice of a shape spends.
+    pub shape_dof: f64,
+    /// `ln` of the number of places that it could be at.
+    pub log_places: f64,
+}
+
+impl Family {
+    /// The columns of one of its hypotheses.
+    pub fn columns_of(&self, hypothesis: usize) -> MatRef<'_, f64> {
+        let range = &self.hypotheses[hypothesis].columns;
+        self.columns.as_ref().subcols(range.start, range.len())
+    }
+}
+
+/// Places of an effect's coefficients, which are nothing in a perfect sensor, and of the parameter that
+/// shapes it, where there is one.
+pub fn coefficients(effect: &dyn AnyEffect) -> (Vec<usize>, Option<usize>) {
+    let params = effect.params();
+    let shape = params.iter().position(is_shape);
+    let reference = reference_of(effect);
+    let linear = (0..params.len())
+        .filter(|k| Some(*k) != shape && Some(params[*k].name) != reference)
+        .collect();
+    (linear, shape)
+}
+
+/// Whether the error does not grow with this parameter: it is tried at some values.
+fn is_shape(p: &Param) -> bool {
+    matches!(
+        p.role_by_name(),
+        Role::Shape | Role::TimeConstant | Role::Instant
+    )
+}
+
+/// The values at which a parameter that shapes an effect is tried.
+pub fn tried(p: &Param) -> &[f64] {
+    match p.tried {
+        [] => &TIME_CONSTANTS,
+        own => own,
+    }
+}
+
+/// The name of the coefficient that the others are differences to, where there is one.
+pub fn reference_of(effect: &dyn AnyEffect) -> Option<&'static str> {
+    let found = REFERENCES.iter().find(|(name, _)| *name == effect.name());
+    found.map(|(_, reference)| *reference)
+}
+
+/// The effects that come with `effect`, itself first.
+pub fn with_companions<'a>(
+    effect: &'static dyn AnyEffect,
+    catalogue: &'a [&'static dyn AnyEffect],
+) -> impl Iterator<Item = &'static dyn AnyEffect> + 'a {
+    let companion = COMPANIONS
+        .iter()
+        .find(|(name, _)| *name == effect.name())
+        .and_then(|(_, with)| catalogue.iter().find(|e| e.name() == *with));
+    std::iter::once(effect).chain(companion.copied())
+}
+
+/// Everything that the model of `state` lacks and its recordings could show.
+pub fn families(state: &State, catalogue: &[&'static dyn AnyEffect]) -> Vec<Family> {
+    let mut all: Vec<Family> = catalogue
+        .iter()
+        .filter(|effect| !state.has(effect.name()))
+        .filter(|effect| effect.sensor() == Sensor::Accelerometer || state.fit.has_gyroscope())
+        .map(|effect| effect_family(state, *effect, catalogue))
+        .collect();
+    all.extend(disturbance_families(state));
+    all
+}
+
+/// The family of one effect; `catalogue` has its companions.
+pub(super) fn effect_family(
+    state: &State,
+    effect: &'static dyn AnyEffect,
+    catalogue: &[&'static dyn AnyEffect],
+) -> Family {
+    let (linear, shape) = coefficients(effect);
+    let nominal: Vec<f64> = effect.params().iter().map(|p| p.nominal).collect();
+    let values: Vec<Option<f64>> = match shape {
+        Some(k) if effect.params()[k].role_by_name() == Role::Instant => {
+            state.boundaries().into_iter().map(Some).collect()
+        }
+        Some(k) => tried(&effect.params()[k])
+            .iter()
+            .copied()
+            .map(Some)
+            .collect(),
+        None => vec![None],
+    };
+    let role = shape.map(|k| effect.params()[k].role_by_name());
+    let is_instant = role == Some(Role::Instant);
+    let mut parts = if is_instant {
+        vec![steps(state, effect, &linear, &values)]
+    } else {
+        Vec::new()
+    };
+    let mut hypotheses = Vec::new();
+    let mut first = 0;
+    for value in &values {
+        let shape = shape.zip(*value);
+        let mut count = linear.len();
+        if !is_instant {
+            let mut p = nominal.clone();
+            if let Some((k, value)) = shape {
+                p[k] = value;
+            }
+            parts.push(scaled(state, effect, &p, &linear));
+            let companions = with_companions(effect, catalogue).skip(1);
+            for companion in companions.filter(|c| !state.has(c.name())) {
+                let (linear, _) = coefficients(companion);
+                let p: Vec<f64> = companion.params().iter().map(|p| p.nominal).collect();
+                count += linear.len();
+                parts.push(scaled(state, companion, &p, &linear));
+            }
+        }
+        hypotheses.push(Hypothesis {
+            shape,
+            place: None,
+            columns: first..first + count,
+        });
+        first += count;
+    }
+    Family {
+        claim: Claim::Effect(effect),
+        // Neighbouring time constants make nearly the same columns: choosing spends a degree of freedom, not a search.
+        shape_dof: if role == Some(Role::TimeConstant) {
+            1.0
+        } else {
+            0.0
+        },
+        log_places: if matches!(role, Some(Role::Instant | Role::Shape)) {
+            (values.len().max(1) as f64).ln()
+        } else {
+            0.0
+        },
+        hypotheses,
+        columns: state.whitened(beside(&parts, state.rows())),
+        typical: effect.typical(),
+    }
+}
+
+/// The columns of an effect's coefficients, for typical sizes.
+fn scaled(state: &State, effect: &dyn AnyEffect, p: &[f64], linear: &[usize]) -> Mat<f64> {
+    let columns = effect_columns(&state.sensitivities, state.rows(), effect, p, linear);
+    sized(columns, effect, linear)
+}
+
+/// Columns of coefficients, for the typical size of each.
+fn sized(mut columns: Mat<f64>, effect: &dyn AnyEffect, linear: &[usize]) -> Mat<f64> {
+    for (k, mut column) in columns.col_iter_mut().enumerate() {
+        column *= faer::Scale(effect.typical_of(linear[k % linear.len()]));
+    }
+    columns
+}
+
+/// The same for an effect that begins at an instant, for all instants.
+fn steps(
+    state: &State,
+    effect: &dyn AnyEffect,
+    linear: &[usize],
+    values: &[Option<f64>],
+) -> Mat<f64> {
+    let instants: Vec<f64> = values.iter().flatten().copied().collect();
+    // The instant is no coefficient: it is put before everything.
+    let always: Vec<f64> = (0..effect.params().len())
+        .map(|k| {
+            if linear.contains(&k) {
+                0.0
+            } else {
+                f64::NEG_INFINITY
+            }
+        })
+        .collect();
+    let of = (always.as_slice(), linear);
+    let columns = step_columns(&state.sensitivities, state.rows(), effect, of, &instants);
+    sized(columns, effect, linear)
+}
+
+fn disturbance_families(state: &State) -> Vec<Family> {
+    [
+        (Disturbance::MountSlip, TYPICAL_CREEP),
+        (Disturbance::DisturbedInterval, TYPICAL_PUSH),
+        (Disturbance::BadTurn, TYPICAL_MISS),
+        (Disturbance::RateExcursion, TYPICAL_EXCURSION),
+        (Disturbance::SuddenSlip, TYPICAL_SLIP),
+    ]
+    .into_iter()
+    .map(|(kind, typical)| {
+        let suspects: Vec<_> = state
+            .suspects()
+            .into_iter()
+            .filter(|s| s.kind == kind && !state.is_accused(kind, s.place))
+            .collect();
+        let mut hypotheses = Vec::new();
+        let mut first = 0;
+        for suspect in &suspects {
+            hypotheses.push(Hypothesis {
+                shape: None,
+                place: Some(suspect.place),
+                columns: first..first + suspect.columns.len(),
+            });
+            first += suspect.columns.len();
+        }
+        let all: Vec<&Vec<f64>> = suspects.iter().flat_map(|s| &s.columns).collect();
+        let columns = Mat::from_fn(state.rows(), first, |i, k| typical * all[k][i]);
+        Family {
+            claim: Claim::Disturbed(kind),
+            shape_dof: 0.0,
+            log_places: (suspects.len().max(1) as f64).ln(),
+            hypotheses,
+            columns: state.whitened(columns),
+            typical,
+        }
+    })
+    .collect()
+}
+
+/// Matrices of `m` rows side by side.
+pub fn beside(parts: &[Mat<f64>], m: usize) -> Mat<f64> {
+    let count = parts.iter().map(Mat::ncols).sum();
+    let mut whole = Mat::zeros(m, count);
+    let mut first = 0;
+    for part in parts {
+        whole
+            .as_mut()
+            .subcols_mut(first, part.ncols())
+            .copy_from(part);
+        first += part.ncols();
+    }
+    whole
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Extension, Request, Session};
+    use simulate::Spec;
+
+    #[test]
+    fn steps_at_once_are_the_steps_one_by_one() {
+        let spec = Spec::hand_held(3);
+        let recordings = [spec.run().unwrap().recording];
+        let session = Session::new(&recordings, &Request::new(spec.gravity)).unwrap();
+        let state = State::fit(&session, Extension::default()).unwrap();
+        let effect = gyroscope::EFFECTS
+            .iter()
+            .find(|e| e.name() == "gyro_step")
+            .unwrap();
+        let (wanted, always) = ([0, 1, 2], [0.0, 0.0, 0.0, f64::NEG_INFINITY]);
+        let instants = [60.0, 100.0, 200.0];
+        let m = state.rows();
+        let at_once = step_columns(
+            &state.sensitivities,
+            m,
+            *effect,
+            (&always, &wanted),
+            &instants,
+        );
+        for (k, instant) in instants.into_iter().enumerate() {
+            let p = [0.0, 0.0, 0.0, instant];
+            let one = effect_columns(&state.sensitivities, m, *effect, &p, &wanted);
+            let difference = &one - at_once.as_ref().subcols(3 * k, 3);
+            // Sums in another order.
+            assert!(difference.norm_max() < 1e-12 * one.norm_max());
+        }
+    }
+}

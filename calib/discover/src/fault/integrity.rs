@@ -1,0 +1,326 @@
+//! Faults of the recording itself, found without a model.
+
+use nalgebra::Vector3;
+use serde::Serialize;
+
+use crate::request::Session;
+use crate::state::State;
+use estimate::methods::joint::{Accused, Disturbance, SensorNoise};
+use recording::intervals::{Rails, Segmentation, Span};
+use recording::{Recording, Stream};
+
+/// Samples at the end of the range that count as saturation.
+const CLIPPED: usize = 5;
+
+/// A rest with this share of its samples at the end of the range is saturated, not quantised.
+const MOST: f64 = 0.5;
+
+/// A least significant bit beyond this many standard deviations of the reading no longer averages out: the mean
+/// of a rest is then off by more than its noise.
+const COARSE: f64 = 2.0;
+
+/// A clock whose steps hardly differ: 95 % within this share of the median.
+const REGULAR: f64 = 0.2;
+
+/// A fault of the recording.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Integrity {
+    /// `saturation`, `quantisation`, `lost_samples`, `outlying_turn`, `undersampled_motion`, `mount_slip` or
+    /// `disturbed_interval`.
+    pub name: &'static str,
+    /// The recording.
+    pub recording: String,
+    /// The static interval, or the one before the turn, counted from 1; `None` of a whole recording.
+    pub interval: Option<usize>,
+    /// When, s.
+    pub t0: f64,
+    /// Until when, s.
+    pub t1: f64,
+    /// In words.
+    pub detail: String,
+}
+
+/// Saturation, coarse steps and lost samples of all recordings.
+pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
+    let mut all = Vec::new();
+    for ((recording, choice), source) in session.recordings.iter().zip(&base.fit.data.sources) {
+        let sensors = [
+            (
+                "accelerometer",
+                &recording.accelerometer,
+                &source.accelerometer,
+                base.fit.force_unit.scale,
+            ),
+            (
+                "gyroscope",
+                &recording.gyroscope,
+                &source.gyroscope,
+                base.fit.rate_unit.scale,
+            ),
+        ];
+        for (sensor, stream, noise, scale) in sensors {
+            let Some(stream) = stream else { continue };
+            let place = Looked {
+                recording,
+                segmentation: &choice.segmentation,
+                sensor,
+                stream,
+            };
+            let coarse = noise
+                .as_ref()
+                .and_then(|noise| place.quantisation(noise, scale));
+            // Coarse readings repeat at their extremes too.
+            if coarse.is_none() {
+                all.extend(place.saturation());
+            }
+            all.extend(coarse);
+            all.extend(place.lost_samples());
+        }
+    }
+    all
+}
+
+/// What a fit found disturbed, in the same form; `seen` are the faults that the readings themselves show: samples are
+/// called lost where the stamps say so.
+pub fn disturbed(state: &State, seen: &[Integrity]) -> Vec<Integrity> {
+    let sizes = state.disturbed_sizes();
+    let found = state
+        .fit
+        .accused
+        .iter()
+        .take(state.extension.disturbed.len());
+    // A rate that is off in an interval is off up to the turns beside it, which see it as a creep.
+    let is_excursion = |of: &Accused| {
+        let all = state.fit.accused.iter();
+        let mut excursions = all.filter(|a| a.kind == Disturbance::RateExcursion);
+        excursions.any(|a| (a.recording, a.interval) == (of.recording, of.interval))
+    };
+    found
+        .zip(sizes)
+        .filter(|(accused, _)| accused.kind != Disturbance::MountSlip || !is_excursion(accused))
+        .map(|(accused, size)| {
+            let recording = &state.fit.data.sources[accused.recording].name;
+            let lost = seen.iter().any(|fault| {
+                fault.name == "lost_samples"
+                    && fault.recording == *recording
+                    && fault.t0 < accused.span.to
+                    && fault.t1 > accused.span.from
+            });
+            let (name, detail) = match accused.kind {
+                Disturbance::MountSlip => (
+                    "mount_slip",
+                    format!(
+                        "the device crept by {:.3}° while it should have rested",
+                        (size * accused.span.length()).to_degrees()
+                    ),
+                ),
+                Disturbance::SuddenSlip => (
+                    "mount_slip",
+                    format!("the device moved at once by {:.3}°", size.to_degrees()),
+                ),
+                Disturbance::DisturbedInterval => (
+                    "disturbed_interval",
+                    format!("the specific force is off by {:.1} mm/s²", 1e3 * size),
+                ),
+                Disturbance::RateExcursion => (
+                    "disturbed_interval",
+                    format!(
+                        "the mean rate is off by {:.2} mrad/s ({:.0} °/h) here and not beside it",
+                        1e3 * size,
+                        size.to_degrees() * 3600.0
+                    ),
+                ),
+                Disturbance::BadTurn if lost => (
+                    "lost_samples",
+                    format!("samples are lost: the turn misses gravity by {:.2}°", size.to_degrees()),
+                ),
+                Disturbance::BadTurn => (
+                    "outlying_turn",
+                    format!(
+                        "turn {} is an outlier: it misses gravity by {:.2}°; the stamps show no missing sample",
+                        accused.interval + 1,
+                        size.to_degrees()
+                    ),
+                ),
+            };
+            Integrity {
+                name,
+                recording: recording.clone(),
+                interval: Some(accused.interval + 1),
+                t0: accused.span.from,
+                t1: accused.span.to,
+                detail,
+            }
+        })
+        .collect()
+}
+
+/// Turns shown of a recording that is sampled too slowly for its shocks.
+const SHOWN: usize = 6;
+
+/// Recordings whose rate jumps between samples, where that explains what the turns miss better than a scatter that
+/// is the same for all.
+pub fn undersampled(state: &State) -> Vec<Integrity> {
+    let evident = state
+        .fit
+        .undersampled()
+        .into_iter()
+        .filter(|u| u.is_evident);
+    let found = evident.filter_map(|found| {
+        let turns: Vec<String> = found
+            .turns
+            .iter()
+            .take(SHOWN)
+            .map(|(turn, _, angle)| format!("{} ({:.2}°)", turn + 1, angle.to_degrees()))
+            .collect();
+        let spans = found.turns.iter().map(|(_, span, _)| *span);
+        let first = spans.clone().min_by(|a, b| a.from.total_cmp(&b.from))?;
+        let last = spans.max_by(|a, b| a.to.total_cmp(&b.to))?;
+        let [low, high] = found.share.between;
+        Some(Integrity {
+            name: "undersampled_motion",
+            recording: state.fit.data.sources[found.recording].name.clone(),
+            interval: None,
+            t0: first.from,
+            t1: last.to,
+            detail: format!(
+                "the rate jumps between samples and {:.2} ({low:.2} to {high:.2}) of each jump is missing in the \
+                 angle: {:.2}° rms per turn, most in turns {}. Place the device gently, sample faster, or filter before \
+                 sampling",
+                found.share.value,
+                found.rms.to_degrees(),
+                turns.join(", ")
+            ),
+        })
+    });
+    found.collect()
+}
+
+/// One sensor of one recording.
+struct Looked<'a> {
+    recording: &'a Recording,
+    segmentation: &'a Segmentation,
+    sensor: &'a str,
+    stream: &'a Stream,
+}
+
+impl Looked<'_> {
+    fn found(
+        &self,
+        name: &'static str,
+        interval: Option<usize>,
+        span: Span,
+        detail: String,
+    ) -> Integrity {
+        Integrity {
+            name,
+            recording: self.recording.name.clone(),
+            interval,
+            t0: span.from,
+            t1: span.to,
+            detail,
+        }
+    }
+
+    /// Turns and rests with readings at the end of the range.
+    fn saturation(&self) -> Vec<Integrity> {
+        let rails = Rails::of(&self.stream.values);
+        let clipped = |span: Span| {
+            let samples = &self.stream.values[self.stream.between(span.from, span.to)];
+            (
+                samples.iter().filter(|v| rails.reached(v)).count(),
+                samples.len(),
+            )
+        };
+        let turns = self.segmentation.turns.iter().filter_map(|turn| {
+            let (count, _) = clipped(turn.span);
+            (count >= CLIPPED).then_some((turn.from, turn.span, count))
+        });
+        let rests = self
+            .segmentation
+            .statics
+            .iter()
+            .enumerate()
+            .filter_map(|(k, rest)| {
+                let (count, all) = clipped(rest.span);
+                (count as f64 > MOST * all as f64).then_some((k, rest.span, count))
+            });
+        turns
+            .chain(rests)
+            .map(|(k, span, count)| {
+                let detail = format!(
+                    "{count} samples of the {} at the end of its range",
+                    self.sensor
+                );
+                self.found("saturation", Some(k + 1), span, detail)
+            })
+            .collect()
+    }
+
+    /// Steps too wide for the noise to even out.
+    fn quantisation(&self, noise: &SensorNoise, scale: f64) -> Option<Integrity> {
+        let axis = (0..3).find(|&i| noise.step[i] > COARSE * noise.white[i])?;
+        let step: Vector3<f64> = noise.step / scale;
+        let detail = format!(
+            "the {} reads in steps of {:.3e} on axis {}, {:.1} times its noise",
+            self.sensor,
+            step[axis],
+            ["x", "y", "z"][axis],
+            noise.step[axis] / noise.white[axis]
+        );
+        Some(self.found("quantisation", None, self.whole(), detail))
+    }
+
+    fn whole(&self) -> Span {
+        let t = &self.stream.t;
+        Span {
+            from: t.first().copied().unwrap_or(0.0),
+            to: t.last().copied().unwrap_or(0.0),
+        }
+    }
+
+    /// Steps of a regular clock that leave samples out.
+    fn lost_samples(&self) -> Vec<Integrity> {
+        let gaps: Vec<Span> = match self.regular_step() {
+            Some(step) => self
+                .stream
+                .t
+                .windows(2)
+                .filter(|pair| pair[1] - pair[0] > 1.5 * step)
+                .map(|pair| Span {
+                    from: pair[0],
+                    to: pair[1],
+                })
+                .collect(),
+            None => self
+                .stream
+                .gaps()
+                .iter()
+                .map(|gap| Span {
+                    from: gap.t0,
+                    to: gap.t1,
+                })
+                .collect(),
+        };
+        gaps.into_iter()
+            .map(|gap| {
+                let before = self
+                    .segmentation
+                    .statics
+                    .iter()
+                    .rposition(|r| r.span.from <= gap.from);
+                let detail = format!("no sample of the {} for {:.3} s", self.sensor, gap.length());
+                self.found("lost_samples", before.map(|k| k + 1), gap, detail)
+            })
+            .collect()
+    }
+
+    fn regular_step(&self) -> Option<f64> {
+        let median = self.stream.median_step()?;
+        let steps = self.stream.t.windows(2).map(|pair| pair[1] - pair[0]);
+        let odd = steps
+            .filter(|s| (s - median).abs() > REGULAR * median)
+            .count();
+        (20 * odd < self.stream.len()).then_some(median)
+    }
+}

@@ -1,0 +1,144 @@
+//! What `discover` found: the contents of findings.json.
+
+use serde::Serialize;
+
+use super::fault::integrity::Integrity;
+use super::gap::channel::Channel;
+use super::gap::localise::Disagreement;
+use super::propose::Proposal;
+use super::remainder::unexplained::Unexplained;
+use super::separation::Rivalry;
+use estimate::calibration::{Calibration, EffectParameter};
+
+pub use estimate::calibration::FINDINGS_SCHEMA;
+
+/// The verdict.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum Verdict {
+    /// The model explains the data to within the measured noise.
+    #[serde(rename = "none")]
+    Nothing,
+    /// Something was named.
+    #[serde(rename = "named")]
+    Named,
+    /// A significant disagreement that no effect of the catalogue fits.
+    #[serde(rename = "unexplained")]
+    Unexplained,
+    /// Both.
+    #[serde(rename = "named+unexplained")]
+    NamedAndUnexplained,
+}
+
+impl Verdict {
+    /// As in the file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Nothing => "none",
+            Self::Named => "named",
+            Self::Unexplained => "unexplained",
+            Self::NamedAndUnexplained => "named+unexplained",
+        }
+    }
+}
+
+/// An effect that was missing.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct EffectFinding {
+    /// Its name in the catalogue.
+    pub name: String,
+    /// Likelihood ratio, everything else that is named being in the model.
+    pub statistic: f64,
+    /// Its degrees of freedom in this recording.
+    pub dof: f64,
+    /// Chance of so much by this one test.
+    pub p_value: f64,
+    /// Chance of so much by any test of the catalogue.
+    pub adjusted_p_value: f64,
+    /// What these recordings cannot tell from it.
+    pub indistinguishable_from: Vec<String>,
+    /// How far each of those explains the same: `ρ²`.
+    pub shared: Vec<f64>,
+    /// What tells it from the effects among them.
+    pub rivals: Vec<Rivalry>,
+    /// What recording would tell them apart.
+    pub told_apart_by: Option<String>,
+    /// Its parameters after the refit.
+    pub parameters: Vec<EffectParameter>,
+    /// The channel that it lives in.
+    pub channel: Channel,
+    /// `√(χ²/dof)` of the channel without it.
+    pub gap_before: f64,
+    /// With it.
+    pub gap_after: f64,
+    /// Root mean square of what the channel leaves without it, in m/s², rad/s or rad.
+    pub rms_before: Option<f64>,
+    /// With everything named.
+    pub rms_after: Option<f64>,
+    /// On intervals that the fit did not see, without it.
+    pub held_out_gap_before: f64,
+    /// With it.
+    pub held_out_gap_after: f64,
+}
+
+/// A claim with its evidence.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RankedClaim {
+    /// Its name.
+    pub name: String,
+    /// Likelihood ratio.
+    pub statistic: f64,
+    /// Its degrees of freedom.
+    pub dof: f64,
+    /// Chance of so much by any test of the catalogue.
+    pub adjusted_p_value: f64,
+}
+
+/// The gap on a recording that the fit did not see.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Validation {
+    /// The recording.
+    pub recording: String,
+    /// The channel.
+    pub channel: Channel,
+    /// `√(χ²/dof)` with the base models.
+    pub gap_before: f64,
+    /// With everything named.
+    pub gap_after: f64,
+    /// Degrees of freedom of the channel: of a complete model `gap_after²` is 1 within `±2 √(2/dof)`.
+    pub dof: f64,
+}
+
+/// What was found.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Findings {
+    /// [`FINDINGS_SCHEMA`].
+    pub schema: &'static str,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// What was named, most evident first.
+    pub effects: Vec<EffectFinding>,
+    /// Faults of the recording.
+    pub integrity: Vec<Integrity>,
+    /// A disagreement that remains.
+    pub unexplained: Option<Unexplained>,
+    /// A formula for it, where one closes the gap on intervals that the fit did not see.
+    pub proposed: Option<Proposal>,
+    /// Where the base models disagree with the data.
+    pub disagreement: Vec<Disagreement>,
+    /// The best of the catalogue against the base models.
+    pub ranking: Vec<RankedClaim>,
+    /// Effects of the catalogue that this recording cannot show at ten times their typical size.
+    pub not_observable: Vec<String>,
+    /// What no recording of this kind shows.
+    pub never_visible: Vec<&'static str>,
+    /// Gaps on recordings that the fit did not see.
+    pub validation: Vec<Validation>,
+    /// Random walk densities of the biases in the final model, m/s²/√s and rad/s/√s.
+    pub walks: [f64; 2],
+    /// Bias instability `B` of every axis in the final model, m/s² and rad/s: the Allan deviation is flat at `0.664 B`.
+    pub bias_instability: [[f64; 3]; 2],
+    /// White noise densities of accelerometer and gyroscope, m/s²/√Hz and rad/s/√Hz.
+    pub white: [f64; 2],
+    /// The calibration of the final model.
+    pub calibration: Calibration,
+}

@@ -1,0 +1,147 @@
+//! Intervals that the fit did not see: cross-validation over blocks of rests.
+
+use faer::linalg::solvers::DenseSolveCore;
+use faer::{Mat, Side};
+use nalgebra::DMatrix;
+
+use crate::gap::channel::{Channel, Misfit};
+use crate::state::State;
+use estimate::methods::joint::BiasNoise;
+
+/// Blocks that the rests are dealt into.
+const BLOCKS: usize = 8;
+
+/// Eigenvalues below this share of the largest are directions that the rest of the data say nothing of.
+const UNSEEN: f64 = 1e-8;
+
+/// What each channel of a block misses when the rest of the data foretell it, summed over all blocks.
+///
+/// With `P = N (Nᵀ V N)⁻¹ Nᵀ` a block `B` that is left out is missed by `(P_BB)⁺ (P r)_B`, of covariance
+/// `(P_BB)⁺`: no refit is needed. The errors of the parameters that the other blocks give are in it, and
+/// what only the block could tell (its directions) is projected out.
+pub fn held_out(state: &State, noise: BiasNoise) -> Option<[Misfit; 3]> {
+    let precision = precision(state, noise)?;
+    let r = &state.fit.white_residuals;
+    let pr = &precision * Mat::from_fn(r.len(), 1, |i, _| r[i]);
+    let mut sums = [Misfit::default(); 3];
+    for block in blocks(state) {
+        let of = |first: usize, last: usize| -> Vec<usize> {
+            let rows = block.iter().copied();
+            rows.filter(|i| (first..last).contains(i)).collect()
+        };
+        let [rate, turns] = state.fit.first_rows;
+        let force = of(0, rate);
+        let direction: Vec<usize> = force.iter().copied().chain(of(turns, r.len())).collect();
+        let modulus = missed(&precision, &pr, &block, &force);
+        let with_force = missed(&precision, &pr, &block, &direction);
+        sums[0].add(modulus);
+        sums[1].add(missed(&precision, &pr, &block, &of(rate, turns)));
+        sums[2].add(Misfit {
+            chi2: (with_force.chi2 - modulus.chi2).max(0.0),
+            dof: with_force.dof - modulus.dof,
+        });
+    }
+    Some(sums)
+}
+
+/// `√(χ²/dof)` of one channel; 1 of one that the joint fit has no rows of.
+pub fn gap_of(misfits: &[Misfit; 3], channel: Channel) -> f64 {
+    misfits.get(channel as usize).map_or(1.0, Misfit::gap)
+}
+
+fn precision(state: &State, noise: BiasNoise) -> Option<Mat<f64>> {
+    let projected = &state.projected;
+    let Some(v) = projected.covariance(noise) else {
+        return Some(&projected.null * projected.null.transpose());
+    };
+    let inverse = v.llt(Side::Lower).ok()?.inverse();
+    Some(&projected.null * (inverse * projected.null.transpose()))
+}
+
+/// The rows of every block: neighbouring rests with their chunks and the turns that begin in them.
+fn blocks(state: &State) -> Vec<Vec<usize>> {
+    let rests = state.fit.data.rests.len().max(1);
+    let count = BLOCKS.min(rests);
+    let mut blocks = vec![Vec::new(); count];
+    for (row, rest) in state.fit.rest_of_row.iter().enumerate() {
+        blocks[(rest * count / rests).min(count - 1)].push(row);
+    }
+    blocks
+}
+
+/// The rows `wanted` of a block that is left out as a whole: its other rows are taken out of the data first,
+/// `P → P − P_·o (P_oo)⁺ P_o·`.
+fn missed(precision: &Mat<f64>, pr: &Mat<f64>, block: &[usize], wanted: &[usize]) -> Misfit {
+    let others: Vec<usize> = block
+        .iter()
+        .copied()
+        .filter(|i| !wanted.contains(i))
+        .collect();
+    let part = |rows: &[usize], columns: &[usize]| {
+        DMatrix::from_fn(rows.len(), columns.len(), |i, j| {
+            precision[(rows[i], columns[j])]
+        })
+    };
+    let moved = |rows: &[usize]| DMatrix::from_fn(rows.len(), 1, |i, _| pr[(rows[i], 0)]);
+    let across = part(wanted, &others);
+    let (inverse, _) = pseudo_inverse(&part(&others, &others));
+    let own = part(wanted, wanted) - &across * &inverse * across.transpose();
+    let y = moved(wanted) - &across * &inverse * moved(&others);
+    let (inverse, rank) = pseudo_inverse(&own);
+    Misfit {
+        chi2: (y.transpose() * inverse * &y)[(0, 0)],
+        dof: rank as f64,
+    }
+}
+
+fn pseudo_inverse(a: &DMatrix<f64>) -> (DMatrix<f64>, usize) {
+    let n = a.nrows();
+    let mut inverse = DMatrix::zeros(n, n);
+    if n == 0 {
+        return (inverse, 0);
+    }
+    let eigen = a.clone().symmetric_eigen();
+    // The precision of a whitened row is at most 1.
+    let mut rank = 0;
+    for (value, vector) in eigen
+        .eigenvalues
+        .iter()
+        .zip(eigen.eigenvectors.column_iter())
+    {
+        if *value > UNSEEN {
+            inverse += vector * vector.transpose() / *value;
+            rank += 1;
+        }
+    }
+    (inverse, rank)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use estimate::methods::joint::left_null_space;
+
+    #[test]
+    fn a_block_left_out_is_missed_as_by_a_fit_without_it() {
+        let j = Mat::from_fn(12, 3, |i, k| (((i * 7 + k * 5 + i * k) % 11) as f64) - 5.0);
+        let r = Mat::from_fn(12, 1, |i, _| ((i * 5 % 7) as f64) - 3.0);
+        let null = left_null_space(&j);
+        let precision = &null * null.transpose();
+        let pr = &precision * &r;
+        let (block, rest): (Vec<usize>, Vec<usize>) = (0..12).partition(|i| (4..8).contains(i));
+        let dense = |rows: &[usize]| DMatrix::from_fn(rows.len(), 3, |i, k| j[(rows[i], k)]);
+        let values = |rows: &[usize]| DMatrix::from_fn(rows.len(), 1, |i, _| r[(rows[i], 0)]);
+        let normal = (dense(&rest).transpose() * dense(&rest))
+            .try_inverse()
+            .unwrap();
+        let x = &normal * dense(&rest).transpose() * values(&rest);
+        let wanted = &block[..3];
+        let missed_by_fit = values(wanted) - dense(wanted) * x;
+        let own = dense(wanted);
+        let covariance = DMatrix::identity(3, 3) + &own * normal * own.transpose();
+        let direct = missed_by_fit.transpose() * covariance.try_inverse().unwrap() * &missed_by_fit;
+        let found = missed(&precision, &pr, &block, wanted);
+        assert_eq!(found.dof, 3.0);
+        assert!((found.chi2 / direct[(0, 0)] - 1.0).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,161 @@
+//! Where the data disagree with a model: channel, intervals, covariate.
+
+use faer::linalg::solvers::DenseSolveCore;
+use faer::{Mat, Side};
+use nalgebra::{DMatrix, Vector3};
+use sensor::Sensor;
+use serde::Serialize;
+
+use crate::gap::channel::{Channel, Sequence};
+use crate::score::{log_tail, score};
+use crate::state::State;
+use estimate::methods::joint::{BiasNoise, Instant, Sampling, error_columns};
+
+/// A channel disagrees where chance would show as much in one of so many recordings.
+const CHANCE: f64 = 0.01;
+
+/// Intervals named per channel.
+const INTERVALS: usize = 3;
+
+/// A disagreement of one channel.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Disagreement {
+    /// The channel.
+    pub channel: Channel,
+    /// The intervals that are missed most when the others foretell them.
+    #[serde(rename = "where")]
+    pub place: String,
+    /// What it goes with best.
+    pub covariate: String,
+    /// `√(χ²/dof)`.
+    pub size: f64,
+    /// Root mean square of it, in m/s², rad/s or rad.
+    pub rms: Option<f64>,
+}
+
+/// The channels that disagree under this noise of the biases, largest first.
+pub fn disagreements(state: &State, noise: BiasNoise) -> Vec<Disagreement> {
+    let misfits = Sequence::of(state, noise).misfits(state);
+    let mut all: Vec<Disagreement> = Channel::ALL
+        .into_iter()
+        .zip(misfits)
+        .filter(|(_, misfit)| misfit.dof > 0.0 && log_tail(misfit.chi2, misfit.dof) < CHANCE.ln())
+        .map(|(channel, misfit)| Disagreement {
+            channel,
+            place: worst_intervals(state, channel),
+            covariate: best_covariate(state, channel).into(),
+            size: misfit.gap(),
+            rms: state.rms(channel),
+        })
+        .collect();
+    all.sort_by(|a, b| b.size.total_cmp(&a.size));
+    all
+}
+
+/// The intervals with the largest deleted residuals, `χ²` of their rows when all others foretell them.
+fn worst_intervals(state: &State, channel: Channel) -> String {
+    let rows = state.rows();
+    let [rate, turns] = state.fit.first_rows;
+    let range = [0..rate, rate..turns, turns..rows][channel as usize].clone();
+    let null = &state.projected.null;
+    let pr = null * &state.projected.z;
+    let mut misses: Vec<(f64, usize)> = (0..state.fit.data.rests.len())
+        .filter_map(|rest| {
+            let own: Vec<usize> = range
+                .clone()
+                .filter(|&i| state.fit.rest_of_row[i] == rest)
+                .collect();
+            let p = Mat::from_fn(own.len(), own.len(), |i, j| {
+                (null.row(own[i]) * null.row(own[j]).transpose()) + if i == j { 1e-9 } else { 0.0 }
+            });
+            let inverse = p.llt(Side::Lower).ok()?.inverse();
+            let y = DMatrix::from_fn(own.len(), 1, |i, _| pr[(own[i], 0)]);
+            let inverse = DMatrix::from_fn(own.len(), own.len(), |i, j| inverse[(i, j)]);
+            let chi2 = (y.transpose() * inverse * &y)[(0, 0)];
+            (!own.is_empty()).then_some((chi2 / own.len() as f64, rest))
+        })
+        .collect();
+    misses.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut named: Vec<usize> = misses.iter().take(INTERVALS).map(|m| m.1).collect();
+    named.sort_unstable();
+    let data = &state.fit.data;
+    let several = data.sources.len() > 1;
+    let names: Vec<String> = named
+        .into_iter()
+        .map(|k| {
+            let rest = &data.rests[k];
+            let source = if several {
+                format!("{}:", data.sources[rest.recording].name)
+            } else {
+                String::new()
+            };
+            format!("{source}{}", rest.interval + 1)
+        })
+        .collect();
+    format!("intervals {}", names.join(", "))
+}
+
+/// What an error may go with: one number at an instant.
+type Covariate = (&'static str, fn(&Instant<'_>) -> Vector3<f64>);
+
+const COVARIATES: [Covariate; 11] = [
+    ("time", |i| Vector3::repeat(i.truth.time)),
+    ("temperature", |i| Vector3::repeat(i.truth.temperature)),
+    ("specific force", |i| i.truth.specific_force),
+    ("specific force squared", |i| {
+        i.truth.specific_force.map(|f| f * f)
+    }),
+    ("modulus of specific force per axis", |i| {
+        i.truth.specific_force.abs()
+    }),
+    ("rate squared", |i| i.truth.angular_rate.map(|w| w * w)),
+    ("modulus of rate per axis", |i| i.truth.angular_rate.abs()),
+    ("direction of the last turn", |i| i.truth.last_change),
+    ("vibration", |i| i.truth.vibration),
+    ("derivative of the temperature", |i| {
+        Vector3::repeat(i.truth.temperature_rate)
+    }),
+    ("warming up or cooling down", |i| {
+        Vector3::repeat(i.truth.warming)
+    }),
+];
+
+/// The covariate whose coefficients, one per axis, explain most.
+fn best_covariate(state: &State, channel: Channel) -> &'static str {
+    let sensor = match channel {
+        Channel::StaticNorm => Sensor::Accelerometer,
+        _ => Sensor::Gyroscope,
+    };
+    let statistic = |covariate: &Covariate| {
+        let columns = error_columns(
+            &state.sensitivities,
+            state.rows(),
+            (sensor, Sampling::Every),
+            3,
+            |i, out| {
+                let values = covariate.1(i);
+                for axis in 0..3 {
+                    let mut e = Vector3::zeros();
+                    e[axis] = values[axis];
+                    out.push(e);
+                }
+            },
+        );
+        let scales: Vec<f64> = columns.col_iter().map(|c| c.norm_max()).collect();
+        let scaled = Mat::from_fn(columns.nrows(), 3, |i, k| {
+            if scales[k] > 0.0 {
+                columns[(i, k)] / scales[k]
+            } else {
+                0.0
+            }
+        });
+        let projected = state.projected.columns(state.whitened(scaled).as_ref());
+        let s = score(projected.as_ref(), &state.projected.z);
+        log_tail(s.statistic, s.dof as f64)
+    };
+    COVARIATES
+        .iter()
+        .map(|c| (statistic(c), c.0))
+        .min_by(|a, b| a.0.total_cmp(&b.0))
+        .map_or("none", |best| best.1)
+}

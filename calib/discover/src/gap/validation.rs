@@ -1,0 +1,283 @@
+//! The gap on a recording that the fit did not see.
+//!
+//! ```text
+//! calibration (held) ± its covariance ──► r, J on the recording ──► directions and biases out ──► χ²/dof
+//! ```
+
+use faer::Mat;
+use sensor::{AnyEffect, Role};
+
+use crate::discovery::Discovery;
+use crate::findings::Validation;
+use crate::gap::channel::{Channel, Misfit, Sequence, whitening_at};
+use crate::linear::least_squares;
+use crate::request::{Request, Session};
+use crate::state::{Extension, State};
+use estimate::methods::joint::{
+    BiasNoise, JointFit, Rows, Whitening, columns, covariance_at, fit_joint,
+};
+use recording::Error;
+use recording::Recording;
+
+/// Gauss–Newton steps of directions and biases: the problem is all but linear in them, and the first is
+/// taken at the recording's own fit.
+const STEPS: usize = 3;
+
+/// The gap of the calibrations that `discovery` has made, without and with everything named, on another
+/// recording of the device: in every channel that something named lives in, in all channels where
+/// nothing is named.
+///
+/// The calibration is held; the recording's directions and biases are free. What is missed is expected to
+/// have the covariance `I + k_a² C_a + k_g² C_g + J_s Σ J_sᵀ`: white noise, noise, and the errors of the calibration.
+///
+/// # Errors
+/// A recording that cannot be cut or has too few rests to be fitted on its own.
+pub fn validate(
+    recording: &Recording,
+    request: &Request,
+    discovery: &Discovery,
+) -> Result<Vec<Validation>, Error> {
+    let session = Session::new(std::slice::from_ref(recording), request)?;
+    let search = &discovery.search;
+    let noise = search.last.noise;
+    let before = missed(&session, &search.base, noise)?;
+    let after = missed(&session, &search.last, noise)?;
+    let named = &discovery.findings.effects;
+    let shows = |c: Channel| named.iter().any(|effect| effect.channel == c);
+    // Late stamps show in none of these channels.
+    let none = !Channel::ALL.into_iter().any(shows);
+    Ok(Channel::ALL
+        .into_iter()
+        .filter(|c| none || shows(*c))
+        .map(|channel| (channel, before[channel as usize], after[channel as usize]))
+        .filter(|(_, _, after)| after.dof > 0.0)
+        .map(|(channel, before, after)| Validation {
+            recording: recording.name.clone(),
+            channel,
+            gap_before: before.gap(),
+            gap_after: after.gap(),
+            dof: after.dof,
+        })
+        .collect())
+}
+
+/// What each channel of the session misses under the calibration of `model`.
+fn missed(session: &Session<'_>, model: &State, noise: BiasNoise) -> Result<[Misfit; 3], Error> {
+    // What was disturbed in the other recording was disturbed there.
+    // An instant belongs to the recording that it was found in: nothing is judged by it here.
+    let lasting = |effect: &&(&'static dyn AnyEffect, _)| {
+        let mut roles = effect.0.params().iter().map(|p| p.role);
+        roles.all(|role| role != Role::Instant)
+    };
+    let effects = model.extension.effects.iter().filter(lasting);
+    let fit = fit_joint(&session.joint(&Extension {
+        effects: effects.copied().collect(),
+        ..Extension::default()
+    }))?;
+    let held = HeldCalibration::of(&under(model, noise), &fit);
+    let rows = fit.plain_rows();
+    let mut x = fit.parameters.values()[..rows.layout.count()].to_vec();
+    for (place, value) in &held.values {
+        x[*place] = *value;
+    }
+    let nuisance: Vec<usize> = fit
+        .free
+        .iter()
+        .copied()
+        .filter(|k| *k < x.len() && held.values.iter().all(|(place, _)| place != k))
+        .collect();
+    for _ in 0..STEPS {
+        let (r, jacobian) = whitened(&rows, &fit, &x);
+        let Some(step) = least_squares(&columns(&jacobian, &nuisance), &r) else {
+            break;
+        };
+        for (k, place) in nuisance.iter().enumerate() {
+            x[*place] -= step[(k, 0)];
+        }
+    }
+    let (r, jacobian) = whitened(&rows, &fit, &x);
+    let covariance = expected(&fit, &held, &jacobian, noise);
+    let whitening = Whitening::with_covariance(fit.whitening.white.clone(), &covariance);
+    let ends = [fit.first_rows[0], fit.first_rows[1], r.nrows()];
+    Ok(Sequence::under(whitening, columns(&jacobian, &nuisance), ends).of_column(r))
+}
+
+/// A model's fit, its parameters moved to where walks of these densities put them.
+///
+/// Where an effect is missing it is taken for a walk of the bias, and errors as large as such a walk allows would hide
+/// every gap.
+fn under(model: &State, noise: BiasNoise) -> JointFit {
+    let mut fit = model.fit.clone();
+    let whitening = whitening_at(model, noise);
+    let mut r = Mat::from_fn(model.rows(), 1, |i, _| fit.white_residuals[i]);
+    let mut jacobian = fit.white_jacobian.clone();
+    whitening.finish(r.as_mut());
+    whitening.finish(jacobian.as_mut());
+    if let Some(step) = least_squares(&jacobian, &r) {
+        for (k, place) in fit.free.iter().enumerate() {
+            fit.parameters.values_mut()[*place] -= step[(k, 0)];
+        }
+    }
+    fit.set_jacobian(jacobian);
+    fit
+}
+
+/// Residuals (`m × 1`) and Jacobian of all parameters (`m × n`), white-whitened.
+fn whitened(rows: &Rows<'_>, fit: &JointFit, x: &[f64]) -> (Mat<f64>, Mat<f64>) {
+    let linear = rows.linearize(x);
+    let mut r = Mat::from_fn(linear.residuals.len(), 1, |i, _| linear.residuals[i]);
+    let mut jacobian = linear.jacobian;
+    fit.whitening.white.apply(r.as_mut());
+    fit.whitening.white.apply(jacobian.as_mut());
+    (r, jacobian)
+}
+
+/// `I + k_a² C_a + k_g² C_g + J_s Σ J_sᵀ`, white-whitened.
+fn expected(
+    fit: &JointFit,
+    held: &HeldCalibration,
+    jacobian: &Mat<f64>,
+    noise: BiasNoise,
+) -> Mat<f64> {
+    let m = jacobian.nrows();
+    let noise = covariance_at(&fit.components, &noise.levels());
+    let v = noise.unwrap_or_else(|| Mat::identity(m, m));
+    let by_calibration = columns(jacobian, &held.uncertain);
+    v + &by_calibration * &held.covariance * by_calibration.transpose()
+}
+
+/// A calibration in the units of another fit, biases left out: those are the recording's own.
+struct HeldCalibration {
+    /// Places in the other fit, and values.
+    values: Vec<(usize, f64)>,
+    /// Places of what the calibration has estimated.
+    uncertain: Vec<usize>,
+    /// Its covariance (`k × k`).
+    covariance: Mat<f64>,
+}
+
+impl HeldCalibration {
+    /// Carries the calibration of `from` through the unit of the readings to that of `to`: both fits work near
+    /// SI units, each with a unit of its own.
+    fn of(from: &JointFit, to: &JointFit) -> Self {
+        let fitted = from.all_fitted();
+        let place = |name: &str| to.parameters.index(name).filter(|_| !is_bias(name));
+        let factor = |k: usize| {
+            let (unit, place) = to.unit_of(k);
+            unit.factor(place)
+        };
+        let values = fitted
+            .parameters
+            .names()
+            .iter()
+            .zip(fitted.parameters.values())
+            .filter_map(|(name, value)| place(name).map(|k| (k, value / factor(k))))
+            .collect();
+        let estimated: Vec<(usize, usize)> = fitted
+            .free
+            .iter()
+            .enumerate()
+            .filter_map(|(i, name)| Some((i, place(name)?)))
+            .collect();
+        let covariance = Mat::from_fn(estimated.len(), estimated.len(), |a, b| {
+            let ((i, k), (j, l)) = (estimated[a], estimated[b]);
+            fitted.covariance[i][j] / (factor(k) * factor(l))
+        });
+        Self {
+            values,
+            uncertain: estimated.into_iter().map(|(_, k)| k).collect(),
+            covariance,
+        }
+    }
+}
+
+/// Whether a parameter is a bias, of one recording or of all.
+fn is_bias(name: &str) -> bool {
+    name.starts_with("accel.b_") || name.starts_with("gyro.b_")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::discover;
+    use simulate::{Session as Simulated, Spec};
+
+    const HIDDEN: &str = "gyro_g_sensitivity";
+
+    /// Two sessions of one device, with other placements and other biases.
+    fn pair() -> (Simulated, Recording) {
+        let first = Spec::hand_held(11).with_effect(HIDDEN, 1.0).run().unwrap();
+        let mut second = Spec::hand_held(12);
+        let truth = &first.truth;
+        for parameters in [&truth.accelerometer, &truth.gyroscope] {
+            for (name, value) in parameters.names().iter().zip(parameters.values()) {
+                match name.strip_prefix(&format!("{HIDDEN}.")) {
+                    Some(own) => {
+                        let effect = second.effects.entry(HIDDEN.into()).or_default();
+                        effect.insert(own.into(), *value);
+                    }
+                    None if is_bias(name) => {}
+                    None => {
+                        second.parameters.insert(name.clone(), *value);
+                    }
+                }
+            }
+        }
+        (first, second.run().unwrap().recording)
+    }
+
+    #[test]
+    fn the_gap_closes_on_another_recording_of_the_device_and_not_on_that_of_a_stranger() {
+        let (first, second) = pair();
+        let request = Request::new(first.truth.spec.gravity);
+        let discovery = discover(&[first.recording], &request).unwrap();
+        assert_eq!(discovery.findings.effects[0].name, HIDDEN);
+        let found = validate(&second, &request, &discovery).unwrap();
+        assert_eq!(found.len(), 1);
+        let rate = &found[0];
+        assert_eq!(rate.channel, Channel::StaticRate);
+        assert!(rate.gap_before > 3.0, "{rate:?}");
+        // χ²/dof of a complete model scatters by √(2/dof); three of these.
+        let spread = 3.0 * (2.0 / rate.dof).sqrt();
+        assert!((rate.gap_after.powi(2) - 1.0).abs() < spread, "{rate:?}");
+        let stranger = Spec::hand_held(13).run().unwrap().recording;
+        let found = validate(&stranger, &request, &discovery).unwrap();
+        assert!(found[0].gap_after > 3.0, "{found:?}");
+    }
+
+    #[test]
+    fn counts_and_units_of_one_device_give_the_same_gap() {
+        let (first, second) = pair();
+        let request = Request::new(first.truth.spec.gravity);
+        let of = |first: &Recording, second: &Recording| {
+            let discovery = discover(std::slice::from_ref(first), &request).unwrap();
+            validate(second, &request, &discovery).unwrap()
+        };
+        let counted = |recording: &Recording| {
+            let mut counted = recording.clone();
+            for (stream, scale) in [
+                (&mut counted.accelerometer, 2000.0),
+                (&mut counted.gyroscope, 8000.0),
+            ] {
+                for value in &mut stream.as_mut().unwrap().values {
+                    *value = value.map(|v| v * scale + 32768.0);
+                }
+            }
+            counted
+        };
+        let plain = of(&first.recording, &second);
+        let counts = of(&counted(&first.recording), &counted(&second));
+        assert_eq!(plain.len(), counts.len());
+        for (a, b) in plain.iter().zip(&counts) {
+            // The guess of the unit moves the start of the fit, and with it the last digits and the chunks' trim.
+            assert!(
+                (a.gap_after / b.gap_after - 1.0).abs() < 0.02,
+                "{a:?} {b:?}"
+            );
+            assert!(
+                (a.gap_before / b.gap_before - 1.0).abs() < 0.02,
+                "{a:?} {b:?}"
+            );
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! Where simulation and data disagree, and what the model lacks.
+//!
+//! ```text
+//! Session ──► State: joint fit ──► Projected z = Nᵀ r ──► rank(families) ──► Extension ─┐
+//!    ▲        what is left           I + k² C                evidence          a name     │
+//!    └────────────────────────────────────────────────────────────────────────────────────┘
+//! ```
+
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+mod discovery;
+mod enough;
+mod family;
+mod fault;
+mod findings;
+mod gap;
+mod linear;
+mod noise;
+mod pictures;
+mod propose;
+mod rank;
+mod remainder;
+mod request;
+mod score;
+mod search;
+mod separation;
+mod settle;
+mod state;
+mod visible;
+
+pub use discovery::{Discovery, discover};
+pub use family::{Claim, Family, Hypothesis, families};
+pub use fault::integrity::{Integrity, disturbed, integrity};
+pub use fault::time_offset::{Delay, delay};
+pub use findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Validation, Verdict};
+pub use gap::channel::{Channel, Misfit, Sequence, channel_of};
+pub use gap::held_out::{gap_of, held_out};
+pub use gap::localise::{Disagreement, disagreements};
+pub use gap::validation::validate;
+pub use noise::noise_file::{GivenNoise, noise_in};
+pub use noise::projected::{Projected, Whitened};
+pub use pictures::{Covariate, Picture, Point, pictures};
+pub use propose::{Proposal, Proposed, propose};
+pub use rank::{Ranked, rank, shared};
+pub use remainder::shape::{Shape, shapes};
+pub use remainder::unexplained::{Unexplained, unexplained};
+pub use request::{Request, Session};
+pub use score::{Score, log_tail, score};
+pub use search::{Name, Search, Tie, search};
+pub use separation::{
+    Aim, Conditions, Design, Information, Rival, Rivalry, SETTLED, Separated, ShownBy, separate,
+};
+pub use state::{Extension, State};

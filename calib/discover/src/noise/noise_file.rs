@@ -1,0 +1,177 @@
+//! Noise of the biases from a noise file.
+
+use std::path::Path;
+
+use sensor::Sensor;
+
+use estimate::calibration::refuse_newer;
+use estimate::methods::joint::BiasNoise;
+use noise::{NOISE_SCHEMA, NoiseSummary, NoiseTerm, SensorNoise, TermValue};
+use recording::Error;
+use recording::shown::shown_path;
+
+/// Larger densities are no sensor's, m/s²/√s and rad/s/√s: they would explain anything.
+const LARGEST: f64 = 1.0;
+
+/// Noise of the biases with what the user should know of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenNoise {
+    /// Of accelerometer (m/s²/√s) and gyroscope (rad/s/√s).
+    pub noise: BiasNoise,
+    /// Where a density is only bounded.
+    pub notes: Vec<String>,
+}
+
+/// The random walk densities in a file that `allan` has written: of each sensor the root mean square over its axes.
+///
+/// An axis whose walk the recording only bounds counts with its bound: too large a walk hides an effect, too small a
+/// one makes up names.
+///
+/// # Errors
+/// An unreadable file, another schema, and a walk that the file does not bound.
+pub fn noise_in(path: &Path) -> Result<GivenNoise, Error> {
+    let text = recording::read_text(path)?;
+    refuse_newer(path, &text, NOISE_SCHEMA)?;
+    let summary = parse(&text).map_err(|what| at(path, &what))?;
+    let mut given = GivenNoise {
+        noise: BiasNoise::default(),
+        notes: Vec::new(),
+    };
+    let sensors = [
+        (Sensor::Accelerometer, summary.accelerometer),
+        (Sensor::Gyroscope, summary.gyroscope),
+    ];
+    for (place, (sensor, noise)) in sensors.into_iter().enumerate() {
+        let name = sensor.name();
+        let noise = noise.ok_or_else(|| {
+            let what = format!(" no {name}: densities of both sensors are needed");
+            at(path, &what)
+        })?;
+        let density = density(&noise).ok_or_else(|| {
+            let what = format!(
+                " the random walk of the {name} is not bounded: record longer at rest (an hour or more), or \
+                 leave --noise out and have it estimated"
+            );
+            at(path, &what)
+        })?;
+        if density.value > LARGEST {
+            let what = format!(
+                " a random walk of {:.3e} per root second for the {name}: no inertial sensor wanders by more than \
+                 {LARGEST}",
+                density.value
+            );
+            return Err(at(path, &what));
+        }
+        given.noise.walk[place] = density.value;
+        given.noise.flicker[place] = instability(&noise);
+        if density.bounded {
+            given.notes.push(format!(
+                "{}: the random walk of the {name} is only bounded there; its bound is used, which may hide a \
+                 small effect",
+                shown_path(path)
+            ));
+        }
+    }
+    Ok(given)
+}
+
+fn at(path: &Path, what: &str) -> Error {
+    Error::Input(format!("{}:{what}", shown_path(path)))
+}
+
+fn parse(text: &str) -> Result<NoiseSummary, String> {
+    let summary: NoiseSummary = serde_json::from_str(text).map_err(|e| {
+        let place = format!("{}:{}", e.line(), e.column());
+        format!("{place}: no noise file as `allan -o` writes it: {e}")
+    })?;
+    if summary.schema == NOISE_SCHEMA {
+        Ok(summary)
+    } else {
+        Err(format!(
+            " schema \"{}\" found, \"{NOISE_SCHEMA}\" expected",
+            summary.schema
+        ))
+    }
+}
+
+/// The bias instability of every axis; nothing of one where it is only bounded.
+fn instability(noise: &SensorNoise) -> [f64; 3] {
+    let of = |terms: &[TermValue]| {
+        let mut known = terms.iter().filter(|t| t.lower > 0.0);
+        let term = known.find(|t| t.term == NoiseTerm::BiasInstability);
+        term.map_or(0.0, |t| t.value)
+    };
+    [0, 1, 2].map(|axis| noise.axes.get(axis).map_or(0.0, |a| of(&a.terms)))
+}
+
+struct Density {
+    value: f64,
+    bounded: bool,
+}
+
+fn density(noise: &SensorNoise) -> Option<Density> {
+    let walk = |terms: &[TermValue]| {
+        let term = terms.iter().find(|t| t.term == NoiseTerm::RandomWalk)?;
+        if term.lower > 0.0 {
+            Some((term.value, false))
+        } else {
+            Some((term.upper?, true))
+        }
+    };
+    let axes: Option<Vec<(f64, bool)>> = noise.axes.iter().map(|a| walk(&a.terms)).collect();
+    let axes = axes?;
+    let square = axes.iter().map(|(v, _)| v * v).sum::<f64>() / axes.len() as f64;
+    Some(Density {
+        value: square.sqrt(),
+        bounded: axes.iter().any(|(_, bounded)| *bounded),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A noise file whose axes have these `(value, lower, upper)` of the walk in both sensors.
+    fn file(axes: [(f64, f64, Option<f64>); 3], schema: &str) -> tempfile::NamedTempFile {
+        let axes = axes.map(|(value, lower, upper)| {
+            serde_json::json!({"terms": [{"term": "random_walk", "name": "", "unit": "", "value": value,
+                "lower": lower, "upper": upper}], "model_error": null, "curve": []})
+        });
+        let sensor = serde_json::json!({"samples": 1, "step": 0.01, "gaps": 0, "axes": axes});
+        let whole = serde_json::json!({"schema": schema, "created_by": "", "accelerometer": sensor,
+            "gyroscope": sensor, "initial_static_time": null, "warnings": []});
+        let file = tempfile::NamedTempFile::new().unwrap();
+        std::fs::write(file.path(), whole.to_string()).unwrap();
+        file
+    }
+
+    #[test]
+    fn a_density_is_the_root_mean_square_over_the_axes_and_a_bound_counts_in_full() {
+        let known = file([(0.3, 0.2, Some(0.4)); 3], NOISE_SCHEMA);
+        let given = noise_in(known.path()).unwrap();
+        assert!(given.noise.walk.iter().all(|w| (w - 0.3).abs() < 1e-12));
+        assert!(given.notes.is_empty());
+        // (1 + 4 + 49)/3 = 18 = (3 √2)².
+        let axes = [
+            (0.1, 0.05, Some(0.2)),
+            (0.2, 0.1, None),
+            (0.0, 0.0, Some(0.7)),
+        ];
+        let given = noise_in(file(axes, NOISE_SCHEMA).path()).unwrap();
+        assert!((given.noise.walk[1] - 0.1 * 18f64.sqrt()).abs() < 1e-12);
+        assert_eq!(given.notes.len(), 2);
+    }
+
+    #[test]
+    fn a_walk_without_bound_or_beyond_all_sensors_and_another_schema_are_refused() {
+        let unbounded = file([(0.0, 0.0, None); 3], NOISE_SCHEMA);
+        let said = noise_in(unbounded.path()).unwrap_err().to_string();
+        assert!(said.contains("not bounded"), "{said}");
+        let absurd = file([(1e300, 1e299, None); 3], NOISE_SCHEMA);
+        let said = noise_in(absurd.path()).unwrap_err().to_string();
+        assert!(said.contains("no inertial sensor wanders"), "{said}");
+        let other = file([(1.0, 1.0, None); 3], "stillpoint.noise/9");
+        let said = noise_in(other.path()).unwrap_err().to_string();
+        assert!(said.contains("noise/9"), "{said}");
+    }
+}

@@ -1,0 +1,220 @@
+//! What an unexplained error may be made of: products of covariates.
+
+use faer::{Mat, MatRef};
+use nalgebra::{DMatrix, Matrix2x3};
+use sensor::{Axis, Covariate, Kinematics, Sensor, Term};
+
+use crate::noise::projected::Whitened;
+use crate::state::State;
+
+/// Factors of a product, at most.
+const FACTORS: usize = 3;
+
+/// A column of which the model's parameters leave less than this share is theirs.
+const LEFT: f64 = 1e-3;
+
+/// Directions of a group that hold less than this share of the largest are not seen.
+const UNSEEN: f64 = 1e-4;
+
+/// One product of covariates, an error of any axis of one sensor.
+#[derive(Clone, Debug)]
+pub struct Product {
+    /// The sensor that would read it.
+    pub sensor: Sensor,
+    /// What is multiplied.
+    pub factors: Vec<(Covariate, u32)>,
+    /// The axes on which the data can see it.
+    pub axes: Vec<Axis>,
+    /// `Nᵀ ∂r/∂c` of those axes (`q × axes`), in unit length.
+    pub columns: Mat<f64>,
+    /// What they were divided by.
+    pub lengths: Vec<f64>,
+}
+
+impl Product {
+    /// Degree.
+    pub fn degree(&self) -> u32 {
+        self.factors.iter().map(|(_, power)| power).sum()
+    }
+
+    /// The term on the axis in place `k`, where the coefficient of the column of unit length is `coefficient`.
+    pub fn term(&self, k: usize, coefficient: f64) -> Term {
+        Term::new(self.axes[k], &self.factors, coefficient / self.lengths[k])
+    }
+
+    /// An orthonormal basis (`q × rank`) of the whitened columns.
+    pub fn basis(&self, whitened: &Whitened) -> Mat<f64> {
+        orthonormal(whitened.columns(&self.columns).as_ref())
+    }
+}
+
+fn orthonormal(w: MatRef<'_, f64>) -> Mat<f64> {
+    let gram = w.transpose() * w;
+    let gram = DMatrix::from_fn(w.ncols(), w.ncols(), |i, j| gram[(i, j)]);
+    let eigen = gram.symmetric_eigen();
+    let least = UNSEEN * eigen.eigenvalues.max();
+    let seen: Vec<usize> = (0..w.ncols())
+        .filter(|&k| eigen.eigenvalues[k] > least)
+        .collect();
+    let mix = Mat::from_fn(w.ncols(), seen.len(), |i, k| {
+        eigen.eigenvectors[(i, seen[k])] / eigen.eigenvalues[seen[k]].sqrt()
+    });
+    w * mix
+}
+
+/// Every product of specific force, rate, angular acceleration, temperature and time that the model of `state`
+/// does not hold already and the data can see.
+pub fn dictionary(state: &State) -> Vec<Product> {
+    let force = Axis::ALL.map(Covariate::SpecificForce);
+    let slow = [Covariate::Time, Covariate::TemperatureChange];
+    // Of the accelerometer rests are compared only: nothing turns there.
+    let mut all = products(state, Sensor::Accelerometer, &[&force[..], &slow].concat());
+    if state.fit.has_gyroscope() {
+        let turning = [Covariate::AngularRate, Covariate::AngularAcceleration];
+        let turning = turning.into_iter().flat_map(|kind| Axis::ALL.map(kind));
+        let mut covariates = force.to_vec();
+        covariates.extend(turning.chain(slow));
+        all.extend(products(state, Sensor::Gyroscope, &covariates));
+    }
+    all
+}
+
+fn products(state: &State, sensor: Sensor, covariates: &[Covariate]) -> Vec<Product> {
+    let choices = choices(covariates.len());
+    let columns = state.whitened(columns(state, sensor, covariates, &choices));
+    let projected = state.projected.columns(columns.as_ref());
+    let mut all = Vec::new();
+    for (g, choice) in choices.iter().enumerate() {
+        let length = |k: usize| projected.col(3 * g + k).norm_l2();
+        let seen = |k: usize| length(k) > LEFT * columns.col(3 * g + k).norm_l2();
+        let axes: Vec<usize> = (0..3).filter(|&k| seen(k)).collect();
+        if axes.is_empty() {
+            continue;
+        }
+        all.push(Product {
+            sensor,
+            factors: factors(covariates, choice),
+            columns: Mat::from_fn(projected.nrows(), axes.len(), |i, k| {
+                projected[(i, 3 * g + axes[k])] / length(axes[k])
+            }),
+            lengths: axes.iter().map(|&k| length(k)).collect(),
+            axes: axes.iter().map(|&k| Axis::ALL[k]).collect(),
+        });
+    }
+    all
+}
+
+/// All ways to take one to three of `n` things, the same again or not; `0` stands for none, `k + 1` for the `k`th.
+fn choices(n: usize) -> Vec<[usize; FACTORS]> {
+    let mut all = Vec::new();
+    for c in 1..=n {
+        for b in 0..=c {
+            for a in 0..=b {
+                all.push([a, b, c]);
+            }
+        }
+    }
+    all
+}
+
+fn factors(covariates: &[Covariate], choice: &[usize]) -> Vec<(Covariate, u32)> {
+    let mut factors: Vec<(Covariate, u32)> = Vec::new();
+    for k in choice.iter().filter_map(|k| k.checked_sub(1)) {
+        match factors.iter_mut().find(|(c, _)| *c == covariates[k]) {
+            Some((_, power)) => *power += 1,
+            None => factors.push((covariates[k], 1)),
+        }
+    }
+    factors
+}
+
+/// `∂r/∂c` (`m × 3 n`) of every product on x, y and z. As [`error_columns`], but what a turn adds up is the same
+/// for the three axes.
+///
+/// [`error_columns`]: estimate::methods::joint::error_columns
+fn columns(
+    state: &State,
+    sensor: Sensor,
+    covariates: &[Covariate],
+    choices: &[[usize; FACTORS]],
+) -> Mat<f64> {
+    let mut out = Mat::zeros(state.rows(), 3 * choices.len());
+    let values = |truth: &Kinematics<f64>| {
+        let own = covariates.iter().map(|c| c.value(truth));
+        std::iter::once(1.0).chain(own).collect::<Vec<f64>>()
+    };
+    let product = |v: &[f64], [a, b, c]: &[usize; FACTORS]| v[*a] * v[*b] * v[*c];
+    let means = state.sensitivities.means.iter();
+    for mean in means.filter(|m| m.sensor == sensor) {
+        let v = values(&mean.truth);
+        for (g, choice) in choices.iter().enumerate() {
+            let shift = mean.by_error * product(&v, choice);
+            for axis in 0..3 {
+                for i in 0..3 {
+                    out[(mean.row + i, 3 * g + axis)] = shift[(i, axis)];
+                }
+            }
+        }
+    }
+    if sensor == Sensor::Accelerometer {
+        return out;
+    }
+    let mut sums = vec![Matrix2x3::zeros(); choices.len()];
+    for turn in &state.sensitivities.turns {
+        sums.fill(Matrix2x3::zeros());
+        for (by_error, truth) in turn.by_error.iter().zip(&turn.truth) {
+            let v = values(truth);
+            for (sum, choice) in sums.iter_mut().zip(choices) {
+                *sum += by_error * product(&v, choice);
+            }
+        }
+        for (g, sum) in sums.iter().enumerate() {
+            for axis in 0..3 {
+                for i in 0..2 {
+                    out[(turn.row + i, 3 * g + axis)] = sum[(i, axis)];
+                }
+            }
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Extension, Request, Session};
+    use estimate::methods::joint::{Sampling, error_columns};
+    use simulate::Spec;
+
+    #[test]
+    fn three_of_five_things_can_be_taken_in_fifty_five_ways() {
+        // C(5 + 3, 3) less the empty one.
+        let all = choices(5);
+        assert_eq!(all.len(), 55);
+        let force = Axis::ALL.map(Covariate::SpecificForce);
+        assert_eq!(factors(&force, &[1, 2, 2]), [(force[0], 1), (force[1], 2)]);
+        assert_eq!(factors(&force, &[0, 0, 3]), [(force[2], 1)]);
+    }
+
+    #[test]
+    fn the_columns_of_a_product_are_those_of_its_error() {
+        let spec = Spec::hand_held(3);
+        let recordings = [spec.run().unwrap().recording];
+        let session = Session::new(&recordings, &Request::new(spec.gravity)).unwrap();
+        let state = State::fit(&session, Extension::default()).unwrap();
+        let covariates = [
+            Covariate::AngularRate(Axis::X),
+            Covariate::SpecificForce(Axis::Y),
+        ];
+        let found = columns(&state, Sensor::Gyroscope, &covariates, &[[1, 1, 2]]);
+        let sampling = (Sensor::Gyroscope, Sampling::Every);
+        let m = state.rows();
+        let expected = error_columns(&state.sensitivities, m, sampling, 3, |instant, out| {
+            let truth = instant.truth;
+            let value = truth.angular_rate.x.powi(2) * truth.specific_force.y;
+            out.extend(Axis::ALL.map(|axis| axis.unit() * value));
+        });
+        // Sums in the same order, products not.
+        assert!((&found - &expected).norm_max() < 1e-12 * expected.norm_max());
+    }
+}

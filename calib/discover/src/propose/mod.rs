@@ -1,0 +1,190 @@
+//! A formula for what no effect of the catalogue explains.
+//!
+//! ```text
+//! dictionary ──► the likeliest 40 ──► group lasso on halves ──► backward elimination ──► Formula ──► refit, held out
+//!  products        score, walks          stable groups             terms                  evidence       gap
+//! ```
+
+mod alternatives;
+mod dictionary;
+mod group_lasso;
+mod screen;
+mod stability;
+mod terms;
+
+use sensor::{AnyEffect, Formula, Sensor};
+use serde::Serialize;
+use statrs::function::factorial::ln_binomial;
+
+use super::family::effect_family;
+use super::gap::channel::{Channel, Misfit};
+use super::gap::held_out::held_out;
+use super::rank::{Ranked, rank};
+use super::remainder::unexplained::Unexplained;
+use super::request::{Request, Session};
+use super::state::State;
+use estimate::calibration::EffectParameter;
+
+use alternatives::alternatives;
+use dictionary::dictionary;
+use screen::screen;
+use stability::stability;
+use terms::terms;
+
+/// Share of the halves that must select a group (Meinshausen and Bühlmann 2010 take 0.6 to 0.9).
+const STABLE: f64 = 0.8;
+
+/// Products in a formula, at most: more are a description, not a proposal.
+const MOST_PRODUCTS: usize = 3;
+
+/// Share of the excess of the held-out gap over 1 that may be left.
+const MAY_REMAIN: f64 = 0.2;
+
+/// A formula that explains what no effect of the catalogue does. It is no name: another formula may do as well.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Proposal {
+    /// What it is called.
+    pub name: String,
+    /// The formula as users read it.
+    pub equation: String,
+    /// The sensor that has it.
+    pub sensor: Sensor,
+    /// Its coefficients after the refit, named by axis and factors.
+    pub terms: Vec<EffectParameter>,
+    /// The channel that it is judged by: that of the unexplained rest.
+    pub channel: Channel,
+    /// Likelihood ratio against the model without it, the walks profiled.
+    pub statistic: f64,
+    /// Chance of so much by any formula of as many terms where nothing is missing.
+    pub adjusted_p_value: f64,
+    /// `√(χ²/dof)` of the channel on intervals that the fit did not see, without it.
+    pub held_out_gap_before: f64,
+    /// With it.
+    pub held_out_gap_after: f64,
+    /// Share of the halves of the intervals that select each of its products: the least.
+    pub stability: f64,
+    /// What would do about as well in place of one of its terms, as formulas of one term.
+    pub alternatives: Vec<String>,
+    /// The formula itself.
+    #[serde(skip)]
+    pub formula: Formula,
+}
+
+/// A formula with the model that holds it.
+#[derive(Clone, Debug)]
+pub struct Proposed {
+    /// The formula, with estimated sizes.
+    pub formula: Formula,
+    /// The effect that it is in the model.
+    pub effect: &'static dyn AnyEffect,
+    /// The model with it.
+    pub state: State,
+    ranked: Ranked,
+    stability: f64,
+    gaps: [f64; 2],
+    alternatives: Vec<String>,
+}
+
+impl Proposed {
+    /// As it is written down; `parameters` are those of the refit.
+    pub fn written(self, channel: Channel, parameters: Vec<EffectParameter>) -> Proposal {
+        let mut formula = self.formula;
+        for (term, p) in formula.terms.iter_mut().zip(&parameters) {
+            term.size = p.value;
+        }
+        Proposal {
+            name: self.effect.name().into(),
+            equation: formula.to_string(),
+            sensor: formula.sensor,
+            terms: parameters,
+            channel,
+            statistic: self.ranked.statistic,
+            adjusted_p_value: (-self.ranked.evidence).exp().min(1.0),
+            held_out_gap_before: self.gaps[0],
+            held_out_gap_after: self.gaps[1],
+            stability: self.stability,
+            alternatives: self.alternatives,
+            formula,
+        }
+    }
+}
+
+/// Looks for a formula for the rest that `last` leaves; `None` where none is selected time and again, is
+/// significant among all formulas of as many terms, and closes the gap on intervals that the fit did not see.
+pub fn propose(
+    session: &Session<'_>,
+    request: &Request,
+    last: &State,
+    rest: &Unexplained,
+) -> Option<Proposed> {
+    let products = dictionary(last);
+    let screened = screen(last, &products)?;
+    let frequencies = stability(last, &screened.whitened, &screened.bases, screened.floor);
+    let mut stable: Vec<(usize, f64)> = screened
+        .products
+        .iter()
+        .copied()
+        .zip(frequencies)
+        .filter(|(_, frequency)| *frequency >= STABLE)
+        .collect();
+    // They come most evident first: that one gives the sensor.
+    let sensor = products[stable.first()?.0].sensor;
+    stable.retain(|(k, _)| products[*k].sensor == sensor);
+    stable.truncate(MOST_PRODUCTS);
+    let chosen: Vec<_> = stable.iter().map(|(k, f)| (&products[*k], *f)).collect();
+    let found = terms(&screened.whitened, &chosen)?;
+    let formula = Formula::new(sensor, found.terms.clone());
+    let effect = formula.effect(name_of(sensor)).ok()?;
+    let offered: usize = products.iter().map(|p| p.axes.len()).sum();
+    let ranked = evidence(last, effect, offered)?;
+    if ranked.evidence <= request.threshold() {
+        return None;
+    }
+    let mut extension = last.extension.clone();
+    extension.effects.push((effect, None));
+    let state = State::fit(session, extension).ok()?;
+    let gaps = closed(last, &state, rest.channel)?;
+    let kept: Vec<_> = screened.kept.iter().map(|k| &products[*k]).collect();
+    Some(Proposed {
+        formula,
+        effect,
+        state,
+        ranked,
+        stability: found.stability,
+        gaps,
+        alternatives: alternatives(&screened.whitened, &found, &kept),
+    })
+}
+
+/// The name of a proposed effect.
+pub fn name_of(sensor: Sensor) -> &'static str {
+    match sensor {
+        Sensor::Accelerometer => "accel_proposed",
+        Sensor::Gyroscope => "gyro_proposed",
+        Sensor::Magnetometer => "mag_proposed",
+    }
+}
+
+/// The evidence for a formula: there are `C(offered, terms)` of as many terms.
+fn evidence(last: &State, effect: &'static dyn AnyEffect, offered: usize) -> Option<Ranked> {
+    let mut family = effect_family(last, effect, &[]);
+    family.log_places = ln_binomial(offered as u64, effect.params().len() as u64);
+    rank(&last.projected, &[family], last.noise, last.noise_given).pop()
+}
+
+/// The held-out gap of the channel before and after, at the walks of the model after; `None` unless what is left
+/// is noise, `gap² ≤ 1 + 2 √(2/dof)`, or a small share of what was.
+fn closed(before: &State, after: &State, channel: Channel) -> Option<[f64; 2]> {
+    let of = |state: &State| -> Option<Misfit> {
+        held_out(state, after.noise)?.get(channel as usize).copied()
+    };
+    let (before, after) = (of(before)?, of(after)?);
+    let gaps = [before.gap(), after.gap()];
+    let error = 2.0 * (2.0 / after.dof.max(1.0)).sqrt();
+    let is_noise = gaps[1] * gaps[1] <= 1.0 + error;
+    let is_small = gaps[1] - 1.0 <= MAY_REMAIN * (gaps[0] - 1.0);
+    (gaps[1] < gaps[0] && (is_noise || is_small)).then_some(gaps)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,108 @@
+//! The products that may explain the rest: few enough for a cone program.
+
+use faer::Mat;
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
+use super::dictionary::Product;
+use crate::noise::projected::Whitened;
+use crate::rank::{Level, levels};
+use crate::score::log_tail;
+use crate::state::State;
+
+/// Products that are kept.
+const KEPT: usize = 40;
+
+/// Two products that share more than this (`ρ²`) are the same to these data: that of lower degree is kept.
+const TWINS: f64 = 0.98;
+
+/// Chance that noise alone pulls any product of the dictionary into the model.
+const BY_CHANCE: f64 = 0.05;
+
+/// What passed.
+#[derive(Debug)]
+pub struct Screened {
+    /// Places in the dictionary of those with the best scores, twins among them.
+    pub kept: Vec<usize>,
+    /// Of those without twins, most evident first.
+    pub products: Vec<usize>,
+    /// Their orthonormal columns (`q × rank`).
+    pub bases: Vec<Mat<f64>>,
+    /// The disagreement at the densities of the walks that suit the best of them.
+    pub whitened: Whitened,
+    /// The `λ` below which noise alone would select.
+    pub floor: f64,
+}
+
+/// The products with the best score of their own.
+pub fn screen(state: &State, products: &[Product]) -> Option<Screened> {
+    let mut levels = levels(&state.projected, state.noise, state.noise_given);
+    let kept = best(products, &levels.first()?.whitened);
+    let level = likeliest(products, &kept, &levels)?;
+    let whitened = levels.swap_remove(level).whitened;
+    let law = ChiSquared::new(3.0).ok()?;
+    let floor = law.inverse_cdf(1.0 - BY_CHANCE / products.len().max(1) as f64) / 3.0;
+    let mut screened = Screened {
+        kept: kept.clone(),
+        products: Vec::new(),
+        bases: Vec::new(),
+        whitened,
+        floor: floor.sqrt(),
+    };
+    let mut simplest = kept;
+    simplest.sort_by_key(|k| products[*k].degree());
+    for k in simplest {
+        let basis = products[k].basis(&screened.whitened);
+        let is_twin = |i: usize| {
+            let other: &Mat<f64> = &screened.bases[i];
+            let rank = other.ncols().max(basis.ncols()) as f64;
+            products[screened.products[i]].sensor == products[k].sensor
+                && (other.transpose() * &basis).squared_norm_l2() > TWINS * rank
+        };
+        if !(0..screened.bases.len()).any(is_twin) {
+            screened.products.push(k);
+            screened.bases.push(basis);
+        }
+    }
+    Some(by_evidence(screened))
+}
+
+fn by_evidence(screened: Screened) -> Screened {
+    let evidence = |basis: &Mat<f64>| log_p(basis, &screened.whitened);
+    let mut order: Vec<(f64, usize)> = screened.bases.iter().map(evidence).zip(0..).collect();
+    order.sort_by(|a, b| a.0.total_cmp(&b.0));
+    Screened {
+        products: order.iter().map(|(_, i)| screened.products[*i]).collect(),
+        bases: order
+            .iter()
+            .map(|(_, i)| screened.bases[*i].clone())
+            .collect(),
+        ..screened
+    }
+}
+
+fn best(products: &[Product], whitened: &Whitened) -> Vec<usize> {
+    let of = |p: &Product| log_p(&p.basis(whitened), whitened);
+    let mut all: Vec<(f64, usize)> = products.iter().map(of).zip(0..).collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all.into_iter().take(KEPT).map(|(_, k)| k).collect()
+}
+
+/// `|Uᵀ z|²` of orthonormal columns.
+fn statistic(basis: &Mat<f64>, whitened: &Whitened) -> f64 {
+    (basis.transpose() * &whitened.z).squared_norm_l2()
+}
+
+fn log_p(basis: &Mat<f64>, whitened: &Whitened) -> f64 {
+    log_tail(statistic(basis, whitened), basis.ncols() as f64)
+}
+
+/// The level at which the data are likeliest with the best product for it.
+fn likeliest(products: &[Product], kept: &[usize], levels: &[Level]) -> Option<usize> {
+    let of = |level: &Level| {
+        let own = kept.iter().map(|k| &products[*k]);
+        let own = own.filter(|p| level.of.is_none_or(|s| s == p.sensor));
+        let gains = own.map(|p| 0.5 * statistic(&p.basis(&level.whitened), &level.whitened));
+        level.whitened.log_likelihood() + gains.fold(0.0, f64::max)
+    };
+    (0..levels.len()).max_by(|a, b| of(&levels[*a]).total_cmp(&of(&levels[*b])))
+}

@@ -1,0 +1,122 @@
+use sensor::Axis;
+
+use super::*;
+use crate::{Extension, Verdict, discover};
+use effects::effect_file::parse_effects;
+use recording::Recording;
+use simulate::{Hidden, Periodic, Spec};
+
+/// Specific force along two axes leaks into the rate about the third.
+const SWIRL: &str = r#"
+[[definitions]]
+name = "gyro_swirl"
+sensor = "gyroscope"
+x = "k * fy * fz"
+parameters = [{ name = "k", unit = "rad/s/(m/s^2)^2", typical = 5e-6 }]
+"#;
+
+/// A product of third order.
+const BEND: &str = r#"
+[[definitions]]
+name = "accel_bend"
+sensor = "accelerometer"
+z = "k * fx * fy^2"
+parameters = [{ name = "k", unit = "1/(m/s^2)^2", typical = 2e-5 }]
+"#;
+
+fn defined(definition: &str) -> &'static dyn AnyEffect {
+    parse_effects(definition, "hidden.toml").unwrap()[0]
+}
+
+/// A session in which the definition's effect has its typical size.
+fn session_with(seed: u64, definition: &str) -> (Recording, Request) {
+    let effect = defined(definition);
+    let mut spec = Spec::hand_held(seed);
+    spec.definitions = vec![effect.definition().unwrap().clone()];
+    let parameters = spec.effects.entry(effect.name().into()).or_default();
+    parameters.insert("k".into(), effect.typical());
+    let request = Request::new(spec.gravity);
+    (spec.run().unwrap().recording, request)
+}
+
+/// The proposal is the hidden product and nothing else, its coefficient is right, and the gap closes.
+fn is_found(seed: u64, definition: &str, equation: &str) -> Proposal {
+    let (recording, request) = session_with(seed, definition);
+    let findings = discover(&[recording], &request).unwrap().findings;
+    // A proposal is no name.
+    assert_eq!(findings.verdict, Verdict::Unexplained);
+    assert!(findings.effects.is_empty());
+    let found = findings.proposed.unwrap();
+    assert_eq!(found.equation, equation);
+    let (term, truth) = (&found.terms[0], defined(definition).typical());
+    let std = term.std.unwrap();
+    // Four standard errors: 1 in 16 000; and the product is seen to a tenth.
+    assert!((term.value - truth).abs() < 4.0 * std, "{term:?}");
+    assert!(std < 0.15 * truth, "{term:?}");
+    assert!(found.stability >= STABLE);
+    assert!(found.adjusted_p_value < 1e-6);
+    assert!(found.held_out_gap_before > 1.2, "{found:?}");
+    assert!(found.held_out_gap_after < 1.1, "{found:?}");
+    found
+}
+
+#[test]
+fn a_product_of_two_forces_in_a_rate_is_proposed_and_named_once_it_is_in_the_catalogue() {
+    let found = is_found(1, SWIRL, "W_x += x_fy_fz * fy * fz");
+    assert_eq!(found.name, "gyro_proposed");
+    assert_eq!(found.terms[0].unit, "rad/s/(m/s^2)^2");
+    let (recording, mut request) = session_with(1, SWIRL);
+    request.catalogue.push(defined(SWIRL));
+    let findings = discover(&[recording], &request).unwrap().findings;
+    assert_eq!(findings.verdict, Verdict::Named);
+    assert_eq!(findings.effects[0].name, "gyro_swirl");
+    assert!(findings.proposed.is_none());
+}
+
+#[test]
+fn a_product_of_third_order_in_a_specific_force_is_proposed() {
+    is_found(1, BEND, "A_z += z_fx_fy2 * fx * fy^2");
+}
+
+/// What would be proposed were the whole disagreement of a channel unexplained.
+fn asked_of(spec: &Spec, channel: Channel) -> Option<Formula> {
+    let recordings = [spec.run().unwrap().recording];
+    let request = Request::new(spec.gravity);
+    let session = Session::new(&recordings, &request).unwrap();
+    let state = State::fit(&session, Extension::default()).unwrap();
+    let rest = Unexplained {
+        channel,
+        size: 1.0,
+        p_value: 1.0,
+        shape: String::new(),
+        period: None,
+        instead_of: Vec::new(),
+        columns: None,
+    };
+    propose(&session, &request, &state, &rest).map(|p| p.formula)
+}
+
+#[test]
+fn nothing_is_proposed_for_a_device_that_lacks_nothing_even_when_asked() {
+    for (seed, channel) in (21..24).zip(Channel::ALL) {
+        assert_eq!(asked_of(&Spec::hand_held(seed), channel), None);
+    }
+}
+
+#[test]
+fn nothing_is_proposed_for_what_no_product_describes() {
+    let swing = Hidden::Periodic(Periodic {
+        sensor: Sensor::Gyroscope,
+        axis: Axis::X,
+        amplitude: 2e-4,
+        period: 45.0,
+        phase: 0.3,
+    });
+    let spec = Spec::hand_held(1).with_hidden(swing);
+    let recording = spec.run().unwrap().recording;
+    let findings = discover(&[recording], &Request::new(spec.gravity))
+        .unwrap()
+        .findings;
+    assert_eq!(findings.verdict, Verdict::Unexplained);
+    assert!(findings.proposed.is_none(), "{:?}", findings.proposed);
+}

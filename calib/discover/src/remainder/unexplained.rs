@@ -1,0 +1,263 @@
+//! What is left when everything of the catalogue has had its chance.
+
+use faer::Mat;
+use nalgebra::Vector3;
+use sensor::{Quantity, Sensor};
+use serde::Serialize;
+
+use crate::family::{Claim, Family};
+use crate::gap::channel::{Channel, Misfit, Sequence};
+use crate::rank::APART;
+use crate::rank::{Ranked, levels, rank_at};
+use crate::remainder::scatter::scatters;
+use crate::remainder::shape::{Shape, shapes};
+use crate::score::log_tail;
+use crate::search::{Name, Search};
+use crate::state::State;
+use estimate::methods::joint::BiasNoise;
+use estimate::methods::joint::{Chunk, Mean, SensorNoise};
+
+/// A disagreement that no effect of the catalogue explains.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Unexplained {
+    /// The channel that shows most of it.
+    pub channel: Channel,
+    /// `√(χ²/dof)` of that channel.
+    pub size: f64,
+    /// Chance of so much where nothing is missing, over all that was tested.
+    pub p_value: f64,
+    /// In words.
+    pub shape: String,
+    /// Period, where it has one, s.
+    pub period: Option<f64>,
+    /// Names that were withdrawn because this explains more than they do, or what they do.
+    pub instead_of: Vec<String>,
+    /// The columns of its shape, white-whitened (`m × k`), and the noise that it was found with.
+    #[serde(skip)]
+    pub columns: Option<Shaped>,
+}
+
+/// The columns of a shape at the model that it was found beside.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shaped {
+    /// `m × k`, white-whitened.
+    pub columns: Mat<f64>,
+    /// Noise of the biases under it.
+    pub noise: BiasNoise,
+}
+
+/// One of the tests for a rest: `ln p` with its search paid for, but not the number of tests.
+struct Trial {
+    log_p: f64,
+    words: String,
+    /// The shape, of a trial that has one.
+    of: Option<(Shape, Sensor)>,
+    channel: Option<Channel>,
+    period: Option<f64>,
+    columns: Option<Shaped>,
+}
+
+/// Looks for a significant rest (family-wise chance `alpha`), and whether one shape explains the whole better than
+/// the names do: these are withdrawn then.
+pub fn unexplained(search: &mut Search, alpha: f64) -> Option<Unexplained> {
+    let named_effect = search
+        .names
+        .iter()
+        .any(|n| matches!(n.claim, Claim::Effect(_)));
+    if named_effect {
+        let shaped = shaped(&search.base);
+        let is_named = |t: &Trial| t.of.is_some_and(|of| is_covered(of, &search.names));
+        let better = |t: &Trial| {
+            let evidence = -t.log_p - (shaped.len() as f64).ln();
+            !is_named(t) && evidence > search.evidence + APART
+        };
+        if shaped.iter().any(better) {
+            let mut whole = rest_of(&search.base, alpha)?;
+            whole.instead_of = search.names.iter().map(|n| n.claim.name().into()).collect();
+            search.names.clear();
+            search.evidence = 0.0;
+            search.last = search.base.clone();
+            return Some(whole);
+        }
+    }
+    rest_of(&search.last, alpha)
+}
+
+/// Whether an effect that is named is the very thing that the shape describes.
+fn is_covered((shape, sensor): (Shape, Sensor), names: &[Name]) -> bool {
+    let quantity = match shape {
+        Shape::Heading => Quantity::Attitude,
+        Shape::LastTurn => Quantity::LastTurn,
+        _ => return false,
+    };
+    names.iter().any(|name| match name.claim {
+        Claim::Effect(effect) => effect.sensor() == sensor && effect.needs().contains(&quantity),
+        _ => false,
+    })
+}
+
+/// The disagreement that a model leaves, where it is significant (family-wise chance `alpha`).
+pub fn rest_of(state: &State, alpha: f64) -> Option<Unexplained> {
+    let misfits = Sequence::of(state, state.noise).misfits(state);
+    let mut trials = shaped(state);
+    trials.extend(shapeless(state, &misfits)?);
+    let count = trials.len() as f64;
+    let worst = trials.iter().min_by(|a, b| a.log_p.total_cmp(&b.log_p))?;
+    let log_p = worst.log_p + count.ln();
+    if log_p > alpha.ln() {
+        return None;
+    }
+    let excess = |k: usize| (misfits[k].chi2 - misfits[k].dof) / misfits[k].dof.max(1.0).sqrt();
+    let most = (1..3).fold(0, |best, k| if excess(k) > excess(best) { k } else { best });
+    let channel = worst.channel.unwrap_or(Channel::ALL[most]);
+    Some(Unexplained {
+        channel,
+        size: misfits[channel as usize].gap(),
+        p_value: log_p.exp(),
+        shape: worst.words.clone(),
+        period: worst.period,
+        instead_of: Vec::new(),
+        columns: worst.columns.clone(),
+    })
+}
+
+/// The tests that say what the rest looks like.
+fn shaped(state: &State) -> Vec<Trial> {
+    let levels = levels(&state.projected, state.noise, state.noise_given);
+    let is_slow = |f: &Family| matches!(f.claim, Claim::Shape(Shape::SlowTime, _));
+    let (slow, others): (Vec<Family>, Vec<Family>) = shapes(state).into_iter().partition(is_slow);
+    // Slow changes are judged at the likeliest walk alone: with many coefficients they could stand for any walk.
+    let likeliest = &levels[..levels.len().min(1)];
+    let mut trials = Vec::new();
+    for (shapes, levels) in [(slow, likeliest), (others, &levels[..])] {
+        let ranked = rank_at(&state.projected, &shapes, levels);
+        trials.extend(ranked.iter().map(|r| of_shape(&shapes[r.family], r)));
+    }
+    trials.extend(scatters(state, &levels).into_iter().map(|s| Trial {
+        log_p: s.log_p,
+        words: format!(
+            "{}: the bias of axis {} wanders from rest to rest, with a memory of about {:.0} s",
+            s.sensor.name(),
+            ["x", "y", "z"][s.axis],
+            s.memory
+        ),
+        of: None,
+        channel: None,
+        period: None,
+        columns: None,
+    }));
+    trials
+}
+
+/// The tests that say that there is more than the noise.
+fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
+    let whitened = state.projected.at(state.noise)?;
+    let more = |channel: Option<Channel>, chi2: f64, dof: f64| Trial {
+        log_p: log_tail(chi2, dof),
+        words: "more scatter than the noise".into(),
+        of: None,
+        channel,
+        period: None,
+        columns: None,
+    };
+    // Where the rate jumps between samples, that is why turns scatter, by more than one share for all can say.
+    let is_knocked = state.fit.undersampled().iter().any(|u| u.is_evident);
+    let mut trials = Vec::new();
+    if !is_knocked {
+        trials.push(more(None, whitened.square, state.projected.dof() as f64));
+    }
+    for (channel, misfit) in Channel::ALL.into_iter().zip(misfits) {
+        if !is_knocked || channel != Channel::Direction {
+            trials.push(more(Some(channel), misfit.chi2, misfit.dof));
+        }
+    }
+    for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+        let (chi2, dof) = slopes(state, sensor, state.noise);
+        trials.push(Trial {
+            log_p: log_tail(chi2, dof),
+            words: format!("readings of the {} drift within rests", sensor.name()),
+            of: None,
+            channel: Some(channel_at_rest(sensor)),
+            period: None,
+            columns: None,
+        });
+    }
+    Some(trials)
+}
+
+fn of_shape(family: &Family, ranked: &Ranked) -> Trial {
+    let (shape, sensor) = match family.claim {
+        Claim::Shape(shape, sensor) => (Some(shape), sensor),
+        ref other => (None, other.sensor()),
+    };
+    let value = family.hypotheses[ranked.hypothesis].shape.map(|(_, v)| v);
+    let period = value.filter(|_| shape == Some(Shape::Periodic));
+    let of = sensor.name();
+    let words = match (shape, period, sensor) {
+        (_, Some(period), _) => format!("{of}: periodic with {period:.1} s"),
+        (Some(Shape::Heading), None, Sensor::Gyroscope) => format!(
+            "{of}: {}, as the earth's rotation is near the equator (--latitude puts it into the model)",
+            family.claim.name()
+        ),
+        _ => format!("{of}: {}", family.claim.name()),
+    };
+    Trial {
+        log_p: ranked.log_p + family.log_places,
+        words,
+        of: shape.map(|shape| (shape, sensor)),
+        channel: None,
+        period,
+        columns: Some(Shaped {
+            columns: family.columns_of(ranked.hypothesis).to_owned(),
+            noise: ranked.noise,
+        }),
+    }
+}
+
+fn channel_at_rest(sensor: Sensor) -> Channel {
+    match sensor {
+        Sensor::Accelerometer => Channel::StaticNorm,
+        Sensor::Gyroscope | Sensor::Magnetometer => Channel::StaticRate,
+    }
+}
+
+/// `Σ (slope/σ)²` over the chunks of rests that nothing disturbed, and the number of slopes.
+fn slopes(state: &State, sensor: Sensor, noise: BiasNoise) -> (f64, f64) {
+    let data = &state.fit.data;
+    let disturbed = |chunk: &Chunk| {
+        let rest = &data.rests[chunk.rest];
+        state
+            .fit
+            .accused
+            .iter()
+            .any(|a| a.recording == rest.recording && a.interval == rest.interval)
+    };
+    let rows = state.fit.plain_rows();
+    let x = &state.fit.parameters.values()[..rows.layout.disturbance(0)];
+    let (mut chi2, mut dof) = (0.0, 0.0);
+    for chunk in data.chunks.iter().filter(|chunk| !disturbed(chunk)) {
+        let source = &data.sources[data.rests[chunk.rest].recording];
+        let (mean, white) = (chunk.mean(sensor), source.noise(sensor));
+        let place = usize::from(sensor != Sensor::Accelerometer);
+        if let (Some(mean), Some(white)) = (mean, white) {
+            let length = mean.span.length();
+            let of_bias = |axis| noise.slope_variance(place, axis, length);
+            let beyond = mean.slope - rows.slope_within(x, sensor, chunk);
+            chi2 += slope_chi2(&mean, &beyond, &white, of_bias);
+            dof += 3.0;
+        }
+    }
+    (chi2, dof)
+}
+
+fn slope_chi2(
+    mean: &Mean,
+    slope: &Vector3<f64>,
+    noise: &SensorNoise,
+    of_bias: impl Fn(usize) -> f64,
+) -> f64 {
+    let white: Vector3<f64> = noise.variance_of(mean) * (mean.count as f64 / mean.spread);
+    (0..3)
+        .map(|i| slope[i].powi(2) / (white[i] + of_bias(i)))
+        .sum()
+}

@@ -1,0 +1,206 @@
+//! What to look into.
+
+use std::borrow::Borrow;
+
+use sensor::{AnyEffect, Quantity, Role};
+
+use super::family::reference_of;
+use super::state::Extension;
+use estimate::gravity::GravitySource;
+use estimate::methods::joint::BiasNoise;
+use estimate::methods::joint::{ClockMode, JointRequest, MOST_IN_A_SEARCH, within_budget};
+use estimate::methods::{Choice, cut};
+use gyroscope::EARTH_RATE;
+use recording::Error;
+use recording::Recording;
+use recording::intervals::Detector;
+
+/// Name of the effect that is the earth's rotation.
+const EARTH: &str = "earth_rate";
+
+/// How to look for what is missing.
+#[derive(Clone, Debug)]
+pub struct Request {
+    /// Local gravity, m/s².
+    pub gravity: f64,
+    /// Where that comes from.
+    pub gravity_source: GravitySource,
+    /// Chance of any false claim about recordings of a device that lacks nothing: half of it for names, half
+    /// for saying that something is unexplained.
+    pub alpha: f64,
+    /// Noise of the biases, where it is known.
+    pub noise: Option<BiasNoise>,
+    /// Latitude, degrees north: the earth's rotation is then part of the base model.
+    pub latitude: Option<f64>,
+    /// By which clock the turns are integrated.
+    pub clock: ClockMode,
+    /// The detector of motion.
+    pub detector: Detector,
+    /// Whether the detector's multiplier is chosen by what the accelerometer's fit leaves.
+    pub choose_multiplier: bool,
+    /// Whether recordings that look like those of different devices are taken for those of one.
+    pub force_device: bool,
+    /// Whether flicker (1/f) of the biases is estimated beside their walks. It takes some of what depends on the placement,
+    /// as an effect does, for noise.
+    pub flicker: bool,
+    /// The effects that may be missing.
+    pub catalogue: Vec<&'static dyn AnyEffect>,
+}
+
+impl Request {
+    /// The share of the chance of a false claim that names may take, and that an unexplained rest may take.
+    pub fn half_alpha(&self) -> f64 {
+        0.5 * self.alpha
+    }
+
+    /// The evidence that a name needs.
+    pub fn threshold(&self) -> f64 {
+        -self.half_alpha().ln()
+    }
+
+    /// The effects that may be missing from the base model.
+    pub fn candidates(&self) -> Vec<&'static dyn AnyEffect> {
+        let known = |name: &str| self.latitude.is_some() && name == EARTH;
+        let mut all = self.catalogue.clone();
+        all.retain(|effect| !known(effect.name()) && is_looked_for(*effect));
+        all
+    }
+
+    /// One in a hundred, densities unknown, the whole catalogue.
+    pub fn new(gravity: f64) -> Self {
+        Self {
+            gravity,
+            gravity_source: GravitySource::Given,
+            alpha: 0.01,
+            noise: None,
+            flicker: false,
+            latitude: None,
+            clock: ClockMode::default(),
+            detector: Detector::default(),
+            choose_multiplier: true,
+            force_device: false,
+            catalogue: accelerometer::EFFECTS
+                .iter()
+                .chain(gyroscope::EFFECTS)
+                .copied()
+                .collect(),
+        }
+    }
+}
+
+/// Whether an effect is a candidate. Those with a shape of their own (a relaxation after turns, a period) and those that stand
+/// in the room are described as a remainder instead: on recordings of a phone they took the place of simpler names, or
+/// their fits did not end. `calibrate --effects` has them all.
+fn is_looked_for(effect: &dyn AnyEffect) -> bool {
+    let params = effect.params();
+    let stands_in_the_room = params.iter().all(|p| p.role == Role::Reference);
+    let follows_turns = effect.needs().contains(&Quantity::LastTurn);
+    let is_periodic = params.iter().any(|p| p.role == Role::Shape);
+    effect.definition().is_some() || !(stands_in_the_room || follows_turns || is_periodic)
+}
+
+/// The effect that is the earth's rotation.
+fn earth_rate() -> Option<&'static dyn AnyEffect> {
+    let found = gyroscope::EFFECTS.iter().find(|e| e.name() == EARTH);
+    found.copied()
+}
+
+/// Recordings of one device, cut, with all that stays the same while models change.
+#[derive(Clone, Debug)]
+pub struct Session<'a> {
+    /// The recordings with their rests and turns.
+    pub recordings: Vec<(&'a Recording, Choice)>,
+    /// Local gravity, m/s².
+    pub gravity: f64,
+    /// Noise of the biases, where it is known.
+    pub noise: Option<BiasNoise>,
+    /// Whether flicker of the biases is estimated.
+    pub flicker: bool,
+    /// Latitude, degrees north.
+    pub latitude: Option<f64>,
+    /// By which clock the turns are integrated.
+    pub clock: ClockMode,
+    /// Which static intervals are used of recordings that have more than the joint problem takes, in words.
+    pub cut_down: Vec<String>,
+}
+
+impl<'a> Session<'a> {
+    /// Cuts the recordings.
+    ///
+    /// # Errors
+    /// As [`cut`].
+    pub fn new<R: Borrow<Recording>>(
+        recordings: &'a [R],
+        request: &Request,
+    ) -> Result<Self, Error> {
+        let detector = Detector {
+            shaken: true,
+            creeping: true,
+            ..request.detector
+        };
+        let choose = request.choose_multiplier;
+        let all: Vec<&Recording> = recordings.iter().map(R::borrow).collect();
+        let mut choices = all
+            .iter()
+            .map(|recording| cut(recording, &detector, choose, request.gravity))
+            .collect::<Result<Vec<_>, Error>>()?;
+        let cut_down = within_budget(&all, &mut choices, MOST_IN_A_SEARCH);
+        Ok(Self {
+            cut_down,
+            recordings: all.into_iter().zip(choices).collect(),
+            gravity: request.gravity,
+            noise: request.noise,
+            flicker: request.flicker,
+            latitude: request.latitude,
+            clock: request.clock,
+        })
+    }
+
+    /// The joint fit of the base models with an extension.
+    pub fn joint<'b>(&'b self, extension: &Extension) -> JointRequest<'b> {
+        let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
+        let (mut held, mut starts) = (Vec::new(), Vec::new());
+        if let (Some(latitude), Some(earth)) = (self.latitude, earth_rate()) {
+            gyroscope = gyroscope.with(earth);
+            let vertical = EARTH_RATE * latitude.to_radians().sin();
+            held.push((format!("{}.z", earth.name()), vertical));
+        }
+        for (effect, shape) in &extension.effects {
+            accelerometer = accelerometer.with(*effect);
+            gyroscope = gyroscope.with(*effect);
+            let mut hold = |parameter: &str, value: f64| {
+                held.push((format!("{}.{parameter}", effect.name()), value));
+            };
+            if let Some(reference) = reference_of(*effect) {
+                hold(reference, 0.0);
+            }
+            if let Some((k, value)) = shape {
+                let parameter = &effect.params()[*k];
+                if extension.settles && parameter.role_by_name() == Role::TimeConstant {
+                    starts.push((format!("{}.{}", effect.name(), parameter.name), *value));
+                } else {
+                    hold(parameter.name, *value);
+                }
+            }
+        }
+        JointRequest {
+            accelerometer,
+            gyroscope,
+            bias_noise: self.noise,
+            flicker: self.flicker,
+            disturbances: false,
+            known: extension.disturbed.clone(),
+            held,
+            starts,
+            clock: self.clock,
+            covariates: true,
+            ..JointRequest::new(
+                self.recordings
+                    .iter()
+                    .map(|(r, c)| (*r, &c.segmentation))
+                    .collect(),
+                self.gravity,
+            )
+        }
+    }
+}

@@ -1,0 +1,56 @@
+//! Evidence that a few turns make.
+
+use faer::Mat;
+
+use crate::family::Family;
+use crate::rank::Ranked;
+use crate::score::{log_tail, score};
+use crate::state::State;
+use estimate::methods::joint::{Disturbance, without};
+
+/// Turns that evidence has to do without.
+///
+/// How much of a knock is missing differs from knock to knock: turns miss by more than the one share says, now and then,
+/// and an effect that shows in turns can be fitted to two of them.
+const SPARED: usize = 2;
+
+/// What every turn on its own could explain (`q × 2` each), of a model whose turns knocks have spoiled.
+pub(super) struct Turns(Vec<Mat<f64>>);
+
+impl Turns {
+    /// `None` where the rate did not jump between samples.
+    pub fn knocked(state: &State) -> Option<Self> {
+        let is_knocked = !state.fit.undersampled().is_empty();
+        is_knocked.then(|| {
+            let suspects = state.suspects().into_iter();
+            let turns = suspects.filter(|s| s.kind == Disturbance::BadTurn);
+            let columns = turns.map(|turn| {
+                let own = Mat::from_fn(state.rows(), turn.columns.len(), |i, k| turn.columns[k][i]);
+                state.projected.columns(state.whitened(own).as_ref())
+            });
+            Self(columns.collect())
+        })
+    }
+
+    /// The evidence for a claim without the turns that speak for it most.
+    pub fn evidence_without(&self, state: &State, family: &Family, ranked: &Ranked) -> f64 {
+        let Some(whitened) = state.projected.at(ranked.noise) else {
+            return ranked.evidence;
+        };
+        let own = family.columns_of(ranked.hypothesis);
+        let mut w = whitened.columns(&state.projected.columns(own));
+        let mut z = whitened.z.clone();
+        let turns: Vec<Mat<f64>> = self.0.iter().map(|b| whitened.columns(b)).collect();
+        let mut least = ranked.score.statistic;
+        for _ in 0..SPARED {
+            let spared = turns.iter().map(|b| (without(b, &w), without(b, &z)));
+            let judged = spared.map(|(w, z)| (score(w.as_ref(), &z).statistic, w, z));
+            let Some(best) = judged.min_by(|a, b| a.0.total_cmp(&b.0)) else {
+                break;
+            };
+            (least, w, z) = best;
+        }
+        let statistic = ranked.statistic - ranked.score.statistic + least;
+        ranked.evidence + ranked.log_p - log_tail(statistic, ranked.dof)
+    }
+}

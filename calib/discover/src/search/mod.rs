@@ -1,0 +1,402 @@
+//! Naming what is missing, one thing after the other, until the rest is noise.
+
+mod few_turns;
+mod outlying_turns;
+mod pairs;
+mod review;
+
+use std::cell::{Cell, RefCell};
+
+use few_turns::Turns;
+use outlying_turns::outlying_turns;
+
+use faer::Mat;
+use sensor::AnyEffect;
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
+use crate::family::{Claim, Family, Hypothesis, LATE, families, with_companions};
+use crate::rank::{Ranked, rank};
+use crate::request::{Request, Session};
+use crate::separation::Rivalry;
+use crate::state::{Extension, State};
+use estimate::methods::joint::Known;
+use recording::Error;
+
+/// Names at most; a device that seems to lack more is not understood.
+const MOST_NAMES: usize = 6;
+
+/// A temperature effect of second order must gain this over that of first order, in `χ²₃`.
+const HIGHER_ORDER: f64 = 0.99;
+
+/// A rotation whose length differs from the earth's by more than so many standard errors is not it.
+const EARTH_LENGTH: f64 = 3.0;
+
+/// A rotation whose vertical part is fewer standard errors than this is not known to be the earth's.
+const EARTH_VERTICAL: f64 = 2.0;
+
+/// Work that the joint fits of a search may take, in [`cost_of_fit`]: twenty fits of forty static intervals.
+const MOST_WORK: f64 = 2e5;
+
+/// And what they may take together in linearisations times samples of turns: forty fits of forty turns of 3 s at 200 Hz.
+const MOST_LINEARISED: usize = 30_000_000;
+
+/// Fewest fits of a search, however long one takes.
+const FEWEST_FITS: usize = 6;
+
+/// How long a joint fit takes, in units of one that has a single static interval.
+fn cost_of_fit(static_intervals: usize) -> f64 {
+    (static_intervals as f64).powf(2.5)
+}
+
+/// Families whose pairs are tried, and that are shown in the first ranking.
+const PAIRED: usize = 10;
+
+/// Something named.
+#[derive(Clone, Debug)]
+pub struct Name {
+    /// What.
+    pub claim: Claim,
+    /// In which way.
+    pub hypothesis: Hypothesis,
+    /// The evidence for it, everything else that is named being in the model.
+    pub ranked: Ranked,
+    /// What these recordings cannot tell from it.
+    pub ties: Vec<Tie>,
+    /// The model with everything else that is named.
+    pub without: State,
+    /// What the estimate predicts (`m × 1`), white-whitened.
+    pub predicted: Mat<f64>,
+}
+
+/// A claim that explains the data about as well as the named one.
+#[derive(Clone, Debug)]
+pub struct Tie {
+    /// What.
+    pub claim: Claim,
+    /// How much less evidence it has.
+    pub behind: f64,
+    /// The share of what the named one explains that it explains too, `ρ²`.
+    pub shared: f64,
+    /// What tells them apart, where it is an effect too.
+    pub rivalry: Option<Rivalry>,
+}
+
+/// All names and the models on the way.
+#[derive(Clone, Debug)]
+pub struct Search {
+    /// The base models.
+    pub base: State,
+    /// The model with everything named.
+    pub last: State,
+    /// What was named, most evident first, but for disturbances that are beyond doubt by their own parameters.
+    pub names: Vec<Name>,
+    /// The evidence for all that was named: together, as one was found after the other, or each beside the others,
+    /// whichever says more.
+    pub evidence: f64,
+    /// The ranking against the base models, best first.
+    pub first_ranking: Vec<(Claim, Ranked)>,
+    /// Effects that the recordings would not show, had the device them.
+    pub not_observable: Vec<String>,
+    /// That the search ended before its end, as it would have taken too long, in words.
+    pub spent: Option<String>,
+}
+
+impl Search {
+    /// The base models, with nothing looked for.
+    pub fn without_names(base: State) -> Self {
+        Self {
+            last: base.clone(),
+            base,
+            names: Vec::new(),
+            evidence: 0.0,
+            first_ranking: Vec::new(),
+            not_observable: Vec::new(),
+            spent: None,
+        }
+    }
+}
+
+impl Search {
+    /// The model with less in it: the names that go.
+    ///
+    /// # Errors
+    /// As the joint fit.
+    pub fn withdraw_to(
+        &mut self,
+        session: &Session<'_>,
+        less: Extension,
+    ) -> Result<Vec<String>, Error> {
+        let stays = |name: &Name| match name.claim {
+            Claim::Effect(effect) => less.effects.iter().any(|(e, _)| e.name() == effect.name()),
+            Claim::Disturbed(kind) => less
+                .disturbed
+                .iter()
+                .any(|known| known.kind == kind && Some(known.place) == name.hypothesis.place),
+            Claim::Shape(..) => true,
+        };
+        let gone = self.names.iter().filter(|name| !stays(name));
+        let gone = gone.map(|name| name.claim.name().into()).collect();
+        self.names.retain(stays);
+        self.last = State::fit(session, less)?;
+        Ok(gone)
+    }
+}
+
+/// A claim in the model, with the way in which it holds.
+#[derive(Clone, Debug)]
+struct Held {
+    claim: Claim,
+    hypothesis: Hypothesis,
+    /// When it was found.
+    evidence: f64,
+}
+
+impl Held {
+    /// Whether this is a known disturbance.
+    fn is(&self, known: &Known) -> bool {
+        matches!(self.claim, Claim::Disturbed(kind) if kind == known.kind)
+            && self.hypothesis.place == Some(known.place)
+    }
+}
+
+/// Names what is missing.
+///
+/// # Errors
+/// As the joint fit.
+pub fn search(session: &Session<'_>, request: &Request, base: State) -> Result<Search, Error> {
+    let candidates = request.candidates();
+    let most = MOST_WORK / cost_of_fit(base.fit.data.rests.len().max(1));
+    let finder = Finder {
+        session,
+        catalogue: &candidates,
+        threshold: request.threshold(),
+        most_fits: (most as usize).max(FEWEST_FITS),
+        fits: Cell::new(0),
+        linearised: Cell::new(0),
+        fitted: RefCell::new(Vec::new()),
+    };
+    finder.run(base)
+}
+
+struct Finder<'a> {
+    session: &'a Session<'a>,
+    catalogue: &'a [&'static dyn AnyEffect],
+    threshold: f64,
+    most_fits: usize,
+    /// Fits so far.
+    fits: Cell<usize>,
+    /// What they took.
+    linearised: Cell<usize>,
+    /// Their models: a review comes back to some of them.
+    fitted: RefCell<Vec<State>>,
+}
+
+impl Finder<'_> {
+    /// Whether so many more fits are too many.
+    fn is_spent(&self, more: usize) -> bool {
+        self.fits.get() + more > self.most_fits || self.linearised.get() > MOST_LINEARISED
+    }
+
+    fn run(&self, base: State) -> Result<Search, Error> {
+        let mut held = outlying_turns(&base);
+        let gross = held.len();
+        let mut last = if held.is_empty() {
+            base.clone()
+        } else {
+            self.state(&held)?
+        };
+        let (mut first_ranking, mut not_observable) = (Vec::new(), Vec::new());
+        let (mut spent, mut unfit) = (false, Vec::new());
+        while held.len() < MOST_NAMES + gross {
+            let (families, ranked) = self.ranked(&last);
+            let next = self.next(&families, &ranked, &unfit);
+            if held.len() == gross {
+                first_ranking = labelled(&families, &ranked);
+                not_observable = silent(&families, &ranked);
+            }
+            let Some(next) = next else { break };
+            // The next name, and the review of all.
+            if self.is_spent(held.len() + 2) {
+                spent = true;
+                break;
+            }
+            held.push(next);
+            match self.state(&held) {
+                Ok(state) => last = state,
+                Err(Error::Cancelled) => return Err(Error::Cancelled),
+                // A claim that the data do not hold together with is none.
+                Err(_) => unfit.extend(held.pop().map(|h| h.claim)),
+            }
+        }
+        let reviewed = self.review(&base, last, held)?;
+        let spent = (spent || reviewed.is_spent).then(|| {
+            format!(
+                "the search for what is missing ended after {} fits, as more would take too long with {} static intervals: there \
+                 may be more to find. Look at a part of the recording with fewer of them",
+                self.fits.get(),
+                base.fit.data.rests.len()
+            )
+        });
+        Ok(Search {
+            spent,
+            base,
+            last: reviewed.last,
+            names: reviewed.names,
+            evidence: reviewed.evidence,
+            first_ranking,
+            not_observable,
+        })
+    }
+
+    fn state(&self, held: &[Held]) -> Result<State, Error> {
+        let extension = self.extension(held);
+        let mut fitted = self.fitted.borrow_mut();
+        if let Some(known) = fitted.iter().find(|s| s.extension.is_same(&extension)) {
+            return Ok(known.clone());
+        }
+        self.fits.set(self.fits.get() + 1);
+        let state = State::fit(self.session, extension)?;
+        self.linearised.set(self.linearised.get() + state.fit.work);
+        fitted.push(state.clone());
+        Ok(state)
+    }
+
+    fn extension(&self, held: &[Held]) -> Extension {
+        let mut extension = Extension::default();
+        for h in held {
+            match h.claim {
+                Claim::Effect(effect) => {
+                    extension.effects.push((effect, h.hypothesis.shape));
+                    for companion in with_companions(effect, self.catalogue).skip(1) {
+                        let there = extension
+                            .effects
+                            .iter()
+                            .any(|(e, _)| e.name() == companion.name());
+                        if !there {
+                            extension.effects.push((companion, None));
+                        }
+                    }
+                }
+                Claim::Disturbed(kind) => {
+                    extension
+                        .disturbed
+                        .extend(h.hypothesis.place.map(|place| Known { kind, place }));
+                }
+                Claim::Shape(..) => {}
+            }
+        }
+        extension
+    }
+
+    fn ranked(&self, state: &State) -> (Vec<Family>, Vec<Ranked>) {
+        let families = families(state, self.catalogue);
+        let mut ranked = rank(&state.projected, &families, state.noise, state.noise_given);
+        for r in &mut ranked {
+            match as_the_earth(&families[r.family], r) {
+                Earth::No => r.evidence = f64::NEG_INFINITY,
+                Earth::Perhaps => r.only_a_tie = true,
+                Earth::Yes => {}
+            }
+        }
+        if let Some(turns) = Turns::knocked(state) {
+            for r in ranked.iter_mut().filter(|r| r.evidence > self.threshold) {
+                let family = &families[r.family];
+                if matches!(family.claim, Claim::Effect(_)) {
+                    r.evidence = turns.evidence_without(state, family, r);
+                }
+            }
+        }
+        ranked.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
+        (families, ranked)
+    }
+
+    /// The claim with the most evidence, where that is enough.
+    fn next(&self, families: &[Family], ranked: &[Ranked], unfit: &[Claim]) -> Option<Held> {
+        let may = |r: &&Ranked| {
+            let own = &families[r.family].claim;
+            !r.only_a_tie && !unfit.iter().any(|claim| claim.is_same(own))
+        };
+        let top = ranked.iter().find(may)?;
+        if top.evidence <= self.threshold {
+            return None;
+        }
+        let chosen = self.simpler(families, ranked, top).unwrap_or(top);
+        Some(held(families, chosen))
+    }
+
+    /// The first order of a temperature effect, where the second does not gain enough over it.
+    fn simpler<'r>(
+        &self,
+        families: &[Family],
+        ranked: &'r [Ranked],
+        top: &Ranked,
+    ) -> Option<&'r Ranked> {
+        let Claim::Effect(effect) = families[top.family].claim else {
+            return None;
+        };
+        let companion = with_companions(effect, self.catalogue).nth(1)?;
+        let lower = ranked
+            .iter()
+            .find(|r| families[r.family].claim.name() == companion.name())?;
+        let law = ChiSquared::new((top.dof - lower.dof).max(1.0)).ok()?;
+        let gain = top.statistic - lower.statistic;
+        (lower.evidence > self.threshold && gain < law.inverse_cdf(HIGHER_ORDER)).then_some(lower)
+    }
+}
+
+/// Whether a claim is the earth's rotation.
+enum Earth {
+    /// It has the length and a vertical part, or is another claim.
+    Yes,
+    /// It has the length and no vertical part: something that a direction of the room does to the sensor is as likely.
+    Perhaps,
+    /// It has another length.
+    No,
+}
+
+fn as_the_earth(family: &Family, ranked: &Ranked) -> Earth {
+    // Beside the isotropic g-sensitivity the vertical part is nobody's to know.
+    if family.claim.name() != "earth_rate" || ranked.score.dof < 3 {
+        return Earth::Yes;
+    }
+    // The typical size of the effect is the earth's rate: its length is 1.
+    let rate = nalgebra::DVector::from_column_slice(&ranked.score.change);
+    let length = rate.norm();
+    let variance =
+        (rate.transpose() * &ranked.score.covariance * &rate)[(0, 0)] / (length * length);
+    let vertical = rate[2].abs() / ranked.score.covariance[(2, 2)].sqrt();
+    if (length - 1.0).abs() > EARTH_LENGTH * variance.sqrt() {
+        Earth::No
+    } else if vertical < EARTH_VERTICAL {
+        Earth::Perhaps
+    } else {
+        Earth::Yes
+    }
+}
+
+fn held(families: &[Family], ranked: &Ranked) -> Held {
+    let family = &families[ranked.family];
+    Held {
+        claim: family.claim,
+        hypothesis: family.hypotheses[ranked.hypothesis].clone(),
+        evidence: ranked.evidence,
+    }
+}
+
+fn labelled(families: &[Family], ranked: &[Ranked]) -> Vec<(Claim, Ranked)> {
+    let best = ranked.iter().take(PAIRED);
+    best.map(|r| (families[r.family].claim, r.clone()))
+        .collect()
+}
+
+/// The effects of which no column is left beside the model's own: they have no rank. Late stamps show in the moving
+/// accelerometer only, which is looked at on its own.
+fn silent(families: &[Family], ranked: &[Ranked]) -> Vec<String> {
+    families
+        .iter()
+        .enumerate()
+        .filter(|(_, f)| matches!(f.claim, Claim::Effect(_)) && f.claim.name() != LATE)
+        .filter(|(k, _)| ranked.iter().all(|r| r.family != *k))
+        .map(|(_, f)| f.claim.name().into())
+        .collect()
+}

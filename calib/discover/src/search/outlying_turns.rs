@@ -1,0 +1,152 @@
+//! Turns that miss by so much that they hide each other and everything else.
+
+use faer::Mat;
+use nalgebra::{DMatrix, DVector};
+
+use super::Held;
+use crate::family::{Claim, Hypothesis};
+use crate::state::State;
+use estimate::methods::joint::{Disturbance, Suspect};
+use recording::averages::median;
+
+/// A turn is taken out at once where its `χ²` of two degrees is beyond this, and beyond as many times the usual one.
+const GROSS: f64 = 50.0;
+
+/// The median of `χ²` of two degrees.
+const MEDIAN: f64 = 1.386;
+
+/// At most this share of the turns.
+const SHARE: f64 = 0.2;
+
+/// The turns that are off by far more than all others, under white noise alone.
+///
+/// Noise of the biases that is estimated with such turns among the data explains them, and each hides the other: so they
+/// come before it. The worst is taken out first; at the end each has to be as far off with all others out.
+pub(super) fn outlying_turns(state: &State) -> Vec<Held> {
+    let suspects: Vec<Suspect> = state
+        .suspects()
+        .into_iter()
+        .filter(|s| s.kind == Disturbance::BadTurn)
+        .collect();
+    let turns = Turns::of(state, &suspects);
+    let most = (SHARE * suspects.len() as f64) as usize;
+    let mut out: Vec<usize> = Vec::new();
+    while out.len() < most {
+        let Some((worst, _)) = turns.worst(&out) else {
+            break;
+        };
+        out.push(worst);
+    }
+    let beside = |k: usize| {
+        out.iter()
+            .copied()
+            .filter(|o| *o != k)
+            .collect::<Vec<usize>>()
+    };
+    out.iter()
+        .copied()
+        .filter(|&k| turns.is_gross(k, &beside(k)))
+        .map(|k| Held {
+            claim: Claim::Disturbed(Disturbance::BadTurn),
+            hypothesis: Hypothesis {
+                shape: None,
+                place: Some(suspects[k].place),
+                columns: 0..0,
+            },
+            evidence: 0.0,
+        })
+        .collect()
+}
+
+/// What turns miss when all rows but those taken out foretell them: `P = N Nᵀ` and `y = P r` of their rows.
+struct Turns {
+    precision: DMatrix<f64>,
+    y: DVector<f64>,
+    count: usize,
+}
+
+impl Turns {
+    fn of(state: &State, suspects: &[Suspect]) -> Self {
+        let all: Vec<&Vec<f64>> = suspects.iter().flat_map(|s| &s.columns).collect();
+        let columns = Mat::from_fn(state.rows(), all.len(), |i, k| all[k][i]);
+        let own = state.projected.columns(state.whitened(columns).as_ref());
+        let precision = own.transpose() * &own;
+        let y = own.transpose() * &state.projected.z;
+        Self {
+            precision: DMatrix::from_fn(all.len(), all.len(), |i, k| precision[(i, k)]),
+            y: DVector::from_fn(all.len(), |i, _| y[(i, 0)]),
+            count: suspects.len(),
+        }
+    }
+
+    /// `χ²` of every turn, those in `out` taken out; nothing of these.
+    fn statistics(&self, out: &[usize]) -> Vec<Option<f64>> {
+        let rows: Vec<usize> = out.iter().flat_map(|k| [2 * k, 2 * k + 1]).collect();
+        let part = |a: &[usize], b: &[usize]| {
+            DMatrix::from_fn(a.len(), b.len(), |i, k| self.precision[(a[i], b[k])])
+        };
+        let inverse = part(&rows, &rows).try_inverse();
+        let known = DVector::from_fn(rows.len(), |i, _| self.y[rows[i]]);
+        let of = |k: usize| {
+            if out.contains(&k) {
+                return None;
+            }
+            let own = [2 * k, 2 * k + 1];
+            let (mut p, mut y) = (part(&own, &own), DVector::from_fn(2, |i, _| self.y[own[i]]));
+            if !rows.is_empty() {
+                let across = part(&own, &rows) * inverse.as_ref()?;
+                p -= &across * part(&rows, &own);
+                y -= &across * &known;
+            }
+            Some(y.dot(&(p.try_inverse()? * &y)))
+        };
+        (0..self.count).map(of).collect()
+    }
+
+    fn limit(statistics: &[Option<f64>]) -> f64 {
+        let usual = median(statistics.iter().flatten().copied()).unwrap_or(0.0);
+        GROSS * (usual / MEDIAN).max(1.0)
+    }
+
+    fn worst(&self, out: &[usize]) -> Option<(usize, f64)> {
+        let all = self.statistics(out);
+        let limit = Self::limit(&all);
+        let places = all.iter().enumerate().filter_map(|(k, s)| Some((k, (*s)?)));
+        let worst = places.max_by(|a, b| a.1.total_cmp(&b.1));
+        worst.filter(|(_, s)| *s > limit)
+    }
+
+    fn is_gross(&self, k: usize, others: &[usize]) -> bool {
+        let all = self.statistics(others);
+        all[k].is_some_and(|s| s > Self::limit(&all))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Ten turns of precision one that share a parameter, so that one that is off moves all.
+    fn turns(y: &[f64]) -> Turns {
+        let n = y.len();
+        let shared = DMatrix::from_element(n, n, 1.0 / n as f64);
+        let precision = DMatrix::identity(n, n) - shared;
+        Turns {
+            y: &precision * DVector::from_column_slice(y),
+            precision,
+            count: n / 2,
+        }
+    }
+
+    #[test]
+    fn two_neighbours_that_are_off_do_not_hide_each_other_nor_accuse_a_third() {
+        let mut y = vec![0.5; 20];
+        (y[6], y[8]) = (300.0, 200.0);
+        let turns = turns(&y);
+        let first = turns.worst(&[]).unwrap().0;
+        let second = turns.worst(&[first]).unwrap().0;
+        assert_eq!([first, second], [3, 4]);
+        assert!(turns.worst(&[first, second]).is_none());
+        assert!(turns.is_gross(3, &[4]) && turns.is_gross(4, &[3]));
+    }
+}

@@ -1,0 +1,69 @@
+//! Two names found one after the other may stand for two others.
+
+use faer::Mat;
+
+use super::{Finder, Held, PAIRED};
+use crate::family::{Claim, beside};
+use crate::rank::APART;
+use crate::rank::Ranked;
+use crate::score::{log_tail, score};
+use crate::state::State;
+
+impl Finder<'_> {
+    /// Two effects found one after the other may stand for two others: all pairs of the best families at the
+    /// base model, the best of them instead where it is 20 to 1 better. Whether it was.
+    pub(super) fn try_pairs(&self, base: &State, held: &mut Vec<Held>) -> bool {
+        let (families, ranked) = self.ranked(base);
+        let noise = base.noise;
+        let Some(whitened) = base.projected.at(noise) else {
+            return false;
+        };
+        let best: Vec<&Ranked> = ranked
+            .iter()
+            .filter(|r| matches!(families[r.family].claim, Claim::Effect(_)))
+            .take(PAIRED)
+            .collect();
+        let columns: Vec<Mat<f64>> = best
+            .iter()
+            .map(|r| {
+                let own = families[r.family].columns_of(r.hypothesis);
+                whitened.columns(&base.projected.columns(own))
+            })
+            .collect();
+        let evidence = |i: usize, j: usize| {
+            let both = beside(
+                &[columns[i].clone(), columns[j].clone()],
+                base.projected.dof(),
+            );
+            let score = score(both.as_ref(), &whitened.z);
+            let families = [&families[best[i].family], &families[best[j].family]];
+            let dof = score.dof as f64 + families.iter().map(|f| f.shape_dof).sum::<f64>();
+            let places: f64 = families.iter().map(|f| f.log_places).sum();
+            -log_tail(score.statistic, dof) - places
+        };
+        let place = |h: &Held| {
+            best.iter()
+                .position(|r| families[r.family].claim.is_same(&h.claim))
+        };
+        let (Some(a), Some(b)) = (place(&held[0]), place(&held[1])) else {
+            return false;
+        };
+        let now = evidence(a, b);
+        let mut top: Option<(f64, usize, usize)> = None;
+        for i in 0..best.len() {
+            for j in 0..i {
+                let e = evidence(i, j);
+                if e > now + APART && top.is_none_or(|(best, ..)| e > best) {
+                    top = Some((e, i, j));
+                }
+            }
+        }
+        if let Some((_, i, j)) = top {
+            *held = vec![
+                super::held(&families, best[i]),
+                super::held(&families, best[j]),
+            ];
+        }
+        top.is_some()
+    }
+}

@@ -1,0 +1,185 @@
+//! A second look at every name, everything else that was named being in the model.
+
+use faer::Mat;
+
+use super::{Finder, Held, MOST_NAMES, Name, Tie, held};
+use crate::family::{Claim, Family, with_companions};
+use crate::rank::APART;
+use crate::rank::{Ranked, shared};
+use crate::separation::Rivalry;
+use crate::state::State;
+use estimate::methods::joint::Known;
+use recording::Error;
+
+/// What is left of the names after a second look.
+pub(super) struct Reviewed {
+    pub names: Vec<Name>,
+    pub evidence: f64,
+    pub last: State,
+    /// Whether the fits that it may make ended it.
+    pub is_spent: bool,
+}
+
+enum Verdict {
+    Stays(Ranked),
+    Gone,
+    Other(Held),
+}
+
+impl Finder<'_> {
+    /// Each name against all others once more, everything else named being in the model: names that are no
+    /// longer evident go, and a name makes way for one that is more evident.
+    pub(super) fn review(
+        &self,
+        base: &State,
+        last: State,
+        mut held: Vec<Held>,
+    ) -> Result<Reviewed, Error> {
+        let (mut last, mut is_spent) = (last, false);
+        if held.len() == 2 && self.try_pairs(base, &mut held) {
+            last = self.state(&held)?;
+        }
+        for _ in 0..2 * MOST_NAMES {
+            let certain = self.certain(&last);
+            let mut names = Vec::new();
+            let mut changed = false;
+            for k in 0..held.len() {
+                if certain.iter().any(|(known, _)| held[k].is(known)) {
+                    continue;
+                }
+                let mut others = held.clone();
+                let own = others.remove(k);
+                let without = if others.is_empty() {
+                    base.clone()
+                } else {
+                    self.state(&others)?
+                };
+                let (families, ranked) = self.ranked(&without);
+                match self.judge(&own, &families, &ranked) {
+                    Verdict::Gone => {
+                        held.remove(k);
+                        changed = true;
+                    }
+                    Verdict::Other(better) => {
+                        held[k] = better;
+                        changed = true;
+                    }
+                    Verdict::Stays(ranked_own) => names.push(Name {
+                        claim: own.claim,
+                        hypothesis: own.hypothesis,
+                        ties: self.ties(&without, &families, &ranked, &ranked_own),
+                        predicted: predicted(&families, &ranked_own),
+                        ranked: ranked_own,
+                        without,
+                    }),
+                }
+                if changed {
+                    break;
+                }
+            }
+            if !changed {
+                names.sort_by(|a, b| b.ranked.evidence.total_cmp(&a.ranked.evidence));
+                let found: f64 = held.iter().map(|h| h.evidence).sum();
+                let beside: f64 = certain.iter().map(|(_, evidence)| evidence).sum();
+                let beside = names.iter().map(|n| n.ranked.evidence).sum::<f64>() + beside;
+                return Ok(Reviewed {
+                    names,
+                    evidence: found.max(beside),
+                    last,
+                    is_spent: false,
+                });
+            }
+            // The model after this change, and each of its names once more.
+            if self.is_spent(held.len() + 1) && !held.is_empty() {
+                is_spent = true;
+                break;
+            }
+            last = if held.is_empty() {
+                base.clone()
+            } else {
+                self.state(&held)?
+            };
+        }
+        Ok(Reviewed {
+            names: Vec::new(),
+            evidence: 0.0,
+            last: base.clone(),
+            is_spent,
+        })
+    }
+
+    /// The disturbances of a model that are beyond doubt by their own parameters, with their evidence.
+    fn certain(&self, state: &State) -> Vec<(Known, f64)> {
+        let places = state.fit.data.chunks.len() + state.fit.data.turns.len();
+        let search = (places as f64).ln() + (2.0 * self.catalogue.len() as f64).ln();
+        let mut certain = state.disturbances();
+        for (_, evidence) in &mut certain {
+            *evidence = -*evidence - search;
+        }
+        certain.retain(|(_, evidence)| *evidence > self.threshold + APART);
+        certain
+    }
+
+    fn judge(&self, own: &Held, families: &[Family], ranked: &[Ranked]) -> Verdict {
+        let mine = ranked.iter().find(|r| {
+            let family = &families[r.family];
+            family.claim.is_same(&own.claim)
+                && (own.hypothesis.place.is_none()
+                    || family.hypotheses[r.hypothesis].place == own.hypothesis.place)
+        });
+        let Some(mine) = mine else {
+            return Verdict::Gone;
+        };
+        let Some(top) = ranked.iter().find(|r| !r.only_a_tie) else {
+            return Verdict::Gone;
+        };
+        if top.evidence > mine.evidence + APART && !self.is_simpler(families, top, mine) {
+            return Verdict::Other(held(families, top));
+        }
+        if mine.evidence <= self.threshold || mine.only_a_tie {
+            return Verdict::Gone;
+        }
+        let found = &families[mine.family].hypotheses[mine.hypothesis];
+        if found.shape != own.hypothesis.shape {
+            return Verdict::Other(held(families, mine));
+        }
+        Verdict::Stays(mine.clone())
+    }
+
+    /// The claims whose evidence is within 20 to 1 of the named one's.
+    fn ties(
+        &self,
+        state: &State,
+        families: &[Family],
+        ranked: &[Ranked],
+        named: &Ranked,
+    ) -> Vec<Tie> {
+        ranked
+            .iter()
+            .filter(|r| r.family != named.family && r.evidence > named.evidence - APART)
+            .map(|r| Tie {
+                claim: families[r.family].claim,
+                behind: named.evidence - r.evidence,
+                shared: shared(&state.projected, families, named, r).unwrap_or(0.0),
+                rivalry: Rivalry::of(state, families, (named, r), self.catalogue),
+            })
+            .collect()
+    }
+
+    /// Whether `one` is the first order of `top`.
+    fn is_simpler(&self, families: &[Family], top: &Ranked, one: &Ranked) -> bool {
+        match families[top.family].claim {
+            Claim::Effect(effect) => with_companions(effect, self.catalogue)
+                .skip(1)
+                .any(|c| c.name() == families[one.family].claim.name()),
+            _ => false,
+        }
+    }
+}
+
+/// `E β` of the estimate, white-whitened (`m × 1`).
+fn predicted(families: &[Family], ranked: &Ranked) -> Mat<f64> {
+    let columns = families[ranked.family].columns_of(ranked.hypothesis);
+    let change = Mat::from_fn(columns.ncols(), 1, |i, _| ranked.score.change[i]);
+    columns * change
+}

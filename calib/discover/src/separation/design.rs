@@ -1,0 +1,129 @@
+//! A recording that is made to tell tied effects apart, and what it would say of them.
+
+use nalgebra::Vector3;
+use plan::{Timing, Turn};
+use sensor::AnyEffect;
+
+use super::information::Information;
+use super::rivalry::Rivalry;
+use crate::request::{Request, Session};
+use crate::state::{Extension, State};
+use estimate::methods::joint::BiasNoise;
+use simulate::{Grade, Motion, Planned, PlannedStep, Sampling, SensorSpec, Spec, Temperature};
+
+/// Half of what temperature rises and falls by, K.
+const SWING: f64 = 8.0;
+
+/// Samples per second of a recording that is tried: the noise is given by its density, so that more tell the same. They are
+/// points of a smooth motion, not means: a third of the time, and what errors would do there is the same.
+const RATE: f64 = 50.0;
+
+/// What the device is like and what may be asked for.
+#[derive(Clone, Debug)]
+pub struct Conditions {
+    /// White noise densities, m/s²/√Hz and rad/s/√Hz.
+    pub white: [f64; 2],
+    /// Noise of the biases.
+    pub noise: BiasNoise,
+    /// Local gravity, m/s².
+    pub gravity: f64,
+    /// Rests and pace.
+    pub timing: Timing,
+    /// Whether the device is warmed while it records.
+    pub warmed: bool,
+    /// The effects.
+    pub catalogue: Vec<&'static dyn AnyEffect>,
+}
+
+/// A recording to make.
+#[derive(Clone, Debug)]
+pub struct Design {
+    /// What points up, one after the other.
+    pub ups: Vec<Vector3<f64>>,
+    /// From each to the next.
+    pub turns: Vec<Turn>,
+    /// How long all takes.
+    pub timing: Timing,
+    /// Whether the device is warmed half of the time, and then left to cool.
+    pub warmed: bool,
+}
+
+impl Design {
+    /// How long it takes, s.
+    pub fn duration(&self) -> f64 {
+        let turns = self.turns.iter();
+        let turning: f64 = turns
+            .flat_map(|turn| turn.durations(&self.timing.pace))
+            .sum();
+        let rests = self.ups.len().saturating_sub(1) as f64;
+        self.timing.first_rest + rests * self.timing.rest + turning
+    }
+
+    /// As a motion that can be simulated.
+    pub fn motion(&self) -> Planned {
+        let step = |turn| PlannedStep::of([turn], &self.timing.pace, self.timing.rest);
+        Planned {
+            up: self.ups.first().map_or([0.0, 0.0, 1.0], |up| (*up).into()),
+            first_rest: self.timing.first_rest,
+            steps: self.turns.iter().map(step).collect(),
+            ..Planned::default()
+        }
+    }
+
+    /// What the temperature does meanwhile.
+    pub fn temperature(&self) -> Option<Temperature> {
+        self.warmed.then(|| Temperature {
+            swing: 2.0 * SWING,
+            period: 2.0 * self.duration(),
+            self_heating: 0.0,
+            ..Temperature::default()
+        })
+    }
+
+    fn spec(&self, conditions: &Conditions) -> Spec {
+        let white = |k: usize| SensorSpec {
+            white: Some(conditions.white[k]),
+            ..SensorSpec::default()
+        };
+        Spec {
+            rate: RATE,
+            sampling: Sampling::Point,
+            gravity: conditions.gravity,
+            motion: Motion::Planned(Planned {
+                tremor: 0.0,
+                ..self.motion()
+            }),
+            grade: Grade::Perfect,
+            accelerometer: white(0),
+            gyroscope: white(1),
+            temperature: self.temperature(),
+            ..Spec::default()
+        }
+    }
+
+    /// What it says of every rivalry; `None` where it is no session that can be calibrated.
+    fn seen(&self, rivalries: &[Rivalry], conditions: &Conditions) -> Option<Vec<Information>> {
+        let recordings = [self.spec(conditions).run().ok()?.recording];
+        let request = Request {
+            noise: Some(conditions.noise),
+            ..Request::new(conditions.gravity)
+        };
+        let session = Session::new(&recordings, &request).ok()?;
+        let state = State::fit(&session, Extension::default()).ok()?;
+        let catalogue = &conditions.catalogue;
+        let of = |rivalry: &Rivalry| rivalry.seen_by(&state, conditions.noise, catalogue);
+        Some(rivalries.iter().map(of).collect())
+    }
+
+    /// `λ (1 − ρ²)` of every rivalry, by what was recorded and this together.
+    pub(super) fn separations(&self, rivalries: &[Rivalry], conditions: &Conditions) -> Vec<f64> {
+        match self.seen(rivalries, conditions) {
+            Some(seen) => rivalries
+                .iter()
+                .zip(&seen)
+                .map(|(rivalry, new)| rivalry.separation_with(&rivalry.recorded.plus(new)))
+                .collect(),
+            None => vec![0.0; rivalries.len()],
+        }
+    }
+}

@@ -1,0 +1,213 @@
+//! A model fitted to the recordings, and what it leaves unexplained.
+
+use std::ops::Range;
+
+use faer::{Mat, MatMut};
+use sensor::AnyEffect;
+
+use super::gap::channel::Channel;
+use super::noise::projected::Projected;
+use super::request::Session;
+use super::score::log_tail;
+use estimate::methods::joint::{
+    BiasNoise, Disturbance, JointFit, Known, Sensitivities, Suspect, columns, excursions,
+    fit_joint, suspects, within, without,
+};
+use recording::Error;
+use recording::watch::{Stage, step};
+
+/// Means of static intervals on either side that a step of a bias needs.
+const BESIDE_A_STEP: usize = 3;
+
+/// The parameter that shapes an effect (`tau`, `t0`), by its place, and its value, which the fit holds.
+pub type Held = Option<(usize, f64)>;
+
+/// What the model holds besides the base models.
+#[derive(Clone, Debug, Default)]
+pub struct Extension {
+    /// Effects, with what shapes them.
+    pub effects: Vec<(&'static dyn AnyEffect, Held)>,
+    /// Disturbances with their place: parameters of their own.
+    pub disturbed: Vec<Known>,
+    /// Whether time constants are fitted, from their values on, and not held there.
+    pub settles: bool,
+}
+
+impl Extension {
+    /// Whether both hold the same, in whatever order.
+    pub fn is_same(&self, other: &Self) -> bool {
+        let holds = |(effect, held): &(&'static dyn AnyEffect, Held)| {
+            let mut others = other.effects.iter();
+            others.any(|(e, h)| e.name() == effect.name() && h == held)
+        };
+        self.settles == other.settles
+            && self.effects.len() == other.effects.len()
+            && self.disturbed.len() == other.disturbed.len()
+            && self.effects.iter().all(holds)
+            && self
+                .disturbed
+                .iter()
+                .all(|known| other.disturbed.contains(known))
+    }
+}
+
+/// One model, fitted.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// What the model holds.
+    pub extension: Extension,
+    /// The fit.
+    pub fit: JointFit,
+    /// What errors that the model lacks would do to the rows.
+    pub sensitivities: Sensitivities,
+    /// What is left.
+    pub projected: Projected,
+    /// Noise of the biases when nothing more is missing: given or likeliest.
+    pub noise: BiasNoise,
+    /// Whether it was given.
+    pub noise_given: bool,
+}
+
+impl State {
+    /// Fits the base models and the extension to a session.
+    ///
+    /// # Errors
+    /// As [`fit_joint`].
+    pub fn fit(session: &Session<'_>, extension: Extension) -> Result<Self, Error> {
+        step(Stage::Searching)?;
+        let fit = fit_joint(&session.joint(&extension))?;
+        let sensitivities = fit.sensitivities();
+        let mut projected =
+            Projected::new(&fit.white_residuals, &fit.white_jacobian, &fit.components);
+        projected.within = within(&fit.data, &projected.kinds());
+        let noise = BiasNoise::of(&fit.levels);
+        Ok(Self {
+            extension,
+            fit,
+            sensitivities,
+            projected,
+            noise,
+            noise_given: session.noise.is_some(),
+        })
+    }
+
+    /// Root mean square of what a channel leaves, in its own unit: m/s², rad/s, rad; `None` of one that the joint fit has no
+    /// rows of.
+    pub fn rms(&self, channel: Channel) -> Option<f64> {
+        match channel {
+            Channel::StaticNorm => Some(self.fit.norm_rms()),
+            Channel::StaticRate => Some(self.fit.rate_rms()),
+            Channel::Direction => Some(self.fit.direction_rms()),
+            Channel::MovingForce => None,
+        }
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.fit.white_residuals.len()
+    }
+
+    /// Whitens columns by the white noise.
+    pub fn whitened(&self, mut columns: Mat<f64>) -> Mat<f64> {
+        let view: MatMut<'_, f64> = columns.as_mut();
+        self.fit.whitening.white.apply(view);
+        columns
+    }
+
+    /// Whether the model has the effect of this name.
+    pub fn has(&self, name: &str) -> bool {
+        self.extension.effects.iter().any(|(e, _)| e.name() == name)
+    }
+
+    /// Whether a disturbance is in the model already.
+    pub fn is_accused(&self, kind: Disturbance, place: usize) -> bool {
+        self.extension
+            .disturbed
+            .iter()
+            .any(|k| k.kind == kind && k.place == place)
+    }
+
+    /// What may have been disturbed.
+    pub fn suspects(&self) -> Vec<Suspect> {
+        let rows = self.fit.plain_rows();
+        let x = &self.fit.parameters.values()[..rows.layout.disturbance(0)];
+        let mut all = suspects(&rows, x);
+        all.extend(excursions(&rows, x));
+        all
+    }
+
+    /// What the model holds as disturbed, in the order of the findings, and the places of its parameters.
+    fn held(&self) -> impl Iterator<Item = (Known, Range<usize>)> + '_ {
+        let mut next = self.fit.parameters.values().len() - self.fit.disturbance_columns.len();
+        let suspects = self.suspects().into_iter();
+        suspects
+            .filter(|s| self.is_accused(s.kind, s.place))
+            .map(move |s| {
+                let own = next..next + s.columns.len();
+                next = own.end;
+                let known = Known {
+                    kind: s.kind,
+                    place: s.place,
+                };
+                (known, own)
+            })
+    }
+
+    /// How sure the model is of what it holds as disturbed: `ln p` of `βᵀ C⁻¹ β`, `β` the parameters of one
+    /// disturbance and `C` their covariance.
+    pub fn disturbances(&self) -> Vec<(Known, f64)> {
+        let all = self.held();
+        all.map(|(known, own)| (known, self.log_p_of_nothing(own)))
+            .collect()
+    }
+
+    /// Length of what each disturbance of the model comes to, in the order of the findings: rad/s of a creep and of a rate,
+    /// m/s² of a force, rad of a turn and of a slip at once.
+    pub fn disturbed_sizes(&self) -> Vec<f64> {
+        let values = self.fit.parameters.values();
+        let length = |own: Range<usize>| values[own].iter().map(|v| v * v).sum::<f64>().sqrt();
+        self.held().map(|(_, own)| length(own)).collect()
+    }
+
+    /// `ln p` that some parameters are nothing.
+    fn log_p_of_nothing(&self, places: Range<usize>) -> f64 {
+        let is_own = |k: &usize| places.contains(&self.fit.free[*k]);
+        let columns: Vec<usize> = (0..self.fit.free.len()).filter(is_own).collect();
+        let jacobian = &self.fit.jacobian;
+        let others: Vec<usize> = (0..jacobian.ncols())
+            .filter(|k| !columns.contains(k))
+            .collect();
+        let own = without(
+            &self::columns(jacobian, &others),
+            &self::columns(jacobian, &columns),
+        );
+        let values = &self.fit.parameters.values()[places];
+        let explained = own * Mat::from_fn(values.len(), 1, |k, _| values[k]);
+        log_tail(explained.squared_norm_l2(), values.len() as f64)
+    }
+
+    /// Times (since the start of the recording, s) at which a bias may have jumped: between neighbouring chunks of rests,
+    /// where three of them on either side show that it moved and stayed.
+    ///
+    /// None of several recordings: an instant belongs to one of them, and between them biases are their own.
+    pub fn boundaries(&self) -> Vec<f64> {
+        if self.fit.data.sources.len() > 1 {
+            return Vec::new();
+        }
+        let mut middles: Vec<f64> = self
+            .sensitivities
+            .means
+            .iter()
+            .map(|mean| mean.truth.time)
+            .collect();
+        middles.sort_by(f64::total_cmp);
+        middles.dedup_by(|a, b| (*a - *b).abs() < 1.0);
+        let most = middles.len().saturating_sub(BESIDE_A_STEP);
+        middles
+            .windows(2)
+            .enumerate()
+            .filter(|(k, _)| (BESIDE_A_STEP..=most).contains(&(k + 1)))
+            .map(|(_, pair)| 0.5 * (pair[0] + pair[1]))
+            .collect()
+    }
+}

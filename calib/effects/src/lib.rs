@@ -1,0 +1,12 @@
+//! The sensor effects that are known: the catalogues of the sensors' crates, and effects that users write.
+
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+mod catalogue;
+pub mod covariates;
+pub mod effect_file;
+
+pub use catalogue::{
+    catalogue, catalogue_of, effect_named, looks_at_temperature, looks_at_vibration,
+    looks_at_warming,
+};

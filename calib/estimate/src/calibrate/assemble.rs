@@ -1,0 +1,408 @@
+//! The fits written down as a [`Calibration`].
+
+use nalgebra::Matrix3;
+use sensor::{BASE_PARAMETERS, Base, Model, PLACES, Sensor, base_names};
+
+use super::left_out::left_out_by_norms;
+use super::rest_bias::rest_bias;
+use super::static_norm::StaticNorms;
+use super::{Frame, Request, checks, noise};
+use crate::calibration::{
+    Calibration, EffectParameter, EffectValues, Outside, Provenance, RecordingBias, Remainder,
+    SCHEMA, Triad, WITHOUT_WALKS, effect_named,
+};
+use crate::methods::joint::Channel;
+use crate::methods::{AccelerometerFit, Choice, Fitted, GyroscopeFit, RawUnit};
+use recording::Error;
+use recording::Recording;
+use recording::intervals::Segmentation;
+
+/// What the stages left.
+pub(super) struct Parts<'a> {
+    pub recordings: &'a [&'a Recording],
+    pub turning: &'a [(&'a Recording, &'a Segmentation)],
+    pub choices: &'a [Choice],
+    pub accelerometer: Option<&'a AccelerometerFit>,
+    pub gyroscope: Option<&'a GyroscopeFit>,
+    pub request: &'a Request,
+    pub warnings: Vec<String>,
+}
+
+/// Writes the fits down, checks the quality gates, turns the result into the frame asked for.
+pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
+    let Parts {
+        recordings,
+        turning,
+        choices,
+        accelerometer,
+        gyroscope,
+        request,
+        mut warnings,
+    } = parts;
+    let mut table = Table::default();
+    let mut failed_gates = Vec::new();
+    let norms = accelerometer.and_then(|fit| StaticNorms::of(fit, recordings, choices));
+    let accelerometer_triad = accelerometer.map(|fit| {
+        table.add(&fit.fitted);
+        for (recording, choice) in recordings.iter().zip(choices) {
+            failed_gates.extend(checks::restless(
+                recording,
+                &choice.segmentation,
+                fit.unit.scale,
+                request.gravity,
+            ));
+        }
+        failed_gates.extend(checks::disagreeing_rests(fit, recordings, choices));
+        for (recording, choice) in recordings.iter().zip(choices) {
+            warnings.extend(checks::long_turns(recording, &choice.segmentation));
+        }
+        warnings.extend(of_the_unit(&fit.unit));
+        accelerometer_triad(fit, recordings, norms.as_ref(), request)
+    });
+    let gyroscope_triad = match (gyroscope, accelerometer) {
+        (Some(fit), Some(force)) => {
+            table.add(&fit.fitted);
+            let si = force.unit.is_si();
+            failed_gates.extend(checks::gyroscope_gates(&checks::RateEvidence::of(fit), si));
+            warnings.extend(of_the_gyro_unit(&fit.unit, si));
+            warnings.extend(checks::turned_axes(&checks::RateEvidence::of(fit)));
+            Some(gyroscope_triad(fit, force, turning, request, &mut table))
+        }
+        _ => resting_gyroscope(turning, &mut table),
+    };
+    let remainders: Vec<Remainder> = [
+        accelerometer
+            .zip(accelerometer_triad.as_ref())
+            .and_then(|(fit, triad)| {
+                let spare = fit.first.residuals.len().checked_sub(fit.fitted.rank)?;
+                let (rms, chi2) = (triad.residual_rms, triad.reduced_chi2?);
+                let shown = norms.as_ref().and_then(StaticNorms::pattern);
+                Some(Remainder::new(Channel::Force, rms, chi2, spare as f64).depending(shown))
+            }),
+        gyroscope
+            .zip(gyroscope_triad.as_ref())
+            .and_then(|(fit, triad)| {
+                let dof =
+                    direction_freedom(fit, triad.residual_rms.to_radians(), triad.reduced_chi2?);
+                let (rms, chi2) = (triad.residual_rms.to_radians(), triad.reduced_chi2?);
+                Some(Remainder::new(Channel::Direction, rms, chi2, dof))
+            }),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    warnings.extend(remainders.iter().filter_map(|r| r.warning(WITHOUT_WALKS)));
+    let mut effects = Vec::new();
+    for fit in [
+        accelerometer.map(|fit| (&fit.model, &fit.fitted)),
+        gyroscope.map(|fit| (&fit.model, &fit.fitted)),
+    ] {
+        effects.extend(
+            fit.into_iter()
+                .flat_map(|(model, fitted)| effect_values(model, fitted)),
+        );
+    }
+    if accelerometer_triad.is_none() && gyroscope_triad.is_none() {
+        return Err(Error::NotEnough(
+            "nothing to calibrate in the recording".into(),
+        ));
+    }
+    let left_out = accelerometer
+        .zip(norms.as_ref())
+        .map_or_else(Vec::new, |(fit, norms)| left_out_by_norms(fit, norms));
+    let calibration = Calibration {
+        schema: SCHEMA.into(),
+        created_by: concat!("stillpoint ", env!("CARGO_PKG_VERSION")).into(),
+        gravity: request.gravity,
+        gravity_source: request.gravity_source,
+        method: "stepwise".into(),
+        accelerometer: accelerometer_triad,
+        gyroscope: gyroscope_triad,
+        magnetometer: None,
+        magnetic_field: None,
+        effects,
+        parameters: table.names,
+        covariance: table.covariance,
+        misfit: remainders,
+        left_out,
+        warnings,
+        clocks: Vec::new(),
+        history: Vec::new(),
+        failed_gates,
+        limits: Vec::new(),
+        prior: None,
+        provenance: Provenance::of(Vec::new(), None),
+    };
+    Ok(match request.frame {
+        Frame::Triangular => calibration,
+        Frame::Symmetric => crate::calibration::in_symmetric_frame(calibration),
+    })
+}
+
+/// Names and block-diagonal covariance, as the stages add to it.
+#[derive(Default)]
+struct Table {
+    names: Vec<String>,
+    covariance: Vec<Vec<f64>>,
+}
+
+impl Table {
+    fn add(&mut self, fitted: &Fitted) {
+        self.block(&fitted.free, &fitted.covariance);
+    }
+
+    fn block(&mut self, names: &[String], block: &[Vec<f64>]) {
+        let before = self.names.len();
+        for row in &mut self.covariance {
+            row.resize(before + names.len(), 0.0);
+        }
+        for row in block {
+            let mut padded = vec![0.0; before];
+            padded.extend_from_slice(row);
+            self.covariance.push(padded);
+        }
+        self.names.extend_from_slice(names);
+    }
+}
+
+fn accelerometer_triad(
+    fit: &AccelerometerFit,
+    recordings: &[&Recording],
+    norms: Option<&StaticNorms>,
+    request: &Request,
+) -> Triad {
+    let mut triad = triad(Sensor::Accelerometer, &fit.fitted);
+    triad.residual_rms = fit.first.rms();
+    triad.static_intervals = Some(fit.first.residuals.len());
+    if fit.own_bias {
+        let shared = fit.model.parameters().len();
+        let last = recordings.len() - 1;
+        triad.recordings = recordings
+            .iter()
+            .enumerate()
+            .map(|(k, recording)| {
+                let bias = &fit.fitted.local(shared, k)[9..BASE_PARAMETERS];
+                let std = ["x", "y", "z"].map(|axis| {
+                    let own = format!("accel.b_{axis}[{}]", recording.name);
+                    let name = if k == last {
+                        format!("accel.b_{axis}")
+                    } else {
+                        own
+                    };
+                    fit.fitted.standard_error(&name)
+                });
+                RecordingBias {
+                    recording: recording.name.clone(),
+                    bias: [bias[0], bias[1], bias[2]],
+                    bias_std: std,
+                }
+            })
+            .collect();
+    }
+    if request.static_means.is_empty() {
+        triad.reduced_chi2 = norms.and_then(StaticNorms::reduced_chi2);
+    }
+    triad
+}
+
+fn gyroscope_triad(
+    fit: &GyroscopeFit,
+    force: &AccelerometerFit,
+    turning: &[(&Recording, &Segmentation)],
+    request: &Request,
+    table: &mut Table,
+) -> Triad {
+    let mut triad = triad(Sensor::Gyroscope, &fit.fitted);
+    triad.residual_rms = fit.rms().to_degrees();
+    triad.dynamic_intervals = Some(fit.chords.len());
+    let base = Base::from_parameters(force.fitted.parameters.values());
+    let sigmas: Vec<f64> = turning
+        .iter()
+        .flat_map(|(r, s)| noise::of_turns(r, s, &base, fit.unit.scale, request.gravity))
+        .collect();
+    if sigmas.len() == fit.chords.len() {
+        let sum: f64 = fit
+            .chords
+            .iter()
+            .zip(&sigmas)
+            .map(|(c, s)| (c / s).powi(2))
+            .sum();
+        let noise = sigmas.iter().map(|s| s * s).sum::<f64>() / sigmas.len() as f64;
+        let spare = (2 * sigmas.len()).saturating_sub(fit.fitted.rank).max(1) as f64;
+        // What the accelerometer's own errors make of the turns is no misfit of the gyroscope.
+        let explained = 1.0 + fit.carried.iter().sum::<f64>() / (noise * spare);
+        triad.reduced_chi2 =
+            per_degree_of_freedom(sum / explained, 2 * sigmas.len(), fit.fitted.rank);
+    }
+    if fit.model.effects().is_empty() {
+        rest_biases(&mut triad, turning, table);
+    }
+    triad
+}
+
+/// Degrees of freedom of the turns' sum of squares (Satterthwaite 1946): the noise has many small shares in it, each
+/// combination of the accelerometer's errors one that may be large.
+fn direction_freedom(fit: &GyroscopeFit, rms: f64, reduced_chi2: f64) -> f64 {
+    let spare = (2 * fit.chords.len())
+        .saturating_sub(fit.fitted.rank)
+        .max(1) as f64;
+    let expected = rms * rms * fit.chords.len() as f64 / reduced_chi2.max(f64::MIN_POSITIVE);
+    let carried: f64 = fit.carried.iter().sum();
+    let noise = (expected - carried).max(0.0) / spare;
+    let squares = spare * noise * noise + fit.carried.iter().map(|c| c * c).sum::<f64>();
+    if squares > 0.0 {
+        (spare * noise + carried).powi(2) / squares
+    } else {
+        spare
+    }
+}
+
+/// A gyroscope without gravity to carry: its bias from the rests, and nothing else.
+fn resting_gyroscope(turning: &[(&Recording, &Segmentation)], table: &mut Table) -> Option<Triad> {
+    let rests = turning.iter().flat_map(|(_, s)| &s.statics);
+    rests.clone().find_map(|rest| rest.gyroscope)?;
+    let identity = Matrix3::identity();
+    let mut triad = Triad {
+        model: Sensor::Gyroscope.equation().into(),
+        t: rows(&identity),
+        bias: [0.0; 3],
+        t_std: [[None; 3]; 3],
+        bias_std: [None; 3],
+        bias_time: None,
+        residual_rms: 0.0,
+        reduced_chi2: None,
+        static_intervals: Some(rests.count()),
+        dynamic_intervals: None,
+        rank: 3,
+        condition: 1.0,
+        unobservable: Vec::new(),
+        units: None,
+        recordings: Vec::new(),
+    };
+    rest_biases(&mut triad, turning, table);
+    Some(triad)
+}
+
+/// The gyroscope's bias: the mean over the rests of each recording, with the scatter between rests
+/// as its error; that of the last recording stands for the device.
+fn rest_biases(triad: &mut Triad, turning: &[(&Recording, &Segmentation)], table: &mut Table) {
+    let biases: Vec<RecordingBias> = turning
+        .iter()
+        .filter_map(|(recording, s)| rest_bias(recording, s))
+        .collect();
+    let Some(last) = biases.last() else { return };
+    triad.bias = last.bias;
+    triad.bias_std = last.bias_std;
+    let names = &base_names(Sensor::Gyroscope)[9..];
+    let block: Vec<Vec<f64>> = (0..3)
+        .map(|i| {
+            let variance = last.bias_std[i].map_or(f64::NAN, |s| s * s);
+            (0..3)
+                .map(|j| if i == j { variance } else { 0.0 })
+                .collect()
+        })
+        .collect();
+    if last.bias_std.iter().all(Option::is_some) {
+        table.block(names, &block);
+    }
+    if biases.len() > 1 {
+        triad.recordings = biases;
+    }
+}
+
+pub(super) fn triad(sensor: Sensor, fitted: &Fitted) -> Triad {
+    let names = base_names(sensor);
+    let base = Base::from_parameters(fitted.parameters.values());
+    let mut t_std = [[None; 3]; 3];
+    for (name, (i, j)) in names.iter().zip(PLACES) {
+        t_std[i][j] = fitted.standard_error(name);
+    }
+    Triad {
+        model: sensor.equation().into(),
+        t: rows(&base.t),
+        bias: base.bias.into(),
+        t_std,
+        bias_std: [9, 10, 11].map(|k| fitted.standard_error(&names[k])),
+        bias_time: None,
+        residual_rms: 0.0,
+        reduced_chi2: None,
+        static_intervals: None,
+        dynamic_intervals: None,
+        rank: fitted.rank,
+        condition: fitted.condition,
+        unobservable: fitted.unobservable.clone(),
+        units: None,
+        recordings: Vec::new(),
+    }
+}
+
+fn rows(t: &Matrix3<f64>) -> [[f64; 3]; 3] {
+    std::array::from_fn(|i| std::array::from_fn(|j| t[(i, j)]))
+}
+
+pub(super) fn effect_values<'a>(
+    model: &'a Model,
+    fitted: &'a Fitted,
+) -> impl Iterator<Item = EffectValues> + 'a {
+    model.effects().iter().map(|effect| {
+        let parameters = effect
+            .params()
+            .iter()
+            .map(|p| {
+                let name = format!("{}.{}", effect.name(), p.name);
+                EffectParameter {
+                    name: p.name.into(),
+                    value: fitted.parameters.get(&name).unwrap_or(p.nominal),
+                    std: fitted.standard_error(&name),
+                    unit: p.unit.into(),
+                }
+            })
+            .collect();
+        EffectValues {
+            name: effect.name().into(),
+            definition: effect.definition().cloned(),
+            parameters,
+            outside: effect_named(effect.name())
+                .is_none()
+                .then_some(Outside(*effect)),
+        }
+    })
+}
+
+pub(super) fn per_degree_of_freedom(sum: f64, rows: usize, rank: usize) -> Option<f64> {
+    let spare = rows.checked_sub(rank)?;
+    (spare > 0 && sum.is_finite()).then(|| sum / spare as f64)
+}
+
+/// What the accelerometer's readings turned out to be, if not m/s².
+pub(super) fn of_the_unit(unit: &RawUnit) -> Option<String> {
+    let scale = unit.scale;
+    (!unit.is_si()).then(|| {
+        if (9.0..10.5).contains(&scale) {
+            "the accelerometer's readings look like units of g: T carries them to m/s²".into()
+        } else if (9.0..10.5).contains(&scale.recip()) {
+            "the accelerometer's readings look like m/s² that were read as units of g: T carries them back".into()
+        } else {
+            format!(
+                "the accelerometer's readings are raw counts: one is about {scale:.4e} m/s², zero lies \
+                 near {:.0}, {:.0}, {:.0}",
+                unit.zero.x, unit.zero.y, unit.zero.z
+            )
+        }
+    })
+}
+
+/// What the gyroscope's readings turned out to be, if not rad/s.
+pub(super) fn of_the_gyro_unit(unit: &RawUnit, accelerometer_is_si: bool) -> Option<String> {
+    let scale = unit.scale;
+    if scale == 1.0 || (accelerometer_is_si && (0.3..3.0).contains(&scale)) {
+        return None;
+    }
+    Some(if (scale.to_degrees() - 1.0).abs() < 0.15 {
+        "the gyroscope's readings look like degrees per second: T carries them to rad/s".into()
+    } else if (scale.to_radians() - 1.0).abs() < 0.15 {
+        "the gyroscope's readings look like rad/s that were read as degrees per second: T carries them back".into()
+    } else {
+        format!("the gyroscope's readings are raw counts: one is about {scale:.4e} rad/s")
+    })
+}

@@ -1,0 +1,91 @@
+//! Which orientations were recorded.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::residuals::StaticMean;
+use recording::Error;
+
+/// Placements are in one plane where they leave it by less than this share of what they spread in it.
+const FLAT: f64 = 3e-3;
+/// Fewer placements always lie near one.
+const ENOUGH_FOR_A_PLANE: usize = 9;
+
+/// More placements that are asked for where only the noise is too large.
+const MORE: usize = 2;
+
+/// Why placements are refused: what is there, what is not known, the requirement, the placements to add.
+pub(in crate::calibrate) fn refusal(directions: &[Vector3<f64>], unknown: &str) -> String {
+    let found = plan::coverage(directions).or_more(MORE);
+    let parts = [
+        found.missing(),
+        plan::REQUIREMENT.to_string(),
+        found.advice(),
+    ];
+    let parts = parts.into_iter().filter(|part| !part.is_empty());
+    let parts: Vec<String> = parts.collect();
+    format!("{}: {unknown}; {}", found.found(), parts.join("; "))
+}
+
+/// Refuses placements that lie in one plane to within what no fit can use: it would run along what it cannot
+/// see until its steps are spent.
+///
+/// # Errors
+/// [`Error::NotEnough`] with the placements to add.
+pub fn not_in_one_plane(means: &[Vec<StaticMean>]) -> Result<(), Error> {
+    let raw: Vec<Vector3<f64>> = means.iter().flatten().map(|m| m.raw).collect();
+    let middle = raw.iter().sum::<Vector3<f64>>() / raw.len().max(1) as f64;
+    let scatter: Matrix3<f64> = raw
+        .iter()
+        .map(|m| (m - middle) * (m - middle).transpose())
+        .sum();
+    let spread = scatter.symmetric_eigenvalues();
+    let flat = spread.min() <= FLAT * FLAT * spread.max();
+    if raw.len() <= ENOUGH_FOR_A_PLANE || !flat {
+        return Ok(());
+    }
+    let directions: Vec<Vector3<f64>> = raw.iter().map(Vector3::normalize).collect();
+    Err(Error::NotEnough(refusal(
+        &directions,
+        "all near one plane, what lies across it is not observable",
+    )))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn in_plane(normal: Vector3<f64>) -> Vec<Vector3<f64>> {
+        let across = normal.cross(&Vector3::new(0.3, 0.8, -0.5)).normalize();
+        let other = normal.normalize().cross(&across);
+        let at = |k: i32| {
+            let (sin, cos) = (0.9 * f64::from(k)).sin_cos();
+            across * cos + other * sin
+        };
+        (0..7).map(at).collect()
+    }
+
+    #[test]
+    fn a_plane_asks_for_placements_that_leave_it() {
+        for normal in [Vector3::z(), Vector3::new(3.0, 0.0, -4.0)] {
+            let there = in_plane(normal);
+            let found = plan::coverage(&there);
+            let along = |w: &plan::Wanted| Vector3::from(w.up).dot(&normal.normalize()).abs();
+            let leaves = found.wanted.iter().filter(|w| along(w) > 0.5).count();
+            assert!(leaves >= 2, "{}", found.advice());
+        }
+    }
+
+    #[test]
+    fn a_refusal_names_what_is_not_known_the_requirement_and_the_placements() {
+        let words = refusal(&in_plane(Vector3::z()), "not observable: accel.s_z");
+        assert!(
+            words.starts_with("7 placements, 7 of which differ by more than 20°: not observable")
+        );
+        assert!(words.contains(&plan::REQUIREMENT.to_string()), "{words}");
+        let (_, advice) = words.rsplit_once("; ").unwrap();
+        assert!(
+            advice.starts_with("add 3 placements: 1) ") || advice.starts_with("add 4"),
+            "{words}"
+        );
+    }
+}

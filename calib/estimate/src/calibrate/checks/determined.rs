@@ -1,0 +1,270 @@
+//! Whether the data determine the parameters, in words a person can act on.
+
+use nalgebra::Vector3;
+use solver::Report;
+
+use super::coverage::refusal;
+use crate::methods::{AccelerometerFit, AccelerometerRequest, Fitted, GyroscopeFit};
+use recording::Error;
+
+/// A gyroscope that misses gravity by this much after the fit is not understood, rad.
+pub(super) const LOST: f64 = 0.1;
+
+/// Standard errors of scale factors and misalignments above which a warning, or a refusal, is due.
+const RELATIVE_WARN: f64 = 0.01;
+const RELATIVE_REFUSE: f64 = 0.05;
+
+/// The same for biases, as a fraction of gravity or rad/s.
+const BIAS_WARN: f64 = 0.01;
+const BIAS_REFUSE: f64 = 0.05;
+
+/// The fit of an accelerometer, by whatever method.
+pub(in crate::calibrate) struct ForceEvidence<'a> {
+    pub fitted: &'a Fitted,
+    /// Direction of specific force in every rest, body frame.
+    pub directions: Vec<Vector3<f64>>,
+    /// SI units per raw unit.
+    pub scale: f64,
+    /// Local gravity, m/s².
+    pub gravity: f64,
+    pub report: &'a Report,
+}
+
+/// The fit of a gyroscope, by whatever method.
+pub(in crate::calibrate) struct RateEvidence<'a> {
+    pub fitted: &'a Fitted,
+    /// Number of turns.
+    pub turns: usize,
+    /// SI units per raw unit.
+    pub scale: f64,
+    /// By how much the turns miss gravity after the fit, rad.
+    pub rms: f64,
+    pub report: &'a Report,
+}
+
+impl<'a> ForceEvidence<'a> {
+    /// Of the stepwise fit.
+    pub(in crate::calibrate) fn of(
+        fit: &'a AccelerometerFit,
+        request: &AccelerometerRequest,
+    ) -> Self {
+        Self {
+            fitted: &fit.fitted,
+            directions: directions(fit, request),
+            scale: fit.unit.scale,
+            gravity: request.gravity,
+            report: &fit.first,
+        }
+    }
+}
+
+impl<'a> RateEvidence<'a> {
+    /// Of the stepwise fit.
+    pub(in crate::calibrate) fn of(fit: &'a GyroscopeFit) -> Self {
+        Self {
+            fitted: &fit.fitted,
+            turns: fit.chords.len(),
+            scale: fit.unit.scale,
+            rms: fit.rms(),
+            report: &fit.report,
+        }
+    }
+}
+
+/// Refuses a fit whose parameters the data do not determine and warns of weak ones.
+pub(in crate::calibrate) fn accelerometer_is_determined(
+    fit: &ForceEvidence<'_>,
+    warnings: &mut Vec<String>,
+) -> Result<(), Error> {
+    let directions = &fit.directions;
+    let free = fit.fitted.free.len();
+    let count = directions.len();
+    if fit.fitted.rank < free {
+        let unknown = format!("not observable: {}", involved(fit.fitted).join(", "));
+        return Err(Error::NotEnough(refusal(directions, &unknown)));
+    }
+    if count <= free {
+        let unknown = format!(
+            "{free} parameters leave nothing to check them with{}",
+            least_known(fit)
+        );
+        return Err(Error::NotEnough(refusal(directions, &unknown)));
+    }
+    if !fit.report.termination.converged() {
+        return Err(Error::NotConverged(format!(
+            "the accelerometer's fit stopped after {} steps ({:?}); is the gravity of {} m/s² right, \
+             and was the device still in the intervals that `segment` shows?",
+            fit.report.iterations.len(),
+            fit.report.termination,
+            fit.gravity
+        )));
+    }
+    let weak = weak_parameters(fit.fitted, fit.scale, fit.gravity);
+    let refused: Vec<&str> = weak
+        .iter()
+        .filter(|w| w.refused)
+        .map(|w| w.name.as_str())
+        .collect();
+    if !refused.is_empty() {
+        let unknown = format!("not known: {}{}", refused.join(", "), least_known(fit));
+        return Err(Error::NotEnough(refusal(directions, &unknown)));
+    }
+    let found = plan::coverage(directions);
+    if !found.is_complete() {
+        warnings.push(format!(
+            "{}{}; {}",
+            found.found(),
+            least_known(fit),
+            found.advice()
+        ));
+    }
+    let found = found.found();
+    warnings.extend(weak.into_iter().map(|w| format!("{} ({found})", w.words)));
+    Ok(())
+}
+
+/// `; accel.s_z is known to 0.31 % only`: the parameter with the largest error, a bias against gravity.
+fn least_known(fit: &ForceEvidence<'_>) -> String {
+    let fitted = fit.fitted;
+    let relative = |name: &String| {
+        let error = fitted.standard_error(name)?;
+        Some(if name.contains(".b_") {
+            error * fit.scale / fit.gravity
+        } else {
+            error / fit.scale
+        })
+    };
+    let worst = fitted
+        .free
+        .iter()
+        .filter(|name| name.starts_with("accel."))
+        .filter_map(|name| Some((name, relative(name)?)))
+        .max_by(|a, b| a.1.total_cmp(&b.1));
+    worst.map_or(String::new(), |(name, error)| {
+        let of = if name.contains(".b_") {
+            " of gravity"
+        } else {
+            ""
+        };
+        format!("; {name} is known to {:.2} %{of} only", 100.0 * error)
+    })
+}
+
+/// Refuses a fit that the turns do not determine and warns of weak parameters.
+pub(in crate::calibrate) fn gyroscope_is_determined(
+    fit: &RateEvidence<'_>,
+    warnings: &mut Vec<String>,
+) -> Result<(), Error> {
+    let RateEvidence { fitted, turns, .. } = *fit;
+    let refusal = |unknown: String, names: &[&str]| {
+        let wanted = plan::turns_wanted(names.iter().copied());
+        Error::NotEnough(format!(
+            "{turns} turns: {unknown}; {}; {wanted}",
+            plan::REQUIREMENT
+        ))
+    };
+    if fitted.rank < fitted.free.len() {
+        let open = involved(fitted);
+        let unknown = format!(
+            "they determine {} of the gyroscope's {} parameters, not observable: {}",
+            fitted.rank,
+            fitted.free.len(),
+            open.join(", ")
+        );
+        return Err(refusal(unknown, &open));
+    }
+    if 2 * turns <= fitted.free.len() {
+        let unknown = format!(
+            "they leave nothing to check the gyroscope's {} parameters with, at least {} turns are needed",
+            fitted.free.len(),
+            fitted.free.len() / 2 + 1
+        );
+        return Err(refusal(unknown, &[]));
+    }
+    if !fit.report.termination.converged() {
+        return Err(Error::NotConverged(format!(
+            "the gyroscope's fit stopped after {} steps ({:?})",
+            fit.report.iterations.len(),
+            fit.report.termination
+        )));
+    }
+    let weak = weak_parameters(fitted, fit.scale, 1.0);
+    let refused: Vec<&str> = weak
+        .iter()
+        .filter(|w| w.refused)
+        .map(|w| w.name.as_str())
+        .collect();
+    if !refused.is_empty() && fit.rms < LOST {
+        let unknown = format!("not known: {}", refused.join(", "));
+        return Err(refusal(unknown, &refused));
+    }
+    warnings.extend(
+        weak.into_iter()
+            .map(|w| format!("{} ({turns} turns)", w.words)),
+    );
+    Ok(())
+}
+
+fn directions(fit: &AccelerometerFit, request: &AccelerometerRequest) -> Vec<Vector3<f64>> {
+    let shared = request.model.parameters().len();
+    let mut all = Vec::new();
+    for (k, means) in request.recordings.iter().enumerate() {
+        let p = fit.fitted.local(shared, k);
+        all.extend(
+            means
+                .iter()
+                .map(|m| request.model.correct(&m.raw, &m.rest, &p))
+                .map(|f| f.normalize()),
+        );
+    }
+    all
+}
+
+/// The parameters that lead a combination that the data cannot see: no factor stands before them in its words.
+fn involved(fitted: &Fitted) -> Vec<&str> {
+    let is_factor = |word: &&str| word.parse::<f64>().is_ok();
+    let leads = |name: &&String| {
+        fitted.unobservable.iter().any(|combination| {
+            let words: Vec<&str> = combination.split_whitespace().collect();
+            (0..words.len()).any(|k| {
+                let before = k.checked_sub(1).map(|k| words[k]);
+                words[k] == name.as_str() && !before.as_ref().is_some_and(is_factor)
+            })
+        })
+    };
+    let free = fitted.free.iter();
+    free.filter(leads).map(String::as_str).collect()
+}
+
+struct Weak {
+    name: String,
+    words: String,
+    refused: bool,
+}
+
+/// Parameters known too badly; `scale` is SI units per raw unit, `size` the unit of the bias limits.
+fn weak_parameters(fitted: &Fitted, scale: f64, size: f64) -> Vec<Weak> {
+    fitted
+        .free
+        .iter()
+        .filter(|name| name.starts_with("accel.") || name.starts_with("gyro."))
+        .filter_map(|name| {
+            let std = fitted.standard_error(name)?;
+            if name.contains(".b_") {
+                let relative = std * scale / size;
+                (relative > BIAS_WARN).then(|| Weak {
+                    name: name.clone(),
+                    words: format!("{name} is known to {std:.2} only"),
+                    refused: relative > BIAS_REFUSE,
+                })
+            } else {
+                let relative = std / scale;
+                (relative > RELATIVE_WARN).then(|| Weak {
+                    name: name.clone(),
+                    words: format!("{name} is known to {:.1} % only", 100.0 * relative),
+                    refused: relative > RELATIVE_REFUSE,
+                })
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,179 @@
+//! What a calibration is refused for, fails its gate for, or warns of.
+
+mod coning;
+mod coverage;
+mod determined;
+mod mounting;
+mod norm;
+mod on_top;
+mod rests;
+mod unknowable;
+
+pub(super) use coning::too_fast;
+pub use coverage::not_in_one_plane;
+pub(super) use determined::{
+    ForceEvidence, RateEvidence, accelerometer_is_determined, gyroscope_is_determined,
+};
+pub(super) use mounting::{gyroscope_gates, turned_axes};
+pub(super) use norm::the_norm_tells_them;
+pub(super) use on_top::corrected_before;
+pub(super) use rests::{disagreeing_rests, long_turns, restless};
+pub(super) use unknowable::{refuse_attitude, refuse_unknowable};
+
+use nalgebra::Vector3;
+use sensor::{AnyEffect, Quantity};
+
+use crate::methods::Choice;
+use crate::residuals::StaticMean;
+use crate::truth::unneeded;
+use recording::Error;
+use recording::readings::{Quiet, findings, quietest};
+use recording::{Recording, Stream};
+
+/// Rates above this are said to be more than needed, and which would do, Hz.
+const FASTEST: f64 = 5000.0;
+const ENOUGH_RATE: f64 = 1000.0;
+
+/// Quiet stretches that are shown where none is quiet enough.
+const QUIETEST: usize = 3;
+
+/// The recordings without repeats of the same data.
+pub(super) fn without_repeats<'a>(
+    recordings: impl IntoIterator<Item = &'a Recording>,
+    warnings: &mut Vec<String>,
+) -> Vec<&'a Recording> {
+    let mut kept: Vec<&Recording> = Vec::new();
+    for recording in recordings {
+        let twin = kept.iter().find(|k| {
+            k.accelerometer == recording.accelerometer && k.gyroscope == recording.gyroscope
+        });
+        match twin {
+            Some(twin) => warnings.push(format!(
+                "{}: the same data as {}; counted once",
+                recording.name, twin.name
+            )),
+            None => kept.push(recording),
+        }
+        warnings.extend(recording.warnings.iter().cloned());
+    }
+    kept
+}
+
+/// What a user should know of how a recording was cut.
+pub(super) fn of_the_detector(recording: &Recording, choice: &Choice) -> Vec<String> {
+    let named = |remark| format!("{}: {remark}", recording.name);
+    let found = findings(recording, &choice.segmentation);
+    let fast = fast_sampling(recording);
+    let found = found.iter().map(ToString::to_string).chain(fast);
+    choice
+        .remarks()
+        .into_iter()
+        .chain(found)
+        .map(named)
+        .collect()
+}
+
+/// Rates that only take time.
+fn fast_sampling(recording: &Recording) -> Option<String> {
+    let streams = [&recording.accelerometer, &recording.gyroscope];
+    let steps = streams
+        .into_iter()
+        .flatten()
+        .filter_map(Stream::median_step);
+    let rate = steps.min_by(f64::total_cmp)?.recip();
+    (rate > FASTEST).then(|| {
+        format!(
+            "sampled at {:.1} kHz: no hand turns so fast; means over blocks of {:.0} samples would do, and \
+             take less time",
+            1e-3 * rate,
+            (rate / ENOUGH_RATE).round()
+        )
+    })
+}
+
+/// A mean of which nothing else is known.
+pub(super) fn bare_mean(raw: Vector3<f64>) -> StaticMean {
+    StaticMean {
+        raw,
+        rest: unneeded(),
+        white: 0.0,
+    }
+}
+
+/// Refuses effects that look at more than the specific force: of means from a file nothing else is known.
+pub(super) fn force_is_all_they_need(effects: &[&'static dyn AnyEffect]) -> Result<(), Error> {
+    for effect in effects {
+        let all = effect.needs().into_iter();
+        if let Some(need) = all.clone().find(|need| *need != Quantity::SpecificForce) {
+            return Err(Error::NotEnough(format!(
+                "static means: the effect {} needs the {need}, which cannot be known: a file of means has none; \
+                 calibrate from the recording itself",
+                effect.name()
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses recordings without rests or without turns.
+pub(super) fn enough_rests(
+    recordings: &[&Recording],
+    choices: &[Choice],
+    means: &[Vec<StaticMean>],
+) -> Result<(), Error> {
+    let names: Vec<&str> = recordings.iter().map(|r| r.name.as_str()).collect();
+    let rejected = choices.iter().flat_map(|c| &c.segmentation.rejected);
+    let found = means.iter().map(Vec::len).sum::<usize>();
+    if let Some(first) = rejected.clone().next().filter(|_| found < 2) {
+        return Err(Error::NotEnough(format!(
+            "{}: {found} static intervals; {} quiet stretches are none, the first: {first}",
+            names.join(", "),
+            rejected.count()
+        )));
+    }
+    match found {
+        0 => Err(Error::NotEnough(format!(
+            "{}: no static interval: the device is never still for long enough{}; {}; lay it down for {:.0} s \
+             between the turns, or lower --min-static or raise --multiplier",
+            names.join(", "),
+            quietest_in_words(recordings),
+            plan::REQUIREMENT,
+            plan::REQUIREMENT.rest
+        ))),
+        1 => {
+            let length: f64 = choices
+                .iter()
+                .flat_map(|c| &c.segmentation.statics)
+                .map(|rest| rest.span.length())
+                .sum();
+            Err(Error::NotEnough(format!(
+                "{}: all static: one rest of {length:.1} s and no turn; {}; run `stillpoint plan` for the orientations",
+                names.join(", "),
+                plan::REQUIREMENT
+            )))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// ` (the quietest seconds: ...)`; empty without samples.
+fn quietest_in_words(recordings: &[&Recording]) -> String {
+    let Some(first) = recordings.first() else {
+        return String::new();
+    };
+    let words = |quiet: &Quiet| {
+        let rate = quiet.rate.map(|r| format!(" {r:.1e} rad/s"));
+        let force = quiet.force.map(|f| format!(" {f:.1e} m/s²"));
+        format!(
+            "t = {:.1} s with a spread of{}{}",
+            quiet.span.from,
+            rate.unwrap_or_default(),
+            force.unwrap_or_default()
+        )
+    };
+    let found: Vec<String> = quietest(first, QUIETEST).iter().map(words).collect();
+    match found.as_slice() {
+        [] => String::new(),
+        found => format!(" (the quietest seconds begin at {})", found.join(", ")),
+    }
+}

@@ -1,0 +1,410 @@
+//! `--method joint`: recordings to a calibration by one weighted problem.
+
+use sensor::{BASE_PARAMETERS, Model, Sensor};
+
+use super::assemble::{effect_values, of_the_gyro_unit, of_the_unit, triad};
+use super::left_out::left_out;
+use super::same_device::of_one_device;
+use super::{Frame, Outcome, Request, checks, clocks, cut};
+use crate::calibration::{
+    BiasTime, Calibration, Provenance, RecordingBias, RecordingClock, Remainder, SCHEMA, Triad,
+    WITH_WALKS, effect_named, in_symmetric_frame,
+};
+use crate::methods::joint::{Channel, Disturbance, JointFit, JointRequest, fit_joint};
+use crate::methods::{Choice, Fitted};
+use gyroscope::EARTH_RATE;
+use recording::Error;
+use recording::Recording;
+use recording::averages::root_mean_square;
+
+/// The effect that is the earth's rotation.
+const EARTH: &str = "earth_rate";
+
+/// A latitude whose vertical part of the earth's rotation is off by so many standard errors is doubted.
+const REFUTED: f64 = 4.0;
+
+/// A rest whose absence moves a parameter by so many of its standard errors is named.
+const INFLUENTIAL: f64 = 4.0;
+
+/// Calibrates by the joint method.
+pub(super) fn calibrate(
+    recordings: &[&Recording],
+    gyro_recordings: &[&Recording],
+    choices: Vec<Choice>,
+    request: &Request,
+    mut warnings: Vec<String>,
+) -> Result<Outcome, Error> {
+    if !request.static_means.is_empty() || recordings.iter().any(|r| r.accelerometer.is_none()) {
+        return Err(Error::Usage(
+            "the joint method needs recordings with an accelerometer: use --method stepwise".into(),
+        ));
+    }
+    let means: Vec<_> = recordings
+        .iter()
+        .zip(&choices)
+        .map(|(recording, choice)| crate::methods::static_means(recording, &choice.segmentation))
+        .collect();
+    checks::enough_rests(recordings, &choices, &means)?;
+    checks::not_in_one_plane(&means)?;
+    if !request.force_device {
+        of_one_device(recordings.iter().copied().zip(means), request.gravity)?;
+    }
+    let mut recordings = recordings.to_vec();
+    let mut choices = choices;
+    for recording in gyro_recordings {
+        let choice = cut(recording, request, None)?;
+        warnings.extend(checks::of_the_detector(recording, &choice));
+        choices.push(choice);
+        recordings.push(recording);
+    }
+    let cut = choices.iter().map(|c| &c.segmentation);
+    checks::refuse_unknowable(recordings.iter().copied().zip(cut), &request.effects)?;
+    let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
+    for effect in &request.effects {
+        accelerometer = accelerometer.with(*effect);
+        gyroscope = gyroscope.with(*effect);
+    }
+    // Where nobody says the latitude and no effect estimates it, the earth's rotation is uncertainty.
+    let earth =
+        request.latitude.is_none() && request.effects.iter().all(|effect| effect.name() != EARTH);
+    let held = match request.latitude {
+        Some(latitude) => {
+            gyroscope = with_earth_rate(gyroscope)?;
+            let vertical = EARTH_RATE * latitude.to_radians().sin();
+            vec![(format!("{EARTH}.z"), vertical)]
+        }
+        None => Vec::new(),
+    };
+    let fit = fit_joint(&JointRequest {
+        accelerometer,
+        gyroscope,
+        held,
+        clock: request.clock,
+        earth,
+        ..JointRequest::new(
+            recordings
+                .iter()
+                .copied()
+                .zip(choices.iter().map(|c| &c.segmentation))
+                .collect(),
+            request.gravity,
+        )
+    })?;
+    let chosen: Vec<&Choice> = choices.iter().collect();
+    let calibration = written_down(&fit, &recordings, &chosen, request, &mut warnings)?;
+    let mut calibration = Calibration {
+        warnings,
+        ..calibration
+    };
+    calibration.carry_gravity(request.gravity_source);
+    Ok(Outcome {
+        calibration,
+        choices,
+        accelerometer: None,
+        gyroscope: None,
+        joint: Some(fit),
+    })
+}
+
+/// The gyroscope with the earth's rotation in what it measures.
+fn with_earth_rate(gyroscope: Model) -> Result<Model, Error> {
+    if gyroscope.effects().iter().any(|e| e.name() == EARTH) {
+        return Ok(gyroscope);
+    }
+    let missing = || Error::Usage(format!("{EARTH} is not in the catalogue"));
+    Ok(gyroscope.with(effect_named(EARTH).ok_or_else(missing)?))
+}
+
+/// The fit as a [`Calibration`], checked; `warnings` stay outside.
+pub fn written_down(
+    fit: &JointFit,
+    recordings: &[&Recording],
+    choices: &[&Choice],
+    request: &Request,
+    warnings: &mut Vec<String>,
+) -> Result<Calibration, Error> {
+    let force = fit.fitted(Sensor::Accelerometer);
+    let rate = fit.has_gyroscope().then(|| fit.fitted(Sensor::Gyroscope));
+    check_force(fit, &force, warnings)?;
+    let mut failed_gates = Vec::new();
+    for (recording, choice) in recordings.iter().zip(choices) {
+        let segmentation = &choice.segmentation;
+        let scale = fit.force_unit.scale;
+        failed_gates.extend(checks::restless(
+            recording,
+            segmentation,
+            scale,
+            request.gravity,
+        ));
+    }
+    if let Some(rate) = &rate {
+        failed_gates.extend(check_rate(fit, rate, warnings)?);
+    }
+    warnings.extend(of_the_unit(&fit.force_unit));
+    if rate.is_some() {
+        warnings.extend(of_the_gyro_unit(&fit.rate_unit, fit.force_unit.is_si()));
+    }
+    warnings.extend(clocks::doubts(fit));
+    disturbances(fit, warnings);
+    let remainders: Vec<Remainder> = fit.misfits().iter().map(Remainder::of).collect();
+    warnings.extend(remainders.iter().filter_map(|r| r.warning(WITH_WALKS)));
+    warnings.extend(request.latitude.and_then(|l| latitude_in_doubt(fit, l)));
+    influences(fit, warnings);
+    // The earth's rotation is no error of the sensor: corrected rates keep it.
+    let of_the_earth = |name: &str| request.latitude.is_some() && name.starts_with(EARTH);
+    let all = fit.fitted_where(|name| !of_the_earth(name));
+    let effects = effect_values(&fit.models[0], &all)
+        .chain(effect_values(&fit.models[1], &all))
+        .filter(|effect| !of_the_earth(&effect.name))
+        .collect();
+    let chi2 = |channel: Channel| {
+        let own = remainders.iter().find(|r| r.channel == channel);
+        own.map(|r| r.reduced_chi2)
+    };
+    let calibration = Calibration {
+        schema: SCHEMA.into(),
+        created_by: concat!("stillpoint ", env!("CARGO_PKG_VERSION")).into(),
+        gravity: request.gravity,
+        gravity_source: request.gravity_source,
+        method: "joint".into(),
+        accelerometer: Some(Triad {
+            reduced_chi2: chi2(Channel::Force),
+            ..force_triad(fit, &force, recordings)
+        }),
+        gyroscope: rate.as_ref().map(|rate| Triad {
+            reduced_chi2: chi2(Channel::Direction),
+            ..rate_triad(fit, rate, recordings)
+        }),
+        magnetometer: None,
+        magnetic_field: None,
+        effects,
+        left_out: left_out(fit, &all),
+        parameters: all.free,
+        covariance: all.covariance,
+        misfit: remainders,
+        warnings: Vec::new(),
+        clocks: RecordingClock::of(fit),
+        history: Vec::new(),
+        failed_gates,
+        limits: Vec::new(),
+        prior: None,
+        provenance: Provenance::of(Vec::new(), None),
+    };
+    Ok(match request.frame {
+        Frame::Triangular => calibration,
+        Frame::Symmetric => in_symmetric_frame(calibration),
+    })
+}
+
+/// Refuses a fit that leaves combinations of parameters open: no effect beside them closes those.
+///
+/// # Errors
+/// [`Error::NotEnough`] with the placements and turns to add.
+pub fn refuse_unobservable(fit: &JointFit) -> Result<(), Error> {
+    let is_open = |fitted: &Fitted| fitted.rank < fitted.free.len();
+    let unsaid = &mut Vec::new();
+    let force = fit.fitted(Sensor::Accelerometer);
+    if is_open(&force) {
+        check_force(fit, &force, unsaid)?;
+    }
+    let rate = fit.has_gyroscope().then(|| fit.fitted(Sensor::Gyroscope));
+    if let Some(rate) = rate.filter(is_open) {
+        check_rate(fit, &rate, unsaid)?;
+    }
+    Ok(())
+}
+
+fn check_force(fit: &JointFit, fitted: &Fitted, warnings: &mut Vec<String>) -> Result<(), Error> {
+    let evidence = checks::ForceEvidence {
+        fitted,
+        directions: fit.directions(),
+        scale: fit.force_unit.scale,
+        gravity: fit.gravity,
+        report: &fit.report,
+    };
+    checks::accelerometer_is_determined(&evidence, warnings)
+}
+
+/// Refuses or warns; the gates that the gyroscope fails.
+fn check_rate(
+    fit: &JointFit,
+    fitted: &Fitted,
+    warnings: &mut Vec<String>,
+) -> Result<Vec<String>, Error> {
+    let evidence = checks::RateEvidence {
+        fitted,
+        turns: fit.chords.len(),
+        scale: fit.rate_unit.scale,
+        rms: root_mean_square(&fit.chords),
+        report: &fit.report,
+    };
+    if !fit.chords.is_empty() {
+        checks::gyroscope_is_determined(&evidence, warnings)?;
+    }
+    Ok(checks::gyroscope_gates(&evidence, fit.force_unit.is_si()))
+}
+
+/// Names what was disturbed, with interval and times.
+fn disturbances(fit: &JointFit, warnings: &mut Vec<String>) {
+    let name = |recording: usize| &fit.data.sources[recording].name;
+    for lost in &fit.data.lost {
+        warnings.push(format!(
+            "{}: turn {} (t = {:.2} to {:.2} s) is not used: {}",
+            name(lost.recording),
+            lost.turn + 1,
+            lost.span.from,
+            lost.span.to,
+            lost.fault
+        ));
+    }
+    for (place, gap) in &fit.data.gaps {
+        let rest = &fit.data.rests[*place];
+        warnings.push(format!(
+            "{}: static interval {} (t = {:.2} to {:.2} s) has a gap of {:.2} s at t = {:.2} s",
+            name(rest.recording),
+            rest.interval + 1,
+            rest.span.from,
+            rest.span.to,
+            gap.length(),
+            gap.from
+        ));
+    }
+    if let Some(shaken) = fit.data.shakes_throughout() {
+        warnings.push(format!(
+            "{shaken} of {} static intervals shake more than the quiet parts of the recording: was the device \
+             held in the hand? They are weighted by their own noise, and touches are not told from it",
+            fit.data.rests.len()
+        ));
+    }
+    for accused in &fit.accused {
+        let (what, done) = match accused.kind {
+            Disturbance::MountSlip | Disturbance::SuddenSlip => (
+                "static interval",
+                "the device crept while it should have rested (mount_slip); its creep is fitted",
+            ),
+            Disturbance::DisturbedInterval => (
+                "static interval",
+                "something touched or pushed the device (disturbed_interval); its force is not used",
+            ),
+            Disturbance::RateExcursion => (
+                "static interval",
+                "the mean of the gyroscope is off in this interval alone; it is not used",
+            ),
+            Disturbance::BadTurn => (
+                "turn",
+                "gravity is missed by far more than the noise; the turn is not used",
+            ),
+        };
+        let detail = if accused.detail.is_empty() { "" } else { ": " };
+        warnings.push(format!(
+            "{}: {what} {} (t = {:.2} to {:.2} s): {done}{detail}{}",
+            name(accused.recording),
+            accused.interval + 1,
+            accused.span.from,
+            accused.span.to,
+            accused.detail
+        ));
+    }
+}
+
+/// Names the rests without which a parameter would be another.
+fn influences(fit: &JointFit, warnings: &mut Vec<String>) {
+    for influence in fit.influences() {
+        if influence.change > INFLUENTIAL && influence.change.is_finite() {
+            let rest = &fit.data.rests[influence.rest];
+            warnings.push(format!(
+                "{}: without static interval {} (t = {:.2} to {:.2} s) {} would move by {:.1} of its \
+                 standard errors",
+                fit.data.sources[rest.recording].name,
+                rest.interval + 1,
+                rest.span.from,
+                rest.span.to,
+                influence.parameter,
+                influence.change
+            ));
+        }
+    }
+}
+
+fn force_triad(fit: &JointFit, fitted: &Fitted, recordings: &[&Recording]) -> Triad {
+    let mut triad = triad(Sensor::Accelerometer, fitted);
+    triad.residual_rms = fit.norm_rms();
+    triad.bias_time = bias_time(fit, Sensor::Accelerometer, &triad.bias);
+    triad.static_intervals = Some(fit.data.rests.len());
+    let shared = fit.models[0].parameters().len();
+    if fit.own_force_bias {
+        triad.recordings = own_biases(Sensor::Accelerometer, fitted, shared, recordings);
+    }
+    triad
+}
+
+/// For which time the bias of the last recording holds.
+fn bias_time(fit: &JointFit, sensor: Sensor, bias: &[f64; 3]) -> Option<BiasTime> {
+    let last = fit.data.sources.len().checked_sub(1)?;
+    let moved = fit.bias_motion(sensor, last)?;
+    let unit = fit.unit(sensor).scale;
+    let change = moved.change / unit;
+    let at = |share: f64| std::array::from_fn(|k| bias[k] + share * change[k]);
+    Some(BiasTime {
+        holds: "mean over the static intervals".into(),
+        from: moved.span.from,
+        to: moved.span.to,
+        start: at(-moved.before),
+        end: at(1.0 - moved.before),
+        change: change.into(),
+        change_std: (moved.std / unit).into(),
+    })
+}
+
+/// Says where the data refute the vertical part of the earth's rotation that the latitude gives.
+fn latitude_in_doubt(fit: &JointFit, latitude: f64) -> Option<String> {
+    let (pull, std) = fit.pull_of_held(&format!("{EARTH}.z"))?;
+    let given = EARTH_RATE * latitude.to_radians().sin();
+    let seen = given + pull;
+    (pull.abs() > REFUTED * std).then(|| {
+        let sine = (seen / EARTH_RATE).clamp(-1.0, 1.0);
+        format!(
+            "--latitude {latitude}: the earth's rotation would have a vertical part of {given:.2e} rad/s, the recording \
+             shows {seen:.2e} ± {std:.0e} rad/s, as at a latitude of {:.0}°: is its sign right?",
+            sine.asin().to_degrees()
+        )
+    })
+}
+
+fn rate_triad(fit: &JointFit, fitted: &Fitted, recordings: &[&Recording]) -> Triad {
+    let mut triad = triad(Sensor::Gyroscope, fitted);
+    triad.residual_rms = fit.direction_rms().to_degrees();
+    triad.bias_time = bias_time(fit, Sensor::Gyroscope, &triad.bias);
+    triad.dynamic_intervals = Some(fit.chords.len());
+    let shared = fit.models[1].parameters().len();
+    triad.recordings = own_biases(Sensor::Gyroscope, fitted, shared, recordings);
+    triad
+}
+
+/// The bias of every recording, where there are several.
+fn own_biases(
+    sensor: Sensor,
+    fitted: &Fitted,
+    shared: usize,
+    recordings: &[&Recording],
+) -> Vec<RecordingBias> {
+    if recordings.len() < 2 {
+        return Vec::new();
+    }
+    let of = |(k, recording): (usize, &&Recording)| {
+        let bias = &fitted.local(shared, k)[9..BASE_PARAMETERS];
+        let std = ["x", "y", "z"].map(|axis| {
+            let common = format!("{}.b_{axis}", sensor.prefix());
+            let own = format!("{common}[{}]", recording.name);
+            fitted
+                .standard_error(&own)
+                .or(fitted.standard_error(&common))
+        });
+        RecordingBias {
+            recording: recording.name.clone(),
+            bias: [bias[0], bias[1], bias[2]],
+            bias_std: std,
+        }
+    };
+    recordings.iter().enumerate().map(of).collect()
+}

@@ -1,0 +1,146 @@
+//! The magnetometer, after the sensors that give it the attitude.
+//!
+//! `inertial` is what their calibration leaves open, `collect` cuts the recordings into placements and `turns` carries
+//! the heading from one to the next, `missing` asks whether
+//! an effect of the catalogue would explain what is left, `write` puts the fit into the calibration.
+
+mod collect;
+mod inertial;
+mod missing;
+mod turns;
+mod write;
+
+use sensor::{AnyEffect, Sensor};
+
+use super::{Outcome, Request};
+use crate::methods::magnetic::{MagneticRequest, fit_magnetometer};
+use inertial::Inertial;
+use recording::Error;
+use recording::{FieldUnit, Recording};
+
+/// Strengths of a magnetic field that may be given, µT. The earth's is 22 to 67.
+pub const FIELDS: std::ops::RangeInclusive<f64> = 1.0..=1000.0;
+
+/// The outcome with its magnetometer; with a warning that says why where that cannot be calibrated.
+///
+/// # Errors
+/// [`Error::NotEnough`] where an effect of the magnetometer is asked for and it cannot be calibrated, [`Error::Usage`]
+/// where recordings have different units.
+pub(super) fn with_magnetometer(
+    mut outcome: Outcome,
+    recordings: &[&Recording],
+    request: &Request,
+) -> Result<Outcome, Error> {
+    let asked = |effect: &&&'static dyn AnyEffect| effect.sensor() == Sensor::Magnetometer;
+    let asked = request.effects.iter().find(asked);
+    if recordings.iter().all(|r| r.magnetometer.is_none()) {
+        return match asked {
+            Some(effect) => Err(Error::NotEnough(format!(
+                "no magnetometer in the recording: the effect {} cannot be estimated",
+                effect.name()
+            ))),
+            None => Ok(outcome),
+        };
+    }
+    match fitted(&mut outcome, recordings, request) {
+        Ok(()) => Ok(outcome),
+        Err(Error::NotEnough(reason) | Error::NotConverged(reason)) if asked.is_none() => {
+            outcome
+                .calibration
+                .warnings
+                .push(format!("the magnetometer is not calibrated: {reason}"));
+            Ok(outcome)
+        }
+        Err(other) => Err(other),
+    }
+}
+
+fn fitted(
+    outcome: &mut Outcome,
+    recordings: &[&Recording],
+    request: &Request,
+) -> Result<(), Error> {
+    let unit = common_unit(recordings, request)?;
+    if outcome.calibration.accelerometer.is_none() {
+        return Err(Error::NotEnough(
+            "without an accelerometer nobody knows how the device was held".into(),
+        ));
+    }
+    let effects = request.effects.iter();
+    let model = effects.fold(magnetometer::model(), |model, effect| model.with(*effect));
+    let inertial = Inertial::of(&outcome.calibration);
+    let with_field: Vec<usize> = (0..recordings.len())
+        .filter(|&k| recordings[k].magnetometer.is_some())
+        .collect();
+    let choices = &outcome.choices;
+    let collected = collect::collect(
+        with_field
+            .iter()
+            .map(|&k| (recordings[k], &choices[k].segmentation)),
+        &outcome.calibration,
+        &inertial,
+        unit.map_or(1.0, FieldUnit::in_microtesla),
+    );
+    let base = MagneticRequest {
+        model: &model,
+        placements: collected.placements,
+        changes: collected.changes,
+        recordings: with_field.len(),
+        errors: inertial.errors(),
+        strength: request.field,
+        walk: collected.walk,
+    };
+    let fit = fit_magnetometer(base.clone())?;
+    let has_temperature = with_field
+        .iter()
+        .all(|&k| recordings[k].temperature.is_some());
+    let missing = missing::effect(&model, &fit, has_temperature, |larger| {
+        fit_magnetometer(base.clone().with_model(larger)).ok()
+    });
+    let names: Vec<&str> = with_field
+        .iter()
+        .map(|&k| recordings[k].name.as_str())
+        .collect();
+    write::write(
+        &mut outcome.calibration,
+        &write::Written {
+            fit: &fit,
+            model: &model,
+            inertial: &inertial,
+            recordings: &names,
+            unit,
+            strength_given: request.field.is_some(),
+            latitude: request.latitude,
+            missing,
+            updates_others: request.method == super::Method::Joint,
+        },
+    );
+    Ok(())
+}
+
+/// The unit of all magnetometers; `None` where no file states it.
+fn common_unit(recordings: &[&Recording], request: &Request) -> Result<Option<FieldUnit>, Error> {
+    let all = recordings
+        .iter()
+        .filter_map(|r| Some((r, r.magnetometer.as_ref()?.unit)));
+    let all: Vec<_> = all.collect();
+    let unit = all.first().and_then(|(_, unit)| *unit);
+    if let Some((other, differs)) = all.iter().find(|(_, other)| *other != unit) {
+        let word = |unit: Option<FieldUnit>| unit.map_or("no stated unit", FieldUnit::name);
+        return Err(Error::Usage(format!(
+            "{}: its magnetometer is in {}, that of {} in {}: name the columns' unit in both files alike",
+            other.name,
+            word(*differs),
+            all[0].0.name,
+            word(unit)
+        )));
+    }
+    if request.field.is_some_and(|field| !FIELDS.contains(&field)) {
+        return Err(Error::Usage(format!(
+            "a magnetic field of {} to {} µT expected; the earth's is 22 to 67",
+            FIELDS.start(),
+            FIELDS.end()
+        )));
+    }
+    Ok(unit)
+}

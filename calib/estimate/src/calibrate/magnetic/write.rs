@@ -1,0 +1,224 @@
+//! The fit into the calibration.
+
+use nalgebra::{DMatrix, DVector};
+use sensor::{AnyEffect, Model, Sensor};
+
+use super::inertial::Inertial;
+use crate::calibrate::assemble;
+use crate::calibration::{Calibration, MagneticField, RecordingBias, RecordingField, Triad};
+use crate::methods::Fitted;
+use crate::methods::magnetic::{Field, MagneticFit, OwnBias};
+use recording::FieldUnit;
+
+/// Turns and headings that disagree by chance in fewer cases than this do not correct the gyroscope.
+const CONTRADICTION: f64 = 1e-3;
+
+/// Inclinations and latitudes beyond this have a sign that cannot be mistaken, degrees: the magnetic equator is nowhere
+/// farther from the other.
+const PLAIN: f64 = 25.0;
+
+/// A field that differs by more than this share of itself from place to place is worth a warning.
+const UNEVEN: f64 = 0.02;
+
+/// What to write.
+pub struct Written<'a> {
+    pub fit: &'a MagneticFit,
+    pub model: &'a Model,
+    pub inertial: &'a Inertial,
+    /// Names of the recordings with a magnetometer.
+    pub recordings: &'a [&'a str],
+    pub unit: Option<FieldUnit>,
+    pub strength_given: bool,
+    /// Latitude, degrees north, if it is known.
+    pub latitude: Option<f64>,
+    /// An effect that the readings go with and the model lacks, and the probability of so much by chance.
+    pub missing: Option<(&'static dyn AnyEffect, f64)>,
+    /// Whether accelerometer and gyroscope are corrected by what the magnetometer says.
+    pub updates_others: bool,
+}
+
+/// Adds the magnetometer to a calibration.
+pub fn write(calibration: &mut Calibration, written: &Written<'_>) {
+    let fit = written.fit;
+    calibration.warnings.extend(warnings(written));
+    let update = written.updates_others && fit.turns_p_value > CONTRADICTION;
+    let root = written.inertial.root();
+    let mut between = DMatrix::zeros(fit.model.values.len(), root.nrows());
+    if update {
+        let shift = root * DVector::from_column_slice(&fit.errors.values);
+        let covariance = root * &fit.errors.covariance * root.transpose();
+        between = &fit.between * root.transpose();
+        let moved = calibration.parameter_values() + shift;
+        calibration.write_parameters(&moved, &covariance);
+    }
+    let fitted = fitted(written);
+    calibration.magnetometer = Some(triad(written, &fitted));
+    calibration.magnetic_field = Some(field(written));
+    let effects = assemble::effect_values(written.model, &fitted);
+    calibration.effects.extend(effects);
+    append(calibration, &fitted, &between);
+}
+
+/// Names and covariance of the magnetometer's parameters after those of the others; `between` is their covariance with
+/// those (own × others).
+fn append(calibration: &mut Calibration, own: &Fitted, between: &DMatrix<f64>) {
+    for (k, row) in calibration.covariance.iter_mut().enumerate() {
+        row.extend(between.column(k).iter());
+    }
+    for (i, row) in own.covariance.iter().enumerate() {
+        let others = between.row(i).iter().copied().collect::<Vec<f64>>();
+        calibration
+            .covariance
+            .push([&others, row.as_slice()].concat());
+    }
+    calibration.parameters.extend_from_slice(&own.free);
+}
+
+fn triad(written: &Written<'_>, fitted: &Fitted) -> Triad {
+    let fit = written.fit;
+    Triad {
+        residual_rms: fit.residual_rms,
+        reduced_chi2: Some(fit.reduced_chi2),
+        static_intervals: Some(fit.placements.iter().filter(|p| p.is_used).count()),
+        dynamic_intervals: (fit.turns > 0).then_some(fit.turns),
+        recordings: if fit.biases.len() > 1 {
+            own_biases(written)
+        } else {
+            Vec::new()
+        },
+        ..assemble::triad(Sensor::Magnetometer, fitted)
+    }
+}
+
+/// The fit as those of the other sensors are written down.
+fn fitted(written: &Written<'_>) -> Fitted {
+    let own = &written.fit.model;
+    let mut parameters = written.model.parameters();
+    parameters.values_mut().copy_from_slice(&own.values);
+    let row = |i: usize| own.covariance.row(i).iter().copied().collect();
+    Fitted {
+        free: parameters.names().to_vec(),
+        parameters,
+        covariance: (0..own.covariance.nrows()).map(row).collect(),
+        rank: written.fit.rank,
+        condition: 1.0,
+        unobservable: Vec::new(),
+    }
+}
+
+fn own_biases(written: &Written<'_>) -> Vec<RecordingBias> {
+    let all = written.recordings.iter().zip(&written.fit.biases);
+    let of = |(name, own): (&&str, &OwnBias)| RecordingBias {
+        recording: (*name).to_owned(),
+        bias: own.value,
+        bias_std: own.std.map(Some),
+    };
+    all.map(of).collect()
+}
+
+fn field(written: &Written<'_>) -> MagneticField {
+    let of = |(name, field): (&&str, &Field)| RecordingField {
+        recording: (*name).to_owned(),
+        strength: field.strength,
+        strength_std: field.strength_std,
+        inclination: field.inclination.to_degrees(),
+        inclination_std: field.inclination_std.to_degrees(),
+    };
+    let all: Vec<RecordingField> = written
+        .recordings
+        .iter()
+        .zip(&written.fit.fields)
+        .map(of)
+        .collect();
+    let last = all[all.len() - 1].clone();
+    MagneticField {
+        unit: if written.unit.is_some() || written.strength_given {
+            "uT"
+        } else {
+            "reading"
+        }
+        .into(),
+        strength_given: written.strength_given,
+        unevenness: written.fit.unevenness,
+        last,
+        recordings: if all.len() > 1 { all } else { Vec::new() },
+    }
+}
+
+/// Says where the field points to the other hemisphere: a sign is wrong.
+fn wrong_hemisphere(fit: &MagneticFit, latitude: f64) -> Option<String> {
+    let inclination = fit.fields.last()?.inclination.to_degrees();
+    let plain = latitude.abs() > PLAIN && inclination.abs() > PLAIN;
+    (plain && inclination * latitude < 0.0).then(|| {
+        format!(
+            "the magnetic field points {:.0}° {} the horizontal, at a latitude of {latitude}°: the signs of an odd number of the \
+             magnetometer's axes, or of all of the accelerometer's, are wrong; headings by the corrected field may be turned",
+            inclination.abs(),
+            if inclination < 0.0 { "above" } else { "below" }
+        )
+    })
+}
+
+/// Two significant digits.
+fn short(v: f64) -> String {
+    let decimals = (1.0 - v.abs().max(1e-12).log10().floor()).clamp(0.0, 12.0) as usize;
+    format!("{v:.decimals$}")
+}
+
+fn warnings(written: &Written<'_>) -> Vec<String> {
+    let fit = written.fit;
+    let unit = if written.unit.is_some() {
+        "µT"
+    } else {
+        "units of its readings"
+    };
+    let mut all = Vec::new();
+    for (place, size) in &fit.disturbed {
+        let placement = &fit.placements[*place];
+        all.push(format!(
+            "{}: in static interval {} (t = {:.2} to {:.2} s) the magnetic field is off by {} {unit} from that of the others, \
+             as near iron, a magnet or a current; the magnetometer's reading there is not used",
+            written.recordings[placement.recording],
+            placement.interval + 1,
+            placement.span.from,
+            placement.span.to,
+            short(*size)
+        ));
+    }
+    let strength = fit
+        .fields
+        .iter()
+        .map(|f| f.strength)
+        .fold(f64::INFINITY, f64::min);
+    if fit.unevenness > UNEVEN * strength {
+        all.push(format!(
+            "the magnetic field differs by {} {unit} per axis from one static interval to the next ({:.0} % of it; the \
+             magnetometer's noise explains {}), as near iron or currents, or where the magnetometer has an effect that the \
+             model lacks. Its errors are enlarged to it; record outdoors, away from steel",
+            short(fit.unevenness),
+            100.0 * fit.unevenness / strength,
+            short(fit.residual_rms / fit.reduced_chi2.sqrt())
+        ));
+    }
+    all.extend(
+        written
+            .latitude
+            .and_then(|latitude| wrong_hemisphere(fit, latitude)),
+    );
+    all.extend(written.missing.map(|(effect, p)| {
+        format!(
+            "the readings of the magnetometer go with {} (p = {p:.0e}), which the model lacks: its errors do not cover that; \
+             calibrate with --effects {}",
+            effect.name(),
+            effect.name()
+        )
+    }));
+    if written.updates_others && fit.turns_p_value <= CONTRADICTION {
+        all.push(format!(
+            "magnetometer and gyroscope disagree about the heading after turns by more than noise (p = {:.0e}): the gyroscope is \
+             left as its turns alone show it",
+            fit.turns_p_value
+        ));
+    }
+    all
+}

@@ -1,0 +1,47 @@
+//! Effects that a user wrote: what they may cost, and failures that are theirs.
+
+use sensor::{AnyEffect, fault_of};
+
+use recording::{Error, Recording, Stream};
+
+/// Grants each as many steps as fits of these recordings need.
+pub fn grant_steps<'a>(
+    effects: &[&'static dyn AnyEffect],
+    recordings: impl Iterator<Item = &'a Recording>,
+) {
+    let samples = |r: &Recording| {
+        let streams = [&r.accelerometer, &r.gyroscope].into_iter().flatten();
+        streams.map(Stream::len).max().unwrap_or(0)
+    };
+    let samples = recordings.map(samples).sum();
+    for effect in effects {
+        sensor::grant_steps(*effect, samples);
+    }
+}
+
+/// The outcome; the error of the effect that is to blame where a fit failed or an effect's steps are spent.
+pub fn blamed<T>(
+    effects: &[&'static dyn AnyEffect],
+    outcome: Result<T, Error>,
+) -> Result<T, Error> {
+    let fault = effects.iter().find_map(|effect| {
+        let fault = fault_of(*effect)?;
+        let spent = !fault.starts_with("is no number");
+        (outcome.is_err() || spent).then(|| format!("the effect {}: {fault}", effect.name()))
+    });
+    match (fault, outcome) {
+        (Some(fault), _) => Err(Error::NotConverged(fault)),
+        (None, outcome) => outcome,
+    }
+}
+
+/// What went wrong with effects that a search left out for it.
+pub fn left_out(effects: &[&'static dyn AnyEffect]) -> impl Iterator<Item = String> {
+    effects.iter().filter_map(|effect| {
+        let fault = fault_of(*effect)?;
+        Some(format!(
+            "the effect {} {fault}; it was not looked for beyond that",
+            effect.name()
+        ))
+    })
+}

@@ -1,0 +1,337 @@
+//! An accelerometer that is another one from some static interval on: `‖T (A' − b)‖ = g`, `A'` the reading with a
+//! change taken off from there on.
+
+use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Vector3};
+use sensor::Sensor;
+
+use super::change::{Change, Kind, Place};
+use super::rest::Rest;
+use super::weigh::{Explanation, solved};
+use recording::averages::median;
+
+/// Parameters of the base: an upper triangular matrix and a bias.
+const BASE: usize = 9;
+
+/// Fewest static intervals on either side, and the most that are looked at.
+const SIDE: usize = 3;
+const MOST: usize = 200;
+/// Most places that are tried.
+const PLACES: usize = 48;
+
+/// A sum of squares below so many times that of the measured noise asks for no explanation.
+const NOISE: f64 = 9.0;
+
+/// Signs and columns leave so much of the base's sum of squares.
+const CLEAR: f64 = 1e-2;
+
+/// Places whose criteria differ by less than this are not told apart.
+const INDIFFERENT: f64 = 10.0;
+
+/// Steps of a fit.
+const STEPS: usize = 30;
+
+/// What may change.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum What {
+    Nothing,
+    Scale(usize),
+    AllScales,
+    Bias(usize),
+    Turned,
+    Flipped(usize),
+    Swapped([usize; 2]),
+}
+
+const CHANGES: [What; 14] = [
+    What::Scale(0),
+    What::Scale(1),
+    What::Scale(2),
+    What::AllScales,
+    What::Bias(0),
+    What::Bias(1),
+    What::Bias(2),
+    What::Turned,
+    What::Flipped(0),
+    What::Flipped(1),
+    What::Flipped(2),
+    What::Swapped([0, 1]),
+    What::Swapped([1, 2]),
+    What::Swapped([0, 2]),
+];
+
+impl What {
+    fn parameters(self) -> usize {
+        match self {
+            Self::Turned => 3,
+            Self::Nothing | Self::Flipped(_) | Self::Swapped(_) => 0,
+            _ => 1,
+        }
+    }
+
+    /// The reading with the change taken off, and its derivative by each parameter.
+    fn undone(self, raw: &Vector3<f64>, p: &[f64]) -> (Vector3<f64>, Vec<Vector3<f64>>) {
+        let unit = |axis: usize| Vector3::ith(axis, 1.0);
+        match self {
+            Self::Nothing => (*raw, Vec::new()),
+            Self::Scale(k) => (raw + unit(k) * (p[0] * raw[k]), vec![unit(k) * raw[k]]),
+            Self::AllScales => (raw * (1.0 + p[0]), vec![*raw]),
+            Self::Bias(k) => (raw + unit(k) * p[0], vec![unit(k)]),
+            Self::Turned => {
+                let turned = Rotation3::new(Vector3::new(p[0], p[1], p[2])) * raw;
+                let slopes = (0..3).map(|k| unit(k).cross(&turned)).collect();
+                (turned, slopes)
+            }
+            Self::Flipped(k) => (raw - unit(k) * (2.0 * raw[k]), Vec::new()),
+            Self::Swapped([a, b]) => {
+                let mut swapped = *raw;
+                swapped.swap_rows(a, b);
+                (swapped, Vec::new())
+            }
+        }
+    }
+
+    fn kind(self, p: &[f64]) -> Option<Kind> {
+        let share = |p: f64| 1.0 / (1.0 + p) - 1.0;
+        let sensor = Sensor::Accelerometer;
+        Some(match self {
+            Self::Nothing => return None,
+            Self::Scale(k) => Kind::Scale(sensor, Some(k), share(p[0])),
+            Self::AllScales => Kind::Scale(sensor, None, share(p[0])),
+            Self::Bias(k) => Kind::Bias(sensor, k, -p[0]),
+            Self::Turned => Kind::Turned(sensor, Vector3::new(p[0], p[1], p[2]).norm()),
+            Self::Flipped(k) => Kind::Flipped(sensor, k),
+            Self::Swapped(axes) => Kind::Swapped(sensor, axes),
+        })
+    }
+}
+
+/// From which row on what has changed; the row itself may be mixed and is then left out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Hypothesis {
+    what: What,
+    at: usize,
+    mixed: bool,
+}
+
+/// The accelerometer by its static intervals.
+#[derive(Clone, Debug)]
+pub(super) struct Force {
+    /// What changes, if something does.
+    pub change: Option<Change>,
+    /// Directions of specific force, by static interval.
+    pub directions: Vec<Option<Vector3<f64>>>,
+}
+
+/// Fits the base and looks for a change; `None` of too few intervals.
+pub(super) fn force(rests: &[Rest], gravity: f64) -> Option<Force> {
+    let with: Vec<&Rest> = rests.iter().filter(|r| r.force.is_some()).collect();
+    let stride = with.len().div_ceil(MOST).max(1);
+    let used: Vec<&Rest> = with.iter().step_by(stride).copied().collect();
+    let raw: Vec<Vector3<f64>> = used.iter().filter_map(|r| Some(r.force?.mean)).collect();
+    let unit = gravity / median(raw.iter().map(Vector3::norm))?;
+    let raw: Vec<Vector3<f64>> = raw.iter().map(|v| v * unit).collect();
+    if raw.len() < BASE + 3 || !unit.is_finite() {
+        return None;
+    }
+    let nothing = Hypothesis {
+        what: What::Nothing,
+        at: raw.len(),
+        mixed: false,
+    };
+    let base = Fit::of(&raw, gravity, nothing)?;
+    let white = median(used.iter().filter_map(|r| Some(r.force?.white_of_mean())))?;
+    let floor = raw.len() as f64 * (unit * white).powi(2).max(f64::MIN_POSITIVE);
+    let found = if base.left > NOISE * floor {
+        best(&raw, gravity, &base, floor)
+    } else {
+        None
+    };
+    let change = found.as_ref().and_then(|fit| {
+        let (first, last) = as_good(fit, &raw, gravity, floor);
+        let (after, before) = (used[first - 1], used[last.min(used.len() - 1)]);
+        Some(Change {
+            kind: fit.hypothesis.what.kind(&fit.p[BASE..])?,
+            place: Place {
+                after: (after.place, after.span.to),
+                before: (before.place, before.span.from),
+            },
+        })
+    });
+    let fit = found.unwrap_or(base);
+    let from = used.get(fit.hypothesis.at).map_or(usize::MAX, |r| r.place);
+    let direction = |rest: &Rest| {
+        let force = fit.corrected(&(rest.force?.mean * unit), rest.place >= from);
+        Some(force.normalize()).filter(|u| u.norm().is_finite())
+    };
+    Some(Force {
+        change,
+        directions: rests.iter().map(direction).collect(),
+    })
+}
+
+/// The explanation that leaves least, if it is one.
+fn best(raw: &[Vector3<f64>], gravity: f64, base: &Fit, floor: f64) -> Option<Fit> {
+    let n = raw.len();
+    let places = SIDE..=n.checked_sub(SIDE)?;
+    let stride = (n / PLACES).max(1);
+    let mut hypotheses = Vec::new();
+    for at in places.step_by(stride) {
+        for mixed in [false, true] {
+            if at + usize::from(mixed) + SIDE <= n {
+                hypotheses.extend(CHANGES.map(|what| Hypothesis { what, at, mixed }));
+            }
+        }
+    }
+    let tried = hypotheses.len();
+    let fits = hypotheses
+        .into_iter()
+        .filter_map(|hypothesis| Fit::of(raw, gravity, hypothesis));
+    let criterion = |fit: &Fit| fit.explanation().criterion(n, floor);
+    let best = fits.min_by(|a, b| criterion(a).total_cmp(&criterion(b)))?;
+    // Against the base without a mixed row: that one interval disagrees is no change of the others.
+    let (base, lost) = if best.hypothesis.mixed {
+        let what = What::Nothing;
+        let without = Hypothesis {
+            what,
+            ..best.hypothesis
+        };
+        (Fit::of(raw, gravity, without)?.left, 1)
+    } else {
+        (base.left, 0)
+    };
+    let own = Explanation {
+        left: best.left,
+        parameters: best.hypothesis.what.parameters(),
+    };
+    // Without a parameter of its own it is no more likely by chance, but there are many of them.
+    let clear = own.parameters > 0 || own.left < CLEAR * base;
+    (clear && own.holds(base, n - BASE - lost, tried)).then_some(best)
+}
+
+/// The first and the last row from which on the same change is about as good: where it lies is not known better.
+fn as_good(best: &Fit, raw: &[Vector3<f64>], gravity: f64, floor: f64) -> (usize, usize) {
+    let Hypothesis { what, at, mixed } = best.hypothesis;
+    let limit = best.explanation().criterion(raw.len(), floor) + INDIFFERENT;
+    let good = |at: &usize| {
+        let moved = Hypothesis {
+            what,
+            at: *at,
+            mixed: false,
+        };
+        Fit::of(raw, gravity, moved)
+            .is_some_and(|fit| fit.explanation().criterion(raw.len(), floor) < limit)
+    };
+    let before = (SIDE..at).rev().take_while(good).last();
+    let after = (at + 1..=raw.len() - SIDE).take_while(good).last();
+    let own = at + usize::from(mixed);
+    (before.unwrap_or(at), after.unwrap_or(own).max(own))
+}
+
+/// A fit of the base and a change.
+#[derive(Clone, Debug)]
+struct Fit {
+    hypothesis: Hypothesis,
+    p: Vec<f64>,
+    left: f64,
+}
+
+impl Fit {
+    fn of(raw: &[Vector3<f64>], gravity: f64, hypothesis: Hypothesis) -> Option<Self> {
+        let m = BASE + hypothesis.what.parameters();
+        let mut p = vec![0.0; m];
+        [p[0], p[3], p[5]] = [1.0; 3];
+        let mut fit = Self {
+            hypothesis,
+            p,
+            left: f64::INFINITY,
+        };
+        fit.left = fit.rows(raw, gravity).map(|(r, _)| r * r).sum();
+        let mut damping = 1e-3;
+        for _ in 0..STEPS {
+            let mut normal = DMatrix::zeros(m, m);
+            let mut right = DVector::zeros(m);
+            for (r, slope) in fit.rows(raw, gravity) {
+                normal.ger(1.0, &slope, &slope, 1.0);
+                right.axpy(-r, &slope, 1.0);
+            }
+            let step = solved(&normal, &right, damping)?;
+            let mut next = fit.clone();
+            next.p
+                .iter_mut()
+                .zip(step.iter())
+                .for_each(|(p, s)| *p += s);
+            next.left = next.rows(raw, gravity).map(|(r, _)| r * r).sum();
+            if next.left < fit.left {
+                let done = next.left > (1.0 - 1e-9) * fit.left;
+                fit = next;
+                damping *= 0.1;
+                if done {
+                    break;
+                }
+            } else {
+                damping = (damping * 10.0).max(1e-9);
+                if damping > 1e6 {
+                    break;
+                }
+            }
+        }
+        fit.left.is_finite().then_some(fit)
+    }
+
+    fn explanation(&self) -> Explanation {
+        Explanation {
+            left: self.left,
+            parameters: self.hypothesis.what.parameters() + usize::from(self.hypothesis.mixed),
+        }
+    }
+
+    fn base(&self) -> (Matrix3<f64>, Vector3<f64>) {
+        let p = &self.p;
+        let t = Matrix3::new(p[0], p[1], p[2], 0.0, p[3], p[4], 0.0, 0.0, p[5]);
+        (t, Vector3::new(p[6], p[7], p[8]))
+    }
+
+    fn corrected(&self, raw: &Vector3<f64>, changed: bool) -> Vector3<f64> {
+        let (t, bias) = self.base();
+        let raw = if changed {
+            self.hypothesis.what.undone(raw, &self.p[BASE..]).0
+        } else {
+            *raw
+        };
+        t * (raw - bias)
+    }
+
+    /// Residuals of the modulus and their derivatives.
+    fn rows<'a>(
+        &'a self,
+        raw: &'a [Vector3<f64>],
+        gravity: f64,
+    ) -> impl Iterator<Item = (f64, DVector<f64>)> + 'a {
+        let Hypothesis { what, at, mixed } = self.hypothesis;
+        let (t, bias) = self.base();
+        let rows = raw.iter().enumerate();
+        rows.filter(move |(k, _)| !(mixed && *k == at))
+            .map(move |(k, raw)| {
+                let (raw, extra) = if k >= at {
+                    what.undone(raw, &self.p[BASE..])
+                } else {
+                    (*raw, vec![Vector3::zeros(); what.parameters()])
+                };
+                let d = raw - bias;
+                let y = t * d;
+                let u = y / y.norm().max(f64::MIN_POSITIVE);
+                let of_bias = -(t.transpose() * u);
+                let mut slope = vec![
+                    u.x * d.x,
+                    u.x * d.y,
+                    u.x * d.z,
+                    u.y * d.y,
+                    u.y * d.z,
+                    u.z * d.z,
+                ];
+                slope.extend(of_bias.iter());
+                slope.extend(extra.iter().map(|e| u.dot(&(t * e))));
+                (y.norm() - gravity, DVector::from_vec(slope))
+            })
+    }
+}

@@ -1,0 +1,51 @@
+//! A bias of the gyroscope that steps and stays.
+
+use sensor::Sensor;
+
+use super::change::{Change, Kind, Place};
+use super::rest::Rest;
+use recording::averages::median;
+
+/// Fewest static intervals, and on either side of a step.
+const FEWEST: usize = 8;
+const SIDE: usize = 4;
+
+/// A step is so many times what the means of neighbouring intervals otherwise differ by.
+const STANDS_OUT: f64 = 8.0;
+
+/// It stays: the levels of both sides differ by this share of it.
+const STAYS: f64 = 0.6;
+
+/// The largest step of the static means of each axis, where it stands out and stays.
+pub(super) fn steps(rests: &[Rest]) -> Vec<Change> {
+    let with: Vec<&Rest> = rests.iter().filter(|r| r.rate.is_some()).collect();
+    if with.len() < FEWEST {
+        return Vec::new();
+    }
+    (0..3).filter_map(|axis| of_axis(&with, axis)).collect()
+}
+
+fn of_axis(rests: &[&Rest], axis: usize) -> Option<Change> {
+    let mean: Vec<f64> = rests
+        .iter()
+        .filter_map(|r| Some(r.rate?.mean[axis]))
+        .collect();
+    let differences: Vec<f64> = mean.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let inner = SIDE - 1..differences.len() + 1 - SIDE;
+    let at = inner.max_by(|&a, &b| differences[a].abs().total_cmp(&differences[b].abs()))?;
+    let step = differences[at];
+    let others = differences.iter().enumerate().filter(|(k, _)| *k != at);
+    let usual = 1.4826 * median(others.map(|(_, d)| d.abs()))?;
+    let white = median(rests.iter().filter_map(|r| Some(r.rate?.white_of_mean())))?;
+    let level = |side: &[f64]| median(side.iter().copied());
+    let noise = usual.hypot(2f64.sqrt() * white);
+    let levels = level(&mean[at + 1..])? - level(&mean[..=at])?;
+    let stays = levels * step.signum() > STAYS * step.abs();
+    (step.abs() > STANDS_OUT * noise && noise > 0.0 && stays).then(|| Change {
+        kind: Kind::Bias(Sensor::Gyroscope, axis, step),
+        place: Place {
+            after: (rests[at].place, rests[at].span.to),
+            before: (rests[at + 1].place, rests[at + 1].span.from),
+        },
+    })
+}

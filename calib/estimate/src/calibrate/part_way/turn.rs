@@ -1,0 +1,103 @@
+//! One turn: the direction of gravity carried through it, and what moves that.
+
+use nalgebra::{Matrix3, Rotation3, Vector3};
+
+use recording::Stream;
+
+/// What a turn says of the gyroscope.
+#[derive(Clone, Debug)]
+pub(super) struct Carried {
+    /// By how much gravity is missed, in the frame of the turn's begin: `C u₁ − u₀`.
+    pub miss: Vector3<f64>,
+    /// `∂miss/∂T_ij`, rad, column 3 i + j.
+    pub slopes: [Vector3<f64>; 9],
+}
+
+impl Carried {
+    /// The angle by which gravity is missed, rad.
+    pub fn angle(&self) -> f64 {
+        2.0 * (0.5 * self.miss.norm()).min(1.0).asin()
+    }
+}
+
+/// Rates of a turn by raw readings less their bias, with their stamps.
+#[derive(Clone, Debug)]
+pub(super) struct Rates<'a> {
+    pub stream: &'a Stream,
+    pub samples: std::ops::Range<usize>,
+    pub bias: Vector3<f64>,
+}
+
+impl Rates<'_> {
+    /// Steps as `(raw rate − bias, time)`, the rate by the mean of both ends.
+    fn steps(&self) -> impl Iterator<Item = (Vector3<f64>, f64)> + '_ {
+        let t = &self.stream.t[self.samples.clone()];
+        let values = &self.stream.values[self.samples.clone()];
+        let pairs = t.windows(2).zip(values.windows(2));
+        pairs.map(|(t, v)| (0.5 * (v[0] + v[1]) - self.bias, t[1] - t[0]))
+    }
+
+    /// The rotation from the turn's end to its begin with `ω = T (W − b)`.
+    pub fn rotation(&self, t: &Matrix3<f64>) -> Matrix3<f64> {
+        let steps = self.steps();
+        steps.fold(Matrix3::identity(), |c, (raw, dt)| {
+            c * Rotation3::new(t * raw * dt).matrix()
+        })
+    }
+
+    /// Gravity carried from `before` to `after`.
+    pub fn carry(&self, t: &Matrix3<f64>, before: &Vector3<f64>, after: &Vector3<f64>) -> Carried {
+        let mut c = Matrix3::identity();
+        let mut turned = [Matrix3::zeros(); 3];
+        for (raw, dt) in self.steps() {
+            let next = c * Rotation3::new(t * raw * dt).matrix();
+            let middle = (c + next) * (0.5 * dt);
+            for (axis, sum) in turned.iter_mut().enumerate() {
+                *sum += middle * raw[axis];
+            }
+            c = next;
+        }
+        // C e^[θ×] u₁ = C u₁ + θ × u₀: what T adds to the rotation θ turns the end into the begin.
+        let slope = |k: usize| turned[k % 3].column(k / 3).into_owned().cross(before);
+        Carried {
+            miss: c * after - before,
+            slopes: std::array::from_fn(slope),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slopes_are_those_of_central_differences() {
+        let stream = Stream {
+            t: (0..201).map(|k| 0.01 * f64::from(k)).collect(),
+            values: (0..201)
+                .map(|k| {
+                    let s = (0.0157 * f64::from(k)).sin();
+                    Vector3::new(s, 0.4 * s * s, -0.3 * s)
+                })
+                .collect(),
+        };
+        let rates = Rates {
+            stream: &stream,
+            samples: 0..201,
+            bias: Vector3::new(0.01, 0.02, -0.01),
+        };
+        let t = Matrix3::new(1.01, 0.01, 0.0, 0.02, 0.98, 0.01, 0.0, -0.01, 1.0);
+        let before = Vector3::new(0.3, -0.5, 0.8).normalize();
+        let after = rates.rotation(&t).transpose() * before;
+        let carried = rates.carry(&t, &before, &after);
+        assert!(carried.miss.norm() < 1e-12);
+        for k in 0..9 {
+            let mut moved = [t; 2];
+            moved[0][(k / 3, k % 3)] += 1e-5;
+            moved[1][(k / 3, k % 3)] -= 1e-5;
+            let [more, less] = moved.map(|t| rates.rotation(&t) * after);
+            let slope = (more - less) / 2e-5;
+            assert!((slope - carried.slopes[k]).norm() < 1e-4, "{k}");
+        }
+    }
+}

@@ -1,0 +1,304 @@
+//! A gyroscope that is another one from some turn on, and single turns that miss gravity where the others meet it.
+
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use sensor::Sensor;
+
+use super::change::{Change, Kind, Place};
+use super::turn::{Carried, Rates};
+use super::weigh::{Explanation, solved};
+use recording::averages::median;
+
+/// Elements of the matrix.
+const BASE: usize = 9;
+/// Fewest turns, and on either side of a change.
+const FEWEST: usize = 8;
+const SIDE: usize = 3;
+/// Passes of the linear fit about the last one, and of its weights.
+const PASSES: usize = 4;
+const WEIGHINGS: usize = 8;
+/// A turn is alone if it misses by so many times what most do, and by so much, rad ...
+const ALONE: f64 = 15.0;
+const LEAST: f64 = 5e-3;
+/// ... and if at most one in so many does.
+const ONE_IN: usize = 5;
+/// Misses below this are alike, squared, rad².
+const FLOOR: f64 = 1e-12;
+
+/// A turn between two static intervals.
+#[derive(Clone, Debug)]
+pub(super) struct Turning<'a> {
+    pub rates: Rates<'a>,
+    pub before: Vector3<f64>,
+    pub after: Vector3<f64>,
+    pub place: Place,
+}
+
+/// What changes in the course of the turns; `start` is about what carries the readings to rad/s.
+pub(super) fn changes(turns: &[Turning<'_>], start: &Matrix3<f64>) -> Vec<Change> {
+    if turns.len() < FEWEST {
+        return Vec::new();
+    }
+    let mut t = *start;
+    let mut carried = all_carried(turns, &t);
+    for _ in 0..PASSES {
+        let Some(step) = robust_step(&carried) else {
+            return Vec::new();
+        };
+        t += step;
+        carried = all_carried(turns, &t);
+    }
+    let n = turns.len();
+    let whole = sums_of(&carried, &t, n, false, &[]);
+    let Some(base) = whole.solution().map(|solution| whole.left(&solution)) else {
+        return Vec::new();
+    };
+    let floor = FLOOR * n as f64;
+    let changed = change(turns, &carried, &t, base);
+    let alone = alone(turns, &carried, &t, base);
+    let criterion = |e: &Explanation| e.criterion(2 * n, floor);
+    match (changed, alone) {
+        (Some((one, by)), Some((_, other))) if criterion(&by) < criterion(&other) => vec![one],
+        (Some((one, _)), None) => vec![one],
+        (_, Some((several, _))) => several,
+        (None, None) => Vec::new(),
+    }
+}
+
+/// Single turns that miss gravity where the others meet it, and single static intervals that they miss.
+fn alone(
+    turns: &[Turning<'_>],
+    carried: &[Carried],
+    t: &Matrix3<f64>,
+    base: f64,
+) -> Option<(Vec<Change>, Explanation)> {
+    let n = turns.len();
+    let angles: Vec<f64> = carried.iter().map(Carried::angle).collect();
+    let limit = (ALONE * median(angles.iter().copied())?).max(LEAST);
+    let outliers: Vec<usize> = (0..n).filter(|&k| angles[k] > limit).collect();
+    if outliers.is_empty() || outliers.len() > (n / ONE_IN).max(1) {
+        return None;
+    }
+    let mut sums = Sums::new(BASE);
+    for one in carried.iter().filter(|one| one.angle() <= limit) {
+        sums.add(one, &[], 1.0);
+    }
+    let explanation = Explanation {
+        left: sums.left(&sums.solution()?),
+        parameters: 2 * outliers.len(),
+    };
+    let holds = explanation.holds(base, 2 * n - BASE, n);
+    holds.then(|| (named(turns, carried, t, limit), explanation))
+}
+
+/// The turns that miss gravity by more than `limit`; two in a row that meet it together miss the static interval between them.
+fn named(turns: &[Turning<'_>], carried: &[Carried], t: &Matrix3<f64>, limit: f64) -> Vec<Change> {
+    let misses = |k: &usize| carried.get(*k).is_some_and(|one| one.angle() > limit);
+    let mut named = Vec::new();
+    let mut k = 0;
+    while k < turns.len() {
+        if misses(&k) {
+            let place = turns[k].place;
+            let rest = Some(k + 1).filter(misses).filter(|&next| {
+                let both = carried[k].miss + turns[k].rates.rotation(t) * carried[next].miss;
+                turns[next].place.after.0 == place.before.0 && both.norm() < limit
+            });
+            named.push(match rest {
+                Some(next) => Change {
+                    kind: Kind::Rest(carried[k].angle()),
+                    place: Place {
+                        after: place.before,
+                        before: turns[next].place.after,
+                    },
+                },
+                None => Change {
+                    kind: Kind::Turn(carried[k].angle()),
+                    place,
+                },
+            });
+            k += usize::from(rest.is_some());
+        }
+        k += 1;
+    }
+    named
+}
+
+fn all_carried(turns: &[Turning<'_>], t: &Matrix3<f64>) -> Vec<Carried> {
+    let carry = |turn: &Turning<'_>| turn.rates.carry(t, &turn.before, &turn.after);
+    turns.iter().map(carry).collect()
+}
+
+/// The step of the matrix that most turns agree on: weights `1 / (1 + (q / 3 s)²)`, `s` the median of the misses
+/// (Cauchy's, Holland & Welsch 1977).
+fn robust_step(carried: &[Carried]) -> Option<Matrix3<f64>> {
+    let mut step = DVector::zeros(BASE);
+    for _ in 0..WEIGHINGS {
+        let missed: Vec<f64> = carried.iter().map(|c| left(c, &step).norm()).collect();
+        let scale = 3.0 * median(missed.iter().copied())?.max(1e-9);
+        let mut sums = Sums::new(BASE);
+        for (one, q) in carried.iter().zip(&missed) {
+            sums.add(one, &[], 1.0 / (1.0 + (q / scale).powi(2)));
+        }
+        step = sums.solution()?;
+    }
+    Some(Matrix3::from_fn(|i, j| step[3 * i + j]))
+}
+
+fn left(carried: &Carried, step: &DVector<f64>) -> Vector3<f64> {
+    let moves = carried.slopes.iter().zip(step.iter());
+    moves.fold(carried.miss, |sum, (slope, s)| sum + slope * *s)
+}
+
+/// Normal equations of the misses.
+struct Sums {
+    normal: DMatrix<f64>,
+    right: DVector<f64>,
+    squares: f64,
+}
+
+impl Sums {
+    fn new(size: usize) -> Self {
+        Self {
+            normal: DMatrix::zeros(size, size),
+            right: DVector::zeros(size),
+            squares: 0.0,
+        }
+    }
+
+    fn add(&mut self, carried: &Carried, extra: &[Vector3<f64>], weight: f64) {
+        let columns: Vec<&Vector3<f64>> = carried.slopes.iter().chain(extra).collect();
+        for (i, one) in columns.iter().enumerate() {
+            self.right[i] -= weight * one.dot(&carried.miss);
+            for (j, other) in columns.iter().enumerate() {
+                self.normal[(i, j)] += weight * one.dot(other);
+            }
+        }
+        self.squares += weight * carried.miss.norm_squared();
+    }
+
+    fn solution(&self) -> Option<DVector<f64>> {
+        solved(&self.normal, &self.right, 0.0)
+    }
+
+    /// Sum of squares at the solution.
+    fn left(&self, solution: &DVector<f64>) -> f64 {
+        (self.squares - self.right.dot(solution)).max(0.0)
+    }
+}
+
+/// What may change: the readings become `(1 + Σ pᵢ Mᵢ)` times themselves.
+#[derive(Clone, Copy, Debug)]
+enum What {
+    Scale(usize),
+    AllScales,
+    Turned,
+}
+
+impl What {
+    const ALL: [Self; 5] = [
+        Self::Scale(0),
+        Self::Scale(1),
+        Self::Scale(2),
+        Self::AllScales,
+        Self::Turned,
+    ];
+
+    fn generators(self) -> Vec<Matrix3<f64>> {
+        match self {
+            Self::Scale(k) => {
+                let mut one = Matrix3::zeros();
+                one[(k, k)] = 1.0;
+                vec![one]
+            }
+            Self::AllScales => vec![Matrix3::identity()],
+            Self::Turned => {
+                let unit = |k| Vector3::ith(k, 1.0);
+                (0..3).map(|k| unit(k).cross_matrix()).collect()
+            }
+        }
+    }
+
+    /// What was done to the readings, where `p` undoes it.
+    fn kind(self, p: &[f64]) -> Kind {
+        let share = |p: f64| 1.0 / (1.0 + p) - 1.0;
+        let sensor = Sensor::Gyroscope;
+        match self {
+            Self::Scale(k) => Kind::Scale(sensor, Some(k), share(p[0])),
+            Self::AllScales => Kind::Scale(sensor, None, share(p[0])),
+            Self::Turned => Kind::Turned(sensor, Vector3::from_column_slice(p).norm()),
+        }
+    }
+}
+
+/// A change from a turn on; the turn itself may be mixed and is then left out.
+fn change(
+    turns: &[Turning<'_>],
+    carried: &[Carried],
+    t: &Matrix3<f64>,
+    base: f64,
+) -> Option<(Change, Explanation)> {
+    let n = turns.len();
+    let places: Vec<(usize, bool)> = (SIDE..=n.checked_sub(SIDE)?)
+        .flat_map(|at| [false, true].map(|mixed| (at, mixed)))
+        .filter(|&(at, mixed)| at + usize::from(mixed) + SIDE <= n)
+        .collect();
+    let count = places.len() * What::ALL.len();
+    // Against the base without a mixed turn: that one turn misses is no change of the others.
+    let with_base = places.into_iter().filter_map(|(at, mixed)| {
+        let without = || {
+            let sums = sums_of(carried, t, at, true, &[]);
+            Some((sums.left(&sums.solution()?), 2))
+        };
+        let (base, lost) = if mixed { without()? } else { (base, 0) };
+        Some((at, mixed, base, lost))
+    });
+    let tries = with_base.flat_map(|place| What::ALL.map(|what| (place, what)));
+    let holding = tries.filter_map(|((at, mixed, base, lost), what)| {
+        let generators = what.generators();
+        let sums = sums_of(carried, t, at, mixed, &generators);
+        let solution = sums.solution()?;
+        let mut explanation = Explanation {
+            left: sums.left(&solution),
+            parameters: generators.len(),
+        };
+        if !explanation.holds(base, 2 * n - BASE - lost, count) {
+            return None;
+        }
+        explanation.parameters += lost;
+        let place = Place {
+            after: turns[at - usize::from(!mixed)].place.after,
+            before: turns[at].place.before,
+        };
+        let kind = what.kind(&solution.as_slice()[BASE..]);
+        Some((Change { kind, place }, explanation))
+    });
+    let criterion = |e: &Explanation| e.criterion(2 * n, FLOOR * n as f64);
+    holding.min_by(|a, b| criterion(&a.1).total_cmp(&criterion(&b.1)))
+}
+
+/// The sums with a change by `generators` from turn `at` on.
+fn sums_of(
+    carried: &[Carried],
+    t: &Matrix3<f64>,
+    at: usize,
+    mixed: bool,
+    generators: &[Matrix3<f64>],
+) -> Sums {
+    let mut sums = Sums::new(BASE + generators.len());
+    let moved: Vec<Matrix3<f64>> = generators.iter().map(|m| t * m).collect();
+    for (k, one) in carried.iter().enumerate() {
+        if mixed && k == at {
+            continue;
+        }
+        let slope = |by: &Matrix3<f64>| -> Vector3<f64> {
+            let element = |i: usize| one.slopes[i] * by[(i / 3, i % 3)];
+            (0..BASE).map(element).sum()
+        };
+        let extra: Vec<Vector3<f64>> = if k >= at {
+            moved.iter().map(slope).collect()
+        } else {
+            vec![Vector3::zeros(); moved.len()]
+        };
+        sums.add(one, &extra, 1.0);
+    }
+    sums
+}

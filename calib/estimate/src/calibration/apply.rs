@@ -1,0 +1,185 @@
+//! `apply(raw)`: the whole definition of the corrected signal.
+
+use sensor::{Base, Quantity, Role, Sensor};
+
+use super::Calibration;
+use crate::methods::MULTIPLIERS;
+use crate::truth::{Models, Truth};
+use recording::Error;
+use recording::intervals::{Detector, Segmentation, StaticInterval, segment};
+use recording::watch::{Stage, step};
+use recording::{Recording, Stream};
+
+/// Readings between two looks at whether the work is to end.
+const BETWEEN_STEPS: usize = 1 << 12;
+
+/// A static interval shows gravity to within this share: more than effects and moved biases make of it.
+const AT_GRAVITY: f64 = 0.03;
+
+/// The corrected recording, each sensor on its own clock. A sensor that the calibration does not
+/// speak of stays raw, which a warning says.
+///
+/// Where effects look at static intervals these are detected.
+///
+/// # Errors
+/// [`Error::NotEnough`] where an effect needs what cannot be known of this recording; it names both.
+pub fn apply(calibration: &Calibration, recording: &Recording) -> Result<Recording, Error> {
+    apply_with(calibration, recording, None)
+}
+
+/// [`apply`] with static intervals that are known already.
+///
+/// # Errors
+/// As [`apply`].
+pub fn apply_with(
+    calibration: &Calibration,
+    recording: &Recording,
+    intervals: Option<&Segmentation>,
+) -> Result<Recording, Error> {
+    calibration.knows_its_effects()?;
+    let doubt = belongs_to(calibration, recording)?;
+    let models = Models::of(calibration);
+    let found = match intervals {
+        None if looks_at_intervals(&models) => intervals_of(calibration, recording)?,
+        _ => None,
+    };
+    let truth = Truth::of(recording, intervals.or(found.as_ref()), models.clone())?;
+    let mut corrected = recording.clone();
+    corrected.warnings.extend(doubt);
+    if let (Some(field), true) = (
+        &mut corrected.magnetometer,
+        calibration.magnetometer.is_some(),
+    ) {
+        field.convert_to_microtesla();
+        let own = calibration.magnetic_field.as_ref();
+        if own.is_some_and(|own| (own.unit == "uT") != field.unit.is_some()) {
+            corrected.warnings.push(
+                "the unit of the magnetometer is known in this recording or in those of the calibration, not in both: it is \
+                 corrected as if it were the same"
+                    .into(),
+            );
+        }
+    }
+    for sensor in Sensor::ALL {
+        let Some(stream) = corrected.stream_mut(sensor) else {
+            continue;
+        };
+        match models.get(sensor) {
+            Some(sensing) if sensing.model.effects().is_empty() => {
+                let base = Base::from_parameters(&sensing.parameters);
+                stream.values.iter_mut().for_each(|v| *v = base.correct(v));
+            }
+            Some(_) => correct(stream, sensor, &truth, &models)?,
+            None => corrected.warnings.push(format!(
+                "the calibration has no {}: its readings are left as they are",
+                sensor.name()
+            )),
+        }
+    }
+    Ok(corrected)
+}
+
+fn correct(
+    stream: &mut Stream,
+    sensor: Sensor,
+    truth: &Truth<'_>,
+    models: &Models,
+) -> Result<(), Error> {
+    let Some(sensing) = models.get(sensor) else {
+        return Ok(());
+    };
+    for (k, (t, value)) in stream.t.iter().zip(&mut stream.values).enumerate() {
+        if k % BETWEEN_STEPS == 0 {
+            step(Stage::Correcting)?;
+        }
+        *value = sensing.correct(value, &truth.at(*t));
+    }
+    Ok(())
+}
+
+/// Refuses effects with an instant or a heading of another recording. What to say where the calibration does not tell
+/// from which recordings it is.
+fn belongs_to(calibration: &Calibration, recording: &Recording) -> Result<Option<String>, Error> {
+    let mut own = Vec::new();
+    for values in &calibration.effects {
+        let effect = values.effect().map_err(Error::Input)?;
+        for (param, value) in effect.params().iter().zip(&values.parameters) {
+            let bound = match param.role {
+                Role::Instant => true,
+                Role::Reference => value.value != 0.0,
+                Role::Coefficient | Role::Shape | Role::TimeConstant => false,
+            };
+            if bound {
+                own.push((effect.name(), param, value.value));
+            }
+        }
+    }
+    let Some((effect, param, value)) = own.first().copied() else {
+        return Ok(None);
+    };
+    let (name, made_from) = (&recording.name, calibration.was_made_from(recording));
+    let inputs = calibration.provenance.inputs.iter();
+    let inputs: Vec<&str> = inputs.map(|input| input.recording.as_str()).collect();
+    let inputs = inputs.join(", ");
+    match (made_from, param.role) {
+        (Some(true), _) => Ok(None),
+        (None, _) => Ok(Some(format!(
+            "the calibration does not say which recordings it is from; its effect {effect} holds in those only ({} = \
+             {value})",
+            param.name
+        ))),
+        (Some(false), Role::Instant) => Err(Error::NotEnough(format!(
+            "{name}: the effect {effect} needs the time since the start of the recording that its {} = {value:.1} s was \
+             found in ({inputs}); what that is here cannot be known: calibrate with recordings from one side of the \
+             instant only",
+            param.name
+        ))),
+        (Some(false), _) => Err(Error::NotEnough(format!(
+            "{name}: the effect {effect} needs the attitude, which cannot be known: its {} is against the heading of \
+             another recording ({inputs}); calibrate with --method joint --latitude instead, which keeps it out of the \
+             calibration",
+            param.name
+        ))),
+    }
+}
+
+/// Whether an effect looks at what only static intervals tell.
+fn looks_at_intervals(models: &Models) -> bool {
+    let mut needs = models.effects().flat_map(|effect| effect.needs());
+    needs.any(Quantity::is_told_by_intervals)
+}
+
+/// The static intervals of a recording; none where it shows none.
+///
+/// Those of the multiplier with the most intervals in which the corrected norm is gravity: a table that vibrates is still
+/// a place of rest, and a multiplier chosen by the smallest residual would leave it out.
+fn intervals_of(
+    calibration: &Calibration,
+    recording: &Recording,
+) -> Result<Option<Segmentation>, Error> {
+    let Some(triad) = calibration.triad(Sensor::Accelerometer) else {
+        return Ok(None);
+    };
+    let (base, gravity) = (triad.base(), calibration.gravity);
+    let at_gravity = |rest: &&StaticInterval| {
+        let norm = rest.accelerometer.map(|m| base.correct(&m.mean).norm());
+        norm.is_some_and(|norm| (norm / gravity - 1.0).abs() < AT_GRAVITY)
+    };
+    let mut best: Option<(usize, Segmentation)> = None;
+    for multiplier in MULTIPLIERS {
+        let detector = Detector {
+            multiplier,
+            ..Detector::default()
+        };
+        let found = match segment(recording, &detector) {
+            Ok(found) => found,
+            Err(Error::NotEnough(_)) => continue,
+            Err(other) => return Err(other),
+        };
+        let count = found.statics.iter().filter(at_gravity).count();
+        if best.as_ref().is_none_or(|(most, _)| count > *most) {
+            best = Some((count, found));
+        }
+    }
+    Ok(best.map(|(_, found)| found))
+}

@@ -1,0 +1,244 @@
+//! Reading `cal.json` back, and refusing one that cannot be used.
+
+use std::path::Path;
+
+use sensor::AnyEffect;
+
+use super::{Calibration, Outside, SCHEMA, Triad};
+use recording::Error;
+use recording::figure;
+use recording::shown::{shown, shown_path};
+
+/// Largest ratio of the singular values of `T`: sensitivities of one chip differ by a tenth, units of its axes not at all.
+const MOST_UNEQUAL: f64 = 10.0;
+
+/// Largest bias that is believed of readings in SI units, and of counts, m/s²: twice gravity, and twice what 200 g are.
+const LARGEST_FORCE: [f64; 2] = [20.0, 4000.0];
+
+/// The same of rates, rad/s: more than a quarter turn a second, and twice what 4000 °/s are.
+const LARGEST_RATE: [f64; 2] = [2.0, 140.0];
+
+/// The schema of findings.json, which contains a calibration.
+pub const FINDINGS_SCHEMA: &str = "stillpoint.findings/1";
+
+/// Reads a calibration file; findings serve as the calibration that they contain.
+///
+/// # Errors
+/// An unreadable file, one that is no calibration of this schema, and one whose numbers cannot be
+/// used (a matrix without inverse, an unknown effect); the message names the entry.
+pub fn load(path: &Path) -> Result<Calibration, Error> {
+    load_with(path, &[])
+}
+
+/// [`load`] for files with effects of other crates: `outside` are those, found by their names.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_with(path: &Path, outside: &[&'static dyn AnyEffect]) -> Result<Calibration, Error> {
+    read_calibration(&recording::read_text(path)?, path, outside)
+}
+
+/// [`load_with`] of a text that was read; `path` is what messages call it.
+///
+/// # Errors
+/// As [`load`].
+pub fn read_calibration(
+    text: &str,
+    path: &Path,
+    outside: &[&'static dyn AnyEffect],
+) -> Result<Calibration, Error> {
+    refuse_newer(path, text, SCHEMA)?;
+    refuse_newer(path, text, FINDINGS_SCHEMA)?;
+    let text = within_findings(text.to_owned());
+    parse(&text, outside).map_err(|what| Error::Input(format!("{}:{what}", shown_path(path))))
+}
+
+/// The calibration that findings contain; the text itself of anything else.
+fn within_findings(text: String) -> String {
+    let Ok(mut whole) = serde_json::from_str::<serde_json::Value>(&text) else {
+        return text;
+    };
+    let schema = whole.get("schema").and_then(|s| s.as_str());
+    if schema != Some(FINDINGS_SCHEMA) {
+        return text;
+    }
+    let own = whole.get_mut("calibration").map(serde_json::Value::take);
+    own.map_or(text, |calibration| calibration.to_string())
+}
+
+/// Refuses a file of a version of `schema` that this program is too old for: another program is to be called.
+///
+/// # Errors
+/// [`Error::Usage`] with both versions.
+pub fn refuse_newer(path: &Path, text: &str, schema: &str) -> Result<(), Error> {
+    #[derive(serde::Deserialize)]
+    struct Tag {
+        schema: String,
+    }
+    let version = |schema: &str| {
+        let (name, version) = schema.rsplit_once('/')?;
+        Some((name.to_owned(), version.parse::<u32>().ok()?))
+    };
+    let found = serde_json::from_str::<Tag>(text)
+        .map(|tag| tag.schema)
+        .unwrap_or_default();
+    match (version(&found), version(schema)) {
+        (Some((name, new)), Some((own, known))) if name == own && new > known => {
+            Err(Error::Usage(format!(
+                "{}: written as {} by a newer version; this one reads {schema}; use the newer one, or write the file again \
+                 with this one",
+                shown_path(path),
+                shown(&found)
+            )))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The calibration in `text`; the error begins with its place.
+fn parse(text: &str, outside: &[&'static dyn AnyEffect]) -> Result<Calibration, String> {
+    let any: serde_json::Value = serde_json::from_str(text).map_err(|e| {
+        let other = !text.trim_start().starts_with('{');
+        let swapped = if other {
+            "; is this a recording, the two files swapped?"
+        } else {
+            ""
+        };
+        format!(
+            "{}:{}: no JSON: {}{swapped}",
+            e.line(),
+            e.column(),
+            shown(&e.to_string())
+        )
+    })?;
+    match any.get("schema").and_then(|s| s.as_str()) {
+        Some(SCHEMA) => {}
+        Some(other) => {
+            return Err(format!(
+                " schema \"{}\" found, \"{SCHEMA}\" expected: was it written by `calibrate` of \
+                 another version?",
+                shown(other)
+            ));
+        }
+        None => {
+            return Err(format!(
+                " no \"schema\" entry: not a calibration (\"{SCHEMA}\")"
+            ));
+        }
+    }
+    let mut calibration: Calibration = serde_json::from_str(text).map_err(|e| {
+        let what = shown(&e.to_string());
+        format!("{}:{}: {what}", e.line(), e.column())
+    })?;
+    for values in &mut calibration.effects {
+        let own = outside.iter().find(|effect| effect.name() == values.name);
+        values.outside = own.map(|effect| Outside(*effect));
+    }
+    check(&calibration)?;
+    Ok(calibration)
+}
+
+fn check(calibration: &Calibration) -> Result<(), String> {
+    let triads = [
+        ("accelerometer", &calibration.accelerometer, "a = "),
+        ("gyroscope", &calibration.gyroscope, "w = "),
+        ("magnetometer", &calibration.magnetometer, "m = "),
+    ];
+    for (name, triad, equation) in triads {
+        let Some(triad) = triad else { continue };
+        if !triad.model.starts_with(equation) {
+            return Err(format!(
+                " {name}.model: \"{}\" found, \"{equation}…\" expected: are the two sensors swapped?",
+                shown(&triad.model)
+            ));
+        }
+        let base = triad.base();
+        let size = base.t.norm();
+        if base.t.determinant().abs() <= 1e-9 * size.powi(3) {
+            return Err(format!(
+                " {name}.T: the matrix has no inverse; calibrate again"
+            ));
+        }
+        // What `calibrate` wrote is as it is; its gates say what is wrong with it.
+        if calibration.was_edited() != Some(false) {
+            absurd(name, triad)?;
+        }
+    }
+    let gravity = calibration.gravity;
+    if !(1.0..100.0).contains(&gravity) {
+        let found = figure(gravity);
+        return Err(format!(
+            " gravity: {found} found, m/s² expected, such as 9.80665"
+        ));
+    }
+    let (names, rows) = (calibration.parameters.len(), &calibration.covariance);
+    let is_square = rows.len() == names && rows.iter().all(|row| row.len() == names);
+    if !is_square && !rows.is_empty() {
+        return Err(format!(
+            " covariance: {} rows found, {names} × {names} numbers expected, as many as parameters",
+            rows.len()
+        ));
+    }
+    for values in &calibration.effects {
+        let effect = values.effect().map_err(|what| {
+            format!(
+                " effects: \"{}\" {}",
+                shown(&values.name),
+                shown(&what.to_string())
+            )
+        })?;
+        let (expected, found) = (effect.params().len(), values.parameters.len());
+        if expected != found {
+            return Err(format!(
+                " effects.{}: {found} parameters found, {expected} expected",
+                values.name
+            ));
+        }
+        let pairs = effect.params().iter().zip(&values.parameters).enumerate();
+        for (k, (expected, found)) in pairs {
+            if expected.name != found.name {
+                return Err(format!(
+                    " effects.{}.parameters.{k}: \"{}\" found, \"{}\" expected",
+                    values.name, found.name, expected.name
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Refuses numbers that no device has.
+fn absurd(name: &str, triad: &Triad) -> Result<(), String> {
+    let base = triad.base();
+    let sizes = base.t.singular_values();
+    let (largest, least) = (sizes.max(), sizes.min());
+    if largest > MOST_UNEQUAL * least {
+        return Err(format!(
+            " {name}.T: one direction is amplified {:.0} times more than another: no sensor's axes are so; was the file edited?",
+            largest / least
+        ));
+    }
+    let scale = base.scale();
+    let (range, unit) = match name {
+        "accelerometer" => (LARGEST_FORCE, "m/s²"),
+        "gyroscope" => (LARGEST_RATE, "rad/s"),
+        // Hard iron may be far stronger than the field, and readings are in any unit.
+        _ => return Ok(()),
+    };
+    // Counts may lie around any zero.
+    let most = if (0.5..2.0).contains(&scale) {
+        range[0]
+    } else {
+        range[1]
+    };
+    let offset = (base.t * base.bias).norm();
+    if offset > most || !offset.is_finite() {
+        return Err(format!(
+            " {name}.bias: {} found, which is {} {unit} at a reading of zero and no sensor's: was the file edited, or is it of \
+             another sensor?",
+            figure(base.bias.norm()),
+            figure(offset)
+        ));
+    }
+    Ok(())
+}

@@ -1,0 +1,315 @@
+//! What a calibration was made from: recordings, options, conventions.
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use super::Calibration;
+use crate::calibrate::{Frame, GyroBias, Instant, Method, Request};
+use crate::methods::joint::ClockMode;
+use crate::residuals::Integrator;
+use recording::intervals::{Moments, Segmentation, StaticInterval};
+use recording::{Recording, Stream};
+
+/// The sign convention of every calibration: `sign_convention` in the file.
+pub const SIGN_CONVENTION: &str = "specific force: +g on the axis that points up at rest; angular rate: right-handed about each axis";
+
+/// Where a calibration comes from; part of the file's top level.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Provenance {
+    /// Version of the program that wrote the file.
+    pub version: String,
+    /// [`SIGN_CONVENTION`].
+    pub sign_convention: String,
+    /// The recordings; empty in files of versions that did not write them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub inputs: Vec<Input>,
+    /// How it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub options: Option<Options>,
+    /// SHA-256 of what corrects a reading, as it was written ([`Calibration::seal`]): another one shows an edit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub numbers_sha256: Option<String>,
+}
+
+impl Provenance {
+    /// Of these recordings.
+    pub fn of(inputs: Vec<Input>, options: Option<Options>) -> Self {
+        Self {
+            version: env!("CARGO_PKG_VERSION").into(),
+            sign_convention: SIGN_CONVENTION.into(),
+            inputs,
+            options,
+            numbers_sha256: None,
+        }
+    }
+}
+
+/// One recording that a calibration was made from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Input {
+    /// The recording, as the user named it.
+    pub recording: String,
+    /// SHA-256 of its samples ([`fingerprint`]): the same for the same samples in another file or format.
+    pub samples_sha256: String,
+    /// The time that effects of time count from: the first stamp, s on the recording's clock.
+    pub time_zero: f64,
+    /// The last stamp, s.
+    pub end: f64,
+    /// The accelerometer.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accelerometer: Option<SensorInput>,
+    /// The gyroscope.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gyroscope: Option<SensorInput>,
+    /// The thermometer.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub temperature: Option<TemperatureInput>,
+}
+
+/// The samples of one sensor.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SensorInput {
+    /// Number of samples.
+    pub samples: usize,
+    /// Samples per second by the median step, Hz.
+    pub rate: Option<f64>,
+    /// Unit of the readings: `m/s^2`, `rad/s`, or `raw` where `T` carries another unit to these.
+    pub unit: String,
+    /// White noise density by the scatter within the static intervals, SI units per √Hz, root mean square over the axes.
+    pub noise_density: Option<f64>,
+}
+
+/// The range of temperature, °C.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TemperatureInput {
+    /// Number of samples.
+    pub samples: usize,
+    /// The lowest.
+    pub least: f64,
+    /// The highest.
+    pub greatest: f64,
+    /// The mean.
+    pub mean: f64,
+}
+
+/// How a calibration was asked for.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Options {
+    /// `stepwise`, `joint` or `six-position`.
+    pub method: String,
+    /// `triangular` or `symmetric`.
+    pub frame: String,
+    /// `exponential`, `first-order-normalized` or `first-order`.
+    pub integrator: String,
+    /// `adjacent` or `initial`.
+    pub gyro_bias: String,
+    /// `auto`, `stamps` or `even`.
+    pub clock: String,
+    /// The detector's multiplier in each recording.
+    pub multipliers: Vec<f64>,
+    /// Shortest static interval asked for, s.
+    pub min_static: f64,
+    /// Whether static intervals were given by hand.
+    pub sections: bool,
+    /// Static intervals that were left out, each by an instant within it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<Instant>,
+    /// Effects that were asked for.
+    pub effects: Vec<String>,
+    /// Latitude, °.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub latitude: Option<f64>,
+    /// Step between samples that was assumed instead of the stamps, s.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub nominal_step: Option<f64>,
+    /// Whether the recordings were taken to be of one device even where they disagree.
+    pub force_device: bool,
+}
+
+/// SHA-256 of the samples in hexadecimal: for accelerometer, gyroscope and temperature the number of samples (64 bits),
+/// then `t` and the values of each, all as little-endian `f64`.
+pub fn fingerprint(recording: &Recording) -> String {
+    let mut hash = Sha256::new();
+    for stream in [&recording.accelerometer, &recording.gyroscope] {
+        let (t, values): (&[f64], &[_]) = match stream {
+            Some(stream) => (&stream.t, &stream.values),
+            None => (&[], &[]),
+        };
+        hash.update((t.len() as u64).to_le_bytes());
+        for (t, value) in t.iter().zip(values) {
+            let row = [*t, value.x, value.y, value.z].map(f64::to_le_bytes);
+            hash.update(row.concat());
+        }
+    }
+    let (t, celsius): (&[f64], &[f64]) = match &recording.temperature {
+        Some(temperature) => (&temperature.t, &temperature.celsius),
+        None => (&[], &[]),
+    };
+    hash.update((t.len() as u64).to_le_bytes());
+    for row in t.iter().zip(celsius) {
+        hash.update([row.0.to_le_bytes(), row.1.to_le_bytes()].concat());
+    }
+    hexadecimal(&hash.finalize())
+}
+
+impl Input {
+    /// Of a recording, with the static intervals that were found in it; `scales` are SI units per unit of its
+    /// accelerometer and gyroscope.
+    pub fn of(
+        recording: &Recording,
+        intervals: Option<&Segmentation>,
+        scales: [Option<f64>; 2],
+    ) -> Self {
+        let streams = [&recording.accelerometer, &recording.gyroscope];
+        let last = streams.into_iter().flatten().filter_map(|s| s.t.last());
+        type Of = fn(&StaticInterval) -> Option<Moments>;
+        let sensor = |stream: &Option<Stream>, unit: &str, scale: Option<f64>, of: Of| {
+            let stream = stream.as_ref()?;
+            let si = scale.is_none_or(|s| (0.5..2.0).contains(&s));
+            Some(SensorInput {
+                samples: stream.len(),
+                rate: stream.median_step().map(f64::recip),
+                unit: if si { unit } else { "raw" }.into(),
+                noise_density: noise_density(stream, intervals, of)
+                    .map(|n| n * scale.unwrap_or(1.0)),
+            })
+        };
+        let [force, rate] = scales;
+        Self {
+            recording: recording.name.clone(),
+            samples_sha256: fingerprint(recording),
+            time_zero: recording.start(),
+            end: last.copied().fold(f64::NEG_INFINITY, f64::max),
+            accelerometer: sensor(&recording.accelerometer, "m/s^2", force, |r| {
+                r.accelerometer
+            }),
+            gyroscope: sensor(&recording.gyroscope, "rad/s", rate, |r| r.gyroscope),
+            temperature: recording.temperature.as_ref().and_then(|temperature| {
+                let all = &temperature.celsius;
+                (!all.is_empty()).then(|| TemperatureInput {
+                    samples: all.len(),
+                    least: all.iter().copied().fold(f64::INFINITY, f64::min),
+                    greatest: all.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+                    mean: all.iter().sum::<f64>() / all.len() as f64,
+                })
+            }),
+        }
+    }
+}
+
+/// Root of the variance of a sample times the step, by the static intervals; `None` without any.
+fn noise_density(
+    stream: &Stream,
+    intervals: Option<&Segmentation>,
+    of: fn(&StaticInterval) -> Option<Moments>,
+) -> Option<f64> {
+    let moments: Vec<Moments> = intervals?.statics.iter().filter_map(of).collect();
+    let freedom: f64 = moments.iter().map(|m| m.count as f64 - 1.0).sum();
+    let squares = |m: &Moments| m.covariance.trace() / 3.0 * (m.count as f64 - 1.0);
+    let sum: f64 = moments.iter().map(squares).sum();
+    let density = (sum / freedom * stream.median_step()?).sqrt();
+    (freedom > 0.0 && density.is_finite()).then_some(density)
+}
+
+impl Calibration {
+    /// Writes down the hash of gravity, both sensors and the effects.
+    pub fn seal(&mut self) {
+        self.provenance.numbers_sha256 = self.numbers();
+    }
+
+    /// Whether gravity, a sensor or an effect is not as it was written; `None` where no hash was.
+    pub fn was_edited(&self) -> Option<bool> {
+        let sealed = self.provenance.numbers_sha256.as_ref()?;
+        Some(Some(sealed) != self.numbers().as_ref())
+    }
+
+    fn numbers(&self) -> Option<String> {
+        let all = (
+            self.gravity,
+            &self.accelerometer,
+            &self.gyroscope,
+            &self.effects,
+        );
+        let mut text = serde_json::to_string(&all).ok()?;
+        if let Some(magnetometer) = &self.magnetometer {
+            text += &serde_json::to_string(magnetometer).ok()?;
+        }
+        Some(hexadecimal(&Sha256::digest(text)))
+    }
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+impl Options {
+    /// Of a request and the multipliers that were chosen.
+    pub fn of(request: &Request, multipliers: Vec<f64>) -> Self {
+        let method = match request.method {
+            Method::Stepwise => "stepwise",
+            Method::Joint => "joint",
+        };
+        let frame = match request.frame {
+            Frame::Triangular => "triangular",
+            Frame::Symmetric => "symmetric",
+        };
+        let integrator = match request.integrator {
+            Integrator::Exponential => "exponential",
+            Integrator::FirstOrderNormalized => "first-order-normalized",
+            Integrator::FirstOrder => "first-order",
+        };
+        let gyro_bias = match request.gyro_bias {
+            GyroBias::Adjacent => "adjacent",
+            GyroBias::Initial => "initial",
+        };
+        let clock = match request.clock {
+            ClockMode::Auto => "auto",
+            ClockMode::Stamps => "stamps",
+            ClockMode::Even => "even",
+        };
+        Self {
+            method: method.into(),
+            frame: frame.into(),
+            integrator: integrator.into(),
+            gyro_bias: gyro_bias.into(),
+            clock: clock.into(),
+            multipliers,
+            min_static: request.detector.min_static,
+            sections: request.sections.iter().any(|spans| !spans.is_empty()),
+            left_out: request.left_out.clone(),
+            effects: request.effects.iter().map(|e| e.name().into()).collect(),
+            latitude: request.latitude,
+            nominal_step: request.nominal_step,
+            force_device: request.force_device,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector3;
+
+    fn recording(z: f64) -> Recording {
+        Recording {
+            name: "a".into(),
+            accelerometer: Some(Stream {
+                t: vec![0.0, 0.01],
+                values: vec![Vector3::new(0.0, 0.0, z); 2],
+            }),
+            ..Recording::default()
+        }
+    }
+
+    #[test]
+    fn the_fingerprint_is_of_the_samples_and_not_of_the_name() {
+        let mut renamed = recording(9.8);
+        renamed.name = "b".into();
+        assert_eq!(fingerprint(&recording(9.8)), fingerprint(&renamed));
+        assert_ne!(fingerprint(&recording(9.8)), fingerprint(&recording(9.9)));
+        // Three counts of zero: SHA-256 of 24 zero bytes, by coreutils' sha256sum.
+        let empty = "9d908ecfb6b256def8b49a7c504e6c889c4b0e41fe6ce3e01863dd7b61a20aa0";
+        assert_eq!(fingerprint(&Recording::default()), empty);
+    }
+}

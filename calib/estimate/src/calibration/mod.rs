@@ -1,0 +1,330 @@
+//! The result: `cal.json`, and what it says of a raw reading.
+
+mod apply;
+mod check;
+mod clock;
+mod doubts;
+mod frame;
+mod gravity;
+mod inputs;
+mod left_out;
+mod magnetic_field;
+mod misfit;
+mod outside;
+mod reading_unit;
+mod units;
+mod values;
+
+pub use apply::{apply, apply_with};
+pub use check::FINDINGS_SCHEMA;
+pub use check::refuse_newer;
+pub use check::{load, load_with, read_calibration};
+pub use clock::{BetweenSamples, RecordingClock};
+pub use doubts::doubts;
+pub use effects::{catalogue, effect_named};
+pub use frame::in_symmetric_frame;
+pub use inputs::{
+    Input, Options, Provenance, SIGN_CONVENTION, SensorInput, TemperatureInput, fingerprint,
+};
+pub use left_out::{Enlarged, LeftOut};
+pub use magnetic_field::{MagneticField, RecordingField};
+pub use misfit::{Remainder, WITH_WALKS, WITHOUT_WALKS};
+pub use outside::Outside;
+pub use reading_unit::TriadUnits;
+pub use units::check_units;
+
+use nalgebra::{Matrix3, Vector3};
+use sensor::{AnyEffect, Base, Definition, Model, Sensor};
+use serde::{Deserialize, Serialize};
+
+use crate::gravity::GravitySource;
+use crate::limits::LimitLine;
+use crate::prior::PriorUse;
+use recording::Error;
+use recording::Recording;
+use recording::intervals::Segmentation;
+
+/// The schema this version writes.
+pub const SCHEMA: &str = "stillpoint.calibration/1";
+
+/// A calibration of one device, as written to `cal.json`. SI units unless the readings are raw
+/// counts: then `T` is SI units per count and `bias` is in counts.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Calibration {
+    /// [`SCHEMA`].
+    pub schema: String,
+    /// Program and version.
+    pub created_by: String,
+    /// Local gravity used, m/s².
+    pub gravity: f64,
+    /// Where that comes from.
+    #[serde(default)]
+    pub gravity_source: GravitySource,
+    /// `stepwise`, `six-position` or `joint`.
+    pub method: String,
+    /// The accelerometer.
+    pub accelerometer: Option<Triad>,
+    /// The gyroscope.
+    pub gyroscope: Option<Triad>,
+    /// The magnetometer.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub magnetometer: Option<Triad>,
+    /// The field in which it was calibrated.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub magnetic_field: Option<MagneticField>,
+    /// Effects on top of the base models.
+    pub effects: Vec<EffectValues>,
+    /// Names in the order of the covariance.
+    pub parameters: Vec<String>,
+    /// Covariance of `parameters`.
+    pub covariance: Vec<Vec<f64>>,
+    /// What the data leave, before any error is enlarged.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub misfit: Vec<Remainder>,
+    /// Effects that the model leaves out, and how much less certain each would make a parameter.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub left_out: Vec<LeftOut>,
+    /// What the user should know.
+    pub warnings: Vec<String>,
+    /// Reasons not to use the calibration as it stands.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub failed_gates: Vec<String>,
+    /// Limits that were judged, with their values.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub limits: Vec<LimitLine>,
+    /// What a prior of the device's type gave.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub prior: Option<PriorUse>,
+    /// By which clock the turns of each recording were integrated.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub clocks: Vec<RecordingClock>,
+    /// Biases estimated again since, oldest first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub history: Vec<BiasUpdate>,
+    /// Recordings, options and conventions.
+    #[serde(flatten)]
+    pub provenance: Provenance,
+}
+
+/// A bias estimated again with everything else kept.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BiasUpdate {
+    /// `accel` or `gyro`.
+    pub sensor: String,
+    /// The recording it was estimated on.
+    pub recording: String,
+    /// Rests used.
+    pub rests: usize,
+    /// The bias before.
+    pub bias_before: [f64; 3],
+    /// The bias since.
+    pub bias: [f64; 3],
+}
+
+/// The base model of one sensor and how well it is known.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Triad {
+    /// The equation.
+    pub model: String,
+    /// Scale factors and misalignments (3 × 3, rows).
+    #[serde(rename = "T")]
+    pub t: [[f64; 3]; 3],
+    /// Bias; of the last recording where each has its own.
+    pub bias: [f64; 3],
+    /// Standard errors of `T`; null where the element was held fixed.
+    #[serde(rename = "T_std")]
+    pub t_std: [[Option<f64>; 3]; 3],
+    /// Standard errors of the bias.
+    pub bias_std: [Option<f64>; 3],
+    /// For which time the bias holds, and how much it moved; of the last recording where each has its own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bias_time: Option<BiasTime>,
+    /// Root mean square of the residuals: m/s² of gravity's modulus, or degrees of its direction.
+    pub residual_rms: f64,
+    /// Residual over what the noise within the intervals allows, squared, per degree of freedom.
+    pub reduced_chi2: Option<f64>,
+    /// Static intervals used.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub static_intervals: Option<usize>,
+    /// Turns used.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dynamic_intervals: Option<usize>,
+    /// Rank of the Jacobian.
+    pub rank: usize,
+    /// Its condition number, with unit columns.
+    pub condition: f64,
+    /// Combinations of parameters that the data cannot see.
+    pub unobservable: Vec<String>,
+    /// Units of the readings, of `T` and of `bias`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub units: Option<TriadUnits>,
+    /// Biases by recording, where there are several.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub recordings: Vec<RecordingBias>,
+}
+
+/// For which time a bias holds.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BiasTime {
+    /// `mean over the static intervals`: what `bias` is.
+    pub holds: String,
+    /// Begin of the first static interval, s, on the recording's clock.
+    pub from: f64,
+    /// End of the last, s.
+    pub to: f64,
+    /// The bias at the begin, if it moved evenly.
+    pub start: [f64; 3],
+    /// The bias at the end, if it moved evenly.
+    pub end: [f64; 3],
+    /// Change from begin to end.
+    pub change: [f64; 3],
+    /// Its standard errors, walks of the bias counted as noise.
+    pub change_std: [f64; 3],
+}
+
+/// The bias of one recording of several.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RecordingBias {
+    /// The recording, as the user named it.
+    pub recording: String,
+    /// Its bias.
+    pub bias: [f64; 3],
+    /// Standard errors.
+    pub bias_std: [Option<f64>; 3],
+}
+
+/// An effect and its parameters.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct EffectValues {
+    /// Name in the catalogue, or of `definition`.
+    pub name: String,
+    /// The text of an effect that is not in the catalogue.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub definition: Option<Definition>,
+    /// Its parameters, in order.
+    pub parameters: Vec<EffectParameter>,
+    /// The effect itself, where it is compiled and in no catalogue of this program.
+    #[serde(skip)]
+    pub outside: Option<Outside>,
+}
+
+/// One parameter of an effect.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct EffectParameter {
+    /// Name within the effect.
+    pub name: String,
+    /// Value.
+    pub value: f64,
+    /// Standard error.
+    pub std: Option<f64>,
+    /// Unit.
+    pub unit: String,
+}
+
+impl EffectValues {
+    /// The effect: that of its definition, or of its name in the catalogue.
+    ///
+    /// # Errors
+    /// What is wrong with the definition, or that there is no such effect, in words.
+    pub fn effect(&self) -> Result<&'static dyn AnyEffect, String> {
+        match &self.definition {
+            Some(definition) if definition.name != self.name => {
+                Err(format!("its definition is of \"{}\"", definition.name))
+            }
+            Some(definition) => {
+                let effect = definition.effect();
+                effect.map_err(|e| format!("definition.{e}"))
+            }
+            None => effect_named(&self.name)
+                .or(self.outside.map(|outside| outside.0))
+                .ok_or_else(|| "is not in the catalogue (`stillpoint effects`)".to_owned()),
+        }
+    }
+}
+
+impl Triad {
+    /// The base model.
+    pub fn base(&self) -> Base<f64> {
+        Base {
+            t: Matrix3::from_fn(|i, j| self.t[i][j]),
+            bias: Vector3::from(self.bias),
+        }
+    }
+}
+
+impl Calibration {
+    /// Writes down what it was made from.
+    pub fn state_inputs<'a>(
+        &mut self,
+        recordings: impl IntoIterator<Item = (&'a Recording, Option<&'a Segmentation>)>,
+        options: Option<Options>,
+    ) {
+        let scale = |triad: &Option<Triad>| Some(triad.as_ref()?.base().scale());
+        let scales = [scale(&self.accelerometer), scale(&self.gyroscope)];
+        let inputs = recordings.into_iter();
+        let inputs = inputs.map(|(r, intervals)| Input::of(r, intervals, scales));
+        self.provenance = Provenance::of(inputs.collect(), options);
+        self.state_units();
+        self.seal();
+    }
+
+    /// Whether it was made from this recording among others; `None` where the file does not say from what.
+    pub fn was_made_from(&self, recording: &Recording) -> Option<bool> {
+        let inputs = &self.provenance.inputs;
+        let own = || fingerprint(recording);
+        (!inputs.is_empty()).then(|| {
+            let own = own();
+            inputs.iter().any(|input| input.samples_sha256 == own)
+        })
+    }
+
+    /// The triad of a sensor.
+    pub fn triad(&self, sensor: Sensor) -> Option<&Triad> {
+        match sensor {
+            Sensor::Accelerometer => self.accelerometer.as_ref(),
+            Sensor::Gyroscope => self.gyroscope.as_ref(),
+            Sensor::Magnetometer => self.magnetometer.as_ref(),
+        }
+    }
+
+    /// The triad of a sensor, to be changed.
+    pub(crate) fn triad_mut(&mut self, sensor: Sensor) -> Option<&mut Triad> {
+        match sensor {
+            Sensor::Accelerometer => self.accelerometer.as_mut(),
+            Sensor::Gyroscope => self.gyroscope.as_mut(),
+            Sensor::Magnetometer => self.magnetometer.as_mut(),
+        }
+    }
+
+    /// Refuses effects that nobody here knows: the corrected signal would lack them.
+    ///
+    /// # Errors
+    /// [`Error::NotEnough`] with the effect's name.
+    pub fn knows_its_effects(&self) -> Result<(), Error> {
+        self.effects.iter().try_for_each(|values| {
+            let known = values.effect().map(|_| ());
+            known.map_err(|what| {
+                Error::NotEnough(format!(
+                    "the calibration has the effect {} and what it does is not known here: it {what}; load it with \
+                     the crate that has it (`load_with`)",
+                    values.name
+                ))
+            })
+        })
+    }
+
+    /// The model of a sensor and its parameters, base first; `None` where the sensor was not
+    /// calibrated.
+    pub fn model(&self, sensor: Sensor) -> Option<(Model, Vec<f64>)> {
+        let mut model = Model::base(sensor);
+        let mut p = self.triad(sensor)?.base().parameters().to_vec();
+        for values in &self.effects {
+            let Some(effect) = values.effect().ok().filter(|e| e.sensor() == sensor) else {
+                continue;
+            };
+            model = model.with(effect);
+            p.extend(values.parameters.iter().map(|v| v.value));
+        }
+        Some((model, p))
+    }
+}

@@ -1,0 +1,45 @@
+//! Whether a calibration speaks of a recording's units.
+
+use sensor::Sensor;
+
+use super::Calibration;
+use recording::Error;
+use recording::Recording;
+
+/// Corrected specific force whose median modulus lies within these multiples of gravity is in the
+/// right unit: most of any recording is rest or gentle motion.
+const PLAUSIBLE: std::ops::Range<f64> = 0.6..1.6;
+
+/// Refuses a recording whose corrected specific force cannot be one: a calibration of raw counts on
+/// readings in SI units, or the reverse, or of another device altogether.
+///
+/// # Errors
+/// [`Error::Input`] with both moduli.
+pub fn check_units(calibration: &Calibration, recording: &Recording) -> Result<(), Error> {
+    let (Some(stream), Some(triad)) = (
+        &recording.accelerometer,
+        calibration.triad(Sensor::Accelerometer),
+    ) else {
+        return Ok(());
+    };
+    let base = triad.base();
+    let mut moduli: Vec<f64> = stream
+        .values
+        .iter()
+        .map(|raw| base.correct(raw).norm())
+        .collect();
+    let middle = moduli.len() / 2;
+    if moduli.is_empty() {
+        return Ok(());
+    }
+    let median = *moduli.select_nth_unstable_by(middle, f64::total_cmp).1;
+    if PLAUSIBLE.contains(&(median / calibration.gravity)) {
+        return Ok(());
+    }
+    Err(Error::Input(format!(
+        "{}: corrected by this calibration the specific force has a median of {median:.3e} m/s² \
+         where gravity is {:.3}: the calibration is for readings in another unit or of another \
+         device (--force-device to go on)",
+        recording.name, calibration.gravity
+    )))
+}

@@ -1,0 +1,154 @@
+//! What a calibration is worth on a recording that it has not seen.
+
+mod field;
+
+pub use field::FieldMisfit;
+
+use nalgebra::Vector3;
+use serde::Serialize;
+
+use crate::calibration::{Calibration, apply_with};
+use crate::residuals::{Integrator, attitude_of};
+use recording::Error;
+use recording::averages::root_mean_square;
+use recording::intervals::{Segmentation, Span, StaticInterval, Turn};
+use recording::{Recording, Stream};
+
+/// The misfit of a recording to gravity under one calibration.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Evaluation {
+    /// Number of rests.
+    pub static_intervals: usize,
+    /// Root mean square of `|f| − g` over the rests, m/s².
+    pub modulus_rms: Option<f64>,
+    /// Number of sound turns.
+    pub turns: usize,
+    /// Root mean square angle between the direction of gravity that the gyroscope foretells and the
+    /// one that the accelerometer shows after each turn, degrees; what is left of the rate in the
+    /// rests beside the turn is taken off as bias.
+    pub direction_rms: Option<f64>,
+    /// Mean of the corrected rate over the rests, rad/s: what the calibration's bias is off by. The angles above are
+    /// measured with it taken off.
+    pub static_rate: Option<[f64; 3]>,
+    /// How far a rest's mean rate is from that mean, root mean square over rests of the norm, rad/s.
+    pub static_rate_scatter: Option<f64>,
+    /// The magnetic field over the rests; `None` without a magnetometer.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub magnetic_field: Option<FieldMisfit>,
+}
+
+/// What a calibration leaves in one rest or one turn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Misfit {
+    /// Its place in [`Segmentation::statics`], or that of the rest before the turn.
+    pub index: usize,
+    /// When.
+    pub span: Span,
+    /// `|f| − g`, m/s², or the angle by which the foretold direction of gravity misses, degrees.
+    pub value: f64,
+}
+
+/// The misfit of every rest and of every sound turn.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Misfits {
+    /// Of gravity's modulus, m/s².
+    pub rests: Vec<Misfit>,
+    /// Of its direction, degrees.
+    pub turns: Vec<Misfit>,
+    /// Mean corrected rate in each rest, rad/s.
+    pub rates: Vec<Vector3<f64>>,
+    /// Norm of the magnetic field in each rest and its angle to the specific force, degrees.
+    pub fields: Vec<[f64; 2]>,
+}
+
+/// Measures a calibration, or the raw readings with `None`, on the rests and turns of a recording.
+///
+/// Only `apply` is asked for what the calibration makes of a reading.
+///
+/// # Errors
+/// As [`crate::calibration::apply`].
+pub fn evaluate(
+    recording: &Recording,
+    segmentation: &Segmentation,
+    calibration: Option<&Calibration>,
+    gravity: f64,
+) -> Result<Evaluation, Error> {
+    let misfits = misfits(recording, segmentation, calibration, gravity)?;
+    let rms = |values: Vec<f64>| (!values.is_empty()).then(|| root_mean_square(&values));
+    let values = |all: &[Misfit]| all.iter().map(|m| m.value).collect();
+    let count = misfits.rates.len().max(1) as f64;
+    let mean = misfits.rates.iter().sum::<Vector3<f64>>() / count;
+    let scatter = misfits.rates.iter().map(|rate| (rate - mean).norm());
+    let seen = !misfits.rates.is_empty();
+    Ok(Evaluation {
+        static_rate: seen.then(|| mean.into()),
+        static_rate_scatter: rms(scatter.collect()),
+        static_intervals: misfits.rests.len(),
+        modulus_rms: rms(values(&misfits.rests)),
+        turns: misfits.turns.len(),
+        direction_rms: rms(values(&misfits.turns)),
+        magnetic_field: FieldMisfit::of(&misfits.fields),
+    })
+}
+
+/// [`evaluate`], rest by rest and turn by turn.
+///
+/// # Errors
+/// As [`evaluate`].
+pub fn misfits(
+    recording: &Recording,
+    segmentation: &Segmentation,
+    calibration: Option<&Calibration>,
+    gravity: f64,
+) -> Result<Misfits, Error> {
+    let corrected = match calibration {
+        Some(c) => apply_with(c, recording, Some(segmentation))?,
+        None => recording.clone(),
+    };
+    let spans: Vec<_> = segmentation.statics.iter().map(|rest| rest.span).collect();
+    let rests = Segmentation::from_spans(&corrected, &spans, segmentation.multiplier);
+    let modulus = |(index, rest): (usize, &StaticInterval)| {
+        Some(Misfit {
+            index,
+            span: rest.span,
+            value: rest.accelerometer?.mean.norm() - gravity,
+        })
+    };
+    let direction = |turn: &Turn| {
+        Some(Misfit {
+            index: turn.from,
+            span: turn.span,
+            value: angle(corrected.gyroscope.as_ref()?, &rests, turn)?,
+        })
+    };
+    let sound = segmentation.turns.iter().filter(|t| t.fault.is_none());
+    Ok(Misfits {
+        rests: rests
+            .statics
+            .iter()
+            .enumerate()
+            .filter_map(modulus)
+            .collect(),
+        turns: sound.filter_map(direction).collect(),
+        fields: field::fields(&corrected, &rests),
+        rates: rests
+            .statics
+            .iter()
+            .filter_map(|rest| Some(rest.gyroscope?.mean))
+            .collect(),
+    })
+}
+
+/// The angle by which the corrected rate misses gravity after a turn, degrees.
+fn angle(rate: &Stream, rests: &Segmentation, turn: &Turn) -> Option<f64> {
+    let (before, after) = (
+        rests.statics.get(turn.from)?,
+        rests.statics.get(turn.from + 1)?,
+    );
+    let bias: Vector3<f64> = 0.5 * (before.gyroscope?.mean + after.gyroscope?.mean);
+    let values = &rate.values[turn.samples.clone()];
+    let t = &rate.t[turn.samples.clone()];
+    let attitude = attitude_of(Integrator::Exponential, t, |k| values[k] - bias);
+    let foretold = attitude.into_body(&before.accelerometer?.mean);
+    Some(foretold.angle(&after.accelerometer?.mean).to_degrees())
+}

@@ -1,0 +1,174 @@
+//! The limits file.
+
+use std::path::Path;
+
+use sensor::{Sensor, base_names};
+
+use super::Limits;
+use effects::catalogue;
+use recording::Error;
+use recording::did_you_mean;
+use recording::shown::shown_path;
+use recording::toml_place::{explain_toml, key_position, place};
+
+/// The limits of the file at `path`.
+///
+/// # Errors
+/// [`Error::Io`] where it cannot be read; as [`parse_limits`].
+pub fn read_limits(path: &Path) -> Result<Limits, Error> {
+    parse_limits(&recording::read_text(path)?, &shown_path(path))
+}
+
+/// The limits in `text`; `name` is what messages call the file.
+///
+/// # Errors
+/// [`Error::Usage`] as `name:line:column: key: …` for what is not TOML, an unknown key, effect or parameter (with the
+/// nearest known one), a limit that is negative or no number, a range the wrong way round.
+///
+/// # Examples
+/// ```
+/// use stillpoint_estimate::limits::parse_limits;
+/// let limits = parse_limits("[gyroscope]\nresidual_deg = 0.5\n", "limits.toml").unwrap();
+/// assert_eq!(limits.gyroscope.residual_deg, Some(0.5));
+/// let wrong = parse_limits("[gyroscope]\nresidual_dge = 0.5\n", "limits.toml").unwrap_err();
+/// assert!(wrong.to_string().ends_with("did you mean `residual_deg`?"));
+/// ```
+pub fn parse_limits(text: &str, name: &str) -> Result<Limits, Error> {
+    let limits: Limits = toml::from_str(text).map_err(|e| {
+        let at = place(text, e.span().map_or(0, |span| span.start));
+        Error::Usage(format!("{name}:{at}: {}", explain_toml(e.message())))
+    })?;
+    match complaint(&limits) {
+        None => Ok(limits),
+        Some((key, what)) => {
+            let at = place(text, key_position(text, &key).unwrap_or(0));
+            Err(Error::Usage(format!("{name}:{at}: {key}: {what}")))
+        }
+    }
+}
+
+/// The first key that makes no sense, and why.
+fn complaint(limits: &Limits) -> Option<(String, String)> {
+    let (force, rate) = (&limits.accelerometer, &limits.gyroscope);
+    let fixed = [
+        ("accelerometer.residual_mm_s2", force.residual_mm_s2),
+        ("accelerometer.reduced_chi2", force.reduced_chi2),
+        ("accelerometer.scale", force.scale),
+        ("accelerometer.misalignment", force.misalignment),
+        ("accelerometer.bias", force.bias),
+        ("accelerometer.intervals", force.intervals),
+        ("gyroscope.residual_deg", rate.residual_deg),
+        ("gyroscope.reduced_chi2", rate.reduced_chi2),
+        ("gyroscope.scale", rate.scale),
+        ("gyroscope.misalignment", rate.misalignment),
+        ("gyroscope.bias", rate.bias),
+        ("gyroscope.intervals", rate.intervals),
+    ];
+    let fixed = fixed.into_iter().map(|(key, v)| (key.to_owned(), v));
+    let effects = limits.effects.iter();
+    let effects = effects.map(|(name, v)| (format!("effects.{name}"), Some(*v)));
+    let errors = limits.standard_errors.iter();
+    let errors = errors.map(|(name, v)| (format!("standard_errors.{name}"), Some(*v)));
+    for (key, value) in fixed.chain(effects).chain(errors) {
+        if let Some(v) = value.filter(|v| !(v.is_finite() && *v >= 0.0)) {
+            return Some((key, format!("is {v}, a number from 0 up expected")));
+        }
+    }
+    let names: Vec<&str> = catalogue().map(|e| e.name()).collect();
+    for name in limits.effects.keys() {
+        if !names.contains(&name.as_str()) {
+            let hint = did_you_mean(name, names.iter().copied());
+            return Some((
+                format!("effects.{name}"),
+                format!("there is no such effect{hint}"),
+            ));
+        }
+    }
+    let known = parameter_names();
+    let tables = [
+        (
+            "standard_errors",
+            limits.standard_errors.keys().collect::<Vec<_>>(),
+        ),
+        ("values", limits.values.keys().collect()),
+    ];
+    for (table, name) in tables
+        .iter()
+        .flat_map(|(t, names)| names.iter().map(move |n| (t, *n)))
+    {
+        if !known.contains(name) {
+            let hint = did_you_mean(name, known.iter().map(String::as_str));
+            return Some((
+                format!("{table}.{name}"),
+                format!("there is no such parameter{hint}"),
+            ));
+        }
+    }
+    let ranges = limits.values.iter();
+    ranges
+        .filter(|(_, [low, high])| !(*low..=*high).contains(low))
+        .map(|(name, [low, high])| {
+            let what = format!("is [{low}, {high}], least and greatest in this order expected");
+            (format!("values.{name}"), what)
+        })
+        .next()
+}
+
+/// Every name that a parameter of a calibration may have.
+fn parameter_names() -> Vec<String> {
+    let base = [Sensor::Accelerometer, Sensor::Gyroscope]
+        .into_iter()
+        .flat_map(base_names);
+    let of = |e: &'static dyn sensor::AnyEffect| {
+        e.params()
+            .iter()
+            .map(move |p| format!("{}.{}", e.name(), p.name))
+    };
+    base.chain(catalogue().flat_map(of)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn refused(text: &str) -> String {
+        let error = parse_limits(text, "l.toml").unwrap_err();
+        assert!(matches!(error, Error::Usage(_)));
+        error.to_string()
+    }
+
+    #[test]
+    fn a_wrong_key_is_named_with_its_place_and_the_nearest_name() {
+        let found = refused("required = [\"gyroscop\"]");
+        assert!(
+            found.starts_with("l.toml:1:13: ") && found.ends_with("did you mean `gyroscope`?"),
+            "{found}"
+        );
+        let found = refused("[accelerometer]\nbais = 1");
+        assert!(
+            found.starts_with("l.toml:2:1: ") && found.ends_with("did you mean `bias`?"),
+            "{found}"
+        );
+        let found = refused("[effects]\ngyro_g_sensitvity = 1e-4");
+        assert!(
+            found.starts_with("l.toml:2:1: effects.")
+                && found.ends_with("did you mean `gyro_g_sensitivity`?"),
+            "{found}"
+        );
+        let found = refused("\n[standard_errors]\n\"accel.s_q\" = 1e-4");
+        assert!(
+            found.starts_with("l.toml:3:1: standard_errors.accel.s_q: "),
+            "{found}"
+        );
+        let found = refused("[values]\n\"gyro.b_x\" = [1.0, -1.0]");
+        assert!(
+            found.starts_with("l.toml:2:1: values.gyro.b_x: is [1, -1]"),
+            "{found}"
+        );
+        let found = refused("[gyroscope]\nbias = nan");
+        assert!(
+            found.starts_with("l.toml:2:1: gyroscope.bias: is NaN"),
+            "{found}"
+        );
+    }
+}

@@ -1,0 +1,209 @@
+//! The clock of the turns: the stamps, an even clock behind them, or between.
+//!
+//! With even clock `e_k`, stamps `s_k` and `d = s − e` the clock is `e + λ d`: `λ = 0` where the sensor samples
+//! evenly and the stamps scatter, 1 where the sampling is uneven and the stamps are right. `λ` is one more
+//! parameter of the fit; it comes out as `σ_J²/(σ_J² + σ_S²)`, the weight that leaves the least.
+
+use nalgebra::{Matrix2, Vector2};
+
+use super::data::Data;
+use super::sampling::Share;
+use super::windows::means_over_windows;
+use recording::{EvenClock, Stamps, Stream, even_clock};
+
+/// Which clock the turns are integrated by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ClockMode {
+    /// What the data say.
+    #[default]
+    Auto,
+    /// The stamps as they are.
+    Stamps,
+    /// An even clock behind them, where there is one.
+    Even,
+}
+
+/// How the stamps of a recording look, and how its clock was chosen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ClockState {
+    /// The stamps are even: there is nothing to choose.
+    #[default]
+    Exact,
+    /// They scatter by so much that steps cannot be counted: the stamps are taken as they are.
+    Uncountable,
+    /// The request gave the clock.
+    Given,
+    /// The share was fitted and is as good as 0 or 1.
+    Snapped,
+    /// The share was fitted.
+    Fitted,
+    /// The turns say nothing of it: the share is the likelier one by the stamps alone.
+    Undecided,
+}
+
+/// The clock of one recording.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SourceClock {
+    /// How it was chosen.
+    pub state: ClockState,
+    /// `λ`: the share of the scatter that belongs to the samples; 1 for the stamps as they are.
+    pub share: f64,
+    /// What the fit made of it before it was rounded, and its standard error; `None` where it was not fitted.
+    pub fitted: Option<(f64, f64)>,
+    /// Root mean square of stamps less the even clock, s.
+    pub scatter: f64,
+    /// Median step, s.
+    pub step: f64,
+    /// Steps of the even clock that were counted.
+    pub ticks: u64,
+    /// Places where steps passed without a sample.
+    pub gaps: usize,
+    /// Steps without a sample.
+    pub lost: u64,
+    /// `χ²` per degree of freedom of the turns' directions with this clock; `None` where nothing was fitted.
+    pub misfit: Option<f64>,
+    /// Whether the samples are those of instants, and not means over their windows; told apart at slow rates only.
+    pub instants: bool,
+    /// What is missing in the angles between samples.
+    pub sampling: Share,
+}
+
+/// One clock for a turn: an even one and what the stamps add.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TurnClock {
+    /// The even clock at the samples, s.
+    pub even: Vec<f64>,
+    /// Stamps less that, s.
+    pub scatter: Vec<f64>,
+    /// Lengths of the samples' windows by the even clock, s.
+    pub lengths: Vec<f64>,
+    /// What the scatter adds to them, s.
+    pub slack: Vec<f64>,
+}
+
+impl TurnClock {
+    /// Of the samples in `range`.
+    pub(super) fn of(stamps: &[f64], even: &[f64], range: std::ops::Range<usize>) -> Self {
+        let scatter: Vec<f64> = stamps.iter().zip(even).map(|(s, e)| s - e).collect();
+        let windows = |t: &[f64]| range.clone().map(|k| window(t, k)).collect();
+        Self {
+            even: even[range.clone()].to_vec(),
+            lengths: windows(even),
+            slack: windows(&scatter),
+            scatter: scatter[range.clone()].to_vec(),
+        }
+    }
+}
+
+/// Length of the window of sample `k`: half the way to either neighbour.
+pub(super) fn window(t: &[f64], k: usize) -> f64 {
+    let after = t.get(k + 1).map(|next| next - t[k]);
+    let before = k.checked_sub(1).map(|j| t[k] - t[j]);
+    match (before, after) {
+        (Some(a), Some(b)) => 0.5 * (a + b),
+        (Some(a), None) | (None, Some(a)) => a,
+        (None, None) => 0.0,
+    }
+}
+
+/// The clocks that may be behind the stamps of a gyroscope, and what is known of them.
+pub(super) fn clocks_behind(rate: &Stream, mode: ClockMode) -> (SourceClock, Vec<Vec<f64>>) {
+    let stamps = SourceClock {
+        share: 1.0,
+        ..SourceClock::default()
+    };
+    if mode == ClockMode::Stamps {
+        let state = ClockState::Given;
+        return (SourceClock { state, ..stamps }, Vec::new());
+    }
+    match even_clock(&rate.t) {
+        Stamps::Exact => (stamps, Vec::new()),
+        Stamps::Uncountable { share, step } => {
+            let clock = SourceClock {
+                state: ClockState::Uncountable,
+                scatter: share * step,
+                step,
+                ..stamps
+            };
+            (clock, Vec::new())
+        }
+        Stamps::Scattered(EvenClock {
+            even,
+            following,
+            step,
+            scatter,
+            ticks,
+            gaps,
+            lost,
+        }) => {
+            let clock = SourceClock {
+                state: ClockState::Given,
+                share: 0.0,
+                scatter,
+                step,
+                ticks,
+                gaps,
+                lost,
+                ..SourceClock::default()
+            };
+            (clock, std::iter::once(even).chain(following).collect())
+        }
+    }
+}
+
+impl Data {
+    /// The recordings whose clock has a share to be chosen.
+    pub(super) fn with_scatter(&self) -> Vec<usize> {
+        let mut all: Vec<usize> = self
+            .turns
+            .iter()
+            .filter(|turn| !turn.clocks.is_empty())
+            .map(|turn| turn.recording)
+            .collect();
+        all.dedup();
+        all
+    }
+
+    /// How many clocks there are behind the stamps of a recording.
+    pub(super) fn bases(&self, recording: usize) -> usize {
+        let own = self.turns.iter().find(|turn| turn.recording == recording);
+        own.map_or(0, |turn| turn.clocks.len())
+    }
+
+    /// The clock that the turns of a recording go by.
+    pub(super) fn base(&self, recording: usize) -> usize {
+        let own = self.turns.iter().find(|turn| turn.recording == recording);
+        own.map_or(0, |turn| turn.base)
+    }
+
+    /// Lets the turns of a recording go by the clock `base` and a share of the scatter about it.
+    pub(super) fn set_clock(&mut self, recording: usize, base: usize, share: f64) {
+        self.sources[recording].clock.share = share;
+        let mut squares = (0.0, 0.0);
+        for turn in self.turns.iter_mut().filter(|t| t.recording == recording) {
+            let Some(clock) = turn.clocks.get(base) else {
+                continue;
+            };
+            let mixed = |a: &[f64], b: &[f64]| -> Vec<f64> {
+                a.iter().zip(b).map(|(a, b)| a + share * b).collect()
+            };
+            turn.t = mixed(&clock.even, &clock.scatter);
+            turn.lengths = mixed(&clock.lengths, &clock.slack);
+            turn.readings = means_over_windows(&turn.t, &turn.samples);
+            turn.base = base;
+            let square: f64 = clock.scatter.iter().map(|d| d * d).sum();
+            squares = (squares.0 + square, squares.1 + clock.scatter.len() as f64);
+        }
+        let mean_square = if squares.1 > 0.0 {
+            squares.0 / squares.1
+        } else {
+            0.0
+        };
+        self.sources[recording].timing = share * (1.0 - share) * mean_square;
+    }
+}
+
+/// The two rows of a turn as a symmetric outer product.
+pub(super) fn outer(v: &Vector2<f64>) -> Matrix2<f64> {
+    v * v.transpose()
+}

@@ -1,0 +1,160 @@
+//! The last steps and the result.
+
+use faer::Mat;
+use solver::{Termination, solve};
+
+use super::approach::{Weighted, approach};
+use super::belief::Weights;
+use super::budget::Steps;
+use super::centred::centred;
+use super::disturbance::{Disturbance, Suspect};
+use super::fit::JointFit;
+use super::marginal::{orthonormal, reduced};
+use super::minimum::{Point, Run, options};
+use super::request::Accused;
+use super::weights::{Whitening, weighing};
+use recording::Error;
+
+/// A minimum nearer than this, in standard errors, is reached.
+const NEAR: f64 = 0.01;
+
+impl Run<'_> {
+    /// The same weights for biases that are means over the rests.
+    fn about_the_means(&self, point: &Point, weights: Weights) -> Weights {
+        let rows = self.rows(&[]);
+        let white = &weights.whitening.white;
+        let noise = rows.noise(point.plain_values());
+        let components = centred(&rows, &noise, white, &weights.components);
+        let levels = weighing(&weights.levels);
+        Weights {
+            whitening: Whitening::new(white.clone(), &components, &levels),
+            components,
+            ..weights
+        }
+    }
+
+    /// The last steps, to what double precision allows.
+    pub(super) fn finish(&self, point: &Point, weights: Weights) -> Result<JointFit, Error> {
+        let weights = self.about_the_means(point, weights);
+        let columns = weights.columns();
+        let rows = self.rows(&columns);
+        let weighted = Weighted {
+            rows: &rows,
+            whitening: &weights.whitening,
+        };
+        let free = point.mask.free_indices();
+        let mut parameters = point.parameters.clone();
+        if let Some(near) = approach(&weighted, parameters.values(), &free) {
+            self.start.steps.took(near.taken);
+            let x = near.settled(&weighted, &free);
+            parameters.values_mut().copy_from_slice(&x);
+        }
+        let options = options(Steps::at_the_end(self.data.cost_of_a_step()));
+        let mut report = solve(&weighted, &parameters, &point.mask, &options)?;
+        self.start.steps.took(report.jacobian_evaluations);
+        let x = report.parameters.values();
+        let linear = rows.linearize(x);
+        let white = &weights.whitening.white;
+        let (white_residuals, white_jacobian) = linear.whitened(&free, |a| white.apply(a));
+        let mut jacobian = white_jacobian.clone();
+        weights.whitening.finish(jacobian.as_mut());
+        let reduced = reduced(&jacobian, &free, rows.layout.shared());
+        let mut carried = weights.carried;
+        weights.whitening.finish(carried.as_mut());
+        let without_end = [Termination::Stalled, Termination::IterationLimit];
+        if without_end.contains(&report.termination) && is_near(&report.residuals, &jacobian) {
+            report.termination = Termination::Cost;
+        }
+        let broken = self.broken();
+        Ok(JointFit {
+            models: [
+                self.request.accelerometer.clone(),
+                self.request.gyroscope.clone(),
+            ],
+            parameters: report.parameters.clone(),
+            shared: rows.layout.shared(),
+            first_rows: [rows.first_rate_row(), rows.first_turn_row()],
+            rest_of_row: rows.rest_of_row(),
+            residuals: report.residuals.clone(),
+            jacobian,
+            reduced,
+            carried,
+            white_residuals,
+            white_jacobian,
+            accused: weights
+                .accused
+                .iter()
+                .map(|s| self.in_words(s))
+                .chain(broken)
+                .collect(),
+            shown: weights.shown,
+            own_force_bias: self.start.own_force_bias,
+            force_unit: self.start.force_unit,
+            rate_unit: self.start.rate_unit,
+            gravity: self.request.gravity,
+            chords_before: rows.chords(self.first_values(&rows).values()),
+            chords: rows.chords(x),
+            moduli: rows.moduli(x),
+            data: self.data.clone(),
+            charts: self.charts.to_vec(),
+            disturbance_columns: columns.clone(),
+            whitening: weights.whitening,
+            components: weights.components,
+            levels: weights.levels,
+            work: self.start.steps.work(self.data.cost_of_a_step()),
+            free,
+            report,
+        })
+    }
+
+    /// The touches that broke rests: nothing of them is in the means, and the turn carries on.
+    fn broken(&self) -> impl Iterator<Item = Accused> + '_ {
+        self.data
+            .broken
+            .iter()
+            .map(|&(recording, interval, span)| Accused {
+                kind: Disturbance::DisturbedInterval,
+                recording,
+                interval,
+                span,
+                detail:
+                    "it broke a rest: what remains of it beyond the touch counts as part of a turn"
+                        .into(),
+            })
+    }
+
+    fn in_words(&self, suspect: &Suspect) -> Accused {
+        let (recording, interval, span) = match suspect.kind {
+            Disturbance::BadTurn => {
+                let turn = &self.data.turns[suspect.place];
+                (turn.recording, turn.turn, turn.span)
+            }
+            Disturbance::MountSlip | Disturbance::RateExcursion => {
+                let rest = &self.data.rests[suspect.place];
+                (rest.recording, rest.interval, rest.span)
+            }
+            Disturbance::DisturbedInterval | Disturbance::SuddenSlip => {
+                let chunk = &self.data.chunks[suspect.place];
+                let rest = &self.data.rests[chunk.rest];
+                let span = chunk.accelerometer.map_or(rest.span, |m| m.span);
+                (rest.recording, rest.interval, span)
+            }
+        };
+        Accused {
+            kind: suspect.kind,
+            recording,
+            interval,
+            span,
+            detail: suspect.detail.clone(),
+        }
+    }
+}
+
+/// Whether the minimum is nearer than a hundredth of the standard errors: of whitened residuals, what the
+/// Jacobian's columns still explain is below that share of what chance makes of them (Bates & Watts 1981). A
+/// combination that is hardly observable can keep rounding from letting the cost fall further.
+fn is_near(residuals: &[f64], jacobian: &Mat<f64>) -> bool {
+    let basis = orthonormal(jacobian);
+    let r = Mat::from_fn(residuals.len(), 1, |i, _| residuals[i]);
+    (basis.transpose() * r).squared_norm_l2() < NEAR.powi(2) * basis.ncols() as f64
+}

@@ -1,0 +1,118 @@
+//! The fit and its data, to be looked at from any side.
+
+use faer::Mat;
+use nalgebra::Vector3;
+use sensor::{Model, Sensor};
+use solver::{Parameters, Report};
+
+use super::chart::Chart;
+use super::data::Data;
+use super::marginal::reduced;
+use super::orientation::Shown;
+use super::problem::Rows;
+use super::request::Accused;
+use super::weights::{Component, NoiseLevel, Whitening};
+use crate::methods::RawUnit;
+
+/// The joint fit, near SI units.
+#[derive(Clone, Debug)]
+pub struct JointFit {
+    /// The models of accelerometer and gyroscope.
+    pub models: [Model; 2],
+    /// The data.
+    pub data: Data,
+    /// Coordinates of the directions.
+    pub charts: Vec<Chart>,
+    /// All parameters with names: models, own biases, directions, disturbances.
+    pub parameters: Parameters,
+    /// Places of the free parameters, the columns of the Jacobian.
+    pub free: Vec<usize>,
+    /// How many parameters come before the directions.
+    pub shared: usize,
+    /// First row of the gyroscope's means, first row of the turns.
+    pub first_rows: [usize; 2],
+    /// Rest of each row (a turn's: the one before it).
+    pub rest_of_row: Vec<usize>,
+    /// Residuals at the minimum, whitened by everything (`m`).
+    pub residuals: Vec<f64>,
+    /// Jacobian there (`m × n`), whitened by everything.
+    pub jacobian: Mat<f64>,
+    /// The columns of the shared parameters less what all others can take of them (`m × k`), whitened by everything.
+    pub reduced: Mat<f64>,
+    /// What the errors of the parameters are larger by and the weights do not know, whitened by everything (`m × q`).
+    pub carried: Mat<f64>,
+    /// Residuals whitened by white noise alone.
+    pub white_residuals: Vec<f64>,
+    /// Jacobian whitened by white noise alone.
+    pub white_jacobian: Mat<f64>,
+    /// The whitening: by white noise, then by everything else.
+    pub whitening: Whitening,
+    /// `∂r/∂d` of what was found disturbed, one column per parameter, not whitened (`m` each).
+    pub disturbance_columns: Vec<Vec<f64>>,
+    /// What the noise may have besides, whitened by white noise: `Ca`, `Cg` …
+    pub components: Vec<Component>,
+    /// How much of it there is.
+    pub levels: Vec<NoiseLevel>,
+    /// What the fit took: linearisations, times the samples of the turns.
+    pub work: usize,
+    /// What was found disturbed.
+    pub accused: Vec<Accused>,
+    /// What depends on the orientation at the static intervals and should not.
+    pub shown: Vec<(Sensor, Shown)>,
+    /// Whether the accelerometer has a bias of its own in every recording.
+    pub own_force_bias: bool,
+    /// Unit of the accelerometer.
+    pub force_unit: RawUnit,
+    /// Unit of the gyroscope.
+    pub rate_unit: RawUnit,
+    /// Local gravity, m/s².
+    pub gravity: f64,
+    /// The solver's last report.
+    pub report: Report,
+    /// Turns' misses before any fit (unit scales), rad.
+    pub chords_before: Vec<f64>,
+    /// Turns' misses, rad.
+    pub chords: Vec<f64>,
+    /// `|f| − g` of every rest, m/s².
+    pub moduli: Vec<f64>,
+}
+
+impl JointFit {
+    /// The rows that were fitted, to be evaluated anywhere.
+    pub fn rows(&self) -> Rows<'_> {
+        Rows::new(
+            &self.data,
+            (&self.models[0], &self.models[1]),
+            self.gravity,
+            &self.charts,
+            (self.own_force_bias, &self.disturbance_columns),
+        )
+    }
+
+    /// Another whitening of the same rows: uncertainties are those of this Jacobian since.
+    pub fn set_jacobian(&mut self, jacobian: Mat<f64>) {
+        self.reduced = reduced(&jacobian, &self.free, self.shared);
+        self.jacobian = jacobian;
+    }
+
+    /// The same without the columns of what was disturbed.
+    pub fn plain_rows(&self) -> Rows<'_> {
+        Rows::new(
+            &self.data,
+            (&self.models[0], &self.models[1]),
+            self.gravity,
+            &self.charts,
+            (self.own_force_bias, &[]),
+        )
+    }
+
+    /// The direction of specific force in every rest, body frame.
+    pub fn directions(&self) -> Vec<Vector3<f64>> {
+        let x = &self.parameters.values()[self.shared..];
+        self.charts
+            .iter()
+            .enumerate()
+            .map(|(k, chart)| chart.direction(&x[2 * k..2 * k + 2]))
+            .collect()
+    }
+}

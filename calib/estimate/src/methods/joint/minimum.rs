@@ -1,0 +1,168 @@
+//! The minimum of a joint fit under some weights.
+
+use faer::Mat;
+use sensor::Sensor;
+use solver::{Mask, Options, Parameters, Variant, solve};
+
+use super::approach::{Weighted, approach};
+use super::belief::Weights;
+use super::chart::Chart;
+use super::data::Data;
+use super::problem::{Linear, Rows};
+use super::request::JointRequest;
+use super::start::Start;
+use super::weights::Whitening;
+use recording::Error;
+use recording::watch::{Stage, step};
+
+/// What stays the same over all rounds.
+pub(super) struct Run<'a> {
+    /// What is asked.
+    pub request: &'a JointRequest<'a>,
+    /// Means of the rests and turns.
+    pub data: &'a Data,
+    /// Coordinates of the direction in each rest.
+    pub charts: &'a [Chart],
+    /// First values.
+    pub start: &'a Start,
+}
+
+/// The minimum under some weights.
+#[derive(Clone)]
+pub(super) struct Point {
+    /// Where it is.
+    pub parameters: Parameters,
+    /// What is free.
+    pub mask: Mask,
+    /// The rows there.
+    pub linear: Linear,
+    /// Number of parameters before those of disturbances.
+    pub plain: usize,
+}
+
+impl Point {
+    /// The rows as they would be without the disturbances.
+    pub fn undisturbed(&self) -> Linear {
+        self.linear
+            .without_disturbances(self.parameters.values(), self.plain)
+    }
+
+    /// The parameters before those of disturbances.
+    pub fn plain_values(&self) -> &[f64] {
+        &self.parameters.values()[..self.plain]
+    }
+}
+
+impl Run<'_> {
+    /// The rows, with columns of disturbances.
+    pub fn rows<'b>(&'b self, disturbances: &'b [Vec<f64>]) -> Rows<'b> {
+        let models = (&self.request.accelerometer, &self.request.gyroscope);
+        Rows::new(
+            self.data,
+            models,
+            self.request.gravity,
+            self.charts,
+            (self.start.own_force_bias, disturbances),
+        )
+    }
+
+    /// Near the minimum under these weights: by few Gauss–Newton steps, and by the solver where those lead nowhere.
+    pub fn approach(&self, weights: &Weights, before: Option<&Point>) -> Result<Point, Error> {
+        step(Stage::Fitting)?;
+        let columns = weights.columns();
+        let rows = self.rows(&columns);
+        let mut parameters = self.first_values(&rows);
+        let plain = rows.layout.disturbance(0);
+        set(&mut parameters, &self.request.starts);
+        if let Some(before) = before {
+            parameters.values_mut()[..plain].copy_from_slice(before.plain_values());
+        }
+        set(&mut parameters, &self.request.held);
+        let mask = self.mask(&parameters);
+        let weighted = Weighted {
+            rows: &rows,
+            whitening: &weights.whitening,
+        };
+        let quick = approach(&weighted, parameters.values(), &mask.free_indices());
+        let linear = match quick {
+            Some(near) => {
+                self.start.steps.took(near.taken);
+                parameters.values_mut().copy_from_slice(&near.x);
+                near.linear
+            }
+            None => {
+                let steps = &self.start.steps;
+                let options = options(steps.on_the_way(self.data.cost_of_a_step()));
+                let report = solve(&weighted, &parameters, &mask, &options)?;
+                steps.took(report.jacobian_evaluations);
+                parameters = report.parameters;
+                rows.linearize(parameters.values())
+            }
+        };
+        Ok(Point {
+            parameters,
+            mask,
+            linear,
+            plain,
+        })
+    }
+
+    /// How far the rows at `next` are from where the Jacobian at `point` has them, in standard deviations
+    /// of white noise (root of the sum of squares).
+    pub fn bend(&self, point: &Point, next: &Point, whitening: &Whitening) -> f64 {
+        let (a, b) = (point.undisturbed(), next.undisturbed());
+        let m = a.residuals.len();
+        let step = Mat::from_fn(point.plain, 1, |k, _| {
+            next.plain_values()[k] - point.plain_values()[k]
+        });
+        let foretold = &a.jacobian * &step;
+        let mut bend = Mat::from_fn(m, 1, |i, _| {
+            b.residuals[i] - a.residuals[i] - foretold[(i, 0)]
+        });
+        whitening.white.apply(bend.as_mut());
+        bend.norm_l2()
+    }
+
+    /// The parameters at the start.
+    pub fn first_values(&self, rows: &Rows<'_>) -> Parameters {
+        let accelerometer = self.request.accelerometer.parameters();
+        let gyroscope = (rows.layout.gyroscope > 0).then(|| self.request.gyroscope.parameters());
+        let mut parameters = rows
+            .layout
+            .parameters(&accelerometer, gyroscope.as_ref(), self.data);
+        for (recording, p) in self.start.accelerometer.iter().enumerate() {
+            let columns = rows.layout.columns(Sensor::Accelerometer, recording);
+            for (column, value) in columns.into_iter().zip(p) {
+                parameters.values_mut()[column] = *value;
+            }
+        }
+        parameters
+    }
+
+    /// Everything but what the triangular frame holds, and the gyroscope's `T` where nothing turns.
+    fn mask(&self, parameters: &Parameters) -> Mask {
+        let turns = !self.data.turns.is_empty();
+        parameters.free_where(|name| {
+            accelerometer::is_free_in_triangular_frame(name)
+                && self.request.held.iter().all(|(held, _)| held != name)
+                && (turns || !(name.starts_with("gyro.s_") || name.starts_with("gyro.beta_")))
+        })
+    }
+}
+
+fn set(parameters: &mut Parameters, values: &[(String, f64)]) {
+    for (name, value) in values {
+        if let Some(place) = parameters.index(name) {
+            parameters.values_mut()[place] = *value;
+        }
+    }
+}
+
+/// Of the solver, near the minimum.
+pub(super) fn options(most_steps: usize) -> Options {
+    Options {
+        variant: Variant::GaussNewton,
+        max_iterations: most_steps,
+        ..Options::default()
+    }
+}

@@ -1,0 +1,391 @@
+//! The noise of one sensor, as the recording itself shows it.
+
+use std::ops::Range;
+
+use nalgebra::Vector3;
+
+use super::data::Mean;
+use super::rounding;
+use recording::averages::median;
+use recording::{INSTANT, Stream};
+
+/// Longest batches whose means show noise that does not average out, s, and how many a stretch should have.
+const BATCH: f64 = 1.0;
+const BATCHES: f64 = 6.0;
+
+/// Long-run over white standard deviation above which the noise is coloured: two standard errors where the
+/// stretches last three minutes in all.
+const COLOURED: f64 = 1.12;
+
+/// The density at low frequency is at most so many times what the longest batches show.
+const FARTHER: f64 = 1.5;
+
+/// Batches of a stretch that spread by more than this many times the median variance are not quiet.
+const LOUD: f64 = 4.0;
+
+/// Length of the windows whose variances show how many samples are independent, s.
+const WINDOW: f64 = 0.2;
+
+/// Stretches with more than this many times the median variance are not quiet.
+const QUIET: f64 = 1.5;
+
+/// A mean of samples with more than this many times the quiet variance has a noise of its own.
+const RESTLESS: f64 = 1.5;
+
+/// Noise below this (m/s² or rad/s) is rounding: keeps noise-free recordings weighted, and sensibly.
+pub(super) const FLOOR: f64 = 1e-9;
+
+/// Readings that stay the same within every rest are frozen between steps of more than so many times the floor: smaller
+/// ones are rounding of noise-free readings.
+const FROZEN: f64 = 1e3;
+
+/// How far, in steps, a reading may lie off the grid of its converter.
+const OFF_GRID: f64 = 0.05;
+
+/// A least significant bit beyond this many standard deviations no longer averages out.
+const DITHERED: f64 = 2.0;
+
+/// Standard deviations per axis, near SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SensorNoise {
+    /// Of one sample (3).
+    pub white: Vector3<f64>,
+    /// Standard deviation of long means over what white noise would give; 1 where the noise is not
+    /// coloured (3).
+    pub long_run: Vector3<f64>,
+    /// Smallest step between two readings; 0 where they are continuous (3).
+    pub step: Vector3<f64>,
+    /// Variance by rounding that no number of samples takes off a mean (3).
+    pub rounding: Vector3<f64>,
+    /// Share of the samples that are as good as independent for a variance: 1 of white normal noise, less where
+    /// neighbours agree or tails are heavy (3).
+    pub freedom: Vector3<f64>,
+    /// Median time between samples, s.
+    pub interval: f64,
+}
+
+impl SensorNoise {
+    /// Measures the noise in stretches of rest: the pooled variance of the quiet ones, how the means of
+    /// batches of up to a second spread, and how the variances of short windows do.
+    ///
+    /// `None` without a stretch of two samples.
+    pub fn measure(stream: &Stream, rests: &[Range<usize>]) -> Option<Self> {
+        let interval = stream.median_step()?;
+        let batch = batch(rests, interval)?;
+        let window = samples(WINDOW, interval).max(4);
+        let least = stream.least_steps();
+        let axes = [0, 1, 2].map(|axis| {
+            let parts = parts(stream, rests, axis);
+            Axis::measure(&parts, batch, window, least[axis])
+        });
+        let [x, y, z] = axes;
+        let (x, y, z) = (x?, y?, z?);
+        Some(Self {
+            white: Vector3::new(x.white, y.white, z.white),
+            long_run: Vector3::new(x.long_run, y.long_run, z.long_run),
+            step: Vector3::new(x.step, y.step, z.step),
+            rounding: Vector3::new(x.rounding, y.rounding, z.rounding),
+            freedom: Vector3::new(x.freedom, y.freedom, z.freedom),
+            interval,
+        })
+    }
+
+    /// The same of a sensor whose readings closer to zero than `edges` are zero (3): at rest they step by the width of
+    /// the zone.
+    pub fn with_dead_zones(mut self, edges: Vector3<f64>) -> Self {
+        for axis in 0..3 {
+            let step = 2.0 * edges[axis];
+            if step > self.step[axis] {
+                self.step[axis] = step;
+                self.rounding[axis] = step * step / 12.0;
+            }
+        }
+        self
+    }
+
+    /// [`SensorNoise::long_run`] alone, averaged over the axes; 1 where it cannot be measured.
+    pub fn long_run_of(stream: &Stream, rests: &[Range<usize>]) -> f64 {
+        let interval = stream.median_step();
+        let Some(batch) = interval.and_then(|interval| batch(rests, interval)) else {
+            return 1.0;
+        };
+        let of = |axis: usize| {
+            let parts = parts(stream, rests, axis);
+            white(&parts).map_or(1.0, |white| long_run(&parts, batch, white))
+        };
+        [0, 1, 2].map(of).iter().sum::<f64>() / 3.0
+    }
+
+    /// Variance of the mean of `count` samples (3).
+    pub fn variance_of_mean(&self, count: usize) -> Vector3<f64> {
+        Vector3::from_fn(|i, _| {
+            let sampled = (self.white[i] * self.long_run[i]).powi(2) / count as f64;
+            sampled + self.rounding[i]
+        })
+    }
+
+    /// The same of a mean whose own samples may scatter more than the quiet ones, as on a table that vibrates:
+    /// their own variance then, axis by axis.
+    pub fn variance_of(&self, mean: &Mean) -> Vector3<f64> {
+        let usual = self.variance_of_mean(mean.count);
+        Vector3::from_fn(|i, _| {
+            let ratio = mean.variance[i] / self.white[i].powi(2);
+            if ratio > RESTLESS {
+                ratio * usual[i]
+            } else {
+                usual[i]
+            }
+        })
+    }
+
+    /// Variance of a sample as its part in a long sum counts (3). In a turn readings pass many steps, and what rounding
+    /// makes of each is independent of the next: `LSB²/12`, which readings at rest do not show where steps are wide.
+    pub fn variance_in_sum(&self) -> Vector3<f64> {
+        Vector3::from_fn(|i, _| {
+            let rounded = if self.rounding[i] > 0.0 {
+                self.step[i].powi(2) / 12.0
+            } else {
+                0.0
+            };
+            (self.white[i] * self.long_run[i]).powi(2) + rounded
+        })
+    }
+}
+
+struct Axis {
+    white: f64,
+    long_run: f64,
+    step: f64,
+    rounding: f64,
+    freedom: f64,
+}
+
+impl Axis {
+    /// `least` is the smallest step of the whole recording: readings that never change at rest show none.
+    fn measure(parts: &[Vec<f64>], batch: usize, window: usize, least: f64) -> Option<Self> {
+        let mut white = white(parts)?;
+        let frozen = white <= FLOOR && least.is_finite() && least > FROZEN * FLOOR;
+        let step = if frozen { least } else { smallest_step(parts) };
+        let coarse = step > DITHERED * white;
+        if coarse {
+            white = rounding::spread(parts, step).max(FLOOR);
+        }
+        Some(Self {
+            white,
+            long_run: long_run(parts, batch, white),
+            step,
+            rounding: if coarse {
+                rounding::of_means(parts, step, white)
+            } else {
+                0.0
+            },
+            freedom: freedom(parts, window),
+        })
+    }
+}
+
+/// Samples in a length of time, s.
+fn samples(length: f64, interval: f64) -> usize {
+    ((length + INSTANT) / interval).round() as usize
+}
+
+/// Samples in a batch: [`BATCHES`] in the usual stretch, of [`BATCH`] at most.
+fn batch(rests: &[Range<usize>], interval: f64) -> Option<usize> {
+    let lengths: Vec<f64> = rests.iter().map(|r| r.len() as f64 * interval).collect();
+    let length = (median(lengths)? / BATCHES).min(BATCH);
+    Some(samples(length, interval).max(1))
+}
+
+/// The readings of an axis in each stretch that has two.
+fn parts(stream: &Stream, rests: &[Range<usize>], axis: usize) -> Vec<Vec<f64>> {
+    let of = |r: &Range<usize>| stream.values[r.clone()].iter().map(|v| v[axis]).collect();
+    rests
+        .iter()
+        .map(of)
+        .filter(|part: &Vec<f64>| part.len() > 1)
+        .collect()
+}
+
+/// Standard deviation of a sample in the quiet stretches.
+fn white(parts: &[Vec<f64>]) -> Option<f64> {
+    let scatters: Vec<(f64, f64)> = parts.iter().map(|p| scatter(p)).collect();
+    let variances: Vec<f64> = scatters.iter().map(|(s, dof)| s / dof).collect();
+    let quiet = QUIET * median(variances.iter().copied())?;
+    let pooled = pool(scatters.iter().zip(&variances), quiet);
+    Some(pooled.sqrt().max(FLOOR))
+}
+
+/// Standard deviation of long means over that of white noise; 1 below [`COLOURED`].
+///
+/// Means over a time `T` of noise that resembles itself for a time `τ` fall short of the density at low frequency by a share
+/// `τ/T`, those over `T/2` by twice that: what both say of means without end is `2 S(T) − S(T/2)`, `S` the variance
+/// of a batch times its length.
+fn long_run(parts: &[Vec<f64>], batch: usize, white: f64) -> f64 {
+    let whole = of_batches(parts, batch);
+    let ratio = whole.sqrt() / white;
+    if ratio <= COLOURED {
+        return 1.0;
+    }
+    let half = of_batches(parts, batch / 2);
+    let without_end = (2.0 * whole - half).clamp(whole, FARTHER * whole);
+    without_end.sqrt() / white
+}
+
+/// Variance of the means of batches times their length, those of touched stretches apart; 0 of none.
+fn of_batches(parts: &[Vec<f64>], batch: usize) -> f64 {
+    let batch = batch.max(1);
+    let spreads: Vec<(f64, f64)> = parts
+        .iter()
+        .filter_map(|part| {
+            let means: Vec<f64> = part
+                .chunks_exact(batch)
+                .map(|b| b.iter().sum::<f64>() / batch as f64)
+                .collect();
+            (means.len() > 2).then(|| scatter(&means))
+        })
+        .collect();
+    let variances: Vec<f64> = spreads.iter().map(|(sum, dof)| sum / dof).collect();
+    let usual = median(variances.iter().copied()).unwrap_or(0.0);
+    pool(spreads.iter().zip(&variances), LOUD * usual) * batch as f64
+}
+
+/// Share of the samples that are independent, by how the variances of windows of `window` samples spread: with
+/// `ν` degrees of freedom their cube root spreads by `√(2/9ν)` of its middle (Wilson and Hilferty 1931).
+/// The lower half decides, as touches lie in the upper.
+fn freedom(parts: &[Vec<f64>], window: usize) -> f64 {
+    let mut roots: Vec<f64> = parts
+        .iter()
+        .flat_map(|part| part.chunks_exact(window))
+        .map(|w| scatter(w).0.cbrt())
+        .collect();
+    roots.sort_by(f64::total_cmp);
+    let at = |share: f64| roots.get((share * roots.len() as f64) as usize).copied();
+    let (Some(low), Some(middle)) = (at(0.158_655), at(0.5)) else {
+        return 1.0;
+    };
+    let spread = (middle - low) / middle;
+    if spread > 0.0 {
+        (2.0 / (9.0 * spread * spread) / (window - 1) as f64).clamp(1.0 / window as f64, 1.0)
+    } else {
+        1.0
+    }
+}
+
+/// Sum of squares about the mean, and its degrees of freedom.
+pub(super) fn scatter(values: &[f64]) -> (f64, f64) {
+    let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
+    let sum = values.iter().map(|v| (v - mean).powi(2)).sum();
+    (sum, values.len().saturating_sub(1).max(1) as f64)
+}
+
+fn pool<'a>(parts: impl Iterator<Item = (&'a (f64, f64), &'a f64)>, most: f64) -> f64 {
+    let (sum, dof) = parts
+        .filter(|(_, variance)| **variance <= most)
+        .fold((0.0, 0.0), |(s, d), ((sum, dof), _)| (s + sum, d + dof));
+    if dof > 0.0 { sum / dof } else { 0.0 }
+}
+
+/// The step of a converter: the smallest difference between two readings that differ, where readings
+/// repeat and all lie on the grid it makes; 0 elsewhere.
+fn smallest_step(parts: &[Vec<f64>]) -> f64 {
+    let mut all: Vec<f64> = parts.iter().flatten().copied().collect();
+    all.sort_by(f64::total_cmp);
+    let count = all.len();
+    all.dedup();
+    let gaps = all.windows(2).map(|w| w[1] - w[0]);
+    let step = gaps.fold(f64::INFINITY, f64::min);
+    let Some(first) = all.first() else { return 0.0 };
+    let on_grid = |v: &f64| {
+        let steps = (v - first) / step;
+        (steps - steps.round()).abs() < OFF_GRID
+    };
+    let repeats = 2 * all.len() <= count;
+    if all.len() > 1 && repeats && all.iter().all(on_grid) {
+        step
+    } else {
+        0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use simulate::Spec;
+
+    fn measured(spec: &Spec) -> SensorNoise {
+        let stream = spec.run().unwrap().recording.accelerometer.unwrap();
+        let rests: Vec<_> = (0..stream.len() / 800)
+            .map(|k| 800 * k..800 * (k + 1))
+            .collect();
+        SensorNoise::measure(&stream, &rests).unwrap()
+    }
+
+    #[test]
+    fn white_noise_is_measured_and_not_called_coloured() {
+        let noise = measured(&Spec::still(1, 240.0));
+        for axis in 0..3 {
+            // 2e-3 m/s²/√Hz at 100 Hz; 24000 samples leave 0.5 %, four of them.
+            assert!((noise.white[axis] / 0.02 - 1.0).abs() < 0.02);
+            assert_eq!(noise.long_run[axis], 1.0);
+            assert_eq!(noise.step[axis], 0.0);
+        }
+    }
+
+    #[test]
+    fn the_long_run_of_coloured_noise_is_that_of_its_density_at_low_frequency() {
+        // White noise of the same density at low frequency has 0.02 m/s² per sample.
+        let changes: [&dyn Fn(&mut Spec); 3] = [
+            &|s| s.accelerometer.low_pass = Some(20.0),
+            &|s| s.accelerometer.low_pass = Some(5.0),
+            &|s| s.accelerometer.correlation = 0.9,
+        ];
+        for change in changes {
+            let mut spec = Spec::still(1, 480.0);
+            change(&mut spec);
+            let noise = measured(&spec);
+            for axis in 0..3 {
+                let sum = noise.white[axis] * noise.long_run[axis] / 0.02;
+                // 420 degrees of freedom: 3.5 %; batches of a second miss 5 % of the slowest.
+                assert!((sum - 1.0).abs() < 0.15, "{sum}");
+            }
+        }
+    }
+
+    #[test]
+    fn heavy_tails_and_neighbours_that_agree_leave_fewer_independent_samples() {
+        let of = |change: &dyn Fn(&mut Spec)| {
+            let mut spec = Spec::still(1, 240.0);
+            change(&mut spec);
+            measured(&spec).freedom.mean()
+        };
+        assert!(of(&|_| {}) > 0.85);
+        // The kurtosis of 6 makes 2/5 of a normal sample of each.
+        let laplace = of(&|s| {
+            s.accelerometer.distribution = simulate::Distribution::Laplace;
+        });
+        assert!((0.25..0.6).contains(&laplace), "{laplace}");
+        assert!(of(&|s| s.accelerometer.correlation = 0.9) < 0.5);
+    }
+
+    #[test]
+    fn flicker_noise_is_coloured() {
+        let mut spec = Spec::still(1, 240.0);
+        spec.accelerometer.instability = 1e-2;
+        assert!(measured(&spec).long_run.min() > 1.2);
+    }
+
+    #[test]
+    fn steps_wider_than_the_noise_do_not_average_out() {
+        let mut spec = Spec::still(1, 240.0);
+        spec.accelerometer.step = 0.1;
+        let noise = measured(&spec);
+        assert!((noise.step - Vector3::repeat(0.1)).norm() < 1e-12);
+        assert!(noise.variance_of_mean(1_000_000).min() > 0.09f64.powi(2) / 12.0);
+    }
+
+    #[test]
+    fn a_noise_free_recording_keeps_a_positive_weight() {
+        let noise = measured(&Spec::still(1, 60.0).noise_free());
+        assert!(noise.white.min() > 0.0 && noise.white.max() < 1e-8);
+    }
+}

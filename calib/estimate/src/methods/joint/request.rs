@@ -1,0 +1,90 @@
+//! What to fit, and what may be wrong with the data.
+
+use sensor::Model;
+
+use super::bias_noise::BiasNoise;
+use super::clock::ClockMode;
+use super::disturbance::Disturbance;
+use recording::Recording;
+use recording::intervals::{Segmentation, Span};
+
+/// What to fit.
+#[derive(Clone, Debug)]
+pub struct JointRequest<'a> {
+    /// The recordings with their rests and turns.
+    pub recordings: Vec<(&'a Recording, &'a Segmentation)>,
+    /// The accelerometer: base model and effects.
+    pub accelerometer: Model,
+    /// The gyroscope: base model and effects.
+    pub gyroscope: Model,
+    /// Local gravity, m/s².
+    pub gravity: f64,
+    /// Noise of the biases of accelerometer and gyroscope, where it is known; estimated where not.
+    pub bias_noise: Option<BiasNoise>,
+    /// Whether the biases may flicker as well as walk: both are then at their likeliest. Without, walks alone are
+    /// estimated, as averages over what they may be with half the prior chance on none.
+    pub flicker: bool,
+    /// Whether rests and turns that something disturbed are looked for and get parameters of their own, and
+    /// whether rests and turns may scatter beyond all noise. Without, the noise is white noise and walks, and
+    /// every row is believed.
+    pub disturbances: bool,
+    /// What is known to be disturbed, by its place in the data: parameters of their own whatever is looked for.
+    pub known: Vec<Known>,
+    /// Parameters held at a value, by name.
+    pub held: Vec<(String, f64)>,
+    /// Parameters that begin at a value of their own, by name.
+    pub starts: Vec<(String, f64)>,
+    /// Whether what effects ask for is worked out at the samples of turns even where no effect of the
+    /// models asks for it: time, temperature, specific force, angular acceleration.
+    pub covariates: bool,
+    /// Which clock the turns are integrated by.
+    pub clock: ClockMode,
+    /// Whether the readings contain a rotation of the earth that nobody says: its direction is then estimated as far as
+    /// the data show it, and uncertain as far as they do not.
+    pub earth: bool,
+}
+
+impl<'a> JointRequest<'a> {
+    /// Base models, walks estimated, disturbances looked for.
+    pub fn new(recordings: Vec<(&'a Recording, &'a Segmentation)>, gravity: f64) -> Self {
+        Self {
+            recordings,
+            accelerometer: accelerometer::model(),
+            gyroscope: gyroscope::model(),
+            gravity,
+            bias_noise: None,
+            flicker: false,
+            disturbances: true,
+            known: Vec::new(),
+            held: Vec::new(),
+            starts: Vec::new(),
+            covariates: false,
+            clock: ClockMode::default(),
+            earth: false,
+        }
+    }
+}
+
+/// Something that is known to be disturbed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Known {
+    /// What happened.
+    pub kind: Disturbance,
+    /// The rest, the chunk or the turn, by its place in [`super::Data`].
+    pub place: usize,
+}
+
+/// Something that was found disturbed and has parameters of its own since.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Accused {
+    /// What happened.
+    pub kind: Disturbance,
+    /// Place of the recording.
+    pub recording: usize,
+    /// Static interval (or the one before the turn), counted from 0.
+    pub interval: usize,
+    /// When.
+    pub span: Span,
+    /// In words.
+    pub detail: String,
+}

@@ -1,0 +1,161 @@
+//! Fit, measure the noise, look for disturbances, fit again.
+
+use sensor::{AnyEffect, Quantity, Sensor};
+
+use super::chart::Chart;
+use super::clock_fit::settle_clock;
+use super::data::{Cut, Data};
+use super::fit::JointFit;
+use super::knowledge::by_models;
+use super::minimum::{Point, Run};
+use super::request::JointRequest;
+use super::start::{Start, charts, start};
+use recording::Error;
+
+/// Rounds of weighting at most; one suffices where nothing was disturbed.
+const ROUNDS: usize = 6;
+
+/// Bends of the rows between two points below this, in standard deviations, change no judgement: all
+/// that is judged is what the Jacobian's columns leave, and that is the same at both.
+const STRAIGHT: f64 = 0.2;
+
+/// Fits everything at once.
+///
+/// # Errors
+/// Means that lie on no sphere, rests without a direction, and what the solver refuses.
+pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
+    let start = start(request)?;
+    let cuts: Vec<Cut<'_>> = request
+        .recordings
+        .iter()
+        .map(|(recording, segmentation)| Cut {
+            recording,
+            segmentation,
+            force_unit: &start.force_unit,
+            rate_unit: &start.rate_unit,
+            clock: request.clock,
+        })
+        .collect();
+    let mut data = Data::default();
+    for cut in &cuts {
+        data.add(cut);
+    }
+    let look = |effect: &&'static dyn AnyEffect| {
+        let mut needs = effect.needs().into_iter();
+        needs.any(Quantity::is_told_by_intervals)
+    };
+    let covariates = request.covariates
+        || !request.gyroscope.effects().is_empty()
+        || request.accelerometer.effects().iter().any(look);
+    for k in data.with_scatter() {
+        data.set_clock(k, 0, 0.0);
+    }
+    let charts = charts(&data, &request.accelerometer, &start)?;
+    let known = |data: &mut Data, before| know(request, data, &cuts, &charts, &start, before);
+    let first = covariates.then(|| known(&mut data, None)).transpose()?;
+    let mut point = settle_clock(request, &mut data, &charts, &start, first.clone())?;
+    // What effects ask for is asked for at the samples' times.
+    if covariates && point.is_some() {
+        point = Some(known(&mut data, point.as_ref())?);
+    }
+    Run {
+        request,
+        data: &data,
+        charts: &charts,
+        start: &start,
+    }
+    .run(point.or(first))
+}
+
+/// Works out what effects look at: by the models at first, or at the fit before, then by those of a first fit, which is
+/// returned.
+fn know(
+    request: &JointRequest<'_>,
+    data: &mut Data,
+    cuts: &[Cut<'_>],
+    charts: &[Chart],
+    start: &Start,
+    before: Option<&Point>,
+) -> Result<Point, Error> {
+    let first = match before {
+        Some(point) => Run {
+            request,
+            data,
+            charts,
+            start,
+        }
+        .models(point),
+        None => {
+            let perfect = request.gyroscope.parameters();
+            let first = start.accelerometer.iter();
+            first
+                .map(|p| (p.clone(), perfect.values().to_vec()))
+                .collect()
+        }
+    };
+    write_down(request, data, cuts, &first);
+    let run = Run {
+        request,
+        data,
+        charts,
+        start,
+    };
+    let point = run.approach(&run.first_weights(), before)?;
+    let fitted = run.models(&point);
+    write_down(request, data, cuts, &fitted);
+    Ok(point)
+}
+
+/// Parameters of the accelerometer and the gyroscope in each recording.
+type ByRecording = Vec<(Vec<f64>, Vec<f64>)>;
+
+fn write_down(request: &JointRequest<'_>, data: &mut Data, cuts: &[Cut<'_>], models: &ByRecording) {
+    for (k, (cut, (force, rate))) in cuts.iter().zip(models).enumerate() {
+        let (force, rate) = (
+            (&request.accelerometer, force.as_slice()),
+            (&request.gyroscope, rate.as_slice()),
+        );
+        let truth = by_models(cut, force, rate);
+        data.know(k, &truth, cut.recording.start());
+    }
+}
+
+impl Run<'_> {
+    /// The models at a fit: what effects look at depends on them in second order only.
+    fn models(&self, point: &Point) -> ByRecording {
+        let (rows, x) = (self.rows(&[]), point.parameters.values());
+        let perfect = self.request.gyroscope.parameters();
+        let of = |k: usize| {
+            let rate = match rows.layout.gyroscope {
+                0 => perfect.values().to_vec(),
+                _ => rows.local(x, Sensor::Gyroscope, k),
+            };
+            (rows.local(x, Sensor::Accelerometer, k), rate)
+        };
+        (0..self.data.sources.len()).map(of).collect()
+    }
+
+    fn run(&self, before: Option<Point>) -> Result<JointFit, Error> {
+        let mut weights = match &before {
+            Some(point) => self.weights_at(point.plain_values()),
+            None => self.first_weights(),
+        };
+        let mut point = self.approach(&weights, before.as_ref())?;
+        let earth = self.request.earth.then(|| {
+            let rows = self.rows(&[]);
+            rows.earth_columns(point.plain_values())
+        });
+        for _ in 0..ROUNDS {
+            weights = self.judge(&point, earth.as_ref());
+            let next = self.approach(&weights, Some(&point))?;
+            let bend = self.bend(&point, &next, &weights.whitening);
+            point = next;
+            // Readings that no model fits are not judged over and over.
+            let spent = self.start.steps.are_spent(self.data.cost_of_a_step());
+            if bend < STRAIGHT || spent {
+                break;
+            }
+        }
+        self.finish(&point, weights)
+    }
+}

@@ -1,0 +1,341 @@
+//! Biases estimated again on a recording, scale factors and misalignments kept.
+
+use nalgebra::{Matrix3, Vector3};
+use sensor::{Sensor, inverse};
+use solver::{Options, Uncertainty, solve};
+
+use super::static_means_by;
+use crate::calibration::{BiasUpdate, Calibration, apply_with};
+use crate::residuals::GravityNorm;
+use crate::truth::{Models, Truth};
+use recording::Error;
+use recording::Recording;
+use recording::intervals::{Segmentation, Span};
+
+/// A rest must be longer than this to say anything new of a gyroscope's bias (Liu et al. 2021,
+/// section 4.2), s.
+pub const LONG_ENOUGH: f64 = 20.0;
+
+/// Fewest rests for an accelerometer's bias: one more than its three numbers.
+const FEWEST_RESTS: usize = 4;
+
+/// Orientations whose bias is worse conditioned than this do not tell the axes apart.
+const WORST_CONDITION: f64 = 30.0;
+
+/// The gyroscope's bias seen in one rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stretch {
+    /// The rest.
+    pub span: Span,
+    /// Mean of the corrected rate, rad/s: what the bias has changed by.
+    pub residual: Vector3<f64>,
+    /// Its standard error by means over seconds, rad/s.
+    pub std: Vector3<f64>,
+}
+
+/// The rests longer than [`LONG_ENOUGH`] and the corrected gyroscope's mean in each.
+///
+/// # Errors
+/// A recording without gyroscope, a calibration without one, and no rest that is long enough.
+pub fn gyroscope_stretches(
+    calibration: &Calibration,
+    recording: &Recording,
+    segmentation: &Segmentation,
+) -> Result<Vec<Stretch>, Error> {
+    let corrected = apply_with(calibration, recording, Some(segmentation))?;
+    let (Some(stream), Some(_)) = (&corrected.gyroscope, &calibration.gyroscope) else {
+        return Err(Error::NotEnough(format!(
+            "{}: recording and calibration must both have a gyroscope",
+            recording.name
+        )));
+    };
+    let long = |span: &Span| span.length() > LONG_ENOUGH;
+    let stretches: Vec<Stretch> = segmentation
+        .statics
+        .iter()
+        .map(|rest| rest.span)
+        .filter(long)
+        .filter_map(|span| {
+            let samples = stream.between(span.from, span.to);
+            let (residual, std) = mean_of(&stream.values[samples], span.length() as usize)?;
+            Some(Stretch {
+                span,
+                residual,
+                std,
+            })
+        })
+        .collect();
+    if stretches.is_empty() {
+        let longest = segmentation
+            .statics
+            .iter()
+            .map(|r| r.span.length())
+            .fold(0.0, f64::max);
+        return Err(Error::NotEnough(format!(
+            "{}: the longest rest is {longest:.1} s; put the device down for more than {LONG_ENOUGH} s",
+            recording.name
+        )));
+    }
+    Ok(stretches)
+}
+
+/// Adds the mean over all stretches, weighted by their length, to the gyroscope's bias.
+///
+/// # Errors
+/// A calibration without gyroscope, or with a matrix without inverse.
+pub fn update_gyroscope(
+    calibration: &Calibration,
+    recording: &str,
+    stretches: &[Stretch],
+) -> Result<Calibration, Error> {
+    let time: f64 = stretches.iter().map(|s| s.span.length()).sum();
+    let weighted = |f: fn(&Stretch) -> Vector3<f64>, power: i32| {
+        let sum: Vector3<f64> = stretches
+            .iter()
+            .map(|s| f(s) * (s.span.length() / time).powi(power))
+            .sum();
+        sum
+    };
+    let residual = weighted(|s| s.residual, 1);
+    let within = weighted(|s| s.std.map(|v| v * v), 2);
+    let count = stretches.len() as f64;
+    let between: Vector3<f64> = stretches
+        .iter()
+        .map(|s| (s.residual - residual).map(|d| d * d) / (count * (count - 1.0).max(1.0)))
+        .sum();
+    let std = Vector3::from_fn(|k, _| within[k].max(between[k]).sqrt());
+    shifted(
+        calibration,
+        Sensor::Gyroscope,
+        recording,
+        stretches.len(),
+        residual,
+        std,
+    )
+}
+
+/// Fits the accelerometer's bias alone to the modulus of gravity over the rests.
+///
+/// # Errors
+/// Fewer than four rests, orientations that do not tell the axes apart, a calibration without
+/// accelerometer, and what the solver refuses.
+pub fn update_accelerometer(
+    calibration: &Calibration,
+    recording: &Recording,
+    segmentation: &Segmentation,
+) -> Result<Calibration, Error> {
+    let truth = Truth::of(recording, Some(segmentation), Models::of(calibration))?;
+    let means = static_means_by(&truth, segmentation);
+    let (Some((model, p)), true) = (
+        calibration.model(Sensor::Accelerometer),
+        means.len() >= FEWEST_RESTS,
+    ) else {
+        return Err(Error::NotEnough(format!(
+            "{}: {} rests and {} in the calibration; the accelerometer's bias needs at least \
+             {FEWEST_RESTS} rests in different orientations",
+            recording.name,
+            means.len(),
+            if calibration.accelerometer.is_some() {
+                "an accelerometer"
+            } else {
+                "no accelerometer"
+            },
+        )));
+    };
+    let mut start = model.parameters();
+    start.values_mut().copy_from_slice(&p);
+    let mask = start.free_where(|name| name.starts_with("accel.b_"));
+    let problem = GravityNorm {
+        model: &model,
+        means: &means,
+        gravity: calibration.gravity,
+    };
+    let report = solve(&problem, &start, &mask, &Options::default())?;
+    if !report.termination.converged() {
+        return Err(Error::NotConverged(format!(
+            "{}: accelerometer bias",
+            recording.name
+        )));
+    }
+    let condition = condition(&report.uncertainty);
+    if condition > WORST_CONDITION {
+        return Err(Error::NotEnough(format!(
+            "{}: the rests do not tell the three axes apart (condition {condition:.0}): turn the \
+             device further",
+            recording.name
+        )));
+    }
+    let sigma = report.reduced_chi2().map_or(f64::NAN, f64::sqrt);
+    let change = |k: usize| report.parameters.values()[9 + k] - p[9 + k];
+    let std = Vector3::from_fn(|k, _| report.uncertainty.standard_error(k, sigma));
+    let t = calibration.triad(Sensor::Accelerometer).map(|t| t.base().t);
+    let t = t.unwrap_or_else(Matrix3::identity);
+    let residual = t * Vector3::from_fn(|k, _| change(k));
+    let std = t.abs() * std;
+    shifted(
+        calibration,
+        Sensor::Accelerometer,
+        &recording.name,
+        means.len(),
+        residual,
+        std,
+    )
+}
+
+/// The calibration with `T⁻¹ residual` added to the bias of a sensor, and a line of history.
+fn shifted(
+    calibration: &Calibration,
+    sensor: Sensor,
+    recording: &str,
+    rests: usize,
+    residual: Vector3<f64>,
+    std: Vector3<f64>,
+) -> Result<Calibration, Error> {
+    let mut updated = calibration.clone();
+    let triad = updated.triad_mut(sensor);
+    let back = triad.as_ref().and_then(|triad| inverse(&triad.base().t));
+    let (Some(triad), Some(back)) = (triad, back) else {
+        return Err(Error::NotEnough(
+            "the calibration has no usable matrix for this sensor".into(),
+        ));
+    };
+    let before = triad.bias;
+    let change = back * residual;
+    triad.bias = (Vector3::from(before) + change).into();
+    triad.bias_std = (back.abs() * std).map(Some).into();
+    let bias = triad.bias;
+    updated.history.push(BiasUpdate {
+        sensor: sensor.prefix().into(),
+        recording: recording.into(),
+        rests,
+        bias_before: before,
+        bias,
+    });
+    updated.seal();
+    Ok(updated)
+}
+
+/// Longest over shortest axis of the three biases' error ellipsoid: the condition of their columns as
+/// they are, for the three share a unit and a column of nearly nothing is a blind axis.
+fn condition(biases: &Uncertainty) -> f64 {
+    if biases.rank < 3 {
+        return f64::INFINITY;
+    }
+    let covariance = Matrix3::from_fn(|i, k| biases.covariance[i][k]);
+    let axes = covariance.symmetric_eigenvalues();
+    (axes.max() / axes.min().max(0.0)).sqrt()
+}
+
+/// Mean of the values and its standard error from the scatter of `batches` means in a row, which
+/// sees slow noise that single samples do not show.
+fn mean_of(values: &[Vector3<f64>], batches: usize) -> Option<(Vector3<f64>, Vector3<f64>)> {
+    let length = values.len() / batches.max(2);
+    if length == 0 {
+        return None;
+    }
+    let mean = values.iter().sum::<Vector3<f64>>() / values.len() as f64;
+    let squares: Vec<Vector3<f64>> = values
+        .chunks_exact(length)
+        .map(|batch| (batch.iter().sum::<Vector3<f64>>() / length as f64 - mean).map(|d| d * d))
+        .collect();
+    let n = squares.len() as f64;
+    let std = squares.iter().sum::<Vector3<f64>>() / (n * (n - 1.0).max(1.0));
+    Some((mean, std.map(f64::sqrt)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::methods::six_position::{Face, Placement, Six, SixPosition};
+    use recording::Stream;
+    use recording::intervals::{Detector, segment};
+
+    const G: f64 = 9.8;
+    /// Biases of the day: what a calibration from yesterday does not know.
+    const FORCE: Vector3<f64> = Vector3::new(0.05, -0.02, 0.03);
+    const RATE: Vector3<f64> = Vector3::new(1e-3, 2e-3, -5e-4);
+
+    /// Yesterday's calibration: a perfect device.
+    fn yesterday() -> Calibration {
+        let placement = |face: &Face| Placement {
+            label: face.name().into(),
+            accelerometer: face.direction() * G,
+            gyroscope: Some(Vector3::zeros()),
+        };
+        let six = Six::sort(Face::ALL.iter().map(placement).collect(), G).unwrap();
+        SixPosition::solve(&six, G).calibration(false).unwrap()
+    }
+
+    /// Rests of `seconds` on each face with quick turns between, both sensors biased, with some noise.
+    fn today(faces: &[Face], seconds: f64) -> (Recording, Segmentation) {
+        let (mut force, mut rate) = (Stream::default(), Stream::default());
+        let mut t = 0.0;
+        for face in faces {
+            for (length, size) in [(seconds, 1e-3), (1.0, 1.0)] {
+                let end = t + length;
+                while t < end {
+                    let shake = Vector3::new((47.0 * t).sin(), (31.0 * t).sin(), (59.0 * t).sin());
+                    for stream in [&mut force, &mut rate] {
+                        stream.t.push(t);
+                    }
+                    force
+                        .values
+                        .push(face.direction() * G + FORCE + shake * size);
+                    rate.values.push(RATE + shake * (0.01 * size));
+                    t += 0.02;
+                }
+            }
+        }
+        let recording = Recording {
+            name: "today".into(),
+            accelerometer: Some(force),
+            gyroscope: Some(rate),
+            ..Recording::default()
+        };
+        let rests = segment(&recording, &Detector::default()).unwrap();
+        assert_eq!(rests.statics.len(), faces.len());
+        (recording, rests)
+    }
+
+    #[test]
+    fn biases_of_the_day_are_found_and_nothing_else_changes() {
+        let (recording, rests) = today(&Face::ALL, 25.0);
+        let old = yesterday();
+        let stretches = gyroscope_stretches(&old, &recording, &rests).unwrap();
+        assert_eq!(stretches.len(), 6);
+        let new = update_gyroscope(&old, "today", &stretches).unwrap();
+        let new = update_accelerometer(&new, &recording, &rests).unwrap();
+        let bias = |sensor| new.triad(sensor).unwrap().base().bias;
+        // The shaking does not average out exactly over a rest: 1e-3 of it over 25 s.
+        assert!((bias(Sensor::Gyroscope) - RATE).norm() < 1e-6);
+        assert!((bias(Sensor::Accelerometer) - FORCE).norm() < 1e-3 * FORCE.norm());
+        assert_eq!(new.history.len(), 2);
+        assert_eq!(new.history[1].sensor, "accel");
+        assert_eq!(new.accelerometer.unwrap().t, old.accelerometer.unwrap().t);
+    }
+
+    #[test]
+    fn rests_in_one_plane_do_not_give_an_accelerometer_bias() {
+        let plane = [Face::XUp, Face::YUp, Face::XDown, Face::YDown];
+        let (recording, rests) = today(&plane, 5.0);
+        let message = update_accelerometer(&yesterday(), &recording, &rests)
+            .unwrap_err()
+            .to_string();
+        assert!(
+            message.contains("do not tell the three axes apart"),
+            "{message}"
+        );
+    }
+
+    #[test]
+    fn short_rests_and_few_rests_are_refused() {
+        let (recording, rests) = today(&[Face::XUp, Face::YUp, Face::ZUp], 10.0);
+        let message = gyroscope_stretches(&yesterday(), &recording, &rests).unwrap_err();
+        assert!(message.to_string().contains("more than 20 s"), "{message}");
+        let message = update_accelerometer(&yesterday(), &recording, &rests).unwrap_err();
+        assert!(
+            message.to_string().contains("3 rests and an accelerometer"),
+            "{message}"
+        );
+    }
+}

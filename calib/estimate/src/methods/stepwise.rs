@@ -1,0 +1,190 @@
+//! The stepwise accelerometer calibration, as published (Liu et al. 2021, section 4.1).
+
+use nalgebra::Matrix3;
+use sensor::{Base, Model};
+use solver::{Options, Report, Variant, solve};
+use statrs::distribution::{ContinuousCDF, FisherSnedecor};
+
+use super::first_guess::{RawUnit, accelerometer_unit};
+use super::fitted::Fitted;
+use super::outliers::{Outlier, outliers};
+use super::small_sample::residual_std;
+use crate::residuals::{GravityNorm, OwnBias, StaticMean};
+use recording::Error;
+use recording::watch::{Stage, step};
+
+/// Recordings get biases of their own where a common one is refuted at this level.
+const OWN_BIAS_LEVEL: f64 = 0.01;
+
+/// Steps that a fit may take: placements that determine the parameters need ten.
+const MOST_STEPS: usize = 200;
+
+/// A rest is called an outlier where chance makes one in so many sessions.
+const OUTLIER_LEVEL: f64 = 1e-4;
+
+/// What to fit.
+#[derive(Clone, Debug)]
+pub struct AccelerometerRequest {
+    /// Static means of each recording, raw unit.
+    pub recordings: Vec<Vec<StaticMean>>,
+    /// Names of the recordings.
+    pub names: Vec<String>,
+    /// Base model and effects.
+    pub model: Model,
+    /// Local gravity, m/s².
+    pub gravity: f64,
+}
+
+/// The fit of an accelerometer.
+#[derive(Clone, Debug)]
+pub struct AccelerometerFit {
+    /// Base model and effects.
+    pub model: Model,
+    /// Step 1 in raw units: the nine parameters of the triangular frame.
+    pub fitted: Fitted,
+    /// Step 1, on readings near SI units.
+    pub first: Report,
+    /// Step 2, on readings near SI units: all nine elements of `T` at the biases of step 1.
+    pub second: Report,
+    /// The unit of the readings.
+    pub unit: RawUnit,
+    /// Whether each recording has a bias of its own.
+    pub own_bias: bool,
+    /// Rests that disagree with all the others.
+    pub outliers: Vec<Outlier>,
+    /// The probability of so much difference between the recordings under one common bias.
+    pub common_bias_p: Option<f64>,
+}
+
+impl AccelerometerFit {
+    /// `T` of step 2, raw units: with steps of minimum norm the symmetric factor of step 1's.
+    pub fn step_two_matrix(&self) -> Matrix3<f64> {
+        Base::from_parameters(self.second.parameters.values()).t * self.unit.scale
+    }
+}
+
+/// Runs both steps. Step 1 frees the nine parameters that gravity's modulus knows, from a perfect
+/// sensor; step 2 holds its biases and frees all of `T`, again from a perfect sensor. The Jacobian
+/// of step 2 has rank 6, so its steps are of minimum norm.
+///
+/// # Errors
+/// Means that lie on no sphere, and what the solver refuses.
+pub fn fit_accelerometer(request: &AccelerometerRequest) -> Result<AccelerometerFit, Error> {
+    step(Stage::Fitting)?;
+    let all: Vec<_> = request.recordings.iter().flatten().map(|m| m.raw).collect();
+    let unit = accelerometer_unit(&all, request.gravity).ok_or_else(|| {
+        Error::NotEnough(format!(
+            "{} static means lie on no sphere: the unit of the accelerometer cannot be told; {}; run \
+             `stillpoint plan` for the orientations",
+            all.len(),
+            plan::REQUIREMENT
+        ))
+    })?;
+    let near_si: Vec<Vec<StaticMean>> = request
+        .recordings
+        .iter()
+        .map(|means| unit.means_to_si(means))
+        .collect();
+    let common = step_one(request, &near_si, false)?;
+    let (first, common_bias_p) = match request.recordings.len() {
+        0 | 1 => (common, None),
+        _ => choose_bias(common, step_one(request, &near_si, true)?),
+    };
+    let shared = request.model.parameters().len();
+    let own_bias = first.parameters.len() > shared;
+    let second = step_two(request, &near_si, &first, own_bias)?;
+    Ok(AccelerometerFit {
+        model: request.model.clone(),
+        fitted: Fitted::in_raw_units(&first, &unit, shared, scatter(&first, &near_si)),
+        outliers: outliers(&problem(request, &near_si, own_bias), &first, OUTLIER_LEVEL),
+        first,
+        second,
+        unit,
+        own_bias,
+        common_bias_p,
+    })
+}
+
+fn problem<'a>(
+    request: &'a AccelerometerRequest,
+    near_si: &'a [Vec<StaticMean>],
+    own_bias: bool,
+) -> OwnBias<GravityNorm<'a>> {
+    let parts = near_si
+        .iter()
+        .map(|means| GravityNorm {
+            model: &request.model,
+            means,
+            gravity: request.gravity,
+        })
+        .collect();
+    OwnBias {
+        parts,
+        shared: request.model.parameters().len(),
+        own_bias,
+    }
+}
+
+fn step_one(
+    request: &AccelerometerRequest,
+    near_si: &[Vec<StaticMean>],
+    own_bias: bool,
+) -> Result<Report, Error> {
+    let problem = problem(request, near_si, own_bias);
+    let start = problem.parameters(&request.model.parameters(), &request.names);
+    let mask = start.free_where(accelerometer::is_free_in_triangular_frame);
+    let options = Options {
+        max_iterations: MOST_STEPS,
+        ..Options::default()
+    };
+    Ok(solve(&problem, &start, &mask, &options)?)
+}
+
+fn step_two(
+    request: &AccelerometerRequest,
+    near_si: &[Vec<StaticMean>],
+    first: &Report,
+    own_bias: bool,
+) -> Result<Report, Error> {
+    let problem = problem(request, near_si, own_bias);
+    let mut start = first.parameters.clone();
+    let perfect = Base::identity().parameters();
+    start.values_mut()[..9].copy_from_slice(&perfect[..9]);
+    let base: Vec<String> = start.names()[..9].to_vec();
+    let mask = start.free_where(|name| base.iter().any(|free| free == name));
+    let options = Options {
+        variant: Variant::GaussNewtonMinimumNorm,
+        max_iterations: MOST_STEPS,
+        ..Options::default()
+    };
+    Ok(solve(&problem, &start, &mask, &options)?)
+}
+
+/// The fit with own biases where the F test refutes a common one, and that test's p-value.
+fn choose_bias(common: Report, own: Report) -> (Report, Option<f64>) {
+    let extra = (own.uncertainty.rank as f64) - (common.uncertainty.rank as f64);
+    let dof = own.residuals.len() as f64 - own.uncertainty.rank as f64;
+    if extra < 1.0 || dof < 1.0 || own.cost <= 0.0 {
+        return (common, None);
+    }
+    let f = ((common.cost - own.cost).max(0.0) / extra) / (own.cost / dof);
+    if !f.is_finite() {
+        return (common, None);
+    }
+    let p = FisherSnedecor::new(extra, dof).ok().map(|law| law.sf(f));
+    match p {
+        Some(p) if p < OWN_BIAS_LEVEL => (own, Some(p)),
+        _ => (common, p),
+    }
+}
+
+/// Standard deviation of a residual: the white noise within the rests, or the scatter around the fit where that says
+/// otherwise.
+fn scatter(report: &Report, means: &[Vec<StaticMean>]) -> f64 {
+    let all: Vec<f64> = means.iter().flatten().map(|m| m.white * m.white).collect();
+    let white = (all.iter().sum::<f64>() / all.len().max(1) as f64).sqrt();
+    let spare = report.residuals.len().checked_sub(report.uncertainty.rank);
+    spare.filter(|spare| *spare > 0).map_or(f64::NAN, |spare| {
+        residual_std(2.0 * report.cost, spare, white)
+    })
+}

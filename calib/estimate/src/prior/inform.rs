@@ -1,0 +1,183 @@
+//! A calibration with what the type has in common.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::belonging::{Belonging, belonging};
+use super::{Prior, PriorShare, PriorUse};
+use crate::calibration::Calibration;
+use recording::Error;
+
+impl Prior {
+    /// Adds the type's information to a calibration whose own covariance is that of its session; writes down what came from
+    /// where. A device that is not of the type stays as it is, with a warning.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] where they have no parameter in common, or the accelerometer's frame is not the triangular one.
+    pub fn inform(&self, calibration: &mut Calibration) -> Result<(), Error> {
+        let symmetric = calibration
+            .provenance
+            .options
+            .as_ref()
+            .is_some_and(|o| o.frame == "symmetric");
+        if symmetric {
+            let why = "--prior holds in the triangular frame; leave out --frame symmetric";
+            return Err(Error::Usage(why.into()));
+        }
+        let all = &calibration.parameters;
+        let common: Vec<(usize, usize)> = self
+            .parameters
+            .iter()
+            .enumerate()
+            .filter_map(|(k, name)| Some((all.iter().position(|own| own == name)?, k)))
+            .collect();
+        if common.is_empty() {
+            let why = "the prior and the calibration have no parameter in common; was it fitted to such devices?";
+            return Err(Error::Usage(why.into()));
+        }
+        let n = all.len();
+        let c = DMatrix::from_fn(n, n, |i, j| calibration.covariance[i][j]);
+        let values = calibration.parameter_values();
+        let spread = self.spread();
+        let m = common.len();
+        let prior = DMatrix::from_fn(m, m, |i, j| spread[(common[i].1, common[j].1)]);
+        let own = DMatrix::from_fn(m, m, |i, j| c[(common[i].0, common[j].0)]);
+        let cross = DMatrix::from_fn(n, m, |i, j| c[(i, common[j].0)]);
+        let gap = DVector::from_fn(m, |i, _| self.mean[common[i].1] - values[common[i].0]);
+        let total = &prior + &own;
+        let judged = belonging(&gap, &total);
+        let Some((judged, solved)) = judged.zip(scaled_solve(&total, &cross, &gap)) else {
+            return Err(Error::Input(
+                "the prior's covariance and the session's are none together".into(),
+            ));
+        };
+        let (shift, shrink) = solved;
+        let used = judged.belongs();
+        let (after, c_after) = match used {
+            true => (&values + shift, &c - shrink),
+            false => (values.clone(), c.clone()),
+        };
+        let share = |&(i, k): &(usize, usize)| PriorShare {
+            name: self.parameters[k].clone(),
+            prior: self.mean[k],
+            prior_std: spread[(k, k)].sqrt(),
+            data: values[i],
+            data_std: c[(i, i)].sqrt(),
+            value: after[i],
+            std: c_after[(i, i)].max(0.0).sqrt(),
+            by_prior: 1.0 - c_after[(i, i)] / c[(i, i)],
+        };
+        let shares: Vec<PriorShare> = common.iter().map(share).collect();
+        if used {
+            calibration.write_parameters(&after, &c_after);
+        } else {
+            calibration.warnings.push(self.stranger(&judged, &shares));
+        }
+        calibration.prior = Some(PriorUse {
+            devices: self.devices,
+            belongs: used,
+            p_value: judged.p_value,
+            furthest: shares
+                .get(judged.furthest)
+                .map(|s| (s.name.clone(), -judged.deviation)),
+            parameters: shares,
+        });
+        calibration.seal();
+        Ok(())
+    }
+
+    fn stranger(&self, judged: &Belonging, shares: &[PriorShare]) -> String {
+        let name = shares.get(judged.furthest).map_or("", |s| s.name.as_str());
+        format!(
+            "the device is not of the type of the prior: {name} is {:.1} standard deviations from its mean (a device of the \
+             type is so far out in {:.1e} of cases); the prior is not used",
+            judged.deviation.abs(),
+            judged.p_value
+        )
+    }
+}
+
+/// `C Sᵀ (…)⁻¹ (μ − S y)` and `C Sᵀ (…)⁻¹ S C`, solved with unit diagonal: parameters differ by orders of magnitude.
+fn scaled_solve(
+    total: &DMatrix<f64>,
+    cross: &DMatrix<f64>,
+    gap: &DVector<f64>,
+) -> Option<(DVector<f64>, DMatrix<f64>)> {
+    let m = gap.len();
+    let scale = DVector::from_fn(m, |k, _| total[(k, k)].sqrt());
+    let unit = DMatrix::from_fn(m, m, |i, j| total[(i, j)] / (scale[i] * scale[j]));
+    let cross = DMatrix::from_fn(cross.nrows(), m, |i, j| cross[(i, j)] / scale[j]);
+    let factor = unit.cholesky()?;
+    let shift = &cross * factor.solve(&gap.component_div(&scale));
+    let shrink = &cross * factor.solve(&cross.transpose());
+    Some((shift, shrink))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::methods::six_position::{Face, Placement, Six, SixPosition};
+    use crate::prior::PRIOR_SCHEMA;
+    use nalgebra::Vector3;
+
+    fn calibration() -> Calibration {
+        let placements = Face::ALL.map(|face| Placement {
+            label: face.name().into(),
+            accelerometer: face.direction() * 9.81 + Vector3::new(0.1, 0.2, 0.3),
+            gyroscope: None,
+        });
+        let six = Six::sort(placements.to_vec(), 9.80665).unwrap();
+        let mut calibration = SixPosition::solve(&six, 9.80665)
+            .calibration(false)
+            .unwrap();
+        let n = calibration.parameters.len();
+        calibration.covariance = (0..n)
+            .map(|i| (0..n).map(|j| f64::from(u8::from(i == j)) * 1e-4).collect())
+            .collect();
+        calibration
+    }
+
+    fn prior(mean: f64, variance: f64) -> Prior {
+        Prior {
+            schema: PRIOR_SCHEMA.into(),
+            created_by: String::new(),
+            devices: 100,
+            outsiders: Vec::new(),
+            without: 0,
+            effects: Vec::new(),
+            parameters: vec!["accel.b_x".into()],
+            mean: vec![mean],
+            covariance: vec![vec![variance]],
+            mean_covariance: vec![vec![0.0]],
+        }
+    }
+
+    #[test]
+    fn two_values_of_equal_weight_meet_half_way() {
+        let mut calibration = calibration();
+        let data = calibration.accelerometer.as_ref().unwrap().bias[0];
+        prior(data + 0.02, 1e-4).inform(&mut calibration).unwrap();
+        let triad = calibration.accelerometer.as_ref().unwrap();
+        assert!((triad.bias[0] - data - 0.01).abs() < 1e-12);
+        assert!((triad.bias_std[0].unwrap() - 0.01 / 2f64.sqrt()).abs() < 1e-12);
+        let used = calibration.prior.as_ref().unwrap();
+        assert!(used.belongs && (used.parameters[0].by_prior - 0.5).abs() < 1e-12);
+        assert_eq!(calibration.was_edited(), Some(false));
+    }
+
+    #[test]
+    fn a_stranger_is_flagged_and_not_pulled_in() {
+        let mut calibration = calibration();
+        let before = calibration.clone();
+        let data = before.accelerometer.as_ref().unwrap().bias[0];
+        prior(data + 0.2, 1e-4).inform(&mut calibration).unwrap();
+        assert_eq!(calibration.accelerometer, before.accelerometer);
+        assert!(!calibration.prior.as_ref().unwrap().belongs);
+        assert!(
+            calibration
+                .warnings
+                .last()
+                .unwrap()
+                .contains("accel.b_x is 14.1 standard deviations")
+        );
+    }
+}

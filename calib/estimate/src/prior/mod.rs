@@ -1,0 +1,141 @@
+//! What the devices of a type have in common, and a calibration that uses it.
+//!
+//! A device's parameters are drawn from its type, `θ ~ N(μ, Σ)`; a session sees them with its own error, `y = θ + e`,
+//! `e ~ N(0, C)`. The session's information and that of the type add up:
+//!
+//! ```text
+//! θ⁺ = y + C Sᵀ (S C Sᵀ + Σ)⁻¹ (μ − S y)        S picks the parameters that the type knows
+//! C⁺ = C − C Sᵀ (S C Sᵀ + Σ)⁻¹ S C
+//! ```
+//!
+//! A device that is not of the type is told by `μ − S y` against `S C Sᵀ + Σ` and left as its session found it.
+
+mod belonging;
+mod inform;
+
+pub use belonging::{Belonging, belonging};
+
+use std::path::Path;
+
+use nalgebra::{DMatrix, DVector};
+use serde::{Deserialize, Serialize};
+
+use recording::Error;
+use recording::shown::shown_path;
+
+/// Schema of prior.json.
+pub const PRIOR_SCHEMA: &str = "stillpoint.prior/1";
+
+/// The distribution of a type's parameters.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Prior {
+    /// [`PRIOR_SCHEMA`].
+    pub schema: String,
+    /// Program and version.
+    pub created_by: String,
+    /// Devices that it was estimated from.
+    pub devices: usize,
+    /// Devices that were left out as not of the type.
+    pub outsiders: Vec<String>,
+    /// Devices without a calibration or without all parameters.
+    pub without: usize,
+    /// Effects among the parameters: calibrations with this prior fit them.
+    pub effects: Vec<String>,
+    /// Names of the parameters.
+    pub parameters: Vec<String>,
+    /// `μ`.
+    pub mean: Vec<f64>,
+    /// `Σ`: the spread from device to device, measurement errors taken off.
+    pub covariance: Vec<Vec<f64>>,
+    /// Covariance of the error of `μ`.
+    pub mean_covariance: Vec<Vec<f64>>,
+}
+
+/// What the prior gave to a calibration.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PriorUse {
+    /// Devices that the prior was estimated from.
+    pub devices: usize,
+    /// Whether the device belongs to the type; if not the prior was not used.
+    pub belongs: bool,
+    /// Chance of a device of the type being so far from its mean.
+    pub p_value: f64,
+    /// The parameter that is furthest, and by how many standard deviations of type and session.
+    pub furthest: Option<(String, f64)>,
+    /// Parameter by parameter.
+    pub parameters: Vec<PriorShare>,
+}
+
+/// What prior and session gave for one parameter.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PriorShare {
+    /// Name.
+    pub name: String,
+    /// Mean of the type.
+    pub prior: f64,
+    /// Spread of the type.
+    pub prior_std: f64,
+    /// What the session alone found.
+    pub data: f64,
+    /// Its standard error.
+    pub data_std: f64,
+    /// Both together.
+    pub value: f64,
+    /// Its standard error.
+    pub std: f64,
+    /// Share of the information that the prior gave: 0 nothing, 1 everything.
+    pub by_prior: f64,
+}
+
+impl Prior {
+    /// The prior of the file at `path`.
+    ///
+    /// # Errors
+    /// [`Error::Io`], or [`Error::Input`] for what is no prior or has a covariance that is none.
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        let text = recording::read_text(path)?;
+        let name = shown_path(path);
+        let prior: Self = serde_json::from_str(&text).map_err(|e| {
+            Error::Input(format!("{name}:{}:{}: no prior: {e}", e.line(), e.column()))
+        })?;
+        match prior.fault() {
+            None => Ok(prior),
+            Some(what) => Err(Error::Input(format!("{name}: no prior: {what}"))),
+        }
+    }
+
+    fn fault(&self) -> Option<String> {
+        let n = self.parameters.len();
+        if self.schema != PRIOR_SCHEMA {
+            return Some(format!(
+                "its schema is `{}`, `{PRIOR_SCHEMA}` expected",
+                self.schema
+            ));
+        }
+        let square = |m: &[Vec<f64>]| m.len() == n && m.iter().all(|row| row.len() == n);
+        if self.mean.len() != n || !square(&self.covariance) || !square(&self.mean_covariance) {
+            return Some(format!(
+                "{n} parameters, and mean or covariance of another size"
+            ));
+        }
+        let finite = self
+            .mean
+            .iter()
+            .chain(self.covariance.iter().flatten())
+            .all(|v| v.is_finite());
+        (!finite).then(|| "mean or covariance is no number".to_owned())
+    }
+
+    /// `μ`.
+    pub fn mean_vector(&self) -> DVector<f64> {
+        DVector::from_column_slice(&self.mean)
+    }
+
+    /// Covariance of a further device: `Σ` and the error of `μ`.
+    pub fn spread(&self) -> DMatrix<f64> {
+        let n = self.parameters.len();
+        DMatrix::from_fn(n, n, |i, j| {
+            self.covariance[i][j] + self.mean_covariance[i][j]
+        })
+    }
+}

@@ -1,0 +1,34 @@
+//! When the device was still and when it turned.
+//!
+//! ```text
+//! Recording ──► Survey ──► spans of motion ──► Segmentation: StaticInterval · Turn · StaticInterval …
+//!               Detector   at a multiplier
+//! ```
+
+mod detector;
+mod detector_options;
+mod ends;
+mod moments;
+mod rejected;
+mod running_sums;
+mod saturation;
+mod sections;
+mod segmentation;
+mod shaken;
+mod spans;
+mod stamps;
+mod stillness;
+mod survey;
+mod tilt;
+mod unexplained_turn;
+
+pub use detector::{Detector, Level};
+pub use detector_options::DetectorOptions;
+pub use moments::Moments;
+pub use rejected::{Reason, Rejected};
+pub use saturation::Rails;
+pub use sections::read_sections;
+pub use segmentation::{Segmentation, StaticInterval, Turn, TurnFault};
+pub use spans::Span;
+pub use spans::{complement, union};
+pub use survey::{Survey, segment};

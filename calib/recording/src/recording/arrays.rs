@@ -1,0 +1,154 @@
+//! Samples that are in memory already, checked as those of a plain CSV are.
+
+use nalgebra::Vector3;
+use sensor::Sensor;
+
+use super::assemble::assemble;
+use super::options::ReadOptions;
+use super::place::{at_column, at_line};
+use super::samples::{Pushed, Samples};
+use super::table::Table;
+use super::{Recording, Role};
+use crate::Error;
+use crate::shown::figure;
+
+/// Largest reading and stamp that are numbers of a sensor.
+const LARGEST: f64 = 1e15;
+
+/// What a logger wrote, one row per stamp.
+#[derive(Clone, Copy, Debug)]
+pub struct Rows<'a> {
+    /// Time stamps, s (`n`).
+    pub t: &'a [f64],
+    /// Specific force, m/s² (`n × 3`); empty without an accelerometer.
+    pub accel: &'a [[f64; 3]],
+    /// Angular rate, rad/s (`n × 3`); empty without a gyroscope.
+    pub gyro: &'a [[f64; 3]],
+    /// Temperature, °C (`n`); empty without a thermometer.
+    pub temperature: &'a [f64],
+}
+
+impl Recording {
+    /// The recording in arrays, called `name`: what [`Recording::read`] makes of a plain CSV with these numbers, bit for
+    /// bit. Rows count as lines, from 1.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for arrays of different lengths, a number that is not finite, time that goes backwards, and
+    /// whatever else no working sensor gives; messages begin with `name:row:column`.
+    ///
+    /// # Examples
+    /// ```
+    /// use stillpoint_recording::Recording;
+    /// use stillpoint_recording::Rows;
+    ///
+    /// let rows = Rows { t: &[0.0, 0.01], accel: &[[0.0, 0.0, 9.8]], gyro: &[], temperature: &[] };
+    /// let refused = Recording::from_rows("mine", rows).unwrap_err().to_string();
+    /// assert_eq!(refused, "mine: accel has 1 row, t has 2");
+    /// ```
+    pub fn from_rows(name: &str, rows: Rows<'_>) -> Result<Self, Error> {
+        rows.check_lengths(name)?;
+        let mut table = Table {
+            name: name.to_owned(),
+            plain_time: true,
+            has_time: true,
+            ..Table::default()
+        };
+        table.clock.origin = Some(origin(rows.t));
+        table.accel = rows.samples(name, Sensor::Accelerometer)?;
+        table.gyro = rows.samples(name, Sensor::Gyroscope)?;
+        let zero = origin(rows.t) as f64;
+        for (k, (&t, &celsius)) in rows.t.iter().zip(rows.temperature).enumerate() {
+            check(name, k, "temperature", celsius, 8)?;
+            let t = t - zero;
+            if table.temperature_t.last().is_none_or(|&last| t > last) {
+                table.temperature_t.push(t);
+                table.temperature.push(celsius);
+            }
+        }
+        let used = Role::ALL.into_iter().filter(|role| match role {
+            Role::Time => true,
+            Role::Accel(_) => !rows.accel.is_empty(),
+            Role::Gyro(_) => !rows.gyro.is_empty(),
+            Role::Temperature => !rows.temperature.is_empty(),
+            Role::Field(_) => false,
+        });
+        table.roles = used.map(|role| (role, role.name().to_owned())).collect();
+        let mut recording = assemble(name.to_owned(), vec![table], &ReadOptions::default())?;
+        recording.description.format = "arrays";
+        Ok(recording)
+    }
+}
+
+impl Rows<'_> {
+    fn check_lengths(&self, name: &str) -> Result<(), Error> {
+        let arrays = [
+            ("accel", self.accel.len()),
+            ("gyro", self.gyro.len()),
+            ("temperature", self.temperature.len()),
+        ];
+        let stamps = self.t.len();
+        let other = arrays.iter().find(|(_, len)| *len != 0 && *len != stamps);
+        if let Some((array, len)) = other {
+            let plural = if *len == 1 { "" } else { "s" };
+            return Err(Error::Input(format!(
+                "{name}: {array} has {len} row{plural}, t has {stamps}"
+            )));
+        }
+        if self.accel.is_empty() && self.gyro.is_empty() {
+            return Err(Error::Input(format!(
+                "{name}: neither accel nor gyro has a row; give at least one of them"
+            )));
+        }
+        if stamps < 2 {
+            return Err(Error::NotEnough(format!(
+                "{name}: one sample is no recording; record for a minute or more"
+            )));
+        }
+        Ok(())
+    }
+
+    fn samples(&self, name: &str, sensor: Sensor) -> Result<Samples, Error> {
+        let (values, array, first) = match sensor {
+            Sensor::Accelerometer => (self.accel, "accel", 2),
+            Sensor::Gyroscope => (self.gyro, "gyro", 5),
+            Sensor::Magnetometer => return Ok(Samples::default()),
+        };
+        let zero = origin(self.t) as f64;
+        let mut samples = Samples::with_room(values.len());
+        for (k, (&t, value)) in self.t.iter().zip(values).enumerate() {
+            check(name, k, "t", t, 1)?;
+            for (axis, &v) in value.iter().enumerate() {
+                check(name, k, array, v, first + axis)?;
+            }
+            let line = k as u64 + 1;
+            if let Pushed::Backwards(last) = samples.push(t - zero, Vector3::from(*value), line) {
+                let words = format!(
+                    "time goes back from {} to {}; sort the rows, or split the recording here",
+                    figure(last + zero),
+                    figure(t)
+                );
+                return Err(at_line(name, line, words));
+            }
+        }
+        Ok(samples)
+    }
+}
+
+/// What is subtracted from every stamp, as readers of text do: the whole seconds of an epoch.
+fn origin(t: &[f64]) -> i64 {
+    match t.first() {
+        Some(&first) if first.is_finite() && first.abs() >= 1e9 => first as i64,
+        _ => 0,
+    }
+}
+
+fn check(name: &str, row: usize, array: &str, value: f64, column: usize) -> Result<(), Error> {
+    if value.is_finite() && value.abs() < LARGEST {
+        return Ok(());
+    }
+    let words = format!(
+        "{array} is {} here, a finite number expected; leave such rows out",
+        figure(value)
+    );
+    Err(at_column(name, row as u64 + 1, column, words))
+}

@@ -1,0 +1,118 @@
+//! A walk with the device held in front, as in reading a text.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{UnitQuaternion, Vector3};
+use serde::{Deserialize, Serialize};
+
+use super::path::Path;
+use super::placements::{Surroundings, place};
+use super::profile::Profile;
+use super::segment::{Move, Rest, Twist};
+use crate::random::{Purpose, Random};
+
+/// Still, a straight walk, still again.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "snake_case")]
+pub struct Walking {
+    /// Length of the walk, m.
+    pub distance: f64,
+    /// How long it takes, s.
+    pub duration: f64,
+    /// How long the walker stands before, s; 5 s after.
+    pub rest: f64,
+    /// How far the device's y axis points above the horizon, rad.
+    pub pitch: f64,
+    /// Steps per second.
+    pub cadence: f64,
+    /// How far the body bobs up and down (amplitude), m.
+    pub bob: f64,
+}
+
+impl Default for Walking {
+    fn default() -> Self {
+        Self {
+            distance: 4.095,
+            duration: 6.4,
+            rest: 30.0,
+            pitch: 0.54,
+            cadence: 1.8,
+            bob: 0.02,
+        }
+    }
+}
+
+/// How long the walker stands at the end, s.
+const LAST_REST: f64 = 5.0;
+
+impl Walking {
+    pub(crate) fn path(&self, around: &Surroundings) -> Path {
+        let mut random = Random::new(around.seed, Purpose::Motion);
+        let attitude = UnitQuaternion::from_scaled_axis(Vector3::x() * self.pitch);
+        let mut path = Path::starting_at(attitude);
+        let rest = Rest {
+            label: "before the walk".into(),
+            ..Rest::default()
+        };
+        place(&mut path, 0, self.rest, rest, around);
+        let (twists, moves) = self.steps(path.end(), &mut random);
+        path.movement(self.duration, twists, moves);
+        let rest = Rest {
+            label: "after the walk".into(),
+            ..Rest::default()
+        };
+        place(&mut path, 1, LAST_REST, rest, around);
+        path
+    }
+
+    /// Forward in one blend; up and down and nodding with every step, sideways and rolling with every
+    /// other.
+    fn steps(&self, start: f64, random: &mut Random) -> (Vec<Twist>, Vec<Move>) {
+        let end = start + self.duration;
+        let mut wave = |frequency: f64| {
+            let phase = random.uniform(0.0..TAU);
+            Profile::Tremor {
+                start,
+                end,
+                frequency,
+                phase,
+            }
+        };
+        let (step, stride) = (wave(self.cadence), wave(0.5 * self.cadence));
+        let heel = wave(4.0 * self.cadence);
+        let moves = vec![
+            Move {
+                displacement: Vector3::y() * self.distance,
+                profile: Profile::Blend { start, end },
+            },
+            Move {
+                displacement: Vector3::z() * self.bob,
+                profile: step,
+            },
+            Move {
+                displacement: Vector3::z() * (0.04 * self.bob),
+                profile: heel,
+            },
+            Move {
+                displacement: Vector3::x() * self.bob,
+                profile: stride,
+            },
+        ];
+        let nod = self.bob / 0.6;
+        let twists = vec![
+            Twist {
+                rotation: Vector3::x() * nod,
+                profile: step,
+            },
+            Twist {
+                rotation: Vector3::y() * nod,
+                profile: stride,
+            },
+            Twist {
+                rotation: Vector3::z() * nod,
+                profile: wave(0.5 * self.cadence),
+            },
+        ];
+        (twists, moves)
+    }
+}

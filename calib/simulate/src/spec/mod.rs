@@ -1,0 +1,352 @@
+//! What to simulate.
+
+mod check;
+pub(crate) mod complaint;
+mod names;
+mod parse;
+
+pub use parse::EXAMPLE;
+
+use complaint::Complaint;
+
+use std::collections::BTreeMap;
+
+use sensor::{AnyEffect, Definition, Sensor};
+use serde::{Deserialize, Serialize};
+
+use crate::device::Grade;
+use crate::effects::{Effects, SIZE};
+use crate::hidden::Hidden;
+use crate::motion::{Cart, HandHeld, Path, Planned, SixPosition, Still, Surroundings, Walking};
+use crate::noise::{Distribution, Noise, Spikes};
+use crate::sampling::{Clock, Readout, Resampled, Sampling, Stamp};
+use crate::simulation::{Session, Simulation};
+use crate::surroundings::{Fault, MagneticField, Temperature, Unsteady, Vibration};
+use effects::effect_file::effects_of;
+use effects::{catalogue_of, looks_at_temperature, looks_at_vibration, looks_at_warming};
+use gyroscope::EARTH_RATE;
+use recording::Error;
+
+/// A simulation in full. The default is a hand-held session of a consumer-grade device.
+///
+/// ```
+/// use stillpoint_simulate::Spec;
+///
+/// let session = Spec::hand_held(7).with_effect("gyro_g_sensitivity", 1.0).run()?;
+/// assert!(session.truth.get("gyro_g_sensitivity.xx").is_some());
+/// # Ok::<(), recording::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "snake_case")]
+pub struct Spec {
+    /// Seed of everything random.
+    pub seed: u64,
+    /// Samples per second.
+    pub rate: f64,
+    /// Where in a sample's window its time stamp lies.
+    pub stamp: Stamp,
+    /// Whether samples are averages over their window or values at an instant.
+    pub sampling: Sampling,
+    /// Modulus of gravity, m/s².
+    pub gravity: f64,
+    /// Latitude, degrees north: switches the earth's rotation on.
+    pub latitude: Option<f64>,
+    /// From the hand's centre of rotation to the sensor, body frame, m.
+    pub lever_arm: [f64; 3],
+    /// How the device moves.
+    pub motion: Motion,
+    /// What errors and white noise are drawn from where they are not given.
+    pub grade: Grade,
+    /// True parameters by name (`accel.s_x`, `gyro.b_z`), instead of random ones.
+    pub parameters: BTreeMap<String, f64>,
+    /// Effects by name, with their parameters or their `size`.
+    pub effects: Effects,
+    /// Noise, clock and readout of the accelerometer.
+    pub accelerometer: SensorSpec,
+    /// Noise, clock and readout of the gyroscope.
+    pub gyroscope: SensorSpec,
+    /// The magnetic field of the place: switches a magnetometer on.
+    pub magnetic_field: Option<MagneticField>,
+    /// Noise, clock and readout of the magnetometer, µT.
+    pub magnetometer: SensorSpec,
+    /// Temperature and thermometer; constant and unrecorded without.
+    pub temperature: Option<Temperature>,
+    /// Vibration of the table at rest.
+    pub vibration: Option<Vibration>,
+    /// What moves while the device should be at rest.
+    pub unsteady: Option<Unsteady>,
+    /// Effects beside the catalogue, as expressions; `effects` switches them on.
+    pub definitions: Vec<Definition>,
+    /// What goes wrong.
+    pub faults: Vec<Fault>,
+    /// What is outside the catalogue of effects.
+    pub hidden: Vec<Hidden>,
+}
+
+impl Default for Spec {
+    fn default() -> Self {
+        Self {
+            seed: 0,
+            rate: 100.0,
+            stamp: Stamp::Centre,
+            sampling: Sampling::Average,
+            gravity: 9.80665,
+            latitude: None,
+            lever_arm: [0.02, -0.01, 0.015],
+            motion: Motion::default(),
+            grade: Grade::Consumer,
+            parameters: BTreeMap::new(),
+            effects: Effects::new(),
+            accelerometer: SensorSpec::default(),
+            gyroscope: SensorSpec::default(),
+            magnetic_field: None,
+            magnetometer: SensorSpec::default(),
+            temperature: None,
+            vibration: None,
+            unsteady: None,
+            definitions: Vec::new(),
+            faults: Vec::new(),
+            hidden: Vec::new(),
+        }
+    }
+}
+
+/// The kinds of motion.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Motion {
+    /// Many placements by hand.
+    HandHeld(HandHeld),
+    /// Placements and turns as a plan says.
+    Planned(Planned),
+    /// Every axis up and down.
+    SixPosition(SixPosition),
+    /// At rest.
+    Still(Still),
+    /// A straight run on wheels.
+    Cart(Cart),
+    /// A straight walk.
+    Walking(Walking),
+}
+
+impl Default for Motion {
+    fn default() -> Self {
+        Self::HandHeld(HandHeld::default())
+    }
+}
+
+impl Motion {
+    pub(crate) fn path(&self, around: &Surroundings) -> Path {
+        match self {
+            Self::HandHeld(motion) => motion.path(around),
+            Self::Planned(motion) => motion.path(around),
+            Self::SixPosition(motion) => motion.path(around),
+            Self::Still(motion) => motion.path(around),
+            Self::Cart(motion) => motion.path(around),
+            Self::Walking(motion) => motion.path(around),
+        }
+    }
+}
+
+/// What one sensor is like beyond its model. The unit `u` is m/s² or rad/s.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "snake_case")]
+pub struct SensorSpec {
+    /// White noise density, u/√Hz; that of the grade where it is not given.
+    pub white: Option<f64>,
+    /// Bias random walk density, u/√s.
+    pub random_walk: f64,
+    /// Bias instability (flicker, 1/f), u.
+    pub instability: f64,
+    /// How single samples of white noise are distributed.
+    pub distribution: Distribution,
+    /// Corner of a low pass of second order that the white noise goes through, Hz.
+    pub low_pass: Option<f64>,
+    /// Correlation of neighbouring samples of the white noise, which keeps its density at low frequency.
+    pub correlation: f64,
+    /// Single readings that are far off.
+    pub spikes: Option<Spikes>,
+    /// How far the bias moves from the begin to the end (norm), fast at first, u.
+    pub thermal_drift: f64,
+    /// Readings closer to zero than this are zero, u.
+    pub dead_zone: f64,
+    /// Least significant bit, u; 0 for none.
+    pub step: f64,
+    /// Write 16-bit counts around 32768 instead of units.
+    pub counts: bool,
+    /// Largest reading in either direction, u.
+    pub range: Option<f64>,
+    /// The sensor's clock.
+    pub clock: Clock,
+    /// The sensor's own rate where the recording has another: samples are held or interpolated.
+    pub resampled: Option<Resampled>,
+}
+
+impl SensorSpec {
+    pub(crate) fn readout(&self) -> Readout {
+        Readout {
+            range: self.range,
+            step: self.step,
+            counts: self.counts,
+            dead_zone: self.dead_zone,
+        }
+    }
+
+    /// SI units per unit of what is written down.
+    pub(crate) fn unit_per_count(&self) -> f64 {
+        if self.counts { self.step } else { 1.0 }
+    }
+}
+
+impl Spec {
+    /// A hand-held session of a consumer-grade device.
+    pub fn hand_held(seed: u64) -> Self {
+        Self {
+            seed,
+            ..Self::default()
+        }
+    }
+
+    /// `seconds` at rest.
+    pub fn still(seed: u64, seconds: f64) -> Self {
+        let motion = Motion::Still(Still {
+            duration: seconds,
+            ..Still::default()
+        });
+        Self {
+            seed,
+            motion,
+            ..Self::default()
+        }
+    }
+
+    /// With this effect at `size` typical sizes, and with what it takes to show: temperature, a table
+    /// that vibrates, a latitude.
+    #[must_use]
+    pub fn with_effect(mut self, name: &str, size: f64) -> Self {
+        if looks_at_temperature(name) && self.temperature.is_none() {
+            let mut temperature = Temperature::default();
+            if looks_at_warming(name) {
+                // It has to cool down as well.
+                (temperature.swing, temperature.period) = (6.0, 300.0);
+            }
+            self.temperature = Some(temperature);
+        }
+        if looks_at_vibration(name) {
+            self.vibration.get_or_insert_default();
+        }
+        let mut of_field = catalogue_of(Sensor::Magnetometer).iter();
+        if of_field.any(|effect| effect.name() == name) {
+            self.magnetic_field.get_or_insert_default();
+        }
+        if name == "earth_rate" {
+            self.latitude.get_or_insert(45.0);
+            return self;
+        }
+        self.effects
+            .insert(name.to_owned(), BTreeMap::from([(SIZE.to_owned(), size)]));
+        self
+    }
+
+    /// With something outside the catalogue of effects.
+    #[must_use]
+    pub fn with_hidden(mut self, hidden: Hidden) -> Self {
+        self.hidden.push(hidden);
+        self
+    }
+
+    /// With something that goes wrong.
+    #[must_use]
+    pub fn with_fault(mut self, fault: Fault) -> Self {
+        self.faults.push(fault);
+        self
+    }
+
+    /// Without white noise, random walk and instability.
+    #[must_use]
+    pub fn noise_free(mut self) -> Self {
+        for sensor in [
+            &mut self.accelerometer,
+            &mut self.gyroscope,
+            &mut self.magnetometer,
+        ] {
+            sensor.white = Some(0.0);
+            sensor.random_walk = 0.0;
+            sensor.instability = 0.0;
+        }
+        self
+    }
+
+    /// Plans, draws and runs it.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] where the spec contradicts itself, or is too long for the memory.
+    pub fn run(&self) -> Result<Session, Error> {
+        Simulation::new(self)?.run()
+    }
+
+    /// Gravity as it is, not as the estimator is told, m/s².
+    pub fn true_gravity(&self) -> f64 {
+        let factors = self.hidden.iter().map(Hidden::gravity_factor);
+        self.gravity * factors.product::<f64>()
+    }
+
+    /// Share by which the stamps of the device run fast.
+    pub(crate) fn clock_rate_error(&self) -> f64 {
+        self.hidden.iter().map(Hidden::rate_error).sum()
+    }
+
+    /// What is said of one sensor.
+    pub fn sensor(&self, sensor: Sensor) -> &SensorSpec {
+        match sensor {
+            Sensor::Accelerometer => &self.accelerometer,
+            Sensor::Gyroscope => &self.gyroscope,
+            Sensor::Magnetometer => &self.magnetometer,
+        }
+    }
+
+    /// Noise densities of one sensor.
+    pub fn noise(&self, sensor: Sensor) -> Noise {
+        let own = self.sensor(sensor);
+        Noise {
+            white: own.white.unwrap_or(self.grade.white(sensor)),
+            random_walk: own.random_walk,
+            instability: own.instability,
+        }
+    }
+
+    /// The catalogue of one sensor with the definitions after it.
+    ///
+    /// # Errors
+    /// The key of what is wrong with a definition, and what.
+    pub(crate) fn catalogue(
+        &self,
+        sensor: Sensor,
+    ) -> Result<Vec<&'static dyn AnyEffect>, Complaint> {
+        let own = effects_of(&self.definitions).map_err(|(key, what)| Complaint { key, what })?;
+        let all = catalogue_of(sensor).iter().copied().chain(own);
+        Ok(all.filter(|effect| effect.sensor() == sensor).collect())
+    }
+
+    /// The effects with the earth's rotation in it, if there is a latitude.
+    pub(crate) fn all_effects(&self) -> Effects {
+        let mut effects = self.effects.clone();
+        if let Some(latitude) = self.latitude {
+            let (sin, cos) = latitude.to_radians().sin_cos();
+            let rate = [("x", 0.0), ("y", EARTH_RATE * cos), ("z", EARTH_RATE * sin)];
+            let rate = rate.map(|(axis, value)| (axis.to_owned(), value));
+            effects.insert("earth_rate".to_owned(), BTreeMap::from(rate));
+        }
+        effects
+    }
+
+    pub(crate) fn surroundings(&self) -> Surroundings<'_> {
+        Surroundings {
+            seed: self.seed,
+            gravity: self.true_gravity(),
+            vibration: self.vibration.as_ref(),
+            unsteady: self.unsteady.as_ref(),
+            faults: &self.faults,
+        }
+    }
+}
