@@ -11,10 +11,10 @@ use estimate::methods::static_means;
 use recording::Error;
 use recording::Recording;
 
-use sensor::AnyEffect;
+use sensor::{AnyEffect, Model, Nature, Sensor};
 
 use super::enough::{enough_rests, enough_to_compare};
-use super::family::{Claim, LATE, effect_family};
+use super::family::{Claim, effect_family, is_late};
 use super::fault::integrity::{disturbed, integrity, undersampled};
 use super::fault::time_offset::{Delay, delay};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
@@ -32,9 +32,6 @@ use super::settle::{HeldShape, say_held, settle};
 use super::state::State;
 use super::visible::{NEVER_VISIBLE, told_apart_by};
 use estimate::methods::joint::{BiasNoise, SensorNoise};
-
-/// The effect that delays the axes of the gyroscope.
-const GYRO_DELAY: &str = "gyro_delay";
 
 /// Stamps are late beyond what delays of the gyroscope do if by more standard errors than this.
 const MUCH_LATER: f64 = 3.0;
@@ -119,9 +116,15 @@ fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discover
         let names = search.names.iter().filter(named);
         effects.extend(names.map(|name| finding(name, &last)));
     }
-    if let Some((_, late)) = late {
+    if let Some((effect, late)) = late {
         let again = delay(&search.last);
-        effects.push(late_finding(&late, again, request, &mut calibration));
+        effects.push(late_finding(
+            effect,
+            &late,
+            again,
+            request,
+            &mut calibration,
+        ));
     }
     let lasting = disturbed(&search.last, &faults);
     faults.extend(lasting);
@@ -307,7 +310,7 @@ fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
         dof: name.ranked.dof,
         p_value: name.ranked.log_p.exp(),
         adjusted_p_value: adjusted(&name.ranked),
-        told_apart_by: told_apart_by(name.claim.name(), &ties),
+        told_apart_by: told_apart_by(&name.claim, name.ties.iter().map(|t| &t.claim)),
         indistinguishable_from: ties,
         shared: name.ties.iter().map(|t| t.shared).collect(),
         rivals: name.ties.iter().filter_map(|t| t.rivalry.clone()).collect(),
@@ -373,7 +376,7 @@ fn without_weak(
 /// The effect of late stamps, where the moving accelerometer shows it.
 fn late(state: &State, request: &Request) -> Option<(&'static dyn AnyEffect, Delay)> {
     let candidates = request.candidates();
-    let effect = candidates.iter().find(|e| e.name() == LATE)?;
+    let effect = candidates.iter().find(|e| is_late(**e))?;
     let found = delay(state)?;
     // What delays the gyroscope's axes delays them against the accelerometer too.
     if found.delay.abs() <= 2.0 * gyroscope_delay(state) + MUCH_LATER * found.std {
@@ -384,9 +387,13 @@ fn late(state: &State, request: &Request) -> Option<(&'static dyn AnyEffect, Del
 
 /// The longest delay of an axis of the gyroscope against another in the model, s.
 fn gyroscope_delay(state: &State) -> f64 {
+    let effects = state.fit.models.iter().flat_map(Model::effects);
+    let delays: Vec<_> = effects
+        .filter(|e| e.nature() == Nature::Delay && e.sensor() == Sensor::Gyroscope)
+        .collect();
     let fitted = &state.fit.parameters;
     let named = fitted.names().iter().zip(fitted.values());
-    let of_delay = named.filter(|(name, _)| name.starts_with(GYRO_DELAY));
+    let of_delay = named.filter(|(name, _)| delays.iter().any(|e| name.starts_with(e.name())));
     of_delay.map(|(_, d)| d.abs()).fold(0.0, f64::max)
 }
 
@@ -396,18 +403,20 @@ fn late_evidence(found: &Delay, candidates: usize) -> f64 {
 
 /// `again` is the delay that remains with the effect in the model: its gap is that after.
 fn late_finding(
+    effect: &dyn AnyEffect,
     found: &Delay,
     again: Option<Delay>,
     request: &Request,
     calibration: &mut Calibration,
 ) -> EffectFinding {
-    for effect in calibration.effects.iter_mut().filter(|e| e.name == LATE) {
+    let name = effect.name();
+    for effect in calibration.effects.iter_mut().filter(|e| e.name == name) {
         for p in &mut effect.parameters {
             p.std = Some(found.std);
         }
     }
     EffectFinding {
-        name: LATE.into(),
+        name: name.into(),
         statistic: found.statistic,
         dof: 1.0,
         p_value: found.log_p.exp(),
@@ -418,7 +427,7 @@ fn late_finding(
         shared: Vec::new(),
         rivals: Vec::new(),
         told_apart_by: None,
-        parameters: parameters_of(LATE, calibration),
+        parameters: parameters_of(name, calibration),
         channel: Channel::MovingForce,
         gap_before: found.gap_before,
         rms_before: None,

@@ -1,14 +1,11 @@
 //! What may be missing: families of hypotheses about one recording.
 
 use faer::{Mat, MatRef};
-use sensor::{AnyEffect, Param, Role, Sensor};
+use sensor::{AnyEffect, Nature, Param, Role, Sensor};
 
 use super::remainder::shape::Shape;
 use super::state::State;
 use estimate::methods::joint::{Disturbance, effect_columns, step_columns};
-
-/// The effect that the moving accelerometer shows.
-pub const LATE: &str = "time_offset";
 
 /// Time constants tried for an effect that settles, s. Between neighbours the shapes correlate by more than
 /// 0.98 over a session of minutes.
@@ -24,16 +21,10 @@ const TYPICAL_MISS: f64 = 1e-2;
 const TYPICAL_EXCURSION: f64 = 2e-4;
 const TYPICAL_SLIP: f64 = 1e-3;
 
-/// A temperature effect of higher order comes with those of lower order: they stand for the
-/// reference temperature, which is nobody's to choose.
-const COMPANIONS: [(&str, &str); 2] = [
-    ("accel_temperature_quadratic", "accel_temperature"),
-    ("gyro_temperature_quadratic", "gyro_temperature"),
-];
-
-/// Coefficients that are nothing by convention: the others are differences to them, and what is common to
-/// all does not show.
-const REFERENCES: [(&str, &str); 1] = [("gyro_delay", "z")];
+/// Whether an effect is that of late stamps, which the moving accelerometer shows.
+pub fn is_late(effect: &dyn AnyEffect) -> bool {
+    effect.nature() == Nature::Delay && effect.sensor() == Sensor::Accelerometer
+}
 
 /// What a family claims.
 #[derive(Clone, Copy, Debug)]
@@ -47,6 +38,14 @@ pub enum Claim {
 }
 
 impl Claim {
+    /// The effect that it claims, if it claims one.
+    pub fn effect(&self) -> Option<&'static dyn AnyEffect> {
+        match self {
+            Self::Effect(effect) => Some(*effect),
+            Self::Disturbed(_) | Self::Shape(..) => None,
+        }
+    }
+
     /// The name in findings.
     pub fn name(&self) -> &'static str {
         match self {
@@ -124,7 +123,7 @@ impl Family {
 pub fn coefficients(effect: &dyn AnyEffect) -> (Vec<usize>, Option<usize>) {
     let params = effect.params();
     let shape = params.iter().position(is_shape);
-    let reference = reference_of(effect);
+    let reference = effect.reference();
     let linear = (0..params.len())
         .filter(|k| Some(*k) != shape && Some(params[*k].name) != reference)
         .collect();
@@ -147,21 +146,13 @@ pub fn tried(p: &Param) -> &[f64] {
     }
 }
 
-/// The name of the coefficient that the others are differences to, where there is one.
-pub fn reference_of(effect: &dyn AnyEffect) -> Option<&'static str> {
-    let found = REFERENCES.iter().find(|(name, _)| *name == effect.name());
-    found.map(|(_, reference)| *reference)
-}
-
 /// The effects that come with `effect`, itself first.
 pub fn with_companions<'a>(
     effect: &'static dyn AnyEffect,
     catalogue: &'a [&'static dyn AnyEffect],
 ) -> impl Iterator<Item = &'static dyn AnyEffect> + 'a {
-    let companion = COMPANIONS
-        .iter()
-        .find(|(name, _)| *name == effect.name())
-        .and_then(|(_, with)| catalogue.iter().find(|e| e.name() == *with));
+    let companion = effect.companion();
+    let companion = companion.and_then(|with| catalogue.iter().find(|e| e.name() == with));
     std::iter::once(effect).chain(companion.copied())
 }
 

@@ -2,10 +2,10 @@
 
 use std::borrow::Borrow;
 
-use sensor::{AnyEffect, Quantity, Role};
+use sensor::{AnyEffect, Nature, Quantity, Role};
 
-use super::family::reference_of;
 use super::state::Extension;
+use effects::earth_rotation;
 use estimate::gravity::GravitySource;
 use estimate::methods::joint::BiasNoise;
 use estimate::methods::joint::{ClockMode, JointRequest, MOST_IN_A_SEARCH, within_budget};
@@ -14,9 +14,6 @@ use gyroscope::EARTH_RATE;
 use recording::Error;
 use recording::Recording;
 use recording::intervals::Detector;
-
-/// Name of the effect that is the earth's rotation.
-const EARTH: &str = "earth_rate";
 
 /// How to look for what is missing.
 #[derive(Clone, Debug)]
@@ -60,9 +57,11 @@ impl Request {
 
     /// The effects that may be missing from the base model.
     pub fn candidates(&self) -> Vec<&'static dyn AnyEffect> {
-        let known = |name: &str| self.latitude.is_some() && name == EARTH;
+        let is_given = |effect: &dyn AnyEffect| {
+            self.latitude.is_some() && effect.nature() == Nature::EarthRotation
+        };
         let mut all = self.catalogue.clone();
-        all.retain(|effect| !known(effect.name()) && is_looked_for(*effect));
+        all.retain(|effect| !is_given(*effect) && is_looked_for(*effect));
         all
     }
 
@@ -97,12 +96,6 @@ fn is_looked_for(effect: &dyn AnyEffect) -> bool {
     let follows_turns = effect.needs().contains(&Quantity::LastTurn);
     let is_periodic = params.iter().any(|p| p.role == Role::Shape);
     effect.definition().is_some() || !(stands_in_the_room || follows_turns || is_periodic)
-}
-
-/// The effect that is the earth's rotation.
-fn earth_rate() -> Option<&'static dyn AnyEffect> {
-    let found = gyroscope::EFFECTS.iter().find(|e| e.name() == EARTH);
-    found.copied()
 }
 
 /// Recordings of one device, cut, with all that stays the same while models change.
@@ -160,7 +153,8 @@ impl<'a> Session<'a> {
     pub fn joint<'b>(&'b self, extension: &Extension) -> JointRequest<'b> {
         let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
         let (mut held, mut starts) = (Vec::new(), Vec::new());
-        if let (Some(latitude), Some(earth)) = (self.latitude, earth_rate()) {
+        if let Some(latitude) = self.latitude {
+            let earth = earth_rotation();
             gyroscope = gyroscope.with(earth);
             let vertical = EARTH_RATE * latitude.to_radians().sin();
             held.push((format!("{}.z", earth.name()), vertical));
@@ -171,7 +165,7 @@ impl<'a> Session<'a> {
             let mut hold = |parameter: &str, value: f64| {
                 held.push((format!("{}.{parameter}", effect.name()), value));
             };
-            if let Some(reference) = reference_of(*effect) {
+            if let Some(reference) = effect.reference() {
                 hold(reference, 0.0);
             }
             if let Some((k, value)) = shape {

@@ -25,6 +25,16 @@ pub fn effect_named(name: &str) -> Option<&'static dyn AnyEffect> {
     catalogue().find(|effect| effect.name() == name)
 }
 
+/// The effect that is the rotation of the earth.
+pub fn earth_rotation() -> &'static dyn AnyEffect {
+    &gyroscope::effects::EarthRate
+}
+
+/// Whether the effect of that name is the rotation of the earth.
+pub fn is_earth_rotation(name: &str) -> bool {
+    earth_rotation().name() == name
+}
+
 /// What the effect of that name looks at; nothing where the catalogue has none.
 fn needs_of(name: &str) -> Vec<Quantity> {
     effect_named(name).map_or_else(Vec::new, |effect| effect.needs())

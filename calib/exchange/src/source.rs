@@ -2,13 +2,14 @@
 
 use calib::Calibration;
 use calib::calibration::TriadUnits;
+use gyroscope::GyroGSensitivity;
 use nalgebra::{Matrix3, Vector3};
-use sensor::{Base, Sensor};
+use sensor::{Base, Effect, Sensor};
 
 use crate::error::Error;
 
 /// The effect that some targets hold: `w = T (W − b) − G f`.
-pub(crate) const G_SENSITIVITY: &str = "gyro_g_sensitivity";
+pub(crate) const G_SENSITIVITY: &str = GyroGSensitivity::NAME;
 
 /// A calibration ready to be written.
 #[derive(Clone, Debug)]

@@ -51,7 +51,29 @@ impl Recording {
             accel,
             gyro,
             temperature: temperature.unwrap_or_default(),
+            ..Rows::default()
         };
+        Self::from_rows(rows)
+    }
+
+    /// [`Recording::from_arrays`] with a magnetometer, or whatever else [`Rows`] has: its field in µT, one row per stamp.
+    ///
+    /// # Errors
+    /// As [`Recording::from_arrays`].
+    ///
+    /// # Examples
+    /// ```
+    /// use stillpoint::{Recording, Rows};
+    ///
+    /// let (t, accel, gyro, celsius) = stillpoint::example::session();
+    /// let mag = vec![[20.0, 0.0, -40.0]; t.len()];
+    /// let rows = Rows { t: &t, accel: &accel, gyro: &gyro, temperature: &celsius, mag: &mag };
+    /// assert!(Recording::from_rows(rows).is_ok());
+    /// let short = Recording::from_rows(Rows { mag: &mag[1..], ..rows }).unwrap_err();
+    /// assert!(short.message.contains("mag has"));
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
+    pub fn from_rows(rows: Rows<'_>) -> Result<Self, Error> {
         match calib::Recording::from_rows(UNNAMED, rows) {
             Ok(recording) => Ok(Self(Arc::new(recording))),
             Err(error) => Err(Error::of_arrays(&error)),

@@ -1,7 +1,9 @@
 //! The device under test: its sensor models and their true parameters.
 
+use std::ops::Range;
+
 use nalgebra::{Matrix3, Vector3};
-use sensor::{Base, Kinematics, Model, Sensor, inverse};
+use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, Nature, Sensor, inverse};
 use serde::{Deserialize, Serialize};
 use solver::Parameters;
 
@@ -86,17 +88,13 @@ pub(crate) struct Device {
     acting: Vec<f64>,
 }
 
-/// Effects that are delays: the catalogue has them to first order, the simulation in full.
-const DELAYS: [&str; 2] = ["time_offset.", "gyro_delay."];
-
 impl Device {
     /// A sensor with these true parameters of its model.
     pub fn new(model: Model, parameters: Parameters) -> Self {
-        let is_delay = |name: &str| DELAYS.iter().any(|delay| name.starts_with(delay));
-        let values = parameters.names().iter().zip(parameters.values());
-        let acting = values
-            .map(|(name, value)| if is_delay(name) { 0.0 } else { *value })
-            .collect();
+        let mut acting = parameters.values().to_vec();
+        for place in delay_of(&model) {
+            acting[place] = 0.0;
+        }
         Self {
             model,
             parameters,
@@ -115,14 +113,23 @@ impl Device {
         inverse(&Base::from_parameters(self.parameters.values()).t).is_some()
     }
 
-    /// The values of the parameters of effect `name`, if the model has it.
-    pub fn effect(&self, name: &str) -> Option<Vec<f64>> {
-        let prefix = format!("{name}.");
-        let values = self.parameters.names().iter().zip(self.parameters.values());
-        let own: Vec<f64> = values
-            .filter(|(n, _)| n.starts_with(&prefix))
-            .map(|(_, v)| *v)
-            .collect();
+    /// By how much its samples are older than their stamps, s, if the model has such an effect.
+    pub fn delay(&self) -> Option<&[f64]> {
+        let own = &self.parameters.values()[delay_of(&self.model)];
         (!own.is_empty()).then_some(own)
     }
+}
+
+/// Where in the parameters of a model the delay of its samples stands. The catalogue has it to first order, the simulation
+/// in full.
+fn delay_of(model: &Model) -> Range<usize> {
+    let mut from = BASE_PARAMETERS;
+    for effect in model.effects() {
+        let own = from..from + effect.params().len();
+        if effect.nature() == Nature::Delay {
+            return own;
+        }
+        from = own.end;
+    }
+    from..from
 }

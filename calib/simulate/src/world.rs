@@ -141,10 +141,11 @@ pub(crate) struct Delays {
 impl Delays {
     /// The delays of the device with these two sensors.
     pub fn of(accelerometer: &Device, gyroscope: &Device) -> Self {
-        let axes = gyroscope.effect("gyro_delay");
         Self {
-            stamps: accelerometer.effect("time_offset").map_or(0.0, |p| p[0]),
-            gyroscope: axes.map_or_else(Vector3::zeros, |p| Vector3::from_column_slice(&p[..3])),
+            stamps: accelerometer.delay().map_or(0.0, |d| d[0]),
+            gyroscope: gyroscope
+                .delay()
+                .map_or_else(Vector3::zeros, |d| Vector3::from_column_slice(&d[..3])),
         }
     }
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use numpy::{PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray1, PyReadwriteArray2};
 use pyo3::prelude::*;
-use stillpoint::{ColumnMap, Error, ReadOptions, Sensor};
+use stillpoint::{ColumnMap, Error, ReadOptions, Rows, Sensor};
 
 use crate::arrays::{numbers, rows, rows_to_fill};
 use crate::error::{exception, usage};
@@ -14,28 +14,27 @@ use crate::error::{exception, usage};
 #[derive(Clone, Debug)]
 pub struct Recording(pub stillpoint::Recording);
 
-/// The sensor called `accelerometer` or `gyroscope`.
+/// The sensor of that name.
 pub fn sensor(py: Python<'_>, name: &str) -> PyResult<Sensor> {
-    match name {
-        "accelerometer" => Ok(Sensor::Accelerometer),
-        "gyroscope" => Ok(Sensor::Gyroscope),
-        other => Err(usage(
-            py,
-            format!("sensor: `{other}` found, accelerometer or gyroscope expected"),
-        )),
-    }
+    let found = Sensor::ALL.into_iter().find(|sensor| sensor.name() == name);
+    found.ok_or_else(|| {
+        let known = Sensor::ALL.map(Sensor::name).join(", ");
+        usage(py, format!("sensor: `{name}` found, one of {known} expected"))
+    })
 }
 
 #[pymethods]
 impl Recording {
     /// From contiguous arrays of float64.
     #[staticmethod]
+    #[allow(clippy::too_many_arguments)]
     fn from_arrays(
         py: Python<'_>,
         t: PyReadonlyArray1<'_, f64>,
         accel: Option<PyReadonlyArray2<'_, f64>>,
         gyro: Option<PyReadonlyArray2<'_, f64>>,
         temperature: Option<PyReadonlyArray1<'_, f64>>,
+        mag: Option<PyReadonlyArray2<'_, f64>>,
         name: String,
     ) -> PyResult<Self> {
         let stamps = numbers(&t, "t")?;
@@ -43,11 +42,15 @@ impl Recording {
         let rate = gyro.as_ref().map(|a| rows(a, "gyro")).transpose()?;
         let celsius = temperature.as_ref();
         let celsius = celsius.map(|a| numbers(a, "temperature")).transpose()?;
-        let made = py.detach(|| {
-            let (force, rate) = (force.unwrap_or_default(), rate.unwrap_or_default());
-            let made = stillpoint::Recording::from_arrays(stamps, force, rate, celsius)?;
-            Ok(made.named(name))
-        });
+        let field = mag.as_ref().map(|a| rows(a, "mag")).transpose()?;
+        let rows = Rows {
+            t: stamps,
+            accel: force.unwrap_or_default(),
+            gyro: rate.unwrap_or_default(),
+            temperature: celsius.unwrap_or_default(),
+            mag: field.unwrap_or_default(),
+        };
+        let made = py.detach(|| Ok(stillpoint::Recording::from_rows(rows)?.named(name)));
         made.map(Self).map_err(|error: Error| exception(py, &error))
     }
 

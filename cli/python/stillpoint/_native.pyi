@@ -17,6 +17,7 @@ class Recording:
         accel: Optional[_Array],
         gyro: Optional[_Array],
         temperature: Optional[_Array],
+        mag: Optional[_Array],
         name: str,
     ) -> "Recording": ...
     @staticmethod

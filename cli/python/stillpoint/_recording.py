@@ -43,6 +43,7 @@ class Recording:
         gyro: "Optional[npt.ArrayLike]" = None,
         temperature: "Optional[npt.ArrayLike]" = None,
         *,
+        mag: "Optional[npt.ArrayLike]" = None,
         name: str = "arrays",
     ) -> "Recording":
         """The recording in arrays with one row per stamp.
@@ -55,6 +56,7 @@ class Recording:
             accel: specific force, m/s², shape (N, 3), +g on the axis that points up.
             gyro: angular rate, rad/s, shape (N, 3), right-handed.
             temperature: °C, shape (N,).
+            mag: magnetic field, µT, shape (N, 3).
             name: what warnings and results call it.
 
         Raises:
@@ -67,6 +69,7 @@ class Recording:
             None if accel is None else contiguous(accel),
             None if gyro is None else contiguous(gyro),
             None if temperature is None else contiguous(temperature),
+            None if mag is None else contiguous(mag),
             name,
         )
         return cls._of(made)
@@ -127,6 +130,11 @@ class Recording:
         """Stamps (s, (N,)) and angular rate (rad/s, (N, 3)), as copies."""
         return self._stream("gyroscope")
 
+    @property
+    def mag(self) -> "tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]":
+        """Stamps (s, (N,)) and magnetic field (µT, (N, 3); as recorded where the unit is not known), as copies."""
+        return self._stream("magnetometer")
+
     def temperature_at(self, t: float) -> Optional[float]:
         """Temperature at a time (s), °C; None without a thermometer."""
         return self._native.temperature_at(t)
@@ -144,8 +152,10 @@ class Recording:
         return t, values
 
     def __repr__(self) -> str:
-        rows = [self._native.rows(sensor) for sensor in ("accelerometer", "gyroscope")]
+        sensors = ("accelerometer", "gyroscope", "magnetometer")
+        rows = [self._native.rows(sensor) for sensor in sensors]
+        field = f", {rows[2]} of the magnetometer" if rows[2] else ""
         return (
-            f"<Recording {self.name!r}: {rows[0]} samples of the accelerometer, {rows[1]} of the gyroscope, "
+            f"<Recording {self.name!r}: {rows[0]} samples of the accelerometer, {rows[1]} of the gyroscope{field}, "
             f"{self.duration:.1f} s>"
         )

@@ -112,6 +112,7 @@ class Calibration:
         *,
         accel: "Optional[npt.ArrayLike]" = None,
         gyro: "Optional[npt.ArrayLike]" = None,
+        mag: "Optional[npt.ArrayLike]" = None,
         out: "Optional[npt.NDArray[np.float64]]" = None,
     ) -> "Union[Recording, npt.NDArray[np.float64]]":
         """The corrected recording, or corrected readings of one sensor.
@@ -120,21 +121,23 @@ class Calibration:
             recording: base model and effects are applied, each sensor on its own clock.
             accel: readings, m/s², (N, 3), read where they are; for calibrations without effects.
             gyro: readings, rad/s, (N, 3), the same.
+            mag: readings, µT, (N, 3), the same.
             out: where to write corrected readings, (N, 3), contiguous float64, not the readings themselves; a new array
                 where it is None.
 
         Raises:
-            UsageError: not exactly one of the three; readings alone where there are effects, which look at more.
+            UsageError: not exactly one of the four; readings alone where there are effects, which look at more.
         """
         import numpy
 
-        given = [part is not None for part in (recording, accel, gyro)]
-        if sum(given) != 1:
-            raise UsageError("apply: one of recording, accel and gyro expected", "usage")
+        arrays = {"accelerometer": accel, "gyroscope": gyro, "magnetometer": mag}
+        given = [sensor for sensor, array in arrays.items() if array is not None]
+        if len(given) + (recording is not None) != 1:
+            raise UsageError("apply: one of recording, accel, gyro and mag expected", "usage")
         if recording is not None:
             return Recording._of(self._native.apply(recording._native))
-        sensor = "gyroscope" if accel is None else "accelerometer"
-        raw = contiguous(gyro if accel is None else accel)
+        sensor = given[0]
+        raw = contiguous(arrays[sensor])
         corrected = numpy.empty_like(raw) if out is None else out
         self._native.correct(sensor, raw, corrected)
         return corrected

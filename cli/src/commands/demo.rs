@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use calib::calibrate::{Outcome, Request as CalibrationRequest, calibrate};
 use calib::discover::{Discovery, Request};
 use calib::simulate::{Session, Spec};
+use gyroscope::GyroGSensitivity;
+use sensor::Effect;
 
 use super::discover::{PLOTS, json, look, page, plots, verdict};
 use super::inputs::spinner;
@@ -18,7 +20,7 @@ use crate::show;
 const SEED: u64 = 20_240_229;
 
 /// The effect that the simulated device has beyond its base models. Nothing but the simulation is told.
-const HIDDEN_EFFECT: &str = "gyro_g_sensitivity";
+const HIDDEN_EFFECT: &str = GyroGSensitivity::NAME;
 
 /// Simulates a hand-held session of a device with a hidden effect, calibrates it, discovers the effect and
 /// shows truth beside estimate.

@@ -8,6 +8,19 @@ use crate::kinematics::{Kinematics, Sensor};
 use crate::param::Param;
 use crate::quantity::{Quantity, observed_needs};
 
+/// What an effect is, for those who have to treat it apart.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Nature {
+    /// An error of the sensor.
+    #[default]
+    SensorError,
+    /// Samples are older than their stamps say. The effect is that to first order; a simulator reads the motion earlier
+    /// instead.
+    Delay,
+    /// The rotation of the earth, which a gyroscope rightly measures: corrected readings keep it, and a latitude gives it.
+    EarthRotation,
+}
+
 /// An error that a sensor adds to the true signal: `raw = base⁻¹(truth + Σ effect(truth))`.
 ///
 /// One file and one registry line make a new effect. It must be silent at its nominal parameters.
@@ -29,6 +42,14 @@ pub trait Effect: Send + Sync + 'static {
     /// What it looks at in the truth, its own signal aside. Where that cannot be known the effect is refused, with the
     /// quantity's name. `None`: it is found out by trying ([`observed_needs`]).
     const NEEDS: Option<&'static [Quantity]> = None;
+    /// What it is, where that is no error of the sensor.
+    const NATURE: Nature = Nature::SensorError;
+    /// The effect of lower order that comes with it: it stands for a reference, such as that of the temperature, which is
+    /// nobody's to choose.
+    const COMPANION: Option<&'static str> = None;
+    /// The coefficient that is nothing by convention: the others are differences to it, and what is common to all does
+    /// not show.
+    const REFERENCE: Option<&'static str> = None;
 
     /// The error at `truth`, in the unit of the sensor's signal, for parameters `p` in the order
     /// of `PARAMS`.
@@ -53,6 +74,18 @@ pub trait AnyEffect: Send + Sync {
     }
     /// What it looks at in the truth.
     fn needs(&self) -> Vec<Quantity>;
+    /// What it is.
+    fn nature(&self) -> Nature {
+        Nature::SensorError
+    }
+    /// The effect of lower order that comes with it.
+    fn companion(&self) -> Option<&'static str> {
+        None
+    }
+    /// The coefficient that is nothing by convention.
+    fn reference(&self) -> Option<&'static str> {
+        None
+    }
     /// Size of the parameter in place `k`: its own where it has one, otherwise that of the effect.
     fn typical_of(&self, k: usize) -> f64 {
         let own = self.params().get(k).and_then(|p| p.typical);
@@ -91,6 +124,15 @@ impl<E: Effect> AnyEffect for E {
     }
     fn needs(&self) -> Vec<Quantity> {
         E::NEEDS.map_or_else(|| observed_needs(self), <[Quantity]>::to_vec)
+    }
+    fn nature(&self) -> Nature {
+        E::NATURE
+    }
+    fn companion(&self) -> Option<&'static str> {
+        E::COMPANION
+    }
+    fn reference(&self) -> Option<&'static str> {
+        E::REFERENCE
     }
     fn error_f64(&self, truth: &Kinematics<f64>, p: &[f64]) -> Vector3<f64> {
         self.error(truth, p)

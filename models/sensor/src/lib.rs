@@ -27,7 +27,7 @@ pub use axis::Axis;
 pub use base::{BASE_PARAMETERS, Base, PLACES, base_names, inverse};
 pub use covariate::Covariate;
 pub use definition::{DefinedParam, Definition, DefinitionError, fault_of, grant_steps};
-pub use effect::{AnyEffect, Effect, ModelScalar, mat3, off_diagonal};
+pub use effect::{AnyEffect, Effect, ModelScalar, Nature, mat3, off_diagonal};
 pub use emit::emit_effect;
 pub use formula::{Factor, Formula, Term};
 pub use kinematics::{Kinematics, REFERENCE_TEMPERATURE, Sensor, Since};

@@ -14,11 +14,12 @@ use faer::Mat;
 use sensor::AnyEffect;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use crate::family::{Claim, Family, Hypothesis, LATE, families, with_companions};
+use crate::family::{Claim, Family, Hypothesis, families, is_late, with_companions};
 use crate::rank::{Ranked, rank};
 use crate::request::{Request, Session};
 use crate::separation::Rivalry;
 use crate::state::{Extension, State};
+use effects::is_earth_rotation;
 use estimate::methods::joint::Known;
 use recording::Error;
 
@@ -356,7 +357,7 @@ enum Earth {
 
 fn as_the_earth(family: &Family, ranked: &Ranked) -> Earth {
     // Beside the isotropic g-sensitivity the vertical part is nobody's to know.
-    if family.claim.name() != "earth_rate" || ranked.score.dof < 3 {
+    if !is_earth_rotation(family.claim.name()) || ranked.score.dof < 3 {
         return Earth::Yes;
     }
     // The typical size of the effect is the earth's rate: its length is 1.
@@ -395,7 +396,7 @@ fn silent(families: &[Family], ranked: &[Ranked]) -> Vec<String> {
     families
         .iter()
         .enumerate()
-        .filter(|(_, f)| matches!(f.claim, Claim::Effect(_)) && f.claim.name() != LATE)
+        .filter(|(_, f)| matches!(f.claim, Claim::Effect(effect) if !is_late(effect)))
         .filter(|(k, _)| ranked.iter().all(|r| r.family != *k))
         .map(|(_, f)| f.claim.name().into())
         .collect()

@@ -1,6 +1,6 @@
 //! `--method joint`: recordings to a calibration by one weighted problem.
 
-use sensor::{BASE_PARAMETERS, Model, Sensor};
+use sensor::{AnyEffect, BASE_PARAMETERS, Nature, Sensor};
 
 use super::assemble::{effect_values, of_the_gyro_unit, of_the_unit, triad};
 use super::left_out::left_out;
@@ -8,17 +8,15 @@ use super::same_device::of_one_device;
 use super::{Frame, Outcome, Request, checks, clocks, cut};
 use crate::calibration::{
     BiasTime, Calibration, Provenance, RecordingBias, RecordingClock, Remainder, SCHEMA, Triad,
-    WITH_WALKS, effect_named, in_symmetric_frame,
+    WITH_WALKS, in_symmetric_frame,
 };
 use crate::methods::joint::{Channel, Disturbance, JointFit, JointRequest, fit_joint};
 use crate::methods::{Choice, Fitted};
+use effects::earth_rotation;
 use gyroscope::EARTH_RATE;
 use recording::Error;
 use recording::Recording;
 use recording::averages::root_mean_square;
-
-/// The effect that is the earth's rotation.
-const EARTH: &str = "earth_rate";
 
 /// A latitude whose vertical part of the earth's rotation is off by so many standard errors is doubted.
 const REFUTED: f64 = 4.0;
@@ -65,13 +63,14 @@ pub(super) fn calibrate(
         gyroscope = gyroscope.with(*effect);
     }
     // Where nobody says the latitude and no effect estimates it, the earth's rotation is uncertainty.
-    let earth =
-        request.latitude.is_none() && request.effects.iter().all(|effect| effect.name() != EARTH);
+    let earth = request.latitude.is_none() && !request.effects.iter().any(is_earth);
     let held = match request.latitude {
         Some(latitude) => {
-            gyroscope = with_earth_rate(gyroscope)?;
+            if !gyroscope.effects().iter().any(is_earth) {
+                gyroscope = gyroscope.with(earth_rotation());
+            }
             let vertical = EARTH_RATE * latitude.to_radians().sin();
-            vec![(format!("{EARTH}.z"), vertical)]
+            vec![(vertical_rate(), vertical)]
         }
         None => Vec::new(),
     };
@@ -106,13 +105,13 @@ pub(super) fn calibrate(
     })
 }
 
-/// The gyroscope with the earth's rotation in what it measures.
-fn with_earth_rate(gyroscope: Model) -> Result<Model, Error> {
-    if gyroscope.effects().iter().any(|e| e.name() == EARTH) {
-        return Ok(gyroscope);
-    }
-    let missing = || Error::Usage(format!("{EARTH} is not in the catalogue"));
-    Ok(gyroscope.with(effect_named(EARTH).ok_or_else(missing)?))
+fn is_earth(effect: &&'static dyn AnyEffect) -> bool {
+    effect.nature() == Nature::EarthRotation
+}
+
+/// The name of the vertical part of the earth's rotation.
+fn vertical_rate() -> String {
+    format!("{}.z", earth_rotation().name())
 }
 
 /// The fit as a [`Calibration`], checked; `warnings` stay outside.
@@ -151,7 +150,8 @@ pub fn written_down(
     warnings.extend(request.latitude.and_then(|l| latitude_in_doubt(fit, l)));
     influences(fit, warnings);
     // The earth's rotation is no error of the sensor: corrected rates keep it.
-    let of_the_earth = |name: &str| request.latitude.is_some() && name.starts_with(EARTH);
+    let of_the_earth =
+        |name: &str| request.latitude.is_some() && name.starts_with(earth_rotation().name());
     let all = fit.fitted_where(|name| !of_the_earth(name));
     let effects = effect_values(&fit.models[0], &all)
         .chain(effect_values(&fit.models[1], &all))
@@ -358,7 +358,7 @@ fn bias_time(fit: &JointFit, sensor: Sensor, bias: &[f64; 3]) -> Option<BiasTime
 
 /// Says where the data refute the vertical part of the earth's rotation that the latitude gives.
 fn latitude_in_doubt(fit: &JointFit, latitude: f64) -> Option<String> {
-    let (pull, std) = fit.pull_of_held(&format!("{EARTH}.z"))?;
+    let (pull, std) = fit.pull_of_held(&vertical_rate())?;
     let given = EARTH_RATE * latitude.to_radians().sin();
     let seen = given + pull;
     (pull.abs() > REFUTED * std).then(|| {

@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 use sensor::Sensor;
 
 use super::assemble::assemble;
+use super::magnetometer::FieldUnit;
 use super::options::ReadOptions;
 use super::place::{at_column, at_line};
 use super::samples::{Pushed, Samples};
@@ -16,7 +17,7 @@ use crate::shown::figure;
 const LARGEST: f64 = 1e15;
 
 /// What a logger wrote, one row per stamp.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Rows<'a> {
     /// Time stamps, s (`n`).
     pub t: &'a [f64],
@@ -26,6 +27,8 @@ pub struct Rows<'a> {
     pub gyro: &'a [[f64; 3]],
     /// Temperature, °C (`n`); empty without a thermometer.
     pub temperature: &'a [f64],
+    /// Magnetic field, µT (`n × 3`); empty without a magnetometer.
+    pub mag: &'a [[f64; 3]],
 }
 
 impl Recording {
@@ -41,7 +44,7 @@ impl Recording {
     /// use stillpoint_recording::Recording;
     /// use stillpoint_recording::Rows;
     ///
-    /// let rows = Rows { t: &[0.0, 0.01], accel: &[[0.0, 0.0, 9.8]], gyro: &[], temperature: &[] };
+    /// let rows = Rows { t: &[0.0, 0.01], accel: &[[0.0, 0.0, 9.8]], ..Rows::default() };
     /// let refused = Recording::from_rows("mine", rows).unwrap_err().to_string();
     /// assert_eq!(refused, "mine: accel has 1 row, t has 2");
     /// ```
@@ -56,6 +59,8 @@ impl Recording {
         table.clock.origin = Some(origin(rows.t));
         table.accel = rows.samples(name, Sensor::Accelerometer)?;
         table.gyro = rows.samples(name, Sensor::Gyroscope)?;
+        table.magnetometer = rows.samples(name, Sensor::Magnetometer)?;
+        table.stated.field = Some(FieldUnit::Microtesla);
         let zero = origin(rows.t) as f64;
         for (k, (&t, &celsius)) in rows.t.iter().zip(rows.temperature).enumerate() {
             check(name, k, "temperature", celsius, 8)?;
@@ -70,7 +75,7 @@ impl Recording {
             Role::Accel(_) => !rows.accel.is_empty(),
             Role::Gyro(_) => !rows.gyro.is_empty(),
             Role::Temperature => !rows.temperature.is_empty(),
-            Role::Field(_) => false,
+            Role::Field(_) => !rows.mag.is_empty(),
         });
         table.roles = used.map(|role| (role, role.name().to_owned())).collect();
         let mut recording = assemble(name.to_owned(), vec![table], &ReadOptions::default())?;
@@ -85,6 +90,7 @@ impl Rows<'_> {
             ("accel", self.accel.len()),
             ("gyro", self.gyro.len()),
             ("temperature", self.temperature.len()),
+            ("mag", self.mag.len()),
         ];
         let stamps = self.t.len();
         let other = arrays.iter().find(|(_, len)| *len != 0 && *len != stamps);
@@ -111,7 +117,7 @@ impl Rows<'_> {
         let (values, array, first) = match sensor {
             Sensor::Accelerometer => (self.accel, "accel", 2),
             Sensor::Gyroscope => (self.gyro, "gyro", 5),
-            Sensor::Magnetometer => return Ok(Samples::default()),
+            Sensor::Magnetometer => (self.mag, "mag", 9),
         };
         let zero = origin(self.t) as f64;
         let mut samples = Samples::with_room(values.len());

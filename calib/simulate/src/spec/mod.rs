@@ -23,7 +23,10 @@ use crate::sampling::{Clock, Readout, Resampled, Sampling, Stamp};
 use crate::simulation::{Session, Simulation};
 use crate::surroundings::{Fault, MagneticField, Temperature, Unsteady, Vibration};
 use effects::effect_file::effects_of;
-use effects::{catalogue_of, looks_at_temperature, looks_at_vibration, looks_at_warming};
+use effects::{
+    catalogue_of, earth_rotation, is_earth_rotation, looks_at_temperature, looks_at_vibration,
+    looks_at_warming,
+};
 use gyroscope::EARTH_RATE;
 use recording::Error;
 
@@ -239,7 +242,7 @@ impl Spec {
         if of_field.any(|effect| effect.name() == name) {
             self.magnetic_field.get_or_insert_default();
         }
-        if name == "earth_rate" {
+        if is_earth_rotation(name) {
             self.latitude.get_or_insert(45.0);
             return self;
         }
@@ -335,7 +338,7 @@ impl Spec {
             let (sin, cos) = latitude.to_radians().sin_cos();
             let rate = [("x", 0.0), ("y", EARTH_RATE * cos), ("z", EARTH_RATE * sin)];
             let rate = rate.map(|(axis, value)| (axis.to_owned(), value));
-            effects.insert("earth_rate".to_owned(), BTreeMap::from(rate));
+            effects.insert(earth_rotation().name().to_owned(), BTreeMap::from(rate));
         }
         effects
     }

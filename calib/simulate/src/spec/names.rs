@@ -5,7 +5,7 @@ use sensor::{AnyEffect, Param, Role, Sensor, base_names};
 use super::Spec;
 use super::complaint::{Complaint, number};
 use crate::effects::SIZE;
-use effects::{looks_at_temperature, looks_at_vibration};
+use effects::{is_earth_rotation, looks_at_temperature, looks_at_vibration};
 use recording::did_you_mean;
 
 /// Largest number that makes sense anywhere in a spec.
@@ -66,7 +66,7 @@ impl Spec {
                 "is silent without a [vibration] section",
             ));
         }
-        if name == "earth_rate" && self.latitude.is_some() {
+        if is_earth_rotation(name) && self.latitude.is_some() {
             return Err(Complaint::new(
                 key,
                 "is given twice: `latitude` switches it on too",

@@ -4,6 +4,8 @@ use nalgebra::Vector3;
 use sensor::{Effect, Kinematics, Param, Quantity, REFERENCE_TEMPERATURE, Sensor, params};
 use solver::Scalar;
 
+use super::accel_temperature::AccelTemperature;
+
 /// A bias that moves with the square of the temperature change: `eᵢ = cᵢ (T − T₀)²`.
 ///
 /// | symbol | meaning | unit | shape |
@@ -23,6 +25,7 @@ impl Effect for AccelTemperatureQuadratic {
     const TYPICAL: f64 = 2e-4;
     const LINEAR: bool = true;
     const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::Temperature]);
+    const COMPANION: Option<&'static str> = Some(AccelTemperature::NAME);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let warmer = truth.temperature - REFERENCE_TEMPERATURE;

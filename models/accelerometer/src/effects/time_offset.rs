@@ -1,7 +1,7 @@
 //! Accelerometer time stamps that are late.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Quantity, Sensor};
+use sensor::{Effect, Kinematics, Nature, Param, Quantity, Sensor};
 use solver::Scalar;
 
 /// The sample stamped `t` was taken at `t − d`: `e = −d ḟ`, to first order in `d`.
@@ -25,6 +25,7 @@ impl Effect for TimeOffset {
     const TYPICAL: f64 = 5e-3;
     const LINEAR: bool = true;
     const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::SpecificForceRate]);
+    const NATURE: Nature = Nature::Delay;
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         truth.specific_force_rate.map(|rate| p[0] * (-rate))

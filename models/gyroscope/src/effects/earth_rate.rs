@@ -1,7 +1,7 @@
 //! The rotation of the earth, as a gyroscope sees it.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Quantity, Role, Sensor};
+use sensor::{Effect, Kinematics, Nature, Param, Quantity, Role, Sensor};
 use solver::Scalar;
 
 /// Rate of the earth's rotation, rad/s (WGS 84).
@@ -32,6 +32,7 @@ impl Effect for EarthRate {
     const TYPICAL: f64 = EARTH_RATE;
     const LINEAR: bool = true;
     const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::Attitude]);
+    const NATURE: Nature = Nature::EarthRotation;
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let omega = Vector3::new(p[0], p[1], p[2]);

@@ -1,7 +1,7 @@
 //! Delay of the axes of a gyroscope.
 
 use nalgebra::Vector3;
-use sensor::{Effect, Kinematics, Param, Quantity, Sensor, params};
+use sensor::{Effect, Kinematics, Nature, Param, Quantity, Sensor, params};
 use solver::Scalar;
 
 /// Each axis reads what was `dᵢ` ago: `eᵢ = −dᵢ ω̇ᵢ`, to first order in `d`.
@@ -22,6 +22,8 @@ impl Effect for GyroDelay {
     const TYPICAL: f64 = 5e-4;
     const LINEAR: bool = true;
     const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::AngularAcceleration]);
+    const NATURE: Nature = Nature::Delay;
+    const REFERENCE: Option<&'static str> = Some("z");
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         Vector3::from_fn(|i, _| p[i] * (-truth.angular_acceleration[i]))

@@ -4,6 +4,8 @@ use nalgebra::Vector3;
 use sensor::{Effect, Kinematics, Param, Quantity, REFERENCE_TEMPERATURE, Sensor, params};
 use solver::Scalar;
 
+use super::gyro_temperature::GyroTemperature;
+
 /// A bias that moves with the square of the temperature change: `eᵢ = cᵢ (T − T₀)²`.
 ///
 /// | symbol | meaning | unit | shape |
@@ -26,6 +28,7 @@ impl Effect for GyroTemperatureQuadratic {
     const TYPICAL: f64 = 5e-6;
     const LINEAR: bool = true;
     const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::Temperature]);
+    const COMPANION: Option<&'static str> = Some(GyroTemperature::NAME);
 
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let warmer = truth.temperature - REFERENCE_TEMPERATURE;
