@@ -27,9 +27,8 @@ fn code(text: &str) -> String {
 /// The names in `code` as a text or as the beginning of a parameter's name.
 fn named(code: &str) -> Vec<&'static str> {
     let names = calib::effects::catalogue().map(|effect| effect.name());
-    let is_there = |name: &&str| {
-        code.contains(&format!("\"{name}\"")) || code.contains(&format!("\"{name}."))
-    };
+    let is_there =
+        |name: &&str| code.contains(&format!("\"{name}\"")) || code.contains(&format!("\"{name}."));
     names.filter(is_there).collect()
 }
 
@@ -53,6 +52,7 @@ fn effects_are_named_in_their_crates_only() {
 
 #[test]
 fn a_name_in_code_is_found_and_one_in_a_test_is_not() {
-    let text = "let a = \"gyro_delay\";\n// \"gyro_step\"\n#[cfg(test)]\nmod tests { \"gyro_drift\" }";
+    let text =
+        "let a = \"gyro_delay\";\n// \"gyro_step\"\n#[cfg(test)]\nmod tests { \"gyro_drift\" }";
     assert_eq!(named(&code(text)), ["gyro_delay"]);
 }

@@ -9,19 +9,31 @@
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod averages;
+mod clock;
 mod did_you_mean;
 mod error;
+pub mod formats;
+mod header;
 pub mod intervals;
 mod order_statistic;
 pub mod readings;
 mod recording;
+mod rows;
 pub mod shown;
+mod source;
 mod text_file;
 pub mod toml_place;
+mod units;
 pub mod watch;
 
+pub use clock::even::{EvenClock, Stamps, bursts, even_clock};
+pub use clock::offset::{clock_drift, clock_offset};
 pub use did_you_mean::did_you_mean;
 pub use error::Error;
 pub use recording::*;
+pub use rows::plain;
+pub use shown::figure;
+pub use source::{Input, batches, cut, pipeline};
 pub use text_file::read_text;
 pub use toml_place::explain_toml;
+pub use units::{AccelUnit, GyroUnit, TemperatureUnit, TimeUnit};

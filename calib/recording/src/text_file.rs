@@ -5,8 +5,9 @@ use std::io::Read;
 use std::path::Path;
 
 use crate::Error;
-use crate::recording::{explained, place::in_file};
 use crate::shown::shown_path;
+use crate::source::on_disk::explained;
+use crate::source::place::in_file;
 
 /// No such file is larger. A device or a pipe without end is refused here instead of filling the memory.
 const LARGEST: u64 = 64 << 20;

@@ -19,7 +19,10 @@ pub fn sensor(py: Python<'_>, name: &str) -> PyResult<Sensor> {
     let found = Sensor::ALL.into_iter().find(|sensor| sensor.name() == name);
     found.ok_or_else(|| {
         let known = Sensor::ALL.map(Sensor::name).join(", ");
-        usage(py, format!("sensor: `{name}` found, one of {known} expected"))
+        usage(
+            py,
+            format!("sensor: `{name}` found, one of {known} expected"),
+        )
     })
 }
 

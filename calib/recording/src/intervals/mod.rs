@@ -6,11 +6,9 @@
 //! ```
 
 mod detector;
-mod detector_options;
 mod ends;
 mod moments;
 mod rejected;
-mod running_sums;
 mod saturation;
 mod sections;
 mod segmentation;
@@ -22,8 +20,8 @@ mod survey;
 mod tilt;
 mod unexplained_turn;
 
+pub use detector::options::DetectorOptions;
 pub use detector::{Detector, Level};
-pub use detector_options::DetectorOptions;
 pub use moments::Moments;
 pub use rejected::{Reason, Rejected};
 pub use saturation::Rails;

@@ -6,13 +6,13 @@ use sensor::Base;
 use super::Moments;
 use super::detector::{Detector, Level, levels, motion};
 use super::ends::Ends;
-use super::running_sums::RunningSums;
 use super::segmentation::Segmentation;
 use super::shaken::shaken;
 use super::spans::{Span, static_spans, union};
 use super::stamps::Stamps;
 use super::stillness::static_and_rejected;
 use crate::error::Error;
+use crate::intervals::moments::running_sums::RunningSums;
 use crate::order_statistic::nth_smallest;
 use crate::recording::{Recording, Stream};
 

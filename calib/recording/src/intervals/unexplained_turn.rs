@@ -4,8 +4,9 @@
 //! spread either. What betrays it is that the rate points along the vertical wherever that lies in the
 //! device, while a bias stays with the device's axes.
 
-use crate::averages::median;
 use nalgebra::{Matrix3, Vector3};
+
+use crate::averages::median;
 
 /// Turns about the vertical below this are left to bias and its drift, rad/s (0.06 °/s).
 const LEAST: f64 = 1.05e-3;

@@ -5,7 +5,7 @@ use std::fmt;
 use sensor::Sensor;
 use serde::Serialize;
 
-use crate::recording::figure;
+use crate::shown::figure;
 
 /// Most rows or intervals that a sentence lists.
 const LISTED: usize = 8;

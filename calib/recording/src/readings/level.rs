@@ -1,7 +1,8 @@
 //! A specific force that has another size from a row on: another unit, another range, or other columns.
 
-use crate::averages::median;
 use nalgebra::Vector3;
+
+use crate::averages::median;
 
 /// Windows whose mean modulus is looked at, at most.
 const WINDOWS: usize = 2000;

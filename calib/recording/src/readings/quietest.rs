@@ -58,8 +58,9 @@ pub fn quietest(recording: &Recording, count: usize) -> Vec<Quiet> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use nalgebra::Vector3;
+
+    use super::*;
 
     #[test]
     fn the_quiet_second_comes_first() {

@@ -6,12 +6,12 @@ use sensor::Sensor;
 use super::assemble::assemble;
 use super::magnetometer::FieldUnit;
 use super::options::ReadOptions;
-use super::place::{at_column, at_line};
 use super::samples::{Pushed, Samples};
-use super::table::Table;
 use super::{Recording, Role};
 use crate::Error;
+use crate::rows::table::Table;
 use crate::shown::figure;
+use crate::source::place::{at_column, at_line};
 
 /// Largest reading and stamp that are numbers of a sensor.
 const LARGEST: f64 = 1e15;

@@ -6,18 +6,20 @@ use sensor::Sensor;
 
 use super::magnetometer::Magnetometer;
 use super::options::{ReadOptions, Role};
-use super::place::in_file;
 use super::samples::Samples;
-use super::table::Table;
-use super::time;
-use super::units::{AccelUnit, GyroUnit, Stated, TemperatureUnit, TimeUnit};
 use super::{Described, Recording, Stream, Temperature, UnitBy};
-use super::{checks, decide, held, rests, sort, thermometer, unclear, values};
 use crate::Error;
+use crate::clock::{held, time};
+use crate::header::unclear;
+use crate::recording::{checks, thermometer};
+use crate::rows::sort;
+use crate::rows::table::Table;
 use crate::shown::figure;
+use crate::source::place::in_file;
+use crate::units::{AccelUnit, GyroUnit, Stated, TemperatureUnit, TimeUnit, decide, rests, values};
 
 /// The recording called `name` that `tables`, on one clock, hold.
-pub(super) fn assemble(
+pub(crate) fn assemble(
     name: String,
     mut tables: Vec<Table>,
     options: &ReadOptions,

@@ -2,14 +2,14 @@
 
 use sensor::Sensor;
 
-use super::place::in_file;
 use super::samples::Samples;
 use super::stream::extreme_steps;
 use super::{Gap, Stream};
 use crate::Error;
+use crate::source::place::in_file;
 
 /// Repeated rows and equal stamps.
-pub(super) fn order(
+pub(crate) fn order(
     name: &str,
     samples: &Samples,
     warnings: &mut Vec<String>,
@@ -47,7 +47,7 @@ pub(super) fn order(
 }
 
 /// Stamps of arrival instead of sampling: most steps far shorter than the mean.
-pub(super) fn bursts(
+pub(crate) fn bursts(
     name: &str,
     sensor: Sensor,
     stream: &Stream,
@@ -72,7 +72,7 @@ pub(super) fn bursts(
 }
 
 /// Interruptions.
-pub(super) fn gaps(name: &str, sensor: Sensor, gaps: &[Gap], warnings: &mut Vec<String>) {
+pub(crate) fn gaps(name: &str, sensor: Sensor, gaps: &[Gap], warnings: &mut Vec<String>) {
     let longest = gaps
         .iter()
         .max_by(|a, b| (a.t1 - a.t0).total_cmp(&(b.t1 - b.t0)));
@@ -92,7 +92,7 @@ pub(super) fn gaps(name: &str, sensor: Sensor, gaps: &[Gap], warnings: &mut Vec<
 const HOT: f64 = 62.0;
 
 /// True if the readings can be temperatures in °C.
-pub(super) fn temperature(name: &str, celsius: &[f64], warnings: &mut Vec<String>) -> bool {
+pub(crate) fn temperature(name: &str, celsius: &[f64], warnings: &mut Vec<String>) -> bool {
     let possible = celsius.iter().all(|c| (-60.0..=150.0).contains(c));
     let least = celsius.iter().copied().fold(f64::INFINITY, f64::min);
     let most = celsius.iter().copied().fold(f64::NEG_INFINITY, f64::max);

@@ -5,12 +5,12 @@ use std::str::FromStr;
 use nalgebra::Vector3;
 
 use super::Stream;
-use super::held::held_runs;
-use super::look::{Look, numbered};
 use super::options::Role;
-use super::parts::Part;
 use super::samples::Samples;
-use super::table::Table;
+use crate::clock::held::held_runs;
+use crate::header::look::{Look, numbered};
+use crate::header::parts::Part;
+use crate::rows::table::Table;
 
 /// Unit of a magnetic field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,7 +100,7 @@ impl Magnetometer {
 
     /// Readings that are finite, each stamp once and each value once where a slower sensor's was held; those of a sensor
     /// that has not begun or drops out, all three exactly 0, are left out. `None` where nothing is left.
-    pub(super) fn of(t: &[f64], values: &[Vector3<f64>]) -> Option<Self> {
+    pub(crate) fn of(t: &[f64], values: &[Vector3<f64>]) -> Option<Self> {
         let mut stream = Stream::default();
         for (t, value) in t.iter().zip(values) {
             let later = stream.t.last().is_none_or(|last| t > last);
@@ -122,7 +122,7 @@ impl Magnetometer {
     }
 
     /// The first one of `tables`, which then have none.
-    pub(super) fn taken(tables: &mut Vec<Table>) -> Option<Self> {
+    pub(crate) fn taken(tables: &mut Vec<Table>) -> Option<Self> {
         let found = tables.iter_mut().find_map(|table| {
             let Samples { t, values, .. } = std::mem::take(&mut table.magnetometer);
             let columns = table.roles.iter();
@@ -142,7 +142,7 @@ impl Magnetometer {
 }
 
 /// A file of a magnetometer by itself: its time and its axes, by their names or called x, y, z.
-pub(super) fn part(look: &Look, unit: Option<FieldUnit>) -> Option<Part> {
+pub(crate) fn part(look: &Look, unit: Option<FieldUnit>) -> Option<Part> {
     let at = |wanted: Role, letter: &str| {
         let named = look.column(wanted);
         named.or_else(|| numbered(&look.first(), letter))

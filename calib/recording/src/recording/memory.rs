@@ -1,10 +1,10 @@
 //! What a recording takes in memory, asked of the system before it is needed.
 
-use super::place::in_file;
 use crate::Error;
+use crate::source::place::in_file;
 
 /// A stamp and three values.
-pub(super) const SAMPLE: u64 = 32;
+pub(crate) const SAMPLE: u64 = 32;
 
 /// What a calibration takes beside the samples, for each of them: about a half more in sums and moments, and the
 /// unit that the allocator rounds up to.
@@ -21,12 +21,12 @@ fn is_granted(bytes: u64) -> bool {
 }
 
 /// Refuses a text of about `rows` rows of `sensors` sensors whose samples do not fit.
-pub(super) fn room_to_read(name: &str, rows: u64, sensors: u64) -> Result<(), Error> {
+pub(crate) fn room_to_read(name: &str, rows: u64, sensors: u64) -> Result<(), Error> {
     room(name, rows, rows.saturating_mul(sensors * (SAMPLE + WORK)))
 }
 
 /// Refuses `samples` samples that leave no room to work on them.
-pub(super) fn room_to_work(name: &str, samples: usize) -> Result<(), Error> {
+pub(crate) fn room_to_work(name: &str, samples: usize) -> Result<(), Error> {
     room(name, samples as u64, (samples as u64).saturating_mul(WORK))
 }
 
@@ -47,7 +47,7 @@ fn room(name: &str, rows: u64, bytes: u64) -> Result<(), Error> {
 ///
 /// # Errors
 /// When memory is short.
-pub(super) fn one_more<T>(vector: &mut Vec<T>) -> Result<(), ()> {
+pub(crate) fn one_more<T>(vector: &mut Vec<T>) -> Result<(), ()> {
     if vector.len() < vector.capacity() {
         return Ok(());
     }

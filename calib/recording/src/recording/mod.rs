@@ -1,94 +1,44 @@
 //! What a device recorded, in SI units, each sensor on its own clock.
 //!
 //! ```text
-//! source → decode → batches → sniff → table ─┐
-//!  (path)  (UTF-8)   (lines) (header) (rows) ├→ assemble → Recording
-//!                                     table ─┘  (seconds, SI units, checks)
+//! file ──► source ──► header ──► rows ──┐
+//!          UTF-8,     what the   tables ├─► assemble ──► Recording
+//!          batches    columns    tables ┘   clock: seconds
+//!          of lines   are                   units: SI
 //! ```
-//! Rows are read in a pipeline: plain numbers in parallel (`plain`), all else with care
-//! (`rows`).
 
-mod affine;
-mod arrays;
-mod assemble;
-pub mod batches;
-mod bounded;
-mod by_unit;
-mod checks;
-mod clock;
-mod clock_offset;
-pub mod cut;
-mod decide;
-mod decimate;
-mod decode;
-mod description;
-mod dialect;
-mod even_clock;
-mod files;
-pub mod formats;
-mod header;
-mod held;
-mod lines;
-mod look;
-mod magnetometer;
-mod memory;
-mod names;
-mod number;
-mod on_disk;
-mod options;
-#[cfg(test)]
-mod oracle;
-mod parts;
-pub mod pipeline;
-pub(crate) mod place;
-pub mod plain;
-mod preface;
-mod quotes;
-mod rests;
-mod rewrite;
-mod rows;
-mod samples;
-mod sniff;
-mod sort;
-mod source;
-mod stream;
-mod suggest;
-mod table;
-mod thermometer;
-mod time;
-mod time_of_day;
-mod turn_unit;
-mod unclear;
-mod unit_row;
-mod units;
-mod unnamed;
-mod values;
-mod write;
+pub(crate) mod arrays;
+pub(crate) mod assemble;
+pub(crate) mod checks;
+pub(crate) mod decimate;
+pub(crate) mod description;
+pub(crate) mod magnetometer;
+pub(crate) mod memory;
+pub(crate) mod options;
+pub(crate) mod samples;
+pub(crate) mod stream;
+pub(crate) mod thermometer;
+pub(crate) mod write;
 
 use std::path::Path;
 use std::sync::Arc;
 
-pub use crate::shown::figure;
-pub use arrays::Rows;
-pub use clock_offset::{clock_drift, clock_offset};
-pub use description::{Described, Description, UnitBy};
-pub use even_clock::{EvenClock, Stamps, bursts, even_clock};
-pub use magnetometer::{FieldUnit, Magnetometer};
-pub(crate) use on_disk::explained;
-pub use options::{ColumnMap, ReadOptions, Role};
 use sensor::Sensor;
-pub use source::Input;
-pub use stream::is_before;
-pub use stream::{Gap, INSTANT, Stream, Temperature};
-pub use units::{AccelUnit, GyroUnit, TemperatureUnit, TimeUnit};
+
+pub use arrays::Rows;
+pub use description::{Described, Description, UnitBy};
+pub use magnetometer::{FieldUnit, Magnetometer};
+pub use options::{ColumnMap, ReadOptions, Role};
+pub use stream::{Gap, INSTANT, Stream, Temperature, is_before};
 pub use write::{field_names, stream_to_csv, to_csv, to_parquet};
 
 use crate::Error;
+use crate::formats::{self, Source};
+use crate::header::parts::Part;
+use crate::rows::table::Table;
 use crate::shown::shown_path;
-use formats::Source;
-use parts::Part;
-use place::in_file;
-use table::Table;
+use crate::source::Input;
+use crate::source::place::in_file;
 
 /// One recording of one device.
 #[derive(Clone, Debug, Default)]
@@ -218,7 +168,7 @@ fn pair(
 }
 
 /// The sensor that a file is named after, so that columns called x, y, z mean something.
-fn hint(name: &str) -> Option<Sensor> {
+pub(crate) fn hint(name: &str) -> Option<Sensor> {
     let stem = name.rsplit(['/', '\\']).next()?.to_lowercase();
     match (stem.starts_with("acc"), stem.starts_with("gyr")) {
         (true, false) => Some(Sensor::Accelerometer),

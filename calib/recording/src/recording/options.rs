@@ -4,10 +4,10 @@ use std::str::FromStr;
 
 use sensor::Sensor;
 
-use super::formats::Format;
-use super::units::{AccelUnit, GyroUnit, TimeUnit};
 use crate::Error;
+use crate::formats::Format;
 use crate::shown::figure;
+use crate::units::{AccelUnit, GyroUnit, TimeUnit};
 
 /// How to read a recording. The default reads every well-formed file and guesses nothing silently.
 #[derive(Clone, Debug)]
@@ -74,7 +74,7 @@ impl ReadOptions {
     ///
     /// # Errors
     /// [`Error::Usage`] for a rate that no recording has.
-    pub(super) fn check(&self) -> Result<(), Error> {
+    pub(crate) fn check(&self) -> Result<(), Error> {
         match self.rate {
             Some(rate) if !(1e-3..=1e7).contains(&rate) => Err(Error::Usage(format!(
                 "--rate {}: a sampling rate is from 0.001 to 1e7 Hz, such as --rate 100",

@@ -6,7 +6,7 @@ use super::memory::one_more;
 
 /// What became of a sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Pushed {
+pub(crate) enum Pushed {
     /// Kept.
     Kept,
     /// Stamp and values had been there before, so the row says nothing new.
@@ -19,7 +19,7 @@ pub(super) enum Pushed {
 
 /// Columns of one sensor in the file's units.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Samples {
+pub(crate) struct Samples {
     /// Stamps.
     pub t: Vec<f64>,
     /// Values.
@@ -36,7 +36,7 @@ pub(super) struct Samples {
 
 /// Rows that repeat earlier ones.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Repeats {
+pub(crate) struct Repeats {
     /// How many.
     pub count: usize,
     /// Line of the first.

@@ -123,7 +123,7 @@ fn steps(t: &[f64]) -> impl Iterator<Item = f64> + Clone {
 }
 
 /// The least and the largest difference of neighbours; `None` with fewer than two.
-pub(super) fn extreme_steps(t: &[f64]) -> Option<(f64, f64)> {
+pub(crate) fn extreme_steps(t: &[f64]) -> Option<(f64, f64)> {
     let none = (f64::INFINITY, f64::NEG_INFINITY);
     let extremes = steps(t).fold(none, |(least, largest), step| {
         let least = if step < least { step } else { least };
@@ -133,7 +133,7 @@ pub(super) fn extreme_steps(t: &[f64]) -> Option<(f64, f64)> {
 }
 
 /// The median difference of neighbours; `None` with fewer than two.
-pub(super) fn median_step(t: &[f64]) -> Option<f64> {
+pub(crate) fn median_step(t: &[f64]) -> Option<f64> {
     nth_smallest(steps(t), t.len().saturating_sub(1) / 2)
 }
 

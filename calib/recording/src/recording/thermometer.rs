@@ -1,12 +1,12 @@
 //! Temperatures with stamps of their own: read between them, left out where they are of another clock.
 
-use super::look::Look;
 use super::options::{ColumnMap, Role};
-use super::place::in_file;
-use super::table::Table;
 use super::{Recording, Stream};
 use crate::Error;
+use crate::header::look::Look;
+use crate::rows::table::Table;
 use crate::shown::figure;
+use crate::source::place::in_file;
 
 /// Share of a recording over which the temperature has to be known; beyond its stamps it is taken as constant.
 const KNOWN: f64 = 0.5;
@@ -15,14 +15,14 @@ const KNOWN: f64 = 0.5;
 const MISSED: f64 = 3.0;
 
 /// The columns of a file of a thermometer, by number.
-pub(super) fn columns(look: &Look) -> Option<ColumnMap> {
+pub(crate) fn columns(look: &Look) -> Option<ColumnMap> {
     let roles = [Role::Time, Role::Temperature].into_iter();
     let columns = roles.map(|role| Some((role, look.column(role)?)));
     columns.collect::<Option<_>>().map(ColumnMap)
 }
 
 /// True if `map` names the columns of a thermometer and no others.
-pub(super) fn is_only(map: &ColumnMap) -> bool {
+pub(crate) fn is_only(map: &ColumnMap) -> bool {
     let names = |wanted: Role| map.0.iter().any(|(role, _)| *role == wanted);
     map.0.len() == 2 && names(Role::Time) && names(Role::Temperature)
 }
@@ -31,7 +31,7 @@ pub(super) fn is_only(map: &ColumnMap) -> bool {
 ///
 /// # Errors
 /// [`Error::Input`] where no table has a sensor.
-pub(super) fn join(tables: &mut Vec<Table>) -> Result<(), Error> {
+pub(crate) fn join(tables: &mut Vec<Table>) -> Result<(), Error> {
     let alone = tables.iter().position(|table| !table.has_sensor());
     let Some(mut table) = alone.map(|at| tables.remove(at)) else {
         return Ok(());
@@ -50,7 +50,7 @@ pub(super) fn join(tables: &mut Vec<Table>) -> Result<(), Error> {
 }
 
 /// Leaves out a temperature whose stamps are of another clock, and says where one begins late or ends early.
-pub(super) fn check_clock(recording: &mut Recording) {
+pub(crate) fn check_clock(recording: &mut Recording) {
     let Some((words, is_known)) = misfit(recording) else {
         return;
     };

@@ -1,0 +1,301 @@
+//! Time stamps as they are written: numbers, large epochs, dates, counters that wrap.
+
+pub(crate) mod even;
+pub(crate) mod held;
+pub(crate) mod offset;
+pub(crate) mod time;
+pub(crate) mod time_of_day;
+
+use crate::recording::options::ReadOptions;
+use crate::rows::number::{self, Dialects, Fault, LATEST};
+use crate::rows::plain::Stamps;
+
+/// Stamps from here on are epochs: the first is subtracted as an integer, because a double holds
+/// nanoseconds since 1970 only to 256 ns.
+const EPOCH: i64 = 1_000_000_000;
+
+/// Where counters start again: 16 and 32 bits, also written as seconds of ms and µs.
+pub(crate) const MODULI: [f64; 5] = [
+    65_536.0,
+    4_294_967_296.0,
+    65.536,
+    4_294.967_296,
+    4_294_967.296,
+];
+
+/// Reads the stamps of one file, in the file's unit.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Clock {
+    /// What was subtracted from every stamp; files of one recording share it.
+    pub origin: Option<i64>,
+    /// Stamps are dates, counted in nanoseconds.
+    pub dates: bool,
+    /// Lines at which the counter started again.
+    pub wraps: Vec<u64>,
+    pattern: Option<String>,
+    /// Stamps are sorted when all are read: a jump back says nothing yet.
+    unsorted: bool,
+    offset: f64,
+    first: Option<f64>,
+    last: f64,
+    count: u64,
+}
+
+impl Clock {
+    /// A clock that counts from `origin`, or finds its own.
+    pub fn new(origin: Option<i64>, options: &ReadOptions) -> Self {
+        Self {
+            origin,
+            pattern: options.time_format.clone(),
+            unsorted: options.sort_time,
+            ..Self::default()
+        }
+    }
+
+    /// The stamp in `cell`, from the origin on, with wraps undone.
+    pub fn read(&mut self, cell: &[u8], decimal_comma: bool, line: u64) -> Result<f64, Fault> {
+        let stamp = if self.dates || self.pattern.is_some() {
+            self.date(cell)?
+        } else {
+            match self.number(cell, decimal_comma) {
+                Err(Fault::Text) if self.count == 0 => self.date(cell)?,
+                other => other?,
+            }
+        };
+        Ok(self.unwrapped(stamp, line))
+    }
+
+    fn number(&mut self, cell: &[u8], decimal_comma: bool) -> Result<f64, Fault> {
+        let parse = |cell| {
+            let stamp = number::parse(cell, decimal_comma, &mut Dialects::default())?;
+            let possible = stamp.abs() < LATEST;
+            possible.then_some(stamp).ok_or(Fault::Absurd)
+        };
+        if self.origin == Some(0) {
+            return parse(cell);
+        }
+        let Some((whole, fraction)) = split(cell, decimal_comma) else {
+            let stamp = parse(cell)?;
+            let origin = *self.origin.get_or_insert(large(stamp as i64));
+            return Ok(stamp - origin as f64);
+        };
+        let origin = *self.origin.get_or_insert(large(whole));
+        if origin == 0 {
+            return parse(cell);
+        }
+        Ok(elapsed(origin, whole, fraction))
+    }
+
+    /// How the stamps that follow are written, where that is settled and nothing but a number.
+    pub fn form(&self) -> Option<Stamps> {
+        let numbers = self.count > 0 && !self.dates && self.pattern.is_none();
+        match self.origin? {
+            _ if !numbers => None,
+            0 => Some(Stamps::Numbers),
+            origin => Some(Stamps::Since(origin)),
+        }
+    }
+
+    fn date(&mut self, cell: &[u8]) -> Result<f64, Fault> {
+        let text = std::str::from_utf8(cell).map_err(|_| Fault::Text)?;
+        let stamp = match &self.pattern {
+            Some(pattern) => jiff::fmt::strtime::parse(pattern, text)
+                .ok()
+                .and_then(|parsed| {
+                    parsed
+                        .to_timestamp()
+                        .or_else(|_| utc(parsed.to_datetime()?))
+                        .ok()
+                }),
+            None => iso(text),
+        };
+        let fault = self
+            .pattern
+            .as_ref()
+            .map_or(Fault::Date, |_| Fault::OtherDate);
+        let nanoseconds = stamp.ok_or(fault)?.as_nanosecond();
+        let nanoseconds = i64::try_from(nanoseconds).map_err(|_| Fault::Date)?;
+        self.dates = true;
+        let origin = *self.origin.get_or_insert(nanoseconds);
+        Ok(nanoseconds.saturating_sub(origin) as f64)
+    }
+
+    /// A counter that jumps back by its modulus went on by one step: by its usual step, give or take
+    /// ten lost samples.
+    pub fn unwrapped(&mut self, stamp: f64, line: u64) -> f64 {
+        let mut stamp = stamp + self.offset;
+        let first = *self.first.get_or_insert(stamp);
+        if self.count >= 3 && stamp < self.last && !self.unsorted {
+            let step = (self.last - first) / (self.count - 1) as f64;
+            let jump = |modulus: &&f64| {
+                let forward = stamp + **modulus - self.last;
+                forward > 0.0 && forward <= 10.0 * step && step < **modulus / 100.0
+            };
+            if let Some(modulus) = MODULI.iter().find(jump) {
+                self.offset += modulus;
+                stamp += modulus;
+                self.wraps.push(line);
+            }
+        }
+        self.last = stamp;
+        self.count += 1;
+        stamp
+    }
+}
+
+/// The time from `origin` to the stamp in `cell`, both whole numbers but for decimals behind a mark;
+/// `None` for any other spelling.
+pub(crate) fn since(origin: i64, cell: &[u8], decimal_comma: bool) -> Option<f64> {
+    let (whole, fraction) = split(cell, decimal_comma)?;
+    Some(elapsed(origin, whole, fraction))
+}
+
+fn elapsed(origin: i64, whole: i64, fraction: f64) -> f64 {
+    whole.saturating_sub(origin) as f64 + fraction
+}
+
+/// The digits before the decimal mark, and the value of the mark and those behind it.
+fn split(cell: &[u8], decimal_comma: bool) -> Option<(i64, f64)> {
+    let digits = cell.strip_prefix(b"-").unwrap_or(cell);
+    let end = digits
+        .iter()
+        .position(|b| !b.is_ascii_digit())
+        .unwrap_or(digits.len());
+    let (whole, rest) = cell.split_at(cell.len() - digits.len() + end);
+    let fraction = match rest {
+        [] => 0.0,
+        [b'.' | b',', decimals @ ..] if decimals.iter().all(u8::is_ascii_digit) => {
+            number::parse(rest, decimal_comma, &mut Dialects::default()).ok()?
+        }
+        _ => return split(&without_exponent(cell)?, decimal_comma),
+    };
+    let whole = std::str::from_utf8(whole).ok()?.parse().ok()?;
+    Some((whole, fraction))
+}
+
+/// `1.7000000005e9` as `1700000000.5`: the same digits, the mark moved to the right; `None` for any
+/// other spelling.
+fn without_exponent(cell: &[u8]) -> Option<Vec<u8>> {
+    let at = cell.iter().position(|byte| matches!(byte, b'e' | b'E'))?;
+    let exponent = std::str::from_utf8(&cell[at + 1..]).ok()?;
+    let exponent: usize = exponent.parse().ok().filter(|places| *places < 19)?;
+    let mark = |byte: &u8| matches!(byte, b'.' | b',');
+    let (whole, decimals) = match cell[..at].iter().position(mark) {
+        Some(mark) => (&cell[..mark], &cell[mark + 1..at]),
+        None => (&cell[..at], &[][..]),
+    };
+    whole.last().filter(|byte| byte.is_ascii_digit())?;
+    let (moved, left) = decimals.split_at(exponent.min(decimals.len()));
+    let mut plain = [whole, moved].concat();
+    plain.resize(whole.len() + exponent, b'0');
+    if let Some(mark) = cell.get(whole.len()).filter(|_| !left.is_empty()) {
+        plain.push(*mark);
+        plain.extend_from_slice(left);
+    }
+    Some(plain)
+}
+
+fn large(stamp: i64) -> i64 {
+    if stamp.unsigned_abs() >= EPOCH.unsigned_abs() {
+        stamp
+    } else {
+        0
+    }
+}
+
+fn utc(date: jiff::civil::DateTime) -> Result<jiff::Timestamp, jiff::Error> {
+    jiff::tz::TimeZone::UTC.to_timestamp(date)
+}
+
+fn iso(text: &str) -> Option<jiff::Timestamp> {
+    let zoned = text.parse::<jiff::Timestamp>();
+    zoned
+        .or_else(|_| utc(text.parse::<jiff::civil::DateTime>()?))
+        .ok()
+        .or_else(|| unmistakable(text))
+}
+
+/// Dates that are not ISO 8601 and can be read in one way only: months in letters, and a third colon.
+fn unmistakable(text: &str) -> Option<jiff::Timestamp> {
+    let text = text.trim();
+    let pointed;
+    let text = match text.rfind(':') {
+        Some(at) if text.matches(':').count() == 3 && !text.contains('+') => {
+            pointed = format!("{}.{}", &text[..at], &text[at + 1..]);
+            pointed.as_str()
+        }
+        _ => text,
+    };
+    const PATTERNS: [&str; 3] = [
+        "%d-%b-%Y %H:%M:%S%.f",
+        "%Y-%m-%d %H:%M:%S%.f",
+        "%Y-%m-%dT%H:%M:%S%.f%z",
+    ];
+    PATTERNS.iter().find_map(|pattern| {
+        let parsed = jiff::fmt::strtime::parse(pattern, text).ok()?;
+        parsed
+            .to_timestamp()
+            .or_else(|_| utc(parsed.to_datetime()?))
+            .ok()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stamps(cells: &[&str]) -> Vec<f64> {
+        let mut clock = Clock::default();
+        cells
+            .iter()
+            .zip(1..)
+            .map(|(c, l)| clock.read(c.as_bytes(), false, l).unwrap())
+            .collect()
+    }
+
+    #[test]
+    fn nanosecond_epochs_keep_every_nanosecond() {
+        let read = stamps(&["1700000000000000001", "1700000000005000003"]);
+        assert_eq!(read, [0.0, 5_000_002.0]);
+    }
+
+    #[test]
+    fn epochs_in_seconds_keep_their_fraction() {
+        assert_eq!(
+            stamps(&["1700000000.25", "1700000001.123456789"]),
+            [0.25, 1.123456789]
+        );
+    }
+
+    #[test]
+    fn epochs_with_an_exponent_are_those_without() {
+        let plain = ["1700000000.25", "1700000001.123456789", "1700000002"];
+        let exponents = [
+            "1.70000000025e9",
+            "1.700000001123456789E+09",
+            "1700000002e0",
+        ];
+        assert_eq!(stamps(&exponents), stamps(&plain));
+        let read = stamps(&["1.700000000000000001e18", "1.700000000005000003e+18"]);
+        assert_eq!(read, [0.0, 5_000_002.0]);
+        assert_eq!(stamps(&["1.5e3", "1.6e3"]), [1500.0, 1600.0]);
+        assert_eq!(split(b"e9", false).or(split(b"-.e9", false)), None);
+    }
+
+    #[test]
+    fn small_stamps_are_the_nearest_double() {
+        assert_eq!(stamps(&["25.975", "-0.5", "1e-3"]), [25.975, -0.5, 1e-3]);
+    }
+
+    #[test]
+    fn iso_dates_count_nanoseconds() {
+        let read = stamps(&["2026-11-21T03:04:05.123Z", "2026-11-21T03:04:05.133Z"]);
+        assert_eq!(read, [0.0, 1e7]);
+    }
+
+    #[test]
+    fn a_sixteen_bit_counter_goes_on_after_it_wraps() {
+        let read = stamps(&["65500", "65510", "65520", "65530", "4", "14"]);
+        assert_eq!(read, [65500.0, 65510.0, 65520.0, 65530.0, 65540.0, 65550.0]);
+    }
+}

@@ -1,0 +1,58 @@
+//! Stamps such as `22:13:01.123` and `22:13:01:123` as seconds.
+
+/// Where clocks start again whose hours, or hours and minutes, stand still: a minute, an hour, a day, s.
+const WRAPS: [f64; 3] = [60.0, 3600.0, 86_400.0];
+/// A step over a start is no longer, s.
+const STEP: f64 = 5.0;
+
+/// Reads times of day that go on after midnight.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct TimeOfDay {
+    before: f64,
+    last: f64,
+}
+
+/// The seconds since midnight of `HH:MM:SS`, with decimals behind a point, a comma or a third colon.
+pub(crate) fn seconds(text: &str) -> Option<f64> {
+    let (hours, rest) = text.trim().split_once(':')?;
+    let (minutes, rest) = rest.split_once(':')?;
+    let (seconds, decimals) = rest.split_once([':', '.', ',']).unwrap_or((rest, "0"));
+    let number = |digits: &str, limit: f64| {
+        let whole = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
+        let value: f64 = digits.parse().ok().filter(|_| whole)?;
+        (value < limit).then_some(value)
+    };
+    let fraction =
+        number(&format!("{:0<3}", decimals), 1e18)? / 10f64.powi(decimals.len().max(3) as i32);
+    let minutes = number(hours, 24.0)? * 60.0 + number(minutes, 60.0)?;
+    Some(minutes * 60.0 + number(seconds, 61.0)? + fraction)
+}
+
+impl TimeOfDay {
+    /// The same, counted on over midnight.
+    pub fn read(&mut self, text: &str) -> Option<f64> {
+        let now = self.before + seconds(text)?;
+        let onwards = |wrap: &&f64| (0.0..=STEP).contains(&(now + **wrap - self.last));
+        let wrap = WRAPS.iter().find(onwards).filter(|_| now < self.last);
+        self.before += wrap.unwrap_or(&0.0);
+        self.last = now + wrap.unwrap_or(&0.0);
+        Some(self.last)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_of_day_are_seconds_and_go_on_after_midnight() {
+        assert_eq!(seconds("01:00:01:010"), Some(3601.01));
+        assert_eq!(seconds("1:0:1.5"), Some(3601.5));
+        for text in ["25:00:00", "1:2", "a:b:c", "10:00:-1", "2026-01-01"] {
+            assert_eq!(seconds(text), None, "{text}");
+        }
+        let mut clock = TimeOfDay::default();
+        let read = ["23:59:59.5", "00:00:00.5"].map(|text| clock.read(text).unwrap());
+        assert_eq!(read[1] - read[0], 1.0);
+    }
+}

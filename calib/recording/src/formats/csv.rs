@@ -1,0 +1,35 @@
+//! Text with a header: plain CSV and its relatives.
+
+use super::{Format, Source, text};
+use crate::Error;
+use crate::recording::assemble::assemble;
+use crate::recording::{ReadOptions, Recording, hint};
+use crate::rows::table::Table;
+
+/// `t,ax,ay,az,gx,gy,gz[,temp]` by name, in any order, with any separator; one sensor alone will do.
+#[derive(Debug)]
+pub(crate) struct Csv;
+
+impl Format for Csv {
+    fn name(&self) -> &'static str {
+        "csv"
+    }
+
+    fn about(&self) -> &'static str {
+        "text with a header such as t,ax,ay,az,gx,gy,gz[,temp]; columns by name"
+    }
+
+    fn recognises(&self, source: &Source) -> bool {
+        matches!(source, Source::Text(_))
+    }
+
+    fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
+        let input = text(source, self)?;
+        let (name, only) = (input.name.clone(), hint(&input.name));
+        assemble(
+            name,
+            vec![Table::read(input, only, None, options)?],
+            options,
+        )
+    }
+}

@@ -1,0 +1,393 @@
+//! Binary and structured files, read by `stillpoint-formats`: streams to tables, and the choice among several.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use file_formats::{Content, Quantity, Stream, Wanted};
+use nalgebra::Vector3;
+use sensor::Sensor;
+
+use super::{Format, Source};
+use crate::Error;
+use crate::recording::assemble::assemble;
+use crate::recording::options::Role;
+use crate::recording::samples::{Pushed, Samples};
+use crate::recording::{Magnetometer, ReadOptions, Recording};
+use crate::rows::table::Table;
+use crate::shown::{shown, shown_list};
+use crate::source::files::limits;
+use crate::source::place::in_file;
+use crate::units::{AccelUnit, GyroUnit, TimeUnit};
+
+/// The format of `stillpoint-formats` that is called so.
+#[derive(Debug)]
+pub(crate) struct Measured(pub &'static str);
+
+/// Stamps from here on are epochs, ns: what is before their first whole second is subtracted.
+const EPOCH: i64 = 1_000_000_000_000_000;
+/// Slower streams are no recording of turns, Hz.
+const SLOW: f64 = 10.0;
+
+impl Format for Measured {
+    fn name(&self) -> &'static str {
+        self.0
+    }
+
+    fn about(&self) -> &'static str {
+        let format = file_formats::FORMATS
+            .iter()
+            .find(|format| format.name() == self.0);
+        format.map_or("", |format| format.about())
+    }
+
+    fn recognises(&self, source: &Source) -> bool {
+        matches!(source, Source::Binary(binary) if binary.format.name() == self.0)
+    }
+
+    fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
+        let Source::Binary(mut binary) = source else {
+            return Err(super::mismatch(
+                source.name(),
+                self,
+                "a file of that format",
+            ));
+        };
+        let name = binary.name.clone();
+        if !options.columns.0.is_empty() {
+            let words = format!(
+                "{name}: --columns is for tables of text; --topic and --instance choose in this file"
+            );
+            return Err(Error::Usage(words));
+        }
+        let wanted = Wanted {
+            topics: options.topics.clone(),
+            instance: options.instance,
+        };
+        let limits = limits(options);
+        // Unpackers of other projects are within.
+        let read = AssertUnwindSafe(|| match &binary.path {
+            Some(path) => {
+                let mut file = std::fs::File::open(path)?;
+                binary.format.read_seekable(&mut file, &wanted, limits)
+            }
+            None => binary.format.read(&mut binary.reader, &wanted, limits),
+        });
+        let content = catch_unwind(read).unwrap_or_else(|_| {
+            let words = "the reader of this format gave up at damage that it does not understand";
+            Err(file_formats::Error::Damaged {
+                at: 0,
+                what: words.to_owned(),
+            })
+        });
+        let content = content.map_err(|error| in_file(&name, error.to_string()))?;
+        if let Some(file) = binary.unchanged {
+            file.check()?;
+        }
+        recording(&name, content, options)
+    }
+}
+
+/// The recording in `content`.
+fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Recording, Error> {
+    let Content {
+        mut streams,
+        listed,
+        unclear,
+        mut warnings,
+        cut,
+    } = content;
+    let chooser = Chooser { name, options };
+    let accel = chooser.take(&mut streams, Quantity::SpecificForce)?;
+    let gyro = chooser.take(&mut streams, Quantity::AngularRate)?;
+    if accel.is_none() && gyro.is_none() {
+        let listed = match listed.len() {
+            0 => "nothing".to_owned(),
+            1..=12 => listed.join(", "),
+            more => format!("{} and {} more", listed[..12].join(", "), more - 12),
+        };
+        let words = format!(
+            "no accelerometer and no gyroscope in it; it holds {}",
+            shown(&listed)
+        );
+        let why = cut.or_else(|| warnings.first().cloned());
+        let cut = why
+            .map(|why| format!(" ({})", shown(&why)))
+            .unwrap_or_default();
+        return Err(in_file(name, words + &cut));
+    }
+    let all_wanted = options.topics.is_empty() && !unclear.is_empty();
+    if all_wanted && (accel.is_none() || gyro.is_none()) {
+        let missing = if accel.is_none() {
+            "accelerometer"
+        } else {
+            "gyroscope"
+        };
+        let words = format!(
+            "no {missing} that is known as one, but {} may be it and is not read; rename it, or go on without by naming what is to be read, as in --topic '{}'",
+            shown_list(unclear.iter()),
+            accel
+                .as_ref()
+                .or(gyro.as_ref())
+                .map_or_else(String::new, |stream| shown(&stream.source))
+        );
+        return Err(in_file(name, words));
+    }
+    let of_accel = |stream: &Stream| {
+        accel
+            .as_ref()
+            .is_some_and(|a| a.source == stream.source && a.instance == stream.instance)
+    };
+    let field = streams
+        .iter()
+        .filter(|stream| stream.quantity == Quantity::MagneticField)
+        .min_by_key(|stream| (!of_accel(stream), stream.instance));
+    let field = field.cloned();
+    let temperature = streams
+        .iter()
+        .position(|stream| stream.quantity == Quantity::Temperature && of_accel(stream));
+    let temperature = temperature.map(|at| streams.swap_remove(at));
+    let origin = [&accel, &gyro]
+        .into_iter()
+        .flatten()
+        .filter_map(|stream| stream.stamps.first())
+        .min();
+    let origin = origin.copied().filter(|first| first.abs() >= EPOCH);
+    let origin = origin.map_or(0, |first| first - first.rem_euclid(1_000_000_000));
+    let mut tables = Vec::new();
+    for (sensor, stream) in [(Sensor::Accelerometer, accel), (Sensor::Gyroscope, gyro)] {
+        if let Some(stream) = stream {
+            tables.push(table(name, sensor, stream, origin, options)?);
+        }
+    }
+    if let (Some(temperature), Some(table)) = (temperature, tables.first_mut()) {
+        for (stamp, value) in temperature.stamps.iter().zip(&temperature.values) {
+            let t = seconds(*stamp, origin);
+            if table.temperature_t.last().is_none_or(|last| t > *last) {
+                table.temperature_t.push(t);
+                table.temperature.push(value[0]);
+            }
+        }
+    }
+    warnings.extend(cut.map(|cut| format!("{cut}; the recording may be shorter than it was")));
+    let warnings: Vec<String> = warnings
+        .iter()
+        .map(|words| format!("{name}: {words}"))
+        .collect();
+    let mut recording = assemble(name.to_owned(), tables, options)?;
+    recording.magnetometer = field.and_then(|field| magnetometer(name, field, origin));
+    recording.warnings.extend(warnings);
+    Ok(recording)
+}
+
+/// The magnetometer in a stream.
+fn magnetometer(file: &str, stream: Stream, origin: i64) -> Option<Magnetometer> {
+    let t: Vec<f64> = stream.stamps.iter().map(|t| seconds(*t, origin)).collect();
+    let values: Vec<Vector3<f64>> = stream.values.into_iter().map(Vector3::from).collect();
+    let column = |axis: usize| {
+        let letter = ["x", "y", "z"][axis];
+        (
+            Role::Field(axis).name(),
+            format!("{}.{letter}", stream.source),
+        )
+    };
+    Some(Magnetometer {
+        unit: stream.unit.and_then(|unit| unit.parse().ok()),
+        source: format!("{file} ({})", shown(&stream.source)),
+        columns: (0..3).map(column).collect(),
+        ..Magnetometer::of(&t, &values)?
+    })
+}
+
+fn seconds(stamp: i64, origin: i64) -> f64 {
+    stamp.saturating_sub(origin) as f64 * 1e-9
+}
+
+/// One sensor's samples as a table of its own.
+fn table(
+    file: &str,
+    sensor: Sensor,
+    stream: Stream,
+    origin: i64,
+    options: &ReadOptions,
+) -> Result<Table, Error> {
+    let name = format!("{file} ({}{})", shown(&stream.source), numbered(&stream));
+    let (in_si, source) = (stream.in_si, stream.source);
+    let finite = stream
+        .values
+        .iter()
+        .position(|value| !value.iter().all(|v| v.is_finite() && v.abs() < 1e15));
+    if let Some(at) = finite.filter(|_| !options.na_drop) {
+        let words = format!(
+            "record {} holds a number that is not finite; --na drop leaves such records out",
+            at + 1
+        );
+        return Err(in_file(&name, words));
+    }
+    let stamps: Vec<f64> = match options.rate {
+        Some(rate) => (0..stream.stamps.len()).map(|k| k as f64 / rate).collect(),
+        None => stream
+            .stamps
+            .into_iter()
+            .map(|stamp| seconds(stamp, origin))
+            .collect(),
+    };
+    let values: Vec<Vector3<f64>> = stream.values.into_iter().map(Vector3::from).collect();
+    let samples = samples(&name, stamps, values, options)?;
+    let mut table = Table {
+        has_time: true,
+        ..Table::default()
+    };
+    table.stated.time = Some(TimeUnit::Seconds);
+    match sensor {
+        Sensor::Accelerometer => {
+            table.accel = samples;
+            table.stated.accel = in_si.then_some(AccelUnit::MetresPerSecondSquared);
+        }
+        Sensor::Gyroscope => {
+            table.gyro = samples;
+            table.stated.gyro = in_si.then_some(GyroUnit::RadiansPerSecond);
+        }
+        Sensor::Magnetometer => table.magnetometer = samples,
+    }
+    table.roles = (0..3)
+        .map(|axis| {
+            (
+                Role::axis(sensor, axis),
+                format!("{source}.{}", ["x", "y", "z"][axis]),
+            )
+        })
+        .collect();
+    table.name = name;
+    Ok(table)
+}
+
+/// The samples in order, each stamp once; those that are not finite are left out.
+fn samples(
+    name: &str,
+    t: Vec<f64>,
+    values: Vec<Vector3<f64>>,
+    options: &ReadOptions,
+) -> Result<Samples, Error> {
+    let ascends = t.windows(2).all(|pair| pair[0] < pair[1]);
+    let finite = |value: &Vector3<f64>| value.iter().all(|v| v.is_finite() && v.abs() < 1e15);
+    if ascends && values.iter().all(finite) {
+        return Ok(Samples::of(t, values));
+    }
+    let mut samples = Samples::default();
+    for ((record, t), value) in (1..).zip(t).zip(values) {
+        if !finite(&value) {
+            continue;
+        }
+        if options.sort_time {
+            samples.append(t, value, record);
+        } else if let Pushed::Backwards(last) = samples.push(t, value, record) {
+            let words = format!(
+                "record {record}: time goes back from {last} to {t} s; --sort-time sorts the records"
+            );
+            return Err(in_file(name, words));
+        }
+    }
+    Ok(samples)
+}
+
+/// The number of an instance, where it is not the only one of its kind.
+fn numbered(stream: &Stream) -> String {
+    match stream.source.starts_with('/') {
+        true => String::new(),
+        false => format!(" {}", stream.instance),
+    }
+}
+
+struct Chooser<'a> {
+    name: &'a str,
+    options: &'a ReadOptions,
+}
+
+impl Chooser<'_> {
+    /// Takes the one stream of a quantity out of `streams`; none where there is none.
+    fn take(&self, streams: &mut Vec<Stream>, quantity: Quantity) -> Result<Option<Stream>, Error> {
+        let of = |processed: bool| {
+            let is = |stream: &Stream| stream.quantity == quantity && stream.processed == processed;
+            (0..streams.len())
+                .filter(|&at| is(&streams[at]))
+                .collect::<Vec<usize>>()
+        };
+        let (raw, processed) = (of(false), of(true));
+        let mut candidates = if raw.is_empty() {
+            processed.clone()
+        } else {
+            raw
+        };
+        // Blocks of raw readings beside single ones are the same sensor, faster.
+        let fifo = |at: &usize| streams[*at].source.ends_with("_fifo");
+        if candidates.iter().any(fifo) {
+            candidates.retain(fifo);
+        }
+        match candidates[..] {
+            [] => Ok(None),
+            [at] => {
+                if self.options.topics.is_empty() {
+                    self.refuse_slow(&streams[at], processed.first().map(|&at| &streams[at]))?;
+                }
+                Ok(Some(streams.swap_remove(at)))
+            }
+            [first, ..] => {
+                let of: Vec<&Stream> = candidates.iter().map(|&at| &streams[at]).collect();
+                Err(self.ask(&of, &streams[first]))
+            }
+        }
+    }
+
+    /// Refuses a log that holds the sensor a few times a second only.
+    fn refuse_slow(&self, stream: &Stream, processed: Option<&Stream>) -> Result<(), Error> {
+        let rate = stream.rate();
+        if !stream.source.starts_with("sensor_") || rate >= SLOW {
+            return Ok(());
+        }
+        let instead = processed.filter(|stream| stream.rate() >= SLOW);
+        let instead = instead.map_or_else(String::new, |stream| {
+            format!(
+                ", or take {} at {:.0} Hz, which PX4 has already corrected, as in --topic {}",
+                stream.source,
+                stream.rate(),
+                stream.source
+            )
+        });
+        Err(Error::NotEnough(format!(
+            "{}: {} is logged at {rate:.1} Hz only, too slow for a calibration; set SDLOG_PROFILE to 769 (raw FIFO of both sensors) and record again{instead}",
+            self.name, stream.source
+        )))
+    }
+
+    /// Lists the streams among which the user has to choose.
+    fn ask(&self, streams: &[&Stream], first: &Stream) -> Error {
+        let listed: Vec<String> = streams
+            .iter()
+            .map(|stream| {
+                format!(
+                    "{}{} ({} samples, {:.0} Hz)",
+                    shown(&stream.source),
+                    numbered(stream),
+                    stream.stamps.len(),
+                    stream.rate()
+                )
+            })
+            .collect();
+        let by_instance = streams.iter().all(|stream| stream.source == first.source);
+        let option = match by_instance {
+            true => format!("--instance {}", first.instance),
+            false => format!("--topic {}", shown(&first.source)),
+        };
+        let what = match first.quantity {
+            Quantity::SpecificForce => "accelerometers",
+            _ => "gyroscopes",
+        };
+        in_file(
+            self.name,
+            format!(
+                "{} {what}: {}; say which, as in {option}",
+                streams.len(),
+                listed.join(", ")
+            ),
+        )
+    }
+}

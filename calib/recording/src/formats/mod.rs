@@ -1,0 +1,210 @@
+//! The formats that recordings come in: one file and one line in [`FORMATS`] each.
+
+mod bundle;
+mod clock_text;
+mod csv;
+mod folder;
+mod imu_tk;
+mod long;
+mod measured;
+mod phones;
+mod robots;
+mod tables;
+mod tagged;
+mod texts;
+
+use std::fmt;
+
+use phones::{androsensor, phyphox, physics_toolbox, sensor_logger, sensorlog};
+use robots::{kalibr, px4_text, ros_text, serial, trackers};
+
+pub use file_formats::catches_panics;
+
+use crate::Error;
+use crate::header::look::Look;
+use crate::header::parts;
+use crate::recording::{FieldUnit, ReadOptions, Recording, magnetometer};
+use crate::rows::table::Table;
+use crate::shown::shown;
+use crate::source::Input;
+pub use crate::source::Source;
+use crate::source::files::Files;
+use crate::source::place::in_file;
+
+/// A format of recordings.
+pub trait Format: fmt::Debug + Sync {
+    /// The name for `--format`.
+    fn name(&self) -> &'static str;
+
+    /// What it is, in a line.
+    fn about(&self) -> &'static str;
+
+    /// True if the content is of this format. The first format of [`FORMATS`] that says so reads it.
+    fn recognises(&self, source: &Source) -> bool;
+
+    /// Reads all of it.
+    ///
+    /// # Errors
+    /// [`Error::Input`] naming the place, what was found and what to do.
+    fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error>;
+}
+
+/// Every format.
+pub static FORMATS: &[&dyn Format] = &[
+    &tables::Tables("parquet"),
+    &tables::Tables("hdf5"),
+    &tables::Tables("xlsx"),
+    &phyphox::Phyphox,
+    &sensor_logger::SensorLogger,
+    &folder::Folder,
+    &measured::Measured("mat"),
+    &measured::Measured("ulog"),
+    &measured::Measured("ardupilot"),
+    &measured::Measured("mcap"),
+    &measured::Measured("bag"),
+    &measured::Measured("db3"),
+    &measured::Measured("sensor_logger_json"),
+    &bundle::Bundle,
+    &physics_toolbox::PHYSICS_TOOLBOX,
+    &sensorlog::SENSORLOG,
+    &androsensor::ANDROSENSOR,
+    &ros_text::ROSTOPIC,
+    &ros_text::ROS2_TOPIC,
+    &kalibr::KALIBR,
+    &px4_text::SENSOR_COMBINED,
+    &trackers::XSENS,
+    &trackers::SHIMMER,
+    &tagged::GET_SENSOR_DATA,
+    &tagged::GNSS_LOGGER,
+    &tagged::VECTORNAV,
+    &long::LONG,
+    &serial::ADAFRUIT,
+    &serial::SERIAL,
+    &clock_text::TIME_OF_DAY,
+    &imu_tk::ImuTk,
+    &csv::Csv,
+];
+
+/// The format called `name`.
+///
+/// # Errors
+/// The names there are.
+pub fn by_name(name: &str) -> Result<&'static dyn Format, String> {
+    FORMATS
+        .iter()
+        .copied()
+        .find(|format| format.name() == name)
+        .ok_or_else(|| {
+            let names: Vec<_> = FORMATS.iter().map(|format| format.name()).collect();
+            format!("no format `{name}`; known: {}", names.join(", "))
+        })
+}
+
+/// The format of `source`.
+pub(crate) fn recognise(source: &Source) -> Option<&'static dyn Format> {
+    FORMATS
+        .iter()
+        .copied()
+        .find(|format| format.recognises(source))
+}
+
+/// The text in `source`; anything else is refused by name of the format.
+fn text(source: Source, format: &dyn Format) -> Result<Input, Error> {
+    match source.within() {
+        Source::Text(input) => Ok(input),
+        other => Err(mismatch(other.name(), format, "a file of text")),
+    }
+}
+
+/// The files in `source`; anything else is refused by name of the format.
+fn files(source: Source, format: &dyn Format) -> Result<Files, Error> {
+    match source.within() {
+        Source::Files(files) => Ok(files),
+        other => Err(mismatch(other.name(), format, "a folder or an archive")),
+    }
+}
+
+fn mismatch(name: &str, format: &dyn Format, expected: &str) -> Error {
+    Error::Usage(format!(
+        "{name}: --format {} reads {expected}, and this is none",
+        format.name()
+    ))
+}
+
+/// Adds the magnetometer of an entry that is called so, unprocessed before processed. What is wrong with it is said.
+fn add_magnetometer(
+    files: &Files,
+    tables: &mut Vec<Table>,
+    unit: Option<FieldUnit>,
+    options: &ReadOptions,
+) {
+    const NAMES: [&str; 4] = ["magnetometeruncalibrated", "magnetometer", "mag", "magn"];
+    let called = |entry: &&file_formats::Entry, wanted: &str| {
+        let name = entry.name.rsplit('/').next().unwrap_or_default();
+        name.to_lowercase().split('.').next() == Some(wanted)
+    };
+    let entries = || files.entries().iter();
+    let entry = NAMES
+        .iter()
+        .find_map(|name| entries().find(|entry| called(entry, name)));
+    let Some((entry, part)) = entry.and_then(|entry| {
+        let part = magnetometer::part(&Look::at(&files.head(entry)), unit)?;
+        Some((entry, part))
+    }) else {
+        return;
+    };
+    let origin = tables.first().and_then(|table| table.clock.origin);
+    let read = files.text(entry, options);
+    match read.and_then(|text| part.read(text, origin, options)) {
+        Ok(table) => tables.push(table),
+        Err(error) => parts::without_field(tables, &error),
+    }
+}
+
+/// Words in the names of files that hold neither sensor.
+const OTHER_FILES: [&str; 24] = [
+    "meta",
+    "annotation",
+    "magnet",
+    "linear",
+    "gravity",
+    "orient",
+    "location",
+    "gps",
+    "pressure",
+    "barometer",
+    "light",
+    "brightness",
+    "pedometer",
+    "microphone",
+    "sound",
+    "compass",
+    "battery",
+    "activity",
+    "heart",
+    "temperature",
+    "humidity",
+    "proximity",
+    "camera",
+    "noise",
+];
+
+/// Refuses files of which a sensor is missing and another table may hold it.
+fn refuse_unused(files: &Files, used: &[&str]) -> Result<(), Error> {
+    let is_table = |(entry, head): &(&file_formats::Entry, Vec<u8>)| {
+        let name = entry.name.to_lowercase();
+        let known = OTHER_FILES.iter().any(|word| name.contains(word))
+            || used.contains(&entry.name.as_str());
+        !known && crate::header::sniff::is_table(head)
+    };
+    let Some((entry, _)) = files.heads().into_iter().find(is_table) else {
+        return Ok(());
+    };
+    Err(in_file(
+        &files.name,
+        format!(
+            "one sensor is missing, and {} is a table that is not used and may hold it; name the two files with --accel-file and --gyro-file, or the one there is by itself",
+            shown(&entry.name)
+        ),
+    ))
+}

@@ -1,0 +1,7 @@
+//! What apps on phones write.
+
+pub(crate) mod androsensor;
+pub(crate) mod phyphox;
+pub(crate) mod physics_toolbox;
+pub(crate) mod sensor_logger;
+pub(crate) mod sensorlog;

@@ -1,0 +1,204 @@
+//! phyphox: a file per sensor in a folder or a zip archive, each sensor on its own clock.
+
+use sensor::Sensor;
+
+use crate::Error;
+use crate::formats::{Format, Source};
+use crate::header::look::Look;
+use crate::header::names::take_apart;
+use crate::header::parts::Part;
+use crate::recording::assemble::assemble;
+use crate::recording::{ReadOptions, Recording};
+use crate::rows::table::Table;
+use crate::source::files::Files;
+use crate::source::place::in_file;
+use crate::units::{AccelUnit, GyroUnit};
+
+/// An export of the app phyphox, in any of its dialects and languages.
+#[derive(Debug)]
+pub(crate) struct Phyphox;
+
+/// What a table of phyphox holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Holds {
+    Sensor(Sensor),
+    /// Acceleration without gravity.
+    Linear,
+}
+
+/// A table of a sensor.
+struct Found {
+    /// The entry's name.
+    name: String,
+    holds: Holds,
+    /// Time, x, y, z.
+    columns: [String; 4],
+}
+
+impl Format for Phyphox {
+    fn name(&self) -> &'static str {
+        "phyphox"
+    }
+
+    fn about(&self) -> &'static str {
+        "a folder or zip archive of the app phyphox: `Accelerometer.csv`, `Gyroscope.csv`, `meta/`"
+    }
+
+    fn recognises(&self, source: &Source) -> bool {
+        let Source::Files(files) = source else {
+            return false;
+        };
+        let is_meta =
+            |name: &str| name.ends_with("meta/device.csv") || name.ends_with("meta/time.csv");
+        files.entries().iter().any(|entry| is_meta(&entry.name)) || !tables(files).is_empty()
+    }
+
+    fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
+        let files = crate::formats::files(source, self)?;
+        let found = tables(&files);
+        let of = |wanted: Holds| found.iter().filter(move |table| table.holds == wanted);
+        let accel: Vec<_> = of(Holds::Sensor(Sensor::Accelerometer)).collect();
+        let gyro: Vec<_> = of(Holds::Sensor(Sensor::Gyroscope)).collect();
+        if let (true, Some(Found { name, .. })) = (accel.is_empty(), of(Holds::Linear).next()) {
+            let words = format!(
+                "{name} is linear acceleration: phyphox has taken gravity off, and calibration needs it; record again with the experiment \"Acceleration with g\", or add the sensor \"Accelerometer\" instead of \"Linear accelerometer\""
+            );
+            return Err(in_file(&files.name, words));
+        }
+        if let Some([one, two]) = [&accel, &gyro].iter().find_map(|found| found.get(..2)) {
+            let words = format!(
+                "{} and {} are of one sensor; name the two files with --accel-file and --gyro-file",
+                one.name, two.name
+            );
+            return Err(in_file(&files.name, words));
+        }
+        if accel.is_empty() || gyro.is_empty() {
+            let used: Vec<&str> = found.iter().map(|table| table.name.as_str()).collect();
+            crate::formats::refuse_unused(&files, &used)?;
+        }
+        let mut read: Vec<Table> = Vec::new();
+        for Found {
+            name,
+            holds,
+            columns,
+        } in accel.into_iter().chain(gyro)
+        {
+            let (Some(entry), Holds::Sensor(sensor)) = (files.entry(name), holds) else {
+                continue;
+            };
+            let part = Part {
+                accel_unit: Some(AccelUnit::MetresPerSecondSquared),
+                gyro_unit: Some(GyroUnit::RadiansPerSecond),
+                padded: true,
+                ..Part::of(*sensor, columns.each_ref().map(String::as_str))
+            };
+            let origin = read.first().and_then(|table| table.clock.origin);
+            read.push(part.read(files.text(entry, options)?, origin, options)?);
+        }
+        if read.is_empty() {
+            let words = format!(
+                "no accelerometer with gravity and no gyroscope in this phyphox export; found {}; record both sensors, as \"Acceleration with g\" and \"Gyroscope\"",
+                files.listed()
+            );
+            return Err(in_file(&files.name, words));
+        }
+        crate::formats::add_magnetometer(&files, &mut read, None, options);
+        let warnings = count_pauses(&files, &mut read);
+        let mut recording = assemble(files.name.clone(), read, options)?;
+        recording.warnings.extend(files.warnings().chain(warnings));
+        Ok(recording)
+    }
+}
+
+/// The tables of sensors in `files`, by the units and axes that phyphox writes in every language.
+fn tables(files: &Files) -> Vec<Found> {
+    let heads = files.heads().into_iter();
+    let tables = heads.filter_map(|(entry, head)| {
+        let (holds, columns) = holds(&Look::at(&head).first())?;
+        let name = entry.name.clone();
+        Some(Found {
+            name,
+            holds,
+            columns,
+        })
+    });
+    tables.collect()
+}
+
+/// The sensor of a table with a time and three axes in one unit, and where they are, numbered from 1.
+fn holds(names: &[String]) -> Option<(Holds, [String; 4])> {
+    let apart: Vec<(String, &str)> = names
+        .iter()
+        .filter_map(|name| {
+            let (word, unit) = take_apart(name);
+            Some((word, unit?))
+        })
+        .collect();
+    if apart.len() != names.len() {
+        return None;
+    }
+    let find = |axis: char, stem: &str, unit: &str| {
+        apart
+            .iter()
+            .position(|(word, other)| *other == unit && word.strip_suffix(axis) == Some(stem))
+    };
+    let time = apart.iter().position(|(_, unit)| *unit == "s")?;
+    let (stem, unit) = apart.iter().find_map(|(word, unit)| {
+        let stem = word.strip_suffix('x')?;
+        matches!(*unit, "m/s^2" | "m/s²" | "rad/s").then_some((stem, *unit))
+    })?;
+    let [x, y, z] = [
+        find('x', stem, unit)?,
+        find('y', stem, unit)?,
+        find('z', stem, unit)?,
+    ];
+    let holds = match unit {
+        "rad/s" => Holds::Sensor(Sensor::Gyroscope),
+        _ if stem.contains("linear") || stem.contains("withoutg") => Holds::Linear,
+        _ => Holds::Sensor(Sensor::Accelerometer),
+    };
+    Some((holds, [time, x, y, z].map(|at| (at + 1).to_string())))
+}
+
+/// Experiment time stands still in a pause: stamps after one are moved on by its length.
+fn count_pauses(files: &Files, tables: &mut [Table]) -> Vec<String> {
+    let is_times = |name: &str| name.ends_with("meta/time.csv");
+    let entry = files.entries().iter().find(|entry| is_times(&entry.name));
+    let Some(entry) = entry else {
+        return Vec::new();
+    };
+    let head = files.head(entry);
+    let mut paused: Option<[f64; 2]> = None;
+    let mut pauses: Vec<[f64; 2]> = Vec::new();
+    for line in Look::at(&head).lines() {
+        let cells = crate::header::look::cells(line);
+        let number = |at: usize| {
+            let cell: &String = cells.get(at)?;
+            cell.replace(',', ".")
+                .parse::<f64>()
+                .ok()
+                .filter(|v| v.is_finite())
+        };
+        let (Some(experiment), Some(system)) = (number(1), number(2)) else {
+            continue;
+        };
+        match (cells[0].as_str(), paused.take()) {
+            ("PAUSE", _) => paused = Some([experiment, system]),
+            ("START", Some([at, since])) if system > since => pauses.push([at, system - since]),
+            _ => {}
+        }
+    }
+    for table in tables.iter_mut() {
+        for t in table.stamps_mut().into_iter().flatten() {
+            let before = pauses.iter().filter(|[at, _]| *t > *at);
+            *t += before.map(|[_, length]| length).sum::<f64>();
+        }
+    }
+    let words = |[at, length]: [f64; 2]| {
+        format!(
+            "{}: paused {at:.3} s after the start for {length:.3} s; the stamps after it are moved on by that",
+            files.name
+        )
+    };
+    pauses.into_iter().map(words).collect()
+}

@@ -1,0 +1,196 @@
+//! What programs of microcontrollers print: `ax:-9\tay:..`, `a/g:\t-9\t..`, `22:13:01.123 -> -9,..`, blocks of words.
+
+use std::io::Read;
+
+use crate::clock::time_of_day::TimeOfDay;
+use crate::formats::clock_text::split;
+use crate::formats::texts::TextFormat;
+use crate::header::look::Look;
+use crate::header::names::role_of;
+use crate::header::parts::Part;
+use crate::recording::options::Role;
+use crate::source::rewrite::rewritten;
+use crate::units::{AccelUnit, GyroUnit, TimeUnit};
+
+/// Numbers behind names or a label.
+pub(crate) static SERIAL: TextFormat = TextFormat {
+    name: "serial",
+    about: "a serial log: `ax:-9 ay:..`, `a/g: -9 ..`, `22:13:01.123 -> -9,..`; without stamps: --rate",
+    parts: labelled,
+};
+
+/// Adafruit's example programs.
+pub(crate) static ADAFRUIT: TextFormat = TextFormat {
+    name: "adafruit",
+    about: "what Adafruit's examples print: `Acceleration X: .., Y: .., Z: .. m/s^2`, `Rotation X: ..`; --rate",
+    parts: blocks,
+};
+
+/// A line as the names and the numbers in it.
+#[derive(Debug, PartialEq)]
+struct Numbers<'a> {
+    stamp: Option<&'a str>,
+    pairs: Vec<(&'a str, &'a str)>,
+}
+
+impl Numbers<'_> {
+    /// What its numbers are called.
+    fn names(&self) -> impl Iterator<Item = &str> {
+        self.pairs.iter().map(|(name, _)| *name)
+    }
+}
+
+/// The numbers of a line of which at least one has a name or a label; `None` for any other line.
+fn numbers(line: &str) -> Option<Numbers<'_>> {
+    let (stamp, rest) = match split(line) {
+        Some((stamp, rest)) if line.contains("->") => (Some(stamp), rest),
+        _ => (None, line),
+    };
+    let separates = |c: char| matches!(c, ',' | ';' | ' ' | '\t' | ':' | '=');
+    let mut pairs = Vec::new();
+    let mut name = "";
+    for word in rest.split(separates).filter(|word| !word.is_empty()) {
+        match word.parse::<f64>() {
+            Ok(value) if value.is_finite() => pairs.push((std::mem::take(&mut name), word)),
+            // Dates and torn numbers are no names.
+            _ if word.starts_with(char::is_alphabetic) => name = word,
+            _ => return None,
+        }
+    }
+    let is_named = stamp.is_some() || pairs.iter().any(|(name, _)| !name.is_empty());
+    (pairs.len() >= 3 && is_named).then_some(Numbers { stamp, pairs })
+}
+
+fn labelled(look: &Look) -> Option<Vec<Part>> {
+    let rows: Vec<Numbers> = look.lines().filter_map(numbers).collect();
+    let first = rows.first()?;
+    // Rows that are called by turns differently are of several sensors.
+    let alike = rows
+        .iter()
+        .filter(|row| row.names().eq(first.names()))
+        .count();
+    // Three in four lines, but for what the program says at its start.
+    if 4 * alike < 3 * look.lines().count().saturating_sub(5) || alike < 2 {
+        return None;
+    }
+    let stamped = usize::from(first.stamp.is_some());
+    let named = first.pairs.iter().enumerate();
+    let mut columns: Vec<(Role, String)> = Vec::new();
+    for (at, (name, _)) in named {
+        let role =
+            role_of(name, None).filter(|role| columns.iter().all(|(other, _)| other != role));
+        columns.extend(role.map(|role| (role, (at + 1 + stamped).to_string())));
+    }
+    let holds = |sensor: fn(usize) -> Role| columns.iter().any(|(role, _)| *role == sensor(0));
+    let both = holds(Role::Accel) && holds(Role::Gyro);
+    let one = holds(Role::Accel) || holds(Role::Gyro);
+    let unknown = first.pairs.len() - columns.len();
+    if !one || (!both && unknown >= 3) {
+        // One label before all of them, or names that are not understood: which is which is told by the data.
+        columns.clear();
+    } else if stamped == 1 {
+        columns.retain(|(role, _)| *role != Role::Time);
+        columns.push((Role::Time, "1".to_owned()));
+    }
+    Some(vec![Part {
+        columns,
+        time_unit: (stamped == 1).then_some(TimeUnit::Seconds),
+        change: Some(rows_of_numbers),
+        ..Part::default()
+    }])
+}
+
+fn rows_of_numbers(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
+    let mut clock = TimeOfDay::default();
+    // What the numbers of the first row are called.
+    let mut names: Vec<String> = Vec::new();
+    rewritten(text, move |line, out| {
+        let text = std::str::from_utf8(line).unwrap_or_default();
+        let Some(found) = numbers(text) else {
+            // What a program says before its rows is no row; a broken row later is for the reader to refuse.
+            if !names.is_empty() {
+                out.extend_from_slice(line);
+            }
+            return;
+        };
+        if names.is_empty() {
+            names = found.names().map(str::to_owned).collect();
+        }
+        // Of another sensor, and no row of this table.
+        if found.pairs.len() == names.len() && !found.names().eq(names.iter().map(String::as_str)) {
+            out.extend_from_slice(line);
+            return;
+        }
+        let stamp = found
+            .stamp
+            .and_then(|stamp| clock.read(stamp))
+            .map(|stamp| format!("{stamp:.6}"));
+        let cells: Vec<&str> = stamp
+            .as_deref()
+            .into_iter()
+            .chain(found.pairs.iter().map(|(_, value)| *value))
+            .collect();
+        out.extend_from_slice(cells.join(",").as_bytes());
+    })
+}
+
+/// The three numbers of `Acceleration X: 1, Y: 2, Z: 3 m/s^2`.
+fn triad<'a>(line: &'a str, quantity: &str) -> Option<[&'a str; 3]> {
+    let mut numbers = line
+        .trim()
+        .strip_prefix(quantity)?
+        .split([' ', ',', ':'])
+        .filter(|word| word.parse::<f64>().is_ok_and(f64::is_finite));
+    Some([numbers.next()?, numbers.next()?, numbers.next()?])
+}
+
+const ACCELERATION: &str = "Acceleration X:";
+const ROTATION: &str = "Rotation X:";
+
+fn blocks(look: &Look) -> Option<Vec<Part>> {
+    let has = |quantity| look.lines().any(|line| triad(line, quantity).is_some());
+    (has(ACCELERATION) && has(ROTATION)).then(|| {
+        let axes = |axis: usize| {
+            [
+                (Role::Accel(axis), (axis + 1).to_string()),
+                (Role::Gyro(axis), (axis + 4).to_string()),
+            ]
+        };
+        vec![Part {
+            columns: (0..3).flat_map(axes).collect(),
+            accel_unit: Some(AccelUnit::MetresPerSecondSquared),
+            gyro_unit: Some(GyroUnit::RadiansPerSecond),
+            change: Some(rows_of_blocks),
+            ..Part::default()
+        }]
+    })
+}
+
+fn rows_of_blocks(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
+    let mut force: Option<String> = None;
+    rewritten(text, move |line, out| {
+        let text = std::str::from_utf8(line).unwrap_or_default();
+        if let Some(numbers) = triad(text, ACCELERATION) {
+            force = Some(numbers.join(","));
+        } else if let (Some(rate), Some(force)) = (triad(text, ROTATION), force.take()) {
+            out.extend_from_slice(format!("{force},{}", rate.join(",")).as_bytes());
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_found_behind_names_labels_and_times() {
+        let found = |line| numbers(line).map(|n| (n.stamp, n.pairs));
+        let pairs = vec![("ax", "-9"), ("ay", "1.5"), ("az", "3")];
+        assert_eq!(found("ax:-9\tay:1.5\taz:3"), Some((None, pairs)));
+        let (stamp, pairs) = found("22:13:01.234 -> -9,-65,16346").unwrap();
+        assert_eq!((stamp, pairs.len()), (Some("22:13:01.234"), 3));
+        assert_eq!(found("a/g:\t1\t2\t3").unwrap().1[0], ("a/g", "1"));
+        assert_eq!(found("1,2,3,4"), None);
+        assert_eq!(found("MPU6050 connection successful"), None);
+    }
+}

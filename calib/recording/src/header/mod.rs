@@ -1,0 +1,304 @@
+//! Column names to quantities.
+
+pub(crate) mod affine;
+pub(crate) mod by_unit;
+pub(crate) mod dialect;
+pub(crate) mod look;
+pub(crate) mod names;
+pub(crate) mod parts;
+pub(crate) mod preface;
+pub(crate) mod quotes;
+pub(crate) mod sniff;
+pub(crate) mod suggest;
+pub(crate) mod unclear;
+pub(crate) mod unit_row;
+pub(crate) mod unnamed;
+
+use sensor::Sensor;
+
+use super::units::{Stated, looks_like_unit};
+use crate::header::affine::Affine;
+use crate::header::by_unit::by_unit;
+use crate::header::names::{role_of, take_apart};
+use crate::header::suggest::{nearest, suggestion};
+use crate::recording::options::{ColumnMap, Role};
+use crate::recording::thermometer;
+use crate::shown::{shown, shown_list};
+
+/// Which column of a table is what.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Layout {
+    /// Cells per row.
+    pub width: usize,
+    /// Names, as far as the file has them.
+    pub names: Vec<String>,
+    /// Time stamps.
+    pub time: Option<usize>,
+    /// Specific force, x y z.
+    pub accel: Option<[usize; 3]>,
+    /// Angular rate, x y z.
+    pub gyro: Option<[usize; 3]>,
+    /// Temperature.
+    pub temperature: Option<usize>,
+    /// Magnetic field, x y z.
+    pub field: Option<[usize; 3]>,
+    /// Units in the names.
+    pub stated: Stated,
+    /// What the names of the accelerometer and of the gyroscope hold in place of a known unit.
+    pub strange: [Option<String>; 2],
+    /// Scales and offsets that the user gave.
+    pub affine: Vec<(Role, Affine)>,
+    /// What was told by the units in the names, in words.
+    pub by_unit: Option<String>,
+}
+
+impl Layout {
+    /// The layout of a table whose header holds `names`.
+    ///
+    /// # Errors
+    /// What is wrong with the names, in words, with the option that would help.
+    pub fn of_names(
+        names: Vec<String>,
+        map: &ColumnMap,
+        only: Option<Sensor>,
+    ) -> Result<Self, String> {
+        let mut roles = roles_by_map(&names, map)?;
+        roles_by_name(&names, only, &mut roles)?;
+        let by_unit = by_unit(&names, only, &mut roles);
+        let mut layout = Self {
+            width: names.len(),
+            affine: affines(&names, map),
+            names,
+            by_unit,
+            ..Self::default()
+        };
+        layout.assign(&roles, map)?;
+        layout.state_units();
+        Ok(layout)
+    }
+
+    /// Takes over columns by role; `map` is what was said of them. Triads have to be whole, and there has to be one,
+    /// unless the table is a thermometer's.
+    pub fn assign(&mut self, roles: &[(Role, usize)], map: &ColumnMap) -> Result<(), String> {
+        let column = |role: Role| {
+            roles
+                .iter()
+                .find(|(r, _)| *r == role)
+                .map(|&(_, column)| column)
+        };
+        let triad = |axes: [Role; 3]| -> Result<Option<[usize; 3]>, String> {
+            match axes.map(column) {
+                [Some(x), Some(y), Some(z)] => Ok(Some([x, y, z])),
+                [None, None, None] => Ok(None),
+                some => {
+                    let missing: Vec<_> = (0..3).filter(|&i| some[i].is_none()).collect();
+                    let missing: Vec<_> = missing.into_iter().map(|i| axes[i].name()).collect();
+                    Err(format!(
+                        "no column for {}; {}",
+                        missing.join(" and "),
+                        suggestion(&self.names)
+                    ))
+                }
+            }
+        };
+        self.time = column(Role::Time);
+        self.accel = triad([0, 1, 2].map(Role::Accel))?;
+        self.gyro = triad([0, 1, 2].map(Role::Gyro))?;
+        self.temperature = column(Role::Temperature);
+        // One that is not whole is as good as none, and no reason to stop.
+        self.field = match [0, 1, 2].map(|axis| column(Role::Field(axis))) {
+            [Some(x), Some(y), Some(z)] => Some([x, y, z]),
+            _ => None,
+        };
+        if thermometer::is_only(map) || self.has_sensor() {
+            return Ok(());
+        }
+        Err(format!(
+            "no accelerometer and no gyroscope columns among {}; expected t,ax,ay,az,gx,gy,gz[,temp]; {}",
+            shown_list(self.names.iter()),
+            suggestion(&self.names)
+        ))
+    }
+
+    /// True if three columns are a sensor's.
+    pub fn has_sensor(&self) -> bool {
+        [self.accel, self.gyro, self.field]
+            .iter()
+            .any(Option::is_some)
+    }
+
+    fn state_units(&mut self) {
+        let unit = |column: Option<usize>| {
+            let name = self.names.get(column?)?;
+            take_apart(name).1
+        };
+        let first = |triad: Option<[usize; 3]>| triad.map(|[x, ..]| x);
+        let stated = Stated {
+            time: unit(self.time).and_then(|u| u.parse().ok()),
+            accel: unit(first(self.accel)).and_then(|u| u.parse().ok()),
+            gyro: unit(first(self.gyro)).and_then(|u| u.parse().ok()),
+            temperature: unit(self.temperature).and_then(|u| u.parse().ok()),
+            field: unit(first(self.field)).and_then(|u| u.parse().ok()),
+        };
+        // Who gives a factor knows the unit.
+        let scaled = |role: Role| self.affine.iter().any(|(given, _)| *given == role);
+        let strange = |triad: Option<[usize; 3]>, is_known: bool| {
+            let unit = unit(first(triad)).filter(|unit| !is_known && looks_like_unit(unit))?;
+            Some(unit.to_owned())
+        };
+        self.strange = [
+            strange(self.accel, stated.accel.is_some() || scaled(Role::Accel(0))),
+            strange(self.gyro, stated.gyro.is_some() || scaled(Role::Gyro(0))),
+        ];
+        self.stated = stated;
+    }
+
+    /// True for a column that has a role.
+    pub fn is_read(&self, column: usize) -> bool {
+        let triads = self.accel.iter().chain(&self.gyro).chain(&self.field);
+        let triads = triads.flatten().copied();
+        let mut read = triads.chain(self.time).chain(self.temperature);
+        read.any(|read| read == column)
+    }
+
+    /// Names of the columns that have no role.
+    pub fn unused(&self) -> Vec<String> {
+        let unused = (0..self.names.len()).filter(|&i| !self.is_read(i));
+        unused
+            .map(|i| self.names[i].clone())
+            .filter(|name| !name.is_empty())
+            .collect()
+    }
+
+    /// The column of every role, by its name or number.
+    pub fn roles(&self) -> Vec<(Role, String)> {
+        let called = |column: usize| match self.names.get(column) {
+            Some(name) if !name.is_empty() => name.clone(),
+            _ => (column + 1).to_string(),
+        };
+        let axes = |triad: Option<[usize; 3]>| triad.into_iter().flatten().enumerate();
+        let time = self.time.map(|column| (Role::Time, called(column)));
+        let accel = axes(self.accel).map(|(axis, column)| (Role::Accel(axis), called(column)));
+        let gyro = axes(self.gyro).map(|(axis, column)| (Role::Gyro(axis), called(column)));
+        let field = axes(self.field).map(|(axis, column)| (Role::Field(axis), called(column)));
+        let temperature = self
+            .temperature
+            .map(|column| (Role::Temperature, called(column)));
+        time.into_iter()
+            .chain(accel)
+            .chain(gyro)
+            .chain(temperature)
+            .chain(field)
+            .collect()
+    }
+
+    /// What a column is called in messages.
+    pub fn column(&self, index: usize) -> String {
+        match self.names.get(index) {
+            Some(name) if !name.is_empty() => format!("column {} (`{}`)", index + 1, shown(name)),
+            _ => format!("column {}", index + 1),
+        }
+    }
+}
+
+/// Adds the columns whose names have a role that is not taken yet. Of several times the first is used.
+fn roles_by_name(
+    names: &[String],
+    only: Option<Sensor>,
+    roles: &mut Vec<(Role, usize)>,
+) -> Result<(), String> {
+    let given = roles.len();
+    for (index, name) in names.iter().enumerate() {
+        let said = roles[..given].iter().any(|(_, column)| *column == index);
+        let Some(role) = role_of(name, only).filter(|_| !said) else {
+            continue;
+        };
+        match roles.iter().position(|(r, _)| *r == role) {
+            None => roles.push((role, index)),
+            Some(at) if at < given => {}
+            Some(_) if matches!(role, Role::Time | Role::Field(_)) => {}
+            Some(at) => {
+                let other = roles[at].1;
+                return Err(format!(
+                    "columns {} (`{}`) and {} (`{}`) are both {}; say which, by number, as in --columns {}={}",
+                    other + 1,
+                    shown(&names[other]),
+                    index + 1,
+                    shown(name),
+                    role.name(),
+                    role.name(),
+                    other + 1
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Refuses one column for two roles.
+///
+/// # Errors
+/// Both, in words.
+pub(crate) fn refuse_twins(names: &[String], map: &ColumnMap) -> Result<(), String> {
+    // A column that is not there is for another to refuse.
+    let roles = roles_by_map(names, map).unwrap_or_default();
+    for (i, (role, column)) in roles.iter().enumerate() {
+        if let Some(other) = roles[..i].iter().position(|(_, other)| other == column) {
+            let given = |i: usize| format!("{}={}", map.0[i].0.name(), shown(&map.0[i].1));
+            return Err(format!(
+                "--columns {},{}: column {} for both {} and {}; each has a column of its own",
+                given(other),
+                given(i),
+                column + 1,
+                roles[other].0.name(),
+                role.name()
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// The column called `wanted`, or numbered so from 1.
+fn column(names: &[String], wanted: &str) -> Option<usize> {
+    let by_name = names.iter().position(|name| name.trim() == wanted);
+    let number = || wanted.parse::<usize>().ok();
+    by_name.or_else(|| {
+        number()
+            .filter(|n| (1..=names.len()).contains(n))
+            .map(|n| n - 1)
+    })
+}
+
+/// What the user makes of columns; names that look so and are names are names.
+pub(crate) fn affines(names: &[String], map: &ColumnMap) -> Vec<(Role, Affine)> {
+    let of = |(role, wanted): &(Role, String)| {
+        let (_, affine) = affine::take_apart(wanted)?;
+        column(names, wanted).is_none().then_some((*role, affine))
+    };
+    map.0.iter().filter_map(of).collect()
+}
+
+/// Columns by name first, then by number from 1.
+pub(crate) fn roles_by_map(
+    names: &[String],
+    map: &ColumnMap,
+) -> Result<Vec<(Role, usize)>, String> {
+    let find = |wanted: &str| {
+        column(names, wanted).or_else(|| column(names, affine::take_apart(wanted)?.0))
+    };
+    let mut roles = Vec::new();
+    for (role, wanted) in &map.0 {
+        let column = find(wanted).ok_or_else(|| {
+            let nearest = nearest(wanted, names).map(|n| format!("; nearest: `{}`", shown(n)));
+            format!(
+                "--columns {}={}: no such column among {}{}",
+                role.name(),
+                shown(wanted),
+                names.len(),
+                nearest.unwrap_or_default()
+            )
+        })?;
+        roles.push((*role, column));
+    }
+    Ok(roles)
+}

@@ -1,0 +1,396 @@
+//! The beginning of a text, looked at before it is read: separators, header, first row.
+
+use sensor::Sensor;
+
+use super::dialect::{Cell, Dialect, Separator};
+use super::preface::{
+    Finder, Kept, Preface, cells, decode, is_comment, is_row, without_comment_mark, words,
+};
+use super::quotes::open_quote;
+use super::suggest::suggestion;
+use super::unit_row;
+use super::unnamed::{medians, two_triads, unnamed_roles};
+use crate::Error;
+use crate::header::{self, Layout};
+use crate::recording::options::ReadOptions;
+use crate::rows::number::{self, Dialects};
+use crate::source::batches::Batch;
+use crate::source::cut::usual_tail;
+use crate::source::lines::lines;
+use crate::source::place::{at_column, at_line, in_file};
+
+/// Rows looked at.
+const SAMPLE: usize = 200;
+
+/// Comments that are looked at for a header.
+const COMMENTS: usize = 1000;
+
+/// How to read the rows of a text.
+#[derive(Clone, Debug)]
+pub(crate) struct Start {
+    /// Separator and decimal mark.
+    pub dialect: Dialect,
+    /// Which column is what.
+    pub layout: Layout,
+    /// The header as it is written, to know it again.
+    pub header: Option<Vec<u8>>,
+    /// Its line.
+    pub header_line: u64,
+    /// Bytes from the decimal mark on that the last number of every row has, if they are as many.
+    pub tail: Option<usize>,
+    /// Rows come after this line.
+    pub after: u64,
+    /// What was decided that a person should know.
+    pub warnings: Vec<String>,
+    /// Which of two triads is which is not known before all rows are.
+    pub undecided: bool,
+    /// Gravity told which is which in the rows looked at.
+    pub told_by_norm: bool,
+    /// Names of columns without a role whose numbers change.
+    pub unclear: Vec<String>,
+}
+
+/// True if `head`, the beginning of a text, has a row of numbers before anything that could be a header.
+pub(crate) fn starts_with_numbers(head: &[u8]) -> bool {
+    let Ok(kept) = sample("", head) else {
+        return false;
+    };
+    let dialect = dialect_of(&kept);
+    let first_row = first_row(&kept, dialect);
+    let finder = Finder {
+        dialect,
+        only: None,
+        options: &ReadOptions::default(),
+    };
+    first_row.is_some_and(|row| finder.preface(&kept, Some(row)).header.is_none())
+}
+
+/// True if `head` begins a text with rows of three cells or more: a sensor of which one is missing has as many.
+pub(crate) fn is_table(head: &[u8]) -> bool {
+    let Ok(kept) = sample("", head) else {
+        return false;
+    };
+    let dialect = dialect_of(&kept);
+    let row = first_row(&kept, dialect).and_then(|row| kept.get(row));
+    row.is_some_and(|row| cells(&row.bytes, dialect).len() >= 3)
+}
+
+impl Start {
+    /// Looks at `head`, the beginning of the text called `name`; `only` is the one sensor in it, if
+    /// that is known.
+    pub fn look(
+        name: &str,
+        head: &[u8],
+        only: Option<Sensor>,
+        options: &ReadOptions,
+    ) -> Result<Self, Error> {
+        let kept = sample(name, head)?;
+        let dialect = dialect_of(&kept);
+        if kept.iter().all(|k| k.comment) {
+            return Err(in_file(
+                name,
+                "no data: nothing but blank and comment lines",
+            ));
+        }
+        let row = first_row(&kept, dialect);
+        let finder = Finder {
+            dialect,
+            only,
+            options,
+        };
+        let preface = finder.preface(&kept, row);
+        let last = preface.units.or(preface.header);
+        let mut start = Self {
+            dialect,
+            layout: Layout::default(),
+            header: preface.header.map(|kept| kept.bytes.clone()),
+            header_line: preface.header.map_or(0, |kept| kept.number),
+            tail: None,
+            after: last.map_or(0, |kept| kept.number),
+            warnings: Vec::new(),
+            undecided: false,
+            told_by_norm: false,
+            unclear: Vec::new(),
+        };
+        if dialect.decimal_comma {
+            start
+                .warnings
+                .push("decimal commas, read as decimal points".to_owned());
+        }
+        let rows: Vec<&Kept> = kept
+            .iter()
+            .filter(|k| !k.comment && k.number > start.after)
+            .collect();
+        if let Some(open) = preface
+            .header
+            .and_then(|h| start.open_quote(name, h, &kept))
+        {
+            return Err(open);
+        }
+        match preface.header {
+            Some(header) => start.read_header(name, header, &rows, only, options)?,
+            None => start.without_header(name, &rows, only, options)?,
+        }
+        start.read_units(name, preface, options)?;
+        start.unclear = start.unclear(&rows);
+        if let Some(row) = row.filter(|_| preface.header.is_none()) {
+            start.pass_torn(&kept, row);
+        }
+        start.tail = start.usual_tail(&rows);
+        Ok(start)
+    }
+
+    /// What is wrong with the quotes of the header.
+    fn open_quote(&self, name: &str, header: &Kept, kept: &[Kept]) -> Option<Error> {
+        let bytes = without_comment_mark(&header.bytes);
+        let at = self.dialect.split(bytes, &mut Vec::new()).err()?;
+        let below = kept.iter().filter(|k| k.number > header.number);
+        let words = open_quote(below.map(|k| (k.number, &k.bytes[..])));
+        let column = header.bytes.len() - bytes.len() + at + 1;
+        Some(at_column(name, header.number, column, words))
+    }
+
+    /// Takes over the units that stand below the names.
+    fn read_units(
+        &mut self,
+        name: &str,
+        preface: Preface<'_>,
+        options: &ReadOptions,
+    ) -> Result<(), Error> {
+        let Some(line) = preface.units else {
+            return Ok(());
+        };
+        let cells = words(&line.bytes, self.dialect);
+        let stated = unit_row::stated(&self.layout, &cells, options);
+        self.layout.stated = stated.map_err(|words| at_line(name, line.number, words))?;
+        Ok(())
+    }
+
+    /// How the last numbers of `rows` end; the very last is not asked.
+    fn usual_tail(&self, rows: &[&Kept]) -> Option<usize> {
+        let column = self.layout.width.checked_sub(1)?;
+        let (_, rows) = rows.split_last().filter(|_| self.layout.is_read(column))?;
+        let last = rows.iter().filter_map(|row| {
+            let cell = cells(&row.bytes, self.dialect).get(column)?.clone();
+            Some(&row.bytes[cell])
+        });
+        usual_tail(last, self.dialect.mark())
+    }
+
+    /// Names of the columns without a role whose numbers change within `rows`.
+    fn unclear(&self, rows: &[&Kept]) -> Vec<String> {
+        let number = |row: &Kept, column: usize| {
+            let cell = cells(&row.bytes, self.dialect).get(column)?.clone();
+            let decimal_comma = self.dialect.decimal_comma;
+            number::parse(&row.bytes[cell], decimal_comma, &mut Dialects::default()).ok()
+        };
+        let changes = |column: &usize| {
+            let mut numbers = rows.iter().filter_map(|row| number(row, *column));
+            let first = numbers.next();
+            first.is_some_and(|first| numbers.any(|other| other != first))
+        };
+        let unused = (0..self.layout.names.len()).filter(|&column| !self.layout.is_read(column));
+        let unclear = unused.filter(changes);
+        unclear
+            .map(|column| self.layout.names[column].clone())
+            .collect()
+    }
+
+    /// True if every cell of a line is a number.
+    fn is_numbers(&self, line: &Kept) -> bool {
+        let parse = |cell: Cell| {
+            let decimal_comma = self.dialect.decimal_comma;
+            number::parse(&line.bytes[cell], decimal_comma, &mut Dialects::default())
+        };
+        let mut cells = cells(&line.bytes, self.dialect).into_iter();
+        cells.all(|cell| parse(cell).is_ok())
+    }
+
+    /// Passes a first row that is cut at its beginning, as a log begins that is opened while the device sends.
+    fn pass_torn(&mut self, kept: &[Kept], row: usize) {
+        let torn: Vec<&Kept> = kept[..row].iter().filter(|k| !k.comment).collect();
+        if let [torn] = torn[..]
+            && cells(&torn.bytes, self.dialect).len() < self.layout.width
+            && self.is_numbers(torn)
+        {
+            self.after = self.after.max(torn.number);
+            let words = format!("line {} is cut at its beginning and left out", torn.number);
+            self.warnings.push(words);
+        }
+    }
+
+    fn read_header(
+        &mut self,
+        name: &str,
+        header: &Kept,
+        rows: &[&Kept],
+        only: Option<Sensor>,
+        options: &ReadOptions,
+    ) -> Result<(), Error> {
+        let refuse = |words: String| at_line(name, header.number, words);
+        let bytes = without_comment_mark(&header.bytes);
+        let cells = cells(bytes, self.dialect);
+        if std::str::from_utf8(bytes).is_err() {
+            let warning = "header is not UTF-8, read as Latin-1";
+            self.warnings.push(warning.to_owned());
+        }
+        let cell = |cell: &Cell| decode(&bytes[cell.clone()]);
+        let mut names: Vec<String> = cells.iter().map(cell).collect();
+        header::refuse_twins(&names, &options.columns).map_err(Error::Usage)?;
+        let width = usual_width(rows, self.dialect).unwrap_or(names.len());
+        if rows.is_empty() {
+            // A wrong header is the better news.
+            Layout::of_names(names, &options.columns, only).map_err(refuse)?;
+            return Err(refuse("header found, no data rows".to_owned()));
+        }
+        if names.len() == width + 1 && names.last().is_some_and(String::is_empty) {
+            names.pop();
+        }
+        if width != names.len() && !(width == names.len() + 1 && ends_empty(rows, self.dialect)) {
+            let doubled = width > names.len() && width <= 2 * names.len();
+            if self.dialect.separator == Separator::Byte(b',') && doubled && only_integers(rows) {
+                return Err(refuse(format!(
+                    "{} names but {width} cells in the rows: a comma is both separator and decimal mark, which cannot be undone; export with points or with semicolons",
+                    names.len()
+                )));
+            }
+            if options.columns.0.is_empty() {
+                names.resize(width.max(names.len()), String::new());
+                let line = suggestion(&(1..=width).map(|i| i.to_string()).collect::<Vec<_>>());
+                return Err(refuse(format!(
+                    "the header has {} names, the rows have {width} cells: are two names glued together? {line} (columns by number)",
+                    cells.len(),
+                )));
+            }
+            names.resize(width, String::new());
+        }
+        self.layout = Layout::of_names(names, &options.columns, only).map_err(refuse)?;
+        self.warnings.extend(self.layout.by_unit.clone());
+        Ok(())
+    }
+
+    fn without_header(
+        &mut self,
+        name: &str,
+        rows: &[&Kept],
+        only: Option<Sensor>,
+        options: &ReadOptions,
+    ) -> Result<(), Error> {
+        let first = rows.first().map_or(1, |row| row.number);
+        let refuse = |words: String| at_line(name, first, words);
+        let width = usual_width(rows, self.dialect).unwrap_or(0);
+        let names: Vec<String> = (1..=width).map(|i| i.to_string()).collect();
+        self.layout.width = width;
+        let roles = if options.columns.0.is_empty() {
+            let told = unnamed_roles(width, only, &medians(rows, self.dialect));
+            self.told_by_norm = told.is_some();
+            self.undecided = matches!(width, 6..=8) && only.is_none();
+            let roles = told.or_else(|| self.undecided.then(|| two_triads(width)));
+            let roles = roles.ok_or_else(|| {
+                refuse(format!(
+                    "{width} columns without a header, and gravity does not tell which are which; {}",
+                    suggestion(&names)
+                ))
+            })?;
+            // Four columns of a file that is known to hold one sensor need no comment.
+            if only.is_none() && !self.undecided {
+                let used: Vec<_> = roles
+                    .iter()
+                    .map(|(role, i)| format!("{}={}", role.name(), i + 1))
+                    .collect();
+                self.warnings
+                    .push(format!("no header; columns taken as {}", used.join(",")));
+            }
+            roles
+        } else {
+            header::refuse_twins(&names, &options.columns).map_err(Error::Usage)?;
+            self.layout.affine = header::affines(&names, &options.columns);
+            header::roles_by_map(&names, &options.columns).map_err(refuse)?
+        };
+        let assigned = self.layout.assign(&roles, &options.columns);
+        assigned.map_err(refuse)
+    }
+}
+
+/// The first lines of the text that are not blank.
+fn sample(name: &str, head: &[u8]) -> Result<Vec<Kept>, Error> {
+    let head = Batch::of(head);
+    let (mut kept, mut rows) = (Vec::new(), 0);
+    for (number, range) in (1..).zip(lines(&head.bytes, 0)) {
+        if let Some(words) = head.fault(&range) {
+            return Err(at_line(name, number, words));
+        }
+        let line = &head.bytes[range];
+        if !line.trim_ascii().is_empty() {
+            let comment = is_comment(line);
+            if rows == 0 && kept.len() == 2 * COMMENTS {
+                kept.drain(..COMMENTS);
+            }
+            rows += usize::from(!comment && begins_like_a_row(line));
+            kept.push(Kept {
+                number,
+                comment,
+                bytes: line.to_vec(),
+            });
+        }
+        if rows == SAMPLE {
+            break;
+        }
+    }
+    Ok(kept)
+}
+
+/// True for a line that begins with a number: a preface of text does not.
+fn begins_like_a_row(line: &[u8]) -> bool {
+    let mark = |byte: &u8| !matches!(byte, b' ' | b'\t' | b'"' | b'+' | b'-' | b'.' | b',' | b';');
+    let first = line.iter().find(|byte| mark(byte));
+    first.is_none_or(u8::is_ascii_digit)
+}
+
+fn dialect_of(kept: &[Kept]) -> Dialect {
+    let lines: Vec<&[u8]> = kept
+        .iter()
+        .filter(|k| !k.comment)
+        .map(|k| k.bytes.as_slice())
+        .collect();
+    Dialect::of(&lines)
+}
+
+/// The first row that is as wide as most are: a line of a preface may hold numbers too.
+fn first_row(kept: &[Kept], dialect: Dialect) -> Option<usize> {
+    let rows = kept
+        .iter()
+        .filter(|k| !k.comment && is_row(&k.bytes, dialect));
+    let rows: Vec<&Kept> = rows.collect();
+    let width = usual_width(&rows, dialect)?;
+    let first = rows
+        .iter()
+        .find(|k| cells(&k.bytes, dialect).len() == width)?;
+    kept.iter().position(|k| k.number == first.number)
+}
+
+/// The number of cells that most rows have.
+pub(crate) fn usual_width(rows: &[&Kept], dialect: Dialect) -> Option<usize> {
+    let mut widths: Vec<usize> = rows
+        .iter()
+        .map(|row| cells(&row.bytes, dialect).len())
+        .collect();
+    widths.sort_unstable();
+    widths
+        .chunk_by(|a, b| a == b)
+        .max_by_key(|run| run.len())
+        .and_then(|run| run.first().copied())
+}
+
+/// True if the rows end with a separator, which makes an empty last cell.
+fn ends_empty(rows: &[&Kept], dialect: Dialect) -> bool {
+    rows.iter().all(|row| {
+        cells(&row.bytes, dialect)
+            .last()
+            .is_some_and(|cell| cell.is_empty())
+    })
+}
+
+fn only_integers(rows: &[&Kept]) -> bool {
+    rows.iter().all(|row| !row.bytes.contains(&b'.'))
+}

@@ -1,0 +1,112 @@
+//! A row of units under the header: `s,m/s^2,m/s^2,m/s^2,rad/s,rad/s,rad/s`.
+
+use std::str::FromStr;
+
+use crate::header::Layout;
+use crate::recording::options::ReadOptions;
+use crate::shown::shown;
+use crate::units::{Stated, is_unit};
+
+/// A cell without the brackets that units are written in.
+fn bare(cell: &str) -> &str {
+    let brackets = |c| matches!(c, '(' | ')' | '[' | ']' | '{' | '}' | ' ');
+    cell.trim_matches(brackets)
+}
+
+/// True for what stands in place of the unit of a column without one.
+fn is_blank(cell: &str) -> bool {
+    matches!(bare(cell), "" | "-" | "--" | "1" | "none" | "n/a")
+}
+
+/// True if half or more of what the cells hold is a unit, of any quantity.
+pub(crate) fn holds_units(cells: &[String]) -> bool {
+    let filled = cells.iter().filter(|cell| !is_blank(cell)).count();
+    let units = cells.iter().filter(|cell| is_unit(bare(cell))).count();
+    units >= 1 && 2 * units >= filled
+}
+
+/// Units that `layout` states, with those of `cells` below its names; an option says more than either.
+///
+/// # Errors
+/// In words, a unit that is not known, or not that of the other axes or of the header.
+pub(crate) fn stated(
+    layout: &Layout,
+    cells: &[String],
+    options: &ReadOptions,
+) -> Result<Stated, String> {
+    let row = Row { layout, cells };
+    let by_names = layout.stated;
+    let axes = |triad: Option<[usize; 3]>| triad.into_iter().flatten().collect::<Vec<_>>();
+    let one = |column: Option<usize>| column.into_iter().collect::<Vec<_>>();
+    Ok(Stated {
+        time: row.unit(
+            &one(layout.time),
+            by_names.time,
+            options.time_unit,
+            "--time-unit ms",
+        )?,
+        accel: row.unit(
+            &axes(layout.accel),
+            by_names.accel,
+            options.accel_unit,
+            "--accel-unit g",
+        )?,
+        gyro: row.unit(
+            &axes(layout.gyro),
+            by_names.gyro,
+            options.gyro_unit,
+            "--gyro-unit deg/s",
+        )?,
+        temperature: row.unit(&one(layout.temperature), by_names.temperature, None, "")?,
+        // A magnetometer is kept whatever its unit is called.
+        field: by_names.field.or_else(|| {
+            let [x, ..] = layout.field?;
+            bare(cells.get(x)?).parse().ok()
+        }),
+    })
+}
+
+struct Row<'a> {
+    layout: &'a Layout,
+    cells: &'a [String],
+}
+
+impl Row<'_> {
+    /// The one unit of `columns`; `given` by an option it need not be understood.
+    fn unit<U: FromStr<Err = String> + PartialEq + Copy>(
+        &self,
+        columns: &[usize],
+        by_name: Option<U>,
+        given: Option<U>,
+        option: &str,
+    ) -> Result<Option<U>, String> {
+        let mut unit = by_name;
+        for &column in columns {
+            let Some(cell) = self.cells.get(column).filter(|cell| !is_blank(cell)) else {
+                continue;
+            };
+            let found = bare(cell).parse::<U>();
+            match (found, unit) {
+                (Ok(found), None) => unit = Some(found),
+                (Ok(found), Some(unit)) if found == unit => {}
+                _ if given.is_some() => return Ok(unit),
+                (found, _) => return Err(self.refusal(column, found.err(), option)),
+            }
+        }
+        Ok(unit)
+    }
+
+    fn refusal(&self, column: usize, unknown: Option<String>, option: &str) -> String {
+        let why = unknown
+            .unwrap_or_else(|| "not the unit that the header or another axis has".to_owned());
+        let advice = match option {
+            "" => "correct or delete this row".to_owned(),
+            option => format!("correct or delete this row, or say the unit, as in {option}"),
+        };
+        format!(
+            "a row of units under the header: `{}` in {}: {why}; {advice}",
+            shown(self.cells[column].trim()),
+            self.layout.column(column)
+        )
+    }
+}

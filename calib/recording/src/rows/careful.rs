@@ -1,0 +1,150 @@
+//! One row, cell by cell.
+
+use nalgebra::Vector3;
+
+use super::{Others, Rows, Trouble};
+use crate::Error;
+use crate::header::quotes::open_quote;
+use crate::rows::number::{self, Fault, LARGEST};
+use crate::shown::shown_cell;
+use crate::source::cut::is_cut;
+use crate::source::lines::{Line, lines};
+
+impl Rows<'_> {
+    /// Takes the row in, or says what is wrong with which cell.
+    pub(super) fn row(&mut self, line: Line<'_>) -> Result<(), Trouble> {
+        let layout = &self.start.layout;
+        if self.start.header.as_deref() == Some(line.bytes) {
+            return Err(Trouble::Refused(self.at(
+                line,
+                0,
+                format!(
+                    "the header of line {} again: two tables in one file; split it here",
+                    self.start.header_line
+                ),
+            )));
+        }
+        self.start
+            .dialect
+            .split(line.bytes, &mut self.cells)
+            .map_err(|at| {
+                let below = (line.number + 1..).zip(lines(line.below, 0));
+                let below = below.map(|(number, range)| (number, &line.below[range]));
+                Trouble::Broken(self.at(line, at, open_quote(below)))
+            })?;
+        if self.cells.len() == layout.width + 1 && self.cells.last().is_some_and(|c| c.is_empty()) {
+            self.cells.pop();
+        }
+        if self.cells.len() != layout.width {
+            return Err(Trouble::Broken(self.ragged(line)));
+        }
+        self.whole(line)?;
+        let accel = self.triad(line, layout.accel)?;
+        let gyro = self.triad(line, layout.gyro)?;
+        let field = self.field(line);
+        let temperature = match layout
+            .temperature
+            .map(|column| (column, &line.bytes[self.cells[column].clone()]))
+        {
+            Some((column, cell)) if !cell.is_empty() => Some(self.number(line, column)?),
+            _ => None,
+        };
+        // A file of a thermometer has no others.
+        let alone = temperature.filter(|_| !layout.has_sensor());
+        if accel.is_none() && gyro.is_none() && field.is_none() && alone.is_none() {
+            let words = "every cell of the sensors is empty; --na drop leaves such rows out";
+            return Err(Trouble::Missing(self.at(line, 0, words.to_owned())));
+        }
+        let t = self.stamp(line)?;
+        self.keep(t, accel, gyro, Others { temperature, field }, line)
+    }
+
+    /// The magnetometer's reading; `None` where a number is missing, which is no reason to leave the row out.
+    fn field(&mut self, line: Line<'_>) -> Option<Vector3<f64>> {
+        let [x, y, z] = self.start.layout.field?;
+        let mut number = |column: usize| self.number(line, column).ok();
+        Some(Vector3::new(number(x)?, number(y)?, number(z)?))
+    }
+
+    /// Refuses a last row that ends within its last number.
+    fn whole(&self, line: Line<'_>) -> Result<(), Trouble> {
+        let (Some(usual), false, Some(cell)) = (self.start.tail, line.ended, self.cells.last())
+        else {
+            return Ok(());
+        };
+        let content = &line.bytes[cell.clone()];
+        if !is_cut(content, self.start.dialect.mark(), usual) {
+            return Ok(());
+        }
+        let words = format!(
+            "`{}` in {}: the text ends here, within a number that has {} characters from its decimal mark on in every other row",
+            shown_cell(content),
+            self.start.layout.column(self.start.layout.width - 1),
+            usual
+        );
+        Err(Trouble::Broken(self.at(line, cell.start, words)))
+    }
+
+    fn stamp(&mut self, line: Line<'_>) -> Result<f64, Trouble> {
+        let column = match self.start.layout.time {
+            Some(column) if self.options.rate.is_none() => column,
+            _ => return Ok(self.counted()),
+        };
+        let cell = &line.bytes[self.cells[column].clone()];
+        let decimal_comma = self.start.dialect.decimal_comma;
+        let stamp = self.table.clock.read(cell, decimal_comma, line.number);
+        stamp.map_err(|fault| self.fault(line, column, fault))
+    }
+
+    /// The sample in three columns, `None` where all three are empty.
+    fn triad(
+        &mut self,
+        line: Line<'_>,
+        columns: Option<[usize; 3]>,
+    ) -> Result<Option<Vector3<f64>>, Trouble> {
+        let Some(columns @ [x, y, z]) = columns else {
+            return Ok(None);
+        };
+        if columns.iter().all(|&column| self.cells[column].is_empty()) {
+            return Ok(None);
+        }
+        Ok(Some(Vector3::new(
+            self.number(line, x)?,
+            self.number(line, y)?,
+            self.number(line, z)?,
+        )))
+    }
+
+    fn number(&mut self, line: Line<'_>, column: usize) -> Result<f64, Trouble> {
+        let cell = &line.bytes[self.cells[column].clone()];
+        match number::parse(cell, self.start.dialect.decimal_comma, &mut self.spellings) {
+            Ok(value) if value.abs() < LARGEST => Ok(value),
+            Ok(_) => Err(self.fault(line, column, Fault::Absurd)),
+            Err(fault) => Err(self.fault(line, column, fault)),
+        }
+    }
+
+    fn fault(&self, line: Line<'_>, column: usize, fault: Fault) -> Trouble {
+        let cell = self.cells[column].clone();
+        let content = shown_cell(&line.bytes[cell.clone()]);
+        let column = self.start.layout.column(column);
+        let error = self.at(
+            line,
+            cell.start,
+            format!("`{content}` in {column}: {}", fault.advice()),
+        );
+        match fault {
+            Fault::Missing | Fault::NotFinite => Trouble::Missing(error),
+            Fault::Text => Trouble::Broken(error),
+            _ => Trouble::Refused(error),
+        }
+    }
+
+    fn ragged(&self, line: Line<'_>) -> Error {
+        let (found, expected) = (self.cells.len(), self.start.layout.width);
+        let words = format!(
+            "{found} cells, {expected} expected; --skip-bad-rows N leaves up to N such rows out"
+        );
+        self.at(line, 0, words)
+    }
+}

@@ -1,0 +1,371 @@
+//! Rows of a text into the columns of a table.
+
+pub(crate) mod number;
+#[cfg(test)]
+pub(crate) mod oracle;
+pub mod plain;
+pub(crate) mod sort;
+pub(crate) mod table;
+
+mod careful;
+
+use std::io::Read;
+use std::ops::Range;
+
+use nalgebra::Vector3;
+
+use crate::Error;
+use crate::header::dialect::Cell;
+use crate::header::preface::is_comment;
+use crate::header::sniff::Start;
+use crate::recording::memory::one_more;
+use crate::recording::options::ReadOptions;
+use crate::recording::samples::{Pushed, Samples};
+use crate::rows::number::Dialects;
+use crate::rows::plain::{Block, Plain, Row, Stamps};
+use crate::rows::table::Table;
+use crate::shown::figure;
+use crate::source::batches::{Batch, Batches, Stop};
+use crate::source::lines::{Line, end_of_line, lines};
+use crate::source::pipeline::parse_all;
+use crate::source::place::{at_column, at_line, in_file};
+
+/// Why a row is not used.
+enum Trouble {
+    /// The file cannot be read further.
+    Refused(Error),
+    /// The row is broken; it may be the last one, cut short.
+    Broken(Error),
+    /// A number is missing; `--na drop` applies.
+    Missing(Error),
+}
+
+/// What a row holds beside the sensors that are calibrated.
+#[derive(Clone, Copy, Debug, Default)]
+struct Others {
+    temperature: Option<f64>,
+    field: Option<Vector3<f64>>,
+}
+
+/// The loop over rows.
+pub(crate) struct Rows<'a> {
+    table: &'a mut Table,
+    start: &'a Start,
+    options: &'a ReadOptions,
+    cells: Vec<Cell>,
+    spellings: Dialects,
+    /// Lines met.
+    lines: u64,
+    rows: u64,
+    skipped: usize,
+    dropped: usize,
+    /// The trouble of the row before, which is forgiven if no row follows.
+    pending: Option<Error>,
+}
+
+impl<'a> Rows<'a> {
+    /// Rows into `table`, as `start` says.
+    pub fn new(table: &'a mut Table, start: &'a Start, options: &'a ReadOptions) -> Self {
+        Self {
+            table,
+            start,
+            options,
+            cells: Vec::new(),
+            spellings: Dialects::default(),
+            lines: 0,
+            rows: 0,
+            skipped: 0,
+            dropped: 0,
+            pending: None,
+        }
+    }
+
+    /// Reads `batches` to their end: line by line until the stamps are known, then by plain rows.
+    pub fn read(mut self, mut batches: Batches<impl Read + Send>) -> Result<(), Error> {
+        while let Some(batch) = batches.next(Vec::new()) {
+            if let Some((plain, after)) = self.until_plain(&batch)? {
+                self.take(&batch, &plain.parse(&batch, after))?;
+                parse_all(&mut batches, &plain, |batch, blocks| {
+                    self.take(batch, blocks)
+                })?;
+            }
+        }
+        self.end(batches.stop())
+    }
+
+    /// Reads `batches` to their end, line by line: what [`Rows::read`] is to agree with.
+    #[cfg(test)]
+    pub fn read_line_by_line(mut self, mut batches: Batches<impl Read>) -> Result<(), Error> {
+        while let Some(batch) = batches.next(Vec::new()) {
+            for line in lines(&batch.bytes, 0) {
+                self.line(&batch, line)?;
+            }
+        }
+        self.end(batches.stop())
+    }
+
+    fn end(self, stop: Stop) -> Result<(), Error> {
+        let name = &self.table.name;
+        match stop {
+            Stop::End => self.finish(),
+            Stop::Line(words) => Err(at_line(name, self.lines + 1, words)),
+            Stop::Text(words) => Err(in_file(name, words)),
+        }
+    }
+
+    /// Reads `batch` line by line until it is known what plain rows look like, and where the next
+    /// line begins.
+    fn until_plain(&mut self, batch: &Batch) -> Result<Option<(Plain, usize)>, Error> {
+        for line in lines(&batch.bytes, 0) {
+            let after = line.end + end_of_line(&batch.bytes[line.end..]);
+            self.line(batch, line)?;
+            if self.rows == 1
+                && let Some(plain) = self.plain()
+            {
+                return Ok(Some((plain, after)));
+            }
+        }
+        Ok(None)
+    }
+
+    /// What plain rows look like; `None` where stamps are no numbers.
+    fn plain(&self) -> Option<Plain> {
+        let Start {
+            dialect,
+            layout,
+            header,
+            ..
+        } = self.start;
+        let stamps = match layout.time {
+            Some(_) if self.options.rate.is_none() => self.table.clock.form()?,
+            _ => Stamps::Counted,
+        };
+        Plain::new(*dialect, layout, stamps, header.as_deref())
+    }
+
+    /// Takes a parsed batch over: its plain rows, and the lines between them one by one.
+    fn take(&mut self, batch: &Batch, blocks: &[Block]) -> Result<(), Error> {
+        for block in blocks {
+            let mut taken = 0;
+            for odd in &block.odd {
+                self.plain_rows(&block.rows[taken..odd.after])?;
+                self.line(batch, odd.line.clone())?;
+                taken = odd.after;
+            }
+            self.plain_rows(&block.rows[taken..])?;
+        }
+        Ok(())
+    }
+
+    fn plain_rows(&mut self, rows: &[Row]) -> Result<(), Error> {
+        let layout = &self.start.layout;
+        let triad =
+            |row: &Row, first: usize| Vector3::new(row[first], row[first + 1], row[first + 2]);
+        for row in rows {
+            self.settle_pending()?;
+            self.lines += 1;
+            let line = Line {
+                number: self.lines,
+                bytes: &[],
+                below: &[],
+                ended: true,
+            };
+            let t = match layout.time {
+                Some(_) if self.options.rate.is_none() => {
+                    self.table.clock.unwrapped(row[plain::STAMP], line.number)
+                }
+                _ => self.counted(),
+            };
+            let accel = layout.accel.map(|_| triad(row, plain::ACCEL));
+            let gyro = layout.gyro.map(|_| triad(row, plain::GYRO));
+            let others = Others {
+                temperature: layout.temperature.map(|_| row[plain::TEMPERATURE]),
+                field: layout.field.map(|_| triad(row, plain::FIELD)),
+            };
+            let kept = self.keep(t, accel, gyro, others, line);
+            self.count(kept, line.number)?;
+        }
+        Ok(())
+    }
+
+    /// Any line, looked at with care.
+    fn line(&mut self, batch: &Batch, range: Range<usize>) -> Result<(), Error> {
+        self.lines += 1;
+        let number = self.lines;
+        if let Some(words) = batch.fault(&range) {
+            return Err(at_line(&self.table.name, number, words));
+        }
+        let behind = &batch.bytes[range.end..];
+        let end = end_of_line(behind);
+        let bytes = &batch.bytes[range];
+        if number <= self.start.after || bytes.trim_ascii_start().is_empty() || is_comment(bytes) {
+            return Ok(());
+        }
+        self.settle_pending()?;
+        let kept = self.row(Line {
+            number,
+            bytes,
+            below: &behind[end..],
+            ended: end > 0,
+        });
+        self.count(kept, number)
+    }
+
+    /// Counts a row in, or remembers what is wrong with it.
+    fn count(&mut self, kept: Result<(), Trouble>, line: u64) -> Result<(), Error> {
+        match kept {
+            Ok(()) => self.rows += 1,
+            Err(Trouble::Missing(_)) if self.options.na_drop => self.dropped += 1,
+            Err(Trouble::Missing(error) | Trouble::Broken(error)) => self.pending = Some(error),
+            Err(Trouble::Refused(error)) => return Err(error),
+        }
+        if self.rows > self.options.max_rows {
+            let limit = self.options.max_rows;
+            let words = format!("more than {limit} rows; --max-rows raises the limit");
+            return Err(at_line(&self.table.name, line, words));
+        }
+        Ok(())
+    }
+
+    /// A broken row with others after it is one of those allowed, or the end.
+    fn settle_pending(&mut self) -> Result<(), Error> {
+        match self.pending.take() {
+            None => Ok(()),
+            Some(_) if self.skipped < self.options.skip_bad_rows => {
+                self.skipped += 1;
+                Ok(())
+            }
+            Some(error) => Err(error),
+        }
+    }
+
+    fn keep(
+        &mut self,
+        t: f64,
+        accel: Option<Vector3<f64>>,
+        gyro: Option<Vector3<f64>>,
+        others: Others,
+        line: Line<'_>,
+    ) -> Result<(), Trouble> {
+        let Others { temperature, field } = others;
+        if let Some(value) = accel {
+            let pushed = push(
+                &mut self.table.accel,
+                t,
+                value,
+                line.number,
+                self.options.sort_time,
+            );
+            self.in_order(pushed, t, line)?;
+        }
+        if let Some(value) = gyro {
+            let pushed = push(
+                &mut self.table.gyro,
+                t,
+                value,
+                line.number,
+                self.options.sort_time,
+            );
+            self.in_order(pushed, t, line)?;
+        }
+        if let Some(value) = field {
+            let samples = &mut self.table.magnetometer;
+            // Stamps out of order are the other sensors' trouble.
+            if push(samples, t, value, line.number, self.options.sort_time).is_none() {
+                return self.in_order(None, t, line);
+            }
+        }
+        if let Some(temperature) = temperature
+            && (self.options.sort_time
+                || self.table.temperature_t.last().is_none_or(|&last| t > last))
+        {
+            let stamps = one_more(&mut self.table.temperature_t);
+            if stamps
+                .and_then(|()| one_more(&mut self.table.temperature))
+                .is_err()
+            {
+                return self.in_order(None, t, line);
+            }
+            self.table.temperature_t.push(t);
+            self.table.temperature.push(temperature);
+        }
+        Ok(())
+    }
+
+    /// Refuses a stamp before the last, and rows for which there is no memory.
+    fn in_order(&self, pushed: Option<Pushed>, t: f64, line: Line<'_>) -> Result<(), Trouble> {
+        match pushed {
+            Some(Pushed::Backwards(last)) => {
+                let origin = match self.table.clock.origin {
+                    None | Some(0) => String::new(),
+                    Some(origin) => format!(" (counted from {origin})"),
+                };
+                let words = format!(
+                    "time goes back from {} to {}{origin}; --sort-time sorts the rows, or split the file here",
+                    figure(last),
+                    figure(t)
+                );
+                Err(Trouble::Refused(self.at(line, 0, words)))
+            }
+            Some(_) => Ok(()),
+            None => {
+                let words = "not enough memory for more rows; cut the recording here, or raise the limit (ulimit -v)".to_owned();
+                Err(Trouble::Refused(self.at(line, 0, words)))
+            }
+        }
+    }
+
+    /// The stamp of a row without one: rows so far, or their time at the given rate.
+    fn counted(&self) -> f64 {
+        self.rows as f64 / self.options.rate.unwrap_or(1.0)
+    }
+
+    fn at(&self, line: Line<'_>, byte: usize, words: String) -> Error {
+        at_column(&self.table.name, line.number, byte + 1, words)
+    }
+
+    fn finish(self) -> Result<(), Error> {
+        let name = &self.table.name;
+        let warnings = &mut self.table.warnings;
+        if self.rows == 0 {
+            return Err(self
+                .pending
+                .unwrap_or_else(|| in_file(name, "no data rows")));
+        }
+        if let Some(error) = self.pending {
+            warnings.push(format!("last row left out, cut short? {error}"));
+        }
+        if self.skipped > 0 {
+            warnings.push(format!("{name}: {} broken rows left out", self.skipped));
+        }
+        if self.dropped > 0 {
+            warnings.push(format!(
+                "{name}: {} rows with missing numbers left out",
+                self.dropped
+            ));
+        }
+        if self.spellings.fortran {
+            warnings.push(format!("{name}: exponents written with D, read as E"));
+        }
+        if self.spellings.unicode_minus {
+            warnings.push(format!("{name}: minus signs are U+2212, read as -"));
+        }
+        Ok(())
+    }
+}
+
+/// Adds a sample; `None` without memory for it.
+fn push(
+    samples: &mut Samples,
+    t: f64,
+    value: Vector3<f64>,
+    line: u64,
+    unsorted: bool,
+) -> Option<Pushed> {
+    samples.make_room().ok()?;
+    if unsorted {
+        samples.append(t, value, line);
+        return Some(Pushed::Kept);
+    }
+    Some(samples.push(t, value, line))
+}

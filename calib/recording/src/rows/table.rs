@@ -1,0 +1,215 @@
+//! What one text holds, in its own units.
+
+use sensor::Sensor;
+
+use crate::Error;
+use crate::clock::Clock;
+use crate::header::affine;
+use crate::header::sniff::Start;
+use crate::header::suggest::suggestion;
+use crate::recording::memory;
+use crate::recording::options::{ReadOptions, Role};
+use crate::recording::samples::Samples;
+use crate::rows::Rows;
+use crate::source::Input;
+use crate::source::batches::Batches;
+use crate::source::on_disk::Unchanged;
+use crate::source::place::{at_line, in_file};
+use crate::units::{Stated, rests};
+
+/// What one text held, in its own units.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Table {
+    /// The file, for messages.
+    pub name: String,
+    /// Accelerometer.
+    pub accel: Samples,
+    /// Gyroscope.
+    pub gyro: Samples,
+    /// Magnetometer.
+    pub magnetometer: Samples,
+    /// Stamps of temperature readings.
+    pub temperature_t: Vec<f64>,
+    /// Temperature readings.
+    pub temperature: Vec<f64>,
+    /// Units in the header.
+    pub stated: Stated,
+    /// What the header states of the accelerometer and of the gyroscope, where that is no known unit.
+    pub strange: [Option<String>; 2],
+    /// The name of the time column is `t`: seconds, by contract.
+    pub plain_time: bool,
+    /// Names of columns that no sensor is read from.
+    pub unused: Vec<String>,
+    /// Names of those of them whose numbers change.
+    pub unclear: Vec<String>,
+    /// Names of all columns.
+    pub names: Vec<String>,
+    /// Which column each role is read from, by name or number.
+    pub roles: Vec<(Role, String)>,
+    /// It has a time column.
+    pub has_time: bool,
+    /// Its clock.
+    pub clock: Clock,
+    /// The accelerometer reads -1 g on the axis that points up.
+    pub negated: bool,
+    /// What was noticed.
+    pub warnings: Vec<String>,
+}
+
+impl Table {
+    /// Reads all of `input`; `only` is the one sensor in it, if that is known, and `origin` the
+    /// first stamp of the recording's other file.
+    pub fn read(
+        mut input: Input,
+        only: Option<Sensor>,
+        origin: Option<i64>,
+        options: &ReadOptions,
+    ) -> Result<Self, Error> {
+        let start = Start::look(&input.name, &input.head, only, options)?;
+        if start.layout.time.is_none() && options.rate.is_none() {
+            return Err(Error::Usage(format!(
+                "{}: no time column; say the sampling rate in Hz, as in --rate 100, or name the column with --columns t=…",
+                input.name
+            )));
+        }
+        let mut table = Self {
+            name: input.name.clone(),
+            stated: start.layout.stated,
+            strange: start.layout.strange.clone(),
+            unused: start.layout.unused(),
+            unclear: start.unclear.clone(),
+            names: start.layout.names.clone(),
+            roles: start.layout.roles(),
+            has_time: start.layout.time.is_some(),
+            plain_time: start
+                .layout
+                .time
+                .and_then(|i| start.layout.names.get(i))
+                .is_some_and(|n| n == "t"),
+            clock: Clock::new(origin, options),
+            warnings: std::mem::take(&mut input.warnings),
+            ..Self::default()
+        };
+        table.warnings.extend(
+            start
+                .warnings
+                .iter()
+                .map(|w| format!("{}: {w}", input.name)),
+        );
+        let unchanged = input.unchanged.take();
+        let sensors = [start.layout.accel, start.layout.gyro, start.layout.field];
+        let sensors = sensors.iter().flatten().count() as u64;
+        if let Some(size) = unchanged.as_ref().map(Unchanged::size) {
+            let rows = rows_in(&input.head, size).min(options.max_rows);
+            memory::room_to_read(&input.name, rows, sensors)?;
+        }
+        let batches = Batches::new(input.into_reader(), options.max_bytes);
+        Rows::new(&mut table, &start, options).read(batches)?;
+        unchanged.map_or(Ok(()), |file| file.check())?;
+        affine::apply(&mut table, &start.layout.affine);
+        if start.undecided {
+            table.decide_roles(&start)?;
+        } else if start.told_by_norm && rests::at_one_reading(&table.accel.values) {
+            let names: Vec<String> = (1..=start.layout.width).map(|i| i.to_string()).collect();
+            let words = format!(
+                "{} columns without a header that rest at one reading in all attitudes, as a gyroscope does and no accelerometer; {}",
+                start.layout.width,
+                suggestion(&names)
+            );
+            return Err(at_line(&table.name, start.after + 1, words));
+        }
+        memory::room_to_work(&table.name, table.accel.t.len() + table.gyro.t.len())?;
+        Ok(table)
+    }
+}
+
+/// About how many rows a text of `size` bytes has that begins with `head`. Of one that is compressed fewer.
+fn rows_in(head: &[u8], size: u64) -> u64 {
+    let lines = memchr::memchr_iter(b'\n', head).count() as u64;
+    match lines {
+        0 => 0,
+        _ => size / (head.len() as u64).div_ceil(lines),
+    }
+}
+
+impl Table {
+    /// Tells the two sensors of a text without a header apart.
+    fn decide_roles(&mut self, start: &Start) -> Result<(), Error> {
+        let triads = [&self.accel.values[..], &self.gyro.values[..]];
+        let by_rests = rests::accelerometer(triads);
+        let by_norm = start.told_by_norm.then_some(0);
+        match by_rests.or(by_norm) {
+            Some(0) => {}
+            Some(_) => {
+                std::mem::swap(&mut self.accel, &mut self.gyro);
+                for (role, _) in &mut self.roles {
+                    *role = match *role {
+                        Role::Accel(axis) => Role::Gyro(axis),
+                        Role::Gyro(axis) => Role::Accel(axis),
+                        other => other,
+                    };
+                }
+            }
+            None => {
+                let names: Vec<String> = (1..=start.layout.width).map(|i| i.to_string()).collect();
+                let words = format!(
+                    "{} columns without a header, and neither gravity nor what changes between rests tells which are the accelerometer's; {}",
+                    start.layout.width,
+                    suggestion(&names)
+                );
+                return Err(at_line(&self.name, start.after + 1, words));
+            }
+        }
+        self.roles
+            .sort_by_key(|(_, column)| column.parse::<usize>().unwrap_or(0));
+        let taken: Vec<String> = self
+            .roles
+            .iter()
+            .map(|(role, column)| format!("{}={column}", role.name()))
+            .collect();
+        let why = match by_rests {
+            Some(_) => "; the accelerometer is the one whose mean turns from rest to rest",
+            None => "",
+        };
+        let words = format!(
+            "{}: no header; columns taken as {}{why}",
+            self.name,
+            taken.join(",")
+        );
+        self.warnings.push(words);
+        Ok(())
+    }
+
+    /// True for readings of an accelerometer or a gyroscope.
+    pub fn has_sensor(&self) -> bool {
+        !self.accel.t.is_empty() || !self.gyro.t.is_empty()
+    }
+
+    /// The stamps of everything in it.
+    pub fn stamps_mut(&mut self) -> [&mut Vec<f64>; 4] {
+        [
+            &mut self.accel.t,
+            &mut self.gyro.t,
+            &mut self.magnetometer.t,
+            &mut self.temperature_t,
+        ]
+    }
+
+    /// Leaves out what a file of one sensor holds of the other.
+    pub fn keep_only(&mut self, sensor: Sensor) -> Result<(), Error> {
+        let (kept, other, role) = match sensor {
+            Sensor::Accelerometer => (&self.accel, &mut self.gyro, "ax, ay, az"),
+            Sensor::Gyroscope => (&self.gyro, &mut self.accel, "gx, gy, gz"),
+            // A magnetometer's file is read with all that it holds.
+            Sensor::Magnetometer => return Ok(()),
+        };
+        if kept.t.is_empty() {
+            return Err(in_file(
+                &self.name,
+                format!("no columns {role}; are the two files swapped?"),
+            ));
+        }
+        *other = Samples::default();
+        Ok(())
+    }
+}

@@ -1,0 +1,154 @@
+//! A folder or an archive as files that can be opened by name.
+
+use std::io::Read;
+use std::path::Path;
+use std::sync::Arc;
+
+use file_formats::{Container, Entry, Limits};
+
+use super::place::in_file;
+use crate::Error;
+use crate::recording::options::ReadOptions;
+use crate::shown::shown;
+use crate::source::{Input, Source};
+
+/// Entries whose beginnings are looked at.
+const LOOKED_AT: usize = 500;
+/// Bytes of a beginning.
+const HEAD: u64 = 8 << 10;
+
+/// The files of a folder or an archive.
+#[derive(Clone, Debug)]
+pub struct Files {
+    /// The name in messages.
+    pub(crate) name: String,
+    container: Arc<Container>,
+}
+
+/// The limits that the options set.
+pub(crate) fn limits(options: &ReadOptions) -> Limits {
+    let limits = Limits::default();
+    Limits {
+        bytes: limits.bytes.min(options.max_bytes),
+        rows: options.max_rows,
+        ..limits
+    }
+}
+
+impl Files {
+    /// The files of `container`.
+    pub(crate) fn new(name: String, container: Container) -> Self {
+        Self {
+            name,
+            container: Arc::new(container),
+        }
+    }
+
+    /// The files in the folder at `path`.
+    pub(crate) fn folder(name: String, path: &Path, options: &ReadOptions) -> Result<Self, Error> {
+        let container = match Container::folder(path, limits(options)) {
+            Ok(container) => container,
+            Err(file_formats::Error::Io(error)) => {
+                return Err(crate::source::on_disk::explained(path, error));
+            }
+            Err(error) => return Err(in_file(&name, error.to_string())),
+        };
+        Ok(Self::new(name, container))
+    }
+
+    /// All of them, in the order of their names.
+    pub(crate) fn entries(&self) -> &[Entry] {
+        self.container.entries()
+    }
+
+    /// The entry called `name`.
+    pub(crate) fn entry(&self, name: &str) -> Option<&Entry> {
+        self.entries().iter().find(|entry| entry.name == name)
+    }
+
+    /// True for a zip archive.
+    pub(crate) fn is_archive(&self) -> bool {
+        self.container.is_archive()
+    }
+
+    /// What holds them, in words.
+    pub(crate) fn kind(&self) -> &'static str {
+        match (self.container.tabular(), self.is_archive()) {
+            (Some(format), _) => format.called,
+            (None, true) => "an archive",
+            (None, false) => "a folder",
+        }
+    }
+
+    /// True for the tables of a file, whose names have no extension.
+    pub(crate) fn are_tables(&self) -> bool {
+        self.container.tabular().is_some()
+    }
+
+    /// The path of an entry that is a file of its own.
+    pub(crate) fn path<'a>(&self, entry: &'a Entry) -> Option<&'a Path> {
+        self.container.path(entry)
+    }
+
+    /// What was left out.
+    pub(crate) fn warnings(&self) -> impl Iterator<Item = String> + '_ {
+        let warnings = self.container.warnings.iter();
+        warnings.map(|words| format!("{}: {words}", self.name))
+    }
+
+    /// An entry's name in messages.
+    pub(crate) fn called(&self, entry: &Entry) -> String {
+        match entry.name.is_empty() {
+            // The only table of a file.
+            true => self.name.clone(),
+            false => format!("{}/{}", self.name, shown(&entry.name)),
+        }
+    }
+
+    /// The first bytes of an entry; none of one that cannot be opened.
+    pub(crate) fn head(&self, entry: &Entry) -> Vec<u8> {
+        let mut head = Vec::new();
+        if let Ok(reader) = self.container.open(entry) {
+            // A damaged entry is refused by whoever reads it.
+            let _ = reader.take(HEAD).read_to_end(&mut head);
+        }
+        head
+    }
+
+    /// The entries whose beginnings are worth a look, with those beginnings.
+    pub(crate) fn heads(&self) -> Vec<(&Entry, Vec<u8>)> {
+        let entries = self.entries().iter().take(LOOKED_AT);
+        entries.map(|entry| (entry, self.head(entry))).collect()
+    }
+
+    /// The content of an entry.
+    pub(crate) fn open(&self, entry: &Entry) -> Result<Box<dyn Read + Send>, Error> {
+        let opened = self.container.open(entry);
+        opened.map_err(|error| in_file(&self.called(entry), error.to_string()))
+    }
+
+    /// The entry as a recording of its own.
+    pub(crate) fn source(&self, entry: &Entry, options: &ReadOptions) -> Result<Source, Error> {
+        Source::of_entry(self, entry, options)
+    }
+
+    /// The text in an entry.
+    pub(crate) fn text(&self, entry: &Entry, options: &ReadOptions) -> Result<Input, Error> {
+        self.source(entry, options)?.into_text()
+    }
+
+    /// The names of the entries, for messages.
+    pub(crate) fn listed(&self) -> String {
+        let names: Vec<_> = self
+            .entries()
+            .iter()
+            .take(10)
+            .map(|e| shown(&e.name))
+            .collect();
+        match (names.is_empty(), self.entries().len().saturating_sub(10)) {
+            (true, _) => "nothing".to_owned(),
+            (false, 0) => names.join(", "),
+            (false, more) => format!("{} and {more} more", names.join(", ")),
+        }
+    }
+}

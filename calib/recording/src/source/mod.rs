@@ -1,0 +1,497 @@
+//! Opening what the user named.
+
+pub mod batches;
+pub(crate) mod bounded;
+pub mod cut;
+pub(crate) mod decode;
+pub(crate) mod files;
+pub(crate) mod lines;
+pub(crate) mod on_disk;
+pub mod pipeline;
+pub(crate) mod place;
+pub(crate) mod rewrite;
+
+use std::fs::File;
+use std::io::{self, Cursor, IsTerminal, Read};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
+
+use file_formats::{Container, Entry, Tabular};
+
+use crate::Error;
+use crate::header::look::Look;
+use crate::header::preface::is_comment;
+use crate::header::sniff::Start;
+use crate::recording::options::ReadOptions;
+use crate::shown::shown_path;
+use crate::source::batches::is_too_long;
+use crate::source::files::{Files, limits};
+use crate::source::lines::{end_of_line, lines};
+use crate::source::on_disk::{Unchanged, explained};
+use crate::source::place::in_file;
+
+/// Bytes of a text that are looked at before it is read, comments at its beginning not counted.
+const HEAD: u64 = 64 << 10;
+/// No comments are longer.
+const LONGEST_PREFACE: usize = 64 << 20;
+
+/// What a path leads to.
+#[derive(Debug)]
+pub enum Source {
+    /// A folder or an archive.
+    Files(Files),
+    /// A text, opened and decoded.
+    Text(Input),
+    /// A binary or structured file of a known format.
+    Binary(Binary),
+    /// The text of the only table in a file of that format, or the texts of all.
+    Tables(&'static Tabular, Box<Source>),
+}
+
+/// A binary or structured file that is about to be read.
+pub struct Binary {
+    /// The name in messages.
+    pub(crate) name: String,
+    /// Its format.
+    pub(crate) format: &'static dyn file_formats::Format,
+    /// All of it.
+    pub(crate) reader: Box<dyn Read + Send>,
+    /// The file itself, if it is one and not packed: it can be sought in.
+    pub(crate) path: Option<PathBuf>,
+    /// The file as it was when it was opened.
+    pub(crate) unchanged: Option<Unchanged>,
+}
+
+impl std::fmt::Debug for Binary {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Binary")
+            .field("name", &self.name)
+            .field("format", &self.format)
+            .finish_non_exhaustive()
+    }
+}
+
+/// Where a text comes from, to open it once more.
+#[derive(Clone, Debug)]
+enum Origin {
+    Path(PathBuf),
+    Entry(Files, Entry),
+    Memory(Arc<[u8]>),
+    Stream,
+}
+
+/// A text that is about to be read.
+pub struct Input {
+    /// The name in messages.
+    pub(crate) name: String,
+    /// Its beginning.
+    pub(crate) head: Vec<u8>,
+    /// What follows the beginning.
+    pub(crate) rest: Box<dyn Read + Send>,
+    /// What was noticed on the way.
+    pub(crate) warnings: Vec<String>,
+    /// The file as it was when it was opened.
+    pub(crate) unchanged: Option<Unchanged>,
+    origin: Origin,
+    /// The first lines of `head`, once a format has asked: every other one asks too.
+    look: OnceLock<Look>,
+}
+
+impl std::fmt::Debug for Input {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Input")
+            .field("name", &self.name)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Source {
+    /// Opens `path`, `-` being standard input, decompressed and texts as UTF-8.
+    pub(crate) fn open(path: &Path, options: &ReadOptions) -> Result<Self, Error> {
+        if path.as_os_str() == "-" {
+            return Self::standard_input(options);
+        }
+        let name = shown_path(path);
+        let file = File::open(path).map_err(|error| explained(path, error))?;
+        let metadata = file.metadata().map_err(|error| explained(path, error))?;
+        if metadata.is_dir() {
+            return Ok(Self::Files(Files::folder(name, path, options)?));
+        }
+        if metadata.is_file() && metadata.len() > options.max_bytes {
+            return Err(in_file(
+                &name,
+                format!(
+                    "{}, about {:.0} rows that need {} of memory; the limit is {}; --max-bytes {} raises it",
+                    bytes(metadata.len() as f64),
+                    metadata.len() as f64 / 70.0,
+                    bytes(metadata.len() as f64 / 70.0 * 128.0),
+                    bytes(options.max_bytes as f64),
+                    metadata.len()
+                ),
+            ));
+        }
+        let unchanged = metadata.is_file().then(|| Unchanged::new(path, &metadata));
+        let origin = match unchanged {
+            Some(_) => Origin::Path(path.to_owned()),
+            None => Origin::Stream,
+        };
+        let mut source = Self::of(name, Box::new(file), origin, options)?;
+        match &mut source {
+            Self::Text(input) => {
+                input.unchanged = unchanged;
+                input.warn_of_extension(path);
+            }
+            Self::Binary(binary) => binary.unchanged = unchanged,
+            Self::Tables(_, inner) => {
+                if let Self::Text(input) = &mut **inner {
+                    input.unchanged = unchanged;
+                }
+            }
+            Self::Files(_) => {}
+        }
+        Ok(source)
+    }
+
+    fn standard_input(options: &ReadOptions) -> Result<Self, Error> {
+        if io::stdin().is_terminal() {
+            let words = "`-` is standard input, and that is a terminal: pipe a recording into it";
+            return Err(Error::Usage(words.to_owned()));
+        }
+        Self::of(
+            "<stdin>".to_owned(),
+            Box::new(io::stdin()),
+            Origin::Stream,
+            options,
+        )
+    }
+
+    /// Bytes in memory.
+    pub(crate) fn of_bytes(
+        name: &str,
+        bytes: Arc<[u8]>,
+        options: &ReadOptions,
+    ) -> Result<Self, Error> {
+        let reader = Box::new(Cursor::new(bytes.clone()));
+        Self::of(name.to_owned(), reader, Origin::Memory(bytes), options)
+    }
+
+    /// An entry of a container.
+    pub(crate) fn of_entry(
+        files: &Files,
+        entry: &Entry,
+        options: &ReadOptions,
+    ) -> Result<Self, Error> {
+        let origin = Origin::Entry(files.clone(), entry.clone());
+        Self::of(files.called(entry), files.open(entry)?, origin, options)
+    }
+
+    /// Any stream of bytes: content decides what it is.
+    fn of(
+        name: String,
+        reader: Box<dyn Read + Send>,
+        origin: Origin,
+        options: &ReadOptions,
+    ) -> Result<Self, Error> {
+        let unpacked = decode::unpacked(&name, reader)?;
+        let is_nested = matches!(origin, Origin::Entry(..));
+        if unpacked.head.starts_with(ZIP) && !is_nested {
+            return archive(name, unpacked, &origin, options);
+        }
+        if let Some(format) = Tabular::recognise(&unpacked.head) {
+            return tables(name, format, unpacked, &origin, options);
+        }
+        if let Some(format) = file_formats::recognise(&unpacked.head) {
+            return Ok(Self::Binary(Binary {
+                name,
+                format,
+                path: match origin {
+                    Origin::Path(path) if !unpacked.packed => Some(path),
+                    _ => None,
+                },
+                reader: unpacked.reader,
+                unchanged: None,
+            }));
+        }
+        Input::new(name, unpacked, origin).map(Self::Text)
+    }
+
+    /// True for a text with rows that are understood, or asked about.
+    pub(crate) fn holds_samples(&self, options: &ReadOptions) -> bool {
+        match self {
+            Self::Files(_) => false,
+            Self::Binary(_) => true,
+            Self::Text(input) => Start::look(&input.name, &input.head, None, options).is_ok(),
+            Self::Tables(_, inner) => match **inner {
+                Self::Files(_) => true,
+                _ => inner.holds_samples(options),
+            },
+        }
+    }
+
+    /// What is in a file of tables; anything else as it is.
+    pub(crate) fn within(self) -> Self {
+        match self {
+            Self::Tables(_, inner) => *inner,
+            other => other,
+        }
+    }
+
+    /// The text that it is.
+    ///
+    /// # Errors
+    /// Anything that is not one file of text.
+    pub(crate) fn into_text(self) -> Result<Input, Error> {
+        match self.within() {
+            Self::Text(input) => Ok(input),
+            Self::Files(files) => {
+                let words = format!("{}, where one table was expected", files.kind());
+                Err(in_file(&files.name, words))
+            }
+            Self::Binary(binary) => {
+                let words =
+                    "no text, where a table of one sensor was expected; name the file by itself";
+                Err(in_file(&binary.name, words))
+            }
+            Self::Tables(_, inner) => inner.into_text(),
+        }
+    }
+
+    /// The name in messages.
+    pub(crate) fn name(&self) -> &str {
+        match self {
+            Self::Files(files) => &files.name,
+            Self::Text(input) => &input.name,
+            Self::Binary(binary) => &binary.name,
+            Self::Tables(_, inner) => inner.name(),
+        }
+    }
+}
+
+/// Bytes that a zip archive begins with.
+const ZIP: &[u8] = b"PK\x03\x04";
+
+/// The files of a zip archive, or the tables of a workbook.
+fn archive(
+    name: String,
+    mut unpacked: decode::Unpacked,
+    origin: &Origin,
+    options: &ReadOptions,
+) -> Result<Source, Error> {
+    let limits = limits(options);
+    let (path, bytes) = place(&name, &mut unpacked, origin, options)?;
+    let container = match path {
+        Some(path) => Container::zip(path, limits),
+        None => Container::zip_in_memory(bytes.clone(), limits),
+    };
+    let container = container.map_err(|error| in_file(&name, error.to_string()))?;
+    let files = Files::new(name, container);
+    match Tabular::by_name("xlsx").filter(|_| files.entry("xl/workbook.xml").is_some()) {
+        Some(format) => tables_of(files.name, format, path, bytes, options),
+        None => Ok(Source::Files(files)),
+    }
+}
+
+/// The tables of a file of `format`.
+fn tables(
+    name: String,
+    format: &'static Tabular,
+    mut unpacked: decode::Unpacked,
+    origin: &Origin,
+    options: &ReadOptions,
+) -> Result<Source, Error> {
+    let (path, bytes) = match format.is_built() {
+        true => place(&name, &mut unpacked, origin, options)?,
+        // It is refused unread.
+        false => (None, Arc::default()),
+    };
+    tables_of(name, format, path, bytes, options)
+}
+
+fn tables_of(
+    name: String,
+    format: &'static Tabular,
+    path: Option<&Path>,
+    bytes: Arc<[u8]>,
+    options: &ReadOptions,
+) -> Result<Source, Error> {
+    let limits = limits(options);
+    let container = match path {
+        Some(path) => Container::tables(format, path, limits),
+        None => Container::tables_in_memory(format, bytes, limits),
+    };
+    let container = container.map_err(|error| in_file(&name, error.to_string()))?;
+    let files = Files::new(name, container);
+    let inner = match files.entries() {
+        [only] => {
+            let mut source = files.source(only, options)?;
+            if let Source::Text(input) = &mut source {
+                input.warnings.extend(files.warnings());
+            }
+            source
+        }
+        _ => Source::Files(files),
+    };
+    Ok(Source::Tables(format, Box::new(inner)))
+}
+
+/// Where a file can be sought in: on the disk, else in memory.
+fn place<'o>(
+    name: &str,
+    unpacked: &mut decode::Unpacked,
+    origin: &'o Origin,
+    options: &ReadOptions,
+) -> Result<(Option<&'o Path>, Arc<[u8]>), Error> {
+    let path = match origin {
+        Origin::Path(path) => Some(path.as_path()),
+        Origin::Entry(files, entry) => files.path(entry),
+        Origin::Memory(bytes) if !unpacked.packed => return Ok((None, bytes.clone())),
+        _ => None,
+    };
+    if let Some(path) = path.filter(|_| !unpacked.packed) {
+        return Ok((Some(path), Arc::default()));
+    }
+    let limit = limits(options).bytes;
+    let mut bytes = Vec::new();
+    let read = (&mut unpacked.reader).take(limit.saturating_add(1));
+    let read = { read }.read_to_end(&mut bytes);
+    read.map_err(|error| in_file(name, format!("reading stopped: {error}")))?;
+    if bytes.len() as u64 > limit {
+        let words = format!("a file of more than {limit} bytes");
+        return Err(in_file(name, words));
+    }
+    Ok((None, bytes.into()))
+}
+
+impl Input {
+    /// Opens the text at `path`, as [`Source::open`] does.
+    pub(crate) fn open(path: &Path, options: &ReadOptions) -> Result<Self, Error> {
+        Source::open(path, options)?.into_text()
+    }
+
+    /// The same text from its beginning.
+    ///
+    /// # Errors
+    /// Text that went by, as that of standard input.
+    pub(crate) fn again(&self, options: &ReadOptions) -> Result<Self, Error> {
+        match &self.origin {
+            Origin::Path(path) => Self::open(path, options),
+            Origin::Entry(files, entry) => files.text(entry, options),
+            Origin::Memory(bytes) => {
+                Source::of_bytes(&self.name, bytes.clone(), options)?.into_text()
+            }
+            Origin::Stream => Err(in_file(
+                &self.name,
+                "its sensors have clocks of their own, so that it is read twice; save it to a file and name that",
+            )),
+        }
+    }
+
+    fn new(name: String, unpacked: decode::Unpacked, origin: Origin) -> Result<Self, Error> {
+        let (mut reader, warnings) = decode::text(&name, unpacked);
+        let mut head = take_head(&name, &mut reader)?;
+        decode::refuse_other_formats(&name, &head)?;
+        take_preface(&name, &mut reader, &mut head)?;
+        Ok(Self {
+            name,
+            head,
+            rest: reader,
+            warnings,
+            unchanged: None,
+            origin,
+            look: OnceLock::new(),
+        })
+    }
+
+    /// The first lines.
+    pub(crate) fn look(&self) -> &Look {
+        self.look.get_or_init(|| Look::at(&self.head))
+    }
+
+    /// The text as `change` turns it into another with the same lines.
+    pub(crate) fn changed(
+        mut self,
+        change: impl FnOnce(Box<dyn Read + Send>) -> Box<dyn Read + Send>,
+    ) -> Result<Self, Error> {
+        let head = std::mem::take(&mut self.head);
+        let whole = Box::new(
+            Cursor::new(head).chain(std::mem::replace(&mut self.rest, Box::new(io::empty()))),
+        );
+        self.rest = change(whole);
+        self.head = take_head(&self.name, &mut self.rest)?;
+        take_preface(&self.name, &mut self.rest, &mut self.head)?;
+        self.look = OnceLock::new();
+        Ok(self)
+    }
+
+    /// The whole text.
+    pub(crate) fn into_reader(self) -> Box<dyn Read + Send> {
+        Box::new(Cursor::new(self.head).chain(self.rest))
+    }
+
+    /// Content decides; an extension that says otherwise is worth a word.
+    fn warn_of_extension(&mut self, path: &Path) {
+        const BINARY: [&str; 9] = [
+            "mat", "bag", "mcap", "db3", "xlsx", "xls", "ulg", "bin", "parquet",
+        ];
+        let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+        if let Some(extension) = extension.filter(|e| BINARY.contains(&e.as_str())) {
+            self.warnings.push(format!(
+                "{}: text in spite of its name, .{extension}",
+                self.name
+            ));
+        }
+    }
+}
+
+/// A number of bytes for people.
+fn bytes(count: f64) -> String {
+    let units = [(1e9, "GB"), (1e6, "MB"), (1e3, "kB")];
+    let unit = units.into_iter().find(|(size, _)| count >= *size);
+    unit.map_or_else(
+        || format!("{count:.0} bytes"),
+        |(size, name)| format!("{:.1} {name}", count / size),
+    )
+}
+
+/// Up to `HEAD` bytes from the front of `reader`.
+pub(crate) fn take_head(name: &str, reader: &mut dyn Read) -> Result<Vec<u8>, Error> {
+    let mut head = Vec::new();
+    let read = reader.take(HEAD).read_to_end(&mut head);
+    read.map_err(|error| in_file(name, format!("reading stopped: {error}")))?;
+    Ok(head)
+}
+
+/// Reads on while `head` holds nothing but comments and the text goes on.
+fn take_preface(name: &str, reader: &mut dyn Read, head: &mut Vec<u8>) -> Result<(), Error> {
+    // Up to here there are nothing but whole lines of comment.
+    let mut comments = 0;
+    let mut length = head.len() as u64;
+    while length == HEAD {
+        for line in lines(head, comments) {
+            let end = end_of_line(&head[line.end..]);
+            if end == 0 || !is_skipped(&head[line.clone()]) {
+                break;
+            }
+            comments = line.end + end;
+        }
+        let behind = head.len() - comments;
+        let is_text = |line: std::ops::Range<usize>| !is_skipped(&head[line]);
+        let met = lines(head, comments).next().is_some_and(is_text);
+        if met && behind >= HEAD as usize || is_too_long(behind) {
+            break;
+        }
+        if head.len() > LONGEST_PREFACE {
+            let words = "64 MiB of comments and no row: delete them, or is this no recording?";
+            return Err(in_file(name, words));
+        }
+        let more = take_head(name, reader)?;
+        length = more.len() as u64;
+        head.extend(more);
+    }
+    Ok(())
+}
+
+/// True for lines that are neither names nor rows.
+fn is_skipped(line: &[u8]) -> bool {
+    is_comment(line) || line.trim_ascii().is_empty()
+}

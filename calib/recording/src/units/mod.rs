@@ -1,0 +1,217 @@
+//! Units of the columns: as stated in the header or by the user, or told from the size of gravity.
+
+pub(crate) mod decide;
+pub(crate) mod rests;
+pub(crate) mod turn_unit;
+pub(crate) mod values;
+
+use std::str::FromStr;
+
+use crate::recording::magnetometer::FieldUnit;
+
+/// Standard acceleration of free fall, m/s² (exact by definition, 3rd CGPM, 1901).
+pub(crate) const STANDARD_GRAVITY: f64 = 9.80665;
+
+macro_rules! unit {
+    ($(#[$doc:meta])* $name:ident { $($(#[$entry:meta])* $variant:ident = $spelling:literal $(| $other:literal)*,)* }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum $name { $($(#[$entry])* $variant,)* }
+
+        impl $name {
+            /// The usual spelling.
+            pub fn name(self) -> &'static str {
+                match self { $(Self::$variant => $spelling,)* }
+            }
+
+            /// The unit that `text` (lower case, without blanks) spells.
+            fn spelled(text: &str) -> Option<Self> {
+                match text { $($spelling $(| $other)* => Some(Self::$variant),)* _ => None }
+            }
+        }
+
+        impl FromStr for $name {
+            type Err = String;
+
+            fn from_str(text: &str) -> Result<Self, String> {
+                let known = [$($spelling),*].join(", ");
+                Self::spelled(&normal(text)).ok_or_else(|| format!("unknown unit; known: {known}"))
+            }
+        }
+    };
+}
+
+unit! {
+    /// Unit of time stamps.
+    TimeUnit {
+        /// Seconds.
+        Seconds = "s",
+        /// Milliseconds.
+        Milliseconds = "ms" | "millis",
+        /// Tenths of milliseconds.
+        TenthMilliseconds = "0.1ms" | "100us",
+        /// Microseconds.
+        Microseconds = "us" | "µs" | "micros",
+        /// Nanoseconds.
+        Nanoseconds = "ns" | "nanos",
+    }
+}
+
+unit! {
+    /// Unit of an accelerometer.
+    AccelUnit {
+        /// Metres per second squared.
+        MetresPerSecondSquared = "m/s^2" | "m/s2" | "m/s²" | "m/s/s" | "ms^-2" | "ms-2" | "m.s-2" | "m*s^-2" | "ms⁻²" | "mps2" | "ms2",
+        /// Standard gravity, 9.80665 m/s².
+        G = "g" | "g0" | "gs",
+        /// Thousandths of standard gravity.
+        MilliG = "mg" | "milli-g",
+        /// Centimetres per second squared.
+        Gal = "cm/s^2" | "cm/s2" | "cm/s²" | "gal",
+        /// Raw counts: kept as they are.
+        Counts = "counts" | "lsb" | "raw" | "adc",
+    }
+}
+
+unit! {
+    /// Unit of a gyroscope.
+    GyroUnit {
+        /// Radians per second.
+        RadiansPerSecond = "rad/s" | "rads" | "rads^-1" | "rads-1" | "rad.s-1" | "rad*s^-1" | "rads⁻¹",
+        /// Degrees per second.
+        DegreesPerSecond = "deg/s" | "°/s" | "dps" | "degs" | "degs^-1" | "degs-1" | "º/s",
+        /// Thousandths of degrees per second.
+        MilliDegreesPerSecond = "mdeg/s" | "mdps" | "m°/s",
+        /// Raw counts: kept as they are.
+        Counts = "counts" | "lsb" | "raw" | "adc",
+    }
+}
+
+unit! {
+    /// Unit of a temperature.
+    TemperatureUnit {
+        /// Degrees Celsius.
+        Celsius = "c" | "°c" | "degc" | "celsius" | "ºc",
+        /// Kelvin.
+        Kelvin = "k" | "kelvin",
+        /// Degrees Fahrenheit.
+        Fahrenheit = "f" | "°f" | "degf" | "fahrenheit",
+    }
+}
+
+/// Parts of units in words, and what stands for them.
+const WORDS: [(&str, &str); 10] = [
+    ("degrees", "deg"),
+    ("degree", "deg"),
+    ("radians", "rad"),
+    ("radian", "rad"),
+    ("seconds", "s"),
+    ("second", "s"),
+    ("secs", "s"),
+    ("sec", "s"),
+    ("per", "/"),
+    ("**", "^"),
+];
+
+/// Lower case without blanks and underscores, words as their signs: `deg per sec` as `deg/s`.
+fn normal(text: &str) -> String {
+    let text = text.trim().replace('μ', "µ");
+    let text = text
+        .chars()
+        .filter(|c| !c.is_whitespace() && *c != '_')
+        .flat_map(char::to_lowercase)
+        .collect();
+    WORDS
+        .iter()
+        .fold(text, |text: String, (word, sign)| text.replace(word, sign))
+}
+
+/// True for what is written as a unit of a sensor is, known or not: `rev/s`, `cdps`, `rpm`.
+pub(crate) fn looks_like_unit(text: &str) -> bool {
+    let text = normal(text);
+    let is_rate = text.ends_with("ps") || text.ends_with("pm") || text.contains("s-1");
+    text.contains(['/', '^', '²']) || is_rate || text.ends_with("s2")
+}
+
+/// True if `text` spells a unit of any of the quantities.
+pub(crate) fn is_unit(text: &str) -> bool {
+    text.parse::<TimeUnit>().is_ok()
+        || text.parse::<AccelUnit>().is_ok()
+        || text.parse::<GyroUnit>().is_ok()
+        || text.parse::<TemperatureUnit>().is_ok()
+}
+
+/// True if `text` spells a unit of an accelerometer or a gyroscope.
+pub(crate) fn is_of_sensor(text: &str) -> bool {
+    text.parse::<AccelUnit>().is_ok() || text.parse::<GyroUnit>().is_ok()
+}
+
+/// Units that a header states.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Stated {
+    /// Of the time column.
+    pub time: Option<TimeUnit>,
+    /// Of the accelerometer columns.
+    pub accel: Option<AccelUnit>,
+    /// Of the gyroscope columns.
+    pub gyro: Option<GyroUnit>,
+    /// Of the temperature column.
+    pub temperature: Option<TemperatureUnit>,
+    /// Of the magnetometer columns.
+    pub field: Option<FieldUnit>,
+}
+
+impl TimeUnit {
+    /// The units that stamps without one may have, the longest first.
+    pub const ALL: [Self; 4] = [
+        Self::Seconds,
+        Self::Milliseconds,
+        Self::Microseconds,
+        Self::Nanoseconds,
+    ];
+
+    /// How many of it make a second.
+    pub fn per_second(self) -> f64 {
+        match self {
+            Self::Seconds => 1.0,
+            Self::Milliseconds => 1e3,
+            Self::TenthMilliseconds => 1e4,
+            Self::Microseconds => 1e6,
+            Self::Nanoseconds => 1e9,
+        }
+    }
+}
+
+impl AccelUnit {
+    /// m/s² per unit; 1 for counts.
+    pub fn scale(self) -> f64 {
+        match self {
+            Self::MetresPerSecondSquared | Self::Counts => 1.0,
+            Self::G => STANDARD_GRAVITY,
+            Self::MilliG => STANDARD_GRAVITY / 1e3,
+            Self::Gal => 0.01,
+        }
+    }
+}
+
+impl GyroUnit {
+    /// rad/s per unit; 1 for counts.
+    pub fn scale(self) -> f64 {
+        match self {
+            Self::RadiansPerSecond | Self::Counts => 1.0,
+            Self::DegreesPerSecond => 1f64.to_radians(),
+            Self::MilliDegreesPerSecond => 1e-3f64.to_radians(),
+        }
+    }
+}
+
+impl TemperatureUnit {
+    /// A reading in °C.
+    pub fn celsius(self, reading: f64) -> f64 {
+        match self {
+            Self::Celsius => reading,
+            Self::Kelvin => reading - 273.15,
+            Self::Fahrenheit => (reading - 32.0) / 1.8,
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! The unit of a gyroscope from the turns between rests, where gravity says how far they went.
+
+use nalgebra::{Rotation3, Unit, Vector3};
+
+use super::rests::{rests, sphere};
+use crate::averages::median;
+use crate::recording::Stream;
+use crate::units::GyroUnit;
+
+/// Units that are told apart.
+const UNITS: [GyroUnit; 3] = [
+    GyroUnit::RadiansPerSecond,
+    GyroUnit::DegreesPerSecond,
+    GyroUnit::MilliDegreesPerSecond,
+];
+/// Turns that tilt less say little, rad.
+const TILT: f64 = 0.4;
+/// Longer turns gather too much error, s.
+const LONGEST: f64 = 60.0;
+/// Samples looked at: an hour's, at 100 Hz.
+const LOOKED_AT: usize = 360_000;
+/// Turns looked at.
+const TURNS: usize = 60;
+/// The right unit predicts gravity to this, rad, and the others miss it by three times as much.
+const WITHIN: f64 = 0.2;
+
+/// The unit in which the turns of `gyro` are those that `accel` saw; `None` where they do not tell. The scale of
+/// `accel` plays no part.
+pub(crate) fn turn_unit(accel: &Stream, gyro: &Stream) -> Option<GyroUnit> {
+    let count = gyro.len().min(LOOKED_AT);
+    let matched: Option<Vec<Vector3<f64>>> = gyro.t[..count].iter().map(|&t| accel.at(t)).collect();
+    let rests = rests(&matched?, &gyro.values[..count]);
+    let means: Vec<Vector3<f64>> = rests.iter().map(|rest| rest.means[0]).collect();
+    let centre = sphere(&means).map_or(Vector3::zeros(), |(centre, _)| centre);
+    let mut errors: [Vec<f64>; 3] = Default::default();
+    for pair in rests.windows(2) {
+        let [up, then] = [0, 1].map(|k| (pair[k].means[0] - centre).normalize());
+        let (from, to) = (pair[0].to, pair[1].from);
+        let time = gyro.t[to] - gyro.t[from - 1];
+        if up.angle(&then) < TILT || time > LONGEST || errors[0].len() == TURNS {
+            continue;
+        }
+        for (unit, errors) in UNITS.iter().zip(&mut errors) {
+            let turned = turn(gyro, from - 1..to + 1, &pair[0].means[1], unit.scale()) * up;
+            errors.push(turned.angle(&then));
+        }
+    }
+    if errors[0].len() < 3 {
+        return None;
+    }
+    let usual = errors.into_iter().map(median).zip(UNITS);
+    let mut medians: Vec<(f64, GyroUnit)> = usual
+        .filter_map(|(error, unit)| Some((error?, unit)))
+        .collect();
+    medians.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let (best, unit) = medians[0];
+    (best < WITHIN && medians[1].0 > 3.0 * best.max(0.05)).then_some(unit)
+}
+
+/// How a direction that stands still turns in the frame of a device that turns at `scale (gyro - bias)`.
+fn turn(
+    gyro: &Stream,
+    range: std::ops::Range<usize>,
+    bias: &Vector3<f64>,
+    scale: f64,
+) -> Rotation3<f64> {
+    let mut turn = Rotation3::identity();
+    for at in range.start..range.end.min(gyro.len()).saturating_sub(1) {
+        let step = gyro.t[at + 1] - gyro.t[at];
+        let rate = ((gyro.values[at] + gyro.values[at + 1]) / 2.0 - bias) * scale;
+        if let Some(axis) = Unit::try_new(rate, 0.0) {
+            turn = Rotation3::from_axis_angle(&axis, -rate.norm() * step) * turn;
+        }
+    }
+    turn
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_unit_is_that_in_which_turns_are_those_of_gravity() {
+        for unit in UNITS {
+            let (mut accel, mut gyro) = (Stream::default(), Stream::default());
+            let mut attitude = Rotation3::identity();
+            for place in 0..8 {
+                let axis = Unit::new_normalize(Vector3::new(1.0, f64::from(place % 3) - 1.0, 0.3));
+                for k in 0..400 {
+                    // Slow turns: their numbers in deg/s are possible in rad/s.
+                    let speed = if k < 200 { 0.0 } else { 0.6 };
+                    let t = f64::from(place * 400 + k) * 0.01;
+                    let noise =
+                        Vector3::from_fn(|i, _| 1e-3 * (f64::from(k * 5) + 2.0 * i as f64).sin());
+                    attitude = Rotation3::from_axis_angle(&axis, -speed * 0.01) * attitude;
+                    accel.t.push(t);
+                    gyro.t.push(t);
+                    accel.values.push(
+                        attitude * Vector3::z() * 1024.0 + noise * 100.0 + Vector3::x() * 300.0,
+                    );
+                    gyro.values.push(
+                        (axis.into_inner() * speed + noise + Vector3::y() * 0.02) / unit.scale(),
+                    );
+                }
+            }
+            assert_eq!(turn_unit(&accel, &gyro), Some(unit));
+        }
+    }
+}

@@ -1,0 +1,224 @@
+//! Values that no working sensor gives, and values at its rails.
+
+use std::ops::Range;
+
+use nalgebra::Vector3;
+use sensor::Sensor;
+
+use crate::Error;
+use crate::readings::{LevelChange, level_change};
+use crate::recording::options::Role;
+use crate::recording::samples::Samples;
+use crate::shown::figure;
+use crate::source::place::{at_line, in_file};
+
+/// Samples from which on statistics mean something.
+pub(crate) const ENOUGH: usize = 100;
+/// No unit makes a sensor's largest reading smaller.
+const TINIEST: f64 = 1e-9;
+/// A step that a 16-bit register can only take by overflowing: from one rail to the other.
+const OVERFLOW: f64 = 60_000.0;
+
+/// Checks all samples of a sensor, in the file's unit.
+///
+/// # Errors
+/// [`Error::Input`] for an axis that never changes, is absurdly small, or overflows 16 bits.
+pub(crate) fn check(
+    name: &str,
+    sensor: Sensor,
+    samples: &Samples,
+    warnings: &mut Vec<String>,
+) -> Result<(), Error> {
+    if sensor == Sensor::Accelerometer
+        && samples.t.len() >= ENOUGH
+        && let Some(change) = level_change(&samples.values)
+    {
+        return Err(of_another_level(name, samples, &change));
+    }
+    let sixteen_bits = are_integers(samples.values.iter());
+    let ranges = ranges(&samples.values);
+    for (axis, (low, high)) in ranges.into_iter().enumerate() {
+        let called = format!("{} {}", sensor.name(), ["x", "y", "z"][axis]);
+        if samples.t.len() >= ENOUGH && low == high {
+            return Err(stuck(name, &called, samples, low));
+        }
+        if let Some(run) = stuck_within(samples, axis) {
+            return Err(stopped(
+                name,
+                &called,
+                column(sensor, axis),
+                samples,
+                axis,
+                run,
+            ));
+        }
+        let peak = high.max(-low);
+        if peak > 0.0 && peak < TINIEST {
+            return Err(in_file(
+                name,
+                format!("{called} never exceeds {peak:e}: wrong unit?"),
+            ));
+        }
+        if sixteen_bits {
+            refuse_overflow(name, &called, samples, axis)?;
+        }
+        if !is_full_scale(sensor, peak, sixteen_bits) {
+            continue;
+        }
+        let column = || samples.values.iter().map(move |value| value[axis]);
+        let rows = [low, high].map(|rail| at_rail(column(), rail));
+        if let Some(rows) = rows.into_iter().max().filter(|&rows| rows > 0) {
+            warnings.push(format!(
+                "{name}: {called} is saturated at {} in {rows} rows; the rates or forces there are larger",
+                figure(peak)
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Smallest and largest value of each axis.
+fn ranges(values: &[Vector3<f64>]) -> [(f64, f64); 3] {
+    let mut ranges = [(f64::MAX, f64::MIN); 3];
+    for value in values {
+        for (&v, (low, high)) in value.iter().zip(&mut ranges) {
+            *low = if v < *low { v } else { *low };
+            *high = if v > *high { v } else { *high };
+        }
+    }
+    ranges
+}
+
+fn stuck(name: &str, called: &str, samples: &Samples, value: f64) -> Error {
+    let why = if value == 0.0 {
+        "disconnected?"
+    } else {
+        "stuck?"
+    };
+    let last = samples.line(samples.t.len() - 1);
+    at_line(
+        name,
+        samples.line(0),
+        format!(
+            "{called} is {} in every row up to line {last}: {why} Record again, or leave the sensor out",
+            figure(value)
+        ),
+    )
+}
+
+/// The column of an axis in plain CSV.
+fn column(sensor: Sensor, axis: usize) -> &'static str {
+    Role::axis(sensor, axis).name()
+}
+
+fn stuck_within(samples: &Samples, axis: usize) -> Option<Range<usize>> {
+    (samples.t.len() >= ENOUGH).then(|| crate::readings::stuck(&samples.values, axis))?
+}
+
+fn stopped(
+    name: &str,
+    called: &str,
+    column: &str,
+    samples: &Samples,
+    axis: usize,
+    run: Range<usize>,
+) -> Error {
+    at_line(
+        name,
+        samples.line(run.start),
+        format!(
+            "{called} ({column}) is stuck at {} from here to line {} ({} rows) while the other axes go on; cut these rows out, or record again",
+            figure(samples.values[run.start][axis]),
+            samples.line(run.end - 1),
+            run.len()
+        ),
+    )
+}
+
+fn of_another_level(name: &str, samples: &Samples, change: &LevelChange) -> Error {
+    let ratio = change.before / change.after;
+    let is = |factor: f64| (ratio / factor - 1.0).abs() < 0.1;
+    let g = crate::units::STANDARD_GRAVITY;
+    let why = [
+        (g, "from m/s² to g"),
+        (1.0 / g, "from g to m/s²"),
+        (1e-3 * g, "from m/s² to mg"),
+        (1e3 / g, "from mg to m/s²"),
+        (1e-3, "from g to mg"),
+        (1e3, "from mg to g"),
+    ];
+    let why = why.into_iter().find(|(factor, _)| is(*factor));
+    at_line(
+        name,
+        samples.line(change.at),
+        format!(
+            "the accelerometer's modulus is {:.3} up to here and {:.3} from here on: {}; split the file here, or record again",
+            change.before,
+            change.after,
+            why.map_or(
+                "another unit, another range or other columns".to_owned(),
+                |(_, why)| { format!("the unit changes {why}") }
+            )
+        ),
+    )
+}
+
+fn refuse_overflow(name: &str, called: &str, samples: &Samples, axis: usize) -> Result<(), Error> {
+    let jump = |w: &[Vector3<f64>]| (w[1][axis] - w[0][axis]).abs() > OVERFLOW;
+    let Some(at) = samples.values.windows(2).position(jump) else {
+        return Ok(());
+    };
+    let (from, to) = (samples.values[at][axis], samples.values[at + 1][axis]);
+    Err(at_line(
+        name,
+        samples.line(at + 1),
+        format!(
+            "{called} jumps from {from} to {to}: a 16-bit overflow; record with a larger range"
+        ),
+    ))
+}
+
+/// Rows at `rail` that stand in runs of three or more.
+fn at_rail(column: impl Iterator<Item = f64>, rail: f64) -> usize {
+    let mut total = 0;
+    let mut run = 0;
+    for value in column.chain([f64::NAN]) {
+        if value == rail {
+            run += 1;
+        } else {
+            total += if run >= 3 { run } else { 0 };
+            run = 0;
+        }
+    }
+    total
+}
+
+/// True if `peak` is where sensors of the usual ranges end, within 5 %.
+fn is_full_scale(sensor: Sensor, peak: f64, integers: bool) -> bool {
+    const G: f64 = crate::units::STANDARD_GRAVITY;
+    let near = |scale: f64| (peak / scale - 1.0).abs() < 0.05;
+    if integers && peak > 500.0 {
+        return [11, 15, 19, 23]
+            .into_iter()
+            .any(|bits| (peak - 2f64.powi(bits)).abs() <= 1.0);
+    }
+    match sensor {
+        Sensor::Accelerometer => [2.0, 4.0, 8.0, 16.0, 32.0]
+            .iter()
+            .any(|&r| near(r * G) || near(r)),
+        Sensor::Gyroscope => [125.0f64, 250.0, 500.0, 1000.0, 2000.0, 4000.0]
+            .iter()
+            .any(|r| near(*r) || near(r.to_radians())),
+        // Ranges of magnetometers are as many as there are sensors.
+        Sensor::Magnetometer => false,
+    }
+}
+
+/// True if every value is a whole number that 16 bits with a sign can hold.
+pub(crate) fn are_integers<'a>(mut values: impl Iterator<Item = &'a Vector3<f64>>) -> bool {
+    values.all(|value| {
+        value
+            .iter()
+            .all(|v| v.fract() == 0.0 && v.abs() <= 32_768.0)
+    })
+}
