@@ -17,7 +17,7 @@ mod show;
 mod terminal;
 mod threads;
 
-pub use commands::figures;
+pub use commands::shared::figures;
 
 use std::ffi::OsString;
 use std::panic::AssertUnwindSafe;

@@ -48,7 +48,7 @@ fn arrays_are_read_as_a_plain_csv_with_their_numbers() {
             t: &t,
             accel: &accel,
             gyro: &gyro,
-            temperature: &[],
+            ..Rows::default()
         };
         let ours = Recording::from_rows("mine", rows).unwrap();
         let text = to_csv(&mut Recording {
@@ -91,7 +91,7 @@ fn what_is_wrong_with_arrays_is_named_with_row_and_column() {
             t: &t,
             accel: &accel,
             gyro: &gyro,
-            temperature: &[],
+            ..Rows::default()
         };
         let error = Recording::from_rows("mine", rows).unwrap_err();
         assert!(matches!(error, Error::Input(_)));

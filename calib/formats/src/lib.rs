@@ -13,24 +13,19 @@
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod ardupilot;
-mod bag;
 mod bytes;
 pub mod container;
 #[cfg(test)]
 mod damage;
-mod db3;
 mod error;
 mod format;
 mod limits;
 pub mod make;
 mod mat;
-mod mcap;
 mod registry;
-mod ros_imu;
-mod sensor_logger_choice;
+mod ros;
 mod sensor_logger_json;
 mod shown;
-mod sqlite;
 mod stream;
 mod tables;
 mod ulog;

@@ -7,9 +7,9 @@ pub static FORMATS: &[&dyn Format] = &[
     &crate::mat::Mat,
     &crate::ulog::Ulog,
     &crate::ardupilot::ArduPilot,
-    &crate::mcap::Mcap,
-    &crate::bag::Bag,
-    &crate::db3::Db3,
+    &crate::ros::mcap::Mcap,
+    &crate::ros::bag::Bag,
+    &crate::ros::db3::Db3,
     &crate::sensor_logger_json::SensorLoggerJson,
 ];
 

@@ -1,5 +1,7 @@
 //! Sensor Logger's JSON: an array of `{"sensor", "time", "z", "y", "x"}`, numbers as strings.
 
+mod choice;
+
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -249,7 +251,7 @@ impl File {
             .iter()
             .map(|(sensor, count)| format!("{sensor} ({count} entries)"))
             .collect();
-        crate::sensor_logger_choice::choose(&mut content, turned);
+        crate::sensor_logger_json::choice::choose(&mut content, turned);
         content
     }
 }

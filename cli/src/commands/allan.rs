@@ -8,15 +8,15 @@ use std::path::{Path, PathBuf};
 use calib::intervals::Span;
 use calib::noise::{AtRest, CurvePoint, NoiseSummary, NoiseTerm, SensorNoise, TermValue};
 use sensor::Sensor;
+use source::{Source, listed, moved};
 
-use super::inputs::numbers;
-use super::pictures::{PictureArgs, named};
+use crate::commands::shared::inputs::numbers;
+use crate::commands::shared::pictures::{PictureArgs, named};
 use crate::exit::{Failure, USAGE};
 use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;
 use crate::report::{Axis, Figure, Level, Picture, Plot, Report, ReportTable, Series};
 use crate::show;
-use source::{Source, listed, moved};
 
 /// Names of the plots.
 const PLOTS: [&str; 2] = ["allan-gyroscope", "allan-accelerometer"];

@@ -6,7 +6,7 @@ use calib::Recording;
 use calib::calibration::{apply, load};
 use calib::recording::{field_names, stream_to_csv, to_csv, to_parquet};
 
-use super::inputs::{DeviceArgs, read};
+use crate::commands::shared::inputs::{DeviceArgs, read};
 use crate::exit::{Failure, USAGE};
 use crate::output::{Filled, Folder, Output, Replace};
 use crate::read_args::ReadArgs;

@@ -11,8 +11,8 @@ use calib::methods::online_bias::{
     LONG_ENOUGH, Stretch, gyroscope_stretches, update_accelerometer, update_gyroscope,
 };
 
-use super::inputs::{DetectorArgs, DeviceArgs, read};
-use super::pictures::{PictureArgs, named};
+use crate::commands::shared::inputs::{DetectorArgs, DeviceArgs, read};
+use crate::commands::shared::pictures::{PictureArgs, named};
 use crate::exit::Failure;
 use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;

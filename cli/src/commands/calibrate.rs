@@ -1,6 +1,12 @@
 //! `calibrate`: recordings to a calibration.
 
+pub mod clocks;
+pub mod joint;
 mod leave_out;
+pub mod left_out;
+pub mod limits;
+pub mod prior;
+mod six_position;
 pub mod tables;
 
 use std::path::PathBuf;
@@ -17,16 +23,14 @@ use calib::prior::Prior;
 use calib::recording::figure;
 use calib::residuals::Integrator;
 use clap::ValueEnum;
+use limits::{LimitArgs, gate};
 use nalgebra::Vector3;
 use sensor::AnyEffect;
 
-use super::inputs::{
+use crate::commands::shared::inputs::{
     ClockArg, DetectorArgs, PlaceArgs, RecordingArgs, as_paths, own_effects, read, spinner,
 };
-use super::limits::{self, LimitArgs, gate};
-use super::pictures::{PictureArgs, Pictures};
-use super::prior;
-use super::six_position;
+use crate::commands::shared::pictures::{PictureArgs, Pictures};
 use crate::exit::{Failure, INPUT, NOT_CONVERGED, NOT_ENOUGH, USAGE};
 use crate::output::{Output, Replace};
 use crate::pages::session::Session;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::apply::Target;
-use super::inputs::read;
+use crate::commands::shared::inputs::read;
 use crate::exit::{Failure, USAGE};
 use crate::output::Replace;
 use crate::read_args::ReadArgs;

@@ -10,8 +10,8 @@ use gyroscope::GyroGSensitivity;
 use sensor::Effect;
 
 use super::discover::{PLOTS, json, look, page, plots, verdict};
-use super::inputs::spinner;
-use super::pictures::named;
+use crate::commands::shared::inputs::spinner;
+use crate::commands::shared::pictures::named;
 use crate::exit::Failure;
 use crate::output::{Filled, Folder, Output, Replace};
 use crate::show;

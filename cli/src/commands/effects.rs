@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use calib::effect_file::catalogue_with;
 use serde_json::json;
 
-use super::inputs::own_effects;
+use crate::commands::shared::inputs::own_effects;
 use crate::exit::Failure;
 use crate::show;
 

@@ -2,8 +2,7 @@
 
 use std::path::PathBuf;
 
-use calib::calibrate::STANDARD_GRAVITY;
-use calib::calibrate::changes_part_way;
+use calib::calibrate::{STANDARD_GRAVITY, changes_part_way};
 use calib::calibration::load;
 use calib::limits::{LimitLine, judge_on};
 use calib::methods::cut;
@@ -11,9 +10,11 @@ use calib::readings::{findings, without_spikes};
 use calib::{Evaluation, evaluate};
 use serde_json::json;
 
-use super::inputs::{DetectorArgs, DeviceArgs, as_paths, check_gravity, read, spinner};
-use super::limits::{self, LimitArgs};
-use super::pictures::PictureArgs;
+use crate::commands::calibrate::limits::{self, LimitArgs};
+use crate::commands::shared::inputs::{
+    DetectorArgs, DeviceArgs, as_paths, check_gravity, read, spinner,
+};
+use crate::commands::shared::pictures::PictureArgs;
 use crate::exit::{Failure, USAGE};
 use crate::output::Replace;
 use crate::pages::evaluation;

@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use calib::Calibration;
-use calib::read_text;
+use calib::{Calibration, read_text};
 use exchange::import;
 
 use crate::exit::{Failure, INPUT, USAGE};

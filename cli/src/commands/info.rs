@@ -15,7 +15,7 @@ use ours::Ours;
 use sensor::Sensor;
 use serde_json::{Value, json};
 
-use super::inputs::read;
+use crate::commands::shared::inputs::read;
 use crate::exit::Failure;
 use crate::read_args::ReadArgs;
 use crate::show;

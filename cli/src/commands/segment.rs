@@ -9,8 +9,8 @@ use calib::methods::{Choice, cut};
 use calib::readings::findings;
 use serde_json::json;
 
-use super::inputs::{DetectorArgs, PlaceArgs, as_paths, read, spinner};
-use super::pictures::{PictureArgs, named};
+use crate::commands::shared::inputs::{DetectorArgs, PlaceArgs, as_paths, read, spinner};
+use crate::commands::shared::pictures::{PictureArgs, named};
 use crate::exit::Failure;
 use crate::output::{Output, Replace};
 use crate::pages::coverage::{self, Coverage};

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use calib::simulate::{EXAMPLE, FILES, Simulation, Spec};
 use sensor::Sensor;
 
-use super::inputs::spinner;
+use crate::commands::shared::inputs::spinner;
 use crate::exit::{Failure, USAGE};
 use crate::output::{Filled, Folder, Output, Replace};
 use crate::show;

@@ -7,7 +7,7 @@ use super::coverage::Coverage;
 use super::disturbed::Disturbed;
 use super::parameters;
 use super::session::Session;
-use crate::commands::limits;
+use crate::commands::calibrate::limits;
 use crate::report::{Figure, Level};
 use crate::show::capital;
 

@@ -8,11 +8,12 @@ use std::io::{Cursor, Read, Seek};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use directory::directory;
+use entry::unpacked;
+
 use crate::shown::shown;
 use crate::tables::Tabular;
 use crate::{Error, Limits};
-use directory::directory;
-use entry::unpacked;
 
 /// Folders within a folder that are looked into.
 const DEPTH: usize = 2;

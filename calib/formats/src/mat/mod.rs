@@ -9,14 +9,15 @@ mod variables;
 
 use std::io::Read;
 
-use crate::bytes::Bytes;
-use crate::format::Format;
-use crate::{Content, Error, Limits, Wanted};
 use body::{Body, Tag};
 use element::{COMPRESSED, Element, MATRIX};
 use objects::Objects;
 use value::{Value, Variable};
 use variables::Variables;
+
+use crate::bytes::Bytes;
+use crate::format::Format;
+use crate::{Content, Error, Limits, Wanted};
 #[cfg(feature = "hdf5")]
 pub(crate) use variables::quantity;
 

@@ -6,13 +6,14 @@ mod topics;
 
 use std::io::Read;
 
+use calibration::Parameters;
+use layout::Layouts;
+use topics::Topic;
+
 use crate::bytes::{Bytes, Fields};
 use crate::format::Format;
 use crate::stream::Recorder;
 use crate::{Content, Error, Limits, Wanted};
-use calibration::Parameters;
-use layout::Layouts;
-use topics::Topic;
 
 /// ULog files: `sensor_accel`, `sensor_gyro`, their FIFOs, and `sensor_combined` where those are not there.
 #[derive(Debug)]

@@ -1,10 +1,9 @@
 //! The topics of sensors.
 
+use super::layout::Layouts;
 use crate::bytes::Fields;
 use crate::stream::{Handle, Recorder};
 use crate::{Error, Quantity};
-
-use super::layout::Layouts;
 
 /// A topic that is read.
 #[derive(Debug)]

@@ -4,8 +4,8 @@ use calib::Recording;
 use calib::intervals::Span;
 use calib::noise::{RecordingCurves, Stillness, curves_of_long_csv};
 
-use super::super::inputs::{read, spinner};
 use super::Args;
+use crate::commands::shared::inputs::{read, spinner};
 use crate::exit::{Failure, NOT_ENOUGH};
 use crate::show;
 

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use batch::{merge, to_csv};
 
 use super::{failure, page, tables};
-use crate::commands::inputs::as_paths;
+use crate::commands::shared::inputs::as_paths;
 use crate::exit::Failure;
 use crate::output::{Output, Replace};
 use crate::show;

@@ -16,8 +16,8 @@ use batch::{
 use clap::Subcommand;
 use indicatif::{ProgressBar, ProgressStyle};
 
-use super::inputs::{ClockArg, DetectorArgs, PlaceArgs};
-use super::limits::LimitArgs;
+use crate::commands::calibrate::limits::LimitArgs;
+use crate::commands::shared::inputs::{ClockArg, DetectorArgs, PlaceArgs};
 use crate::exit::{Failure, GATE, INPUT, OUTPUT, USAGE};
 use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;

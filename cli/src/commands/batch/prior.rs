@@ -8,8 +8,8 @@ use calib::calibration::load;
 use calib::prior::Prior;
 
 use super::failure;
-use crate::commands::inputs::as_paths;
-use crate::commands::limits::number;
+use crate::commands::calibrate::limits::number;
+use crate::commands::shared::inputs::as_paths;
 use crate::exit::{Failure, INPUT};
 use crate::output::{Output, Replace};
 use crate::show;

@@ -6,7 +6,7 @@ use calib::calibrate::Outcome;
 use calib::calibration::{Calibration, MagneticField, RecordingField, Triad};
 use sensor::{PLACES, Sensor, base_names};
 
-use crate::commands::{clocks, joint, left_out};
+use super::{clocks, joint, left_out};
 use crate::show;
 
 /// Units of the readings of accelerometer and gyroscope.

@@ -12,18 +12,17 @@ use std::path::PathBuf;
 use calib::Recording;
 use calib::discover::{Discovery, Findings, Request, discover, noise_in, validate};
 use calib::recording::figure;
-
 use emit::Emit;
 pub use page::page;
 pub use plots::{PLOTS, plots};
 pub use tables::text;
 pub use words::verdict;
 
-use super::inputs::{
+use crate::commands::calibrate::limits::{self, gate};
+use crate::commands::shared::inputs::{
     ClockArg, DetectorArgs, PlaceArgs, RecordingArgs, as_paths, own_effects, read, spinner,
 };
-use super::limits::{self, gate};
-use super::pictures::{PictureArgs, named};
+use crate::commands::shared::pictures::{PictureArgs, named};
 use crate::exit::{Failure, USAGE};
 use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;

@@ -7,7 +7,7 @@ use calib::discover::{Discovery, EffectFinding, Findings, Proposal, Validation};
 use comfy_table::CellAlignment;
 
 use super::words::{self, chance, next_recordings, proposed, verdict};
-use crate::commands::clocks;
+use crate::commands::calibrate::clocks;
 use crate::show;
 
 /// A gap that is above this share of what it was has not shrunk.

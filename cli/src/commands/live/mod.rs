@@ -10,17 +10,17 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use calib::calibrate::Request;
+use events::Events;
 use live::{Aim, Batch, Event, Instruction, Opening, Session, Source, View, open};
+use screen::Screen;
+use web::Web;
 
 use super::convert::command_line;
-use super::inputs::PlaceArgs;
+use crate::commands::shared::inputs::PlaceArgs;
 use crate::exit::{Failure, USAGE};
 use crate::output::{Folder, Replace};
 use crate::read_args::ReadArgs;
 use crate::show;
-use events::Events;
-use screen::Screen;
-use web::Web;
 
 /// Guides through a recording while it is made, and calibrates it.
 ///

@@ -12,7 +12,7 @@ use serde_json::Value;
 
 use super::Args;
 use super::rivals::Rivals;
-use crate::commands::inputs::read as read_recording;
+use crate::commands::shared::inputs::read as read_recording;
 use crate::exit::{Failure, INPUT};
 use crate::show;
 

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 
 use calib::discover::{Aim, Design};
 use clap::ValueEnum;
+use known::Input;
 use nalgebra::Vector3;
 use plan::{
     Criterion, Efficiency, ForceMatrix, Noise, Pace, Plan, Protocol, REQUIREMENT, Timing, Words,
@@ -16,12 +17,11 @@ use plan::{
 };
 use serde_json::{Value, json};
 
-use super::inputs::DetectorArgs;
+use crate::commands::shared::inputs::DetectorArgs;
 use crate::exit::{Failure, USAGE};
 use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;
 use crate::show;
-use known::Input;
 
 /// Placements of a plan from nothing, and most that can be asked for.
 const PLACEMENTS: std::ops::RangeInclusive<usize> = 6..=60;
@@ -124,7 +124,7 @@ impl Named {
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
-    super::inputs::check_gravity(args.gravity)?;
+    crate::commands::shared::inputs::check_gravity(args.gravity)?;
     args.check()?;
     let inputs: Vec<&Path> = args.input.iter().map(PathBuf::as_path).collect();
     let claim = |path: &Option<PathBuf>| {

@@ -7,7 +7,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::Args;
-use crate::commands::inputs::spinner;
+use crate::commands::shared::inputs::spinner;
 use crate::exit::{Failure, INPUT};
 
 /// From here on a tie is told apart in 95 of 100 recordings, if not 20 to 1.

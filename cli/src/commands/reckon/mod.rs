@@ -11,14 +11,14 @@ use calib::reckon::published::Procedure;
 use calib::reckon::{Ending, Mode};
 use clap::ValueEnum;
 use nalgebra::Vector3;
+use solve::{Known, Named, Run};
 
-use super::inputs::{as_paths, numbers, read};
-use super::pictures::{PictureArgs, named};
+use crate::commands::shared::inputs::{as_paths, numbers, read};
+use crate::commands::shared::pictures::{PictureArgs, named};
 use crate::exit::{Failure, USAGE};
 use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;
 use crate::show;
-use solve::{Known, Named, Run};
 
 /// Solves the equations of motion for the motion in each recording, with each calibration and with
 /// the raw readings, and compares where it ends with where it ended.

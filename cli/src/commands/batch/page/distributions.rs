@@ -6,7 +6,7 @@ use calib::calibration::effect_named;
 use calib::limits::Limit;
 
 use super::values;
-use crate::commands::limits::number;
+use crate::commands::calibrate::limits::number;
 use crate::exit::Failure;
 use crate::report::{Axis, Plot, Report, ReportTable, Series};
 

@@ -3,7 +3,7 @@
 use batch::Record;
 use batch::statistics::{by_station, over_time, seconds};
 
-use crate::commands::limits::number;
+use crate::commands::calibrate::limits::number;
 use crate::report::{Report, ReportTable};
 use crate::show;
 

@@ -5,7 +5,7 @@ use batch::{Record, Status};
 
 use super::{ROWS, values};
 use crate::commands::batch::tables::short;
-use crate::commands::limits::number;
+use crate::commands::calibrate::limits::number;
 use crate::report::{Report, ReportTable};
 
 /// What was found in many devices.

@@ -15,8 +15,7 @@ use sensor::AnyEffect;
 
 use crate::exit::{Failure, USAGE};
 use crate::read_args::ReadArgs;
-use crate::show;
-use crate::terminal;
+use crate::{show, terminal};
 
 /// Recordings of one device, as files or as a pair of texts.
 #[derive(Debug, clap::Args)]

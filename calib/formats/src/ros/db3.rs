@@ -3,8 +3,8 @@
 use std::io::{Cursor, Read};
 
 use crate::format::{Format, ReadSeek};
-use crate::ros_imu::{Encoding, Topics};
-use crate::sqlite::{Database, Value};
+use crate::ros::imu::{Encoding, Topics};
+use crate::ros::sqlite::{Database, Value};
 use crate::stream::Recorder;
 use crate::{Content, Error, Limits, Wanted};
 

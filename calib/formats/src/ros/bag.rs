@@ -5,7 +5,7 @@ use std::io::Read;
 
 use crate::bytes::{Bytes, Fields};
 use crate::format::Format;
-use crate::ros_imu::{Encoding, Topics};
+use crate::ros::imu::{Encoding, Topics};
 use crate::stream::Recorder;
 use crate::unpack::Chunks;
 use crate::{Content, Error, Limits, Wanted};

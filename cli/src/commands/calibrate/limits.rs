@@ -7,8 +7,7 @@ use calib::calibration::Triad;
 use calib::limits::{Bound, Limit, LimitLine, Limits, built_in, judge, read_limits};
 
 use crate::exit::{Failure, GATE};
-use crate::report;
-use crate::show;
+use crate::{report, show};
 
 /// Limits that the result must keep.
 #[derive(Clone, Debug, Default, clap::Args)]

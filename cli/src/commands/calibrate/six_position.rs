@@ -12,7 +12,7 @@ use calib::{Calibration, Recording};
 use nalgebra::Vector3;
 
 use super::limits::{self, gate};
-use super::pictures::{Pictures, named};
+use crate::commands::shared::pictures::{Pictures, named};
 use crate::exit::Failure;
 use crate::output::Output;
 use crate::pages::coverage::Coverage;

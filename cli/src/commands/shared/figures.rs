@@ -4,7 +4,7 @@ use calib::Recording;
 use calib::calibrate::Outcome;
 use calib::discover::Discovery;
 
-use super::{calibrate, discover};
+use crate::commands::{calibrate, discover};
 use crate::pages::calibration;
 use crate::report::Picture;
 
