@@ -26,6 +26,10 @@ const QUIET: f64 = 2.0;
 /// Rows that leave so much by chance only do not scatter.
 const UNLIKELY: f64 = 1e-3;
 
+/// A walk through the whole recording is the better account of what differs between rests where the data are so many
+/// times likelier under it (log) than under scatter from rest to rest.
+const WALKS: f64 = 2.0;
+
 /// Prior chance of no walk at all, over that of any.
 const NONE: f64 = 1.0;
 
@@ -50,6 +54,8 @@ pub struct Analysis {
     orientation: Vec<(ComponentKind, Mat<f64>)>,
     /// How the gyroscope's means, then the turns, feel its bias.
     rate_exposures: Vec<Exposure>,
+    /// Whether the walk of the accelerometer's bias begins anew in every rest.
+    pub walk_ends_with_rests: bool,
 }
 
 impl Analysis {
@@ -67,6 +73,7 @@ impl Analysis {
             orientation: Vec::new(),
             components: walks(noise, &white),
             rate_exposures: whitened(&noise.exposures[1], &white),
+            walk_ends_with_rests: false,
             white,
         }
     }
@@ -95,10 +102,10 @@ impl Analysis {
                 })
                 .collect();
             if quieter_ratio(ratios) > MISFIT {
-                if kind == ComponentKind::ForceScatter {
-                    self.end_walk_with_rests(rows);
-                }
                 self.allow(rows, kind, &groups);
+                if kind == ComponentKind::ForceScatter {
+                    self.end_walk_with_rests(rows, &taken);
+                }
             }
         }
         self.components.len() > before
@@ -217,18 +224,42 @@ impl Analysis {
         });
     }
 
-    /// Lets the walk of the accelerometer's bias begin anew in every rest.
+    /// Lets the walk of the accelerometer's bias begin anew in every rest, unless the rows, whose columns `taken` are
+    /// fitted, are likelier with a walk through the whole recording.
     ///
     /// What the model misses from rest to rest depends on the orientation, and orientations are
     /// recorded in some order: a walk through the whole recording would take it for its own, and
     /// believe neighbouring rests too little and those near the reference time too much. What differs between
-    /// rests is then left to their scatter, and the walk to what is seen within them.
-    fn end_walk_with_rests(&mut self, rows: &Rows<'_>) {
-        let walk = walk_within_rests(rows, &self.white);
-        self.components
-            .iter_mut()
-            .filter(|c| c.kind == ComponentKind::AccelerometerWalk)
-            .for_each(|c| c.covariance.clone_from(&walk));
+    /// rests is then left to their scatter, and the walk to what is seen within them. A bias that does drift
+    /// leaves the same misfit, but neighbouring rests agree: as scatter it would count as independent in every
+    /// rest, and the mean bias would pass for known far better than it is.
+    fn end_walk_with_rests(&mut self, rows: &Rows<'_>, taken: &Mat<f64>) {
+        let within = Component {
+            kind: ComponentKind::AccelerometerWalk,
+            covariance: walk_within_rests(rows, &self.white),
+        };
+        let is_walk = |c: &Component| c.kind == ComponentKind::AccelerometerWalk;
+        let Some(place) = self.components.iter().position(is_walk) else {
+            return;
+        };
+        let through = self.likelihood_of_noise(taken);
+        let whole = std::mem::replace(&mut self.components[place], within);
+        if through - self.likelihood_of_noise(taken) > WALKS {
+            self.components[place] = whole;
+        } else {
+            self.walk_ends_with_rests = true;
+        }
+    }
+
+    /// The highest restricted log-likelihood of walks and scatter, the columns `taken` fitted, up to a constant.
+    fn likelihood_of_noise(&self, taken: &Mat<f64>) -> f64 {
+        let own = self.components.iter();
+        let own = own.filter(|c| c.kind.is_walk() || !c.kind.is_noise());
+        let own: Vec<&Mat<f64>> = own
+            .filter(|c| !c.kind.is_of_orientation())
+            .map(|c| &c.covariance)
+            .collect();
+        Restricted::new(&self.residuals, taken, &own).highest()
     }
 
     /// What a shift of the gyroscope's reading in every rest does to the rows (`m × 3 rests`), whitened: what shifts it
