@@ -151,6 +151,9 @@ impl Run<'_> {
         if more {
             levels = self.measured(analysis, &all(&found));
         }
+        if self.request.bias_noise.is_none() {
+            analysis.doubt_turns(rows, &all(&found), &mut levels);
+        }
         found.sort_unstable();
         let found = found.iter().map(|&k| candidates[k].clone()).collect();
         (levels, found)
