@@ -14,7 +14,7 @@ use recording::readings::{COARSE, dead_zones};
 /// Neighbouring rests of a wandering bias resemble each other: where their lag-one correlation `ρ` is
 /// significant the variance of the mean grows by `(1 + ρ)/(1 − ρ)`, at most to that of a single rest.
 /// Where the least significant bit is more than 1.7 times what the readings spread by, `LSB/√12` stays however many samples
-/// there are: the bias is the same in every rest, and so is what rounding makes of it. A dead zone is one wide step at zero.
+/// there are: the bias is the same in every rest, and so is what rounding makes of it. A dead zone leaves an error of its own.
 pub(super) fn rest_bias(
     recording: &Recording,
     segmentation: &Segmentation,
@@ -45,7 +45,8 @@ pub(super) fn rest_bias(
         } else {
             0.0
         };
-        let floor = step.max(2.0 * dead[axis]) / 12f64.sqrt();
+        let dead = dead[axis].map_or(0.0, |zone| zone.error_of_mean());
+        let floor = f64::max(step / 12f64.sqrt(), dead);
         // With few rests their scatter is known badly: Student's t.
         let widened = between.sqrt() * widening(rests.len() - 1);
         Some(widened.max(floor))

@@ -40,23 +40,39 @@ pub(super) fn found(of: &OfSensor<'_>) -> Option<Finding> {
     })
 }
 
-/// Half the width of the dead zone of each axis of a gyroscope, from its samples in stretches of rest (3); 0 where an axis
-/// has none.
-pub fn dead_zones(stream: &Stream, rests: &[Range<usize>]) -> Vector3<f64> {
-    Vector3::from_fn(|axis, _| {
+/// The dead zone of each axis of a gyroscope as it reads, from its samples in stretches of rest; none where an axis has
+/// none.
+///
+/// A zone that one axis shows is one of the sensor: where another axis reads zero now and then, its bias lies near the
+/// edge and its mean is off by what those readings left out.
+pub fn dead_zones(stream: &Stream, rests: &[Range<usize>]) -> [Option<DeadZone>; 3] {
+    let at_rest = |axis: usize| {
         let rests = rests.iter().flat_map(|rest| &stream.values[rest.clone()]);
-        let zone = DeadZone::of(rests.map(|v| v[axis]), &stream.values, axis);
-        zone.map_or(0.0, |zone| zone.edge)
+        rests.map(move |v| v[axis])
+    };
+    let shown = [0, 1, 2].map(|axis| DeadZone::of(at_rest(axis), &stream.values, axis));
+    let widest = shown
+        .iter()
+        .flatten()
+        .map(|zone| zone.edge)
+        .reduce(f64::max);
+    std::array::from_fn(|axis| {
+        shown[axis].or_else(|| {
+            let share = share_of_zeros(at_rest(axis));
+            widest
+                .filter(|_| share > 0.0)
+                .map(|edge| DeadZone { share, edge })
+        })
     })
 }
 
 /// What an axis shows that reads zero at rest.
-#[derive(Clone, Copy, Debug)]
-struct DeadZone {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DeadZone {
     /// Of the readings at rest that are zero.
     share: f64,
     /// The smallest reading beside zero: half the width of the zone.
-    edge: f64,
+    pub edge: f64,
 }
 
 impl DeadZone {
@@ -65,12 +81,7 @@ impl DeadZone {
         values: &[Vector3<f64>],
         axis: usize,
     ) -> Option<Self> {
-        let (mut all, mut zeros) = (0usize, 0usize);
-        for value in at_rest {
-            all += 1;
-            zeros += usize::from(value == 0.0);
-        }
-        let share = zeros as f64 / all.max(1) as f64;
+        let share = share_of_zeros(at_rest);
         if share < SHARE {
             return None;
         }
@@ -78,5 +89,70 @@ impl DeadZone {
         let largest = values.iter().map(|v| v[axis].abs()).fold(0.0, f64::max);
         let step = least_step(values, axis)?;
         (edge > WIDE * step || step < FINE * largest).then_some(Self { share, edge })
+    }
+
+    /// Whether it is zero that the axis reads at rest, not only at times.
+    pub fn hides_the_bias(&self) -> bool {
+        self.share >= SHARE
+    }
+
+    /// Standard error of the mean of any number of readings at rest, in the unit of the zone: a bias within the zone lies
+    /// anywhere in it; one at its edge is off by the readings that are zero instead of nearly the edge.
+    pub fn error_of_mean(&self) -> f64 {
+        (self.share * self.edge).min(self.edge / 3f64.sqrt())
+    }
+}
+
+fn share_of_zeros(values: impl Iterator<Item = f64>) -> f64 {
+    let (mut all, mut zeros) = (0usize, 0usize);
+    for value in values {
+        all += 1;
+        zeros += usize::from(value == 0.0);
+    }
+    zeros as f64 / all.max(1) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::SeedableRng;
+    use rand_distr::{Distribution, Normal};
+
+    #[test]
+    fn a_bias_at_the_edge_of_the_zone_is_as_uncertain_as_its_mean_is_off() {
+        let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(3);
+        let biases = Vector3::new(0.005, 0.021, 0.04);
+        let noise = Normal::new(0.0, 1e-3).unwrap();
+        let dead = |v: f64| if v.abs() < 0.02 { 0.0 } else { v };
+        let values: Vec<Vector3<f64>> = (0..20_000)
+            .map(|k| {
+                // The last quarter turns.
+                let rate = if k < 15_000 {
+                    0.0
+                } else {
+                    (0.01 * f64::from(k)).sin()
+                };
+                biases.map(|b| dead(b + rate + noise.sample(&mut random)))
+            })
+            .collect();
+        let t = (0..20_000).map(|k| 0.01 * f64::from(k)).collect();
+        let stream = Stream { t, values };
+        let rest = 0..15_000;
+        let [x, y, z] = dead_zones(&stream, std::slice::from_ref(&rest));
+        let x = x.unwrap();
+        assert!(
+            x.hides_the_bias() && (x.edge / 0.02 - 1.0).abs() < 1e-3,
+            "{x:?}"
+        );
+        // Uniform in ±.02.
+        assert!((x.error_of_mean() / 0.02 * 3f64.sqrt() - 1.0).abs() < 1e-3);
+        let y = y.unwrap();
+        let mean = stream.values[rest].iter().map(|v| v.y).sum::<f64>() / 15_000.0;
+        let off = (mean - biases.y).abs();
+        assert!(
+            !y.hides_the_bias() && (y.error_of_mean() / off - 1.0).abs() < 0.15,
+            "{y:?} {off}"
+        );
+        assert_eq!(z, None);
     }
 }

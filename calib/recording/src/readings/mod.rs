@@ -17,7 +17,7 @@ mod stuck;
 mod vibration;
 
 pub(crate) use clipping::limits;
-pub use dead_zone::dead_zones;
+pub use dead_zone::{DeadZone, dead_zones};
 pub(crate) use erased_tail::cut_erased_tail;
 pub use finding::Finding;
 pub use hand::FASTEST_HAND;

@@ -15,6 +15,8 @@ pub(super) struct Weights {
     pub accused: Vec<Suspect>,
     /// Kinds of noise beside the white one, as covariances of the rows.
     pub components: Vec<Component>,
+    /// Whether the walk of the accelerometer's bias begins anew in every rest.
+    pub walk_ends_with_rests: bool,
     /// What makes the rows white.
     pub whitening: Whitening,
     /// What the errors are larger by and the weights do not know, whitened by the white noise (`m × q`).

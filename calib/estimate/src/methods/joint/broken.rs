@@ -106,7 +106,11 @@ fn state(pair: &Pair<'_>, window: Span, beside: &Beside) -> State {
         return State::Turns;
     };
     let noise = pair.rate.1;
-    let usual = |noise: &SensorNoise, own: &Vector3<f64>| noise.white.map(|w| w * w).sup(own);
+    // Coarse readings flip between two levels or stay on one, by where the mean of a rest lies between them.
+    let usual = |noise: &SensorNoise, own: &Vector3<f64>| {
+        let flips = noise.variance_of_flips();
+        noise.white.map(|w| w * w).sup(own).sup(&flips)
+    };
     let variance = usual(noise, &beside.variances[1]);
     let turns = (0..3).any(|i| {
         let limit = OFF * noise.long_run[i] * (variance[i] / count).sqrt();
@@ -204,6 +208,42 @@ mod tests {
             assert!((most(count, 1.0) / exact - 1.0).abs() < 0.03, "{count}");
         }
         assert_eq!(most(50.0, 1.0), QUIET);
+    }
+
+    #[test]
+    fn coarse_readings_that_flip_between_two_levels_neither_shake_nor_turn() {
+        let step = 0.16;
+        let noise = SensorNoise {
+            white: Vector3::repeat(0.2 * step),
+            long_run: Vector3::repeat(1.0),
+            step: Vector3::repeat(step),
+            rounding: Vector3::repeat(step * step / 12.0),
+            freedom: Vector3::repeat(1.0),
+            interval: 0.01,
+        };
+        let t: Vec<f64> = (0..40).map(|k| 0.01 * f64::from(k)).collect();
+        let stream = |size: f64| Stream {
+            t: t.clone(),
+            values: (0..40)
+                .map(|k| Vector3::repeat(size * f64::from(k % 2)))
+                .collect(),
+        };
+        let (flips, level) = (stream(step), stream(0.0));
+        let look = |force: &Stream| {
+            let pair = Pair {
+                force: (force, &noise),
+                rate: (&flips, &noise),
+            };
+            let beside = Beside {
+                bias: Vector3::zeros(),
+                variances: [Vector3::zeros(); 2],
+                forces: [Vector3::z() * 9.8; 2],
+            };
+            let window = Span { from: 0.1, to: 0.3 };
+            state(&pair, window, &beside)
+        };
+        assert_eq!([look(&level), look(&flips)], [Quiet; 2]);
+        assert_eq!(look(&stream(4.0 * step)), Shakes);
     }
 
     #[test]

@@ -17,20 +17,17 @@ use super::weights::{Component, ComponentKind, White};
 /// have `δ' = (I + T A) δ`. The columns of the biases are `T`: every other estimate stays what
 /// it is. A bias at one time is known worse by far than the mean where the bias walks, and as well where it does
 /// not; that of the mean is nearly the same either way, so that little hangs on what is believed
-/// of the walk.
+/// of the walk. A walk of the accelerometer's bias that `ends_with_rests` begins anew in every rest: there is no path
+/// to centre.
 pub fn centred(
     rows: &Rows<'_>,
     noise: &RowNoise,
     white: &White,
-    components: &[Component],
+    (components, ends_with_rests): (&[Component], bool),
 ) -> Vec<Component> {
-    let scatters = components
-        .iter()
-        .any(|c| c.kind == ComponentKind::ForceScatter);
     let of = |component: &Component| {
         let (place, sensor) = match component.kind {
-            // It begins anew in every rest: there is no path to centre.
-            ComponentKind::AccelerometerWalk if !scatters => (0, Sensor::Accelerometer),
+            ComponentKind::AccelerometerWalk if !ends_with_rests => (0, Sensor::Accelerometer),
             ComponentKind::AccelerometerFlicker(_) => (0, Sensor::Accelerometer),
             ComponentKind::GyroscopeWalk | ComponentKind::GyroscopeFlicker(_) => {
                 (1, Sensor::Gyroscope)

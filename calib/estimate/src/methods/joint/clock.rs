@@ -179,7 +179,6 @@ impl Data {
     /// Lets the turns of a recording go by the clock `base` and a share of the scatter about it.
     pub(super) fn set_clock(&mut self, recording: usize, base: usize, share: f64) {
         self.sources[recording].clock.share = share;
-        let mut squares = (0.0, 0.0);
         for turn in self.turns.iter_mut().filter(|t| t.recording == recording) {
             let Some(clock) = turn.clocks.get(base) else {
                 continue;
@@ -191,15 +190,19 @@ impl Data {
             turn.lengths = mixed(&clock.lengths, &clock.slack);
             turn.readings = means_over_windows(&turn.t, &turn.samples);
             turn.base = base;
-            let square: f64 = clock.scatter.iter().map(|d| d * d).sum();
-            squares = (squares.0 + square, squares.1 + clock.scatter.len() as f64);
         }
-        let mean_square = if squares.1 > 0.0 {
-            squares.0 / squares.1
-        } else {
-            0.0
-        };
-        self.sources[recording].timing = share * (1.0 - share) * mean_square;
+        self.set_timing(recording, share * (1.0 - share));
+    }
+
+    /// Lets the times of the samples have this part of the mean square scatter of the stamps for their variance.
+    pub(super) fn set_timing(&mut self, recording: usize, part: f64) {
+        let turns = self.turns.iter().filter(|t| t.recording == recording);
+        let clocks = turns.filter_map(|turn| turn.clocks.get(turn.base));
+        let (sum, count) = clocks.fold((0.0, 0.0), |(sum, count), clock| {
+            let square: f64 = clock.scatter.iter().map(|d| d * d).sum();
+            (sum + square, count + clock.scatter.len() as f64)
+        });
+        self.sources[recording].timing = part * sum / f64::max(count, 1.0);
     }
 }
 

@@ -39,6 +39,9 @@ const ALLOWED: f64 = 4.0;
 /// or 1.
 const MISFIT: f64 = 2.0;
 
+/// Shares between 0 and 1 that a mean is taken over.
+const GRID: i32 = 64;
+
 /// A share with a larger standard error says nothing.
 const UNKNOWN: f64 = 0.35;
 
@@ -283,6 +286,9 @@ impl ClockFit<'_> {
             let base = data.base(k);
             data.set_clock(k, base, chosen);
             data.sources[k].clock.state = state;
+            if state == ClockState::Snapped {
+                data.set_timing(k, missed_by_snapping((share, error), chosen));
+            }
         }
     }
 }
@@ -374,6 +380,23 @@ impl Left {
     }
 }
 
+/// Variance of the samples' times over that of the scatter, where a share that was fitted is taken for `chosen`, 0 or 1.
+///
+/// With a share `λ` the times have the variance `λ(1 − λ)` about the best clock, and `|λ − chosen|` about the chosen one: its
+/// mean over what the share may be, half the prior chance on 0 and 1, half evenly between them. A share that is known
+/// well leaves nothing; one that is known badly may be a mixture, and its turns are off by more than the noise of the
+/// readings.
+fn missed_by_snapping((share, error): (f64, f64), chosen: f64) -> f64 {
+    let likelihood = |value: f64| (-0.5 * ((value - share) / error).powi(2)).exp();
+    let between = (0..GRID).map(|k| (f64::from(k) + 0.5) / f64::from(GRID));
+    let (sum, moment) = between.fold((0.0, 0.0), |(sum, moment), value| {
+        let weight = 0.5 * likelihood(value) / f64::from(GRID);
+        (sum + weight, moment + weight * (value - chosen).abs())
+    });
+    let [right, wrong] = [chosen, 1.0 - chosen].map(|value| 0.25 * likelihood(value));
+    (moment + wrong) / (sum + right + wrong)
+}
+
 /// `L⁻¹ C L⁻ᵀ` of the two rows from `row` on.
 fn both_sides(white: &White, row: usize, c: &Matrix2<f64>) -> Matrix2<f64> {
     let mut half = DMatrix::from_fn(2, 2, |i, j| c[(i, j)]);
@@ -430,6 +453,32 @@ mod tests {
         let clock = clock_of(&spec);
         let (share, std) = clock.fitted.unwrap();
         assert!((share - 0.5).abs() < 4.0 * std && std < 0.2, "{clock:?}");
+    }
+
+    #[test]
+    fn a_share_that_may_be_a_mixture_leaves_its_times_uncertain() {
+        // Nothing is missed where the data know the share.
+        assert!(missed_by_snapping((1.0, 0.01), 1.0) < 1e-3);
+        assert!(missed_by_snapping((0.0, 0.01), 0.0) < 1e-3);
+        // Nothing known: 1/4 from the share on the other side, 1/2 · 1/2 from between.
+        assert!((missed_by_snapping((0.5, 1e6), 1.0) - 0.5).abs() < 1e-6);
+        // A quarter of the scatter is the stamps' own: a good part of that is expected.
+        let missed = missed_by_snapping((0.75, 0.2), 1.0);
+        assert!(missed > 0.1 && missed < 0.25, "{missed}");
+        let mut spec = Spec::hand_held(0);
+        spec.gyroscope.clock.sampling_jitter = 5e-4;
+        spec.gyroscope.clock.resolution = 1e-3;
+        let recording = spec.run().unwrap().recording;
+        let segmentation = segment(&recording, &Detector::default()).unwrap();
+        let request = JointRequest::new(vec![(&recording, &segmentation)], spec.gravity);
+        let source = fit_joint(&request).unwrap().data.sources[0].clone();
+        // Rounding leaves 1 ms/√12.
+        let rounding = 1e-6 / 12.0;
+        assert_eq!(source.clock.state, ClockState::Snapped);
+        assert!(
+            source.timing > 0.2 * rounding && source.timing < 2.0 * rounding,
+            "{source:?}"
+        );
     }
 
     #[test]

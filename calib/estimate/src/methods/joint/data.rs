@@ -253,10 +253,14 @@ impl Data {
             Some((SensorNoise::measure(stream, &ranges)?, ranges))
         };
         let of_force = of(force).map(|(noise, _)| noise);
-        let of_rate = rate
-            .zip(of(rate))
-            .map(|(rate, (noise, ranges))| noise.with_dead_zones(dead_zones(rate, &ranges)));
-        if let (Some(f), Some(nf), Some(r), Some(nr)) = (force, &of_force, rate, &of_rate) {
+        let with_ranges = of(rate);
+        let quiet_rate = with_ranges.as_ref().map(|(noise, _)| *noise);
+        // Zeros are what the sensor reads: near SI units its bias may be taken off.
+        let raw = cut.recording.gyroscope.as_ref();
+        let of_rate = raw.zip(with_ranges).map(|(raw, (noise, ranges))| {
+            noise.with_dead_zones(dead_zones(raw, &ranges), cut.rate_unit.scale.abs())
+        });
+        if let (Some(f), Some(nf), Some(r), Some(nr)) = (force, &of_force, rate, &quiet_rate) {
             let pair = Pair {
                 force: (f, nf),
                 rate: (r, nr),

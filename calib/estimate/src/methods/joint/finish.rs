@@ -24,7 +24,8 @@ impl Run<'_> {
         let rows = self.rows(&[]);
         let white = &weights.whitening.white;
         let noise = rows.noise(point.plain_values());
-        let components = centred(&rows, &noise, white, &weights.components);
+        let walks = (&weights.components[..], weights.walk_ends_with_rests);
+        let components = centred(&rows, &noise, white, walks);
         let levels = weighing(&weights.levels);
         Weights {
             whitening: Whitening::new(white.clone(), &components, &levels),

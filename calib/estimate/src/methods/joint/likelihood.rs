@@ -54,8 +54,7 @@ impl Restricted {
     pub fn variances(&self, kept: &[bool]) -> Vec<f64> {
         let mut active: Vec<bool> = self.covariances.iter().map(|_| true).collect();
         let mut from = vec![0.0; active.len()];
-        let cube = (self.z.len() as f64).powi(3).max(1.0);
-        let left = Cell::new((MOST_WORK / cube).max(FEWEST_STEPS) as usize);
+        let left = Cell::new(self.most_steps());
         loop {
             let (theta, whole) = self.maximise(&active, &from, &left);
             from.clone_from(&theta);
@@ -77,6 +76,19 @@ impl Restricted {
                 _ => return theta,
             }
         }
+    }
+
+    fn most_steps(&self) -> usize {
+        let cube = (self.z.len() as f64).powi(3).max(1.0);
+        (MOST_WORK / cube).max(FEWEST_STEPS) as usize
+    }
+
+    /// The highest `log L` over all variances, up to a constant.
+    pub fn highest(&self) -> f64 {
+        let count = self.covariances.len();
+        let steps = Cell::new(self.most_steps());
+        self.maximise(&vec![true; count], &vec![0.0; count], &steps)
+            .1
     }
 
     /// `log L` at these variances, up to a constant.

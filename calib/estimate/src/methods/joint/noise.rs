@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 use super::data::Mean;
 use super::rounding;
 use recording::averages::median;
+use recording::readings::DeadZone;
 use recording::{INSTANT, Stream};
 
 /// Longest batches whose means show noise that does not average out, s, and how many a stretch should have.
@@ -90,17 +91,30 @@ impl SensorNoise {
         })
     }
 
-    /// The same of a sensor whose readings closer to zero than `edges` are zero (3): at rest they step by the width of
-    /// the zone.
-    pub fn with_dead_zones(mut self, edges: Vector3<f64>) -> Self {
-        for axis in 0..3 {
-            let step = 2.0 * edges[axis];
-            if step > self.step[axis] {
-                self.step[axis] = step;
-                self.rounding[axis] = step * step / 12.0;
+    /// The same of a sensor with dead zones, `scale` the unit of its readings: at rest they step by the width of the zone
+    /// where they are zero.
+    pub(crate) fn with_dead_zones(mut self, zones: [Option<DeadZone>; 3], scale: f64) -> Self {
+        for (axis, zone) in zones.into_iter().enumerate() {
+            let Some(zone) = zone else { continue };
+            let step = 2.0 * zone.edge * scale;
+            if zone.hides_the_bias() {
+                self.step[axis] = self.step[axis].max(step);
             }
+            let error = zone.error_of_mean() * scale;
+            self.rounding[axis] = self.rounding[axis].max(error * error);
         }
         self
+    }
+
+    /// Variance of readings that flip evenly between two levels; 0 where the noise is wider than a step (3).
+    pub fn variance_of_flips(&self) -> Vector3<f64> {
+        Vector3::from_fn(|i, _| {
+            if self.rounding[i] > 0.0 {
+                (0.5 * self.step[i]).powi(2)
+            } else {
+                0.0
+            }
+        })
     }
 
     /// [`SensorNoise::long_run`] alone, averaged over the axes; 1 where it cannot be measured.
