@@ -288,7 +288,7 @@ fn disturbance_families(state: &State) -> Vec<Family> {
     .map(|(kind, typical)| {
         let suspects: Vec<_> = state
             .suspects()
-            .into_iter()
+            .iter()
             .filter(|s| s.kind == kind && !state.is_accused(kind, s.place))
             .collect();
         let mut hypotheses = Vec::new();

@@ -1,6 +1,7 @@
 //! A model fitted to the recordings, and what it leaves unexplained.
 
 use std::ops::Range;
+use std::sync::OnceLock;
 
 use faer::{Mat, MatMut};
 use sensor::AnyEffect;
@@ -66,6 +67,8 @@ pub struct State {
     pub noise: BiasNoise,
     /// Whether it was given.
     pub noise_given: bool,
+    /// What may have been disturbed, once somebody asked.
+    suspects: OnceLock<Vec<Suspect>>,
 }
 
 impl State {
@@ -88,6 +91,7 @@ impl State {
             projected,
             noise,
             noise_given: session.noise.is_some(),
+            suspects: OnceLock::new(),
         })
     }
 
@@ -128,18 +132,20 @@ impl State {
     }
 
     /// What may have been disturbed.
-    pub fn suspects(&self) -> Vec<Suspect> {
-        let rows = self.fit.plain_rows();
-        let x = &self.fit.parameters.values()[..rows.layout.disturbance(0)];
-        let mut all = suspects(&rows, x);
-        all.extend(excursions(&rows, x));
-        all
+    pub fn suspects(&self) -> &[Suspect] {
+        self.suspects.get_or_init(|| {
+            let rows = self.fit.plain_rows();
+            let x = &self.fit.parameters.values()[..rows.layout.disturbance(0)];
+            let mut all = suspects(&rows, x);
+            all.extend(excursions(&rows, x));
+            all
+        })
     }
 
     /// What the model holds as disturbed, in the order of the findings, and the places of its parameters.
     fn held(&self) -> impl Iterator<Item = (Known, Range<usize>)> + '_ {
         let mut next = self.fit.parameters.values().len() - self.fit.disturbance_columns.len();
-        let suspects = self.suspects().into_iter();
+        let suspects = self.suspects().iter();
         suspects
             .filter(|s| self.is_accused(s.kind, s.place))
             .map(move |s| {

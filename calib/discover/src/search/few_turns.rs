@@ -22,7 +22,7 @@ impl Turns {
     pub fn knocked(state: &State) -> Option<Self> {
         let is_knocked = !state.fit.undersampled().is_empty();
         is_knocked.then(|| {
-            let suspects = state.suspects().into_iter();
+            let suspects = state.suspects().iter();
             let turns = suspects.filter(|s| s.kind == Disturbance::BadTurn);
             let columns = turns.map(|turn| {
                 let own = Mat::from_fn(state.rows(), turn.columns.len(), |i, k| turn.columns[k][i]);

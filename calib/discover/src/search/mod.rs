@@ -6,6 +6,7 @@ mod pairs;
 mod review;
 
 use std::cell::{Cell, RefCell};
+use std::rc::Rc;
 
 use few_turns::Turns;
 use outlying_turns::outlying_turns;
@@ -168,6 +169,7 @@ pub fn search(session: &Session<'_>, request: &Request, base: State) -> Result<S
     let candidates = request.candidates();
     let most = MOST_WORK / cost_of_fit(base.fit.data.rests.len().max(1));
     let finder = Finder {
+        base: &base,
         session,
         catalogue: &candidates,
         threshold: request.threshold(),
@@ -175,11 +177,14 @@ pub fn search(session: &Session<'_>, request: &Request, base: State) -> Result<S
         fits: Cell::new(0),
         linearised: Cell::new(0),
         fitted: RefCell::new(Vec::new()),
+        rankings: RefCell::new(Vec::new()),
     };
-    finder.run(base)
+    finder.run()
 }
 
 struct Finder<'a> {
+    /// The base models.
+    base: &'a State,
     session: &'a Session<'a>,
     catalogue: &'a [&'static dyn AnyEffect],
     threshold: f64,
@@ -190,6 +195,14 @@ struct Finder<'a> {
     linearised: Cell<usize>,
     /// Their models: a review comes back to some of them.
     fitted: RefCell<Vec<State>>,
+    /// What was ranked beside which model.
+    rankings: RefCell<Vec<(Extension, Rc<Ranking>)>>,
+}
+
+/// Everything that a model lacks, and the evidence for it, most evident first.
+struct Ranking {
+    families: Vec<Family>,
+    ranked: Vec<Ranked>,
 }
 
 impl Finder<'_> {
@@ -198,8 +211,9 @@ impl Finder<'_> {
         self.fits.get() + more > self.most_fits || self.linearised.get() > MOST_LINEARISED
     }
 
-    fn run(&self, base: State) -> Result<Search, Error> {
-        let mut held = outlying_turns(&base);
+    fn run(&self) -> Result<Search, Error> {
+        let base = self.base;
+        let mut held = outlying_turns(base);
         let gross = held.len();
         let mut last = if held.is_empty() {
             base.clone()
@@ -209,11 +223,12 @@ impl Finder<'_> {
         let (mut first_ranking, mut not_observable) = (Vec::new(), Vec::new());
         let (mut spent, mut unfit) = (false, Vec::new());
         while held.len() < MOST_NAMES + gross {
-            let (families, ranked) = self.ranked(&last);
-            let next = self.next(&families, &ranked, &unfit);
+            let ranking = self.ranked(&last);
+            let (families, ranked) = (&ranking.families, &ranking.ranked);
+            let next = self.next(families, ranked, &unfit);
             if held.len() == gross {
-                first_ranking = labelled(&families, &ranked);
-                not_observable = silent(&families, &ranked);
+                first_ranking = labelled(families, ranked);
+                not_observable = silent(families, ranked);
             }
             let Some(next) = next else { break };
             // The next name, and the review of all.
@@ -229,7 +244,7 @@ impl Finder<'_> {
                 Err(_) => unfit.extend(held.pop().map(|h| h.claim)),
             }
         }
-        let reviewed = self.review(&base, last, held)?;
+        let reviewed = self.review(base, last, held)?;
         let spent = (spent || reviewed.is_spent).then(|| {
             format!(
                 "the search for what is missing ended after {} fits, as more would take too long with {} static intervals: there \
@@ -240,7 +255,7 @@ impl Finder<'_> {
         });
         Ok(Search {
             spent,
-            base,
+            base: base.clone(),
             last: reviewed.last,
             names: reviewed.names,
             evidence: reviewed.evidence,
@@ -289,7 +304,18 @@ impl Finder<'_> {
         extension
     }
 
-    fn ranked(&self, state: &State) -> (Vec<Family>, Vec<Ranked>) {
+    fn ranked(&self, state: &State) -> Rc<Ranking> {
+        let mut rankings = self.rankings.borrow_mut();
+        let is_of = |(of, _): &&(Extension, _)| of.is_same(&state.extension);
+        if let Some((_, ranking)) = rankings.iter().find(is_of) {
+            return Rc::clone(ranking);
+        }
+        let ranking = Rc::new(self.rank(state));
+        rankings.push((state.extension.clone(), Rc::clone(&ranking)));
+        ranking
+    }
+
+    fn rank(&self, state: &State) -> Ranking {
         let families = families(state, self.catalogue);
         let mut ranked = rank(&state.projected, &families, state.noise, state.noise_given);
         for r in &mut ranked {
@@ -308,7 +334,7 @@ impl Finder<'_> {
             }
         }
         ranked.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
-        (families, ranked)
+        Ranking { families, ranked }
     }
 
     /// The claim with the most evidence, where that is enough.

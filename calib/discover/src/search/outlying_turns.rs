@@ -23,9 +23,9 @@ const SHARE: f64 = 0.2;
 /// Noise of the biases that is estimated with such turns among the data explains them, and each hides the other: so they
 /// come before it. The worst is taken out first; at the end each has to be as far off with all others out.
 pub(super) fn outlying_turns(state: &State) -> Vec<Held> {
-    let suspects: Vec<Suspect> = state
+    let suspects: Vec<&Suspect> = state
         .suspects()
-        .into_iter()
+        .iter()
         .filter(|s| s.kind == Disturbance::BadTurn)
         .collect();
     let turns = Turns::of(state, &suspects);
@@ -66,7 +66,7 @@ struct Turns {
 }
 
 impl Turns {
-    fn of(state: &State, suspects: &[Suspect]) -> Self {
+    fn of(state: &State, suspects: &[&Suspect]) -> Self {
         let all: Vec<&Vec<f64>> = suspects.iter().flat_map(|s| &s.columns).collect();
         let columns = Mat::from_fn(state.rows(), all.len(), |i, k| all[k][i]);
         let own = state.projected.columns(state.whitened(columns).as_ref());

@@ -13,7 +13,8 @@ impl Finder<'_> {
     /// Two effects found one after the other may stand for two others: all pairs of the best families at the
     /// base model, the best of them instead where it is 20 to 1 better. Whether it was.
     pub(super) fn try_pairs(&self, base: &State, held: &mut Vec<Held>) -> bool {
-        let (families, ranked) = self.ranked(base);
+        let ranking = self.ranked(base);
+        let (families, ranked) = (&ranking.families, &ranking.ranked);
         let noise = base.noise;
         let Some(whitened) = base.projected.at(noise) else {
             return false;
@@ -60,8 +61,8 @@ impl Finder<'_> {
         }
         if let Some((_, i, j)) = top {
             *held = vec![
-                super::held(&families, best[i]),
-                super::held(&families, best[j]),
+                super::held(families, best[i]),
+                super::held(families, best[j]),
             ];
         }
         top.is_some()

@@ -54,8 +54,9 @@ impl Finder<'_> {
                 } else {
                     self.state(&others)?
                 };
-                let (families, ranked) = self.ranked(&without);
-                match self.judge(&own, &families, &ranked) {
+                let ranking = self.ranked(&without);
+                let (families, ranked) = (&ranking.families, &ranking.ranked);
+                match self.judge(&own, families, ranked) {
                     Verdict::Gone => {
                         held.remove(k);
                         changed = true;
@@ -67,8 +68,8 @@ impl Finder<'_> {
                     Verdict::Stays(ranked_own) => names.push(Name {
                         claim: own.claim,
                         hypothesis: own.hypothesis,
-                        ties: self.ties(&without, &families, &ranked, &ranked_own),
-                        predicted: predicted(&families, &ranked_own),
+                        ties: self.ties(&without, families, ranked, &ranked_own),
+                        predicted: predicted(families, &ranked_own),
                         ranked: ranked_own,
                         without,
                     }),
