@@ -3,7 +3,8 @@
 //! ```text
 //! cargo run --release -p stillpoint-benches --bin graph-table                    a table of small ones
 //! … --bin graph-table -- make FOLDER [small]                                    files to compare on
-//! … --bin graph-table -- bal FILE auto|analytic fixed|free [turned]             one line; turned: steps of the cameras are turns
+//! … --bin graph-table -- bal FILE auto|analytic fixed|free                      one line
+//! … --bin graph-table -- bal FILE auto fixed|free turned                         one line, cameras step by turns
 //! … --bin graph-table -- g2o FILE                                               one line
 //! … --bin graph-table -- shared NUMBERS BLOCKS                                  one line
 //! ```
@@ -37,11 +38,10 @@ fn main() -> Outcome<()> {
             let (analytic, fixed) = (jacobian == "analytic", gauge == "fixed");
             line(|| Ok(bundle.graph(analytic, fixed)?))
         }
-        ["bal", file, jacobian, gauge, "turned"] => {
+        ["bal", file, "auto", gauge, "turned"] => {
             let bundle = Bundle::read(&std::fs::read_to_string(file)?)?;
-            let (analytic, fixed) = (jacobian == "analytic", gauge == "fixed");
             let camera = (RotationVector, Euclidean(6));
-            line(|| Ok(bundle.graph_on(camera, analytic, fixed)?))
+            line(|| Ok(bundle.graph_on(camera, false, gauge == "fixed")?))
         }
         ["g2o", file] => {
             let poses = PoseGraph::read(&std::fs::read_to_string(file)?)?;

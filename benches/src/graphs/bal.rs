@@ -81,7 +81,8 @@ impl Bundle {
         self.graph_on(Euclidean(9), analytic, fixed)
     }
 
-    /// As [`graph`](Self::graph), with cameras on a manifold of nine numbers and steps.
+    /// As [`graph`](Self::graph), with cameras on a manifold of nine numbers and steps. The own Jacobian
+    /// is by the numbers, as a flat one steps.
     ///
     /// # Errors
     /// A start that is not finite.

@@ -9,9 +9,10 @@ use crate::scalar::{Scalar, lit};
 /// A rotation, stored as a rotation vector `ω` in rad, as bundle adjustment files have it; a step is a
 /// rotation vector in the rotated frame: `ω ⊞ φ = log(exp(ω) exp(φ))`.
 ///
-/// Three plain numbers, `Euclidean(3)`, cannot turn every way where `‖ω‖` is near a full turn: a turn by `θ` about an axis
-/// across `ω` changes `ω` by `θ ‖ω‖ / (2 sin(‖ω‖/2))`, and the solver crawls. This block can, from any start. After
-/// a step `‖ω‖` is at most half a turn; a start may be longer.
+/// Three plain numbers, `Euclidean(3)`, cannot turn every way where `‖ω‖` is near a full turn: a turn by
+/// `θ` about an axis across `ω` changes `ω` by `θ ‖ω‖ / (2 sin(‖ω‖/2))`, and the solver crawls. This
+/// block can, from any start that is not a full turn exactly. After a step `‖ω‖` is at most half a turn.
+/// A factor with a Jacobian of its own gives it by `φ`, as on every manifold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RotationVector;
 
