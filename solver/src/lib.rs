@@ -90,8 +90,8 @@ pub use error::Error;
 pub use faer::{Mat, MatRef};
 pub use graph::{
     Block, Direction, Euclidean, Factor, Graph, GraphOptions, GraphReport, Manifold, Method,
-    NullVector, PlanarMotion, Products, RigidMotion, Rotation, check_manifold, graph_profile,
-    quaternion, solve_graph,
+    NullVector, PlanarMotion, Products, RigidMotion, Rotation, RotationVector, check_manifold,
+    graph_profile, quaternion, solve_graph,
 };
 pub use linear::{Factor as Factorization, LinearMethod, LinearSolver, OwnLinearSolver};
 pub use loss::{Loss, LossFunction, LossScale, OwnLoss, RowLoss};

@@ -4,6 +4,7 @@
 //! cargo run --release -p stillpoint-benches --bin graph-table                    a table of small ones
 //! … --bin graph-table -- make FOLDER [small]                                    files to compare on
 //! … --bin graph-table -- bal FILE auto|analytic fixed|free                      one line
+//! … --bin graph-table -- bal FILE auto fixed|free turned                         one line, cameras step by turns
 //! … --bin graph-table -- g2o FILE                                               one line
 //! … --bin graph-table -- shared NUMBERS BLOCKS                                  one line
 //! ```
@@ -16,7 +17,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use rustix::time::{ClockId, clock_gettime};
-use solver::{Graph, GraphOptions, GraphReport, solve_graph};
+use solver::{Euclidean, Graph, GraphOptions, GraphReport, RotationVector, solve_graph};
 use stillpoint_benches::graphs::bal::Bundle;
 use stillpoint_benches::graphs::cameras::ring;
 use stillpoint_benches::graphs::g2o::PoseGraph;
@@ -36,6 +37,11 @@ fn main() -> Outcome<()> {
             let bundle = Bundle::read(&std::fs::read_to_string(file)?)?;
             let (analytic, fixed) = (jacobian == "analytic", gauge == "fixed");
             line(|| Ok(bundle.graph(analytic, fixed)?))
+        }
+        ["bal", file, "auto", gauge, "turned"] => {
+            let bundle = Bundle::read(&std::fs::read_to_string(file)?)?;
+            let camera = (RotationVector, Euclidean(6));
+            line(|| Ok(bundle.graph_on(camera, false, gauge == "fixed")?))
         }
         ["g2o", file] => {
             let poses = PoseGraph::read(&std::fs::read_to_string(file)?)?;

@@ -3,7 +3,7 @@
 
 use std::fmt::Write;
 
-use solver::{Block, Error, Euclidean, Graph};
+use solver::{Block, Error, Euclidean, Graph, Manifold};
 
 use super::reprojection::{AnalyticReprojection, Reprojection};
 
@@ -78,12 +78,26 @@ impl Bundle {
     /// # Errors
     /// A start that is not finite.
     pub fn graph(&self, analytic: bool, fixed: bool) -> Result<Graph<'static>, Error> {
+        self.graph_on(Euclidean(9), analytic, fixed)
+    }
+
+    /// As [`graph`](Self::graph), with cameras on a manifold of nine numbers and steps. The own Jacobian
+    /// is by the numbers, as a flat one steps.
+    ///
+    /// # Errors
+    /// A start that is not finite.
+    pub fn graph_on(
+        &self,
+        camera: impl Manifold + Copy,
+        analytic: bool,
+        fixed: bool,
+    ) -> Result<Graph<'static>, Error> {
         let mut graph = Graph::new();
         let cameras: Vec<Block> = self
             .cameras
             .iter()
             .enumerate()
-            .map(|(k, c)| graph.add(format!("c{k}"), Euclidean(9), c))
+            .map(|(k, c)| graph.add(format!("c{k}"), camera, c))
             .collect::<Result<_, _>>()?;
         let points: Vec<Block> = self
             .points

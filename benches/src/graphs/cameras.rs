@@ -1,5 +1,7 @@
 //! A made-up bundle adjustment: cameras on a ring look at points in a ball.
 
+use std::f64::consts::TAU;
+
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use solver::Residual;
@@ -19,7 +21,9 @@ pub fn ring(cameras: usize, points: usize, views: usize, seed: u64) -> Bundle {
     let mut choose = ChaCha8Rng::seed_from_u64(seed + 1);
     let mut bundle = Bundle::default();
     for k in 0..cameras {
-        let angle = std::f64::consts::TAU * k as f64 / cameras as f64;
+        let angle = TAU * k as f64 / cameras as f64;
+        // Half a turn at most: near a full one, plain rotation vectors cannot turn every way.
+        let angle = if 2 * k > cameras { angle - TAU } else { angle };
         // Turned about y so that the camera looks along −z at the centre.
         let w = [noise(0.02), -angle + noise(0.02), noise(0.02)];
         let t = [noise(0.05), noise(0.05), -6.0 + noise(0.2)];

@@ -28,6 +28,13 @@ impl fmt::Display for GraphReport {
             count.jacobians,
             self.relative_offset
         )?;
+        if !self.termination.converged() && self.relative_offset.is_finite() {
+            writeln!(
+                f,
+                "not at a minimum: the last linearised problem promised to lower the cost by {:.1e} of itself",
+                self.relative_offset.powi(2)
+            )?;
+        }
         let method = self.method;
         writeln!(
             f,

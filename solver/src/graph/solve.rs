@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
-use std::time::Instant;
 
 use super::damping::Lambda;
 use super::eliminate::Factored;
@@ -11,6 +10,7 @@ use super::null_space::{self, NullVector};
 use super::options::{GraphOptions, GraphReport};
 use super::problem::Graph;
 use super::structure::Structure;
+use crate::clock::{Moment, after};
 use crate::error::Error;
 use crate::report::{Iteration, Termination};
 use crate::scaling::Scaling;
@@ -104,7 +104,7 @@ struct Run<'a> {
     lambda: Lambda,
     iterations: Vec<Iteration>,
     evaluations: Evaluations,
-    deadline: Option<Instant>,
+    deadline: Option<Moment>,
     offset: f64,
     relative_step: f64,
     /// Whether the last step did what the linearised problem said.
@@ -136,9 +136,7 @@ impl<'a> Run<'a> {
             lambda: Lambda::new(options.damping, options.first_damping),
             iterations: Vec::new(),
             evaluations: Evaluations::default(),
-            deadline: options
-                .time_limit
-                .and_then(|limit| Instant::now().checked_add(limit)),
+            deadline: options.time_limit.and_then(after),
             offset: f64::INFINITY,
             relative_step: f64::INFINITY,
             foretold: false,
@@ -447,10 +445,7 @@ impl<'a> Run<'a> {
         if self.iterations.len() >= self.options.max_iterations {
             return Some(Termination::IterationLimit);
         }
-        if self
-            .deadline
-            .is_some_and(|deadline| Instant::now() >= deadline)
-        {
+        if self.deadline.is_some_and(Moment::is_past) {
             return Some(Termination::TimeLimit);
         }
         let flag = self.options.cancel.as_ref();
