@@ -112,6 +112,10 @@ fn level_in_words(kind: ComponentKind, size: f64) -> String {
             "the gyroscope reads in steps wider than its noise: rounding is the same in every rest"
                 .into()
         }
+        ComponentKind::TurnDoubt => format!(
+            "the turns may scatter by {:.3}° beyond the gyroscope's noise, which is in the errors",
+            size.to_degrees()
+        ),
         ComponentKind::TurnScatter => format!(
             "the turns scatter by {:.3}°: more than the gyroscope's noise",
             size.to_degrees()

@@ -122,27 +122,8 @@ impl Walks {
         theta
     }
 
-    fn average(&self, c: usize, theta: &[f64], (usual, none): (f64, f64), parts: &[Part]) -> f64 {
-        let mut points = vec![(0.0, none, self.at(c, 0.0, theta, parts))];
-        let mut highest = usual;
-        for doubling in 0..=DOUBLINGS {
-            let from = if doubling == 0 { 0.0 } else { 0.5 * highest };
-            let steps = if doubling == 0 { GRID } else { GRID / 2 };
-            let width = (highest - from) / steps as f64;
-            for k in 0..steps {
-                let size = from + (k as f64 + 0.5) * width;
-                let log = self.at(c, size * size, theta, parts);
-                points.push((size, width / usual, log));
-                if share_of_last(&points) < NOTHING {
-                    return mean_square(&points);
-                }
-            }
-            if BEYOND * likeliest(&points) <= highest {
-                break;
-            }
-            highest *= 2.0;
-        }
-        mean_square(&points)
+    fn average(&self, c: usize, theta: &[f64], prior: (f64, f64), parts: &[Part]) -> f64 {
+        expected_square(prior, |size| self.at(c, size * size, theta, parts))
     }
 
     /// The log-likelihood with another variance of walk `c`.
@@ -215,6 +196,29 @@ impl Group {
             gram: whitened.transpose() * &whitened,
         })
     }
+}
+
+/// The expected square of a size of this log-likelihood, its prior chance as in [`Walks::expected`].
+pub fn expected_square((usual, none): (f64, f64), log_likelihood: impl Fn(f64) -> f64) -> f64 {
+    let mut points = vec![(0.0, none, log_likelihood(0.0))];
+    let mut highest = usual;
+    for doubling in 0..=DOUBLINGS {
+        let from = if doubling == 0 { 0.0 } else { 0.5 * highest };
+        let steps = if doubling == 0 { GRID } else { GRID / 2 };
+        let width = (highest - from) / steps as f64;
+        for k in 0..steps {
+            let size = from + (k as f64 + 0.5) * width;
+            points.push((size, width / usual, log_likelihood(size)));
+            if share_of_last(&points) < NOTHING {
+                return mean_square(&points);
+            }
+        }
+        if BEYOND * likeliest(&points) <= highest {
+            break;
+        }
+        highest *= 2.0;
+    }
+    mean_square(&points)
 }
 
 /// The likeliest size.

@@ -131,6 +131,8 @@ pub enum ComponentKind {
     RateScatter,
     /// Scatter of the turns, rad.
     TurnScatter,
+    /// What the turns may scatter by beyond the noise of their samples where too few of them show whether they do, rad.
+    TurnDoubt,
     /// What no effect of the model explains of the specific force and its orientation does, m/s² at one g.
     ForceOfOrientation,
     /// The same of the rate at the static intervals, rad/s at one g.
