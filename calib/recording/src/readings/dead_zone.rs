@@ -141,11 +141,11 @@ mod tests {
         let [x, y, z] = dead_zones(&stream, std::slice::from_ref(&rest));
         let x = x.unwrap();
         assert!(
-            x.hides_the_bias() && (x.edge / 0.02 - 1.0).abs() < 1e-3,
+            x.hides_the_bias() && (x.edge / 0.02 - 1.0).abs() < 5e-3,
             "{x:?}"
         );
         // Uniform in ±.02.
-        assert!((x.error_of_mean() / 0.02 * 3f64.sqrt() - 1.0).abs() < 1e-3);
+        assert!((x.error_of_mean() / 0.02 * 3f64.sqrt() - 1.0).abs() < 5e-3);
         let y = y.unwrap();
         let mean = stream.values[rest].iter().map(|v| v.y).sum::<f64>() / 15_000.0;
         let off = (mean - biases.y).abs();
