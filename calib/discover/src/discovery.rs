@@ -2,15 +2,14 @@
 
 use std::borrow::Borrow;
 
-use estimate::calibrate::of_one_device;
-use estimate::calibrate::own_effects;
-use estimate::calibrate::{Request as CalibrationRequest, not_in_one_plane};
-use estimate::calibrate::{refuse_unobservable, written_down};
+use estimate::calibrate::{
+    Request as CalibrationRequest, not_in_one_plane, of_one_device, own_effects,
+    refuse_unobservable, written_down,
+};
 use estimate::calibration::{Calibration, EffectParameter, EffectValues};
+use estimate::methods::joint::{BiasNoise, SensorNoise};
 use estimate::methods::static_means;
-use recording::Error;
-use recording::Recording;
-
+use recording::{Error, Recording};
 use sensor::{AnyEffect, Model, Nature, Sensor};
 
 use super::enough::{enough_rests, enough_to_compare};
@@ -31,7 +30,6 @@ use super::search::{Name, Search, search};
 use super::settle::{HeldShape, say_held, settle};
 use super::state::State;
 use super::visible::{NEVER_VISIBLE, told_apart_by};
-use estimate::methods::joint::{BiasNoise, SensorNoise};
 
 /// Stamps are late beyond what delays of the gyroscope do if by more standard errors than this.
 const MUCH_LATER: f64 = 3.0;

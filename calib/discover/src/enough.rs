@@ -1,8 +1,9 @@
 //! Whether a session can show anything at all.
 
+use recording::Error;
+
 use super::request::Session;
 use super::state::State;
-use recording::Error;
 
 /// Refuses a session without an accelerometer or with too few rests.
 ///

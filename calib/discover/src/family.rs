@@ -1,11 +1,11 @@
 //! What may be missing: families of hypotheses about one recording.
 
+use estimate::methods::joint::{Disturbance, effect_columns, step_columns};
 use faer::{Mat, MatRef};
 use sensor::{AnyEffect, Nature, Param, Role, Sensor};
 
 use super::remainder::shape::Shape;
 use super::state::State;
-use estimate::methods::joint::{Disturbance, effect_columns, step_columns};
 
 /// Time constants tried for an effect that settles, s. Between neighbours the shapes correlate by more than
 /// 0.98 over a session of minutes.
@@ -332,9 +332,10 @@ pub fn beside(parts: &[Mat<f64>], m: usize) -> Mat<f64> {
 
 #[cfg(test)]
 mod tests {
+    use simulate::Spec;
+
     use super::*;
     use crate::{Extension, Request, Session};
-    use simulate::Spec;
 
     #[test]
     fn steps_at_once_are_the_steps_one_by_one() {

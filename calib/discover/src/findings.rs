@@ -1,5 +1,6 @@
 //! What `discover` found: the contents of findings.json.
 
+use estimate::calibration::{Calibration, EffectParameter};
 use serde::Serialize;
 
 use super::fault::integrity::Integrity;
@@ -8,7 +9,6 @@ use super::gap::localise::Disagreement;
 use super::propose::Proposal;
 use super::remainder::unexplained::Unexplained;
 use super::separation::Rivalry;
-use estimate::calibration::{Calibration, EffectParameter};
 
 pub use estimate::calibration::FINDINGS_SCHEMA;
 

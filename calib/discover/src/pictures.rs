@@ -1,5 +1,7 @@
 //! The disagreement that an effect explains, point by point, before and after it is in the model.
 
+use estimate::calibration::EffectParameter;
+use estimate::methods::joint::BiasNoise;
 use faer::Mat;
 use nalgebra::{Matrix3, Vector3};
 use sensor::{AnyEffect, Kinematics, Quantity, Sensor};
@@ -11,8 +13,6 @@ use super::gap::channel::{Channel, whitening_at};
 use super::linear::least_squares;
 use super::search::Name;
 use super::state::State;
-use estimate::calibration::EffectParameter;
-use estimate::methods::joint::BiasNoise;
 
 /// What one named effect explains.
 #[derive(Clone, Debug)]
@@ -352,9 +352,10 @@ impl GoesWith {
 
 #[cfg(test)]
 mod tests {
+    use simulate::Spec;
+
     use super::*;
     use crate::{Request, discover};
-    use simulate::Spec;
 
     /// Mean square of residuals over their noise.
     fn over_noise(points: &[Point], of: fn(&Point) -> f64) -> f64 {

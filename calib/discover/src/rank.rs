@@ -1,12 +1,12 @@
 //! The evidence for everything that may be missing.
 
+use estimate::methods::joint::BiasNoise;
 use faer::Mat;
 use sensor::Sensor;
 
 use super::family::Family;
 use super::noise::projected::{Projected, Whitened};
 use super::score::{Score, log_tail, score};
-use estimate::methods::joint::BiasNoise;
 
 /// Evidence that differs by less than this (20 to 1) does not part two claims.
 pub const APART: f64 = 2.995_732_273_553_991;

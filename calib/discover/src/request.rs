@@ -2,18 +2,18 @@
 
 use std::borrow::Borrow;
 
+use effects::earth_rotation;
+use estimate::gravity::GravitySource;
+use estimate::methods::joint::{
+    BiasNoise, ClockMode, JointRequest, MOST_IN_A_SEARCH, within_budget,
+};
+use estimate::methods::{Choice, cut};
+use gyroscope::EARTH_RATE;
+use recording::intervals::Detector;
+use recording::{Error, Recording};
 use sensor::{AnyEffect, Nature, Quantity, Role};
 
 use super::state::Extension;
-use effects::earth_rotation;
-use estimate::gravity::GravitySource;
-use estimate::methods::joint::BiasNoise;
-use estimate::methods::joint::{ClockMode, JointRequest, MOST_IN_A_SEARCH, within_budget};
-use estimate::methods::{Choice, cut};
-use gyroscope::EARTH_RATE;
-use recording::Error;
-use recording::Recording;
-use recording::intervals::Detector;
 
 /// How to look for what is missing.
 #[derive(Clone, Debug)]

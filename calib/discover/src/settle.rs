@@ -2,13 +2,13 @@
 
 use std::ops::Range;
 
+use estimate::calibration::Calibration;
 use sensor::{Param, Role};
 use solver::Parameters;
 
 use super::family::tried;
 use super::request::Session;
 use super::state::State;
-use estimate::calibration::Calibration;
 
 /// A time constant so many times beyond those tried is none that the recording shows.
 const BEYOND_TRIED: f64 = 3.0;
@@ -90,8 +90,9 @@ fn near(p: &Param) -> Range<f64> {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Request, discover};
     use simulate::Spec;
+
+    use crate::{Request, discover};
 
     #[test]
     fn late_stamps_are_measured_and_not_said_to_be_supposed() {

@@ -3,19 +3,19 @@
 use std::ops::Range;
 use std::sync::OnceLock;
 
+use estimate::methods::joint::{
+    BiasNoise, Disturbance, JointFit, Known, Sensitivities, Suspect, columns, excursions,
+    fit_joint, suspects, within, without,
+};
 use faer::{Mat, MatMut};
+use recording::Error;
+use recording::watch::{Stage, step};
 use sensor::AnyEffect;
 
 use super::gap::channel::Channel;
 use super::noise::projected::Projected;
 use super::request::Session;
 use super::score::log_tail;
-use estimate::methods::joint::{
-    BiasNoise, Disturbance, JointFit, Known, Sensitivities, Suspect, columns, excursions,
-    fit_joint, suspects, within, without,
-};
-use recording::Error;
-use recording::watch::{Stage, step};
 
 /// Means of static intervals on either side that a step of a bias needs.
 const BESIDE_A_STEP: usize = 3;

@@ -19,13 +19,13 @@
 
 use std::path::Path;
 
+use recording::Error;
+use recording::shown::shown_path;
+use recording::toml_place::{explain_toml, key_position, place};
 use sensor::{AnyEffect, Definition};
 use serde::{Deserialize, Serialize};
 
 use crate::catalogue;
-use recording::Error;
-use recording::shown::shown_path;
-use recording::toml_place::{explain_toml, key_position, place};
 
 /// What an effect file holds.
 #[derive(Debug, Default, Serialize, Deserialize)]
@@ -98,9 +98,10 @@ pub fn catalogue_with(
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use nalgebra::Vector3;
     use sensor::{Axis, Covariate, Formula, Kinematics, Sensor, Term};
+
+    use super::*;
 
     const SWIRL: &str = r#"
 [[definitions]]

@@ -1,11 +1,11 @@
 //! Allan curves of whole sensors: three axes, time stamps, gaps.
 
 use nalgebra::Vector3;
+use recording::intervals::Span;
+use recording::{Recording, Stream};
 
 use super::allan::{AllanAccumulator, AllanCurve};
 use super::stillness::{Spreads, Stillness};
-use recording::intervals::Span;
-use recording::{Recording, Stream};
 
 /// Samples looked at before the sampling interval is known.
 const HEAD: usize = 256;

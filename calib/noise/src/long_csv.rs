@@ -5,13 +5,13 @@ use std::io::Read;
 use std::path::Path;
 
 use nalgebra::Vector3;
-
-use super::curves::{RecordingAccumulator, RecordingCurves, SensorAccumulator};
 use recording::batches::{Batch, Batches, Stop};
 use recording::cut::{is_cut, usual_tail};
 use recording::intervals::Span;
 use recording::pipeline::parse_all;
 use recording::plain::{ACCEL, Block, GYRO, Plain, Row, STAMP};
+
+use super::curves::{RecordingAccumulator, RecordingCurves, SensorAccumulator};
 
 /// The columns of the plain CSV recording.
 const COLUMNS: [&[u8]; 7] = [b"t", b"ax", b"ay", b"az", b"gx", b"gy", b"gz"];
@@ -178,8 +178,9 @@ fn numbers(line: &[u8]) -> Option<Row> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use recording::{Recording, Stream};
+
+    use super::*;
 
     #[test]
     fn a_file_gives_the_curves_of_its_samples_and_anything_odd_is_left_to_the_reader() {

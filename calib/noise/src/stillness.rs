@@ -1,7 +1,6 @@
 //! Whether a recording was at rest all the time: an Allan analysis of turns is nonsense.
 
 use nalgebra::Vector3;
-
 use recording::intervals::{Span, complement, union};
 
 /// Length of a block in which the spread is measured, s.

@@ -1,5 +1,6 @@
 //! The result of an Allan analysis, as written to `noise.json`.
 
+use recording::Error;
 use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 
@@ -8,7 +9,6 @@ use super::curves::{RecordingCurves, SensorCurves};
 use super::identify::{NoiseTerms, identify};
 use super::settling::settling_time;
 use super::term::NoiseTerm;
-use recording::Error;
 
 /// The schema this version writes.
 pub const NOISE_SCHEMA: &str = "stillpoint.noise/1";

@@ -2,13 +2,13 @@
 
 use std::collections::BTreeMap;
 
+use recording::Error;
 use sensor::{AnyEffect, Model, Role, Sensor};
 use solver::Parameters;
 
 use super::device::Device;
 use super::random::{Purpose, Random};
 use super::spec::Spec;
-use recording::Error;
 
 /// Effects by name; each with its parameters by name, or with `size`, a multiple of the effect's
 /// typical size at which coefficients not named are drawn.

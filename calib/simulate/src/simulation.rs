@@ -3,6 +3,8 @@
 use std::ops::Range;
 
 use nalgebra::Vector3;
+use recording::watch::{Stage, step};
+use recording::{Error, Magnetometer, Recording, Stream, Temperature};
 use sensor::{Kinematics, Sensor};
 use solver::Parameters;
 
@@ -18,9 +20,6 @@ use super::spec::Spec;
 use super::surroundings::Fault;
 use super::truth::{StaticInterval, TRUTH_SCHEMA, Truth};
 use super::world::{Delays, World};
-use recording::Error;
-use recording::watch::{Stage, step};
-use recording::{Magnetometer, Recording, Stream, Temperature};
 
 /// Most samples of a sensor that are kept in memory: 32 bytes each.
 pub const MOST_SAMPLES: f64 = 5e7;

@@ -3,14 +3,13 @@
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
+use recording::{Error, Temperature};
 use sensor::Sensor;
 use tempfile::NamedTempFile;
 
 use super::drift::DriftMeans;
 use super::simulation::Simulation;
 use super::truth::Truth;
-use recording::Error;
-use recording::Temperature;
 
 /// The files of a simulated recording; `mag.csv` where there is a magnetic field.
 pub const FILES: [&str; 4] = ["acc.csv", "gyro.csv", "mag.csv", "truth.json"];
@@ -156,9 +155,10 @@ fn publish(file: NamedTempFile, path: &Path, force: bool) -> std::io::Result<()>
 
 #[cfg(test)]
 mod tests {
+    use recording::{ReadOptions, Recording};
+
     use super::*;
     use crate::Spec;
-    use recording::{ReadOptions, Recording};
 
     fn short() -> Simulation {
         let spec = Spec::still(1, 2.0).with_effect("accel_temperature", 1.0);

@@ -1,13 +1,13 @@
 //! Faults of the recording itself, found without a model.
 
+use estimate::methods::joint::{Accused, Disturbance, SensorNoise};
 use nalgebra::Vector3;
+use recording::intervals::{Rails, Segmentation, Span};
+use recording::{Recording, Stream};
 use serde::Serialize;
 
 use crate::request::Session;
 use crate::state::State;
-use estimate::methods::joint::{Accused, Disturbance, SensorNoise};
-use recording::intervals::{Rails, Segmentation, Span};
-use recording::{Recording, Stream};
 
 /// Samples at the end of the range that count as saturation.
 const CLIPPED: usize = 5;

@@ -117,9 +117,10 @@ fn of_turns(turns: &[Turn]) -> Option<Delay> {
 
 #[cfg(test)]
 mod tests {
+    use simulate::Spec;
+
     use super::*;
     use crate::{Extension, Request, Session};
-    use simulate::Spec;
 
     fn found(late: f64) -> Delay {
         let mut spec = Spec::hand_held(21);

@@ -1,11 +1,10 @@
 //! The disagreement by channel: where in the data it is.
 
+use estimate::methods::joint::{BiasNoise, Whitening, orthonormal};
 use faer::Mat;
 use serde::Serialize;
 
 use crate::state::State;
-use estimate::methods::joint::BiasNoise;
-use estimate::methods::joint::{Whitening, orthonormal};
 
 /// A kind of comparison between the model and the data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -146,9 +145,10 @@ pub fn channel_of(parts: &[Misfit; 3]) -> Channel {
 
 #[cfg(test)]
 mod tests {
+    use simulate::Spec;
+
     use super::*;
     use crate::{Extension, Request, Session};
-    use simulate::Spec;
 
     #[test]
     fn the_channels_add_up_to_the_whole_disagreement() {

@@ -1,12 +1,12 @@
 //! Intervals that the fit did not see: cross-validation over blocks of rests.
 
+use estimate::methods::joint::BiasNoise;
 use faer::linalg::solvers::DenseSolveCore;
 use faer::{Mat, Side};
 use nalgebra::DMatrix;
 
 use crate::gap::channel::{Channel, Misfit};
 use crate::state::State;
-use estimate::methods::joint::BiasNoise;
 
 /// Blocks that the rests are dealt into.
 const BLOCKS: usize = 8;
@@ -118,8 +118,9 @@ fn pseudo_inverse(a: &DMatrix<f64>) -> (DMatrix<f64>, usize) {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use estimate::methods::joint::left_null_space;
+
+    use super::*;
 
     #[test]
     fn a_block_left_out_is_missed_as_by_a_fit_without_it() {

@@ -1,5 +1,6 @@
 //! Where the data disagree with a model: channel, intervals, covariate.
 
+use estimate::methods::joint::{BiasNoise, Instant, Sampling, error_columns};
 use faer::linalg::solvers::DenseSolveCore;
 use faer::{Mat, Side};
 use nalgebra::{DMatrix, Vector3};
@@ -9,7 +10,6 @@ use serde::Serialize;
 use crate::gap::channel::{Channel, Sequence};
 use crate::score::{log_tail, score};
 use crate::state::State;
-use estimate::methods::joint::{BiasNoise, Instant, Sampling, error_columns};
 
 /// A channel disagrees where chance would show as much in one of so many recordings.
 const CHANCE: f64 = 0.01;

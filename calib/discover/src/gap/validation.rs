@@ -4,7 +4,11 @@
 //! calibration (held) ± its covariance ──► r, J on the recording ──► directions and biases out ──► χ²/dof
 //! ```
 
+use estimate::methods::joint::{
+    BiasNoise, JointFit, Rows, Whitening, columns, covariance_at, fit_joint,
+};
 use faer::Mat;
+use recording::{Error, Recording};
 use sensor::{AnyEffect, Role};
 
 use crate::discovery::Discovery;
@@ -13,11 +17,6 @@ use crate::gap::channel::{Channel, Misfit, Sequence, whitening_at};
 use crate::linear::least_squares;
 use crate::request::{Request, Session};
 use crate::state::{Extension, State};
-use estimate::methods::joint::{
-    BiasNoise, JointFit, Rows, Whitening, columns, covariance_at, fit_joint,
-};
-use recording::Error;
-use recording::Recording;
 
 /// Gauss–Newton steps of directions and biases: the problem is all but linear in them, and the first is
 /// taken at the recording's own fit.
@@ -198,9 +197,10 @@ fn is_bias(name: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use simulate::{Session as Simulated, Spec};
+
     use super::*;
     use crate::discover;
-    use simulate::{Session as Simulated, Spec};
 
     const HIDDEN: &str = "gyro_g_sensitivity";
 

@@ -2,13 +2,12 @@
 
 use std::path::Path;
 
-use sensor::Sensor;
-
 use estimate::calibration::refuse_newer;
 use estimate::methods::joint::BiasNoise;
 use noise::{NOISE_SCHEMA, NoiseSummary, NoiseTerm, SensorNoise, TermValue};
 use recording::Error;
 use recording::shown::shown_path;
+use sensor::Sensor;
 
 /// Larger densities are no sensor's, m/s²/√s and rad/s/√s: they would explain anything.
 const LARGEST: f64 = 1.0;

@@ -1,11 +1,10 @@
 //! The disagreement, with everything that the model's parameters could explain taken out.
 
-use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
-use faer::{Mat, MatRef, Par, Side};
-
 use estimate::methods::joint::{
     BiasNoise, Component, ComponentKind, Within, both_sides, left_null_space,
 };
+use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
+use faer::{Mat, MatRef, Par, Side};
 
 /// `z = Nᵀ r ~ N(Nᵀ E β, I + Σ θ_c C_c)`, `N` (`m × q`) the left null space of the Jacobian of a model: what is left when
 /// all its parameters, directions and biases have had their share; `C_c` those of walk and flicker of the biases.
@@ -132,8 +131,9 @@ impl Whitened {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use faer::linalg::solvers::DenseSolveCore;
+
+    use super::*;
 
     #[test]
     fn the_square_is_that_of_the_disagreement_under_its_whole_covariance() {

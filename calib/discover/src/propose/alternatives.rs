@@ -41,9 +41,10 @@ pub fn alternatives(whitened: &Whitened, terms: &Terms, products: &[&Product]) -
 
 #[cfg(test)]
 mod tests {
+    use sensor::{Axis, Covariate, Sensor};
+
     use super::*;
     use crate::noise::projected::Projected;
-    use sensor::{Axis, Covariate, Sensor};
 
     fn product(covariate: Covariate, column: [f64; 3]) -> Product {
         Product {

@@ -181,10 +181,11 @@ fn columns(
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::{Extension, Request, Session};
     use estimate::methods::joint::{Sampling, error_columns};
     use simulate::Spec;
+
+    use super::*;
+    use crate::{Extension, Request, Session};
 
     #[test]
     fn three_of_five_things_can_be_taken_in_fifty_five_ways() {

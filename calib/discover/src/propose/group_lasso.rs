@@ -135,9 +135,10 @@ fn upper_triangle(n: usize, entry: impl Fn(usize, usize) -> f64) -> CscMatrix<f6
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use rand::{RngExt, SeedableRng};
     use rand_chacha::ChaCha8Rng;
+
+    use super::*;
 
     #[test]
     fn of_orthonormal_columns_every_group_is_shrunk_by_the_same_length() {

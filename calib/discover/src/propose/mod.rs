@@ -12,9 +12,15 @@ mod screen;
 mod stability;
 mod terms;
 
+use alternatives::alternatives;
+use dictionary::dictionary;
+use estimate::calibration::EffectParameter;
+use screen::screen;
 use sensor::{AnyEffect, Formula, Sensor};
 use serde::Serialize;
+use stability::stability;
 use statrs::function::factorial::ln_binomial;
+use terms::terms;
 
 use super::family::effect_family;
 use super::gap::channel::{Channel, Misfit};
@@ -23,13 +29,6 @@ use super::rank::{Ranked, rank};
 use super::remainder::unexplained::Unexplained;
 use super::request::{Request, Session};
 use super::state::State;
-use estimate::calibration::EffectParameter;
-
-use alternatives::alternatives;
-use dictionary::dictionary;
-use screen::screen;
-use stability::stability;
-use terms::terms;
 
 /// Share of the halves that must select a group (Meinshausen and Bühlmann 2010 take 0.6 to 0.9).
 const STABLE: f64 = 0.8;

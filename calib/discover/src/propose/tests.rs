@@ -1,10 +1,10 @@
+use effects::effect_file::parse_effects;
+use recording::Recording;
 use sensor::Axis;
+use simulate::{Hidden, Periodic, Spec};
 
 use super::*;
 use crate::{Extension, Verdict, discover};
-use effects::effect_file::parse_effects;
-use recording::Recording;
-use simulate::{Hidden, Periodic, Spec};
 
 /// Specific force along two axes leaks into the rate about the third.
 const SWIRL: &str = r#"

@@ -132,9 +132,10 @@ impl Biases {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use rand::SeedableRng;
     use rand_distr::{Distribution, StandardNormal};
+
+    use super::*;
 
     fn biases(random: &mut rand_chacha::ChaCha8Rng, wanders: f64) -> (Biases, Vec<f64>) {
         let times: Vec<f64> = (0..40).map(|k| 10.0 * f64::from(k)).collect();

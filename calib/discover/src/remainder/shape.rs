@@ -4,12 +4,12 @@
 
 use std::f64::consts::PI;
 
+use estimate::methods::joint::{Instant, Mean, Place, Sampling, error_columns};
 use nalgebra::Vector3;
 use sensor::Sensor;
 
 use crate::family::{Claim, Family, Hypothesis, beside};
 use crate::state::State;
-use estimate::methods::joint::{Instant, Mean, Place, Sampling, error_columns};
 
 /// Cosines of time tried.
 const COSINES: usize = 6;

@@ -1,5 +1,6 @@
 //! What is left when everything of the catalogue has had its chance.
 
+use estimate::methods::joint::{BiasNoise, Chunk, Mean, SensorNoise};
 use faer::Mat;
 use nalgebra::Vector3;
 use sensor::{Quantity, Sensor};
@@ -7,15 +8,12 @@ use serde::Serialize;
 
 use crate::family::{Claim, Family};
 use crate::gap::channel::{Channel, Misfit, Sequence};
-use crate::rank::APART;
-use crate::rank::{Ranked, levels, rank_at};
+use crate::rank::{APART, Ranked, levels, rank_at};
 use crate::remainder::scatter::scatters;
 use crate::remainder::shape::{Shape, shapes};
 use crate::score::log_tail;
 use crate::search::{Name, Search};
 use crate::state::State;
-use estimate::methods::joint::BiasNoise;
-use estimate::methods::joint::{Chunk, Mean, SensorNoise};
 
 /// A disagreement that no effect of the catalogue explains.
 #[derive(Clone, Debug, PartialEq, Serialize)]

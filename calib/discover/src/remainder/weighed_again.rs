@@ -1,5 +1,6 @@
 //! Names and faults weighed again beside what no effect of the catalogue describes.
 
+use estimate::methods::joint::{BiasNoise, Known};
 use faer::Mat;
 
 use crate::family::{Claim, Family, beside, families};
@@ -7,7 +8,6 @@ use crate::request::Request;
 use crate::score::{log_tail, score};
 use crate::search::Search;
 use crate::state::{Extension, State};
-use estimate::methods::joint::{BiasNoise, Known};
 
 /// What the model holds, by the family that it was taken from.
 struct Item {

@@ -1,12 +1,12 @@
 //! Evidence that a few turns make.
 
+use estimate::methods::joint::{Disturbance, without};
 use faer::Mat;
 
 use crate::family::Family;
 use crate::rank::Ranked;
 use crate::score::{log_tail, score};
 use crate::state::State;
-use estimate::methods::joint::{Disturbance, without};
 
 /// Turns that evidence has to do without.
 ///

@@ -8,10 +8,12 @@ mod review;
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
+use effects::is_earth_rotation;
+use estimate::methods::joint::Known;
+use faer::Mat;
 use few_turns::Turns;
 use outlying_turns::outlying_turns;
-
-use faer::Mat;
+use recording::Error;
 use sensor::AnyEffect;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
@@ -20,9 +22,6 @@ use crate::rank::{Ranked, rank};
 use crate::request::{Request, Session};
 use crate::separation::Rivalry;
 use crate::state::{Extension, State};
-use effects::is_earth_rotation;
-use estimate::methods::joint::Known;
-use recording::Error;
 
 /// Names at most; a device that seems to lack more is not understood.
 const MOST_NAMES: usize = 6;

@@ -1,13 +1,13 @@
 //! Turns that miss by so much that they hide each other and everything else.
 
+use estimate::methods::joint::{Disturbance, Suspect};
 use faer::Mat;
 use nalgebra::{DMatrix, DVector};
+use recording::averages::median;
 
 use super::Held;
 use crate::family::{Claim, Hypothesis};
 use crate::state::State;
-use estimate::methods::joint::{Disturbance, Suspect};
-use recording::averages::median;
 
 /// A turn is taken out at once where its `χ²` of two degrees is beyond this, and beyond as many times the usual one.
 const GROSS: f64 = 50.0;

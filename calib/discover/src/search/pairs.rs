@@ -4,8 +4,7 @@ use faer::Mat;
 
 use super::{Finder, Held, PAIRED};
 use crate::family::{Claim, beside};
-use crate::rank::APART;
-use crate::rank::Ranked;
+use crate::rank::{APART, Ranked};
 use crate::score::{log_tail, score};
 use crate::state::State;
 

@@ -1,15 +1,14 @@
 //! A second look at every name, everything else that was named being in the model.
 
+use estimate::methods::joint::Known;
 use faer::Mat;
+use recording::Error;
 
 use super::{Finder, Held, MOST_NAMES, Name, Tie, held};
 use crate::family::{Claim, Family, with_companions};
-use crate::rank::APART;
-use crate::rank::{Ranked, shared};
+use crate::rank::{APART, Ranked, shared};
 use crate::separation::Rivalry;
 use crate::state::State;
-use estimate::methods::joint::Known;
-use recording::Error;
 
 /// What is left of the names after a second look.
 pub(super) struct Reviewed {

@@ -1,15 +1,15 @@
 //! A recording that is made to tell tied effects apart, and what it would say of them.
 
+use estimate::methods::joint::BiasNoise;
 use nalgebra::Vector3;
 use plan::{Timing, Turn};
 use sensor::AnyEffect;
+use simulate::{Grade, Motion, Planned, PlannedStep, Sampling, SensorSpec, Spec, Temperature};
 
 use super::information::Information;
 use super::rivalry::Rivalry;
 use crate::request::{Request, Session};
 use crate::state::{Extension, State};
-use estimate::methods::joint::BiasNoise;
-use simulate::{Grade, Motion, Planned, PlannedStep, Sampling, SensorSpec, Spec, Temperature};
 
 /// Half of what temperature rises and falls by, K.
 const SWING: f64 = 8.0;

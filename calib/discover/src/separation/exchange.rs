@@ -7,12 +7,12 @@ use plan::{ForceMatrix, Noise, Speed, Timing, best, sequence, tilts, ways};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
+use recording::Error;
+use recording::watch::{Stage, step};
 
 use super::aim::{Aim, SETTLED, Separated};
 use super::design::{Conditions, Design};
 use super::rivalry::Rivalry;
-use recording::Error;
-use recording::watch::{Stage, step};
 
 /// More than this is not aimed at: the sizes of the effects are estimates.
 const ENOUGH: f64 = 3.0 * SETTLED;

@@ -1,5 +1,6 @@
 //! What a recording says of the parameters that recordings of a device have in common.
 
+use estimate::methods::joint::{BiasNoise, Whitening, columns, without};
 use faer::Mat;
 use nalgebra::{DMatrix, DVector};
 use sensor::{Sensor, base_names};
@@ -7,7 +8,6 @@ use serde::{Deserialize, Serialize};
 
 use crate::family::beside;
 use crate::state::State;
-use estimate::methods::joint::{BiasNoise, Whitening, columns, without};
 
 /// A direction of scaled information below this share is rounding.
 const ROUNDING: f64 = 1e-10;

@@ -1,5 +1,7 @@
 //! A named effect and one that the recordings cannot tell from it.
 
+use estimate::calibration::effect_named;
+use estimate::methods::joint::{BiasNoise, columns, effect_columns};
 use faer::Mat;
 use sensor::{AnyEffect, Quantity, Role};
 use serde::{Deserialize, Serialize};
@@ -8,8 +10,6 @@ use super::information::Information;
 use crate::family::{Claim, Family, beside, coefficients, with_companions};
 use crate::rank::Ranked;
 use crate::state::State;
-use estimate::calibration::effect_named;
-use estimate::methods::joint::{BiasNoise, columns, effect_columns};
 
 /// An effect as it would be if it alone were what is missing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -1,6 +1,8 @@
 //! The fits written down as a [`Calibration`].
 
 use nalgebra::Matrix3;
+use recording::intervals::Segmentation;
+use recording::{Error, Recording};
 use sensor::{BASE_PARAMETERS, Base, Model, PLACES, Sensor, base_names};
 
 use super::left_out::left_out_by_norms;
@@ -13,9 +15,6 @@ use crate::calibration::{
 };
 use crate::methods::joint::Channel;
 use crate::methods::{AccelerometerFit, Choice, Fitted, GyroscopeFit, RawUnit};
-use recording::Error;
-use recording::Recording;
-use recording::intervals::Segmentation;
 
 /// What the stages left.
 pub(super) struct Parts<'a> {

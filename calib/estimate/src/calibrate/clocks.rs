@@ -1,7 +1,8 @@
 //! What the clocks of the recordings leave in doubt, and recordings on an even clock.
 
-use crate::methods::joint::{ClockState, JointFit};
 use recording::{Recording, Stamps, Stream, bursts, clock_drift, clock_offset, even_clock};
+
+use crate::methods::joint::{ClockState, JointFit};
 
 /// Turns that miss by so much, as `χ²` per degree of freedom, with any clock: samples are not when any stamp says.
 const WITH_ANY: f64 = 60.0;

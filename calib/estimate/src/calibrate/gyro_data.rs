@@ -1,14 +1,14 @@
 //! One recording's turns, directions of gravity and static rates, for the gyroscope's fit.
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
+use recording::Recording;
+use recording::intervals::{Segmentation, Turn};
 use sensor::Model;
 
 use super::{GyroBias, Request};
 use crate::methods::{AccelerometerFit, GyroscopeData, RawUnit, gyroscope_guess};
 use crate::residuals::{StaticMean, TurnData};
 use crate::truth::{Models, Sensing, Truth};
-use recording::Recording;
-use recording::intervals::{Segmentation, Turn};
 
 /// Where the data come from.
 pub(super) struct Source<'a> {

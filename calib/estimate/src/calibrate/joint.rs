@@ -1,5 +1,9 @@
 //! `--method joint`: recordings to a calibration by one weighted problem.
 
+use effects::earth_rotation;
+use gyroscope::EARTH_RATE;
+use recording::averages::root_mean_square;
+use recording::{Error, Recording};
 use sensor::{AnyEffect, BASE_PARAMETERS, Nature, Sensor};
 
 use super::assemble::{effect_values, of_the_gyro_unit, of_the_unit, triad};
@@ -12,11 +16,6 @@ use crate::calibration::{
 };
 use crate::methods::joint::{Channel, Disturbance, JointFit, JointRequest, fit_joint};
 use crate::methods::{Choice, Fitted};
-use effects::earth_rotation;
-use gyroscope::EARTH_RATE;
-use recording::Error;
-use recording::Recording;
-use recording::averages::root_mean_square;
 
 /// A latitude whose vertical part of the earth's rotation is off by so many standard errors is doubted.
 const REFUTED: f64 = 4.0;

@@ -3,10 +3,8 @@
 use std::path::Path;
 
 use nalgebra::Vector3;
-
-use recording::Error;
-use recording::read_text;
 use recording::shown::shown_path;
+use recording::{Error, read_text};
 
 /// Reads the columns `ax,ay,az` of a CSV table of static means.
 ///

@@ -25,6 +25,9 @@ pub use same_device::of_one_device;
 use std::borrow::Borrow;
 
 use nalgebra::Vector3;
+use recording::intervals::{Detector, Segmentation, Span, Turn, TurnFault};
+use recording::readings::{FASTEST_HAND, Finding, tremor, without_spikes};
+use recording::{Error, Recording};
 use sensor::{AnyEffect, Model, Quantity};
 use serde::{Deserialize, Serialize};
 
@@ -38,10 +41,6 @@ use crate::methods::{
 };
 use crate::residuals::{Integrator, StaticMean};
 use crate::truth::{Models, Sensing, Truth};
-use recording::Error;
-use recording::Recording;
-use recording::intervals::{Detector, Segmentation, Span, Turn, TurnFault};
-use recording::readings::{FASTEST_HAND, Finding, tremor, without_spikes};
 
 pub use crate::gravity::STANDARD_GRAVITY;
 

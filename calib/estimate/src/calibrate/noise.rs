@@ -1,11 +1,11 @@
 //! What the noise within the rests allows the residuals to be.
 
 use nalgebra::Vector3;
+use recording::intervals::{Moments, Segmentation};
+use recording::{Recording, Stream};
 use sensor::Base;
 
 use crate::methods::joint::SensorNoise;
-use recording::intervals::{Moments, Segmentation};
-use recording::{Recording, Stream};
 
 /// What is left out at either end of a rest where the colour of the noise is measured, s: motion.
 const ENDS: f64 = 0.5;

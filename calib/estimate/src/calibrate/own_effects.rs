@@ -1,8 +1,7 @@
 //! Effects that a user wrote: what they may cost, and failures that are theirs.
 
-use sensor::{AnyEffect, fault_of};
-
 use recording::{Error, Recording, Stream};
+use sensor::{AnyEffect, fault_of};
 
 /// Grants each as many steps as fits of these recordings need.
 pub fn grant_steps<'a>(

@@ -1,13 +1,13 @@
 //! The gyroscope's bias from the rests of a recording.
 
 use nalgebra::Vector3;
-
-use crate::calibration::RecordingBias;
-use crate::methods::small_sample::widening;
 use recording::Recording;
 use recording::averages::median;
 use recording::intervals::{Moments, Segmentation};
 use recording::readings::{COARSE, dead_zones};
+
+use crate::calibration::RecordingBias;
+use crate::methods::small_sample::widening;
 
 /// The mean over the rests, with the scatter between them as its error.
 ///

@@ -1,11 +1,10 @@
 //! Whether several recordings can come from one device.
 
+use recording::{Error, Recording};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use crate::methods::{AccelerometerFit, AccelerometerRequest, fit_accelerometer};
 use crate::residuals::StaticMean;
-use recording::Error;
-use recording::Recording;
 
 /// Devices are told apart where chance makes so much difference in one parameter this rarely.
 const LEVEL: f64 = 1e-7;

@@ -1,14 +1,14 @@
 //! What the stepwise fit leaves of the norm of specific force, against the noise within the static intervals.
 
+use effects::covariates::last_changes;
 use nalgebra::{DMatrix, DVector, Vector3};
+use recording::Recording;
+use recording::intervals::Moments;
 use sensor::Base;
 
 use super::noise;
 use crate::methods::joint::{Oriented, Pattern, Shown, StaticNumbers};
 use crate::methods::{AccelerometerFit, Choice};
-use effects::covariates::last_changes;
-use recording::Recording;
-use recording::intervals::Moments;
 
 /// No mean is known better than this, m/s²: simulated rests may have no noise at all.
 const LEAST_NOISE: f64 = 1e-7;

@@ -1,14 +1,13 @@
 //! `apply(raw)`: the whole definition of the corrected signal.
 
+use recording::intervals::{Detector, Segmentation, StaticInterval, segment};
+use recording::watch::{Stage, step};
+use recording::{Error, Recording, Stream};
 use sensor::{Base, Quantity, Role, Sensor};
 
 use super::Calibration;
 use crate::methods::MULTIPLIERS;
 use crate::truth::{Models, Truth};
-use recording::Error;
-use recording::intervals::{Detector, Segmentation, StaticInterval, segment};
-use recording::watch::{Stage, step};
-use recording::{Recording, Stream};
 
 /// Readings between two looks at whether the work is to end.
 const BETWEEN_STEPS: usize = 1 << 12;

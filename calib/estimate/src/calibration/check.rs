@@ -2,12 +2,11 @@
 
 use std::path::Path;
 
+use recording::shown::{shown, shown_path};
+use recording::{Error, figure};
 use sensor::AnyEffect;
 
 use super::{Calibration, Outside, SCHEMA, Triad};
-use recording::Error;
-use recording::figure;
-use recording::shown::{shown, shown_path};
 
 /// Largest ratio of the singular values of `T`: sensitivities of one chip differ by a tenth, units of its axes not at all.
 const MOST_UNEQUAL: f64 = 10.0;

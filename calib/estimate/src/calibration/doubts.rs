@@ -1,14 +1,13 @@
 //! Whether a recording looks like one of the device and the units that a calibration is for.
 
 use nalgebra::Vector3;
+use recording::averages::root_mean_square;
+use recording::intervals::{Detector, Segmentation};
+use recording::{Error, Recording};
 
 use super::Calibration;
 use crate::evaluate::{Misfits, misfits};
 use crate::methods::cut;
-use recording::Error;
-use recording::Recording;
-use recording::averages::root_mean_square;
-use recording::intervals::{Detector, Segmentation};
 
 /// A corrected rate above this in static intervals is none of the device or unit that was calibrated, rad/s. Biases of
 /// cheap gyroscopes come back to a tenth of it.

@@ -127,8 +127,9 @@ fn sandwich(jacobian: &[Vec<f64>], covariance: &[Vec<f64>]) -> Vec<Vec<f64>> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use nalgebra::Vector3;
+
+    use super::*;
 
     #[test]
     fn the_symmetric_factor_is_symmetric_and_keeps_every_modulus() {

@@ -1,5 +1,7 @@
 //! What a calibration was made from: recordings, options, conventions.
 
+use recording::intervals::{Moments, Segmentation, StaticInterval};
+use recording::{Recording, Stream};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -7,8 +9,6 @@ use super::Calibration;
 use crate::calibrate::{Frame, GyroBias, Instant, Method, Request};
 use crate::methods::joint::ClockMode;
 use crate::residuals::Integrator;
-use recording::intervals::{Moments, Segmentation, StaticInterval};
-use recording::{Recording, Stream};
 
 /// The sign convention of every calibration: `sign_convention` in the file.
 pub const SIGN_CONVENTION: &str = "specific force: +g on the axis that points up at rest; angular rate: right-handed about each axis";
@@ -288,8 +288,9 @@ impl Options {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use nalgebra::Vector3;
+
+    use super::*;
 
     fn recording(z: f64) -> Recording {
         Recording {

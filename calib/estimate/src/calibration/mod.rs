@@ -34,15 +34,14 @@ pub use reading_unit::TriadUnits;
 pub use units::check_units;
 
 use nalgebra::{Matrix3, Vector3};
+use recording::intervals::Segmentation;
+use recording::{Error, Recording};
 use sensor::{AnyEffect, Base, Definition, Model, Sensor};
 use serde::{Deserialize, Serialize};
 
 use crate::gravity::GravitySource;
 use crate::limits::LimitLine;
 use crate::prior::PriorUse;
-use recording::Error;
-use recording::Recording;
-use recording::intervals::Segmentation;
 
 /// The schema this version writes.
 pub const SCHEMA: &str = "stillpoint.calibration/1";

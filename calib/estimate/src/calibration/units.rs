@@ -1,10 +1,9 @@
 //! Whether a calibration speaks of a recording's units.
 
+use recording::{Error, Recording};
 use sensor::Sensor;
 
 use super::Calibration;
-use recording::Error;
-use recording::Recording;
 
 /// Corrected specific force whose median modulus lies within these multiples of gravity is in the
 /// right unit: most of any recording is rest or gentle motion.

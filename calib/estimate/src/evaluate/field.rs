@@ -1,11 +1,10 @@
 //! What a calibration leaves of the magnetic field: its norm and its angle to the vertical should be the same everywhere.
 
 use nalgebra::Vector3;
-use serde::Serialize;
-
 use recording::Recording;
 use recording::averages::root_mean_square;
 use recording::intervals::{Moments, Segmentation};
+use serde::Serialize;
 
 /// The magnetic field over the static intervals of a recording.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

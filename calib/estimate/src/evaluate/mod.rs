@@ -5,14 +5,13 @@ mod field;
 pub use field::FieldMisfit;
 
 use nalgebra::Vector3;
+use recording::averages::root_mean_square;
+use recording::intervals::{Segmentation, Span, StaticInterval, Turn};
+use recording::{Error, Recording, Stream};
 use serde::Serialize;
 
 use crate::calibration::{Calibration, apply_with};
 use crate::residuals::{Integrator, attitude_of};
-use recording::Error;
-use recording::averages::root_mean_square;
-use recording::intervals::{Segmentation, Span, StaticInterval, Turn};
-use recording::{Recording, Stream};
 
 /// The misfit of a recording to gravity under one calibration.
 #[derive(Clone, Debug, PartialEq, Serialize)]

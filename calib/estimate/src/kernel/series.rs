@@ -106,8 +106,9 @@ fn horner<S: Simd, const N: usize>(simd: S, x: S::f64s, coefficients: &[f64; N])
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use pulp::Scalar;
+
+    use super::*;
 
     /// The closed forms, which lose digits below a tenth of a radian.
     fn closed(angle: f64) -> [f64; 3] {

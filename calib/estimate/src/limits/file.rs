@@ -2,14 +2,13 @@
 
 use std::path::Path;
 
+use effects::catalogue;
+use recording::shown::shown_path;
+use recording::toml_place::{explain_toml, key_position, place};
+use recording::{Error, did_you_mean};
 use sensor::{Sensor, base_names};
 
 use super::Limits;
-use effects::catalogue;
-use recording::Error;
-use recording::did_you_mean;
-use recording::shown::shown_path;
-use recording::toml_place::{explain_toml, key_position, place};
 
 /// The limits of the file at `path`.
 ///

@@ -154,11 +154,12 @@ impl Lines {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Vector3;
+
     use super::super::{built_in, parse_limits};
     use super::*;
     use crate::calibration::{EffectParameter, EffectValues};
     use crate::methods::six_position::{Face, Placement, Six, SixPosition};
-    use nalgebra::Vector3;
 
     /// Readings with a scale error and a bias on each axis.
     fn calibration() -> Calibration {

@@ -3,7 +3,6 @@
 
 use nalgebra::{Matrix3, Vector3};
 use sensor::{Base, Model, Sensor};
-
 use solver::Problem;
 
 use super::first_guess::RawUnit;

@@ -2,6 +2,9 @@
 
 use faer::Mat;
 use nalgebra::Vector3;
+use recording::Error;
+use recording::averages::root_mean_square;
+use recording::watch::{Stage, step};
 use sensor::{Base, Model};
 use solver::{Mask, Options, Parameters, Problem, Report, solve};
 
@@ -13,9 +16,6 @@ use crate::kernel::TurnProblem;
 use crate::residuals::{
     Integrator, OwnBias, PropagatedGravity, Recordings, Stacked, StaticMean, StaticRate, TurnData,
 };
-use recording::Error;
-use recording::averages::root_mean_square;
-use recording::watch::{Stage, step};
 
 /// Rounds in which the two kinds of rows are weighted by what the fit before left of them.
 const WEIGHT_ROUNDS: usize = 6;

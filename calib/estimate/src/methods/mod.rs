@@ -22,10 +22,11 @@ pub use outliers::{Outlier, outliers};
 pub use stepwise::{AccelerometerFit, AccelerometerRequest, fit_accelerometer};
 pub use threshold::{Choice, MULTIPLIERS, Trial, choose_multiplier, cut};
 
-use crate::residuals::StaticMean;
-use crate::truth::{Models, Truth};
 use recording::Recording;
 use recording::intervals::Segmentation;
+
+use crate::residuals::StaticMean;
+use crate::truth::{Models, Truth};
 
 /// The accelerometer's means over the static intervals of a recording; of the truth there time and temperature are known.
 pub fn static_means(recording: &Recording, segmentation: &Segmentation) -> Vec<StaticMean> {

@@ -1,6 +1,8 @@
 //! Biases estimated again on a recording, scale factors and misalignments kept.
 
 use nalgebra::{Matrix3, Vector3};
+use recording::intervals::{Segmentation, Span};
+use recording::{Error, Recording};
 use sensor::{Sensor, inverse};
 use solver::{Options, Uncertainty, solve};
 
@@ -8,9 +10,6 @@ use super::static_means_by;
 use crate::calibration::{BiasUpdate, Calibration, apply_with};
 use crate::residuals::GravityNorm;
 use crate::truth::{Models, Truth};
-use recording::Error;
-use recording::Recording;
-use recording::intervals::{Segmentation, Span};
 
 /// A rest must be longer than this to say anything new of a gyroscope's bias (Liu et al. 2021,
 /// section 4.2), s.
@@ -245,10 +244,11 @@ fn mean_of(values: &[Vector3<f64>], batches: usize) -> Option<(Vector3<f64>, Vec
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::methods::six_position::{Face, Placement, Six, SixPosition};
     use recording::Stream;
     use recording::intervals::{Detector, segment};
+
+    use super::*;
+    use crate::methods::six_position::{Face, Placement, Six, SixPosition};
 
     const G: f64 = 9.8;
     /// Biases of the day: what a calibration from yesterday does not know.

@@ -1,6 +1,8 @@
 //! The stepwise accelerometer calibration, as published (Liu et al. 2021, section 4.1).
 
 use nalgebra::Matrix3;
+use recording::Error;
+use recording::watch::{Stage, step};
 use sensor::{Base, Model};
 use solver::{Options, Report, Variant, solve};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
@@ -10,8 +12,6 @@ use super::fitted::Fitted;
 use super::outliers::{Outlier, outliers};
 use super::small_sample::residual_std;
 use crate::residuals::{GravityNorm, OwnBias, StaticMean};
-use recording::Error;
-use recording::watch::{Stage, step};
 
 /// Recordings get biases of their own where a common one is refuted at this level.
 const OWN_BIAS_LEVEL: f64 = 0.01;

@@ -1,11 +1,11 @@
 //! A calibration with what the type has in common.
 
 use nalgebra::{DMatrix, DVector};
+use recording::Error;
 
 use super::belonging::{Belonging, belonging};
 use super::{Prior, PriorShare, PriorUse};
 use crate::calibration::Calibration;
-use recording::Error;
 
 impl Prior {
     /// Adds the type's information to a calibration whose own covariance is that of its session; writes down what came from
@@ -114,10 +114,11 @@ fn scaled_solve(
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Vector3;
+
     use super::*;
     use crate::methods::six_position::{Face, Placement, Six, SixPosition};
     use crate::prior::PRIOR_SCHEMA;
-    use nalgebra::Vector3;
 
     fn calibration() -> Calibration {
         let placements = Face::ALL.map(|face| Placement {

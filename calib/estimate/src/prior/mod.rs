@@ -18,10 +18,9 @@ pub use belonging::{Belonging, belonging};
 use std::path::Path;
 
 use nalgebra::{DMatrix, DVector};
-use serde::{Deserialize, Serialize};
-
 use recording::Error;
 use recording::shown::shown_path;
+use serde::{Deserialize, Serialize};
 
 /// Schema of prior.json.
 pub const PRIOR_SCHEMA: &str = "stillpoint.prior/1";

@@ -93,10 +93,11 @@ impl<P: Problem> Problem for Recordings<P> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::residuals::{StaticMean, StaticRate};
     use nalgebra::Vector3;
     use sensor::Kinematics;
+
+    use super::*;
+    use crate::residuals::{StaticMean, StaticRate};
 
     #[test]
     fn recordings_with_biases_of_their_own_differentiate_as_their_residual_does() {

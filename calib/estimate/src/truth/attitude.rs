@@ -1,12 +1,12 @@
 //! Attitudes through a recording: level by the accelerometer at rest, the heading carried by the gyroscope.
 
 use nalgebra::Vector3;
+use recording::Recording;
+use recording::intervals::{Segmentation, Span, Turn};
 use sensor::attitude::Attitude;
 
 use super::rests::KnownRest;
 use super::sensing::Models;
-use recording::Recording;
-use recording::intervals::{Segmentation, Span, Turn};
 
 /// Attitudes (body to a level frame, `z` up). The heading of the first static interval is zero.
 #[derive(Clone, Debug)]

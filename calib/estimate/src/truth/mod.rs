@@ -16,14 +16,12 @@ mod sensing;
 mod tests;
 mod thermal;
 
+use effects::covariates::slope_at;
 use nalgebra::Vector3;
+use recording::intervals::Segmentation;
+use recording::{Error, Recording};
 use sensor::attitude::Attitude;
 use sensor::{Kinematics, Quantity, Sensor, Since};
-
-use effects::covariates::slope_at;
-use recording::Error;
-use recording::Recording;
-use recording::intervals::Segmentation;
 
 pub use needs::{require, silent_at_static_intervals, without_instant};
 pub use sensing::{Models, Sensing};

@@ -1,11 +1,10 @@
 //! Whether what an effect needs can be known.
 
+use recording::intervals::Segmentation;
+use recording::{Error, Recording};
 use sensor::{AnyEffect, Quantity, Role, Sensor, silent_at_rest};
 
 use super::sensing::Models;
-use recording::Error;
-use recording::Recording;
-use recording::intervals::Segmentation;
 
 /// Why a quantity cannot be known of a recording, and what to do about it.
 type Why = (&'static str, &'static str);

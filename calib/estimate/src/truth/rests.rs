@@ -1,14 +1,14 @@
 //! What is known of static intervals: their history and their vibration.
 
+use effects::covariates::{last_changes, vibrations};
 use nalgebra::Vector3;
+use recording::intervals::{Moments, Segmentation, Span, StaticInterval, Turn};
+use recording::{Recording, Stream};
 use sensor::{Kinematics, Sensor, Since};
 
 use super::sensing::{Models, Sensing};
 use super::thermal::Thermal;
 use super::unneeded;
-use effects::covariates::{last_changes, vibrations};
-use recording::intervals::{Moments, Segmentation, Span, StaticInterval, Turn};
-use recording::{Recording, Stream};
 
 /// A static interval and the truth in it.
 #[derive(Clone, Copy, Debug)]

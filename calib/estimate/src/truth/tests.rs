@@ -1,8 +1,9 @@
 //! The truth against the simulator's, on noise-free data.
 
-use super::*;
 use recording::intervals::Span;
 use simulate::{Session, Simulation, Spec, Vibration};
+
+use super::*;
 
 /// A noise-free session of a perfect device whose placements are known, with the simulator's truth.
 fn session() -> (Simulation, Session, Segmentation) {

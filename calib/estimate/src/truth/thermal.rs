@@ -1,7 +1,6 @@
 //! How the temperature moves: its derivative, and whether it rises or falls.
 
 use nalgebra::{Matrix3, Vector3};
-
 use recording::Temperature;
 
 /// Readings are taken together over this long, s: the temperature of a device does not change faster.

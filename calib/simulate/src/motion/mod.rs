@@ -133,8 +133,9 @@ fn rotation(turn: &Segment) -> Vector3<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use nalgebra::UnitQuaternion;
+
+    use super::*;
 
     fn session() -> Motion {
         let around = Surroundings {

@@ -1,5 +1,6 @@
 //! Placements one after the other, with turns by hand between them.
 
+use effects::covariates::last_change;
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::path::Path;
@@ -9,7 +10,6 @@ use super::turn::{Hand, turn_to};
 use super::unsteady::unsteady;
 use crate::random::{Purpose, Random};
 use crate::surroundings::{Fault, Unsteady, Vibration};
-use effects::covariates::last_change;
 
 /// One placement and the turn that leads to it.
 #[derive(Clone, Debug)]

@@ -1,5 +1,6 @@
 //! Placements and turns as a plan says, followed by a hand that is a little off.
 
+use effects::covariates::last_change;
 use nalgebra::{UnitQuaternion, UnitVector3, Vector3};
 use plan::{Pace, Turn};
 use serde::{Deserialize, Serialize};
@@ -11,7 +12,6 @@ use super::profile::Profile;
 use super::segment::{Rest, Twist};
 use super::turn::{Hand, hand_moves};
 use crate::random::{Purpose, Random};
-use effects::covariates::last_change;
 
 /// A rotation about a fixed axis of the body.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

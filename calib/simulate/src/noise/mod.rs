@@ -6,15 +6,15 @@ mod flicker;
 mod spikes;
 mod thermal;
 
+use colour::Colour;
+use flicker::Flicker;
 use nalgebra::Vector3;
 use sensor::Sensor;
 use serde::{Deserialize, Serialize};
+use thermal::Thermal;
 
 use super::random::{Purpose, Random};
 use super::spec::SensorSpec;
-use colour::Colour;
-use flicker::Flicker;
-use thermal::Thermal;
 
 pub use distribution::Distribution;
 pub use spikes::Spikes;

@@ -1,9 +1,9 @@
 //! A bias that moves while the device warms up, without a thermometer to show it.
 
 use nalgebra::Vector3;
+use sensor::Sensor;
 
 use crate::random::{Purpose, Random};
-use sensor::Sensor;
 
 /// `b(t) = d (1 − exp(−3t/T))/(1 − exp(−3))` in a random direction: 0 at the first sample, `d` at the end `T`.
 #[derive(Clone, Debug)]

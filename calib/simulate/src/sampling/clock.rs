@@ -1,9 +1,9 @@
 //! The clock of one sensor: when it samples, and what it says.
 
+use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 
 use crate::random::{Purpose, Random};
-use sensor::Sensor;
 
 /// A sensor's own clock.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

@@ -76,9 +76,10 @@ impl Resampler {
 
 #[cfg(test)]
 mod tests {
+    use sensor::Sensor;
+
     use super::*;
     use crate::{Clock, Stamp};
-    use sensor::Sensor;
 
     fn resampled(by: Between) -> Vec<(f64, f64)> {
         let clock = Clock::default();

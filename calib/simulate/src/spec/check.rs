@@ -1,9 +1,10 @@
 //! Numbers that a spec must not have.
 
+use recording::Error;
+
 use super::complaint::{Complaint, number};
 use super::{Motion, SensorSpec, Spec};
 use crate::surroundings::{Fault, MagneticField, Temperature, Unsteady, Vibration};
-use recording::Error;
 
 /// Longest recording, s: 30 days.
 const LONGEST: f64 = 30.0 * 86400.0;
@@ -282,8 +283,9 @@ fn direction(key: &str, v: [f64; 3]) -> Result<(), Complaint> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use sensor::{DefinedParam, Definition, Sensor};
+
+    use super::*;
 
     #[test]
     fn the_default_is_fine() {

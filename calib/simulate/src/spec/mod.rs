@@ -7,10 +7,16 @@ mod parse;
 
 pub use parse::EXAMPLE;
 
-use complaint::Complaint;
-
 use std::collections::BTreeMap;
 
+use complaint::Complaint;
+use effects::effect_file::effects_of;
+use effects::{
+    catalogue_of, earth_rotation, is_earth_rotation, looks_at_temperature, looks_at_vibration,
+    looks_at_warming,
+};
+use gyroscope::EARTH_RATE;
+use recording::Error;
 use sensor::{AnyEffect, Definition, Sensor};
 use serde::{Deserialize, Serialize};
 
@@ -22,13 +28,6 @@ use crate::noise::{Distribution, Noise, Spikes};
 use crate::sampling::{Clock, Readout, Resampled, Sampling, Stamp};
 use crate::simulation::{Session, Simulation};
 use crate::surroundings::{Fault, MagneticField, Temperature, Unsteady, Vibration};
-use effects::effect_file::effects_of;
-use effects::{
-    catalogue_of, earth_rotation, is_earth_rotation, looks_at_temperature, looks_at_vibration,
-    looks_at_warming,
-};
-use gyroscope::EARTH_RATE;
-use recording::Error;
 
 /// A simulation in full. The default is a hand-held session of a consumer-grade device.
 ///

@@ -1,12 +1,12 @@
 //! Names in a spec: effects and parameters.
 
+use effects::{is_earth_rotation, looks_at_temperature, looks_at_vibration};
+use recording::did_you_mean;
 use sensor::{AnyEffect, Param, Role, Sensor, base_names};
 
 use super::Spec;
 use super::complaint::{Complaint, number};
 use crate::effects::SIZE;
-use effects::{is_earth_rotation, looks_at_temperature, looks_at_vibration};
-use recording::did_you_mean;
 
 /// Largest number that makes sense anywhere in a spec.
 const HUGE: f64 = 1e9;

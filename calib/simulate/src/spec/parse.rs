@@ -1,9 +1,10 @@
 //! A spec from a TOML text, with errors that name the line.
 
-use super::Spec;
-use super::complaint::Complaint;
 use recording::Error;
 use recording::toml_place::{explain_toml, key_position, place};
+
+use super::Spec;
+use super::complaint::Complaint;
 
 /// A spec that shows what can be said, with comments.
 pub const EXAMPLE: &str = include_str!("example.toml");

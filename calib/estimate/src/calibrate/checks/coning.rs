@@ -1,7 +1,6 @@
 //! Turns that are too fast for the rate of the samples.
 
 use nalgebra::{Matrix3, Vector3};
-
 use recording::intervals::{Segmentation, Turn};
 use recording::{Recording, Stream};
 

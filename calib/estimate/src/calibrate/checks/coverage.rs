@@ -1,9 +1,9 @@
 //! Which orientations were recorded.
 
 use nalgebra::{Matrix3, Vector3};
+use recording::Error;
 
 use crate::residuals::StaticMean;
-use recording::Error;
 
 /// Placements are in one plane where they leave it by less than this share of what they spread in it.
 const FLAT: f64 = 3e-3;

@@ -1,11 +1,11 @@
 //! Whether the data determine the parameters, in words a person can act on.
 
 use nalgebra::Vector3;
+use recording::Error;
 use solver::Report;
 
 use super::coverage::refusal;
 use crate::methods::{AccelerometerFit, AccelerometerRequest, Fitted, GyroscopeFit};
-use recording::Error;
 
 /// A gyroscope that misses gravity by this much after the fit is not understood, rad.
 pub(super) const LOST: f64 = 0.1;

@@ -21,14 +21,13 @@ pub(super) use rests::{disagreeing_rests, long_turns, restless};
 pub(super) use unknowable::{refuse_attitude, refuse_unknowable};
 
 use nalgebra::Vector3;
+use recording::readings::{Quiet, findings, quietest};
+use recording::{Error, Recording, Stream};
 use sensor::{AnyEffect, Quantity};
 
 use crate::methods::Choice;
 use crate::residuals::StaticMean;
 use crate::truth::unneeded;
-use recording::Error;
-use recording::readings::{Quiet, findings, quietest};
-use recording::{Recording, Stream};
 
 /// Rates above this are said to be more than needed, and which would do, Hz.
 const FASTEST: f64 = 5000.0;

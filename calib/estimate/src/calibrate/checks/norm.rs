@@ -1,11 +1,11 @@
 //! Whether the norm of specific force tells the parameters of an accelerometer's effects.
 
 use nalgebra::{DMatrix, Vector3};
+use recording::Error;
 use sensor::{Kinematics, Model, PLACES};
 
 use crate::methods::RawUnit;
 use crate::residuals::StaticMean;
-use recording::Error;
 
 /// Singular values of columns of length one below this are zero: identical columns leave some 1e-16.
 const NOTHING: f64 = 1e-9;

@@ -1,8 +1,9 @@
 //! Rests and turns that are not what they seem.
 
-use crate::methods::{AccelerometerFit, Choice};
 use recording::Recording;
 use recording::intervals::Segmentation;
+
+use crate::methods::{AccelerometerFit, Choice};
 
 /// Spread of a rest above which the device was not still, as a fraction of gravity.
 const STILL: f64 = 0.05;

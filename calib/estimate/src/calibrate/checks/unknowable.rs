@@ -1,12 +1,11 @@
 //! Effects that a calibration cannot know, by what they look at.
 
+use recording::intervals::Segmentation;
+use recording::{Error, Recording};
 use sensor::{AnyEffect, Quantity, Sensor};
 
 use crate::methods::RawUnit;
 use crate::truth::{Models, Sensing, require, silent_at_static_intervals, without_instant};
-use recording::Error;
-use recording::Recording;
-use recording::intervals::Segmentation;
 
 /// Refuses effects of which a parameter, or what they look at, cannot be known of these recordings.
 pub fn refuse_unknowable<'a>(

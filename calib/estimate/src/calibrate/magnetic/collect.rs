@@ -1,5 +1,8 @@
 //! Recordings to placements, and the turns between them.
 
+use recording::averages::median;
+use recording::intervals::{Moments, Segmentation};
+use recording::{Recording, Stream};
 use sensor::{Base, Sensor};
 
 use super::inertial::Inertial;
@@ -9,9 +12,6 @@ use crate::calibration::Calibration;
 use crate::methods::joint::Channel;
 use crate::methods::magnetic::{HeadingChange, Placement, Rest};
 use crate::truth::{Models, Truth};
-use recording::averages::median;
-use recording::intervals::{Moments, Segmentation};
-use recording::{Recording, Stream};
 
 /// A mean is not better known than to this share of it, such as where coarse steps hide the noise.
 const LEAST_NOISE: f64 = 1e-5;

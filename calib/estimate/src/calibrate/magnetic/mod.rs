@@ -10,13 +10,12 @@ mod missing;
 mod turns;
 mod write;
 
+use inertial::Inertial;
+use recording::{Error, FieldUnit, Recording};
 use sensor::{AnyEffect, Sensor};
 
 use super::{Outcome, Request};
 use crate::methods::magnetic::{MagneticRequest, fit_magnetometer};
-use inertial::Inertial;
-use recording::Error;
-use recording::{FieldUnit, Recording};
 
 /// Strengths of a magnetic field that may be given, µT. The earth's is 22 to 67.
 pub const FIELDS: std::ops::RangeInclusive<f64> = 1.0..=1000.0;

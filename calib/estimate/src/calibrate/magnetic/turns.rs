@@ -1,12 +1,12 @@
 //! The heading from one placement to the next, by the gyroscope.
 
 use nalgebra::{Matrix3, Vector3};
+use recording::intervals::Turn;
 use sensor::attitude::Attitude;
 use sensor::{Base, Sensor};
 
 use super::collect::{Collected, Source};
 use crate::methods::magnetic::{HeadingChange, Placement};
-use recording::intervals::Turn;
 
 impl Source<'_> {
     /// The rotation about the vertical in a turn from one placement to the next.

@@ -1,6 +1,7 @@
 //! The fit into the calibration.
 
 use nalgebra::{DMatrix, DVector};
+use recording::FieldUnit;
 use sensor::{AnyEffect, Model, Sensor};
 
 use super::inertial::Inertial;
@@ -8,7 +9,6 @@ use crate::calibrate::assemble;
 use crate::calibration::{Calibration, MagneticField, RecordingBias, RecordingField, Triad};
 use crate::methods::Fitted;
 use crate::methods::magnetic::{Field, MagneticFit, OwnBias};
-use recording::FieldUnit;
 
 /// Turns and headings that disagree by chance in fewer cases than this do not correct the gyroscope.
 const CONTRADICTION: f64 = 1e-3;

@@ -2,12 +2,12 @@
 //! change taken off from there on.
 
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Vector3};
+use recording::averages::median;
 use sensor::Sensor;
 
 use super::change::{Change, Kind, Place};
 use super::rest::Rest;
 use super::weigh::{Explanation, solved};
-use recording::averages::median;
 
 /// Parameters of the base: an upper triangular matrix and a bias.
 const BASE: usize = 9;

@@ -1,11 +1,11 @@
 //! A sign or two columns that change part of the way: by which of them the turns meet gravity before and after.
 
 use nalgebra::{Matrix3, Vector3};
+use recording::averages::median;
 use sensor::Sensor;
 
 use super::change::{Change, Kind, Place};
 use super::turns::Turning;
-use recording::averages::median;
 
 /// Fewest turns on either side.
 const SIDE: usize = 4;

@@ -17,9 +17,8 @@ mod turn;
 mod turns;
 mod weigh;
 
-use nalgebra::{Matrix3, Vector3};
-
 use change::{Change, Kind, Place};
+use nalgebra::{Matrix3, Vector3};
 use recording::Recording;
 use recording::intervals::Segmentation;
 use rest::Rest;

@@ -1,10 +1,10 @@
 //! A bias of the gyroscope that steps and stays.
 
+use recording::averages::median;
 use sensor::Sensor;
 
 use super::change::{Change, Kind, Place};
 use super::rest::Rest;
-use recording::averages::median;
 
 /// Fewest static intervals, and on either side of a step.
 const FEWEST: usize = 8;

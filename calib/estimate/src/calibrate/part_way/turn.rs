@@ -1,7 +1,6 @@
 //! One turn: the direction of gravity carried through it, and what moves that.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
-
 use recording::Stream;
 
 /// What a turn says of the gyroscope.

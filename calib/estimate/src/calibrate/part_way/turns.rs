@@ -1,12 +1,12 @@
 //! A gyroscope that is another one from some turn on, and single turns that miss gravity where the others meet it.
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use recording::averages::median;
 use sensor::Sensor;
 
 use super::change::{Change, Kind, Place};
 use super::turn::{Carried, Rates};
 use super::weigh::{Explanation, solved};
-use recording::averages::median;
 
 /// Elements of the matrix.
 const BASE: usize = 9;

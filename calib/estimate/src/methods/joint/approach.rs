@@ -4,8 +4,8 @@ use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, MatMut, Side};
 use solver::Problem;
 
-use super::problem::{Linear, Rows};
-use super::weights::Whitening;
+use crate::methods::joint::noise::weights::Whitening;
+use crate::methods::joint::rows::{Linear, Rows};
 
 /// Steps at most, those that fail included: a point on the way need not be a minimum, and the last fit is the solver's.
 const STEPS: usize = 24;

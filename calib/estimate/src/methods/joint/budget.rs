@@ -6,10 +6,10 @@ use std::sync::atomic::AtomicUsize;
 use std::sync::atomic::Ordering::Relaxed;
 
 use nalgebra::{Matrix3, Vector3};
-
-use crate::methods::Choice;
 use recording::Recording;
 use recording::intervals::StaticInterval;
+
+use crate::methods::Choice;
 
 /// Most static intervals of a recording. Every one has a direction of its own among the parameters, and noise
 /// joins all rows: time grows with the third power of their number and memory with the second.
@@ -119,9 +119,10 @@ fn spread_best(statics: &[StaticInterval], count: usize) -> Option<Range<usize>>
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use recording::Stream;
     use recording::intervals::{Segmentation, Span};
+
+    use super::*;
 
     /// Rests of one second with turns of one second between, flat but for those in `tilted`.
     fn session(rests: usize, tilted: Range<usize>) -> (Recording, Choice) {

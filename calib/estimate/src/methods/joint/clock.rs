@@ -4,12 +4,18 @@
 //! evenly and the stamps scatter, 1 where the sampling is uneven and the stamps are right. `λ` is one more
 //! parameter of the fit; it comes out as `σ_J²/(σ_J² + σ_S²)`, the weight that leaves the least.
 
+pub(crate) mod coning;
+pub(crate) mod fit;
+pub(crate) mod sampling;
+pub(crate) mod undersampled;
+pub(crate) mod windows;
+
 use nalgebra::{Matrix2, Vector2};
+use recording::{EvenClock, Stamps, Stream, even_clock};
 
 use super::data::Data;
-use super::sampling::Share;
-use super::windows::means_over_windows;
-use recording::{EvenClock, Stamps, Stream, even_clock};
+use crate::methods::joint::clock::sampling::Share;
+use crate::methods::joint::clock::windows::means_over_windows;
 
 /// Which clock the turns are integrated by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -83,7 +89,7 @@ pub struct TurnClock {
 
 impl TurnClock {
     /// Of the samples in `range`.
-    pub(super) fn of(stamps: &[f64], even: &[f64], range: std::ops::Range<usize>) -> Self {
+    pub(crate) fn of(stamps: &[f64], even: &[f64], range: std::ops::Range<usize>) -> Self {
         let scatter: Vec<f64> = stamps.iter().zip(even).map(|(s, e)| s - e).collect();
         let windows = |t: &[f64]| range.clone().map(|k| window(t, k)).collect();
         Self {
@@ -96,7 +102,7 @@ impl TurnClock {
 }
 
 /// Length of the window of sample `k`: half the way to either neighbour.
-pub(super) fn window(t: &[f64], k: usize) -> f64 {
+pub(crate) fn window(t: &[f64], k: usize) -> f64 {
     let after = t.get(k + 1).map(|next| next - t[k]);
     let before = k.checked_sub(1).map(|j| t[k] - t[j]);
     match (before, after) {
@@ -107,7 +113,7 @@ pub(super) fn window(t: &[f64], k: usize) -> f64 {
 }
 
 /// The clocks that may be behind the stamps of a gyroscope, and what is known of them.
-pub(super) fn clocks_behind(rate: &Stream, mode: ClockMode) -> (SourceClock, Vec<Vec<f64>>) {
+pub(crate) fn clocks_behind(rate: &Stream, mode: ClockMode) -> (SourceClock, Vec<Vec<f64>>) {
     let stamps = SourceClock {
         share: 1.0,
         ..SourceClock::default()
@@ -153,7 +159,7 @@ pub(super) fn clocks_behind(rate: &Stream, mode: ClockMode) -> (SourceClock, Vec
 
 impl Data {
     /// The recordings whose clock has a share to be chosen.
-    pub(super) fn with_scatter(&self) -> Vec<usize> {
+    pub(crate) fn with_scatter(&self) -> Vec<usize> {
         let mut all: Vec<usize> = self
             .turns
             .iter()
@@ -165,19 +171,19 @@ impl Data {
     }
 
     /// How many clocks there are behind the stamps of a recording.
-    pub(super) fn bases(&self, recording: usize) -> usize {
+    pub(crate) fn bases(&self, recording: usize) -> usize {
         let own = self.turns.iter().find(|turn| turn.recording == recording);
         own.map_or(0, |turn| turn.clocks.len())
     }
 
     /// The clock that the turns of a recording go by.
-    pub(super) fn base(&self, recording: usize) -> usize {
+    pub(crate) fn base(&self, recording: usize) -> usize {
         let own = self.turns.iter().find(|turn| turn.recording == recording);
         own.map_or(0, |turn| turn.base)
     }
 
     /// Lets the turns of a recording go by the clock `base` and a share of the scatter about it.
-    pub(super) fn set_clock(&mut self, recording: usize, base: usize, share: f64) {
+    pub(crate) fn set_clock(&mut self, recording: usize, base: usize, share: f64) {
         self.sources[recording].clock.share = share;
         for turn in self.turns.iter_mut().filter(|t| t.recording == recording) {
             let Some(clock) = turn.clocks.get(base) else {
@@ -195,7 +201,7 @@ impl Data {
     }
 
     /// Lets the times of the samples have this part of the mean square scatter of the stamps for their variance.
-    pub(super) fn set_timing(&mut self, recording: usize, part: f64) {
+    pub(crate) fn set_timing(&mut self, recording: usize, part: f64) {
         let turns = self.turns.iter().filter(|t| t.recording == recording);
         let clocks = turns.filter_map(|turn| turn.clocks.get(turn.base));
         let (sum, count) = clocks.fold((0.0, 0.0), |(sum, count), clock| {
@@ -207,6 +213,6 @@ impl Data {
 }
 
 /// The two rows of a turn as a symmetric outer product.
-pub(super) fn outer(v: &Vector2<f64>) -> Matrix2<f64> {
+pub(crate) fn outer(v: &Vector2<f64>) -> Matrix2<f64> {
     v * v.transpose()
 }

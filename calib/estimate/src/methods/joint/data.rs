@@ -4,21 +4,21 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use nalgebra::Vector3;
-use sensor::{Kinematics, Sensor};
-
-use super::broken::{Beside, Pair, touched};
-use super::clock::{ClockMode, SourceClock, TurnClock, clocks_behind, window};
-use super::knowledge::by_units;
-use super::noise::SensorNoise;
-use super::sampling::shocks;
-use super::shake::{Shake, gaps, shakes};
-use super::trim::quiet_part;
-use super::turn::MARGIN;
-use super::windows::means_over_windows;
-use crate::methods::RawUnit;
 use recording::intervals::{Segmentation, Span, TurnFault};
 use recording::readings::dead_zones;
 use recording::{INSTANT, Recording, Stream};
+use sensor::{Kinematics, Sensor};
+
+use super::clock::{ClockMode, SourceClock, TurnClock, clocks_behind, window};
+use super::noise::SensorNoise;
+use crate::methods::RawUnit;
+use crate::methods::joint::clock::sampling::shocks;
+use crate::methods::joint::clock::windows::means_over_windows;
+use crate::methods::joint::disturbance::broken::{Beside, Pair, touched};
+use crate::methods::joint::disturbance::shake::{Shake, gaps, shakes};
+use crate::methods::joint::disturbance::trim::quiet_part;
+use crate::methods::joint::rows::knowledge::by_units;
+use crate::methods::joint::rows::turn::MARGIN;
 
 /// Rests are cut into chunks of about this length, s: they anchor random walk, drift and warm-up.
 const CHUNK: f64 = 8.0;
@@ -30,7 +30,7 @@ const WHOLE: f64 = 1.5;
 const MOST_CHUNKS: f64 = 60.0;
 
 /// More disturbances than this share of the rests, and the noise is at fault, not the rests.
-pub(super) const MOST_DISTURBED: f64 = 0.2;
+pub(crate) const MOST_DISTURBED: f64 = 0.2;
 
 /// The mean of the samples of a sensor over a chunk, near SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]

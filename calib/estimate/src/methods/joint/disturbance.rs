@@ -1,12 +1,19 @@
 //! Rests and turns that something disturbed: tests that need no refit.
 
+pub(crate) mod belief;
+pub(crate) mod broken;
+pub(crate) mod judgement;
+pub(crate) mod shake;
+pub(crate) mod trial;
+pub(crate) mod trim;
+
 use nalgebra::Vector3;
 use sensor::Sensor;
 use serde::Serialize;
 
 use super::data::{Chunk, Mean};
-use super::problem::Rows;
-use super::shake::Shake;
+use crate::methods::joint::disturbance::shake::Shake;
+use crate::methods::joint::rows::Rows;
 
 /// What happened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

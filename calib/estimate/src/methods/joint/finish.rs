@@ -1,19 +1,19 @@
 //! The last steps and the result.
 
 use faer::Mat;
+use recording::Error;
 use solver::{Termination, solve};
 
 use super::approach::{Weighted, approach};
-use super::belief::Weights;
 use super::budget::Steps;
-use super::centred::centred;
 use super::disturbance::{Disturbance, Suspect};
 use super::fit::JointFit;
-use super::marginal::{orthonormal, reduced};
 use super::minimum::{Point, Run, options};
 use super::request::Accused;
-use super::weights::{Whitening, weighing};
-use recording::Error;
+use crate::methods::joint::disturbance::belief::Weights;
+use crate::methods::joint::noise::centred::centred;
+use crate::methods::joint::noise::weights::{Whitening, weighing};
+use crate::methods::joint::result::marginal::{orthonormal, reduced};
 
 /// A minimum nearer than this, in standard errors, is reached.
 const NEAR: f64 = 0.01;
@@ -35,7 +35,7 @@ impl Run<'_> {
     }
 
     /// The last steps, to what double precision allows.
-    pub(super) fn finish(&self, point: &Point, weights: Weights) -> Result<JointFit, Error> {
+    pub(crate) fn finish(&self, point: &Point, weights: Weights) -> Result<JointFit, Error> {
         let weights = self.about_the_means(point, weights);
         let columns = weights.columns();
         let rows = self.rows(&columns);

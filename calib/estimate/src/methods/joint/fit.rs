@@ -5,14 +5,14 @@ use nalgebra::Vector3;
 use sensor::{Model, Sensor};
 use solver::{Parameters, Report};
 
-use super::chart::Chart;
 use super::data::Data;
-use super::marginal::reduced;
 use super::orientation::Shown;
-use super::problem::Rows;
 use super::request::Accused;
-use super::weights::{Component, NoiseLevel, Whitening};
 use crate::methods::RawUnit;
+use crate::methods::joint::noise::weights::{Component, NoiseLevel, Whitening};
+use crate::methods::joint::result::marginal::reduced;
+use crate::methods::joint::rows::Rows;
+use crate::methods::joint::rows::chart::Chart;
 
 /// The joint fit, near SI units.
 #[derive(Clone, Debug)]

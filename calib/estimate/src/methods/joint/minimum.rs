@@ -1,22 +1,22 @@
 //! The minimum of a joint fit under some weights.
 
 use faer::Mat;
+use recording::Error;
+use recording::watch::{Stage, step};
 use sensor::Sensor;
 use solver::{Mask, Options, Parameters, Variant, solve};
 
 use super::approach::{Weighted, approach};
-use super::belief::Weights;
-use super::chart::Chart;
 use super::data::Data;
-use super::problem::{Linear, Rows};
 use super::request::JointRequest;
 use super::start::Start;
-use super::weights::Whitening;
-use recording::Error;
-use recording::watch::{Stage, step};
+use crate::methods::joint::disturbance::belief::Weights;
+use crate::methods::joint::noise::weights::Whitening;
+use crate::methods::joint::rows::chart::Chart;
+use crate::methods::joint::rows::{Linear, Rows};
 
 /// What stays the same over all rounds.
-pub(super) struct Run<'a> {
+pub(crate) struct Run<'a> {
     /// What is asked.
     pub request: &'a JointRequest<'a>,
     /// Means of the rests and turns.
@@ -29,7 +29,7 @@ pub(super) struct Run<'a> {
 
 /// The minimum under some weights.
 #[derive(Clone)]
-pub(super) struct Point {
+pub(crate) struct Point {
     /// Where it is.
     pub parameters: Parameters,
     /// What is free.
@@ -159,7 +159,7 @@ fn set(parameters: &mut Parameters, values: &[(String, f64)]) {
 }
 
 /// Of the solver, near the minimum.
-pub(super) fn options(most_steps: usize) -> Options {
+pub(crate) fn options(most_steps: usize) -> Options {
     Options {
         variant: Variant::GaussNewton,
         max_iterations: most_steps,

@@ -1,14 +1,23 @@
 //! The noise of one sensor, as the recording itself shows it.
 
+pub(crate) mod bias;
+pub(crate) mod centred;
+pub(crate) mod exposure;
+pub(crate) mod likelihood;
+pub(crate) mod rounding;
+pub(crate) mod rows;
+pub(crate) mod walk_filter;
+pub(crate) mod walks;
+pub(crate) mod weights;
+
 use std::ops::Range;
 
 use nalgebra::Vector3;
-
-use super::data::Mean;
-use super::rounding;
 use recording::averages::median;
 use recording::readings::DeadZone;
 use recording::{INSTANT, Stream};
+
+use super::data::Mean;
 
 /// Longest batches whose means show noise that does not average out, s, and how many a stretch should have.
 const BATCH: f64 = 1.0;
@@ -34,7 +43,7 @@ const QUIET: f64 = 1.5;
 const RESTLESS: f64 = 1.5;
 
 /// Noise below this (m/s² or rad/s) is rounding: keeps noise-free recordings weighted, and sensibly.
-pub(super) const FLOOR: f64 = 1e-9;
+pub(crate) const FLOOR: f64 = 1e-9;
 
 /// Readings that stay the same within every rest are frozen between steps of more than so many times the floor: smaller
 /// ones are rounding of noise-free readings.
@@ -286,7 +295,7 @@ fn freedom(parts: &[Vec<f64>], window: usize) -> f64 {
 }
 
 /// Sum of squares about the mean, and its degrees of freedom.
-pub(super) fn scatter(values: &[f64]) -> (f64, f64) {
+pub(crate) fn scatter(values: &[f64]) -> (f64, f64) {
     let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
     let sum = values.iter().map(|v| (v - mean).powi(2)).sum();
     (sum, values.len().saturating_sub(1).max(1) as f64)
@@ -323,8 +332,9 @@ fn smallest_step(parts: &[Vec<f64>]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use simulate::Spec;
+
+    use super::*;
 
     fn measured(spec: &Spec) -> SensorNoise {
         let stream = spec.run().unwrap().recording.accelerometer.unwrap();

@@ -1,11 +1,14 @@
 //! Does what is left at the static intervals depend on the orientation? No walk of a bias explains that.
 
+pub(crate) mod interval;
+pub(crate) mod oriented;
+
 use nalgebra::{DMatrix, DVector, Vector3};
 use serde::{Deserialize, Serialize};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
-use super::oriented_interval::Oriented;
-use super::walk_filter::WalkFilter;
+use crate::methods::joint::noise::walk_filter::WalkFilter;
+use crate::methods::joint::orientation::interval::Oriented;
 use crate::methods::small_sample::by_chance;
 
 /// Chance that a sensor of which nothing is missing shows any pattern.
@@ -251,9 +254,10 @@ impl Left {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use rand::SeedableRng;
     use rand_distr::{Distribution, StandardNormal};
+
+    use super::*;
 
     const SIGMA: f64 = 7e-4;
 

@@ -1,12 +1,12 @@
 //! What to fit, and what may be wrong with the data.
 
-use sensor::Model;
-
-use super::bias_noise::BiasNoise;
-use super::clock::ClockMode;
-use super::disturbance::Disturbance;
 use recording::Recording;
 use recording::intervals::{Segmentation, Span};
+use sensor::Model;
+
+use super::clock::ClockMode;
+use super::disturbance::Disturbance;
+use crate::methods::joint::noise::bias::BiasNoise;
 
 /// What to fit.
 #[derive(Clone, Debug)]

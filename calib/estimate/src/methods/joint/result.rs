@@ -1,14 +1,22 @@
 //! The fit in the unit of the readings, and its figures.
 
+pub(crate) mod analysis;
+pub(crate) mod influence;
+pub(crate) mod left_out;
+pub(crate) mod marginal;
+pub(crate) mod misfit;
+pub(crate) mod over_time;
+pub(crate) mod prediction;
+
 use nalgebra::DMatrix;
 use sensor::{BASE_PARAMETERS, Sensor};
 use serde::{Deserialize, Serialize};
 use solver::Uncertainty;
 
 use super::fit::JointFit;
-use super::marginal::marginal;
-use super::prediction::Prediction;
-use super::weights::{ComponentKind, NoiseLevel};
+use crate::methods::joint::noise::weights::{ComponentKind, NoiseLevel};
+use crate::methods::joint::result::marginal::marginal;
+use crate::methods::joint::result::prediction::Prediction;
 use crate::methods::small_sample::widening;
 use crate::methods::{Fitted, RawUnit};
 
@@ -34,7 +42,7 @@ impl JointFit {
     }
 
     /// The covariance of the shared parameters if the noise were what the weights say.
-    pub(super) fn covariance_of_weights(&self) -> Vec<Vec<f64>> {
+    pub(crate) fn covariance_of_weights(&self) -> Vec<Vec<f64>> {
         let count = self.reduced.ncols();
         let places: Vec<usize> = (0..count).collect();
         let nothing = faer::Mat::zeros(self.reduced.nrows(), 0);

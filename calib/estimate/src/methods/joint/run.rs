@@ -1,16 +1,16 @@
 //! Fit, measure the noise, look for disturbances, fit again.
 
+use recording::Error;
 use sensor::{AnyEffect, Quantity, Sensor};
 
-use super::chart::Chart;
-use super::clock_fit::settle_clock;
 use super::data::{Cut, Data};
 use super::fit::JointFit;
-use super::knowledge::by_models;
 use super::minimum::{Point, Run};
 use super::request::JointRequest;
 use super::start::{Start, charts, start};
-use recording::Error;
+use crate::methods::joint::clock::fit::settle_clock;
+use crate::methods::joint::rows::chart::Chart;
+use crate::methods::joint::rows::knowledge::by_models;
 
 /// Rounds of weighting at most; one suffices where nothing was disturbed.
 const ROUNDS: usize = 6;

@@ -1,20 +1,19 @@
 //! Where the joint fit starts: units, a first accelerometer, directions.
 
 use nalgebra::Vector3;
+use recording::intervals::Segmentation;
+use recording::{Error, Recording};
 use sensor::{BASE_PARAMETERS, Base, Model};
 
 use super::JointRequest;
 use super::budget::Steps;
-use super::chart::Chart;
 use super::data::Data;
+use crate::methods::joint::rows::chart::Chart;
 use crate::methods::{
     AccelerometerRequest, RawUnit, accelerometer_unit, fit_accelerometer, gyroscope_guess,
     static_means,
 };
 use crate::residuals::TurnData;
-use recording::Error;
-use recording::Recording;
-use recording::intervals::Segmentation;
 
 /// Norms of specific force that scatter by more than this share of gravity about a fit that does not end are those of a device
 /// in motion: no other fit of them ends, and all take long.

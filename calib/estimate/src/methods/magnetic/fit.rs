@@ -1,6 +1,7 @@
 //! The fit: start, unevenness, disturbed placements, result.
 
 use nalgebra::DMatrix;
+use recording::Error;
 use sensor::Model;
 
 use super::disturbed::most_disturbed;
@@ -9,7 +10,6 @@ use super::problem::Problem;
 use super::result::Judged;
 use super::start::linear_start;
 use super::unevenness::unevenness;
-use recording::Error;
 
 /// Fewer static intervals say too little: thirteen unknowns, a heading each, and something spare.
 const LEAST_PLACEMENTS: usize = 6;

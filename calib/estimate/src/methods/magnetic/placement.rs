@@ -1,9 +1,8 @@
 //! What is measured: the magnetometer in each static interval, and the heading from one to the next.
 
 use nalgebra::{Matrix3, Vector3};
-use sensor::Kinematics;
-
 use recording::intervals::Span;
+use sensor::Kinematics;
 
 /// A static interval as the magnetometer sees it.
 #[derive(Clone, Debug)]

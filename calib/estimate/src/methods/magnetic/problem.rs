@@ -1,5 +1,6 @@
 //! The graph of one set of placements, at one unevenness of the field.
 
+use recording::Error;
 use sensor::Model;
 use solver::{Block, Euclidean, Graph, GraphOptions, GraphReport, Products, solve_graph};
 
@@ -7,7 +8,6 @@ use super::factors::{FIELD, Reading, UnitDeterminant};
 use super::linear::Linear;
 use super::placement::{HeadingChange, Placement};
 use super::start::Start;
-use recording::Error;
 
 /// Relative offset at which a fit ends: its cost lies the square of that above the minimum.
 const TOLERANCE: f64 = 1e-6;

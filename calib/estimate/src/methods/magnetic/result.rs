@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use nalgebra::{DMatrix, Vector3};
+use recording::Error;
 use sensor::{BASE_PARAMETERS, PLACES};
 use solver::{Block, Products};
 
@@ -13,7 +14,6 @@ use super::placement::Placement;
 use super::problem::{Minimum, Problem};
 use super::start::Start;
 use crate::methods::small_sample::{by_chance, widening};
-use recording::Error;
 
 /// The common scale counts as known to this share: far better than any recording tells, and loose enough for the
 /// factorisation.

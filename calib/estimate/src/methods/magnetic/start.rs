@@ -1,9 +1,9 @@
 //! A start without a guess: the readings' model is linear in `T`, `T b` and the field, but for a factor.
 
 use nalgebra::{DMatrix, Matrix3, SymmetricEigen, Vector3};
+use recording::Error;
 
 use super::placement::{HeadingChange, Placement};
-use recording::Error;
 
 /// Unknowns before the fields: `T` and `T b`.
 const SHARED: usize = 12;

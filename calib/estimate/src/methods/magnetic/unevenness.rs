@@ -1,8 +1,9 @@
 //! How much the field differs from place to place.
 
+use recording::Error;
+
 use super::problem::{Minimum, Problem};
 use super::start::Start;
-use recording::Error;
 
 /// Steps of the search: each narrows the interval by the golden section, to a thousandth of it in all.
 const STEPS: usize = 15;

@@ -13,13 +13,12 @@ pub use placement::{Face, Placement, Six, placements};
 use std::borrow::Borrow;
 
 use nalgebra::{Matrix3, Matrix3x6, Vector3};
+use recording::intervals::Detector;
+use recording::{Error, Recording};
 use sensor::{Base, Sensor, base_names, inverse};
 
 use crate::calibration::{Calibration, Provenance, SCHEMA, Triad};
 use crate::gravity::{Gravity, GravitySource};
-use recording::Error;
-use recording::Recording;
-use recording::intervals::Detector;
 
 /// Placements tilted by more than this cost more than a consumer sensor's own errors, rad (0.1°).
 const TILT_LIMIT: f64 = 0.1 * std::f64::consts::PI / 180.0;

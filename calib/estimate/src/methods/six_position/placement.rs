@@ -3,10 +3,8 @@
 use std::borrow::Borrow;
 
 use nalgebra::{Matrix3x6, Vector3};
-
-use recording::Error;
-use recording::Recording;
 use recording::intervals::{Detector, StaticInterval, segment};
+use recording::{Error, Recording};
 
 /// A rest belongs to a face if its axis is within this of the vertical (cos 20°): hand placements
 /// are far nearer, edges and corners (45° and 55°) far beyond.

@@ -12,15 +12,14 @@ mod trial;
 pub use trial::Trial;
 
 use rayon::prelude::*;
+use recording::intervals::{Detector, Segmentation, Span, Survey};
+use recording::watch::{Stage, step};
+use recording::{Error, Recording, figure};
 use sensor::Base;
 
 use self::plateau::plateau;
 use self::trial::{NormFit, bare_mean};
 use crate::residuals::StaticMean;
-use recording::Error;
-use recording::intervals::{Detector, Segmentation, Span, Survey};
-use recording::watch::{Stage, step};
-use recording::{Recording, figure};
 
 /// The multipliers tried.
 pub const MULTIPLIERS: [f64; 12] = [3.0, 1e1, 3e1, 1e2, 3e2, 1e3, 3e3, 1e4, 3e4, 1e5, 3e5, 1e6];

@@ -1,0 +1,506 @@
+//! The share of the scatter that belongs to the samples, and what is missing between them, from the turns.
+//!
+//! ```text
+//! fit ─► what it leaves of the turns ─► sampling share c, clock share λ ─► weights, windows ─► fit …
+//!                                                       └─► 0 or 1 where χ² allows it
+//! ```
+
+use faer::Mat;
+use nalgebra::{DMatrix, DVector, Matrix2, Vector2};
+use recording::Error;
+
+use super::sampling::{Evidence, Levels, likeliest};
+use crate::methods::joint::clock::{ClockMode, ClockState};
+use crate::methods::joint::data::{Data, Source};
+use crate::methods::joint::minimum::{Point, Run};
+use crate::methods::joint::noise::weights::White;
+use crate::methods::joint::request::JointRequest;
+use crate::methods::joint::result::marginal::orthonormal;
+use crate::methods::joint::rows::chart::Chart;
+use crate::methods::joint::start::Start;
+
+/// Rounds at most, for one clock.
+const ROUNDS: usize = 5;
+
+/// A share that moves by less than this, and by less than a fifth of its standard error, is found.
+const SETTLED: f64 = 0.02;
+const SETTLED_ERRORS: f64 = 0.2;
+
+/// A sampling share that changes by less than this part of itself is found.
+const STEADY: f64 = 0.06;
+
+/// The same of the scatter of the turns, in whose place others are put later.
+const STEADY_FLOOR: f64 = 0.5;
+
+/// `χ²` that 0 or 1 may cost over the fitted share.
+const ALLOWED: f64 = 4.0;
+
+/// Turns that miss by more than this `χ²` per degree of freedom do not know the share well enough to say that it is 0
+/// or 1.
+const MISFIT: f64 = 2.0;
+
+/// Shares between 0 and 1 that a mean is taken over.
+const GRID: i32 = 64;
+
+/// A share with a larger standard error says nothing.
+const UNKNOWN: f64 = 0.35;
+
+/// Steps beyond which means over windows and samples at instants are told apart, s.
+const SLOW: f64 = 0.015;
+
+/// Log-likelihood that samples at instants have to gain over means.
+const EVIDENT: f64 = 4.0;
+
+/// The median of `χ²` of two degrees of freedom.
+const MEDIAN_OF_TWO: f64 = 1.386_294_361_119_890_6;
+
+/// And of one.
+const MEDIAN_OF_ONE: f64 = 0.454_936_423_119_572_3;
+
+/// Fits the clocks of the recordings, writes them into the data, and returns the point that was reached; `None` where
+/// there is nothing to fit.
+///
+/// # Errors
+/// What the solver refuses.
+pub(crate) fn settle_clock(
+    request: &JointRequest<'_>,
+    data: &mut Data,
+    charts: &[Chart],
+    start: &Start,
+    point: Option<Point>,
+) -> Result<Option<Point>, Error> {
+    let open = match request.clock {
+        ClockMode::Auto => data.with_scatter(),
+        ClockMode::Stamps | ClockMode::Even => Vec::new(),
+    };
+    let shocks = data.turns.iter().any(|turn| !turn.shocks.is_empty());
+    let slow: Vec<usize> = (0..data.sources.len())
+        .filter(|&k| {
+            let noise = data.sources[k].gyroscope;
+            noise.is_some_and(|noise| noise.interval > SLOW)
+        })
+        .collect();
+    if open.is_empty() && !shocks && slow.is_empty() {
+        return Ok(None);
+    }
+    let mut fit = ClockFit {
+        request,
+        charts,
+        start,
+        open,
+        point,
+    };
+    let mut left = fit.rounds(data)?;
+    for k in fit.open.clone() {
+        if data.bases(k) < 2 {
+            continue;
+        }
+        let before = (data.sources[k].clock, left.misfit(data, k));
+        data.set_clock(k, 1, before.0.share);
+        left = fit.rounds(data)?;
+        if left.misfit(data, k) >= before.1 {
+            data.set_clock(k, 0, before.0.share);
+            left = fit.rounds(data)?;
+        }
+    }
+    for k in slow {
+        let (before, score) = (data.clone(), left.score(data, k));
+        let point = fit.point.clone();
+        data.sources[k].clock.instants = true;
+        left = fit.rounds(data)?;
+        if left.score(data, k) < score + EVIDENT {
+            // The last point may lie elsewhere: what is judged is judged at the one that stays.
+            *data = before;
+            fit.point = point;
+            left = fit.fit(data)?;
+        }
+    }
+    fit.decide(data, &left);
+    // What scatters beyond noise and clock is judged with everything else.
+    data.sources
+        .iter_mut()
+        .for_each(|source| source.floor = 0.0);
+    Ok(fit.point)
+}
+
+/// A fit on its way.
+struct ClockFit<'a> {
+    request: &'a JointRequest<'a>,
+    charts: &'a [Chart],
+    start: &'a Start,
+    /// The recordings whose share is fitted.
+    open: Vec<usize>,
+    point: Option<Point>,
+}
+
+/// What a fit leaves of the turns, and what the shares would do to it.
+struct Left {
+    turns: Vec<Evidence>,
+    /// What the fit leaves of all rows, whitened (`m`).
+    residuals: Vec<f64>,
+    /// Of them, what a clock's share moves, for each open recording (`m`).
+    by_share: Vec<Vec<f64>>,
+    /// First row of the turns.
+    first: usize,
+}
+
+impl ClockFit<'_> {
+    /// Fits until the shares stand still.
+    fn rounds(&mut self, data: &mut Data) -> Result<Left, Error> {
+        let mut left = self.fit(data)?;
+        for _ in 0..ROUNDS {
+            let moved = self.sampling(data, &left) | self.shares(data, &left);
+            if !moved {
+                break;
+            }
+            left = self.fit(data)?;
+        }
+        Ok(left)
+    }
+
+    /// The minimum with the shares as they are.
+    fn fit(&mut self, data: &Data) -> Result<Left, Error> {
+        let run = Run {
+            request: self.request,
+            data,
+            charts: self.charts,
+            start: self.start,
+        };
+        let weights = match &self.point {
+            Some(point) => run.weights_at(point.plain_values()),
+            None => run.first_weights(),
+        };
+        let point = run.approach(&weights, self.point.as_ref())?;
+        let left = self.left(&run, &point, &weights.whitening.white);
+        self.point = Some(point);
+        Ok(left)
+    }
+
+    fn left(&self, run: &Run<'_>, point: &Point, white: &White) -> Left {
+        let rows = run.rows(&[]);
+        let (x, free) = (point.plain_values(), point.mask.free_indices());
+        let (r, jacobian) = point.linear.whitened(&free, |a| white.apply(a));
+        let (m, first) = (r.len(), rows.first_turn_row());
+        let mut all = Mat::<f64>::zeros(m, 1 + self.open.len());
+        for (k, turn) in run.data.turns.iter().enumerate() {
+            if let Some(place) = self.open.iter().position(|&o| o == turn.recording) {
+                let moved = rows.by_clock(x, turn);
+                all[(first + 2 * k, 1 + place)] = moved[0];
+                all[(first + 2 * k + 1, 1 + place)] = moved[1];
+            }
+        }
+        white.apply(all.as_mut());
+        for (i, value) in r.iter().enumerate() {
+            all[(i, 0)] = *value;
+        }
+        let basis = orthonormal(&jacobian);
+        let all = &all - &basis * (basis.transpose() * &all);
+        let noise = rows.noise(x);
+        let turns = noise.by_share.iter().enumerate().map(|(k, by_share)| {
+            let row = first + 2 * k;
+            let hat = Matrix2::from_fn(|i, j| {
+                let (a, b) = (basis.row(row + i), basis.row(row + j));
+                a.iter().zip(b.iter()).map(|(a, b)| a * b).sum()
+            });
+            let [share, floor] =
+                [by_share, &Matrix2::identity()].map(|c| both_sides(white, row, c));
+            let left = Vector2::new(all[(row, 0)], all[(row + 1, 0)]);
+            Evidence::new(&left, &hat, &share, &floor)
+        });
+        Left {
+            turns: turns.collect(),
+            residuals: all.col(0).iter().copied().collect(),
+            by_share: (0..self.open.len())
+                .map(|k| all.col(1 + k).iter().copied().collect())
+                .collect(),
+            first,
+        }
+    }
+
+    /// The likeliest sampling share of every recording; whether any moved.
+    fn sampling(&self, data: &mut Data, left: &Left) -> bool {
+        let mut moved = false;
+        for k in 0..data.sources.len() {
+            let mut turns = data.turns.iter().filter(|turn| turn.recording == k);
+            if turns.all(|turn| turn.shocks.is_empty()) {
+                continue;
+            }
+            let before = data.sources[k].levels();
+            let (share, floor) = likeliest(&left.of(data, k), before);
+            data.sources[k].clock.sampling = share;
+            data.sources[k].floor = floor;
+            let differs = |a: f64, b: f64, by: f64| (a - b).abs() > by * a.max(b);
+            moved |= differs(share.value, before.share, STEADY)
+                || differs(floor, before.floor, STEADY_FLOOR);
+        }
+        moved
+    }
+
+    /// The likeliest shares of the clocks; whether any moved.
+    fn shares(&self, data: &mut Data, left: &Left) -> bool {
+        let Some((steps, errors)) = left.steps(data) else {
+            return false;
+        };
+        let mut moved = false;
+        for (place, &k) in self.open.iter().enumerate() {
+            let clock = data.sources[k].clock;
+            let share = clock.share + steps[place];
+            data.sources[k].clock.fitted = Some((share, errors[place]));
+            let inside = share.clamp(0.0, 1.0);
+            let change = (inside - clock.share).abs();
+            if change > SETTLED && change > SETTLED_ERRORS * errors[place] {
+                let base = data.base(k);
+                data.set_clock(k, base, inside);
+                moved = true;
+            }
+        }
+        moved
+    }
+
+    /// Takes 0 or 1 where `χ²` allows it.
+    fn decide(&self, data: &mut Data, left: &Left) {
+        for k in 0..data.sources.len() {
+            if data.turns.iter().any(|turn| turn.recording == k) {
+                data.sources[k].clock.misfit = Some(left.whole_misfit(data, k));
+            }
+        }
+        for &k in &self.open {
+            let clock = data.sources[k].clock;
+            let Some((share, error)) = clock.fitted else {
+                continue;
+            };
+            let misfit = left.misfit(data, k);
+            let allows = |value: f64| ((share - value) / error).powi(2) <= ALLOWED;
+            let nearer = if share < 0.5 { 0.0 } else { 1.0 };
+            let (state, chosen) = if error.is_nan() || error > UNKNOWN {
+                // Steps that add up are those of samples taken when the host has time.
+                let adds = data.bases(k) > 1;
+                (ClockState::Undecided, if adds { 1.0 } else { 0.0 })
+            } else if misfit <= MISFIT && allows(nearer) {
+                (ClockState::Snapped, nearer)
+            } else if misfit <= MISFIT && allows(1.0 - nearer) {
+                (ClockState::Snapped, 1.0 - nearer)
+            } else {
+                (ClockState::Fitted, share.clamp(0.0, 1.0))
+            };
+            let base = data.base(k);
+            data.set_clock(k, base, chosen);
+            data.sources[k].clock.state = state;
+            if state == ClockState::Snapped {
+                data.set_timing(k, missed_by_snapping((share, error), chosen));
+            }
+        }
+    }
+}
+
+impl Source {
+    /// The levels that are in the noise of its turns.
+    fn levels(&self) -> Levels {
+        Levels {
+            share: self.clock.sampling.value,
+            floor: self.floor,
+        }
+    }
+}
+
+impl Left {
+    /// What is known of the turns of a recording.
+    fn of(&self, data: &Data, recording: usize) -> Vec<Evidence> {
+        let turns = data.turns.iter().zip(&self.turns);
+        turns
+            .filter(|(turn, _)| turn.recording == recording)
+            .map(|(_, evidence)| *evidence)
+            .collect()
+    }
+
+    /// Log-likelihood of the turns of a recording, up to a constant.
+    fn score(&self, data: &Data, recording: usize) -> f64 {
+        let turns = self.of(data, recording);
+        turns.iter().map(Evidence::score).sum()
+    }
+
+    /// By how much the turns miss usually, as `χ²` per degree of freedom: its median, so that turns that something
+    /// else is wrong with do not count.
+    fn misfit(&self, data: &Data, recording: usize) -> f64 {
+        self.usual(data, recording, |_| 1.0)
+    }
+
+    /// The same over the noise without the scatter that was allowed for.
+    fn whole_misfit(&self, data: &Data, recording: usize) -> f64 {
+        let now = data.sources[recording].levels();
+        self.usual(data, recording, |turn| (1.0 - turn.of_floor(now)).max(1e-4))
+    }
+
+    fn usual(&self, data: &Data, recording: usize, noise: impl Fn(&Evidence) -> f64) -> f64 {
+        let turns = self.of(data, recording);
+        let known = turns.iter().filter(|turn| turn.spare > 0.0);
+        let mut ratios: Vec<f64> = known
+            .map(|turn| {
+                let usual = if turn.spare > 1.0 {
+                    MEDIAN_OF_TWO
+                } else {
+                    MEDIAN_OF_ONE
+                };
+                turn.left.norm_squared() / usual / noise(turn)
+            })
+            .collect();
+        ratios.sort_by(f64::total_cmp);
+        ratios.get(ratios.len() / 2).copied().unwrap_or(1.0)
+    }
+
+    /// The Gauss–Newton steps of the clocks' shares and their standard errors, turns that something else is wrong with
+    /// apart; `None` where a share moves nothing.
+    fn steps(&self, data: &Data) -> Option<(Vec<f64>, Vec<f64>)> {
+        let count = self.by_share.len();
+        if count == 0 {
+            return None;
+        }
+        let misfits: Vec<f64> = (0..data.sources.len())
+            .map(|k| self.misfit(data, k).max(1.0))
+            .collect();
+        let mut weights = vec![1.0; self.residuals.len()];
+        for (k, (turn, evidence)) in data.turns.iter().zip(&self.turns).enumerate() {
+            let misfit = misfits[turn.recording];
+            let weight = evidence.sound(misfit) / misfit;
+            weights[self.first + 2 * k] = weight;
+            weights[self.first + 2 * k + 1] = weight;
+        }
+        let product = |a: &[f64], b: &[f64]| -> f64 {
+            let terms = a.iter().zip(b).zip(&weights);
+            terms.map(|((a, b), w)| a * b * w).sum()
+        };
+        let normal = DMatrix::from_fn(count, count, |i, j| {
+            product(&self.by_share[i], &self.by_share[j])
+        });
+        let right = DVector::from_fn(count, |i, _| -product(&self.by_share[i], &self.residuals));
+        let inverse = normal.try_inverse()?;
+        let steps = &inverse * right;
+        let errors = (0..count).map(|k| inverse[(k, k)].max(0.0).sqrt());
+        Some((steps.iter().copied().collect(), errors.collect()))
+    }
+}
+
+/// Variance of the samples' times over that of the scatter, where a share that was fitted is taken for `chosen`, 0 or 1.
+///
+/// With a share `λ` the times have the variance `λ(1 − λ)` about the best clock, and `|λ − chosen|` about the chosen one: its
+/// mean over what the share may be, half the prior chance on 0 and 1, half evenly between them. A share that is known
+/// well leaves nothing; one that is known badly may be a mixture, and its turns are off by more than the noise of the
+/// readings.
+fn missed_by_snapping((share, error): (f64, f64), chosen: f64) -> f64 {
+    let likelihood = |value: f64| (-0.5 * ((value - share) / error).powi(2)).exp();
+    let between = (0..GRID).map(|k| (f64::from(k) + 0.5) / f64::from(GRID));
+    let (sum, moment) = between.fold((0.0, 0.0), |(sum, moment), value| {
+        let weight = 0.5 * likelihood(value) / f64::from(GRID);
+        (sum + weight, moment + weight * (value - chosen).abs())
+    });
+    let [right, wrong] = [chosen, 1.0 - chosen].map(|value| 0.25 * likelihood(value));
+    (moment + wrong) / (sum + right + wrong)
+}
+
+/// `L⁻¹ C L⁻ᵀ` of the two rows from `row` on.
+fn both_sides(white: &White, row: usize, c: &Matrix2<f64>) -> Matrix2<f64> {
+    let mut half = DMatrix::from_fn(2, 2, |i, j| c[(i, j)]);
+    white.apply_block(row, &mut half);
+    half.transpose_mut();
+    white.apply_block(row, &mut half);
+    Matrix2::from_fn(|i, j| half[(i, j)])
+}
+
+#[cfg(test)]
+mod tests {
+    use recording::intervals::{Detector, segment};
+    use simulate::{Grade, Sampling, Spec};
+
+    use super::*;
+    use crate::methods::joint::{SourceClock, fit_joint};
+
+    fn clock_of(spec: &Spec) -> SourceClock {
+        let recording = spec.run().unwrap().recording;
+        let segmentation = segment(&recording, &Detector::default()).unwrap();
+        let request = JointRequest::new(vec![(&recording, &segmentation)], spec.gravity);
+        fit_joint(&request).unwrap().data.sources[0].clock
+    }
+
+    fn tactical(seed: u64) -> Spec {
+        Spec {
+            grade: Grade::Tactical,
+            ..Spec::hand_held(seed)
+        }
+    }
+
+    #[test]
+    fn stamps_that_scatter_about_an_even_clock_have_no_share() {
+        let mut spec = tactical(1);
+        spec.gyroscope.clock.jitter = 1.5e-3;
+        let clock = clock_of(&spec);
+        assert_eq!((clock.state, clock.share), (ClockState::Snapped, 0.0));
+        assert!((clock.scatter / 1.5e-3 - 1.0).abs() < 0.03, "{clock:?}");
+        assert_eq!((clock.gaps, clock.lost), (0, 0));
+    }
+
+    #[test]
+    fn samples_taken_unevenly_keep_their_stamps() {
+        let mut spec = tactical(2);
+        spec.gyroscope.clock.sampling_jitter = 2e-4;
+        let clock = clock_of(&spec);
+        assert_eq!((clock.state, clock.share), (ClockState::Snapped, 1.0));
+    }
+
+    #[test]
+    fn of_a_mixture_the_share_is_that_of_the_variances() {
+        let mut spec = tactical(3);
+        spec.gyroscope.clock.sampling_jitter = 1e-3;
+        spec.gyroscope.clock.jitter = 1e-3;
+        let clock = clock_of(&spec);
+        let (share, std) = clock.fitted.unwrap();
+        assert!((share - 0.5).abs() < 4.0 * std && std < 0.2, "{clock:?}");
+    }
+
+    #[test]
+    fn a_share_that_may_be_a_mixture_leaves_its_times_uncertain() {
+        // Nothing is missed where the data know the share.
+        assert!(missed_by_snapping((1.0, 0.01), 1.0) < 1e-3);
+        assert!(missed_by_snapping((0.0, 0.01), 0.0) < 1e-3);
+        // Nothing known: 1/4 from the share on the other side, 1/2 · 1/2 from between.
+        assert!((missed_by_snapping((0.5, 1e6), 1.0) - 0.5).abs() < 1e-6);
+        // A quarter of the scatter is the stamps' own: a good part of that is expected.
+        let missed = missed_by_snapping((0.75, 0.2), 1.0);
+        assert!(missed > 0.1 && missed < 0.25, "{missed}");
+        let mut spec = Spec::hand_held(0);
+        spec.gyroscope.clock.sampling_jitter = 5e-4;
+        spec.gyroscope.clock.resolution = 1e-3;
+        let recording = spec.run().unwrap().recording;
+        let segmentation = segment(&recording, &Detector::default()).unwrap();
+        let request = JointRequest::new(vec![(&recording, &segmentation)], spec.gravity);
+        let source = fit_joint(&request).unwrap().data.sources[0].clone();
+        // Rounding leaves 1 ms/√12.
+        let rounding = 1e-6 / 12.0;
+        assert_eq!(source.clock.state, ClockState::Snapped);
+        assert!(
+            source.timing > 0.2 * rounding && source.timing < 2.0 * rounding,
+            "{source:?}"
+        );
+    }
+
+    #[test]
+    fn exact_stamps_of_smooth_motion_cost_no_fit() {
+        let clock = clock_of(&tactical(4));
+        assert_eq!((clock.state, clock.misfit), (ClockState::Exact, None));
+        assert_eq!(clock.sampling.value, 0.0);
+    }
+
+    #[test]
+    fn knocks_seen_at_instants_miss_a_share_that_is_found() {
+        let mut spec = Spec::hand_held(5);
+        spec.sampling = Sampling::Point;
+        if let simulate::Motion::HandHeld(motion) = &mut spec.motion {
+            motion.knocks = 3;
+        }
+        let clock = clock_of(&spec);
+        assert!(clock.sampling.value > 0.05, "{clock:?}");
+        assert!(clock.sampling.over_none > 5.0, "{clock:?}");
+        spec.sampling = Sampling::Average;
+        let averaged = clock_of(&spec).sampling.value;
+        assert!(averaged < 0.5 * clock.sampling.value, "{averaged}");
+    }
+}

@@ -1,0 +1,69 @@
+//! Turns in which the rate jumps between samples, and by how much they miss.
+
+use recording::intervals::Span;
+
+use super::sampling::Share;
+use crate::methods::joint::fit::JointFit;
+
+/// Log-likelihood over a constant floor, and over nothing, that makes a name of it.
+const BEATS_FLOOR: f64 = 3.0;
+const BEATS_NONE: f64 = 8.0;
+
+/// A turn with this share of the variance of the worst is shown.
+const SHOWN: f64 = 0.1;
+
+/// What is missing in the turns of one recording.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Undersampled {
+    /// Place of the recording.
+    pub recording: usize,
+    /// The share that is missing.
+    pub share: Share,
+    /// Whether that explains the turns better than a scatter that is the same for all.
+    pub is_evident: bool,
+    /// What it makes of a turn: root mean square over all, rad.
+    pub rms: f64,
+    /// The turns that it makes most of: the static interval before, when, and how much, rad; worst first.
+    pub turns: Vec<(usize, Span, f64)>,
+}
+
+impl JointFit {
+    /// The recordings that miss something between samples.
+    pub fn undersampled(&self) -> Vec<Undersampled> {
+        let shares = self.data.sources.iter().map(|s| s.clock.sampling);
+        let found: Vec<(usize, Share)> = shares
+            .enumerate()
+            .filter(|(_, share)| share.value > 0.0)
+            .collect();
+        if found.is_empty() {
+            return Vec::new();
+        }
+        let by_share = self.rows().noise(self.parameters.values()).by_share;
+        let of = |(recording, share): (usize, Share)| {
+            let turns = self.data.turns.iter().zip(&by_share);
+            let mut turns: Vec<(usize, Span, f64)> = turns
+                .filter(|(turn, _)| turn.recording == recording)
+                .map(|(turn, c)| {
+                    (
+                        turn.turn,
+                        turn.span,
+                        share.value * c.trace().max(0.0).sqrt(),
+                    )
+                })
+                .collect();
+            let square: f64 = turns.iter().map(|t| t.2 * t.2).sum();
+            let rms = (square / turns.len().max(1) as f64).sqrt();
+            turns.sort_by(|a, b| b.2.total_cmp(&a.2));
+            let worst = turns.first().map_or(0.0, |t| t.2);
+            turns.retain(|t| t.2 * t.2 > SHOWN * worst * worst);
+            Undersampled {
+                recording,
+                share,
+                is_evident: share.over_floor > BEATS_FLOOR && share.over_none > BEATS_NONE,
+                rms,
+                turns,
+            }
+        };
+        found.into_iter().map(of).collect()
+    }
+}

@@ -1,0 +1,263 @@
+//! How rows feel a bias with flicker noise.
+
+use std::f64::consts::PI;
+use std::ops::Range;
+
+use faer::Mat;
+use nalgebra::{DMatrix, Matrix2x3};
+
+use crate::methods::joint::noise::exposure::put;
+use crate::methods::joint::noise::weights::White;
+
+/// Shortest time constant, s: faster ones are white to a mean over seconds.
+const SHORTEST: f64 = 0.4;
+
+/// Ratio of neighbouring time constants: the sum of the processes then ripples by less than 5 % about `1/f`.
+const RATIO: f64 = 4.0;
+
+/// The longest time constant is beyond so many times the length of the recordings: slower ones are a constant bias.
+const BEYOND: f64 = 8.0;
+
+/// Variance of the slope of a line through a window of length `T` in flicker noise of unit instability, times `T²`:
+/// `9/π`, from `−144/(π T²) ∫∫ x y ln|x − y| dx dy = 144/(16 π T²)` over the unit square about zero.
+pub const IN_SLOPE: f64 = 9.0 / PI;
+
+/// Flicker noise of unit bias instability as a sum of Gauss–Markov processes `σ² exp(−|t|/τ_k)`, the `τ_k` evenly
+/// spaced in their logarithm.
+///
+/// One process has the two-sided density `2σ²τ/(1 + (2πfτ)²)`; the sum over `ln τ` in steps of `δ` is `σ²/(2fδ)`, so that
+/// `σ² = B²δ/π` makes `B²/(2πf)`, whose Allan deviation is flat at `√(2 ln 2/π) B` (IEEE Std 952-1997, annex C).
+#[derive(Clone, Debug)]
+pub struct Flicker {
+    taus: Vec<f64>,
+}
+
+impl Flicker {
+    /// For recordings that last `length` seconds.
+    pub fn lasting(length: f64) -> Self {
+        let mut taus = vec![SHORTEST];
+        while taus.last().is_some_and(|tau| *tau < BEYOND * length) && taus.len() < 16 {
+            taus.push(SHORTEST * RATIO.powi(taus.len() as i32));
+        }
+        Self { taus }
+    }
+
+    /// Variance of one process.
+    fn variance() -> f64 {
+        RATIO.ln() / PI
+    }
+
+    /// A mean over `[from, to]`, times `sign`.
+    pub fn of_mean(
+        &self,
+        rows: Range<usize>,
+        recording: usize,
+        (from, to): (f64, f64),
+        sign: f64,
+    ) -> Fading {
+        let length = (to - from).max(1e-9);
+        let unit = DMatrix::<f64>::identity(3, 3);
+        let fading = |tau: &f64| &unit * (sign * -(-length / tau).exp_m1() * tau / length);
+        // ∫∫ exp(−|s − t|/τ) ds dt / T² = 2 (x − 1 + e⁻ˣ)/x², x = T/τ; by its series where that cancels.
+        let own = |tau: &f64| {
+            let x = length / tau;
+            if x < 1e-3 {
+                1.0 - x / 3.0
+            } else {
+                2.0 * (x + (-x).exp_m1()) / (x * x)
+            }
+        };
+        let shares: Vec<DMatrix<f64>> = self.taus.iter().map(fading).collect();
+        let own: f64 = self.taus.iter().map(own).sum();
+        Fading {
+            rows,
+            recording,
+            begin: from,
+            end: to,
+            head: shares.clone(),
+            tail: shares,
+            own: [0, 1, 2].map(|axis| {
+                let mut of_axis = DMatrix::zeros(3, 3);
+                of_axis[(axis, axis)] = Self::variance() * own;
+                of_axis
+            }),
+        }
+    }
+
+    /// Samples at times `t` with the weights `gains` (2 × 3).
+    pub fn of_samples(
+        &self,
+        rows: Range<usize>,
+        recording: usize,
+        t: &[f64],
+        gains: &[Matrix2x3<f64>],
+    ) -> Fading {
+        let (begin, end) = match (t.first(), t.last()) {
+            (Some(a), Some(b)) => (*a, *b),
+            _ => (0.0, 0.0),
+        };
+        let mut own = [nalgebra::Matrix2::<f64>::zeros(); 3];
+        let (mut head, mut tail) = (Vec::new(), Vec::new());
+        for tau in &self.taus {
+            let (mut from_begin, mut so_far) = (Matrix2x3::zeros(), Matrix2x3::<f64>::zeros());
+            let mut before = begin;
+            for (t, g) in t.iter().zip(gains) {
+                so_far *= (-(t - before) / tau).exp();
+                before = *t;
+                for (axis, own) in own.iter_mut().enumerate() {
+                    let (g, before) = (g.column(axis), so_far.column(axis));
+                    let cross = g * before.transpose();
+                    *own += g * g.transpose() + cross + cross.transpose();
+                }
+                so_far += g;
+                from_begin += g * (-(t - begin) / tau).exp();
+            }
+            let dynamic = |m: &Matrix2x3<f64>| DMatrix::from_iterator(2, 3, m.iter().copied());
+            head.push(dynamic(&from_begin));
+            tail.push(dynamic(&so_far));
+        }
+        Fading {
+            rows,
+            recording,
+            begin,
+            end,
+            head,
+            tail,
+            own: own
+                .map(|own| DMatrix::from_iterator(2, 2, own.iter().map(|v| v * Self::variance()))),
+        }
+    }
+
+    /// Covariance of all `m` rows, of flicker on one axis.
+    ///
+    /// Rows of one recording do not overlap in time: of an earlier and a later group `C = Σ σ² e^(−gap/τ) tail headᵀ`.
+    pub fn covariance(&self, all: &[Fading], axis: usize, m: usize) -> Mat<f64> {
+        let mut c = Mat::zeros(m, m);
+        for (k, one) in all.iter().enumerate() {
+            put(&mut c, &one.rows, &one.rows, &one.own[axis]);
+            for other in all[..k].iter().filter(|o| o.recording == one.recording) {
+                let (early, late) = if one.begin <= other.begin {
+                    (one, other)
+                } else {
+                    (other, one)
+                };
+                let gap = (late.begin - early.end).max(0.0);
+                let mut block = DMatrix::zeros(early.rows.len(), late.rows.len());
+                for (k, tau) in self.taus.iter().enumerate() {
+                    let decay = (-gap / tau).exp();
+                    if decay > 1e-9 {
+                        block += early.tail[k].column(axis)
+                            * late.head[k].column(axis).transpose()
+                            * (decay * Self::variance());
+                    }
+                }
+                put(&mut c, &early.rows, &late.rows, &block);
+                put(&mut c, &late.rows, &early.rows, &block.transpose());
+            }
+        }
+        c
+    }
+}
+
+/// What a group of rows (`d` of them) takes from a bias `b(t)`: `∫ w(t) b(t) dt`, axis by axis.
+#[derive(Clone, Debug)]
+pub struct Fading {
+    rows: Range<usize>,
+    recording: usize,
+    begin: f64,
+    end: f64,
+    /// Per time constant `∫ w e^(−(t − begin)/τ) dt` (d × 3).
+    head: Vec<DMatrix<f64>>,
+    /// Per time constant `∫ w e^(−(end − t)/τ) dt` (d × 3).
+    tail: Vec<DMatrix<f64>>,
+    /// Its own covariance (d × d), of every axis.
+    own: [DMatrix<f64>; 3],
+}
+
+impl Fading {
+    /// The same of rows that the white noise has whitened.
+    #[must_use]
+    pub fn whitened(mut self, white: &White) -> Self {
+        let first = self.rows.start;
+        for part in self.head.iter_mut().chain(&mut self.tail) {
+            white.apply_block(first, part);
+        }
+        for own in &mut self.own {
+            white.apply_block(first, own);
+            own.transpose_mut();
+            white.apply_block(first, own);
+        }
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The covariance of means over windows, x axis only.
+    fn of_windows(windows: &[(f64, f64)]) -> Mat<f64> {
+        let flicker = Flicker::lasting(500.0);
+        let all: Vec<Fading> = windows
+            .iter()
+            .enumerate()
+            .map(|(k, w)| flicker.of_mean(3 * k..3 * k + 3, 0, *w, 1.0))
+            .collect();
+        let c = flicker.covariance(&all, 0, 3 * windows.len());
+        Mat::from_fn(windows.len(), windows.len(), |i, k| c[(3 * i, 3 * k)])
+    }
+
+    #[test]
+    fn the_allan_variance_is_flat_at_two_ln_two_over_pi() {
+        // At 4 s the sum begins to end.
+        for (tau, ripple) in [(4.0, 0.07), (10.0, 0.04), (30.0, 0.04), (100.0, 0.04)] {
+            let c = of_windows(&[(0.0, tau), (tau, 2.0 * tau)]);
+            let allan = 0.5 * (c[(0, 0)] + c[(1, 1)] - 2.0 * c[(0, 1)]);
+            let exact = 2.0 * 2f64.ln() / PI;
+            assert!(
+                (allan / exact - 1.0).abs() < ripple,
+                "{tau}: {allan} {exact}"
+            );
+        }
+    }
+
+    #[test]
+    fn contrasts_of_windows_have_the_covariance_of_a_logarithm() {
+        // K(t) = −ln|t|/π for contrasts; the mean of ln|s − t| over two windows by second differences of
+        // F(t) = t² (ln|t| − 3/2)/2.
+        let windows = [(0.0, 8.0), (11.0, 19.0), (60.0, 66.0), (300.0, 308.0)];
+        let c = of_windows(&windows);
+        let f = |t: f64| 0.5 * t * t * (t.abs().max(1e-300).ln() - 1.5);
+        let exact = |a: (f64, f64), b: (f64, f64)| {
+            let sum = f(b.1 - a.0) - f(b.0 - a.0) - f(b.1 - a.1) + f(b.0 - a.1);
+            -sum / (PI * (a.1 - a.0) * (b.1 - b.0))
+        };
+        for i in 0..4 {
+            for k in 0..i {
+                let (a, b) = (windows[i], windows[k]);
+                let found = c[(i, i)] + c[(k, k)] - 2.0 * c[(i, k)];
+                let expected = exact(a, a) + exact(b, b) - 2.0 * exact(b, a);
+                assert!((found / expected - 1.0).abs() < 0.04, "{found} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn many_samples_are_their_mean() {
+        let flicker = Flicker::lasting(100.0);
+        let t: Vec<f64> = (0..2000)
+            .map(|k| 3.0 + (f64::from(k) + 0.5) * 4e-3)
+            .collect();
+        let gains = vec![Matrix2x3::new(1.0, 0.0, 0.0, 0.0, 1.0, 0.0) / 2000.0; 2000];
+        let samples = flicker.of_samples(0..2, 0, &t, &gains);
+        let mean = flicker.of_mean(2..5, 0, (20.0, 28.0), 1.0);
+        let same = flicker.of_mean(0..3, 0, (3.0, 11.0), 1.0);
+        let by_samples = flicker.covariance(&[samples, mean.clone()], 0, 5);
+        let moved = Fading { rows: 3..6, ..mean };
+        let by_means = flicker.covariance(&[same, moved], 0, 6);
+        for (i, k, j, l) in [(0, 0, 0, 0), (0, 2, 0, 3)] {
+            let ratio = by_samples[(i, k)] / by_means[(j, l)];
+            assert!((ratio - 1.0).abs() < 1e-3, "{ratio}");
+        }
+    }
+}

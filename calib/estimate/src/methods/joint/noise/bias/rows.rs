@@ -1,0 +1,53 @@
+//! What flicker noise of the biases does to the rows of the joint problem.
+
+use sensor::Sensor;
+
+use super::{FLICKERS, Fading, Flicker};
+use crate::methods::joint::noise::weights::{Component, White};
+use crate::methods::joint::rows::Rows;
+use crate::methods::joint::rows::turn::MARGIN;
+
+impl Rows<'_> {
+    /// The flicker of both biases, of unit instability, whitened by the white noise, at `x`.
+    pub(in crate::methods::joint) fn flicker(&self, x: &[f64], white: &White) -> Vec<Component> {
+        let spans = self.data.rests.iter().map(|rest| rest.span);
+        let (from, to) = spans.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), span| {
+            (a.min(span.from), b.max(span.to))
+        });
+        let flicker = Flicker::lasting((to - from).max(1.0));
+        let sensors = [Sensor::Accelerometer, Sensor::Gyroscope].into_iter();
+        let of = |(place, sensor): (usize, Sensor)| {
+            let all = self.fading(&flicker, x, sensor, white);
+            let flicker = &flicker;
+            let axis = move |axis: usize| Component {
+                kind: FLICKERS[place][axis],
+                covariance: flicker.covariance(&all, axis, self.count()),
+            };
+            (0..3).map(axis).collect::<Vec<_>>()
+        };
+        let all = sensors.enumerate().flat_map(of);
+        all.filter(|c| c.covariance.norm_max() > 0.0).collect()
+    }
+
+    fn fading(&self, flicker: &Flicker, x: &[f64], sensor: Sensor, white: &White) -> Vec<Fading> {
+        let first = self.first_row(sensor);
+        let mut all = Vec::new();
+        for (k, (_, chunk)) in self.means(sensor).enumerate() {
+            let Some(mean) = chunk.mean(sensor) else {
+                continue;
+            };
+            let (row, recording) = (first + 3 * k, self.data.rests[chunk.rest].recording);
+            let span = (mean.span.from, mean.span.to);
+            all.push(flicker.of_mean(row..row + 3, recording, span, -1.0));
+        }
+        if sensor == Sensor::Gyroscope {
+            for (k, turn) in self.data.turns.iter().enumerate() {
+                let row = self.first_turn_row() + 2 * k;
+                let gains = self.gains(x, turn);
+                let inner = &turn.t[MARGIN..turn.t.len() - MARGIN];
+                all.push(flicker.of_samples(row..row + 2, turn.recording, inner, &gains));
+            }
+        }
+        all.into_iter().map(|one| one.whitened(white)).collect()
+    }
+}

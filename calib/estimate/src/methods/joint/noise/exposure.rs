@@ -1,0 +1,203 @@
+//! How rows feel a bias that walks at random.
+
+use std::ops::Range;
+
+use faer::Mat;
+use nalgebra::{DMatrix, Matrix2x3, Vector3};
+
+/// What a group of rows (`d` of them) takes from the path `b(t) − b(t_r)` of a bias since the reference
+/// time, axis by axis: `∫ w(t) (b(t) − b(t_r)) dt`.
+///
+/// Of a Brownian path of unit density, `E b_i(s) b_j(t) = δ_ij min(τ(s), τ(t))` with `τ` the distance from
+/// the reference on the same side of it, 0 across. Groups do not overlap in time, so that of two the
+/// nearer gives its first moment and the farther its total weight: `C = M₁ M₀ᵀ`.
+#[derive(Clone, Debug)]
+pub struct Exposure {
+    /// The rows.
+    pub rows: Range<usize>,
+    /// The recording, or whatever has a path of its own: paths of different ones are independent.
+    pub recording: usize,
+    /// Whether the group lies after the reference time.
+    pub after: bool,
+    /// Distance of its near end from the reference, s.
+    pub near: f64,
+    /// `∫ w dt` (d × 3).
+    pub total: DMatrix<f64>,
+    /// `∫ τ w dt` (d × 3).
+    pub moment: DMatrix<f64>,
+    /// Its own covariance (d × d).
+    pub own: DMatrix<f64>,
+}
+
+impl Exposure {
+    /// A mean over `[from, to]`, times `sign`.
+    pub fn of_mean(
+        rows: Range<usize>,
+        recording: usize,
+        (from, to): (f64, f64),
+        reference: f64,
+        sign: f64,
+    ) -> Self {
+        let middle = 0.5 * (from + to) - reference;
+        let half = 0.5 * (to - from);
+        let near = (middle.abs() - half).max(0.0);
+        let unit = DMatrix::identity(3, 3);
+        Self {
+            rows,
+            recording,
+            after: middle >= 0.0,
+            near,
+            total: &unit * sign,
+            moment: &unit * (sign * middle.abs()),
+            own: unit * (near + 2.0 * half / 3.0),
+        }
+    }
+
+    /// Samples at times `t` with the weights `gains` (2 × 3), all on one side of the reference.
+    pub fn of_samples(
+        rows: Range<usize>,
+        recording: usize,
+        t: &[f64],
+        gains: &[Matrix2x3<f64>],
+        reference: f64,
+    ) -> Self {
+        let after = t.first().is_none_or(|t| *t >= reference);
+        let mut total = Matrix2x3::zeros();
+        let mut moment = Matrix2x3::zeros();
+        let mut own = nalgebra::Matrix2::zeros();
+        // From the far end inwards: `total` holds what lies farther out than the sample at hand.
+        let mut add = |t: f64, g: &Matrix2x3<f64>| {
+            let tau = (t - reference).abs();
+            let cross = g * total.transpose();
+            own += (g * g.transpose() + cross + cross.transpose()) * tau;
+            total += g;
+            moment += g * tau;
+        };
+        let samples = t.iter().zip(gains);
+        if after {
+            samples.rev().for_each(|(t, g)| add(*t, g));
+        } else {
+            samples.for_each(|(t, g)| add(*t, g));
+        }
+        let near = t
+            .iter()
+            .map(|t| (t - reference).abs())
+            .fold(f64::INFINITY, f64::min);
+        Self {
+            rows,
+            recording,
+            after,
+            near,
+            total: DMatrix::from_iterator(2, 3, total.iter().copied()),
+            moment: DMatrix::from_iterator(2, 3, moment.iter().copied()),
+            own: DMatrix::from_iterator(2, 2, own.iter().copied()),
+        }
+    }
+}
+
+/// Covariance of all `m` rows for a walk of unit density.
+pub fn covariance(exposures: &[Exposure], m: usize) -> Mat<f64> {
+    let mut c = Mat::zeros(m, m);
+    for (k, one) in exposures.iter().enumerate() {
+        put(&mut c, &one.rows, &one.rows, &one.own);
+        for other in &exposures[..k] {
+            if one.recording != other.recording || one.after != other.after {
+                continue;
+            }
+            let (near, far) = if one.near <= other.near {
+                (one, other)
+            } else {
+                (other, one)
+            };
+            let block = &near.moment * far.total.transpose();
+            put(&mut c, &near.rows, &far.rows, &block);
+            put(&mut c, &far.rows, &near.rows, &block.transpose());
+        }
+    }
+    c
+}
+
+/// Writes a block.
+pub fn put(c: &mut Mat<f64>, rows: &Range<usize>, columns: &Range<usize>, block: &DMatrix<f64>) {
+    for (i, row) in rows.clone().enumerate() {
+        for (j, column) in columns.clone().enumerate() {
+            c[(row, column)] = block[(i, j)];
+        }
+    }
+}
+
+/// `Σ g diag(σ²) gᵀ`: white noise of variance `σ²` per sample through the gains.
+pub fn white(gains: &[Matrix2x3<f64>], variance: &Vector3<f64>) -> nalgebra::Matrix2<f64> {
+    let diagonal = nalgebra::Matrix3::from_diagonal(variance);
+    gains.iter().map(|g| g * diagonal * g.transpose()).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::SeedableRng;
+    use rand_distr::{Distribution, StandardNormal};
+
+    use super::*;
+
+    #[test]
+    fn the_covariance_is_that_of_many_walks() {
+        let (from, to, reference) = (0.0, 10.0, 4.0);
+        let steps = 1000;
+        let dt = (to - from) / f64::from(steps);
+        let gains: Vec<_> = (0..200)
+            .map(|k| Matrix2x3::from_fn(|i, j| (i as f64 + 0.3 * j as f64) - 0.01 * f64::from(k)))
+            .collect();
+        let t: Vec<f64> = (600..800).map(|k| (f64::from(k) + 0.5) * dt).collect();
+        let exposures = [
+            Exposure::of_mean(0..3, 0, (1.0, 3.0), reference, -1.0),
+            Exposure::of_mean(3..6, 0, (4.5, 5.5), reference, 1.0),
+            Exposure::of_samples(6..8, 0, &t, &gains, reference),
+        ];
+        let exact = covariance(&exposures, 8);
+        let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(3);
+        let mut sum = Mat::<f64>::zeros(8, 8);
+        let walks = 4000;
+        for _ in 0..walks {
+            let mut path = vec![Vector3::zeros()];
+            for _ in 0..steps {
+                let step: Vector3<f64> =
+                    Vector3::from_fn(|_, _| StandardNormal.sample(&mut random)) * dt.sqrt();
+                path.push(path[path.len() - 1] + step);
+            }
+            let at = |t: f64| (path[(t / dt) as usize] + path[(t / dt) as usize + 1]) * 0.5;
+            let start = path[400];
+            let mean = |a: usize, b: usize| {
+                (a..b)
+                    .map(|k| (path[k] + path[k + 1]) * 0.5 - start)
+                    .sum::<Vector3<f64>>()
+                    / (b - a) as f64
+            };
+            let turn: nalgebra::Vector2<f64> = t
+                .iter()
+                .zip(&gains)
+                .map(|(t, g)| g * (at(*t) - start))
+                .sum();
+            let row: Vec<f64> = (-mean(100, 300))
+                .iter()
+                .chain(mean(450, 550).iter())
+                .chain(turn.iter())
+                .copied()
+                .collect();
+            for i in 0..8 {
+                for j in 0..8 {
+                    sum[(i, j)] += row[i] * row[j] / f64::from(walks);
+                }
+            }
+        }
+        for i in 0..8 {
+            for j in 0..8 {
+                let scale = (exact[(i, i)] * exact[(j, j)]).sqrt();
+                // A correlation from 4000 walks has a standard error of at most √2/√4000 = 2.2 %; four.
+                assert!(
+                    (sum[(i, j)] - exact[(i, j)]).abs() < 0.09 * scale,
+                    "{i} {j}"
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! What steps wider than the noise do to means, and to the gyroscope's bias.
+
+use faer::Mat;
+use nalgebra::{Matrix2x3, Vector3};
+use sensor::Sensor;
+
+use crate::methods::joint::data::TurnSamples;
+use crate::methods::joint::noise::scatter;
+use crate::methods::joint::rows::Rows;
+use crate::methods::joint::rows::turn::MARGIN;
+
+/// Readings of one level spread by at most half a step, those that dither between two too: a variance of a quarter, and
+/// something for what the noise adds to a few.
+const MOST: f64 = 0.3;
+
+/// Means that lie over so many steps have any place between two of them.
+const MANY: f64 = 4.0;
+
+/// Terms of the series: noise of a tenth of a step takes the twentieth below a millionth.
+const TERMS: i32 = 20;
+
+/// Halvings of the noise that is looked for.
+const HALVINGS: usize = 40;
+
+/// Standard deviation within stretches of rest: quiet ones too, whose readings stay on one level because of where between
+/// two steps they lie.
+pub(crate) fn spread(parts: &[Vec<f64>], step: f64) -> f64 {
+    let rounded = |(sum, dof): &(f64, f64)| sum / dof <= MOST * step * step;
+    let kept = parts.iter().map(|p| scatter(p)).filter(rounded);
+    let (sum, dof) = kept.fold((0.0, 0.0), |(s, d), (sum, dof)| (s + sum, d + dof));
+    if dof > 0.0 { (sum / dof).sqrt() } else { 0.0 }
+}
+
+/// Variance by rounding of the means over stretches whose readings spread by `spread` all in all.
+///
+/// For normal noise of `σ`, steps of `Δ` and means anywhere between two steps it is `Δ² g(σ/Δ)`, `g(ρ) = Σ_k
+/// exp(−4π²k²ρ²)/(2π²k²)`, from `Δ²/12` without noise to nothing (the Fourier series of the mean
+/// error of rounding over the place between two steps); and the readings spread by `σ² + Δ²/12 − Δ² g`. Means that all lie between the same two steps, as a bias does, tell
+/// nothing of the noise: `Δ²/12`.
+pub(crate) fn of_means(parts: &[Vec<f64>], step: f64, spread: f64) -> f64 {
+    let mean = |part: &Vec<f64>| part.iter().sum::<f64>() / part.len() as f64;
+    let ends = |(low, high): (f64, f64), m: f64| (low.min(m), high.max(m));
+    let start = (f64::INFINITY, f64::NEG_INFINITY);
+    let (low, high) = parts.iter().map(mean).fold(start, ends);
+    if high - low > MANY * step {
+        step * step * share(noise(spread / step))
+    } else {
+        step * step / 12.0
+    }
+}
+
+/// `g(ρ)`.
+fn share(ratio: f64) -> f64 {
+    let pi = std::f64::consts::PI;
+    let term = |k: i32| {
+        let k = f64::from(k);
+        (-(2.0 * pi * k * ratio).powi(2)).exp() / (2.0 * (pi * k).powi(2))
+    };
+    if ratio > 0.0 {
+        (1..=TERMS).map(term).sum()
+    } else {
+        1.0 / 12.0
+    }
+}
+
+/// The noise in steps with which readings spread by so many steps.
+fn noise(spread: f64) -> f64 {
+    let (mut low, mut high) = (0.0, spread);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if middle * middle + 1.0 / 12.0 - share(middle) < spread * spread {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    low
+}
+
+impl Rows<'_> {
+    /// What the rounding of the gyroscope's readings does to its means over the static intervals and to the turns, by
+    /// recording and axis (`m × 3 recordings`); `None` where the noise averages it out.
+    ///
+    /// The rate at rest is the bias every time: readings in steps wider than the noise are off by the same amount in
+    /// every interval, with the standard deviation `LSB/√12`, and intervals do not average it out. Nor do those samples
+    /// of a turn in which an axis reads what it reads at rest.
+    pub fn rounding_columns(&self, x: &[f64]) -> Option<Mat<f64>> {
+        let is_coarse = |source: &crate::methods::joint::data::Source| {
+            let noise = source.gyroscope.as_ref();
+            noise.is_some_and(|n| n.rounding.max() > 0.0)
+        };
+        if !self.data.sources.iter().any(is_coarse) {
+            return None;
+        }
+        let mut columns = Mat::zeros(self.count(), 3 * self.data.sources.len());
+        let mut levels = vec![Vector3::zeros(); self.data.sources.len()];
+        let mut row = self.first_rate_row();
+        for (_, chunk) in self.means(Sensor::Gyroscope) {
+            let recording = self.data.rests[chunk.rest].recording;
+            let own = self.data.sources[recording].gyroscope.zip(chunk.gyroscope);
+            if let Some((noise, mean)) = own {
+                levels[recording] = mean.value;
+                for axis in 0..3 {
+                    columns[(row + axis, 3 * recording + axis)] = -noise.rounding[axis].sqrt();
+                }
+            }
+            row += 3;
+        }
+        for turn in &self.data.turns {
+            let Some(noise) = &self.data.sources[turn.recording].gyroscope else {
+                continue;
+            };
+            let held = self.held(x, turn, &levels[turn.recording], &noise.step);
+            for axis in 0..3 {
+                let size = noise.rounding[axis].sqrt();
+                for i in 0..2 {
+                    columns[(row + i, 3 * turn.recording + axis)] = size * held[(i, axis)];
+                }
+            }
+            row += 2;
+        }
+        Some(columns)
+    }
+
+    /// What a shift of the samples that read what they read at rest does to the two rows of a turn.
+    fn held(
+        &self,
+        x: &[f64],
+        turn: &TurnSamples,
+        level: &Vector3<f64>,
+        step: &Vector3<f64>,
+    ) -> Matrix2x3<f64> {
+        let mut held = Matrix2x3::zeros();
+        for (reading, gain) in turn.readings[MARGIN..].iter().zip(self.gains(x, turn)) {
+            for axis in 0..3 {
+                if (reading[axis] - level[axis]).abs() < step[axis] {
+                    held.set_column(axis, &(held.column(axis) + gain.column(axis)));
+                }
+            }
+        }
+        held
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::SeedableRng;
+    use rand_distr::{Distribution, StandardNormal, Uniform};
+
+    use super::*;
+
+    /// Stretches of 500 readings with noise of `sigma` steps, their means anywhere.
+    fn rounded(sigma: f64) -> (Vec<Vec<f64>>, f64) {
+        let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(5);
+        let places = Uniform::new(-50.0, 50.0).unwrap();
+        let (mut parts, mut square) = (Vec::new(), 0.0);
+        for _ in 0..400 {
+            let place: f64 = places.sample(&mut random);
+            let mut reading = || -> f64 {
+                let noise: f64 = StandardNormal.sample(&mut random);
+                (place + sigma * noise).round()
+            };
+            let part: Vec<f64> = (0..500).map(|_| reading()).collect();
+            square += (part.iter().sum::<f64>() / 500.0 - place).powi(2);
+            parts.push(part);
+        }
+        (parts, square / 400.0)
+    }
+
+    #[test]
+    fn the_error_of_a_rounded_mean_is_the_one_that_its_spread_tells() {
+        for sigma in [0.01, 0.125, 0.25, 0.4] {
+            let (parts, square) = rounded(sigma);
+            let spread = spread(&parts, 1.0);
+            let told = of_means(&parts, 1.0, spread) + spread * spread / 500.0;
+            assert!((told / square - 1.0).abs() < 0.2, "{sigma} {told} {square}");
+        }
+    }
+
+    #[test]
+    fn a_level_that_stays_tells_nothing_of_the_noise() {
+        let parts = vec![vec![3.0; 100]; 20];
+        assert_eq!(of_means(&parts, 1.0, 0.0), 1.0 / 12.0);
+    }
+}

@@ -1,0 +1,294 @@
+//! From the noise of the rows to residuals of unit variance.
+
+use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
+use faer::{Mat, MatMut, Par, Side};
+use gyroscope::EARTH_RATE;
+use nalgebra::DMatrix;
+
+use super::exposure::Exposure;
+use crate::methods::joint::noise::rows::RowNoise;
+use crate::methods::joint::rows::blocks::independent;
+
+/// Standard deviation of a component of the earth's rotation where nothing is known of its direction, rad/s.
+const EARTH_COMPONENT: f64 = EARTH_RATE / 1.732_050_807_568_877_2;
+
+/// Error of the integration over a turn that is always granted, rad: what the coning terms leave out.
+const INTEGRATION: f64 = 1e-8;
+
+/// Whitening by the white noise alone: independent rows, and the two rows of each turn.
+#[derive(Clone, Debug)]
+pub struct White {
+    /// Diagonal of the Cholesky factor (`m`).
+    diagonal: Vec<f64>,
+    /// Its entries beside the diagonal (`m`).
+    beside: Vec<f64>,
+}
+
+impl White {
+    /// Of these rows, the turns' from `first_turn` on.
+    pub fn new(noise: &RowNoise, first_turn: usize) -> Self {
+        let m = noise.variance.len();
+        let (mut diagonal, mut beside) = (vec![0.0; m], vec![0.0; m]);
+        for i in 0..m {
+            let extra = if i >= first_turn {
+                INTEGRATION.powi(2)
+            } else {
+                0.0
+            };
+            if noise.with_before[i] != 0.0 {
+                beside[i] = noise.with_before[i] / diagonal[i - 1];
+            }
+            diagonal[i] = (noise.variance[i] + extra - beside[i] * beside[i])
+                .max(f64::MIN_POSITIVE)
+                .sqrt();
+        }
+        Self { diagonal, beside }
+    }
+
+    /// `L⁻¹ A` in place.
+    pub fn apply(&self, a: MatMut<'_, f64>) {
+        for column in a.col_iter_mut() {
+            let mut before = 0.0;
+            let factor = self.beside.iter().zip(&self.diagonal);
+            for (v, (beside, diagonal)) in column.iter_mut().zip(factor) {
+                before = (*v - beside * before) / diagonal;
+                *v = before;
+            }
+        }
+    }
+
+    /// The same for the rows from `first` on that share noise with no other.
+    pub fn apply_block(&self, first: usize, a: &mut DMatrix<f64>) {
+        for mut column in a.column_iter_mut() {
+            let mut before = 0.0;
+            for (i, v) in column.iter_mut().enumerate() {
+                before = (*v - self.beside[first + i] * before) / self.diagonal[first + i];
+                *v = before;
+            }
+        }
+    }
+
+    /// How the rows feel a walk after whitening.
+    pub fn exposure(&self, exposure: &Exposure) -> Exposure {
+        let first = exposure.rows.start;
+        let mut whole = exposure.clone();
+        self.apply_block(first, &mut whole.own);
+        whole.own.transpose_mut();
+        self.apply_block(first, &mut whole.own);
+        self.apply_block(first, &mut whole.total);
+        self.apply_block(first, &mut whole.moment);
+        whole
+    }
+
+    /// `L A` in place: undoes [`White::apply`].
+    pub fn restore(&self, mut a: MatMut<'_, f64>) {
+        for k in 0..a.ncols() {
+            for i in (0..a.nrows()).rev() {
+                let before = if i > 0 { a[(i - 1, k)] } else { 0.0 };
+                a[(i, k)] = self.diagonal[i] * a[(i, k)] + self.beside[i] * before;
+            }
+        }
+    }
+
+    /// The standard deviation of a row.
+    pub fn std(&self, row: usize) -> f64 {
+        self.diagonal[row].hypot(self.beside[row])
+    }
+
+    /// `L⁻¹ C L⁻ᵀ`.
+    pub fn both_sides(&self, c: &Mat<f64>) -> Mat<f64> {
+        let mut half = c.clone();
+        self.apply(half.as_mut());
+        let mut whole = half.transpose().to_owned();
+        self.apply(whole.as_mut());
+        whole
+    }
+}
+
+/// What else the noise has than white: a covariance among the rows, for a variance of one.
+#[derive(Clone, Debug)]
+pub struct Component {
+    /// What it is.
+    pub kind: ComponentKind,
+    /// `L⁻¹ C L⁻ᵀ` (`m × m`).
+    pub covariance: Mat<f64>,
+}
+
+/// Kinds of noise that are estimated from the fit's own residuals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ComponentKind {
+    /// Random walk of the accelerometer's bias; the root of its variance is a density in m/s²/√s.
+    AccelerometerWalk,
+    /// Random walk of the gyroscope's bias, rad/s/√s.
+    GyroscopeWalk,
+    /// Flicker noise of the accelerometer's bias on one axis; the root of its variance is the bias instability, m/s².
+    AccelerometerFlicker(usize),
+    /// The same of the gyroscope, rad/s.
+    GyroscopeFlicker(usize),
+    /// Scatter of the accelerometer from rest to rest that no walk explains, m/s².
+    ForceScatter,
+    /// Scatter of the gyroscope from rest to rest, rad/s.
+    RateScatter,
+    /// Scatter of the turns, rad.
+    TurnScatter,
+    /// What the turns may scatter by beyond the noise of their samples where too few of them show whether they do, rad.
+    TurnDoubt,
+    /// What no effect of the model explains of the specific force and its orientation does, m/s² at one g.
+    ForceOfOrientation,
+    /// The same of the rate at the static intervals, rad/s at one g.
+    RateOfOrientation,
+    /// The rotation of the earth where nobody says the latitude: its size is known, its direction is not; rad/s per
+    /// component.
+    EarthRotation,
+    /// What rounding to steps wider than the noise makes of the gyroscope's bias, the same in every static interval.
+    CommonRounding,
+}
+
+impl ComponentKind {
+    /// Whether it is a random walk of a bias.
+    pub fn is_walk(self) -> bool {
+        matches!(self, Self::AccelerometerWalk | Self::GyroscopeWalk)
+    }
+
+    /// Whether it depends on the orientation: it enlarges the errors, and rows are weighted as without it.
+    ///
+    /// Weights that know of it would leave to it what belongs to scales and biases as well; a model that
+    /// misses an effect foretells other orientations best with the parameters that fit best.
+    pub fn is_of_orientation(self) -> bool {
+        matches!(self, Self::ForceOfOrientation | Self::RateOfOrientation)
+    }
+
+    /// Whether it is flicker noise of a bias.
+    pub fn is_flicker(self) -> bool {
+        matches!(
+            self,
+            Self::AccelerometerFlicker(_) | Self::GyroscopeFlicker(_)
+        )
+    }
+
+    /// Whether it is noise as it was measured or is known, not what remains of a misfit.
+    pub fn is_noise(self) -> bool {
+        self.is_walk() || self.is_flicker() || self.known_variance().is_some()
+    }
+
+    /// Its variance where that is known before any fit, for a covariance of unit size.
+    pub fn known_variance(self) -> Option<f64> {
+        match self {
+            Self::EarthRotation => Some(EARTH_COMPONENT * EARTH_COMPONENT),
+            Self::CommonRounding => Some(1.0),
+            _ => None,
+        }
+    }
+}
+
+/// A component and how much of it there is, near SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NoiseLevel {
+    /// What.
+    pub kind: ComponentKind,
+    /// Its size: the root of the factor on the component's covariance.
+    pub size: f64,
+}
+
+/// The levels that rows are weighted by: those of what depends on the orientation enlarge the errors alone.
+pub fn weighing(levels: &[NoiseLevel]) -> Vec<NoiseLevel> {
+    let weighs = |level: &&NoiseLevel| !level.kind.is_of_orientation();
+    levels.iter().filter(weighs).copied().collect()
+}
+
+/// `I + Σ size² C` (`m × m`), white-whitened; `None` where that is the identity.
+pub fn covariance_at(components: &[Component], levels: &[NoiseLevel]) -> Option<Mat<f64>> {
+    let mut sum: Option<Mat<f64>> = None;
+    for level in levels.iter().filter(|l| l.size > 0.0) {
+        let Some(component) = components.iter().find(|c| c.kind == level.kind) else {
+            continue;
+        };
+        let m = component.covariance.nrows();
+        let total = sum.get_or_insert_with(|| Mat::identity(m, m));
+        *total += faer::Scale(level.size * level.size) * &component.covariance;
+    }
+    sum
+}
+
+/// The whole whitening: by white noise, then by what else there is.
+#[derive(Clone, Debug)]
+pub struct Whitening {
+    /// By white noise.
+    pub white: White,
+    /// Cholesky factors of `I + Σ size² C`, for every group of rows that share no noise with others; none
+    /// where that is the identity.
+    factors: Vec<(Vec<usize>, Mat<f64>)>,
+}
+
+impl Whitening {
+    /// For these levels of the components.
+    pub fn new(white: White, components: &[Component], levels: &[NoiseLevel]) -> Self {
+        match covariance_at(components, levels) {
+            Some(covariance) => Self::with_covariance(white, &covariance),
+            None => Self {
+                white,
+                factors: Vec::new(),
+            },
+        }
+    }
+
+    /// For white noise and what else there is, `covariance` (`m × m`) after the white noise is whitened;
+    /// the white noise alone where it is not positive definite.
+    pub fn with_covariance(white: White, covariance: &Mat<f64>) -> Self {
+        let v = covariance;
+        let factor = |rows: Vec<usize>| {
+            let own = Mat::from_fn(rows.len(), rows.len(), |i, k| v[(rows[i], rows[k])]);
+            let lower = own.llt(Side::Lower).ok()?.L().to_owned();
+            Some((rows, lower))
+        };
+        let factors: Option<Vec<_>> = independent(&[v]).into_iter().map(factor).collect();
+        Self {
+            white,
+            factors: factors.unwrap_or_default(),
+        }
+    }
+
+    /// Whitens in place.
+    pub fn apply(&self, mut a: MatMut<'_, f64>) {
+        self.white.apply(a.as_mut());
+        self.finish(a);
+    }
+
+    /// The second step alone, of what the white noise has whitened. Every row is mixed with rows before
+    /// it only.
+    pub fn finish(&self, mut a: MatMut<'_, f64>) {
+        for (rows, factor) in &self.factors {
+            let mut own = Mat::from_fn(rows.len(), a.ncols(), |i, k| a[(rows[i], k)]);
+            solve_lower_triangular_in_place(factor.as_ref(), own.as_mut(), Par::Seq);
+            for k in 0..own.ncols() {
+                for (i, &row) in rows.iter().enumerate() {
+                    a[(row, k)] = own[(i, k)];
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_whitened_is_restored_and_a_row_has_the_variance_of_its_noise() {
+        let noise = RowNoise {
+            variance: vec![4.0, 9.0, 0.25],
+            with_before: vec![0.0, 3.0, 0.0],
+            exposures: [Vec::new(), Vec::new()],
+            by_share: Vec::new(),
+        };
+        let white = White::new(&noise, 3);
+        let before = Mat::from_fn(3, 2, |i, k| (i + 3 * k) as f64 - 1.5);
+        let mut a = before.clone();
+        white.apply(a.as_mut());
+        white.restore(a.as_mut());
+        assert!((a - before).norm_max() < 1e-14);
+        for (row, std) in [2.0, 3.0, 0.5].into_iter().enumerate() {
+            assert!((white.std(row) - std).abs() < 1e-14);
+        }
+    }
+}

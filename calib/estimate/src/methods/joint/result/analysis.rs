@@ -1,0 +1,607 @@
+//! The problem linearised at a solution: levels of noise and disturbances, without a refit.
+
+use faer::Mat;
+use sensor::Sensor;
+
+use super::marginal::orthonormal;
+use crate::methods::joint::data::Chunk;
+use crate::methods::joint::disturbance::Suspect;
+use crate::methods::joint::disturbance::trial::Trial;
+use crate::methods::joint::noise::bias::Within;
+use crate::methods::joint::noise::exposure::{Exposure, covariance};
+use crate::methods::joint::noise::likelihood::Restricted;
+use crate::methods::joint::noise::rows::RowNoise;
+use crate::methods::joint::noise::walks::{Walks, expected_square};
+use crate::methods::joint::noise::weights::{
+    Component, ComponentKind, NoiseLevel, White, Whitening, weighing,
+};
+use crate::methods::joint::rows::{Linear, Rows};
+use crate::methods::small_sample::by_chance;
+
+/// A fit whose quieter three quarters are off by this much, as χ² per degree of freedom, does not
+/// know its noise: the model misses, or the noise is of another kind.
+const MISFIT: f64 = 2.0;
+
+/// Sums of squares that exceed their expectation by fewer of their standard deviations are looked at no further.
+const QUIET: f64 = 2.0;
+
+/// Rows that leave so much by chance only do not scatter.
+const UNLIKELY: f64 = 1e-3;
+
+/// A walk through the whole recording is the better account of what differs between rests where the data are so many
+/// times likelier under it (log) than under scatter from rest to rest.
+const WALKS: f64 = 2.0;
+
+/// Prior chance of no walk at all, over that of any.
+const NONE: f64 = 1.0;
+
+/// How far usual walks go, in standard deviations of a chunk's mean.
+const USUAL: f64 = 3.0;
+
+/// The share of rests (or turns) that such a judgement rests on.
+const QUIETER: f64 = 0.75;
+
+/// Residuals and Jacobian (free columns), whitened by the white noise alone.
+#[derive(Clone, Debug)]
+pub struct Analysis {
+    /// Residuals (`m`).
+    pub residuals: Vec<f64>,
+    /// Jacobian (`m × n`).
+    pub jacobian: Mat<f64>,
+    /// Whitening by the white noise.
+    pub white: White,
+    /// What else the noise may have.
+    pub components: Vec<Component>,
+    /// What depends on the orientation, of unit size, whitened by the white noise (`m × q` each).
+    orientation: Vec<(ComponentKind, Mat<f64>)>,
+    /// How the gyroscope's means, then the turns, feel its bias.
+    rate_exposures: Vec<Exposure>,
+    /// Whether the walk of the accelerometer's bias begins anew in every rest.
+    pub walk_ends_with_rests: bool,
+}
+
+impl Analysis {
+    /// Of a linearised problem and its noise.
+    pub fn new(rows: &Rows<'_>, linear: &Linear, noise: &RowNoise, free: &[usize]) -> Self {
+        let m = rows.count();
+        let white = White::new(noise, rows.first_turn_row());
+        let mut jacobian = Mat::from_fn(m, free.len(), |i, k| linear.jacobian[(i, free[k])]);
+        white.apply(jacobian.as_mut());
+        let mut residuals = Mat::from_fn(m, 1, |i, _| linear.residuals[i]);
+        white.apply(residuals.as_mut());
+        Self {
+            residuals: residuals.col(0).iter().copied().collect(),
+            jacobian,
+            orientation: Vec::new(),
+            components: walks(noise, &white),
+            rate_exposures: whitened(&noise.exposures[1], &white),
+            walk_ends_with_rests: false,
+            white,
+        }
+    }
+
+    /// Adds scatter between rests and turns to what the noise may have, where the quieter three
+    /// quarters of them are off by far more than the noise; whether any are.
+    pub fn allow_scatter_where_misfit(&mut self, rows: &Rows<'_>, known: &[&Suspect]) -> bool {
+        let before = self.components.len();
+        let taken = self
+            .orientation
+            .iter()
+            .fold(self.with(known), |taken, (_, own)| beside(&taken, own));
+        let basis = orthonormal(&taken);
+        let spare: Vec<f64> = (0..rows.count())
+            .map(|i| 1.0 - basis.row(i).iter().map(|v| v * v).sum::<f64>())
+            .collect();
+        let r = Mat::from_fn(rows.count(), 1, |i, _| self.residuals[i]);
+        let r = &r - &basis * (basis.transpose() * &r);
+        let left: Vec<f64> = r.col(0).iter().copied().collect();
+        for (kind, groups) in groups(rows) {
+            let ratios: Vec<(f64, f64)> = groups
+                .iter()
+                .map(|rows| {
+                    let sum: f64 = rows.iter().map(|&i| left[i].powi(2)).sum();
+                    (sum, rows.iter().map(|&i| spare[i]).sum())
+                })
+                .collect();
+            if quieter_ratio(ratios) > MISFIT {
+                self.allow(rows, kind, &groups);
+                if kind == ComponentKind::ForceScatter {
+                    self.end_walk_with_rests(rows, &taken);
+                }
+            }
+        }
+        self.components.len() > before
+    }
+
+    /// Adds scatter of the turns to what the noise may have.
+    pub fn allow_scatter_of_turns(&mut self, rows: &Rows<'_>) {
+        let is_known = |c: &Component| c.kind == ComponentKind::TurnScatter;
+        if !self.components.iter().any(is_known) {
+            let [_, _, (kind, turns)] = groups(rows);
+            self.allow(rows, kind, &turns);
+        }
+    }
+
+    /// Adds scatter of the kinds of rows that noise and walks of these levels leave by more than chance does; whether
+    /// any do.
+    pub fn allow_scatter_beyond(
+        &mut self,
+        rows: &Rows<'_>,
+        known: &[&Suspect],
+        levels: &[NoiseLevel],
+    ) -> bool {
+        let before = self.components.len();
+        let whitening = self.whitening(levels);
+        let mut jacobian = self.with(known);
+        whitening.finish(jacobian.as_mut());
+        let mut r = Mat::from_fn(rows.count(), 1, |i, _| self.residuals[i]);
+        whitening.finish(r.as_mut());
+        if self.is_quiet(rows, &r) {
+            return false;
+        }
+        let basis = orthonormal(&jacobian);
+        let left = &r - &basis * (basis.transpose() * &r);
+        for (kind, groups) in groups(rows) {
+            if self.components.iter().any(|c| c.kind == kind) {
+                continue;
+            }
+            let (mut square, mut spare) = (0.0, 0.0);
+            for &i in groups.iter().flatten() {
+                square += left[(i, 0)].powi(2);
+                spare += 1.0 - basis.row(i).iter().map(|v| v * v).sum::<f64>();
+            }
+            if spare > 0.5 && by_chance(square, spare) < UNLIKELY {
+                self.allow(rows, kind, &groups);
+            }
+        }
+        self.components.len() > before
+    }
+
+    /// Adds to the noise, and to the `levels` of its components, what the turns are expected to scatter by beyond them where
+    /// that was not estimated.
+    ///
+    /// Rates are known at samples only, and stamps are not the times of the samples: turns miss by more than the noise of
+    /// their readings says. A few dozen turns show a quarter more of it in one recording of ten; stated errors that take
+    /// it for none in all of them are too small.
+    pub fn doubt_turns(
+        &mut self,
+        rows: &Rows<'_>,
+        known: &[&Suspect],
+        levels: &mut Vec<NoiseLevel>,
+    ) {
+        let scatters = |c: &Component| c.kind == ComponentKind::TurnScatter;
+        let (first, count) = (rows.first_turn_row(), rows.count());
+        if first == count || self.components.iter().any(scatters) {
+            return;
+        }
+        let unit = |i: usize, k: usize| f64::from(u8::from(i == first + k));
+        let mut by_turn = Mat::from_fn(count, count - first, unit);
+        self.white.apply(by_turn.as_mut());
+        let covariance = &by_turn * by_turn.transpose();
+        self.whitening(levels).finish(by_turn.as_mut());
+        let (left, basis) = self.left(known, levels);
+        let square = |a: &Mat<f64>, i: usize| a.row(i).iter().map(|v| v * v).sum::<f64>();
+        let of_row = |i: usize| {
+            let spare = 1.0 - square(&basis, i);
+            (left[(i, 0)].powi(2), spare, square(&by_turn, i))
+        };
+        let turns: Vec<(f64, f64, f64)> = (first..count).map(of_row).collect();
+        let log_likelihood = |size: f64| {
+            let of_turn = |(square, spare, by_scatter): &(f64, f64, f64)| {
+                let v = 1.0 + by_scatter * size * size;
+                -0.5 * (spare * v.ln() + square / v)
+            };
+            turns.iter().map(of_turn).sum()
+        };
+        let usual = usual_walk(&covariance);
+        let size = expected_square((usual, NONE), log_likelihood).sqrt();
+        let kind = ComponentKind::TurnDoubt;
+        self.components.push(Component { kind, covariance });
+        levels.push(NoiseLevel { kind, size });
+    }
+
+    /// What the columns and those of the disturbances leave of the residuals (`m × 1`), whitened by noise of these levels,
+    /// and an orthonormal basis of the columns.
+    fn left(&self, known: &[&Suspect], levels: &[NoiseLevel]) -> (Mat<f64>, Mat<f64>) {
+        let whitening = self.whitening(levels);
+        let mut jacobian = self.with(known);
+        whitening.finish(jacobian.as_mut());
+        let mut r = Mat::from_fn(self.residuals.len(), 1, |i, _| self.residuals[i]);
+        whitening.finish(r.as_mut());
+        let basis = orthonormal(&jacobian);
+        let left = &r - &basis * (basis.transpose() * &r);
+        (left, basis)
+    }
+
+    /// Whether no kind of rows is conspicuous even by what the residuals are before anything more is fitted.
+    fn is_quiet(&self, rows: &Rows<'_>, r: &Mat<f64>) -> bool {
+        let [rate, turns, end] = [rows.first_rate_row(), rows.first_turn_row(), rows.count()];
+        let directions = 2 * rows.data.rests.len() + 9;
+        [(0, rate, directions), (rate, turns, 3), (turns, end, 9)]
+            .into_iter()
+            .all(|(from, to, taken)| {
+                let square: f64 = (from..to).map(|i| r[(i, 0)].powi(2)).sum();
+                let spare = (to - from).saturating_sub(taken) as f64;
+                square <= spare + QUIET * (2.0 * spare).sqrt()
+            })
+    }
+
+    fn allow(&mut self, rows: &Rows<'_>, kind: ComponentKind, groups: &[Vec<usize>]) {
+        let covariance = if kind == ComponentKind::RateScatter {
+            let shifts = self.rate_shifts(rows);
+            &shifts * shifts.transpose()
+        } else {
+            self.white.both_sides(&shared(groups, kind, rows.count()))
+        };
+        self.components.push(Component { kind, covariance });
+    }
+
+    /// Adds what depends on the orientation to what the noise may have: `errors` (3 × q for every rest) of unit size
+    /// in the readings of a sensor.
+    pub fn allow_orientation(
+        &mut self,
+        rows: &Rows<'_>,
+        sensor: Sensor,
+        errors: &[nalgebra::DMatrix<f64>],
+    ) {
+        let count = errors.first().map_or(0, |e| e.ncols());
+        let (kind, columns) = match sensor {
+            Sensor::Accelerometer => {
+                let mut columns = Mat::zeros(rows.count(), count);
+                for (k, (_, chunk)) in rows.means(sensor).enumerate() {
+                    for i in 0..3 {
+                        for c in 0..count {
+                            columns[(3 * k + i, c)] = errors[chunk.rest][(i, c)];
+                        }
+                    }
+                }
+                self.white.apply(columns.as_mut());
+                (ComponentKind::ForceOfOrientation, columns)
+            }
+            Sensor::Gyroscope | Sensor::Magnetometer => {
+                let shifts = self.rate_shifts(rows);
+                let stacked =
+                    Mat::from_fn(3 * errors.len(), count, |i, c| errors[i / 3][(i % 3, c)]);
+                (ComponentKind::RateOfOrientation, &shifts * &stacked)
+            }
+        };
+        self.components.push(Component {
+            kind,
+            covariance: &columns * columns.transpose(),
+        });
+        self.orientation.push((kind, columns));
+    }
+
+    /// Adds to the noise what `columns` (`m × q`, not whitened) do to the rows by unit sizes.
+    pub fn carry(&mut self, kind: ComponentKind, columns: &Mat<f64>) {
+        let mut whitened = columns.clone();
+        self.white.apply(whitened.as_mut());
+        self.components.push(Component {
+            kind,
+            covariance: &whitened * whitened.transpose(),
+        });
+    }
+
+    /// Lets the walk of the accelerometer's bias begin anew in every rest, unless the rows, whose columns `taken` are
+    /// fitted, are likelier with a walk through the whole recording.
+    ///
+    /// What the model misses from rest to rest depends on the orientation, and orientations are
+    /// recorded in some order: a walk through the whole recording would take it for its own, and
+    /// believe neighbouring rests too little and those near the reference time too much. What differs between
+    /// rests is then left to their scatter, and the walk to what is seen within them. A bias that does drift
+    /// leaves the same misfit, but neighbouring rests agree: as scatter it would count as independent in every
+    /// rest, and the mean bias would pass for known far better than it is.
+    fn end_walk_with_rests(&mut self, rows: &Rows<'_>, taken: &Mat<f64>) {
+        let within = Component {
+            kind: ComponentKind::AccelerometerWalk,
+            covariance: walk_within_rests(rows, &self.white),
+        };
+        let is_walk = |c: &Component| c.kind == ComponentKind::AccelerometerWalk;
+        let Some(place) = self.components.iter().position(is_walk) else {
+            return;
+        };
+        let through = self.likelihood_of_noise(taken);
+        let whole = std::mem::replace(&mut self.components[place], within);
+        if through - self.likelihood_of_noise(taken) > WALKS {
+            self.components[place] = whole;
+        } else {
+            self.walk_ends_with_rests = true;
+        }
+    }
+
+    /// The highest restricted log-likelihood of walks and scatter, the columns `taken` fitted, up to a constant.
+    fn likelihood_of_noise(&self, taken: &Mat<f64>) -> f64 {
+        let own = self.components.iter();
+        let own = own.filter(|c| c.kind.is_walk() || !c.kind.is_noise());
+        let own: Vec<&Mat<f64>> = own
+            .filter(|c| !c.kind.is_of_orientation())
+            .map(|c| &c.covariance)
+            .collect();
+        Restricted::new(&self.residuals, taken, &own).highest()
+    }
+
+    /// What a shift of the gyroscope's reading in every rest does to the rows (`m × 3 rests`), whitened: what shifts it
+    /// in a rest shifts it by half in the turns on either side, as far as anybody can know.
+    fn rate_shifts(&self, rows: &Rows<'_>) -> Mat<f64> {
+        let means = rows.means(Sensor::Gyroscope);
+        let of_means = means.map(|(_, chunk)| vec![(chunk.rest, 1.0)]);
+        let turns = rows.data.turns.iter();
+        let of_turns = turns.map(|turn| vec![(turn.from, 0.5), (turn.from + 1, 0.5)]);
+        let mut by_shift = Mat::<f64>::zeros(rows.count(), 3 * rows.data.rests.len());
+        for (exposure, shares) in self.rate_exposures.iter().zip(of_means.chain(of_turns)) {
+            for (rest, share) in shares {
+                for (i, row) in exposure.rows.clone().enumerate() {
+                    for axis in 0..3 {
+                        by_shift[(row, 3 * rest + axis)] = share * exposure.total[(i, axis)];
+                    }
+                }
+            }
+        }
+        by_shift
+    }
+
+    /// Kinds of noise of the biases among the components.
+    pub fn bias_kinds(&self) -> Vec<ComponentKind> {
+        let kinds = self.components.iter().map(|c| c.kind);
+        kinds.filter(|k| k.is_walk() || k.is_flicker()).collect()
+    }
+
+    /// The levels of the components by restricted likelihood, with the disturbances' columns among the
+    /// free ones: scatter at its likeliest, walks as their expectation, which none at all may be; walks and flicker
+    /// together at their likeliest, given what the readings `within` static intervals say of them.
+    pub fn levels(&self, disturbances: &[&Suspect], within: &[Within]) -> Vec<NoiseLevel> {
+        let jacobian = self.with(disturbances);
+        let of = |wanted: fn(ComponentKind) -> bool| -> Vec<&Component> {
+            self.components.iter().filter(|c| wanted(c.kind)).collect()
+        };
+        if !of(ComponentKind::is_flicker).is_empty() {
+            return self.likeliest(&jacobian, within);
+        }
+        let (walks, scatter) = (of(ComponentKind::is_walk), of(|kind| !kind.is_noise()));
+        let scatter = self.scatter(&jacobian, &walks, &scatter);
+        let known = self.components.iter();
+        let known: Vec<(&Component, f64)> = known
+            .filter_map(|c| Some((c, c.kind.known_variance()?)))
+            .collect();
+        let fixed =
+            scatter
+                .iter()
+                .chain(&known)
+                .fold(None, |sum: Option<Mat<f64>>, (c, variance)| {
+                    let own = faer::Scale(*variance) * &c.covariance;
+                    Some(sum.map_or_else(|| own.clone(), |sum| sum + &own))
+                });
+        let covariances: Vec<&Mat<f64>> = walks.iter().map(|c| &c.covariance).collect();
+        let usual: Vec<f64> = covariances.iter().map(|c| usual_walk(c)).collect();
+        let expected = Walks::new(&self.residuals, &jacobian, &covariances, fixed.as_ref())
+            .expected(&usual, NONE);
+        walks
+            .into_iter()
+            .zip(expected)
+            .chain(scatter)
+            .chain(known)
+            .map(|(component, variance)| NoiseLevel {
+                kind: component.kind,
+                size: variance.sqrt(),
+            })
+            .collect()
+    }
+
+    /// Walks and flicker at their likeliest, what is known beside them.
+    fn likeliest(&self, jacobian: &Mat<f64>, within: &[Within]) -> Vec<NoiseLevel> {
+        let kinds = self.bias_kinds();
+        let own = self.components.iter().filter(|c| kinds.contains(&c.kind));
+        let covariances: Vec<&Mat<f64>> = own.map(|c| &c.covariance).collect();
+        let restricted = Restricted {
+            within: within.to_vec(),
+            ..Restricted::new(&self.residuals, jacobian, &covariances)
+        };
+        let variances = restricted.variances(&vec![true; kinds.len()]);
+        let known = self.components.iter();
+        let known = known.filter_map(|c| Some((c.kind, c.kind.known_variance()?)));
+        let levels = kinds.iter().copied().zip(variances).chain(known);
+        let level = |(kind, variance): (ComponentKind, f64)| NoiseLevel {
+            kind,
+            size: variance.sqrt(),
+        };
+        levels.map(level).collect()
+    }
+
+    /// The likeliest variances of the scatter, walks beside it.
+    fn scatter<'a>(
+        &self,
+        jacobian: &Mat<f64>,
+        walks: &[&Component],
+        scatter: &[&'a Component],
+    ) -> Vec<(&'a Component, f64)> {
+        if scatter.is_empty() {
+            return Vec::new();
+        }
+        let all: Vec<&Mat<f64>> = walks.iter().chain(scatter).map(|c| &c.covariance).collect();
+        let kept: Vec<bool> = (0..all.len()).map(|c| c < walks.len()).collect();
+        let variances = Restricted::new(&self.residuals, jacobian, &all).variances(&kept);
+        let own = variances.into_iter().skip(walks.len());
+        scatter.iter().copied().zip(own).collect()
+    }
+
+    /// The whitening at these levels.
+    pub fn whitening(&self, levels: &[NoiseLevel]) -> Whitening {
+        Whitening::new(self.white.clone(), &self.components, levels)
+    }
+
+    /// The whitening of the final fit, which what depends on the orientation has no part in.
+    pub fn weighting(&self, levels: &[NoiseLevel]) -> Whitening {
+        self.whitening(&weighing(levels))
+    }
+
+    /// What depends on the orientation at these levels, whitened by the white noise (`m × q`).
+    pub fn carried(&self, levels: &[NoiseLevel]) -> Mat<f64> {
+        let none = Mat::zeros(self.residuals.len(), 0);
+        self.orientation.iter().fold(none, |sum, (kind, columns)| {
+            let level = levels.iter().find(|level| level.kind == *kind);
+            let size = level.map_or(0.0, |level| level.size);
+            beside(&sum, &(faer::Scale(size) * columns))
+        })
+    }
+
+    /// The tests of all suspects, whose `columns` the white noise has whitened, at these levels.
+    pub fn trial<'a>(
+        &self,
+        suspects: &'a [Suspect],
+        columns: &Mat<f64>,
+        levels: &[NoiseLevel],
+    ) -> Trial<'a> {
+        let residuals = Mat::from_fn(self.residuals.len(), 1, |i, _| self.residuals[i]);
+        let (columns, jacobian) = (columns.clone(), self.jacobian.clone());
+        Trial::new(
+            suspects,
+            columns,
+            jacobian,
+            residuals,
+            &self.whitening(levels),
+        )
+    }
+
+    /// The columns of all suspects, then what looks like each of them, whitened by the white noise (`m × k`).
+    pub fn columns(&self, suspects: &[Suspect]) -> Mat<f64> {
+        let own = suspects.iter().flat_map(|s| &s.columns);
+        let alike = suspects.iter().flat_map(|s| &s.nuisance);
+        let all: Vec<&Vec<f64>> = own.chain(alike).collect();
+        let mut columns = Mat::from_fn(self.residuals.len(), all.len(), |i, k| all[k][i]);
+        self.white.apply(columns.as_mut());
+        columns
+    }
+
+    /// The Jacobian with more columns, all whitened by white noise.
+    fn with(&self, disturbances: &[&Suspect]) -> Mat<f64> {
+        let (m, n) = (self.jacobian.nrows(), self.jacobian.ncols());
+        let extra: Vec<&Vec<f64>> = disturbances.iter().flat_map(|s| &s.columns).collect();
+        let mut added = Mat::from_fn(m, extra.len(), |i, k| extra[k][i]);
+        self.white.apply(added.as_mut());
+        Mat::from_fn(m, n + extra.len(), |i, k| {
+            if k < n {
+                self.jacobian[(i, k)]
+            } else {
+                added[(i, k - n)]
+            }
+        })
+    }
+}
+
+fn beside(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
+    let n = a.ncols();
+    Mat::from_fn(a.nrows(), n + b.ncols(), |i, k| {
+        if k < n { a[(i, k)] } else { b[(i, k - n)] }
+    })
+}
+
+/// The walks of the biases, of unit density, whitened by the white noise.
+pub fn walks(noise: &RowNoise, white: &White) -> Vec<Component> {
+    let kinds = [
+        ComponentKind::AccelerometerWalk,
+        ComponentKind::GyroscopeWalk,
+    ];
+    let exposed = kinds.into_iter().zip(&noise.exposures);
+    exposed
+        .filter(|(_, exposures)| !exposures.is_empty())
+        .map(|(kind, exposures)| Component {
+            kind,
+            covariance: covariance(&whitened(exposures, white), noise.variance.len()),
+        })
+        .collect()
+}
+
+/// The exposures of rows that the white noise has whitened.
+pub fn whitened(exposures: &[Exposure], white: &White) -> Vec<Exposure> {
+    exposures.iter().map(|e| white.exposure(e)).collect()
+}
+
+/// The covariance of a walk of the accelerometer's bias, of unit density, that is none at the begin of every
+/// rest; whitened by the white noise.
+fn walk_within_rests(rows: &Rows<'_>, white: &White) -> Mat<f64> {
+    let exposure = |(k, (_, chunk)): (usize, (usize, &Chunk))| {
+        let span = chunk.accelerometer?.span;
+        let begin = rows.data.rests[chunk.rest].span.from;
+        let rows = 3 * k..3 * k + 3;
+        let (path, sign) = (chunk.rest, -1.0);
+        let of_mean = Exposure::of_mean(rows, path, (span.from, span.to), begin, sign);
+        Some(white.exposure(&of_mean))
+    };
+    let means = rows.means(Sensor::Accelerometer).enumerate();
+    let exposures: Vec<Exposure> = means.filter_map(exposure).collect();
+    covariance(&exposures, rows.count())
+}
+
+/// The density up to which walks are common: at the far end of the recording the bias has moved by three
+/// standard deviations of a chunk's mean.
+fn usual_walk(covariance: &Mat<f64>) -> f64 {
+    let farthest = (0..covariance.nrows())
+        .map(|k| covariance[(k, k)])
+        .fold(0.0, f64::max);
+    if farthest > 0.0 {
+        USUAL / farthest.sqrt()
+    } else {
+        1.0
+    }
+}
+
+/// The rows of every rest, by sensor, and of every turn.
+fn groups(rows: &Rows<'_>) -> [(ComponentKind, Vec<Vec<usize>>); 3] {
+    let of_rests = |sensor: Sensor, first: usize| {
+        let mut groups = vec![Vec::new(); rows.data.rests.len()];
+        for (k, (_, chunk)) in rows.means(sensor).enumerate() {
+            groups[chunk.rest].extend(first + 3 * k..first + 3 * k + 3);
+        }
+        groups
+    };
+    let turns = (0..rows.data.turns.len())
+        .map(|k| {
+            vec![
+                rows.first_turn_row() + 2 * k,
+                rows.first_turn_row() + 2 * k + 1,
+            ]
+        })
+        .collect();
+    [
+        (
+            ComponentKind::ForceScatter,
+            of_rests(Sensor::Accelerometer, 0),
+        ),
+        (
+            ComponentKind::RateScatter,
+            of_rests(Sensor::Gyroscope, rows.first_rate_row()),
+        ),
+        (ComponentKind::TurnScatter, turns),
+    ]
+}
+
+/// `χ²` per degree of freedom of the quieter groups, of `(χ², degrees of freedom)`; 0 of none.
+fn quieter_ratio(mut groups: Vec<(f64, f64)>) -> f64 {
+    groups.retain(|(_, dof)| *dof > 0.1);
+    groups.sort_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)));
+    groups.truncate((QUIETER * groups.len() as f64).ceil() as usize);
+    let (sum, dof) = groups
+        .iter()
+        .fold((0.0, 0.0), |(s, d), g| (s + g.0, d + g.1));
+    if dof > 0.0 { sum / dof } else { 0.0 }
+}
+
+/// Covariance of a scatter that the chunks of a rest share, axis by axis; the rows of a turn share none.
+fn shared(groups: &[Vec<usize>], kind: ComponentKind, m: usize) -> Mat<f64> {
+    let mut covariance = Mat::zeros(m, m);
+    for group in groups {
+        for (a, &i) in group.iter().enumerate() {
+            for (b, &j) in group.iter().enumerate() {
+                let same = if kind == ComponentKind::TurnScatter {
+                    a == b
+                } else {
+                    a % 3 == b % 3
+                };
+                if same {
+                    covariance[(i, j)] = 1.0;
+                }
+            }
+        }
+    }
+    covariance
+}

@@ -1,0 +1,41 @@
+//! How large errors would be if a sensor had an effect that the joint fit leaves out.
+
+use faer::Mat;
+use sensor::AnyEffect;
+
+use super::marginal::{columns, orthonormal};
+use crate::methods::joint::fit::JointFit;
+use crate::methods::joint::rows::error_columns::effect_columns;
+use crate::methods::left_out::squares_added;
+
+impl JointFit {
+    /// For each effect the mean square error of each free shared parameter (near SI units, in their order) that it adds, in
+    /// its usual size, if the model leaves it out.
+    ///
+    /// `None` where the data do not determine the parameters.
+    pub fn squares_added_by(&self, effects: &[&dyn AnyEffect]) -> Vec<Option<Vec<f64>>> {
+        let m = self.residuals.len();
+        let sensitivities = self.sensitivities();
+        let others = self.columns_of_others();
+        let residuals = Mat::from_fn(m, 1, |i, _| self.residuals[i]);
+        let of = |effect: &&dyn AnyEffect| {
+            let count = effect.params().len();
+            let (nothing, wanted) = (vec![0.0; count], (0..count).collect::<Vec<_>>());
+            let mut added = effect_columns(&sensitivities, m, *effect, &nothing, &wanted);
+            self.whitening.apply(added.as_mut());
+            // Twice is enough: what the first projection leaves of rounding, the second takes.
+            for _ in 0..2 {
+                added = &added - &others * (others.transpose() * &added);
+            }
+            squares_added(&self.reduced, &added, &residuals, |k| effect.typical_of(k))
+        };
+        effects.iter().map(of).collect()
+    }
+
+    /// An orthonormal basis of the columns of all parameters that are not shared.
+    fn columns_of_others(&self) -> Mat<f64> {
+        let is_other = |k: &usize| self.free[*k] >= self.shared;
+        let others: Vec<usize> = (0..self.free.len()).filter(is_other).collect();
+        orthonormal(&columns(&self.jacobian, &others))
+    }
+}

@@ -1,0 +1,201 @@
+//! How far the data are from the model, before any error is inflated.
+
+use faer::linalg::solvers::Solve;
+use faer::{Mat, Side};
+use sensor::Sensor;
+
+use crate::methods::joint::disturbance::Disturbance;
+use crate::methods::joint::fit::JointFit;
+use crate::methods::joint::noise::weights::{NoiseLevel, Whitening};
+use crate::methods::joint::orientation::Shown;
+use crate::methods::joint::result::Channel;
+use crate::methods::small_sample::by_chance;
+
+/// Added to the unit diagonal of normal equations.
+const HELD_UP: f64 = 1e-11;
+
+/// What one kind of rows leaves, against the noise that was measured within the static intervals, walks of the biases
+/// among it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChannelMisfit {
+    /// Which rows.
+    pub channel: Channel,
+    /// Root mean square of what is left: m/s² of the norm, rad/s of the rate, rad of the direction.
+    pub rms: f64,
+    /// What the noise makes of that.
+    pub noise: f64,
+    /// `χ²` against the noise.
+    pub chi2: f64,
+    /// Its degrees of freedom.
+    pub dof: f64,
+    /// Probability of so much by noise alone.
+    pub p_value: f64,
+    /// How it depends on the orientation, where it does.
+    pub pattern: Option<Shown>,
+}
+
+impl ChannelMisfit {
+    /// What is left over the noise: `√(χ²/dof)`.
+    pub fn ratio(&self) -> f64 {
+        (self.chi2 / self.dof).sqrt()
+    }
+}
+
+impl JointFit {
+    /// What the norm of specific force, the rate at the static intervals and the direction through turns leave, where
+    /// each has degrees of freedom.
+    ///
+    /// Rows are in the order force, rate, turns, and whitening mixes a row with those before it only: what the
+    /// parameters leave of the first rows, of the first two kinds and of all differ by independent sums of squares.
+    pub fn misfits(&self) -> Vec<ChannelMisfit> {
+        let noise: Vec<NoiseLevel> = self
+            .levels
+            .iter()
+            .copied()
+            .filter(|level| level.kind.is_noise())
+            .collect();
+        let whitening = Whitening::new(self.whitening.white.clone(), &self.components, &noise);
+        let m = self.white_residuals.len();
+        let mut jacobian = self.white_jacobian.clone();
+        let mut residuals = Mat::from_fn(m, 1, |i, _| self.white_residuals[i]);
+        whitening.finish(jacobian.as_mut());
+        whitening.finish(residuals.as_mut());
+        let [rate, turns] = self.first_rows;
+        let channels = [
+            (Channel::Force, rate, self.norm_rms()),
+            (Channel::Rate, turns, self.rate_rms()),
+            (Channel::Direction, m, self.direction_rms()),
+        ];
+        let mut before = (0.0, 0.0);
+        let mut misfits = Vec::new();
+        for (channel, end, rms) in channels {
+            let own = jacobian.as_ref().subrows(0, end).to_owned();
+            let (square, spare) = left(&own, &residuals.as_ref().subrows(0, end).to_owned());
+            let (chi2, dof) = ((square - before.0).max(0.0), spare - before.1);
+            before = (square, spare);
+            if dof < 0.5 {
+                continue;
+            }
+            misfits.push(ChannelMisfit {
+                channel,
+                rms,
+                noise: if chi2 > 0.0 {
+                    rms / (chi2 / dof).sqrt()
+                } else {
+                    rms
+                },
+                chi2,
+                dof,
+                p_value: by_chance(chi2, dof),
+                pattern: self.pattern_of(channel),
+            });
+        }
+        misfits
+    }
+
+    /// Root mean square of `|f| − g` over the static intervals that nothing disturbed, each weighted by what its noise
+    /// lets it know, m/s².
+    pub fn norm_rms(&self) -> f64 {
+        let disturbed = |place: usize| {
+            self.accused.iter().any(|accused| {
+                let rest = &self.data.rests[place];
+                accused.kind == Disturbance::DisturbedInterval
+                    && (accused.recording, accused.interval) == (rest.recording, rest.interval)
+            })
+        };
+        let moduli = self.moduli.iter().enumerate();
+        let sound = moduli.filter(|(rest, _)| !disturbed(*rest));
+        rms(sound.map(|(rest, value)| (*value, self.norm_noise(rest))))
+    }
+
+    /// Root mean square of the rate at the static intervals less the bias, rad/s.
+    pub fn rate_rms(&self) -> f64 {
+        rms(self.static_rates())
+    }
+
+    /// Root mean square of what the turns miss, weighted in the same way, rad.
+    pub fn direction_rms(&self) -> f64 {
+        let first = self.first_rows[1];
+        let white = &self.whitening.white;
+        let noise = |turn: usize| {
+            white
+                .std(first + 2 * turn)
+                .hypot(white.std(first + 2 * turn + 1))
+        };
+        let chords = self.chords.iter().enumerate();
+        rms(chords.map(|(turn, value)| (*value, noise(turn))))
+    }
+
+    /// Standard deviation of the mean of the accelerometer in a rest, averaged over the axes, m/s².
+    fn norm_noise(&self, rest: usize) -> f64 {
+        let own = &self.data.rests[rest];
+        let Some(noise) = &self.data.sources[own.recording].accelerometer else {
+            return 1.0;
+        };
+        let chunks = &self.data.chunks[own.chunks.clone()];
+        let means = chunks.iter().filter_map(|chunk| chunk.accelerometer);
+        let information: f64 = means.map(|m| 3.0 / noise.variance_of(&m).sum()).sum();
+        information.max(f64::MIN_POSITIVE).sqrt().recip()
+    }
+
+    /// `χ²` per degree of freedom of one kind of rows, against the noise that was measured.
+    pub fn reduced_chi2(&self, channel: Channel) -> Option<f64> {
+        let own = self.misfits().into_iter().find(|m| m.channel == channel);
+        own.map(|m| m.chi2 / m.dof)
+    }
+
+    fn pattern_of(&self, channel: Channel) -> Option<Shown> {
+        let sensor = match channel {
+            Channel::Force => Sensor::Accelerometer,
+            Channel::Rate => Sensor::Gyroscope,
+            Channel::Direction => return None,
+        };
+        let own = self.shown.iter().find(|(of, _)| *of == sensor);
+        own.map(|(_, shown)| *shown)
+    }
+
+    /// Rate less bias of every chunk of a rest, and its noise, rad/s.
+    fn static_rates(&self) -> impl Iterator<Item = (f64, f64)> {
+        let mut residuals = Mat::from_fn(self.white_residuals.len(), 1, |i, _| {
+            self.white_residuals[i]
+        });
+        self.whitening.white.restore(residuals.as_mut());
+        let [rate, turns] = self.first_rows;
+        (rate..turns).map(move |i| (residuals[(i, 0)], self.whitening.white.std(i)))
+    }
+}
+
+/// Root mean square of values with standard deviations, weighted by these; 0 of none.
+fn rms(values: impl Iterator<Item = (f64, f64)>) -> f64 {
+    let (square, weight) = values.fold((0.0, 0.0), |(square, weight), (value, sigma)| {
+        let own = sigma.powi(-2);
+        (square + own * value * value, weight + own)
+    });
+    if weight > 0.0 {
+        (square / weight).sqrt()
+    } else {
+        0.0
+    }
+}
+
+/// The sum of squares that columns leave of a residual, and the degrees of freedom: by normal equations with unit columns,
+/// held up a little where columns depend on each other.
+fn left(columns: &Mat<f64>, r: &Mat<f64>) -> (f64, f64) {
+    let m = columns.nrows();
+    let norms: Vec<f64> = columns.col_iter().map(|c| c.norm_l2()).collect();
+    let used: Vec<usize> = (0..norms.len()).filter(|&k| norms[k] > 0.0).collect();
+    let unit = Mat::from_fn(m, used.len(), |i, k| columns[(i, used[k])] / norms[used[k]]);
+    let mut gram = unit.transpose() * &unit;
+    for k in 0..used.len() {
+        gram[(k, k)] += HELD_UP;
+    }
+    let right = unit.transpose() * r;
+    let Ok(factor) = gram.llt(Side::Lower) else {
+        return (r.squared_norm_l2(), m as f64);
+    };
+    let taken = (right.transpose() * factor.solve(&right))[(0, 0)];
+    let inverse = factor.solve(&Mat::<f64>::identity(used.len(), used.len()));
+    let undetermined: f64 = (0..used.len()).map(|k| HELD_UP * inverse[(k, k)]).sum();
+    let rank = used.len() as f64 - undetermined;
+    (r.squared_norm_l2() - taken, m as f64 - rank)
+}

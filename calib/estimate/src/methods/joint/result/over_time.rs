@@ -1,0 +1,104 @@
+//! How much the biases moved while the recording lasted, and whether the earth's rotation is where the latitude has it.
+
+use faer::Mat;
+use nalgebra::{Matrix3, Vector3};
+use recording::intervals::Span;
+use sensor::Sensor;
+
+use super::marginal::orthonormal;
+use crate::methods::joint::data::{Chunk, Mean};
+use crate::methods::joint::fit::JointFit;
+
+/// A bias that changes evenly with time, as far as the static intervals show it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BiasMotion {
+    /// From the begin of the first static interval to the end of the last, s.
+    pub span: Span,
+    /// Change from begin to end, near SI units (3).
+    pub change: Vector3<f64>,
+    /// Its standard error (3).
+    pub std: Vector3<f64>,
+    /// Share of the change that lies before the mean over the static intervals, for which the bias is stated.
+    pub before: f64,
+}
+
+impl JointFit {
+    /// How much a bias moved in a recording: the slope of the readings at rest over time, beside everything that was fitted,
+    /// walks counted as noise. `None` with fewer than two static intervals.
+    pub fn bias_motion(&self, sensor: Sensor, recording: usize) -> Option<BiasMotion> {
+        let mean = |chunk: &Chunk| chunk.mean(sensor);
+        let own = |chunk: &Chunk| self.data.rests[chunk.rest].recording == recording;
+        let chunks: Vec<Mean> = self
+            .data
+            .chunks
+            .iter()
+            .filter(|c| own(c))
+            .filter_map(mean)
+            .collect();
+        let span = Span {
+            from: chunks.first()?.span.from,
+            to: chunks.last()?.span.to,
+        };
+        let length: f64 = chunks.iter().map(|m| m.span.length()).sum();
+        let middle = |m: &Mean| 0.5 * (m.span.from + m.span.to);
+        let centre = chunks
+            .iter()
+            .map(|m| middle(m) * m.span.length())
+            .sum::<f64>()
+            / length;
+        if span.length() <= 0.0 || chunks.len() < 2 {
+            return None;
+        }
+        let mut columns = Mat::zeros(self.residuals.len(), 3);
+        let mut row = if sensor == Sensor::Accelerometer {
+            0
+        } else {
+            self.first_rows[0]
+        };
+        for chunk in &self.data.chunks {
+            let Some(m) = mean(chunk) else { continue };
+            if own(chunk) {
+                for axis in 0..3 {
+                    columns[(row + axis, axis)] = (middle(&m) - centre) / span.length();
+                }
+            }
+            row += 3;
+        }
+        self.whitening.apply(columns.as_mut());
+        let (change, covariance) = self.beside(&columns)?;
+        Some(BiasMotion {
+            span,
+            change,
+            std: covariance.diagonal().map(|v| v.max(0.0).sqrt()),
+            before: (centre - span.from) / span.length(),
+        })
+    }
+
+    /// What three whitened columns would take beside all that is fitted, and the covariance of that.
+    fn beside(&self, columns: &Mat<f64>) -> Option<(Vector3<f64>, Matrix3<f64>)> {
+        let basis = orthonormal(&self.jacobian);
+        let left = columns - &basis * (basis.transpose() * columns);
+        let r = Mat::from_fn(self.residuals.len(), 1, |i, _| self.residuals[i]);
+        let gram = left.transpose() * &left;
+        let right = left.transpose() * &r;
+        let gram = Matrix3::from_fn(|i, k| gram[(i, k)]);
+        let inverse = gram.cholesky()?.inverse();
+        // Residuals are model less measurement.
+        Some((-(inverse * Vector3::from_fn(|i, _| right[(i, 0)])), inverse))
+    }
+
+    /// How far a parameter that was held would go if it were free, and the standard error of that; `None` where it is no
+    /// parameter or nothing shows it.
+    pub fn pull_of_held(&self, name: &str) -> Option<(f64, f64)> {
+        let place = self.parameters.index(name)?;
+        let linear = self.rows().linearize(self.parameters.values());
+        let m = self.residuals.len();
+        let mut column = Mat::from_fn(m, 1, |i, _| linear.jacobian[(i, place)]);
+        self.whitening.apply(column.as_mut());
+        let basis = orthonormal(&self.jacobian);
+        let left = &column - &basis * (basis.transpose() * &column);
+        let square = left.squared_norm_l2();
+        let moved: f64 = (0..m).map(|i| left[(i, 0)] * self.residuals[i]).sum();
+        (square > 0.0).then(|| (-moved / square, square.sqrt().recip()))
+    }
+}

@@ -1,0 +1,373 @@
+//! The rows of the joint problem and their Jacobian.
+
+pub(crate) mod attitudes;
+pub(crate) mod blocks;
+pub(crate) mod chart;
+pub(crate) mod earth;
+pub(crate) mod error_columns;
+pub(crate) mod knowledge;
+pub(crate) mod layout;
+pub(crate) mod sensitivity;
+pub(crate) mod slopes;
+pub(crate) mod turn;
+pub(crate) mod values;
+
+use faer::Mat;
+use nalgebra::{Matrix2x3, Matrix3, Vector2, Vector3};
+use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, PLACES, Sensor, Since, inverse};
+
+use super::data::{Chunk, Data, Mean, TurnSamples};
+use crate::methods::joint::clock::coning::Coning;
+use crate::methods::joint::rows::chart::Chart;
+use crate::methods::joint::rows::layout::Layout;
+use crate::methods::joint::rows::slopes::EffectSlopes;
+use crate::methods::joint::rows::turn::{Carried, carry};
+
+/// The models and the data, before any weight.
+#[derive(Clone, Debug)]
+pub struct Rows<'a> {
+    /// Rests and turns.
+    pub data: &'a Data,
+    /// The accelerometer.
+    pub accelerometer: &'a Model,
+    /// The gyroscope.
+    pub gyroscope: &'a Model,
+    /// Local gravity, m/s².
+    pub gravity: f64,
+    /// Which parameter stands where.
+    pub layout: Layout,
+    /// Coordinates of the direction of every rest.
+    pub charts: &'a [Chart],
+    /// `∂r/∂d` of the disturbances, one column each (`m`): rows that are known to be off.
+    pub disturbances: &'a [Vec<f64>],
+    /// Of samples that are means over their windows, and of samples at instants.
+    conings: [Coning; 2],
+}
+
+/// Residuals and Jacobian at a point.
+#[derive(Clone, Debug)]
+pub struct Linear {
+    /// `r` (`m`).
+    pub residuals: Vec<f64>,
+    /// `∂r/∂x` (`m × n`), all columns.
+    pub jacobian: Mat<f64>,
+}
+
+impl<'a> Rows<'a> {
+    /// Of these data and models.
+    pub fn new(
+        data: &'a Data,
+        (accelerometer, gyroscope): (&'a Model, &'a Model),
+        gravity: f64,
+        charts: &'a [Chart],
+        (own_force_bias, disturbances): (bool, &'a [Vec<f64>]),
+    ) -> Self {
+        let rate = data.chunks.iter().any(|c| c.gyroscope.is_some());
+        let gyroscope_parameters = if rate {
+            gyroscope.parameters().len()
+        } else {
+            0
+        };
+        Self {
+            data,
+            accelerometer,
+            gyroscope,
+            gravity,
+            layout: Layout {
+                accelerometer: accelerometer.parameters().len(),
+                gyroscope: gyroscope_parameters,
+                own_force_bias,
+                recordings: data.sources.len(),
+                rests: data.rests.len(),
+                disturbances: disturbances.len(),
+            },
+            charts,
+            disturbances,
+            conings: [Coning::new(), Coning::at_instants()],
+        }
+    }
+
+    /// Number of rows.
+    pub fn count(&self) -> usize {
+        3 * self.means(Sensor::Accelerometer).count()
+            + 3 * self.means(Sensor::Gyroscope).count()
+            + 2 * self.data.turns.len()
+    }
+
+    /// First row of the turns.
+    pub fn first_turn_row(&self) -> usize {
+        self.count() - 2 * self.data.turns.len()
+    }
+
+    /// First row of a sensor's means.
+    pub fn first_row(&self, sensor: Sensor) -> usize {
+        match sensor {
+            Sensor::Accelerometer => 0,
+            Sensor::Gyroscope | Sensor::Magnetometer => self.first_rate_row(),
+        }
+    }
+
+    /// First row of the gyroscope's means.
+    pub fn first_rate_row(&self) -> usize {
+        3 * self.means(Sensor::Accelerometer).count()
+    }
+
+    /// The chunks with samples of a sensor, in the order of their rows, three rows each.
+    pub fn means(&self, sensor: Sensor) -> impl Iterator<Item = (usize, &'a Chunk)> {
+        self.data
+            .chunks
+            .iter()
+            .enumerate()
+            .filter(move |(_, chunk)| chunk.mean(sensor).is_some())
+    }
+
+    /// The model of a sensor, and its mean over a chunk with samples of it.
+    pub(crate) fn model_and_mean(
+        &self,
+        sensor: Sensor,
+        chunk: &Chunk,
+    ) -> (&'a Model, Option<Mean>) {
+        let model = match sensor {
+            Sensor::Accelerometer => self.accelerometer,
+            Sensor::Gyroscope | Sensor::Magnetometer => self.gyroscope,
+        };
+        (model, chunk.mean(sensor))
+    }
+
+    /// The model's parameters in one recording.
+    pub fn local(&self, x: &[f64], sensor: Sensor, recording: usize) -> Vec<f64> {
+        self.layout
+            .columns(sensor, recording)
+            .iter()
+            .map(|&c| x[c])
+            .collect()
+    }
+
+    /// The direction of a rest.
+    pub fn direction(&self, x: &[f64], rest: usize) -> Vector3<f64> {
+        let at = self.layout.direction(rest);
+        self.charts[rest].direction(&x[at..at + 2])
+    }
+
+    /// Residuals and Jacobian.
+    pub fn linearize(&self, x: &[f64]) -> Linear {
+        let m = self.count();
+        let mut out = Linear {
+            residuals: vec![0.0; m],
+            jacobian: Mat::zeros(m, self.layout.count()),
+        };
+        let mut row = 0;
+        for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+            for (_, chunk) in self.means(sensor) {
+                self.mean_rows(x, sensor, chunk, row, &mut out);
+                row += 3;
+            }
+        }
+        for turn in &self.data.turns {
+            self.turn_rows(x, turn, row, &mut out);
+            row += 2;
+        }
+        for (k, column) in self.disturbances.iter().enumerate() {
+            let place = self.layout.disturbance(k);
+            for (i, value) in column.iter().enumerate() {
+                out.residuals[i] += value * x[place];
+                out.jacobian[(i, place)] = *value;
+            }
+        }
+        out
+    }
+
+    /// `r = distort(g u) − mean` of one chunk: the reading that the model foretells at rest, less the one
+    /// that was measured.
+    fn mean_rows(&self, x: &[f64], sensor: Sensor, chunk: &Chunk, row: usize, out: &mut Linear) {
+        let rest = &self.data.rests[chunk.rest];
+        let (model, mean) = self.model_and_mean(sensor, chunk);
+        let Some(mean) = mean else { return };
+        let columns = self.layout.columns(sensor, rest.recording);
+        let p: Vec<f64> = columns.iter().map(|&c| x[c]).collect();
+        let base = Base::from_parameters(&p);
+        let inverse = inverse(&base.t).unwrap_or_else(|| Matrix3::repeat(f64::NAN));
+        let at = self.layout.direction(chunk.rest);
+        let u = self.direction(x, chunk.rest);
+        let by_direction = self.charts[chunk.rest].slope(&x[at..at + 2]) * self.gravity;
+        let truth = self.at_rest(chunk, &mean, u);
+        let effects = EffectSlopes::at(model, &truth, &p, Sensor::Accelerometer);
+        let signal = truth.signal(sensor) + effects.value;
+        let reading = inverse * signal;
+        let own = if sensor == Sensor::Accelerometer {
+            Matrix3::identity()
+        } else {
+            Matrix3::zeros()
+        };
+        let by_force = inverse * (own + effects.by_signal) * by_direction;
+        let residual = reading + base.bias - mean.value;
+        for i in 0..3 {
+            out.residuals[row + i] = residual[i];
+            for (k, (a, b)) in PLACES.iter().enumerate() {
+                out.jacobian[(row + i, columns[k])] = -inverse[(i, *a)] * reading[*b];
+            }
+            out.jacobian[(row + i, columns[9 + i])] = 1.0;
+            for j in 0..2 {
+                out.jacobian[(row + i, at + j)] = by_force[(i, j)];
+            }
+        }
+        for (slope, column) in effects
+            .by_parameters
+            .iter()
+            .zip(&columns[BASE_PARAMETERS..])
+        {
+            let carried = inverse * slope;
+            for i in 0..3 {
+                out.jacobian[(row + i, *column)] = carried[i];
+            }
+        }
+    }
+
+    /// The truth in a chunk of a rest: time that of the mean's middle.
+    pub(crate) fn at_rest(&self, chunk: &Chunk, mean: &Mean, u: Vector3<f64>) -> Kinematics<f64> {
+        let rest = &self.data.rests[chunk.rest];
+        let mut truth = rest
+            .known
+            .with_signal(Sensor::Accelerometer, u * self.gravity);
+        truth.time += 0.5 * (mean.span.from + mean.span.to - rest.span.from - rest.span.to);
+        truth.temperature = chunk.temperature.unwrap_or(truth.temperature);
+        [truth.temperature_rate, truth.warming] = chunk.thermal;
+        truth.since_turn = Since {
+            from: mean.span.from - rest.turned,
+            to: mean.span.to - rest.turned,
+        };
+        truth
+    }
+
+    /// `r = Eᵀ (Rᵀ u_k − u_{k+1})`: the direction before a turn carried through it by the corrected rate,
+    /// less the one after, along the two unit vectors `E` across the latter.
+    ///
+    /// Both directions are parameters, so that consecutive turns share no noise: given the
+    /// directions, the rows of a turn see the samples of that turn only.
+    fn turn_rows(&self, x: &[f64], turn: &TurnSamples, row: usize, out: &mut Linear) {
+        let columns = self.layout.columns(Sensor::Gyroscope, turn.recording);
+        let p: Vec<f64> = columns.iter().map(|&c| x[c]).collect();
+        let (carried, slopes) = self.carried(turn, &p);
+        let across = self.charts[turn.from + 1].across.transpose();
+        let before = self.direction(x, turn.from);
+        let foretold = carried.rotation * before;
+        let residual = across * (foretold - self.direction(x, turn.from + 1));
+        // ∂(Rᵀ u) = (Rᵀ u) × δ
+        let by_rotation = across * foretold.cross_matrix();
+        let mut set = |column: usize, value: Vector2<f64>| {
+            for i in 0..2 {
+                out.jacobian[(row + i, column)] = value[i];
+            }
+        };
+        for (rotation, column) in self
+            .by_parameters(turn, &carried, &slopes, &p)
+            .iter()
+            .zip(&columns)
+        {
+            set(*column, by_rotation * rotation);
+        }
+        let [from, to] = [turn.from, turn.from + 1].map(|rest| self.layout.direction(rest));
+        let slope_before = self.charts[turn.from].slope(&x[from..from + 2]);
+        let slope_after = self.charts[turn.from + 1].slope(&x[to..to + 2]);
+        for j in 0..2 {
+            let moved = carried.rotation * slope_before.column(j);
+            set(from + j, across * moved);
+            set(to + j, -(across * slope_after.column(j)));
+        }
+        out.residuals[row] = residual[0];
+        out.residuals[row + 1] = residual[1];
+    }
+
+    /// How the samples of a turn are taken.
+    pub(crate) fn coning(&self, turn: &TurnSamples) -> &Coning {
+        let instants = self.data.sources[turn.recording].clock.instants;
+        &self.conings[usize::from(instants)]
+    }
+
+    /// `∂r/∂λ` of the two rows of a turn by the share of the scatter that its clock has: a window's angle grows by
+    /// `ω_k` times what the scatter adds to its length.
+    pub(crate) fn by_clock(&self, x: &[f64], turn: &TurnSamples) -> Vector2<f64> {
+        let Some(clock) = turn.clocks.get(turn.base) else {
+            return Vector2::zeros();
+        };
+        let p = self.local(x, Sensor::Gyroscope, turn.recording);
+        let (carried, _) = self.carried(turn, &p);
+        let windows = clock.slack.iter().zip(&turn.lengths);
+        let rates = self.rates(turn, &p);
+        let moved: Vector3<f64> = windows
+            .zip(carried.gains.iter().zip(&rates))
+            .map(|((slack, length), (gain, rate))| gain * rate * (slack / length))
+            .sum();
+        self.by_rotation(x, turn, &carried.rotation) * moved
+    }
+
+    /// `∂r/∂δ = Eᵀ [Rᵀ u_k]×` of the two rows of a turn by a small rotation `δ` at its end, where `Rᵀ` carries the direction
+    /// before it.
+    pub(crate) fn by_rotation(
+        &self,
+        x: &[f64],
+        turn: &TurnSamples,
+        rotation: &Matrix3<f64>,
+    ) -> Matrix2x3<f64> {
+        let predicted = rotation * self.direction(x, turn.from);
+        self.charts[turn.from + 1].across.transpose() * predicted.cross_matrix()
+    }
+
+    /// The rotation over a turn, and the derivative of the corrected rate by the base's `T (W − b)` per
+    /// sample with the effects' slopes; the latter are empty without effects.
+    pub(crate) fn carried(
+        &self,
+        turn: &TurnSamples,
+        p: &[f64],
+    ) -> (Carried, Vec<(Matrix3<f64>, EffectSlopes)>) {
+        let base = Base::from_parameters(p);
+        if self.gyroscope.effects().is_empty() {
+            let rates: Vec<_> = turn.readings.iter().map(|w| base.correct(w)).collect();
+            return (carry(self.coning(turn), &rates, &turn.lengths), Vec::new());
+        }
+        let mut rates = Vec::with_capacity(turn.readings.len());
+        let mut slopes = Vec::with_capacity(turn.readings.len());
+        for (reading, known) in turn.readings.iter().zip(&turn.known) {
+            let rate = self.gyroscope.correct(reading, known, p);
+            let truth = known.with_signal(Sensor::Gyroscope, rate);
+            let effects = EffectSlopes::at(self.gyroscope, &truth, p, Sensor::Gyroscope);
+            let through = inverse(&(Matrix3::identity() + effects.by_signal));
+            slopes.push((through.unwrap_or_else(Matrix3::identity), effects));
+            rates.push(rate);
+        }
+        (carry(self.coning(turn), &rates, &turn.lengths), slopes)
+    }
+
+    /// `∂δ/∂p` (3) of the rotation at the end of a turn by every parameter of the gyroscope's model.
+    fn by_parameters(
+        &self,
+        turn: &TurnSamples,
+        carried: &Carried,
+        slopes: &[(Matrix3<f64>, EffectSlopes)],
+        p: &[f64],
+    ) -> Vec<Vector3<f64>> {
+        let base = Base::from_parameters(p);
+        let mut by_element = [Vector3::zeros(); 9];
+        let mut by_signal = Matrix3::zeros();
+        let mut by_effects = vec![Vector3::zeros(); p.len() - BASE_PARAMETERS];
+        for (k, gain) in carried.gains.iter().enumerate() {
+            let through = slopes.get(k).map_or(*gain, |(through, _)| gain * through);
+            let unbiased = turn.readings[k] - base.bias;
+            for (sum, (a, b)) in by_element.iter_mut().zip(PLACES) {
+                *sum += through.column(a) * unbiased[b];
+            }
+            by_signal += through;
+            if let Some((_, effects)) = slopes.get(k) {
+                for (sum, slope) in by_effects.iter_mut().zip(&effects.by_parameters) {
+                    *sum -= through * slope;
+                }
+            }
+        }
+        let by_bias = -(by_signal * base.t);
+        by_element
+            .into_iter()
+            .chain((0..3).map(|axis| by_bias.column(axis).into_owned()))
+            .chain(by_effects)
+            .collect()
+    }
+}

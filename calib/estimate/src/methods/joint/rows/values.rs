@@ -1,0 +1,137 @@
+//! The rows without derivatives, and what they mean to people.
+
+use nalgebra::{Matrix3, Vector3};
+use recording::intervals::Span;
+use sensor::{Base, Sensor};
+
+use super::turn::rotation;
+use crate::methods::joint::data::{Chunk, Mean, TurnSamples};
+use crate::methods::joint::rows::Rows;
+
+/// Instants of a chunk that a slope is taken from.
+const INSTANTS: u32 = 8;
+
+impl Rows<'_> {
+    /// The residuals at `x` (`m`).
+    pub fn residuals(&self, x: &[f64]) -> Vec<f64> {
+        let mut out = Vec::with_capacity(self.count());
+        for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+            for (_, chunk) in self.means(sensor) {
+                out.extend(self.mean_residual(x, sensor, chunk).iter());
+            }
+        }
+        for turn in &self.data.turns {
+            let foretold = self.rotation(x, turn) * self.direction(x, turn.from);
+            let miss = foretold - self.direction(x, turn.from + 1);
+            out.extend((self.charts[turn.from + 1].across.transpose() * miss).iter());
+        }
+        for (k, column) in self.disturbances.iter().enumerate() {
+            let value = x[self.layout.disturbance(k)];
+            for (r, c) in out.iter_mut().zip(column) {
+                *r += c * value;
+            }
+        }
+        out
+    }
+
+    fn mean_residual(&self, x: &[f64], sensor: Sensor, chunk: &Chunk) -> Vector3<f64> {
+        let unknown = Vector3::repeat(f64::NAN);
+        let rest = &self.data.rests[chunk.rest];
+        let (model, mean) = self.model_and_mean(sensor, chunk);
+        let Some(mean) = mean else { return unknown };
+        let p = self.local(x, sensor, rest.recording);
+        let u = self.direction(x, chunk.rest);
+        let truth = self.at_rest(chunk, &mean, u);
+        let reading = model.distort(&truth, &p);
+        reading.map_or(unknown, |reading| reading - mean.value)
+    }
+
+    /// How fast the reading of a sensor changes within a chunk by the model, per second: by the straight line through
+    /// instants of it; nothing where no effect tells instants of a static interval apart.
+    pub fn slope_within(&self, x: &[f64], sensor: Sensor, chunk: &Chunk) -> Vector3<f64> {
+        let (model, mean) = self.model_and_mean(sensor, chunk);
+        let Some(mean) = mean.filter(|_| !model.effects().is_empty()) else {
+            return Vector3::zeros();
+        };
+        let rest = &self.data.rests[chunk.rest];
+        let p = self.local(x, sensor, rest.recording);
+        let u = self.direction(x, chunk.rest);
+        let (mut moment, mut spread) = (Vector3::zeros(), 0.0);
+        for k in 0..INSTANTS {
+            let part = (f64::from(k) + 0.5) / f64::from(INSTANTS);
+            let t = mean.span.from + part * mean.span.length();
+            let span = Span { from: t, to: t };
+            let truth = self.at_rest(chunk, &Mean { span, ..mean }, u);
+            let Some(reading) = model.distort(&truth, &p) else {
+                return Vector3::zeros();
+            };
+            let away = t - 0.5 * (mean.span.from + mean.span.to);
+            moment += reading * away;
+            spread += away * away;
+        }
+        moment / spread
+    }
+
+    /// The rotation over a turn at `x`: `v_after = R v_before`.
+    pub fn rotation(&self, x: &[f64], turn: &TurnSamples) -> Matrix3<f64> {
+        let p = self.local(x, Sensor::Gyroscope, turn.recording);
+        rotation(self.coning(turn), &self.rates(turn, &p), &turn.lengths)
+    }
+
+    /// The corrected rates of a turn, rad/s.
+    pub(crate) fn rates(&self, turn: &TurnSamples, p: &[f64]) -> Vec<Vector3<f64>> {
+        if self.gyroscope.effects().is_empty() {
+            let base = Base::from_parameters(p);
+            return turn.readings.iter().map(|w| base.correct(w)).collect();
+        }
+        let readings = turn.readings.iter().zip(&turn.known);
+        readings
+            .map(|(reading, known)| self.gyroscope.correct(reading, known, p))
+            .collect()
+    }
+
+    /// The rest that each row speaks of; a turn's is the one before it.
+    pub fn rest_of_row(&self) -> Vec<usize> {
+        let mut rests = Vec::with_capacity(self.count());
+        for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+            rests.extend(self.means(sensor).flat_map(|(_, chunk)| [chunk.rest; 3]));
+        }
+        rests.extend(self.data.turns.iter().flat_map(|turn| [turn.from; 2]));
+        rests
+    }
+
+    /// The angle by which every turn misses the direction that the accelerometer shows after it, from
+    /// the one it shows before, rad.
+    pub fn chords(&self, x: &[f64]) -> Vec<f64> {
+        self.data
+            .turns
+            .iter()
+            .filter_map(|turn| {
+                let before = self.force(x, turn.from)?.normalize();
+                let after = self.force(x, turn.from + 1)?.normalize();
+                Some((self.rotation(x, turn) * before - after).norm())
+            })
+            .collect()
+    }
+
+    /// `|f| − g` of every rest, m/s².
+    pub fn moduli(&self, x: &[f64]) -> Vec<f64> {
+        (0..self.data.rests.len())
+            .filter_map(|k| Some(self.force(x, k)?.norm() - self.gravity))
+            .collect()
+    }
+
+    /// The corrected mean specific force of a rest, m/s².
+    fn force(&self, x: &[f64], k: usize) -> Option<Vector3<f64>> {
+        let rest = &self.data.rests[k];
+        let p = self.local(x, Sensor::Accelerometer, rest.recording);
+        let means = self.data.chunks[rest.chunks.clone()].iter();
+        let (sum, count) = means
+            .filter_map(|c| c.accelerometer)
+            .fold((Vector3::zeros(), 0.0), |(sum, n), m| {
+                (sum + m.value * m.count as f64, n + m.count as f64)
+            });
+        let force = self.accelerometer.correct(&(sum / count), &rest.known, &p);
+        (count > 0.0).then_some(force)
+    }
+}
