@@ -2,9 +2,9 @@
 
 use faer::Mat;
 
+use crate::linear::vector::{add, norm};
 use crate::residual::{Problem, dual_jacobian};
 use crate::scalar::Jet;
-use crate::vector::{add, norm};
 
 /// A problem from a closure over [`Jet`]: exact derivatives, no second derivatives.
 ///

@@ -37,41 +37,25 @@ mod check;
 mod clock;
 mod closure;
 mod compare;
-mod cone_program;
 mod constraints;
-mod covariance;
 mod descent;
 mod display;
-mod elementary;
-mod ending;
 mod error;
 mod feasible;
-mod finish;
 mod graph;
 mod infinite;
-mod iterate;
 mod linear;
 mod loss;
-mod loss_check;
 mod minimise;
 mod multistart;
-mod newton;
-mod observability;
 mod options;
 mod parameters;
-mod point;
-mod profile;
 mod report;
 mod residual;
-mod robust;
-mod sandwich;
 pub mod scalar;
-mod scaling;
 mod search;
 mod solve;
-mod system;
-mod vanishing;
-mod vector;
+mod uncertainty;
 
 pub use check::{Mismatch, check_derivatives};
 /// A column-compressed matrix and the cones of a [`ConeProgram`].
@@ -81,32 +65,32 @@ pub use compare::{
     ComparedRun, Comparison, Measure, Profile, Table, compare, compare_graphs, compare_with,
     graph_variants,
 };
-pub use cone_program::{ConeProgram, ConeSolution};
 pub use constraints::{ActiveConstraint, Constraint, Constraints};
-pub use covariance::{Uncertainty, uncertainty};
 pub use descent::{Descent, Local, Step};
-pub use elementary::Elementary;
 pub use error::Error;
 pub use faer::{Mat, MatRef};
+pub use feasible::cone_program::{ConeProgram, ConeSolution};
 pub use graph::{
     Block, Direction, Euclidean, Factor, Graph, GraphOptions, GraphReport, Manifold, Method,
     NullVector, PlanarMotion, Products, RigidMotion, Rotation, RotationVector, check_manifold,
     graph_profile, quaternion, solve_graph,
 };
 pub use linear::{Factor as Factorization, LinearMethod, LinearSolver, OwnLinearSolver};
+pub use loss::check::{LossMismatch, check_loss};
+pub use loss::sandwich::sandwich_covariance;
 pub use loss::{Loss, LossFunction, LossScale, OwnLoss, RowLoss};
-pub use loss_check::{LossMismatch, check_loss};
+pub use minimise::system::Evaluations;
 pub use multistart::{Minimum, MultiStart, multi_start, spread};
 pub use options::{Damping, NewSearch, Options, OwnVariant, Variant};
 pub use parameters::{Mask, Parameters};
-pub use profile::{ProfileInterval, profile_interval};
 pub use report::{Iteration, Report, Termination};
 pub use residual::{Problem, Residual};
-pub use sandwich::sandwich_covariance;
+pub use scalar::elementary::Elementary;
 pub use scalar::{DualNum, Jet, Jet2, LANES, Scalar, Wide, lit};
 pub use search::{Search, Trial};
 pub use solve::{solve, solve_observed};
-pub use system::Evaluations;
+pub use uncertainty::covariance::{Uncertainty, uncertainty};
+pub use uncertainty::profile::{ProfileInterval, profile_interval};
 
 /// The Rust block of the project's README compiles and holds.
 #[cfg(doctest)]

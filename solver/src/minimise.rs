@@ -1,18 +1,26 @@
 //! From a system and a start to a solution: the run, the last steps, the scale of the loss.
 
+pub(crate) mod ending;
+pub(crate) mod finish;
+pub(crate) mod iterate;
+pub(crate) mod newton;
+pub(crate) mod point;
+pub(crate) mod scaling;
+pub(crate) mod system;
+pub(crate) mod vanishing;
+
 use crate::clock::after;
-use crate::ending::{escape, is_flat_all_around, is_zero, termination};
 use crate::error::Error;
 use crate::feasible::Polytope;
-use crate::finish::{Verdict, polish};
-use crate::iterate::{Run, Stop, Watch};
+use crate::loss::robust::{Losses, Robust, robust_sigma};
 use crate::loss::{Loss, LossScale};
+use crate::minimise::ending::{escape, is_flat_all_around, is_zero, termination};
+use crate::minimise::finish::{Verdict, polish};
+use crate::minimise::iterate::{Run, Stop, Watch};
+use crate::minimise::point::{NotFinite, Point};
+use crate::minimise::system::{Counted, Evaluations, System};
 use crate::options::{Options, Variant};
-use crate::point::{NotFinite, Point};
 use crate::report::{Iteration, Termination};
-use crate::robust::{Losses, Robust, robust_sigma};
-use crate::system::{Counted, Evaluations, System};
-use crate::vanishing;
 
 /// Room for the trace of a usual run.
 const USUAL_STEPS: usize = 32;

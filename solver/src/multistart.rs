@@ -1,13 +1,13 @@
 //! Many starts, few minima.
 
 use crate::error::Error;
+use crate::linear::vector::{add, norm, scaled_norm};
+use crate::minimise::scaling::unit_if_zero;
 use crate::options::Options;
 use crate::parameters::{Mask, Parameters};
 use crate::report::Report;
 use crate::residual::Problem;
-use crate::scaling::unit_if_zero;
 use crate::solve::solve;
-use crate::vector::{add, norm, scaled_norm};
 
 /// Distance `‖D (x − y)‖` of two minima, relative to their sizes, below which they are one.
 const SAME: f64 = 1e-6;

@@ -5,9 +5,9 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use crate::constraints::ActiveConstraint;
-use crate::covariance::Uncertainty;
+use crate::minimise::system::Evaluations;
 use crate::parameters::Parameters;
-use crate::system::Evaluations;
+use crate::uncertainty::covariance::Uncertainty;
 
 /// Why the solver stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -3,19 +3,19 @@
 use std::ops::ControlFlow;
 
 use crate::constraints::ActiveConstraint;
-use crate::covariance::uncertainty_along;
 use crate::error::Error;
 use crate::feasible::Polytope;
-use crate::finish::Verdict;
 use crate::linear::Jacobian;
 use crate::loss::Loss;
+use crate::minimise::finish::Verdict;
+use crate::minimise::point::Point;
+use crate::minimise::system::Dense;
 use crate::minimise::{Solution, minimise};
 use crate::options::Options;
 use crate::parameters::{Mask, Parameters};
-use crate::point::Point;
 use crate::report::{Iteration, Report};
 use crate::residual::Problem;
-use crate::system::Dense;
+use crate::uncertainty::covariance::uncertainty_along;
 
 /// Minimises `½ ‖r(x)‖²` (or half the sum of the losses) over the free parameters.
 ///

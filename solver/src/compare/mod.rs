@@ -9,11 +9,11 @@ pub use performance::Profile;
 pub use table::{ComparedRun, Measure, Table};
 
 use crate::clock::timed;
+use crate::linear::vector::half_square;
 use crate::options::{Options, Variant};
 use crate::parameters::{Mask, Parameters};
 use crate::residual::Problem;
 use crate::solve::solve;
-use crate::vector::half_square;
 
 /// What a comparison may know of its problem; the default knows nothing.
 #[derive(Clone, Debug, Default)]

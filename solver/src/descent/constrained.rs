@@ -4,7 +4,7 @@ use super::dogleg::cut;
 use super::{Damped, Descent, Local, Step};
 use crate::feasible::{Model, Polytope};
 use crate::linear::Jacobian;
-use crate::vector::scaled_norm;
+use crate::linear::vector::scaled_norm;
 
 /// First damping tried where the undamped step is too long, and what follows; columns are scaled.
 const FIRST: f64 = 1e-6;

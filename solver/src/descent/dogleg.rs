@@ -1,7 +1,7 @@
 //! Powell's dogleg.
 
 use super::{Descent, Local, Step};
-use crate::vector::{add, dot, scaled_norm};
+use crate::linear::vector::{add, dot, scaled_norm};
 
 /// The path from the steepest descent to the Gauss–Newton step, cut at radius `‖D p‖ = Δ`.
 ///

@@ -1,7 +1,7 @@
 //! Geodesic acceleration.
 
 use super::{Local, Step};
-use crate::vector::{add, scaled_norm};
+use crate::linear::vector::{add, scaled_norm};
 
 /// Longest acceleration, `2 ‖D a‖ ≤ limit · ‖D v‖`; longer means that the step leaves the region
 /// where the expansion holds.

@@ -12,9 +12,9 @@ pub(crate) use dogleg::Dogleg;
 pub(crate) use gauss_newton::{GaussNewton, MinimumNorm};
 
 use crate::linear::Factor;
-use crate::point::Point;
-use crate::system::System;
-use crate::vector::dot;
+use crate::linear::vector::dot;
+use crate::minimise::point::Point;
+use crate::minimise::system::System;
 
 /// A point with what a descent may ask of it.
 #[derive(Clone, Copy)]

@@ -4,9 +4,9 @@ use faer::{Mat, MatRef};
 
 use super::multipliers::nonnegative;
 use super::{Active, Polytope, Side};
+use crate::linear::vector::{add, dot, norm, unscaled};
 use crate::linear::{Factor, QrFactor, multiply};
-use crate::point::Point;
-use crate::vector::{add, dot, norm, unscaled};
+use crate::minimise::point::Point;
 
 /// Diagonal of a pivoted `R` (of unit rows) below which constraints count as dependent.
 const DEPENDENT: f64 = 1e-12;

@@ -6,7 +6,7 @@ use super::multipliers::nonnegative;
 use super::quadratic_program::{OneSided, one_sided};
 use super::{Active, Model, Side};
 use crate::linear::QrFactor;
-use crate::vector::{dot, norm};
+use crate::linear::vector::{dot, norm};
 
 /// The constraints that hold with equality at the minimum of a model, to rounding even where many
 /// depend on each other; `None` where the damped normal matrix is singular.

@@ -1,5 +1,7 @@
 //! The set `{z : lower ≤ A z ≤ upper}` and steps within it.
 
+pub(crate) mod cone_program;
+
 mod face;
 mod least_distance;
 mod model;

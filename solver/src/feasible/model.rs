@@ -5,8 +5,8 @@ use faer::MatRef;
 use super::least_distance::least_distance;
 use super::quadratic_program::active_at_minimum;
 use super::{Active, Face, Polytope};
+use crate::linear::vector::{add, norm, unscaled};
 use crate::linear::{Factor, multiply, transpose_multiply};
-use crate::vector::{add, norm, unscaled};
 
 /// Most constraints added one by one after the quadratic program.
 const REPAIRS: usize = 20;
@@ -114,12 +114,13 @@ impl Model<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::constraints::Constraints;
-    use crate::parameters::{Mask, Parameters};
     use faer::Mat;
     use rand::{RngExt, SeedableRng};
     use rand_chacha::ChaCha8Rng;
+
+    use super::*;
+    use crate::constraints::Constraints;
+    use crate::parameters::{Mask, Parameters};
 
     /// An equality, two-sided constraints and dependent ones, all of which meet at the origin.
     fn meeting() -> Constraints {

@@ -2,8 +2,8 @@
 
 use faer::{Mat, MatRef};
 
+use crate::linear::vector::{add, dot, norm};
 use crate::linear::{Factor, QrFactor, multiply};
-use crate::vector::{add, dot, norm};
 
 /// Pull of a column on what is left of the target that is rounding, relative to the terms of which
 /// it is left.
@@ -159,9 +159,10 @@ impl<'a> Passive<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use rand::{RngExt, SeedableRng};
     use rand_chacha::ChaCha8Rng;
+
+    use super::*;
 
     fn left(a: &Mat<f64>, b: &[f64], x: &[f64]) -> f64 {
         norm(&add(b, -1.0, &multiply(a.as_ref(), x)))

@@ -2,8 +2,8 @@
 
 use crate::constraints::{Constraint, Constraints};
 use crate::error::Error;
+use crate::linear::vector::{add, dot, norm, scaled_norm, unscaled};
 use crate::parameters::{Mask, Parameters};
-use crate::vector::{add, dot, norm, scaled_norm, unscaled};
 
 /// Relative rounding of `a · z` within which a constraint counts as met or as active.
 const ROUNDING: f64 = 1e-12;

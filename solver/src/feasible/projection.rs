@@ -4,7 +4,7 @@ use faer::Mat;
 
 use super::{Model, Polytope};
 use crate::error::Error;
-use crate::vector::add;
+use crate::linear::vector::add;
 
 /// The point of the set with the least `Σ ((zₖ' − zₖ) / max(1, |zₖ|))²`.
 pub(crate) fn nearest(polytope: &Polytope, z: &[f64]) -> Result<Vec<f64>, Error> {

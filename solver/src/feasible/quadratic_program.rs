@@ -7,7 +7,7 @@ use faer::{Mat, MatRef};
 use super::{Active, Polytope, Side};
 use crate::ConeProgram;
 use crate::linear::transpose_multiply;
-use crate::vector::{dot, norm, unscaled};
+use crate::linear::vector::{dot, norm, unscaled};
 
 /// The constraints that hold with equality at the minimum of `½ ‖J p + r‖² + ½ λ ‖D p‖²` over
 /// `lower ≤ A (z + p) ≤ upper`; `None` where the interior point fails.

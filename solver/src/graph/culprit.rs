@@ -2,13 +2,13 @@
 
 use super::evaluate::gather;
 use super::factor::{At, Part, Work};
-use super::normal::Equations;
+use crate::graph::elimination::normal::Equations;
 
 impl Equations<'_> {
     /// The name of the first coordinate by which a derivative is not finite, each asked for alone:
     /// where several are carried along together, an infinite one turns the others, as `∞ · 0`, into
     /// what is not a number.
-    pub(super) fn culprit(
+    pub(crate) fn culprit(
         &self,
         factor: usize,
         row: usize,

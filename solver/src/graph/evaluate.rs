@@ -1,13 +1,13 @@
 //! Residuals and Jacobian of single factors at stored values.
 
 use super::factor::{At, Part, Work};
-use super::normal::{Equations, Failure};
 use super::problem::Graph;
-use super::structure::NONE;
+use crate::graph::elimination::normal::{Equations, Failure};
+use crate::graph::elimination::structure::NONE;
 
 /// Tangent bases of the blocks that need one.
 #[derive(Default)]
-pub(super) struct Bases {
+pub(crate) struct Bases {
     entries: Vec<f64>,
     /// Where a block's basis begins; [`NONE`] for the unit matrix.
     first: Vec<u32>,
@@ -15,7 +15,7 @@ pub(super) struct Bases {
 
 /// What a thread works with.
 #[derive(Default)]
-pub(super) struct Bench<'a> {
+pub(crate) struct Bench<'a> {
     pub work: Work,
     pub x: Vec<f64>,
     pub parts: Vec<Part<'a>>,
@@ -24,7 +24,7 @@ pub(super) struct Bench<'a> {
 }
 
 impl Equations<'_> {
-    pub(super) fn bases(&self, values: &[f64]) -> Bases {
+    pub(crate) fn bases(&self, values: &[f64]) -> Bases {
         let mut bases = Bases::default();
         let mut full = Vec::new();
         for variable in &self.graph.variables {
@@ -49,7 +49,7 @@ impl Equations<'_> {
     }
 
     /// Evaluates one factor.
-    pub(super) fn evaluate<'b>(
+    pub(crate) fn evaluate<'b>(
         &'b self,
         factor: usize,
         values: &[f64],
@@ -114,7 +114,7 @@ fn check_finite(factor: usize, width: usize, r: &[f64], j: &[f64]) -> Result<(),
 }
 
 /// Writes the stored values of blocks one after the other.
-pub(super) fn gather(graph: &Graph<'_>, blocks: &[u32], values: &[f64], x: &mut Vec<f64>) {
+pub(crate) fn gather(graph: &Graph<'_>, blocks: &[u32], values: &[f64], x: &mut Vec<f64>) {
     x.clear();
     for &block in blocks {
         let variable = &graph.variables[block as usize];

@@ -8,45 +8,28 @@
 //! small blocks out one by one; `reduced` factors what is left: dense, sparse, or, of little fill, by
 //! `block_cholesky`.
 
-mod accumulate;
-mod block_cholesky;
-mod blocks;
 mod culprit;
 mod damping;
 mod display;
-mod eliminate;
+mod elimination;
 mod evaluate;
 mod factor;
-mod fill;
-mod manifold;
-mod manifolds;
-mod neighbours;
-mod normal;
-mod null_space;
 mod options;
-mod order;
-mod outer;
 mod problem;
-mod product;
-mod products;
-mod profile;
-pub mod quaternion;
-mod reduced;
 mod reweight;
-mod rotation_vector;
 mod solve;
-mod step;
-mod structure;
-mod update;
+mod uncertainty;
+mod variables;
 
-pub use eliminate::Method;
+pub use elimination::Method;
 pub use factor::Factor;
-pub use manifold::{Euclidean, Manifold, check_manifold};
-pub use manifolds::{Direction, PlanarMotion, RigidMotion, Rotation};
-pub use null_space::NullVector;
 pub use options::{GraphOptions, GraphReport};
 pub use problem::{Block, Graph};
-pub use products::Products;
-pub use profile::graph_profile;
-pub use rotation_vector::RotationVector;
 pub use solve::solve_graph;
+pub use uncertainty::Products;
+pub use uncertainty::null_space::NullVector;
+pub use uncertainty::profile::graph_profile;
+pub use variables::manifold::{Euclidean, Manifold, check_manifold};
+pub use variables::manifolds::{Direction, PlanarMotion, RigidMotion, Rotation};
+pub use variables::quaternion;
+pub use variables::rotation_vector::RotationVector;

@@ -6,12 +6,12 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
-use super::eliminate::Method;
-use super::null_space::NullVector;
 use super::problem::{Block, Graph};
+use crate::graph::elimination::Method;
+use crate::graph::uncertainty::null_space::NullVector;
+use crate::minimise::system::Evaluations;
 use crate::options::Damping;
 use crate::report::{Iteration, Termination};
-use crate::system::Evaluations;
 
 /// How to solve a graph and when to stop. What is missing where it is read is as in the default.
 #[derive(Clone, Debug, Serialize, Deserialize)]

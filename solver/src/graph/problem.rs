@@ -6,8 +6,8 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::factor::Factor;
-use super::manifold::{AnyManifold, Manifold};
 use crate::error::Error;
+use crate::graph::variables::manifold::{AnyManifold, Manifold};
 use crate::loss::{Loss, LossScale};
 
 /// A block of variables of a [`Graph`].

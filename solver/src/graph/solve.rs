@@ -4,18 +4,18 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use super::damping::Lambda;
-use super::eliminate::Factored;
-use super::normal::{Equations, Failure, Normal};
-use super::null_space::{self, NullVector};
 use super::options::{GraphOptions, GraphReport};
 use super::problem::Graph;
-use super::structure::Structure;
 use crate::clock::{Moment, after};
 use crate::error::Error;
+use crate::graph::elimination::Factored;
+use crate::graph::elimination::normal::{Equations, Failure, Normal};
+use crate::graph::elimination::structure::Structure;
+use crate::graph::uncertainty::null_space::{self, NullVector};
+use crate::linear::vector::{dot, scaled_norm};
+use crate::minimise::scaling::Scaling;
+use crate::minimise::system::Evaluations;
 use crate::report::{Iteration, Termination};
-use crate::scaling::Scaling;
-use crate::system::Evaluations;
-use crate::vector::{dot, scaled_norm};
 
 /// Relative offset below which the cost no longer tells two points apart and the last steps are
 /// judged by the gradient.

@@ -6,7 +6,7 @@ use faer::linalg::solvers::SolveCore;
 use faer::{Conj, Mat, MatRef, Side};
 
 use super::{Factor, QrFactor, multiply, transpose_multiply};
-use crate::vector::{dot, norm};
+use crate::linear::vector::{dot, norm};
 
 /// Smallest ratio of squared pivots at which the normal equations keep half the digits.
 const SAFE_PIVOT: f64 = 1e-8;

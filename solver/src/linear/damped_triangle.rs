@@ -1,7 +1,7 @@
 //! Damped least squares on a triangle.
 
 use super::Triangle;
-use crate::vector::dot;
+use crate::linear::vector::dot;
 
 /// `argmin ‖R w + q‖² + λ ‖w‖²` for an upper trapezoid `R` (`rows × n`, `rows ≤ n`): rotates the
 /// diagonal `√λ I` into `R` row by row, then substitutes back.

@@ -1,7 +1,7 @@
 //! QR of small matrices, on slices.
 
 use super::Triangle;
-use crate::vector::{add_to, divide, dot, norm};
+use crate::linear::vector::{add_to, divide, dot, norm};
 
 /// Share of a column's norm, squared, below which the norm is measured again and not updated.
 const CANCELLED: f64 = 1.5e-8;
@@ -129,8 +129,9 @@ impl Norm {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use faer::Mat;
+
+    use super::*;
 
     /// Of full rank.
     fn waves(m: usize, n: usize) -> Mat<f64> {

@@ -2,7 +2,7 @@
 
 use faer::{Mat, MatRef};
 
-use crate::vector::dot;
+use crate::linear::vector::dot;
 
 /// Cosine between two columns at which they count as orthogonal, per root of their length: the
 /// rounding of their product.

@@ -1,5 +1,7 @@
 //! The problem linearised at a point, `r + J p`, and the ways to solve for `p`.
 
+pub(crate) mod vector;
+
 mod cholesky;
 mod damped_triangle;
 mod householder;
@@ -10,16 +12,15 @@ mod triangle;
 
 pub(crate) use cholesky::CholeskyFactor;
 use damped_triangle::damped_triangle;
+use faer::{Mat, MatRef};
 use householder::Householder;
 pub(crate) use jacobi::singular;
 pub(crate) use minimum_norm::minimum_norm;
 pub(crate) use qr::QrFactor;
+use serde::{Deserialize, Serialize};
 use triangle::Triangle;
 
-use faer::{Mat, MatRef};
-use serde::{Deserialize, Serialize};
-
-use crate::vector::{add_to, dot, norm};
+use crate::linear::vector::{add_to, dot, norm};
 
 /// How the damped linear problem is solved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]

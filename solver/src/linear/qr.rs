@@ -12,7 +12,7 @@ use faer::linalg::solvers::{ColPivQr, SolveLstsqCore, Svd};
 use faer::{Conj, Mat, MatMut, MatRef, Par};
 
 use super::{Factor, Householder, Triangle, damped_triangle};
-use crate::vector::{divide, dot, norm};
+use crate::linear::vector::{divide, dot, norm};
 
 /// Most columns for which rotating the damping in is faster than a blocked QR.
 const ROTATED_COLUMNS: usize = 32;

@@ -1,5 +1,7 @@
 //! The scalars a residual is evaluated on: the only place that names num-dual.
 
+pub(crate) mod elementary;
+
 use num_dual::{Derivative, Dual2_64, DualSVec64};
 
 mod functions;

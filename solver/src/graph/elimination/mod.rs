@@ -1,14 +1,27 @@
 //! The solution of the normal equations: blocks eliminated one by one, then what is left.
 
+pub(crate) mod accumulate;
+pub(crate) mod block_cholesky;
+pub(crate) mod blocks;
+pub(crate) mod fill;
+pub(crate) mod neighbours;
+pub(crate) mod normal;
+pub(crate) mod order;
+pub(crate) mod outer;
+pub(crate) mod product;
+pub(crate) mod reduced;
+pub(crate) mod structure;
+pub(crate) mod update;
+
 use std::sync::Arc;
 
 use pulp::{Arch, Simd, WithSimd};
 
-use super::reduced::Reduced;
-use super::structure::{Pattern, Structure};
-use super::update::{Eliminated, Update};
 use crate::error::Error;
-use crate::vector::dot;
+use crate::graph::elimination::reduced::Reduced;
+use crate::graph::elimination::structure::{Pattern, Structure};
+use crate::graph::elimination::update::{Eliminated, Update};
+use crate::linear::vector::dot;
 
 /// `H + diag`, factored.
 ///

@@ -8,7 +8,7 @@ const FEW: usize = 8;
 
 /// A block that is left and meets an eliminated one.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Neighbour {
+pub(crate) struct Neighbour {
     /// Its position, less the number eliminated.
     pub position: u32,
     pub width: u32,
@@ -30,7 +30,7 @@ struct Pair {
 
 /// The neighbours of many eliminated blocks, by the column and the row of `S` in which they meet.
 #[derive(Debug, Default)]
-pub(super) struct Neighbours {
+pub(crate) struct Neighbours {
     /// One block after the other, ascending within each.
     all: Vec<Neighbour>,
     /// Where those of every block end.
@@ -49,7 +49,7 @@ pub(super) struct Neighbours {
 
 /// Neighbours in one row, each with its partner in the column.
 #[derive(Clone, Copy)]
-pub(super) struct Pairs<'a> {
+pub(crate) struct Pairs<'a> {
     all: &'a [Pair],
     next: u32,
 }

@@ -1,13 +1,13 @@
 //! What the last point is: a minimum, a zero, a saddle, or none of these.
 
-use crate::finish::Verdict;
-use crate::iterate::Stop;
 use crate::linear::Factor;
+use crate::linear::vector::{add, dot, norm, scaled_norm};
+use crate::minimise::finish::Verdict;
+use crate::minimise::iterate::Stop;
+use crate::minimise::point::{NotFinite, Point};
+use crate::minimise::system::System;
 use crate::options::Options;
-use crate::point::{NotFinite, Point};
 use crate::report::Termination;
-use crate::system::System;
-use crate::vector::{add, dot, norm, scaled_norm};
 
 /// Relative Gauss–Newton step below which a point is as good as a minimum where rounding keeps the
 /// offset from falling (residuals near zero).

@@ -7,17 +7,17 @@ use faer::Mat;
 
 use crate::clock::Moment;
 use crate::descent::{Descent, Local, Step};
-use crate::ending::is_zero;
 use crate::feasible::{Face, Polytope};
+use crate::linear::vector::{add, norm, scaled_norm};
 use crate::linear::{Factor, Jacobian};
-use crate::newton;
+use crate::minimise::ending::is_zero;
+use crate::minimise::newton;
+use crate::minimise::point::{NotFinite, Point};
+use crate::minimise::scaling::Scaling;
+use crate::minimise::system::System;
 use crate::options::{Options, Variant};
-use crate::point::{NotFinite, Point};
 use crate::report::Iteration;
-use crate::scaling::Scaling;
 use crate::search::{Nielsen, Search, Trial};
-use crate::system::System;
-use crate::vector::{add, norm, scaled_norm};
 
 /// Cost relative to that of the start below which a slow run counts as one to zero, `ε⁴`.
 const NOTHING: f64 = 2.43e-63;

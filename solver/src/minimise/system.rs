@@ -4,10 +4,10 @@ use std::cell::{Cell, Ref, RefCell};
 
 use serde::{Deserialize, Serialize};
 
+use crate::linear::vector::half_square;
 use crate::linear::{Jacobian, Linearization};
 use crate::parameters::{Mask, Parameters};
 use crate::residual::{Problem, of_shape};
-use crate::vector::half_square;
 
 /// Residuals, linearisation and curvature at free parameters `z` (`n`).
 pub(crate) trait System {

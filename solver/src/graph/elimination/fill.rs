@@ -24,7 +24,7 @@ pub(crate) struct Filled {
 
 /// The pattern of the factor, given the rows of the lower triangle (by column, the diagonal first) and
 /// the width of every position; `None` where the factorisation is large.
-pub(super) fn filled(rows: &[Vec<u32>], width: impl Fn(usize) -> usize) -> Option<Filled> {
+pub(crate) fn filled(rows: &[Vec<u32>], width: impl Fn(usize) -> usize) -> Option<Filled> {
     let mut rows = with_fill(rows)?;
     let columns = rows.len();
     let (mut tail, mut blocks) = (columns, 0);

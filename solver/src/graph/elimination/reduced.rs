@@ -19,7 +19,7 @@ use super::structure::{Pattern, Structure};
 use crate::error::Error;
 
 /// The lower triangle of the matrix that is left (`n × n`), and its factor.
-pub(super) struct Reduced {
+pub(crate) struct Reduced {
     pub layout: Layout,
     /// Blocks of the negative of the matrix, into which others are eliminated; none where none are.
     pub blocks: Aligned,

@@ -4,7 +4,7 @@ use super::structure::Structure;
 
 /// Rows of a block that are stored column after column; the others follow, each in one piece. So
 /// both parts fill vectors: of 9 × 9 it is 8 × 9 and a row of 9.
-pub(super) const fn body(rows: usize) -> usize {
+pub(crate) const fn body(rows: usize) -> usize {
     match rows {
         9 => 8,
         6 | 7 => 4,
@@ -14,7 +14,7 @@ pub(super) const fn body(rows: usize) -> usize {
 
 /// A column of blocks: its first entry, first unknown and width.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Column {
+pub(crate) struct Column {
     pub base: usize,
     pub first: usize,
     pub width: usize,
@@ -22,7 +22,7 @@ pub(super) struct Column {
 
 /// Where the blocks of the lower triangle lie.
 #[derive(Debug)]
-pub(super) struct Layout {
+pub(crate) struct Layout {
     pub columns: Vec<Column>,
     /// Rows of every column one after the other; of a dense matrix none.
     rows: Option<Rows>,
@@ -40,7 +40,7 @@ const LINE: usize = 8;
 
 /// Numbers that begin with a line of the cache.
 #[derive(Debug)]
-pub(super) struct Aligned {
+pub(crate) struct Aligned {
     all: Vec<f64>,
     first: usize,
     length: usize,
@@ -77,7 +77,7 @@ struct Rows {
 
 /// A column and the rows in it.
 #[derive(Clone, Copy)]
-pub(super) struct Reach<'a> {
+pub(crate) struct Reach<'a> {
     pub column: Column,
     position: usize,
     pad: usize,
@@ -199,7 +199,7 @@ impl Reach<'_> {
 }
 
 /// Writes the negative of a matrix (`rows` high, column after column) as a block.
-pub(super) fn pack_negative(block: &mut [f64], rows: usize, matrix: &[f64]) {
+pub(crate) fn pack_negative(block: &mut [f64], rows: usize, matrix: &[f64]) {
     let body = body(rows);
     let columns = matrix.len() / rows.max(1);
     let (upper, lower) = block.split_at_mut(body * columns);
@@ -214,7 +214,7 @@ pub(super) fn pack_negative(block: &mut [f64], rows: usize, matrix: &[f64]) {
 }
 
 /// Writes the negative of a block into columns of a matrix, `stride` apart.
-pub(super) fn unpack_negative(
+pub(crate) fn unpack_negative(
     block: &[f64],
     rows: usize,
     columns: usize,

@@ -1,7 +1,7 @@
 //! A point of the iteration and what is known there.
 
 use crate::linear::Linearization;
-use crate::system::System;
+use crate::minimise::system::System;
 
 /// Free parameters with the problem linearised at them, all finite.
 #[derive(Clone, Debug)]

@@ -1,13 +1,16 @@
 //! What the linearised graph says besides the minimum: covariances, determinant, solutions.
 
+pub(crate) mod null_space;
+pub(crate) mod profile;
+
 use std::sync::Arc;
 
-use super::eliminate::Factored;
-use super::normal::{Equations, Normal};
-use super::null_space::{self, NullSpace, NullVector};
 use super::problem::{Block, Graph};
-use super::structure::{NONE, Structure};
 use crate::error::Error;
+use crate::graph::elimination::Factored;
+use crate::graph::elimination::normal::{Equations, Normal};
+use crate::graph::elimination::structure::{NONE, Structure};
+use crate::graph::uncertainty::null_space::{NullSpace, NullVector};
 
 /// Right sides solved for at once.
 const BATCH: usize = 32;

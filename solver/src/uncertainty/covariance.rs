@@ -7,9 +7,9 @@ use faer::{Mat, MatRef, Par};
 use serde::{Deserialize, Serialize};
 
 use crate::linear::singular;
-use crate::observability::{in_words, separate};
-use crate::scaling::unit_if_zero;
-use crate::vector::dot;
+use crate::linear::vector::dot;
+use crate::minimise::scaling::unit_if_zero;
+use crate::uncertainty::observability::{in_words, separate};
 
 /// Singular values below this fraction of the largest one count as zero.
 const RANK_TOLERANCE: f64 = 1e-10;

@@ -3,12 +3,12 @@
 use faer::Mat;
 
 use crate::feasible::{Face, Model, Polytope};
+use crate::linear::vector::{add, norm, scaled_norm};
 use crate::linear::{Factor, Jacobian, QrFactor};
-use crate::newton;
-use crate::point::Point;
-use crate::scaling::unit_if_zero;
-use crate::system::System;
-use crate::vector::{add, norm, scaled_norm};
+use crate::minimise::newton;
+use crate::minimise::point::Point;
+use crate::minimise::scaling::unit_if_zero;
+use crate::minimise::system::System;
 
 /// Most last steps.
 const MOST: usize = 60;

@@ -4,13 +4,13 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
 use crate::feasible::Polytope;
+use crate::linear::vector::norm;
+use crate::loss::robust::Losses;
 use crate::options::Options;
 use crate::parameters::{Mask, Parameters};
 use crate::report::{Report, Termination};
 use crate::residual::Problem;
-use crate::robust::Losses;
 use crate::solve::solve;
-use crate::vector::norm;
 
 /// Refits per side.
 const REFITS: usize = 80;

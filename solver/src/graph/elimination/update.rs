@@ -15,7 +15,7 @@ use super::structure::Structure;
 /// what is added to it is read, and `S` as a whole fits in no cache. Every sum has its terms in the
 /// same order as if the blocks were taken one by one.
 #[derive(Debug, Default)]
-pub(super) struct Update {
+pub(crate) struct Update {
     /// `Y` of every neighbour, column after column, and room for more.
     y: Vec<f64>,
     /// Entries of it that are used.
@@ -44,7 +44,7 @@ const WAITING: f64 = 128.0;
 const MOST_WAITING: usize = 1 << 17;
 
 /// A block being eliminated.
-pub(super) struct Eliminated<'a> {
+pub(crate) struct Eliminated<'a> {
     pub structure: &'a Structure,
     /// Blocks of `H`.
     pub h: &'a [f64],

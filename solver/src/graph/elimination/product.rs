@@ -12,7 +12,7 @@ use super::neighbours::Pairs;
 /// Adds `Σ Y_i Y_jᵀ` to a block laid out as [`body`] says; `Y` are `rows × d` and `columns × d`, column
 /// after column.
 #[inline(always)]
-pub(super) fn add_products<S: Simd>(
+pub(crate) fn add_products<S: Simd>(
     simd: S,
     block: &mut [f64],
     (rows, columns, d): (usize, usize, usize),
@@ -218,7 +218,7 @@ fn any<S: Simd>(
 /// `out += vector · factor`. By places: an iterator over both, where it is not inlined, is a call
 /// for every number.
 #[inline(always)]
-pub(super) fn add_multiple<S: Simd>(simd: S, out: &mut [f64], vector: &[f64], factor: f64) {
+pub(crate) fn add_multiple<S: Simd>(simd: S, out: &mut [f64], vector: &[f64], factor: f64) {
     let vector = &vector[..out.len()];
     let (out, rest) = S::as_mut_simd_f64s(out);
     let (own, end) = S::as_simd_f64s(vector);

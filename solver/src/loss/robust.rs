@@ -3,9 +3,9 @@
 use std::ops::Range;
 
 use crate::linear::Linearization;
+use crate::linear::vector::half_square;
 use crate::loss::{Loss, LossScale, RowLoss};
-use crate::system::System;
-use crate::vector::half_square;
+use crate::minimise::system::System;
 
 /// Least curvature of the loss relative to its slope: keeps outliers' rows positive.
 const LEAST_CURVATURE: f64 = 1e-2;

@@ -3,8 +3,8 @@
 use super::accumulate::FIRST;
 use super::fill::{Filled, filled};
 use super::order::fill_reducing;
-use super::problem::Graph;
 use crate::error::Error;
+use crate::graph::problem::Graph;
 
 /// No position: a held block.
 pub(crate) const NONE: u32 = u32::MAX;

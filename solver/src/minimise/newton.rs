@@ -4,10 +4,10 @@ use faer::linalg::solvers::SolveCore;
 use faer::{Conj, Mat, MatRef, Side};
 
 use crate::descent::{Local, Step};
+use crate::linear::vector::{add, dot};
 use crate::linear::{Jacobian, multiply, transpose_multiply};
-use crate::point::Point;
-use crate::system::System;
-use crate::vector::{add, dot};
+use crate::minimise::point::Point;
+use crate::minimise::system::System;
 
 /// Most directions; the number of second derivatives grows with the square.
 const MOST_DIRECTIONS: usize = 24;

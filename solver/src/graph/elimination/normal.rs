@@ -1,11 +1,11 @@
 //! The normal equations `H = JᵀJ`, `g = Jᵀr` of a graph at a point.
 
 use super::accumulate::Sum;
-use super::evaluate::{Bases, Bench, gather};
-use super::problem::Graph;
-use super::reweight::cost_of;
 use super::structure::Structure;
 use crate::error::Error;
+use crate::graph::evaluate::{Bases, Bench, gather};
+use crate::graph::problem::Graph;
+use crate::graph::reweight::cost_of;
 
 /// Factors that a thread evaluates before what it found is added up.
 const PORTION: usize = 2048;
@@ -114,7 +114,7 @@ impl<'a> Equations<'a> {
     }
 
     /// Number of residuals of a factor, once they are counted.
-    pub(super) fn rows_of(&self, factor: usize) -> Option<usize> {
+    pub(crate) fn rows_of(&self, factor: usize) -> Option<usize> {
         let end = *self.row.get(factor + 1)?;
         Some((end - self.row[factor]) as usize)
     }

@@ -3,13 +3,13 @@
 use faer::Mat;
 use serde::{Deserialize, Serialize};
 
-use super::eliminate::Factored;
-use super::normal::Equations;
-use super::problem::{Block, Graph};
-use super::structure::{NONE, Structure};
 use crate::error::Error;
-use crate::observability::{in_words, separate};
-use crate::vector::{add_to, dot, norm};
+use crate::graph::elimination::Factored;
+use crate::graph::elimination::normal::Equations;
+use crate::graph::elimination::structure::{NONE, Structure};
+use crate::graph::problem::{Block, Graph};
+use crate::linear::vector::{add_to, dot, norm};
+use crate::uncertainty::observability::{in_words, separate};
 
 /// Singular values below this fraction of the largest one count as zero, as in the dense solver.
 const RANK_TOLERANCE: f64 = 1e-10;
@@ -229,7 +229,7 @@ fn ritz(
     let _ = equations.visit(values, &mut |factor, r, jacobian| {
         let width = jacobian.len() / r.len().max(1);
         if let Some(loss) = equations.graph.loss_of(factor) {
-            super::reweight::rewrite(loss, r, jacobian, width);
+            crate::graph::reweight::rewrite(loss, r, jacobian, width);
         }
         let places: Vec<usize> = equations
             .graph
@@ -252,8 +252,9 @@ fn ritz(
             row += 1;
         }
     });
-    let triangle = crate::covariance::triangle(product.as_ref());
-    let Some((mut singular, v)) = crate::covariance::right_vectors(triangle.as_ref()) else {
+    let triangle = crate::uncertainty::covariance::triangle(product.as_ref());
+    let Some((mut singular, v)) = crate::uncertainty::covariance::right_vectors(triangle.as_ref())
+    else {
         return (vec![f64::INFINITY; basis.len()], basis.to_vec());
     };
     singular.resize(basis.len(), 0.0);

@@ -4,14 +4,14 @@ use pulp::{Arch, Simd, WithSimd};
 
 use super::normal::{Equations, Normal};
 use super::outer::{Panel, Places, add_gradient, add_outer, add_two_rows};
-use super::reweight::{cost_of, rewrite};
 use super::structure::{NONE, Structure, pair};
+use crate::graph::reweight::{cost_of, rewrite};
 
 /// Marks the first factor that adds to a slot: it writes what others add to.
-pub(super) const FIRST: u32 = 1 << 31;
+pub(crate) const FIRST: u32 = 1 << 31;
 
 /// Normal equations being added up.
-pub(super) struct Sum<'a> {
+pub(crate) struct Sum<'a> {
     equations: &'a Equations<'a>,
     normal: &'a mut Normal,
     next_pair: usize,

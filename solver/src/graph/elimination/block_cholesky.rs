@@ -18,7 +18,7 @@ use super::blocks::{Column, Layout};
 ///
 /// Every column of blocks is one piece: all its rows of numbers, column after column. The last columns
 /// are one dense matrix.
-pub(super) struct BlockCholesky {
+pub(crate) struct BlockCholesky {
     panels: Vec<Panel>,
     /// Blocks below the diagonals, panel after panel.
     below: Vec<Below>,
@@ -498,9 +498,9 @@ impl Solution<'_> {
 mod tests {
     use std::sync::Arc;
 
-    use super::super::eliminate::Factored;
     use super::super::normal::{Equations, Normal};
     use super::super::structure::{Pattern, Structure};
+    use crate::graph::elimination::Factored;
     use crate::graph::{Euclidean, Graph};
     use crate::residual::Residual;
     use crate::scalar::Scalar;

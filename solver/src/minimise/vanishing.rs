@@ -2,12 +2,12 @@
 
 use faer::Mat;
 
-use crate::ending::is_below_rounding;
-use crate::newton;
-use crate::point::Point;
-use crate::scaling::unit_if_zero;
-use crate::system::System;
-use crate::vector::{add, dot};
+use crate::linear::vector::{add, dot};
+use crate::minimise::ending::is_below_rounding;
+use crate::minimise::newton;
+use crate::minimise::point::Point;
+use crate::minimise::scaling::unit_if_zero;
+use crate::minimise::system::System;
 
 /// Most steps.
 const MOST: usize = 40;

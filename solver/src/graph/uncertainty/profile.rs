@@ -1,12 +1,12 @@
 //! Profile likelihood intervals of a graph's coordinates.
 
-use super::options::{GraphOptions, GraphReport};
-use super::problem::{Block, Graph};
-use super::products::Products;
-use super::solve::solve_graph;
 use crate::error::Error;
-use crate::profile::{ProfileInterval, crossing};
+use crate::graph::options::{GraphOptions, GraphReport};
+use crate::graph::problem::{Block, Graph};
+use crate::graph::solve::solve_graph;
+use crate::graph::uncertainty::Products;
 use crate::report::Termination;
+use crate::uncertainty::profile::{ProfileInterval, crossing};
 
 /// The values of one coordinate of a block at which the cost, all others refitted, has risen by
 /// `½ z² s²` above the minimum, `s² = 2 cost / (m − rank)` (1 without spare residuals); see

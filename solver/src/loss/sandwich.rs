@@ -4,12 +4,12 @@ use faer::Mat;
 
 use crate::error::Error;
 use crate::linear::Jacobian;
+use crate::loss::robust::{Losses, Robust};
+use crate::minimise::system::{Dense, System};
 use crate::options::Options;
 use crate::parameters::Mask;
 use crate::report::Report;
 use crate::residual::Problem;
-use crate::robust::{Losses, Robust};
-use crate::system::{Dense, System};
 
 /// The sandwich covariance `m / (m − p) · A⁻¹ (Σ ψᵢ² Jᵢᵀ Jᵢ) A⁻¹` of the free parameters (`n × n`, in the
 /// order of `report.uncertainty.names`), with `A = Jᵀ C J`, `ψ = ρ′ r` and the curvatures `C` of the loss.

@@ -1,9 +1,9 @@
 //! Steps of a graph's unknowns, and names for what went wrong.
 
-use super::normal::{Equations, Failure};
-use super::structure::Structure;
 use crate::error::Error;
-use crate::scaling::unit_if_zero;
+use crate::graph::elimination::normal::{Equations, Failure};
+use crate::graph::elimination::structure::Structure;
+use crate::minimise::scaling::unit_if_zero;
 
 impl Structure {
     /// `‖J_k‖` of every unknown.

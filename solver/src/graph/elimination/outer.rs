@@ -8,7 +8,7 @@ use super::product::add_multiple;
 use super::structure::Structure;
 
 /// Where two blocks of columns lie in rows of `width`: first column and width of each.
-pub(super) struct Places {
+pub(crate) struct Places {
     pub width: usize,
     pub row: (usize, usize),
     pub column: (usize, usize),
@@ -16,7 +16,7 @@ pub(super) struct Places {
 
 /// Adds `J_rᵀ J_c` to `out` (`rows × columns`, column after column), or replaces it if `first`.
 #[inline(always)]
-pub(super) fn add_outer<S: Simd>(
+pub(crate) fn add_outer<S: Simd>(
     simd: S,
     out: &mut [f64],
     first: bool,
@@ -36,7 +36,7 @@ pub(super) fn add_outer<S: Simd>(
 
 /// As [`add_outer`], of two rows.
 #[inline(always)]
-pub(super) fn add_two_rows<S: Simd, const R: usize, const C: usize>(
+pub(crate) fn add_two_rows<S: Simd, const R: usize, const C: usize>(
     simd: S,
     out: &mut [f64],
     first: bool,
@@ -143,7 +143,7 @@ fn two_lines<S: Simd, const V: usize, const R: usize, const C: usize>(
 
 /// Adds `J_aᵀ r` to the gradient of one block whose columns begin at `first`.
 #[inline(always)]
-pub(super) fn add_gradient(
+pub(crate) fn add_gradient(
     gradient: &mut [f64],
     jacobian: &[f64],
     residuals: &[f64],
@@ -217,7 +217,7 @@ fn any<S: Simd>(
 
 /// Rows for one wide block of `H`, collected until there are enough for a matrix product.
 #[derive(Debug, Default)]
-pub(super) struct Panel {
+pub(crate) struct Panel {
     slot: Option<usize>,
     left: Vec<f64>,
     right: Vec<f64>,

@@ -1,0 +1,5 @@
+//! What the data say about the parameters besides their values.
+
+pub(crate) mod covariance;
+pub(crate) mod observability;
+pub(crate) mod profile;
