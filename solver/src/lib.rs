@@ -39,7 +39,6 @@ mod closure;
 mod compare;
 mod constraints;
 mod descent;
-mod display;
 mod error;
 mod feasible;
 mod graph;

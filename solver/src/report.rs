@@ -1,5 +1,7 @@
 //! How a fit ended.
 
+mod display;
+
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
