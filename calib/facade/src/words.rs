@@ -88,6 +88,12 @@ mod tests {
         let mut flags = std::collections::BTreeSet::new();
         for folder in [
             "../src",
+            "../recording/src",
+            "../effects/src",
+            "../simulate/src",
+            "../noise/src",
+            "../estimate/src",
+            "../discover/src",
             "../formats/src",
             "../../models",
             "../../solver/src",
