@@ -70,12 +70,7 @@ const PROMISED: [(Sensor, &[&str]); 3] = [
 ];
 
 fn catalogue() -> Vec<&'static dyn AnyEffect> {
-    [
-        accelerometer::EFFECTS,
-        gyroscope::EFFECTS,
-        magnetometer::EFFECTS,
-    ]
-    .concat()
+    calib::effects::catalogue().collect()
 }
 
 /// Numbers in (−1, 1) that look random and keep 0.01 away from 0, where some effects have kinks.

@@ -2,13 +2,12 @@
 
 use std::borrow::Borrow;
 
-use effects::earth_rotation;
 use estimate::gravity::GravitySource;
+use estimate::methods::earth::on_the_earth;
 use estimate::methods::joint::{
     BiasNoise, ClockMode, JointRequest, MOST_IN_A_SEARCH, within_budget,
 };
 use estimate::methods::{Choice, cut};
-use gyroscope::EARTH_RATE;
 use recording::intervals::Detector;
 use recording::{Error, Recording};
 use sensor::{AnyEffect, Nature, Quantity, Role};
@@ -154,10 +153,9 @@ impl<'a> Session<'a> {
         let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
         let (mut held, mut starts) = (Vec::new(), Vec::new());
         if let Some(latitude) = self.latitude {
-            let earth = earth_rotation();
-            gyroscope = gyroscope.with(earth);
-            let vertical = EARTH_RATE * latitude.to_radians().sin();
-            held.push((format!("{}.z", earth.name()), vertical));
+            let (with_it, vertical) = on_the_earth(gyroscope, latitude);
+            gyroscope = with_it;
+            held.push(vertical);
         }
         for (effect, shape) in &extension.effects {
             accelerometer = accelerometer.with(*effect);

@@ -8,13 +8,12 @@ mod review;
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
-use effects::is_earth_rotation;
 use estimate::methods::joint::Known;
 use faer::Mat;
 use few_turns::Turns;
 use outlying_turns::outlying_turns;
 use recording::Error;
-use sensor::AnyEffect;
+use sensor::{AnyEffect, Nature};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use crate::family::{Claim, Family, Hypothesis, families, is_late, with_companions};
@@ -168,7 +167,6 @@ pub fn search(session: &Session<'_>, request: &Request, base: State) -> Result<S
     let candidates = request.candidates();
     let most = MOST_WORK / cost_of_fit(base.fit.data.rests.len().max(1));
     let finder = Finder {
-        base: &base,
         session,
         catalogue: &candidates,
         threshold: request.threshold(),
@@ -178,12 +176,10 @@ pub fn search(session: &Session<'_>, request: &Request, base: State) -> Result<S
         fitted: RefCell::new(Vec::new()),
         rankings: RefCell::new(Vec::new()),
     };
-    finder.run()
+    finder.run(base)
 }
 
 struct Finder<'a> {
-    /// The base models.
-    base: &'a State,
     session: &'a Session<'a>,
     catalogue: &'a [&'static dyn AnyEffect],
     threshold: f64,
@@ -210,9 +206,8 @@ impl Finder<'_> {
         self.fits.get() + more > self.most_fits || self.linearised.get() > MOST_LINEARISED
     }
 
-    fn run(&self) -> Result<Search, Error> {
-        let base = self.base;
-        let mut held = outlying_turns(base);
+    fn run(&self, base: State) -> Result<Search, Error> {
+        let mut held = outlying_turns(&base);
         let gross = held.len();
         let mut last = if held.is_empty() {
             base.clone()
@@ -243,7 +238,7 @@ impl Finder<'_> {
                 Err(_) => unfit.extend(held.pop().map(|h| h.claim)),
             }
         }
-        let reviewed = self.review(base, last, held)?;
+        let reviewed = self.review(&base, last, held)?;
         let spent = (spent || reviewed.is_spent).then(|| {
             format!(
                 "the search for what is missing ended after {} fits, as more would take too long with {} static intervals: there \
@@ -254,7 +249,7 @@ impl Finder<'_> {
         });
         Ok(Search {
             spent,
-            base: base.clone(),
+            base,
             last: reviewed.last,
             names: reviewed.names,
             evidence: reviewed.evidence,
@@ -382,7 +377,8 @@ enum Earth {
 
 fn as_the_earth(family: &Family, ranked: &Ranked) -> Earth {
     // Beside the isotropic g-sensitivity the vertical part is nobody's to know.
-    if !is_earth_rotation(family.claim.name()) || ranked.score.dof < 3 {
+    let nature = family.claim.effect().map(AnyEffect::nature);
+    if nature != Some(Nature::EarthRotation) || ranked.score.dof < 3 {
         return Earth::Yes;
     }
     // The typical size of the effect is the earth's rate: its length is 1.

@@ -4,7 +4,7 @@ use effects::earth_rotation;
 use gyroscope::EARTH_RATE;
 use recording::averages::root_mean_square;
 use recording::{Error, Recording};
-use sensor::{AnyEffect, BASE_PARAMETERS, Nature, Sensor};
+use sensor::{BASE_PARAMETERS, Nature, Sensor};
 
 use super::assemble::{effect_values, of_the_gyro_unit, of_the_unit, triad};
 use super::left_out::left_out;
@@ -14,6 +14,7 @@ use crate::calibration::{
     BiasTime, Calibration, Provenance, RecordingBias, RecordingClock, Remainder, SCHEMA, Triad,
     WITH_WALKS, in_symmetric_frame,
 };
+use crate::methods::earth::{on_the_earth, vertical_rate, vertical_rate_at};
 use crate::methods::joint::{Channel, Disturbance, JointFit, JointRequest, fit_joint};
 use crate::methods::{Choice, Fitted};
 
@@ -62,14 +63,16 @@ pub(super) fn calibrate(
         gyroscope = gyroscope.with(*effect);
     }
     // Where nobody says the latitude and no effect estimates it, the earth's rotation is uncertainty.
-    let earth = request.latitude.is_none() && !request.effects.iter().any(is_earth);
+    let earth = request.latitude.is_none()
+        && !request
+            .effects
+            .iter()
+            .any(|e| e.nature() == Nature::EarthRotation);
     let held = match request.latitude {
         Some(latitude) => {
-            if !gyroscope.effects().iter().any(is_earth) {
-                gyroscope = gyroscope.with(earth_rotation());
-            }
-            let vertical = EARTH_RATE * latitude.to_radians().sin();
-            vec![(vertical_rate(), vertical)]
+            let (with_it, vertical) = on_the_earth(gyroscope, latitude);
+            gyroscope = with_it;
+            vec![vertical]
         }
         None => Vec::new(),
     };
@@ -102,15 +105,6 @@ pub(super) fn calibrate(
         gyroscope: None,
         joint: Some(fit),
     })
-}
-
-fn is_earth(effect: &&'static dyn AnyEffect) -> bool {
-    effect.nature() == Nature::EarthRotation
-}
-
-/// The name of the vertical part of the earth's rotation.
-fn vertical_rate() -> String {
-    format!("{}.z", earth_rotation().name())
 }
 
 /// The fit as a [`Calibration`], checked; `warnings` stay outside.
@@ -358,7 +352,7 @@ fn bias_time(fit: &JointFit, sensor: Sensor, bias: &[f64; 3]) -> Option<BiasTime
 /// Says where the data refute the vertical part of the earth's rotation that the latitude gives.
 fn latitude_in_doubt(fit: &JointFit, latitude: f64) -> Option<String> {
     let (pull, std) = fit.pull_of_held(&vertical_rate())?;
-    let given = EARTH_RATE * latitude.to_radians().sin();
+    let given = vertical_rate_at(latitude);
     let seen = given + pull;
     (pull.abs() > REFUTED * std).then(|| {
         let sine = (seen / EARTH_RATE).clamp(-1.0, 1.0);

@@ -1,5 +1,6 @@
 //! Ways from static intervals and turns to a calibration.
 
+pub mod earth;
 mod first_guess;
 mod fitted;
 mod gyro_guess;

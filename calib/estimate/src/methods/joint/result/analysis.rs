@@ -88,19 +88,13 @@ impl Analysis {
             .orientation
             .iter()
             .fold(self.with(known), |taken, (_, own)| beside(&taken, own));
-        let basis = orthonormal(&taken);
-        let spare: Vec<f64> = (0..rows.count())
-            .map(|i| 1.0 - basis.row(i).iter().map(|v| v * v).sum::<f64>())
-            .collect();
-        let r = Mat::from_fn(rows.count(), 1, |i, _| self.residuals[i]);
-        let r = &r - &basis * (basis.transpose() * &r);
-        let left: Vec<f64> = r.col(0).iter().copied().collect();
+        let left = Left::of(&taken, &self.residuals());
         for (kind, groups) in groups(rows) {
             let ratios: Vec<(f64, f64)> = groups
                 .iter()
                 .map(|rows| {
-                    let sum: f64 = rows.iter().map(|&i| left[i].powi(2)).sum();
-                    (sum, rows.iter().map(|&i| spare[i]).sum())
+                    let sum: f64 = rows.iter().map(|&i| left.square(i)).sum();
+                    (sum, rows.iter().map(|&i| left.spare(i)).sum())
                 })
                 .collect();
             if quieter_ratio(ratios) > MISFIT {
@@ -131,24 +125,19 @@ impl Analysis {
         levels: &[NoiseLevel],
     ) -> bool {
         let before = self.components.len();
-        let whitening = self.whitening(levels);
-        let mut jacobian = self.with(known);
-        whitening.finish(jacobian.as_mut());
-        let mut r = Mat::from_fn(rows.count(), 1, |i, _| self.residuals[i]);
-        whitening.finish(r.as_mut());
+        let (jacobian, r) = self.whitened(known, &self.whitening(levels));
         if self.is_quiet(rows, &r) {
             return false;
         }
-        let basis = orthonormal(&jacobian);
-        let left = &r - &basis * (basis.transpose() * &r);
+        let left = Left::of(&jacobian, &r);
         for (kind, groups) in groups(rows) {
             if self.components.iter().any(|c| c.kind == kind) {
                 continue;
             }
             let (mut square, mut spare) = (0.0, 0.0);
             for &i in groups.iter().flatten() {
-                square += left[(i, 0)].powi(2);
-                spare += 1.0 - basis.row(i).iter().map(|v| v * v).sum::<f64>();
+                square += left.square(i);
+                spare += left.spare(i);
             }
             if spare > 0.5 && by_chance(square, spare) < UNLIKELY {
                 self.allow(rows, kind, &groups);
@@ -178,13 +167,11 @@ impl Analysis {
         let mut by_turn = Mat::from_fn(count, count - first, unit);
         self.white.apply(by_turn.as_mut());
         let covariance = &by_turn * by_turn.transpose();
-        self.whitening(levels).finish(by_turn.as_mut());
-        let (left, basis) = self.left(known, levels);
-        let square = |a: &Mat<f64>, i: usize| a.row(i).iter().map(|v| v * v).sum::<f64>();
-        let of_row = |i: usize| {
-            let spare = 1.0 - square(&basis, i);
-            (left[(i, 0)].powi(2), spare, square(&by_turn, i))
-        };
+        let whitening = self.whitening(levels);
+        whitening.finish(by_turn.as_mut());
+        let (jacobian, r) = self.whitened(known, &whitening);
+        let left = Left::of(&jacobian, &r);
+        let of_row = |i: usize| (left.square(i), left.spare(i), row_square(&by_turn, i));
         let turns: Vec<(f64, f64, f64)> = (first..count).map(of_row).collect();
         let log_likelihood = |size: f64| {
             let of_turn = |(square, spare, by_scatter): &(f64, f64, f64)| {
@@ -200,17 +187,17 @@ impl Analysis {
         levels.push(NoiseLevel { kind, size });
     }
 
-    /// What the columns and those of the disturbances leave of the residuals (`m × 1`), whitened by noise of these levels,
-    /// and an orthonormal basis of the columns.
-    fn left(&self, known: &[&Suspect], levels: &[NoiseLevel]) -> (Mat<f64>, Mat<f64>) {
-        let whitening = self.whitening(levels);
-        let mut jacobian = self.with(known);
+    /// The columns with those of the disturbances, and the residuals (`m × 1`), whitened.
+    fn whitened(&self, known: &[&Suspect], whitening: &Whitening) -> (Mat<f64>, Mat<f64>) {
+        let (mut jacobian, mut r) = (self.with(known), self.residuals());
         whitening.finish(jacobian.as_mut());
-        let mut r = Mat::from_fn(self.residuals.len(), 1, |i, _| self.residuals[i]);
         whitening.finish(r.as_mut());
-        let basis = orthonormal(&jacobian);
-        let left = &r - &basis * (basis.transpose() * &r);
-        (left, basis)
+        (jacobian, r)
+    }
+
+    /// The residuals as a column (`m × 1`).
+    fn residuals(&self) -> Mat<f64> {
+        Mat::from_fn(self.residuals.len(), 1, |i, _| self.residuals[i])
     }
 
     /// Whether no kind of rows is conspicuous even by what the residuals are before anything more is fitted.
@@ -486,6 +473,34 @@ impl Analysis {
             }
         })
     }
+}
+
+/// What columns that are fitted leave of the rows.
+struct Left {
+    residuals: Mat<f64>,
+    basis: Mat<f64>,
+}
+
+impl Left {
+    fn of(columns: &Mat<f64>, r: &Mat<f64>) -> Self {
+        let basis = orthonormal(columns);
+        let residuals = r - &basis * (basis.transpose() * r);
+        Self { residuals, basis }
+    }
+
+    /// Square of what is left of row `i`.
+    fn square(&self, i: usize) -> f64 {
+        self.residuals[(i, 0)].powi(2)
+    }
+
+    /// The part of row `i` that the columns leave free: what its square is expected to be.
+    fn spare(&self, i: usize) -> f64 {
+        1.0 - row_square(&self.basis, i)
+    }
+}
+
+fn row_square(a: &Mat<f64>, i: usize) -> f64 {
+    a.row(i).iter().map(|v| v * v).sum()
 }
 
 fn beside(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
