@@ -53,8 +53,9 @@ fn what_is_outside_the_catalogue_is_unexplained() {
 
 #[test]
 fn knocks_between_samples_are_no_effect_of_the_gyroscope() {
-    // Two turns of these two sessions speak for a delay of one axis as much as all the others.
-    for index in [35, 83] {
+    // Two turns of the first two sessions speak for a delay of one axis as much as all the others; of the other two a knock
+    // misses by more than the one share says.
+    for index in [35, 83, 20015, 20027] {
         let record = run(Row::Conditions, index).unwrap();
         assert_eq!(record.kind, "knocks-point");
         assert!(record.named.is_empty(), "{record:?}");
@@ -62,7 +63,7 @@ fn knocks_between_samples_are_no_effect_of_the_gyroscope() {
             .integrity
             .iter()
             .any(|name| name == "undersampled_motion");
-        assert!(found, "{record:?}");
+        assert!(found && record.integrity.len() == 1, "{record:?}");
         assert_eq!(record.unexplained, None, "{record:?}");
     }
 }

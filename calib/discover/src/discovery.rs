@@ -60,7 +60,7 @@ pub fn discover<R: Borrow<Recording>>(
 }
 
 fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discovery, Error> {
-    let session = Session::new(recordings, request)?;
+    let mut session = Session::new(recordings, request)?;
     enough_rests(&session)?;
     let cuts = session.recordings.iter();
     let means: Vec<_> = cuts
@@ -72,6 +72,8 @@ fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discover
         of_one_device(of.zip(means), request.gravity)?;
     }
     let base = State::fit(&session, super::Extension::default())?;
+    let sources = base.fit.data.sources.iter();
+    session.between_samples = Some(sources.map(|s| s.clock.sampling.value > 0.0).collect());
     refuse_unobservable(&base.fit)?;
     enough_to_compare(&session, &base)?;
     let mut faults = integrity(&session, &base);

@@ -23,6 +23,9 @@ const SHARES: [[f64; 2]; 7] = [
     [0.0, 0.0],
 ];
 
+/// Shares of the variance by which turns scatter that are tried too: what is taken for scatter may be the effect.
+const SCATTERS: [f64; 4] = [0.5, 0.2, 0.05, 0.0];
+
 /// The evidence for one family: that of its best hypothesis, the search paid for.
 #[derive(Clone, Debug)]
 pub struct Ranked {
@@ -32,6 +35,8 @@ pub struct Ranked {
     pub hypothesis: usize,
     /// Noise of the biases under it.
     pub noise: BiasNoise,
+    /// Share of the scatter of the turns under it.
+    pub scatter: f64,
     /// Likelihood ratio `2 (max LL_c − max LL_0)`.
     pub statistic: f64,
     /// Its degrees of freedom: what the data can see of the columns, and a shape.
@@ -49,6 +54,8 @@ pub struct Ranked {
 /// One setting of the densities.
 pub(super) struct Level {
     pub noise: BiasNoise,
+    /// Share of the scatter of the turns.
+    pub scatter: f64,
     pub whitened: Whitened,
     /// The sensor whose density differs from the likeliest; both hold the same there.
     pub of: Option<Sensor>,
@@ -84,25 +91,32 @@ pub(super) fn rank_at(projected: &Projected, families: &[Family], levels: &[Leve
 /// The likeliest noise, then for each sensor shares of it.
 pub(super) fn levels(projected: &Projected, noise: BiasNoise, given: bool) -> Vec<Level> {
     let mut levels: Vec<Level> = Vec::new();
-    let mut add = |noise: BiasNoise, of: Option<Sensor>| {
-        if levels.iter().any(|level| level.noise == noise) {
+    let mut add = |noise: BiasNoise, scatter: f64, of: Option<Sensor>| {
+        let is_there = |level: &Level| level.noise == noise && level.scatter == scatter;
+        if levels.iter().any(is_there) {
             return;
         }
-        if let Some(whitened) = projected.at(noise) {
+        if let Some(whitened) = projected.at_share(noise, scatter) {
             levels.push(Level {
                 noise,
+                scatter,
                 whitened,
                 of,
             });
         }
     };
-    add(noise, None);
+    add(noise, 1.0, None);
     if given {
         return levels;
     }
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
         for [walk, flicker] in SHARES {
-            add(noise.with_shares(sensor, walk, flicker), Some(sensor));
+            add(noise.with_shares(sensor, walk, flicker), 1.0, Some(sensor));
+        }
+    }
+    if projected.scatter.is_some() {
+        for share in SCATTERS {
+            add(noise, share, None);
         }
     }
     levels
@@ -143,6 +157,7 @@ fn best(
                     family: place,
                     hypothesis: k,
                     noise: level.noise,
+                    scatter: level.scatter,
                     statistic,
                     dof,
                     log_p,
@@ -164,7 +179,7 @@ pub fn shared(
     one: &Ranked,
     other: &Ranked,
 ) -> Option<f64> {
-    let whitened = projected.at(one.noise)?;
+    let whitened = projected.at_share(one.noise, one.scatter)?;
     let of = |ranked: &Ranked| {
         let own = families[ranked.family].columns_of(ranked.hypothesis);
         whitened.columns(&projected.columns(own))

@@ -112,6 +112,9 @@ pub struct Session<'a> {
     pub latitude: Option<f64>,
     /// By which clock the turns are integrated.
     pub clock: ClockMode,
+    /// Of every recording whether something is missing between samples, once the base models have shown that: models that
+    /// are compared have noise of the same kind.
+    pub between_samples: Option<Vec<bool>>,
     /// Which static intervals are used of recordings that have more than the joint problem takes, in words.
     pub cut_down: Vec<String>,
 }
@@ -145,6 +148,7 @@ impl<'a> Session<'a> {
             flicker: request.flicker,
             latitude: request.latitude,
             clock: request.clock,
+            between_samples: None,
         })
     }
 
@@ -185,6 +189,7 @@ impl<'a> Session<'a> {
             held,
             starts,
             clock: self.clock,
+            between_samples: self.between_samples.clone(),
             covariates: true,
             ..JointRequest::new(
                 self.recordings

@@ -80,8 +80,8 @@ impl State {
         step(Stage::Searching)?;
         let fit = fit_joint(&session.joint(&extension))?;
         let sensitivities = fit.sensitivities();
-        let mut projected =
-            Projected::new(&fit.white_residuals, &fit.white_jacobian, &fit.components);
+        let noise = (&fit.components[..], &fit.levels[..]);
+        let mut projected = Projected::new(&fit.white_residuals, &fit.white_jacobian, noise);
         projected.within = within(&fit.data, &projected.kinds());
         let noise = BiasNoise::of(&fit.levels);
         Ok(Self {

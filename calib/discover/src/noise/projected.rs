@@ -1,7 +1,7 @@
 //! The disagreement, with everything that the model's parameters could explain taken out.
 
 use estimate::methods::joint::{
-    BiasNoise, Component, ComponentKind, Within, both_sides, left_null_space,
+    BiasNoise, Component, ComponentKind, NoiseLevel, Within, both_sides, left_null_space,
 };
 use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::{Mat, MatRef, Par, Side};
@@ -16,18 +16,30 @@ pub struct Projected {
     pub z: Mat<f64>,
     /// `Nᵀ C N` (`q × q`) of the noise of the biases.
     pub noise: Vec<(ComponentKind, Mat<f64>)>,
+    /// The scatter of the turns at its likeliest (`q × q`), where they are off by far more than the noise.
+    pub scatter: Option<Mat<f64>>,
     /// What the readings within static intervals say of that noise, in its order: no error of a model shows there.
     pub within: Vec<Within>,
 }
 
 impl Projected {
-    /// Of white-whitened residuals (`m`), Jacobian (`m × n`) and kinds of noise (`m × m`).
-    pub fn new(residuals: &[f64], jacobian: &Mat<f64>, noise: &[Component]) -> Self {
+    /// Of white-whitened residuals (`m`), Jacobian (`m × n`) and kinds of noise (`m × m`) with their levels.
+    pub fn new(
+        residuals: &[f64],
+        jacobian: &Mat<f64>,
+        (noise, levels): (&[Component], &[NoiseLevel]),
+    ) -> Self {
         let null = left_null_space(jacobian);
         let r = Mat::from_fn(residuals.len(), 1, |i, _| residuals[i]);
         let of_biases = |c: &&Component| c.kind.is_walk() || c.kind.is_flicker();
+        let of_turns = |c: &&Component| c.kind == ComponentKind::TurnScatter;
+        let scatter = noise.iter().find(of_turns).and_then(|c| {
+            let size = levels.iter().find(|level| level.kind == c.kind)?.size;
+            (size > 0.0).then(|| faer::Scale(size * size) * both_sides(&null, &c.covariance))
+        });
         let noise = noise.iter().filter(of_biases);
         Self {
+            scatter,
             z: null.transpose() * &r,
             noise: noise
                 .map(|c| (c.kind, both_sides(&null, &c.covariance)))
@@ -74,9 +86,19 @@ impl Projected {
         self.within.iter().map(|w| w.log_likelihood(&theta)).sum()
     }
 
-    /// The whole at given noise; `None` where that is not finite.
+    /// The whole at given noise of the biases; `None` where that is not finite.
     pub fn at(&self, noise: BiasNoise) -> Option<Whitened> {
-        let factor = match self.covariance(noise) {
+        self.at_share(noise, 1.0)
+    }
+
+    /// The same with a share of the variance by which turns scatter.
+    pub fn at_share(&self, noise: BiasNoise, share: f64) -> Option<Whitened> {
+        let mut covariance = self.covariance(noise);
+        if let (Some(scatter), true) = (&self.scatter, share > 0.0) {
+            let q = self.dof();
+            *covariance.get_or_insert_with(|| Mat::identity(q, q)) += faer::Scale(share) * scatter;
+        }
+        let factor = match covariance {
             Some(v) => Some(v.llt(Side::Lower).ok()?.L().to_owned()),
             None => None,
         };
@@ -144,7 +166,7 @@ mod tests {
             kind: ComponentKind::AccelerometerWalk,
             covariance: walk.clone(),
         };
-        let projected = Projected::new(&r, &j, &[component]);
+        let projected = Projected::new(&r, &j, (&[component], &[]));
         assert_eq!(projected.dof(), 7);
         let at = projected.at(BiasNoise::walks([0.5, 0.0])).unwrap();
         // zᵀ (Nᵀ(I + k²C)N)⁻¹ z with the inverse written out.

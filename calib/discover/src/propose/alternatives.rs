@@ -63,6 +63,7 @@ mod tests {
             z: Mat::from_fn(3, 1, |i, _| [10.0, 1.0, 0.0][i]),
             noise: Vec::new(),
             within: Vec::new(),
+            scatter: None,
         };
         let whitened = projected.at(Default::default()).unwrap();
         let chosen = product(Covariate::Time, [1.0, 0.0, 0.0]);

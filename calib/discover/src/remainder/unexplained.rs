@@ -12,6 +12,7 @@ use crate::rank::{APART, Ranked, levels, rank_at};
 use crate::remainder::scatter::scatters;
 use crate::remainder::shape::{Shape, shapes};
 use crate::score::log_tail;
+use crate::search::few_turns::Turns;
 use crate::search::{Name, Search};
 use crate::state::State;
 
@@ -127,8 +128,14 @@ fn shaped(state: &State) -> Vec<Trial> {
     // Slow changes are judged at the likeliest walk alone: with many coefficients they could stand for any walk.
     let likeliest = &levels[..levels.len().min(1)];
     let mut trials = Vec::new();
+    let turns = Turns::knocked(state);
     for (shapes, levels) in [(slow, likeliest), (others, &levels[..])] {
-        let ranked = rank_at(&state.projected, &shapes, levels);
+        let mut ranked = rank_at(&state.projected, &shapes, levels);
+        for r in ranked.iter_mut().filter(|_| turns.is_some()) {
+            let without = |turns: &Turns| turns.evidence_without(state, &shapes[r.family], r);
+            let evidence = turns.as_ref().map_or(r.evidence, without);
+            r.log_p += r.evidence - evidence;
+        }
         trials.extend(ranked.iter().map(|r| of_shape(&shapes[r.family], r)));
     }
     trials.extend(scatters(state, &levels).into_iter().map(|s| Trial {
@@ -159,7 +166,7 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
         columns: None,
     };
     // Where the rate jumps between samples, that is why turns scatter, by more than one share for all can say.
-    let is_knocked = state.fit.undersampled().iter().any(|u| u.is_evident);
+    let is_knocked = !state.fit.undersampled().is_empty();
     let mut trials = Vec::new();
     if !is_knocked {
         trials.push(more(None, whitened.square, state.projected.dof() as f64));

@@ -14,8 +14,11 @@ use crate::state::State;
 /// and an effect that shows in turns can be fitted to two of them.
 const SPARED: usize = 2;
 
+/// By how much larger the variance of a turn may be than the one share for all of them says: knocks that miss twice as much.
+pub(crate) const KNOCKED: f64 = 4.0;
+
 /// What every turn on its own could explain (`q × 2` each), of a model whose turns knocks have spoiled.
-pub(super) struct Turns(Vec<Mat<f64>>);
+pub(crate) struct Turns(Vec<Mat<f64>>);
 
 impl Turns {
     /// `None` where the rate did not jump between samples.
@@ -32,9 +35,14 @@ impl Turns {
         })
     }
 
+    /// The evidence that something else is wrong with a turn, or with a static interval beside it.
+    pub fn evidence_of_disturbance(ranked: &Ranked) -> f64 {
+        ranked.evidence + ranked.log_p - log_tail(ranked.statistic / KNOCKED, ranked.dof)
+    }
+
     /// The evidence for a claim without the turns that speak for it most.
     pub fn evidence_without(&self, state: &State, family: &Family, ranked: &Ranked) -> f64 {
-        let Some(whitened) = state.projected.at(ranked.noise) else {
+        let Some(whitened) = state.projected.at_share(ranked.noise, ranked.scatter) else {
             return ranked.evidence;
         };
         let own = family.columns_of(ranked.hypothesis);

@@ -1,6 +1,6 @@
 //! Naming what is missing, one thing after the other, until the rest is noise.
 
-mod few_turns;
+pub(crate) mod few_turns;
 mod outlying_turns;
 mod pairs;
 mod review;
@@ -30,6 +30,9 @@ const HIGHER_ORDER: f64 = 0.99;
 
 /// A rotation whose length differs from the earth's by more than so many standard errors is not it.
 const EARTH_LENGTH: f64 = 3.0;
+
+/// What the first step beside models that were fitted without a rotation may leave of its length.
+const LINEAR: f64 = 0.1;
 
 /// A rotation whose vertical part is fewer standard errors than this is not known to be the earth's.
 const EARTH_VERTICAL: f64 = 2.0;
@@ -322,8 +325,10 @@ impl Finder<'_> {
         if let Some(turns) = Turns::knocked(state) {
             for r in ranked.iter_mut().filter(|r| r.evidence > self.threshold) {
                 let family = &families[r.family];
-                if matches!(family.claim, Claim::Effect(_)) {
-                    r.evidence = turns.evidence_without(state, family, r);
+                match family.claim {
+                    Claim::Effect(_) => r.evidence = turns.evidence_without(state, family, r),
+                    Claim::Disturbed(_) => r.evidence = Turns::evidence_of_disturbance(r),
+                    Claim::Shape(..) => {}
                 }
             }
         }
@@ -387,7 +392,7 @@ fn as_the_earth(family: &Family, ranked: &Ranked) -> Earth {
     let variance =
         (rate.transpose() * &ranked.score.covariance * &rate)[(0, 0)] / (length * length);
     let vertical = rate[2].abs() / ranked.score.covariance[(2, 2)].sqrt();
-    if (length - 1.0).abs() > EARTH_LENGTH * variance.sqrt() {
+    if (length - 1.0).abs() > EARTH_LENGTH * variance.sqrt() + LINEAR {
         Earth::No
     } else if vertical < EARTH_VERTICAL {
         Earth::Perhaps

@@ -6,6 +6,7 @@ use nalgebra::{DMatrix, DVector};
 use recording::averages::median;
 
 use super::Held;
+use super::few_turns::KNOCKED;
 use crate::family::{Claim, Hypothesis};
 use crate::state::State;
 
@@ -63,6 +64,8 @@ struct Turns {
     precision: DMatrix<f64>,
     y: DVector<f64>,
     count: usize,
+    /// The least `χ²` of a gross one.
+    gross: f64,
 }
 
 impl Turns {
@@ -76,6 +79,11 @@ impl Turns {
             precision: DMatrix::from_fn(all.len(), all.len(), |i, k| precision[(i, k)]),
             y: DVector::from_fn(all.len(), |i, _| y[(i, 0)]),
             count: suspects.len(),
+            gross: if state.fit.undersampled().is_empty() {
+                GROSS
+            } else {
+                KNOCKED * GROSS
+            },
         }
     }
 
@@ -103,14 +111,14 @@ impl Turns {
         (0..self.count).map(of).collect()
     }
 
-    fn limit(statistics: &[Option<f64>]) -> f64 {
+    fn limit(&self, statistics: &[Option<f64>]) -> f64 {
         let usual = median(statistics.iter().flatten().copied()).unwrap_or(0.0);
-        GROSS * (usual / MEDIAN).max(1.0)
+        self.gross * (usual / MEDIAN).max(1.0)
     }
 
     fn worst(&self, out: &[usize]) -> Option<(usize, f64)> {
         let all = self.statistics(out);
-        let limit = Self::limit(&all);
+        let limit = self.limit(&all);
         let places = all.iter().enumerate().filter_map(|(k, s)| Some((k, (*s)?)));
         let worst = places.max_by(|a, b| a.1.total_cmp(&b.1));
         worst.filter(|(_, s)| *s > limit)
@@ -118,7 +126,7 @@ impl Turns {
 
     fn is_gross(&self, k: usize, others: &[usize]) -> bool {
         let all = self.statistics(others);
-        all[k].is_some_and(|s| s > Self::limit(&all))
+        all[k].is_some_and(|s| s > self.limit(&all))
     }
 }
 
@@ -135,6 +143,7 @@ mod tests {
             y: &precision * DVector::from_column_slice(y),
             precision,
             count: n / 2,
+            gross: GROSS,
         }
     }
 

@@ -39,6 +39,9 @@ pub struct JointRequest<'a> {
     pub covariates: bool,
     /// Which clock the turns are integrated by.
     pub clock: ClockMode,
+    /// Of every recording whether its gyroscope misses something between samples, where a fit before has decided that: how
+    /// much it is, is then fitted. Without, the data decide.
+    pub between_samples: Option<Vec<bool>>,
     /// Whether the readings contain a rotation of the earth that nobody says: its direction is then estimated as far as
     /// the data show it, and uncertain as far as they do not.
     pub earth: bool,
@@ -60,6 +63,7 @@ impl<'a> JointRequest<'a> {
             starts: Vec::new(),
             covariates: false,
             clock: ClockMode::default(),
+            between_samples: None,
             earth: false,
         }
     }

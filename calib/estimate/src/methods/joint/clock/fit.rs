@@ -9,7 +9,7 @@ use faer::Mat;
 use nalgebra::{DMatrix, DVector, Matrix2, Vector2};
 use recording::Error;
 
-use super::sampling::{Evidence, Levels, likeliest};
+use super::sampling::{Evidence, Levels, Share, likeliest};
 use crate::methods::joint::clock::{ClockMode, ClockState};
 use crate::methods::joint::data::{Data, Source};
 use crate::methods::joint::minimum::{Point, Run};
@@ -32,6 +32,9 @@ const STEADY: f64 = 0.06;
 /// The same of the scatter of the turns, in whose place others are put later.
 const STEADY_FLOOR: f64 = 0.5;
 
+/// Other shares are not taken where the log-likelihood of the data falls by more than this.
+const LESS_LIKELY: f64 = 0.5;
+
 /// `χ²` that 0 or 1 may cost over the fitted share.
 const ALLOWED: f64 = 4.0;
 
@@ -50,6 +53,12 @@ const SLOW: f64 = 0.015;
 
 /// Log-likelihood that samples at instants have to gain over means.
 const EVIDENT: f64 = 4.0;
+
+/// What is missing of the jumps between samples at instants where nothing is known of it.
+const USUAL: f64 = 0.25;
+
+/// As much of the jumps as is seen: one turn that something else is wrong with makes such a share.
+const WHOLE: f64 = 0.9;
 
 /// The median of `χ²` of two degrees of freedom.
 const MEDIAN_OF_TWO: f64 = 1.386_294_361_119_890_6;
@@ -90,7 +99,11 @@ pub(crate) fn settle_clock(
         open,
         point,
     };
+    fit.begin_with_a_share(data, |decided| decided == Some(true));
     let mut left = fit.rounds(data)?;
+    if data.sources.iter().any(|source| source.floor > 0.0) {
+        left = fit.from_a_share(data, left)?;
+    }
     for k in fit.open.clone() {
         if data.bases(k) < 2 {
             continue;
@@ -123,6 +136,23 @@ pub(crate) fn settle_clock(
     Ok(fit.point)
 }
 
+/// How sure the shares are that were begun with and stayed.
+fn say_how_sure(data: &mut Data, left: &Left) {
+    for k in 0..data.sources.len() {
+        let (levels, turns) = (data.sources[k].levels(), left.of(data, k));
+        let own = &mut data.sources[k].clock.sampling;
+        if own.value > 0.0 && own.between == [0.0; 2] {
+            let (found, _) = likeliest(&turns, levels, Some(true));
+            let [low, high] = found.between;
+            *own = Share {
+                value: own.value,
+                between: [low.min(own.value), high.max(own.value)],
+                ..found
+            };
+        }
+    }
+}
+
 /// A fit on its way.
 struct ClockFit<'a> {
     request: &'a JointRequest<'a>,
@@ -142,20 +172,68 @@ struct Left {
     by_share: Vec<Vec<f64>>,
     /// First row of the turns.
     first: usize,
+    /// Restricted log-likelihood of all rows, up to a constant, turns that something else is wrong with apart.
+    likelihood: f64,
 }
 
 impl ClockFit<'_> {
-    /// Fits until the shares stand still.
+    /// Fits until the shares stand still, or the data are less likely under others.
     fn rounds(&mut self, data: &mut Data) -> Result<Left, Error> {
         let mut left = self.fit(data)?;
         for _ in 0..ROUNDS {
+            let (mut before, point) = (data.clone(), self.point.clone());
             let moved = self.sampling(data, &left) | self.shares(data, &left);
             if !moved {
                 break;
             }
-            left = self.fit(data)?;
+            let next = self.fit(data)?;
+            if next.likelihood < left.likelihood - LESS_LIKELY {
+                let sources = before.sources.iter_mut().zip(&data.sources);
+                sources.for_each(|(before, after)| before.clock.fitted = after.clock.fitted);
+                (*data, self.point) = (before, point);
+                say_how_sure(data, &left);
+                break;
+            }
+            left = next;
         }
         Ok(left)
+    }
+
+    /// Begins anew with the share that is usual where the rate jumps between samples, and stays there where the data are
+    /// likelier so.
+    ///
+    /// Turns that were believed to their noise at first bend the models, and what then remains of them looks like a scatter
+    /// that is the same for all.
+    fn from_a_share(&mut self, data: &mut Data, left: Left) -> Result<Left, Error> {
+        let (before, point) = (data.clone(), self.point.clone());
+        self.begin_with_a_share(data, |decided| decided != Some(false));
+        let from_share = self.rounds(data)?;
+        let mut shares = data.sources.iter().map(|s| s.clock.sampling.value);
+        if from_share.likelihood > left.likelihood && shares.all(|share| share < WHOLE) {
+            return Ok(from_share);
+        }
+        (*data, self.point) = (before, point);
+        Ok(left)
+    }
+
+    /// The usual share in place of a scatter, for the recordings with jumps of which what was decided before allows it.
+    fn begin_with_a_share(&self, data: &mut Data, may: impl Fn(Option<bool>) -> bool) {
+        for k in 0..data.sources.len() {
+            let mut own = data.turns.iter().filter(|turn| turn.recording == k);
+            if may(self.decided(k)) && own.any(|turn| !turn.shocks.is_empty()) {
+                data.sources[k].floor = 0.0;
+                data.sources[k].clock.sampling = Share {
+                    value: USUAL,
+                    ..Share::default()
+                };
+            }
+        }
+    }
+
+    /// Whether something is missing between samples, where a fit before has decided that.
+    fn decided(&self, recording: usize) -> Option<bool> {
+        let decided = self.request.between_samples.as_ref();
+        decided.and_then(|all| all.get(recording)).copied()
     }
 
     /// The minimum with the shares as they are.
@@ -207,8 +285,15 @@ impl ClockFit<'_> {
             let left = Vector2::new(all[(row, 0)], all[(row + 1, 0)]);
             Evidence::new(&left, &hat, &share, &floor)
         });
+        let turns: Vec<Evidence> = turns.collect();
+        let before_turns: f64 = all.col(0).iter().take(first).map(|r| r * r).sum();
+        let likelihood = turns.iter().map(Evidence::score).sum::<f64>()
+            - 0.5 * before_turns
+            - white.log_determinant()
+            - log_volume(&jacobian);
         Left {
-            turns: turns.collect(),
+            turns,
+            likelihood,
             residuals: all.col(0).iter().copied().collect(),
             by_share: (0..self.open.len())
                 .map(|k| all.col(1 + k).iter().copied().collect())
@@ -226,7 +311,7 @@ impl ClockFit<'_> {
                 continue;
             }
             let before = data.sources[k].levels();
-            let (share, floor) = likeliest(&left.of(data, k), before);
+            let (share, floor) = likeliest(&left.of(data, k), before, self.decided(k));
             data.sources[k].clock.sampling = share;
             data.sources[k].floor = floor;
             let differs = |a: f64, b: f64, by: f64| (a - b).abs() > by * a.max(b);
@@ -395,6 +480,14 @@ fn missed_by_snapping((share, error): (f64, f64), chosen: f64) -> f64 {
     });
     let [right, wrong] = [chosen, 1.0 - chosen].map(|value| 0.25 * likelihood(value));
     (moment + wrong) / (sum + right + wrong)
+}
+
+/// `½ ln |JᵀJ|`.
+fn log_volume(jacobian: &Mat<f64>) -> f64 {
+    let qr = jacobian.qr();
+    let pivots = qr.thin_R().diagonal().column_vector();
+    let logarithms = pivots.iter().map(|p| p.abs().max(f64::MIN_POSITIVE).ln());
+    logarithms.sum()
 }
 
 /// `L⁻¹ C L⁻ᵀ` of the two rows from `row` on.

@@ -94,8 +94,8 @@ pub struct Share {
     pub between: [f64; 2],
     /// Log-likelihood gained over none, a constant scatter of the turns being allowed for.
     pub over_none: f64,
-    /// Log-likelihood of the share alone over that of a constant scatter alone.
-    pub over_floor: f64,
+    /// Log-likelihood gained over the noise of the readings alone.
+    pub over_noise: f64,
 }
 
 impl Evidence {
@@ -174,13 +174,19 @@ impl Evidence {
 }
 
 /// The likeliest share and floor, turns that something else is wrong with apart; `now` are those in the weights.
-pub(crate) fn likeliest(turns: &[Evidence], now: Levels) -> (Share, f64) {
+/// Whether there is a share is `decided` or for the turns to say; where it is decided that there is one, it is the whole scatter.
+pub(crate) fn likeliest(turns: &[Evidence], now: Levels, decided: Option<bool>) -> (Share, f64) {
     let at = |share: f64, floor: f64| -> f64 {
         let own = |t: &Evidence| t.covariance(Levels { share, floor }, now);
         turns.iter().map(|t| t.log_likelihood(&own(t)).0).sum()
     };
     let shares = grid(SHARES);
     let floors: Vec<f64> = std::iter::once(0.0).chain(grid(FLOORS)).collect();
+    // Beside a share.
+    let beside = match decided {
+        Some(true) => &floors[..1],
+        Some(false) | None => &floors[..],
+    };
     let best = |values: &mut dyn Iterator<Item = (f64, f64)>| {
         values.fold((f64::NEG_INFINITY, 0.0), |best, (l, value)| {
             if l > best.0 { (l, value) } else { best }
@@ -190,14 +196,18 @@ pub(crate) fn likeliest(turns: &[Evidence], now: Levels) -> (Share, f64) {
     // For each share the likeliest floor.
     let profile: Vec<(f64, f64)> = shares
         .iter()
-        .map(|&c| best(&mut floors.iter().map(|&f| (at(c, f), f))))
+        .map(|&c| best(&mut beside.iter().map(|&f| (at(c, f), f))))
         .collect();
     let values = profile
         .iter()
         .zip(0..)
         .map(|((l, _), k)| (*l, f64::from(k)));
     let (most, place) = best(&mut values.collect::<Vec<_>>().into_iter());
-    if most <= none + WORTH_IT {
+    let is_likelier = match decided {
+        Some(decided) => decided && most > at(0.0, 0.0) + WORTH_IT,
+        None => most > none + WORTH_IT,
+    };
+    if !is_likelier {
         return (Share::default(), floor);
     }
     let place = place as usize;
@@ -207,12 +217,11 @@ pub(crate) fn likeliest(turns: &[Evidence], now: Levels) -> (Share, f64) {
         .take_while(near)
         .last()
         .unwrap_or(place);
-    let (alone, _) = best(&mut shares.iter().map(|&c| (at(c, 0.0), c)));
     let share = Share {
         value: shares[place],
         between: [shares[low], shares[high]],
         over_none: most - none,
-        over_floor: alone - none,
+        over_noise: most - at(0.0, 0.0),
     };
     (share, profile[place].1)
 }
@@ -256,7 +265,7 @@ mod tests {
     #[test]
     fn the_share_is_found_beside_turns_that_something_else_is_wrong_with() {
         for wrong in [0, 3] {
-            let found = likeliest(&turns(0.6, wrong), Levels::default()).0;
+            let found = likeliest(&turns(0.6, wrong), Levels::default(), None).0;
             // Some 50 turns tell one number: 10 %, three of them.
             assert!((found.value / 0.6 - 1.0).abs() < 0.3, "{found:?}");
             assert!(
@@ -264,7 +273,7 @@ mod tests {
                 "{found:?}"
             );
             assert!(
-                found.over_floor > 3.0 && found.over_none > 10.0,
+                found.over_none > 10.0 && found.over_noise > 10.0,
                 "{found:?}"
             );
         }
@@ -277,7 +286,7 @@ mod tests {
         for turn in &mut all {
             turn.left += normal2(&mut random) * 4.0;
         }
-        let (share, floor) = likeliest(&all, Levels::default());
+        let (share, floor) = likeliest(&all, Levels::default(), None);
         assert_eq!(share.value, 0.0);
         // Of a variance of 17 with 1e8 rad² for one: 4e-4 rad, on a grid of steps of 1.8.
         assert!((2e-4..8e-4).contains(&floor), "{floor}");
@@ -286,7 +295,7 @@ mod tests {
     #[test]
     fn no_share_is_found_where_nothing_is_missing() {
         assert_eq!(
-            likeliest(&turns(0.0, 0), Levels::default()).0,
+            likeliest(&turns(0.0, 0), Levels::default(), None).0,
             Share::default()
         );
     }

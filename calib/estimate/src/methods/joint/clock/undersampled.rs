@@ -5,9 +5,9 @@ use recording::intervals::Span;
 use super::sampling::Share;
 use crate::methods::joint::fit::JointFit;
 
-/// Log-likelihood over a constant floor, and over nothing, that makes a name of it.
-const BEATS_FLOOR: f64 = 3.0;
-const BEATS_NONE: f64 = 8.0;
+/// Log-likelihood over the noise of the readings that makes a name of a share that the turns tell from a scatter that is the
+/// same for all.
+const BEATS_NOISE: f64 = 8.0;
 
 /// A turn with this share of the variance of the worst is shown.
 const SHOWN: f64 = 0.1;
@@ -19,7 +19,7 @@ pub struct Undersampled {
     pub recording: usize,
     /// The share that is missing.
     pub share: Share,
-    /// Whether that explains the turns better than a scatter that is the same for all.
+    /// Whether the turns miss by more than the noise of the readings.
     pub is_evident: bool,
     /// What it makes of a turn: root mean square over all, rad.
     pub rms: f64,
@@ -59,7 +59,7 @@ impl JointFit {
             Undersampled {
                 recording,
                 share,
-                is_evident: share.over_floor > BEATS_FLOOR && share.over_none > BEATS_NONE,
+                is_evident: share.over_noise > BEATS_NOISE,
                 rms,
                 turns,
             }

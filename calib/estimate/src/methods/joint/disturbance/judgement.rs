@@ -71,8 +71,9 @@ impl Run<'_> {
             self.accuse(&at, &mut analysis, &mut shown)
         } else {
             let known = self.known(&rows, x);
-            let levels = self.measured(&analysis, &known.iter().collect::<Vec<_>>());
-            (levels, known)
+            let all: Vec<&Suspect> = known.iter().collect();
+            analysis.allow_scatter_of_gross_turns(&rows, &all);
+            (self.measured(&analysis, &all), known)
         };
         Weights {
             whitening: analysis.weighting(&levels),
@@ -88,7 +89,7 @@ impl Run<'_> {
     fn measured(&self, analysis: &Analysis, known: &[&Suspect]) -> Vec<NoiseLevel> {
         match &self.request.bias_noise {
             Some(noise) => noise.levels(),
-            None => analysis.levels(known, &within(self.data, &analysis.bias_kinds())),
+            None => analysis.levels(known, &within(self.data, &analysis.estimated_kinds())),
         }
     }
 

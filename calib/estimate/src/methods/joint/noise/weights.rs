@@ -90,6 +90,11 @@ impl White {
         }
     }
 
+    /// `½ ln |C|` of the noise.
+    pub fn log_determinant(&self) -> f64 {
+        self.diagonal.iter().map(|d| d.ln()).sum()
+    }
+
     /// The standard deviation of a row.
     pub fn std(&self, row: usize) -> f64 {
         self.diagonal[row].hypot(self.beside[row])

@@ -22,6 +22,9 @@ use crate::methods::small_sample::by_chance;
 /// know its noise: the model misses, or the noise is of another kind.
 const MISFIT: f64 = 2.0;
 
+/// The same of turns above which no single effect is taken for the cause before their scatter is allowed for.
+const GROSS: f64 = 4.0;
+
 /// Sums of squares that exceed their expectation by fewer of their standard deviations are looked at no further.
 const QUIET: f64 = 2.0;
 
@@ -90,14 +93,7 @@ impl Analysis {
             .fold(self.with(known), |taken, (_, own)| beside(&taken, own));
         let left = Left::of(&taken, &self.residuals());
         for (kind, groups) in groups(rows) {
-            let ratios: Vec<(f64, f64)> = groups
-                .iter()
-                .map(|rows| {
-                    let sum: f64 = rows.iter().map(|&i| left.square(i)).sum();
-                    (sum, rows.iter().map(|&i| left.spare(i)).sum())
-                })
-                .collect();
-            if quieter_ratio(ratios) > MISFIT {
+            if left.quieter_ratio(&groups) > MISFIT {
                 self.allow(rows, kind, &groups);
                 if kind == ComponentKind::ForceScatter {
                     self.end_walk_with_rests(rows, &taken);
@@ -113,6 +109,16 @@ impl Analysis {
         if !self.components.iter().any(is_known) {
             let [_, _, (kind, turns)] = groups(rows);
             self.allow(rows, kind, &turns);
+        }
+    }
+
+    /// The same where the quieter three quarters of them are off by so much more than the noise that whatever can be fitted
+    /// to turns would pass for their cause: an effect has to be likelier than turns that scatter.
+    pub fn allow_scatter_of_gross_turns(&mut self, rows: &Rows<'_>, known: &[&Suspect]) {
+        let left = Left::of(&self.with(known), &self.residuals());
+        let [_, _, (_, turns)] = groups(rows);
+        if left.quieter_ratio(&turns) > GROSS {
+            self.allow_scatter_of_turns(rows);
         }
     }
 
@@ -327,10 +333,12 @@ impl Analysis {
         by_shift
     }
 
-    /// Kinds of noise of the biases among the components.
-    pub fn bias_kinds(&self) -> Vec<ComponentKind> {
+    /// The kinds of noise that are estimated together where the biases may flicker.
+    pub fn estimated_kinds(&self) -> Vec<ComponentKind> {
         let kinds = self.components.iter().map(|c| c.kind);
-        kinds.filter(|k| k.is_walk() || k.is_flicker()).collect()
+        let estimated =
+            |k: &ComponentKind| k.is_walk() || k.is_flicker() || *k == ComponentKind::TurnScatter;
+        kinds.filter(estimated).collect()
     }
 
     /// The levels of the components by restricted likelihood, with the disturbances' columns among the
@@ -374,16 +382,17 @@ impl Analysis {
             .collect()
     }
 
-    /// Walks and flicker at their likeliest, what is known beside them.
+    /// Walks, flicker and the scatter of turns at their likeliest, what is known beside them.
     fn likeliest(&self, jacobian: &Mat<f64>, within: &[Within]) -> Vec<NoiseLevel> {
-        let kinds = self.bias_kinds();
+        let kinds = self.estimated_kinds();
         let own = self.components.iter().filter(|c| kinds.contains(&c.kind));
         let covariances: Vec<&Mat<f64>> = own.map(|c| &c.covariance).collect();
         let restricted = Restricted {
             within: within.to_vec(),
             ..Restricted::new(&self.residuals, jacobian, &covariances)
         };
-        let variances = restricted.variances(&vec![true; kinds.len()]);
+        let kept: Vec<bool> = kinds.iter().map(|kind| kind.is_noise()).collect();
+        let variances = restricted.variances(&kept);
         let known = self.components.iter();
         let known = known.filter_map(|c| Some((c.kind, c.kind.known_variance()?)));
         let levels = kinds.iter().copied().zip(variances).chain(known);
@@ -496,6 +505,15 @@ impl Left {
     /// The part of row `i` that the columns leave free: what its square is expected to be.
     fn spare(&self, i: usize) -> f64 {
         1.0 - row_square(&self.basis, i)
+    }
+
+    /// `χ²` per degree of freedom of the quieter groups of rows.
+    fn quieter_ratio(&self, groups: &[Vec<usize>]) -> f64 {
+        let of = |rows: &Vec<usize>| {
+            let square: f64 = rows.iter().map(|&i| self.square(i)).sum();
+            (square, rows.iter().map(|&i| self.spare(i)).sum())
+        };
+        quieter_ratio(groups.iter().map(of).collect())
     }
 }
 
