@@ -72,8 +72,7 @@ fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discover
         of_one_device(of.zip(means), request.gravity)?;
     }
     let base = State::fit(&session, super::Extension::default())?;
-    let sources = base.fit.data.sources.iter();
-    session.between_samples = Some(sources.map(|s| s.clock.sampling.value > 0.0).collect());
+    session.clocks = Some(base.fit.data.decided_clocks());
     refuse_unobservable(&base.fit)?;
     enough_to_compare(&session, &base)?;
     let mut faults = integrity(&session, &base);

@@ -5,7 +5,7 @@ use std::borrow::Borrow;
 use estimate::gravity::GravitySource;
 use estimate::methods::earth::on_the_earth;
 use estimate::methods::joint::{
-    BiasNoise, ClockMode, JointRequest, MOST_IN_A_SEARCH, within_budget,
+    BiasNoise, ClockMode, DecidedClock, JointRequest, MOST_IN_A_SEARCH, within_budget,
 };
 use estimate::methods::{Choice, cut};
 use recording::intervals::Detector;
@@ -112,9 +112,8 @@ pub struct Session<'a> {
     pub latitude: Option<f64>,
     /// By which clock the turns are integrated.
     pub clock: ClockMode,
-    /// Of every recording whether something is missing between samples, once the base models have shown that: models that
-    /// are compared have noise of the same kind.
-    pub between_samples: Option<Vec<bool>>,
+    /// The clocks, once the base models have shown them: models that are compared have noise of the same kind.
+    pub clocks: Option<Vec<DecidedClock>>,
     /// Which static intervals are used of recordings that have more than the joint problem takes, in words.
     pub cut_down: Vec<String>,
 }
@@ -148,7 +147,7 @@ impl<'a> Session<'a> {
             flicker: request.flicker,
             latitude: request.latitude,
             clock: request.clock,
-            between_samples: None,
+            clocks: None,
         })
     }
 
@@ -189,7 +188,7 @@ impl<'a> Session<'a> {
             held,
             starts,
             clock: self.clock,
-            between_samples: self.between_samples.clone(),
+            clocks: self.clocks.clone(),
             covariates: true,
             ..JointRequest::new(
                 self.recordings

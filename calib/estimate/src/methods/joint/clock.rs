@@ -74,6 +74,21 @@ pub struct SourceClock {
     pub sampling: Share,
 }
 
+/// What a fit decided of the clock of one recording.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DecidedClock {
+    clock: SourceClock,
+    base: usize,
+    timing: f64,
+}
+
+impl DecidedClock {
+    /// Whether something is missing between samples.
+    pub(crate) fn is_undersampled(&self) -> bool {
+        self.clock.sampling.value > 0.0
+    }
+}
+
 /// One clock for a turn: an even one and what the stamps add.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TurnClock {
@@ -180,6 +195,25 @@ impl Data {
     pub(crate) fn base(&self, recording: usize) -> usize {
         let own = self.turns.iter().find(|turn| turn.recording == recording);
         own.map_or(0, |turn| turn.base)
+    }
+
+    /// What was decided of the clocks of all recordings.
+    pub fn decided_clocks(&self) -> Vec<DecidedClock> {
+        let of = |k: usize| DecidedClock {
+            clock: self.sources[k].clock,
+            base: self.base(k),
+            timing: self.sources[k].timing,
+        };
+        (0..self.sources.len()).map(of).collect()
+    }
+
+    /// Lets the turns go by the clocks that were decided before.
+    pub(crate) fn go_by(&mut self, decided: &[DecidedClock]) {
+        for (k, decided) in decided.iter().enumerate().take(self.sources.len()) {
+            self.set_clock(k, decided.base, decided.clock.share);
+            self.sources[k].clock = decided.clock;
+            self.sources[k].timing = decided.timing;
+        }
     }
 
     /// Lets the turns of a recording go by the clock `base` and a share of the scatter about it.

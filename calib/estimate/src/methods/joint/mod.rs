@@ -32,7 +32,7 @@ mod start;
 pub use budget::{MOST_IN_A_SEARCH, MOST_STATIC_INTERVALS, within_budget};
 pub use clock::sampling::Share;
 pub use clock::undersampled::Undersampled;
-pub use clock::{ClockMode, ClockState, SourceClock, TurnClock};
+pub use clock::{ClockMode, ClockState, DecidedClock, SourceClock, TurnClock};
 pub use data::{Chunk, Data, LostTurn, Mean, Rest, Source, TurnSamples};
 pub use disturbance::{Disturbance, Suspect, excursions, suspects};
 pub use fit::JointFit;

@@ -4,7 +4,7 @@ use recording::Recording;
 use recording::intervals::{Segmentation, Span};
 use sensor::Model;
 
-use super::clock::ClockMode;
+use super::clock::{ClockMode, DecidedClock};
 use super::disturbance::Disturbance;
 use crate::methods::joint::noise::bias::BiasNoise;
 
@@ -39,9 +39,9 @@ pub struct JointRequest<'a> {
     pub covariates: bool,
     /// Which clock the turns are integrated by.
     pub clock: ClockMode,
-    /// Of every recording whether its gyroscope misses something between samples, where a fit before has decided that: how
-    /// much it is, is then fitted. Without, the data decide.
-    pub between_samples: Option<Vec<bool>>,
+    /// The clocks of the recordings where a fit before has decided them, and with them whether something is missing between
+    /// samples: how much that is, is then fitted. Without, the data decide.
+    pub clocks: Option<Vec<DecidedClock>>,
     /// Whether the readings contain a rotation of the earth that nobody says: its direction is then estimated as far as
     /// the data show it, and uncertain as far as they do not.
     pub earth: bool,
@@ -63,7 +63,7 @@ impl<'a> JointRequest<'a> {
             starts: Vec::new(),
             covariates: false,
             clock: ClockMode::default(),
-            between_samples: None,
+            clocks: None,
             earth: false,
         }
     }

@@ -50,6 +50,9 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
     for k in data.with_scatter() {
         data.set_clock(k, 0, 0.0);
     }
+    if let Some(decided) = &request.clocks {
+        data.go_by(decided);
+    }
     let charts = charts(&data, &request.accelerometer, &start)?;
     let known = |data: &mut Data, before| know(request, data, &cuts, &charts, &start, before);
     let first = covariates.then(|| known(&mut data, None)).transpose()?;

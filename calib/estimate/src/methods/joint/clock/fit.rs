@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector, Matrix2, Vector2};
 use recording::Error;
 
 use super::sampling::{Evidence, Levels, Share, likeliest};
-use crate::methods::joint::clock::{ClockMode, ClockState};
+use crate::methods::joint::clock::{ClockMode, ClockState, DecidedClock};
 use crate::methods::joint::data::{Data, Source};
 use crate::methods::joint::minimum::{Point, Run};
 use crate::methods::joint::noise::weights::White;
@@ -78,15 +78,21 @@ pub(crate) fn settle_clock(
     start: &Start,
     point: Option<Point>,
 ) -> Result<Option<Point>, Error> {
+    let is_decided = request.clocks.is_some();
     let open = match request.clock {
-        ClockMode::Auto => data.with_scatter(),
-        ClockMode::Stamps | ClockMode::Even => Vec::new(),
+        ClockMode::Auto if !is_decided => data.with_scatter(),
+        ClockMode::Auto | ClockMode::Stamps | ClockMode::Even => Vec::new(),
     };
-    let shocks = data.turns.iter().any(|turn| !turn.shocks.is_empty());
+    let decided = request.clocks.iter().flatten();
+    let shocks = if is_decided {
+        decided.into_iter().any(DecidedClock::is_undersampled)
+    } else {
+        data.turns.iter().any(|turn| !turn.shocks.is_empty())
+    };
     let slow: Vec<usize> = (0..data.sources.len())
         .filter(|&k| {
             let noise = data.sources[k].gyroscope;
-            noise.is_some_and(|noise| noise.interval > SLOW)
+            !is_decided && noise.is_some_and(|noise| noise.interval > SLOW)
         })
         .collect();
     if open.is_empty() && !shocks && slow.is_empty() {
@@ -99,10 +105,9 @@ pub(crate) fn settle_clock(
         open,
         point,
     };
-    fit.begin_with_a_share(data, |decided| decided == Some(true));
     let mut left = fit.rounds(data)?;
-    if data.sources.iter().any(|source| source.floor > 0.0) {
-        left = fit.from_a_share(data, left)?;
+    if !is_decided && data.sources.iter().any(|source| source.floor > 0.0) {
+        left = fit.anew_with_a_share(data, left)?;
     }
     for k in fit.open.clone() {
         if data.bases(k) < 2 {
@@ -204,9 +209,9 @@ impl ClockFit<'_> {
     ///
     /// Turns that were believed to their noise at first bend the models, and what then remains of them looks like a scatter
     /// that is the same for all.
-    fn from_a_share(&mut self, data: &mut Data, left: Left) -> Result<Left, Error> {
+    fn anew_with_a_share(&mut self, data: &mut Data, left: Left) -> Result<Left, Error> {
         let (before, point) = (data.clone(), self.point.clone());
-        self.begin_with_a_share(data, |decided| decided != Some(false));
+        self.begin_with_a_share(data);
         let from_share = self.rounds(data)?;
         let mut shares = data.sources.iter().map(|s| s.clock.sampling.value);
         if from_share.likelihood > left.likelihood && shares.all(|share| share < WHOLE) {
@@ -216,11 +221,11 @@ impl ClockFit<'_> {
         Ok(left)
     }
 
-    /// The usual share in place of a scatter, for the recordings with jumps of which what was decided before allows it.
-    fn begin_with_a_share(&self, data: &mut Data, may: impl Fn(Option<bool>) -> bool) {
+    /// The usual share in place of a scatter, for the recordings with jumps.
+    fn begin_with_a_share(&self, data: &mut Data) {
         for k in 0..data.sources.len() {
             let mut own = data.turns.iter().filter(|turn| turn.recording == k);
-            if may(self.decided(k)) && own.any(|turn| !turn.shocks.is_empty()) {
+            if own.any(|turn| !turn.shocks.is_empty()) {
                 data.sources[k].floor = 0.0;
                 data.sources[k].clock.sampling = Share {
                     value: USUAL,
@@ -232,8 +237,8 @@ impl ClockFit<'_> {
 
     /// Whether something is missing between samples, where a fit before has decided that.
     fn decided(&self, recording: usize) -> Option<bool> {
-        let decided = self.request.between_samples.as_ref();
-        decided.and_then(|all| all.get(recording)).copied()
+        let decided = self.request.clocks.as_ref()?.get(recording);
+        decided.map(DecidedClock::is_undersampled)
     }
 
     /// The minimum with the shares as they are.

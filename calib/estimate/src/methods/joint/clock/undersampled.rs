@@ -7,7 +7,7 @@ use crate::methods::joint::fit::JointFit;
 
 /// Log-likelihood over the noise of the readings that makes a name of a share that the turns tell from a scatter that is the
 /// same for all.
-const BEATS_NOISE: f64 = 8.0;
+const BEATS_NOISE: f64 = 5.0;
 
 /// A turn with this share of the variance of the worst is shown.
 const SHOWN: f64 = 0.1;
