@@ -88,7 +88,7 @@ pub(super) fn rank_at(projected: &Projected, families: &[Family], levels: &[Leve
     ranked
 }
 
-/// The likeliest noise, then for each sensor shares of it.
+/// The likeliest noise, then for each sensor shares of it, then shares of the scatter of turns.
 pub(super) fn levels(projected: &Projected, noise: BiasNoise, given: bool) -> Vec<Level> {
     let mut levels: Vec<Level> = Vec::new();
     let mut add = |noise: BiasNoise, scatter: f64, of: Option<Sensor>| {

@@ -141,6 +141,20 @@ pub(crate) fn settle_clock(
     Ok(fit.point)
 }
 
+/// The usual share in place of a scatter, for the recordings with jumps.
+fn begin_with_a_share(data: &mut Data) {
+    for k in 0..data.sources.len() {
+        let mut own = data.turns.iter().filter(|turn| turn.recording == k);
+        if own.any(|turn| !turn.shocks.is_empty()) {
+            data.sources[k].floor = 0.0;
+            data.sources[k].clock.sampling = Share {
+                value: USUAL,
+                ..Share::default()
+            };
+        }
+    }
+}
+
 /// How sure the shares are that were begun with and stayed.
 fn say_how_sure(data: &mut Data, left: &Left) {
     for k in 0..data.sources.len() {
@@ -211,7 +225,7 @@ impl ClockFit<'_> {
     /// that is the same for all.
     fn anew_with_a_share(&mut self, data: &mut Data, left: Left) -> Result<Left, Error> {
         let (before, point) = (data.clone(), self.point.clone());
-        self.begin_with_a_share(data);
+        begin_with_a_share(data);
         let from_share = self.rounds(data)?;
         let mut shares = data.sources.iter().map(|s| s.clock.sampling.value);
         if from_share.likelihood > left.likelihood && shares.all(|share| share < WHOLE) {
@@ -219,20 +233,6 @@ impl ClockFit<'_> {
         }
         (*data, self.point) = (before, point);
         Ok(left)
-    }
-
-    /// The usual share in place of a scatter, for the recordings with jumps.
-    fn begin_with_a_share(&self, data: &mut Data) {
-        for k in 0..data.sources.len() {
-            let mut own = data.turns.iter().filter(|turn| turn.recording == k);
-            if own.any(|turn| !turn.shocks.is_empty()) {
-                data.sources[k].floor = 0.0;
-                data.sources[k].clock.sampling = Share {
-                    value: USUAL,
-                    ..Share::default()
-                };
-            }
-        }
     }
 
     /// Whether something is missing between samples, where a fit before has decided that.
