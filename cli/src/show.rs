@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use calib::document::{is_obeyed, to_json};
 use comfy_table::presets::NOTHING;
-use comfy_table::{CellAlignment, ContentArrangement, LineStyle, Table};
+use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, LineStyle, Table, Width};
 
 use serde::Serialize;
 
@@ -26,6 +26,20 @@ pub fn table(header: &[&str]) -> Table {
         column.set_cell_alignment(CellAlignment::Right);
     }
     table
+}
+
+/// The longest name that the first column is as wide as: a longer one leaves the others too little.
+const WHOLE: usize = 26;
+
+/// Breaks no word of the first column, whose names people search for.
+pub fn keep_names_whole<'a>(table: &mut Table, names: impl Iterator<Item = &'a str>) {
+    let words = names.flat_map(str::split_whitespace);
+    let longest = words.map(|word| word.chars().count()).max().unwrap_or(0);
+    let margin = 2;
+    if let (Some(first), true) = (table.column_mut(0), longest <= WHOLE) {
+        let width = u16::try_from(longest + margin).unwrap_or(u16::MAX);
+        first.set_constraint(ColumnConstraint::LowerBoundary(Width::Fixed(width)));
+    }
 }
 
 /// Whether something is or is about to be on standard output.

@@ -279,6 +279,8 @@ fn push<const N: usize>(text: &mut String, (header, rows): Rows<N>, left: usize)
     for column in table.column_iter_mut().take(left) {
         column.set_cell_alignment(CellAlignment::Left);
     }
+    let names = rows.iter().map(|row| row[0].as_str());
+    show::keep_names_whole(&mut table, names);
     for row in rows {
         table.add_row(row);
     }
