@@ -99,7 +99,9 @@ pub(super) const ROWS: &[Condition] = &[
         },
     )
     .right(TURNING),
+    // A contact that lasts one sample is a reading that leaves its neighbours and returns: the words name knocks.
     row("shock", "table contact of 20 m/s2", |s| {
         by_hand(s, |hand| hand.shock = 20.0)
-    }),
+    })
+    .right(&[Kind::Spikes]),
 ];

@@ -27,6 +27,14 @@ const BATCHES: f64 = 6.0;
 /// stretches last three minutes in all.
 const COLOURED: f64 = 1.12;
 
+/// The same of noise that averages out sooner than white noise, as a hand's tremor and a machine's hum do over their
+/// periods, and how many standard errors of the ratio it has to be below one.
+const SOONER: f64 = 0.8;
+const SOONER_ERRORS: f64 = 3.0;
+
+/// Long means are not believed to spread by less than this over what white noise would give.
+const LEAST_LONG_RUN: f64 = 0.05;
+
 /// The density at low frequency is at most so many times what the longest batches show.
 const FARTHER: f64 = 1.5;
 
@@ -195,7 +203,12 @@ impl Axis {
         }
         Some(Self {
             white,
-            long_run: long_run(parts, batch, white),
+            // Coarse steps hide how means spread.
+            long_run: if coarse {
+                long_run(parts, batch, white).max(1.0)
+            } else {
+                long_run(parts, batch, white)
+            },
             step,
             rounding: if coarse {
                 rounding::of_means(parts, step, white)
@@ -238,7 +251,7 @@ fn white(parts: &[Vec<f64>]) -> Option<f64> {
     Some(pooled.sqrt().max(FLOOR))
 }
 
-/// Standard deviation of long means over that of white noise; 1 below [`COLOURED`].
+/// Standard deviation of long means over that of white noise; 1 between [`SOONER`] and [`COLOURED`].
 ///
 /// Means over a time `T` of noise that resembles itself for a time `τ` fall short of the density at low frequency by a share
 /// `τ/T`, those over `T/2` by twice that: what both say of means without end is `2 S(T) − S(T/2)`, `S` the variance
@@ -247,7 +260,14 @@ fn long_run(parts: &[Vec<f64>], batch: usize, white: f64) -> f64 {
     let whole = of_batches(parts, batch);
     let ratio = whole.sqrt() / white;
     if ratio <= COLOURED {
-        return 1.0;
+        let degrees = parts.iter().map(|p| (p.len() / batch).saturating_sub(1));
+        let error = 1.0 / (2.0 * degrees.sum::<usize>().max(1) as f64).sqrt();
+        let sooner = ratio < SOONER.min(1.0 - SOONER_ERRORS * error) && white > FLOOR;
+        return if sooner {
+            ratio.max(LEAST_LONG_RUN)
+        } else {
+            1.0
+        };
     }
     let half = of_batches(parts, batch / 2);
     let without_end = (2.0 * whole - half).clamp(whole, FARTHER * whole);
@@ -389,6 +409,22 @@ mod tests {
         });
         assert!((0.25..0.6).contains(&laplace), "{laplace}");
         assert!(of(&|s| s.accelerometer.correlation = 0.9) < 0.5);
+    }
+
+    #[test]
+    fn a_tremor_averages_out_over_its_periods() {
+        let mut spec = Spec::still(1, 240.0);
+        spec.unsteady = Some(simulate::Unsteady {
+            tremor: 5e-3,
+            share: 1.0,
+            ..simulate::Unsteady::default()
+        });
+        let stream = spec.run().unwrap().recording.gyroscope.unwrap();
+        let rests: Vec<_> = (0..stream.len() / 800)
+            .map(|k| 800 * k..800 * (k + 1))
+            .collect();
+        let noise = SensorNoise::measure(&stream, &rests).unwrap();
+        assert!(noise.long_run.max() < 0.5, "{noise:?}");
     }
 
     #[test]
