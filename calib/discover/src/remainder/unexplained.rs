@@ -131,10 +131,10 @@ fn shaped(state: &State) -> Vec<Trial> {
     let turns = Turns::knocked(state);
     for (shapes, levels) in [(slow, likeliest), (others, &levels[..])] {
         let mut ranked = rank_at(&state.projected, &shapes, levels);
-        for r in ranked.iter_mut().filter(|_| turns.is_some()) {
-            let without = |turns: &Turns| turns.evidence_without(state, &shapes[r.family], r);
-            let evidence = turns.as_ref().map_or(r.evidence, without);
-            r.log_p += r.evidence - evidence;
+        if let Some(turns) = &turns {
+            for r in &mut ranked {
+                r.log_p += r.evidence - turns.evidence_without(state, &shapes[r.family], r);
+            }
         }
         trials.extend(ranked.iter().map(|r| of_shape(&shapes[r.family], r)));
     }
@@ -166,7 +166,7 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
         columns: None,
     };
     // Where the rate jumps between samples, that is why turns scatter, by more than one share for all can say.
-    let is_knocked = !state.fit.undersampled().is_empty();
+    let is_knocked = state.fit.data.misses_something_between_samples();
     let mut trials = Vec::new();
     if !is_knocked {
         trials.push(more(None, whitened.square, state.projected.dof() as f64));

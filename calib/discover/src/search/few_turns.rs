@@ -23,7 +23,7 @@ pub(crate) struct Turns(Vec<Mat<f64>>);
 impl Turns {
     /// `None` where the rate did not jump between samples.
     pub fn knocked(state: &State) -> Option<Self> {
-        let is_knocked = !state.fit.undersampled().is_empty();
+        let is_knocked = state.fit.data.misses_something_between_samples();
         is_knocked.then(|| {
             let suspects = state.suspects().iter();
             let turns = suspects.filter(|s| s.kind == Disturbance::BadTurn);

@@ -79,10 +79,10 @@ impl Turns {
             precision: DMatrix::from_fn(all.len(), all.len(), |i, k| precision[(i, k)]),
             y: DVector::from_fn(all.len(), |i, _| y[(i, 0)]),
             count: suspects.len(),
-            gross: if state.fit.undersampled().is_empty() {
-                GROSS
-            } else {
+            gross: if state.fit.data.misses_something_between_samples() {
                 KNOCKED * GROSS
+            } else {
+                GROSS
             },
         }
     }

@@ -4,7 +4,7 @@ use effects::earth_rotation;
 use gyroscope::EARTH_RATE;
 use recording::averages::root_mean_square;
 use recording::{Error, Recording};
-use sensor::{BASE_PARAMETERS, Nature, Sensor};
+use sensor::{BASE_PARAMETERS, Sensor};
 
 use super::assemble::{effect_values, of_the_gyro_unit, of_the_unit, triad};
 use super::left_out::left_out;
@@ -14,7 +14,7 @@ use crate::calibration::{
     BiasTime, Calibration, Provenance, RecordingBias, RecordingClock, Remainder, SCHEMA, Triad,
     WITH_WALKS, in_symmetric_frame,
 };
-use crate::methods::earth::{on_the_earth, vertical_rate, vertical_rate_at};
+use crate::methods::earth::{self, on_the_earth, vertical_rate, vertical_rate_at};
 use crate::methods::joint::{Channel, Disturbance, JointFit, JointRequest, fit_joint};
 use crate::methods::{Choice, Fitted};
 
@@ -63,11 +63,7 @@ pub(super) fn calibrate(
         gyroscope = gyroscope.with(*effect);
     }
     // Where nobody says the latitude and no effect estimates it, the earth's rotation is uncertainty.
-    let earth = request.latitude.is_none()
-        && !request
-            .effects
-            .iter()
-            .any(|e| e.nature() == Nature::EarthRotation);
+    let earth = request.latitude.is_none() && !earth::is_among(&request.effects);
     let held = match request.latitude {
         Some(latitude) => {
             let (with_it, vertical) = on_the_earth(gyroscope, latitude);

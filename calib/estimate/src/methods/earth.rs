@@ -2,13 +2,17 @@
 
 use effects::earth_rotation;
 use gyroscope::EARTH_RATE;
-use sensor::{Model, Nature};
+use sensor::{AnyEffect, Model, Nature};
+
+/// Whether the rotation of the earth is among effects.
+pub fn is_among(effects: &[&'static dyn AnyEffect]) -> bool {
+    let mut natures = effects.iter().map(|effect| effect.nature());
+    natures.any(|nature| nature == Nature::EarthRotation)
+}
 
 /// The gyroscope with the rotation of the earth, and the vertical part of that by its name, which the latitude (°) gives.
 pub fn on_the_earth(gyroscope: Model, latitude: f64) -> (Model, (String, f64)) {
-    let mut effects = gyroscope.effects().iter();
-    let has_it = effects.any(|effect| effect.nature() == Nature::EarthRotation);
-    let gyroscope = if has_it {
+    let gyroscope = if is_among(gyroscope.effects()) {
         gyroscope
     } else {
         gyroscope.with(earth_rotation())

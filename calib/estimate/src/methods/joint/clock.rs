@@ -80,12 +80,19 @@ pub struct DecidedClock {
     clock: SourceClock,
     base: usize,
     timing: f64,
+    floor: f64,
 }
 
 impl DecidedClock {
     /// Whether something is missing between samples.
     pub(crate) fn is_undersampled(&self) -> bool {
         self.clock.sampling.value > 0.0
+    }
+
+    /// The same clock with what a fit since made of its share.
+    pub(crate) fn with_fitted(mut self, since: &SourceClock) -> Self {
+        self.clock.fitted = since.fitted;
+        self
     }
 }
 
@@ -203,6 +210,7 @@ impl Data {
             clock: self.sources[k].clock,
             base: self.base(k),
             timing: self.sources[k].timing,
+            floor: self.sources[k].floor,
         };
         (0..self.sources.len()).map(of).collect()
     }
@@ -213,6 +221,7 @@ impl Data {
             self.set_clock(k, decided.base, decided.clock.share);
             self.sources[k].clock = decided.clock;
             self.sources[k].timing = decided.timing;
+            self.sources[k].floor = decided.floor;
         }
     }
 

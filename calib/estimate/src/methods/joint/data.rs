@@ -292,6 +292,12 @@ impl Data {
         samples + self.rests.len().pow(3) / 4
     }
 
+    /// Whether the rate of a recording jumps between samples somewhere.
+    pub(crate) fn jumps(&self, recording: usize) -> bool {
+        let mut own = self.turns.iter().filter(|t| t.recording == recording);
+        own.any(|turn| !turn.shocks.is_empty())
+    }
+
     /// Whether the rate moves between the samples of a recording, so that its turns miss more than noise.
     pub fn misses_something_between_samples(&self) -> bool {
         let mut shares = self.sources.iter().map(|s| s.clock.sampling.value);

@@ -201,14 +201,14 @@ impl Axis {
         if coarse {
             white = rounding::spread(parts, step).max(FLOOR);
         }
+        let mut long_run = long_run(parts, batch, white);
+        if coarse {
+            // Coarse steps hide how means spread.
+            long_run = long_run.max(1.0);
+        }
         Some(Self {
             white,
-            // Coarse steps hide how means spread.
-            long_run: if coarse {
-                long_run(parts, batch, white).max(1.0)
-            } else {
-                long_run(parts, batch, white)
-            },
+            long_run,
             step,
             rounding: if coarse {
                 rounding::of_means(parts, step, white)

@@ -15,7 +15,7 @@ use crate::methods::joint::data::{Data, Source};
 use crate::methods::joint::minimum::{Point, Run};
 use crate::methods::joint::noise::weights::White;
 use crate::methods::joint::request::JointRequest;
-use crate::methods::joint::result::marginal::orthonormal;
+use crate::methods::joint::result::marginal::orthonormal_with_volume;
 use crate::methods::joint::rows::chart::Chart;
 use crate::methods::joint::start::Start;
 
@@ -78,61 +78,30 @@ pub(crate) fn settle_clock(
     start: &Start,
     point: Option<Point>,
 ) -> Result<Option<Point>, Error> {
-    let is_decided = request.clocks.is_some();
-    let open = match request.clock {
-        ClockMode::Auto if !is_decided => data.with_scatter(),
-        ClockMode::Auto | ClockMode::Stamps | ClockMode::Even => Vec::new(),
-    };
-    let decided = request.clocks.iter().flatten();
-    let shocks = if is_decided {
-        decided.into_iter().any(DecidedClock::is_undersampled)
-    } else {
-        data.turns.iter().any(|turn| !turn.shocks.is_empty())
-    };
-    let slow: Vec<usize> = (0..data.sources.len())
-        .filter(|&k| {
-            let noise = data.sources[k].gyroscope;
-            !is_decided && noise.is_some_and(|noise| noise.interval > SLOW)
-        })
-        .collect();
-    if open.is_empty() && !shocks && slow.is_empty() {
-        return Ok(None);
-    }
     let mut fit = ClockFit {
         request,
         charts,
         start,
-        open,
+        open: Vec::new(),
         point,
     };
-    let mut left = fit.rounds(data)?;
-    if !is_decided && data.sources.iter().any(|source| source.floor > 0.0) {
-        left = fit.anew_with_a_share(data, left)?;
-    }
-    for k in fit.open.clone() {
-        if data.bases(k) < 2 {
-            continue;
+    let left = if request.clocks.is_some() {
+        if !data.misses_something_between_samples() {
+            return Ok(None);
         }
-        let before = (data.sources[k].clock, left.misfit(data, k));
-        data.set_clock(k, 1, before.0.share);
-        left = fit.rounds(data)?;
-        if left.misfit(data, k) >= before.1 {
-            data.set_clock(k, 0, before.0.share);
-            left = fit.rounds(data)?;
+        fit.rounds(data)?
+    } else {
+        if request.clock == ClockMode::Auto {
+            fit.open = data.with_scatter();
         }
-    }
-    for k in slow {
-        let (before, score) = (data.clone(), left.score(data, k));
-        let point = fit.point.clone();
-        data.sources[k].clock.instants = true;
-        left = fit.rounds(data)?;
-        if left.score(data, k) < score + EVIDENT {
-            // The last point may lie elsewhere: what is judged is judged at the one that stays.
-            *data = before;
-            fit.point = point;
-            left = fit.fit(data)?;
+        let is_slow = |source: &Source| source.gyroscope.is_some_and(|n| n.interval > SLOW);
+        let all = 0..data.sources.len();
+        let slow: Vec<usize> = all.clone().filter(|&k| is_slow(&data.sources[k])).collect();
+        if fit.open.is_empty() && slow.is_empty() && !all.clone().any(|k| data.jumps(k)) {
+            return Ok(None);
         }
-    }
+        fit.choose(data, &slow)?
+    };
     fit.decide(data, &left);
     // What scatters beyond noise and clock is judged with everything else.
     data.sources
@@ -144,8 +113,7 @@ pub(crate) fn settle_clock(
 /// The usual share in place of a scatter, for the recordings with jumps.
 fn begin_with_a_share(data: &mut Data) {
     for k in 0..data.sources.len() {
-        let mut own = data.turns.iter().filter(|turn| turn.recording == k);
-        if own.any(|turn| !turn.shocks.is_empty()) {
+        if data.jumps(k) {
             data.sources[k].floor = 0.0;
             data.sources[k].clock.sampling = Share {
                 value: USUAL,
@@ -196,20 +164,55 @@ struct Left {
 }
 
 impl ClockFit<'_> {
+    /// The likeliest clocks: the shares from two starts, then what is behind the stamps, then what the samples of the `slow`
+    /// recordings are.
+    fn choose(&mut self, data: &mut Data, slow: &[usize]) -> Result<Left, Error> {
+        let mut left = self.rounds(data)?;
+        if data.sources.iter().any(|source| source.floor > 0.0) {
+            left = self.anew_with_a_share(data, left)?;
+        }
+        for k in self.open.clone() {
+            if data.bases(k) < 2 {
+                continue;
+            }
+            let before = (data.sources[k].clock, left.misfit(data, k));
+            data.set_clock(k, 1, before.0.share);
+            left = self.rounds(data)?;
+            if left.misfit(data, k) >= before.1 {
+                data.set_clock(k, 0, before.0.share);
+                left = self.rounds(data)?;
+            }
+        }
+        for &k in slow {
+            let (before, score) = (data.decided_clocks(), left.score(data, k));
+            let point = self.point.clone();
+            data.sources[k].clock.instants = true;
+            left = self.rounds(data)?;
+            if left.score(data, k) < score + EVIDENT {
+                // The last point may lie elsewhere: what is judged is judged at the one that stays.
+                data.go_by(&before);
+                self.point = point;
+                left = self.fit(data)?;
+            }
+        }
+        Ok(left)
+    }
+
     /// Fits until the shares stand still, or the data are less likely under others.
     fn rounds(&mut self, data: &mut Data) -> Result<Left, Error> {
         let mut left = self.fit(data)?;
         for _ in 0..ROUNDS {
-            let (mut before, point) = (data.clone(), self.point.clone());
+            let (before, point) = (data.decided_clocks(), self.point.clone());
             let moved = self.sampling(data, &left) | self.shares(data, &left);
             if !moved {
                 break;
             }
             let next = self.fit(data)?;
             if next.likelihood < left.likelihood - LESS_LIKELY {
-                let sources = before.sources.iter_mut().zip(&data.sources);
-                sources.for_each(|(before, after)| before.clock.fitted = after.clock.fitted);
-                (*data, self.point) = (before, point);
+                let clocks = before.into_iter().zip(&data.sources);
+                let clocks = clocks.map(|(before, since)| before.with_fitted(&since.clock));
+                data.go_by(&clocks.collect::<Vec<_>>());
+                self.point = point;
                 say_how_sure(data, &left);
                 break;
             }
@@ -224,14 +227,15 @@ impl ClockFit<'_> {
     /// Turns that were believed to their noise at first bend the models, and what then remains of them looks like a scatter
     /// that is the same for all.
     fn anew_with_a_share(&mut self, data: &mut Data, left: Left) -> Result<Left, Error> {
-        let (before, point) = (data.clone(), self.point.clone());
+        let (before, point) = (data.decided_clocks(), self.point.clone());
         begin_with_a_share(data);
         let from_share = self.rounds(data)?;
         let mut shares = data.sources.iter().map(|s| s.clock.sampling.value);
         if from_share.likelihood > left.likelihood && shares.all(|share| share < WHOLE) {
             return Ok(from_share);
         }
-        (*data, self.point) = (before, point);
+        data.go_by(&before);
+        self.point = point;
         Ok(left)
     }
 
@@ -276,7 +280,7 @@ impl ClockFit<'_> {
         for (i, value) in r.iter().enumerate() {
             all[(i, 0)] = *value;
         }
-        let basis = orthonormal(&jacobian);
+        let (basis, log_volume) = orthonormal_with_volume(&jacobian);
         let all = &all - &basis * (basis.transpose() * &all);
         let noise = rows.noise(x);
         let turns = noise.by_share.iter().enumerate().map(|(k, by_share)| {
@@ -295,7 +299,7 @@ impl ClockFit<'_> {
         let likelihood = turns.iter().map(Evidence::score).sum::<f64>()
             - 0.5 * before_turns
             - white.log_determinant()
-            - log_volume(&jacobian);
+            - log_volume;
         Left {
             turns,
             likelihood,
@@ -311,8 +315,7 @@ impl ClockFit<'_> {
     fn sampling(&self, data: &mut Data, left: &Left) -> bool {
         let mut moved = false;
         for k in 0..data.sources.len() {
-            let mut turns = data.turns.iter().filter(|turn| turn.recording == k);
-            if turns.all(|turn| turn.shocks.is_empty()) {
+            if !data.jumps(k) {
                 continue;
             }
             let before = data.sources[k].levels();
@@ -485,14 +488,6 @@ fn missed_by_snapping((share, error): (f64, f64), chosen: f64) -> f64 {
     });
     let [right, wrong] = [chosen, 1.0 - chosen].map(|value| 0.25 * likelihood(value));
     (moment + wrong) / (sum + right + wrong)
-}
-
-/// `½ ln |JᵀJ|`.
-fn log_volume(jacobian: &Mat<f64>) -> f64 {
-    let qr = jacobian.qr();
-    let pivots = qr.thin_R().diagonal().column_vector();
-    let logarithms = pivots.iter().map(|p| p.abs().max(f64::MIN_POSITIVE).ln());
-    logarithms.sum()
 }
 
 /// `L⁻¹ C L⁻ᵀ` of the two rows from `row` on.

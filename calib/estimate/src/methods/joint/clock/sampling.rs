@@ -203,8 +203,9 @@ pub(crate) fn likeliest(turns: &[Evidence], now: Levels, decided: Option<bool>) 
         .zip(0..)
         .map(|((l, _), k)| (*l, f64::from(k)));
     let (most, place) = best(&mut values.collect::<Vec<_>>().into_iter());
+    let of_noise = at(0.0, 0.0);
     let is_likelier = match decided {
-        Some(decided) => decided && most > at(0.0, 0.0) + WORTH_IT,
+        Some(decided) => decided && most > of_noise + WORTH_IT,
         None => most > none + WORTH_IT,
     };
     if !is_likelier {
@@ -221,7 +222,7 @@ pub(crate) fn likeliest(turns: &[Evidence], now: Levels, decided: Option<bool>) 
         value: shares[place],
         between: [shares[low], shares[high]],
         over_none: most - none,
-        over_noise: most - at(0.0, 0.0),
+        over_noise: most - of_noise,
     };
     (share, profile[place].1)
 }

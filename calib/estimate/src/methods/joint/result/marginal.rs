@@ -58,6 +58,11 @@ pub fn without(rest: &Mat<f64>, a: &Mat<f64>) -> Mat<f64> {
 
 /// An orthonormal basis of the column space, columns scaled to unit length first.
 pub fn orthonormal(a: &Mat<f64>) -> Mat<f64> {
+    orthonormal_with_volume(a).0
+}
+
+/// The same with `½ ln |AᵀA|`, of the part that has rank.
+pub(crate) fn orthonormal_with_volume(a: &Mat<f64>) -> (Mat<f64>, f64) {
     let norms: Vec<f64> = a.col_iter().map(|c| c.norm_l2()).collect();
     let scaled = Mat::from_fn(a.nrows(), a.ncols(), |i, k| {
         if norms[k] > 0.0 {
@@ -67,7 +72,7 @@ pub fn orthonormal(a: &Mat<f64>) -> Mat<f64> {
         }
     });
     if a.ncols() == 0 {
-        return Mat::zeros(a.nrows(), 0);
+        return (Mat::zeros(a.nrows(), 0), 0.0);
     }
     let qr = scaled.col_piv_qr();
     let triangle = qr.thin_R();
@@ -80,7 +85,11 @@ pub fn orthonormal(a: &Mat<f64>) -> Mat<f64> {
     let rank = (0..size)
         .take_while(|&k| triangle[(k, k)].abs() > RANK_TOLERANCE * first)
         .count();
-    qr.compute_thin_Q().as_ref().subcols(0, rank).to_owned()
+    let pivots = (0..rank).map(|k| triangle[(k, k)].abs());
+    let lengths = norms.iter().copied().filter(|norm| *norm > 0.0);
+    let log_volume = pivots.chain(lengths).map(f64::ln).sum();
+    let basis = qr.compute_thin_Q().as_ref().subcols(0, rank).to_owned();
+    (basis, log_volume)
 }
 
 #[cfg(test)]
@@ -98,6 +107,18 @@ mod tests {
                 assert!(error.abs() < 1e-12 * all.covariance[1][1]);
             }
         }
+    }
+
+    #[test]
+    fn the_volume_is_that_of_the_normal_equations_and_lost_rank_leaves_it_finite() {
+        let j = Mat::from_fn(9, 3, |i, k| ((i * 7 + k * 4 + i * k) % 13) as f64 - 6.0);
+        let half = 0.5 * (j.transpose() * &j).determinant().ln();
+        assert!((orthonormal_with_volume(&j).1 - half).abs() < 1e-12);
+        let twice = Mat::from_fn(9, 4, |i, k| j[(i, k % 3)]);
+        let (basis, volume) = orthonormal_with_volume(&twice);
+        let length = j.col(0).norm_l2().ln();
+        assert_eq!(basis.ncols(), 3);
+        assert!((volume - half - length).abs() < 1e-12);
     }
 
     #[test]
