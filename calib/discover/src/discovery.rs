@@ -300,7 +300,7 @@ fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
     let without = &name.without;
     let noise = last.noise;
     let sequence = Sequence::of(without, noise);
-    let channel = channel_of(&sequence.of_column(name.predicted.clone()));
+    let channel = channel_of(&sequence.of_column(name.predicted.col_as_slice(0)));
     let held = |misfits: &Option<[Misfit; 3]>| misfits.map_or(1.0, |m| gap_of(&m, channel));
     let ties: Vec<String> = name.ties.iter().map(|t| t.claim.name().into()).collect();
     EffectFinding {
@@ -354,7 +354,7 @@ fn without_weak(
         let Claim::Effect(effect) = name.claim else {
             return true;
         };
-        let parts = Sequence::of(&name.without, noise).of_column(name.predicted.clone());
+        let parts = Sequence::of(&name.without, noise).of_column(name.predicted.col_as_slice(0));
         let gap = gap_of(&left, channel_of(&parts)).max(1.0);
         let ranked = &name.ranked;
         let search_cost = -ranked.log_p - ranked.evidence;

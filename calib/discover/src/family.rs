@@ -1,6 +1,6 @@
 //! What may be missing: families of hypotheses about one recording.
 
-use estimate::methods::joint::{Disturbance, effect_columns, step_columns};
+use estimate::methods::joint::{Column, Disturbance, effect_columns, step_columns};
 use faer::{Mat, MatRef};
 use sensor::{AnyEffect, Nature, Param, Role, Sensor};
 
@@ -301,8 +301,8 @@ fn disturbance_families(state: &State) -> Vec<Family> {
             });
             first += suspect.columns.len();
         }
-        let all: Vec<&Vec<f64>> = suspects.iter().flat_map(|s| &s.columns).collect();
-        let columns = Mat::from_fn(state.rows(), first, |i, k| typical * all[k][i]);
+        let all: Vec<&Column> = suspects.iter().flat_map(|s| &s.columns).collect();
+        let columns = faer::Scale(typical) * Column::side_by_side(state.rows(), &all);
         Family {
             claim: Claim::Disturbed(kind),
             shape_dof: 0.0,

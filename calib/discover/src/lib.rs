@@ -14,7 +14,6 @@ mod family;
 mod fault;
 mod findings;
 mod gap;
-mod linear;
 mod noise;
 mod pictures;
 mod propose;

@@ -10,7 +10,6 @@ use super::discovery::Discovery;
 use super::family::Claim;
 use super::findings::EffectFinding;
 use super::gap::channel::{Channel, whitening_at};
-use super::linear::least_squares;
 use super::search::Name;
 use super::state::State;
 
@@ -121,13 +120,16 @@ fn residuals(state: &State) -> Mat<f64> {
 fn left(state: &State, noise: BiasNoise, column: Mat<f64>) -> Mat<f64> {
     let fit = &state.fit;
     let whitening = whitening_at(state, noise);
-    let (mut whole, mut jacobian) = (column.clone(), fit.white_jacobian.clone());
-    whitening.finish(whole.as_mut());
-    whitening.finish(jacobian.as_mut());
-    let mut left = match least_squares(&jacobian, &whole) {
-        Some(taken) => column - &fit.white_jacobian * taken,
-        None => column,
-    };
+    let whole = whitening.finish_column(column.col_as_slice(0));
+    let jacobian = whitening.finish_columns(fit.white_jacobian.clone());
+    let mut left = column;
+    if let Some(taken) = jacobian.least_squares(&whole) {
+        let explained = fit.white_jacobian.times(&taken);
+        left.col_mut(0)
+            .iter_mut()
+            .zip(explained)
+            .for_each(|(v, by)| *v -= by);
+    }
     fit.whitening.white.restore(left.as_mut());
     left
 }

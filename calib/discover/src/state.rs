@@ -4,8 +4,8 @@ use std::ops::Range;
 use std::sync::OnceLock;
 
 use estimate::methods::joint::{
-    BiasNoise, Disturbance, JointFit, Known, Sensitivities, Suspect, columns, excursions,
-    fit_joint, suspects, within, without,
+    Basis, BiasNoise, Disturbance, JointFit, Known, Sensitivities, Suspect, excursions, fit_joint,
+    suspects, within,
 };
 use faer::{Mat, MatMut};
 use recording::Error;
@@ -81,7 +81,8 @@ impl State {
         let fit = fit_joint(&session.joint(&extension))?;
         let sensitivities = fit.sensitivities();
         let noise = (&fit.components[..], &fit.levels[..]);
-        let mut projected = Projected::new(&fit.white_residuals, &fit.white_jacobian, noise);
+        let mut projected =
+            Projected::new(&fit.white_residuals, &fit.white_jacobian.to_dense(), noise);
         projected.within = within(&fit.data, &projected.kinds());
         let noise = BiasNoise::of(&fit.levels);
         Ok(Self {
@@ -183,10 +184,8 @@ impl State {
         let others: Vec<usize> = (0..jacobian.ncols())
             .filter(|k| !columns.contains(k))
             .collect();
-        let own = without(
-            &self::columns(jacobian, &others),
-            &self::columns(jacobian, &columns),
-        );
+        let taken = Basis::of(&jacobian.select(&others));
+        let own = taken.without(&jacobian.select(&columns)).to_dense();
         let values = &self.fit.parameters.values()[places];
         let explained = own * Mat::from_fn(values.len(), 1, |k, _| values[k]);
         log_tail(explained.squared_norm_l2(), values.len() as f64)

@@ -1,7 +1,6 @@
 //! The disagreement by channel: where in the data it is.
 
-use estimate::methods::joint::{BiasNoise, Whitening, orthonormal};
-use faer::Mat;
+use estimate::methods::joint::{Basis, BiasNoise, Columns, Whitening};
 use serde::Serialize;
 
 use crate::state::State;
@@ -64,8 +63,8 @@ impl Misfit {
 /// The rows of a state, whitened by everything at given densities.
 #[derive(Clone, Debug)]
 pub struct Sequence {
-    /// For each channel an orthonormal basis of the columns of its rows and all before.
-    bases: [Mat<f64>; 3],
+    /// For each channel a basis of the columns of its rows and all before.
+    bases: [Basis; 3],
     /// First rows of the channels and the end.
     ends: [usize; 3],
     whitening: Whitening,
@@ -87,9 +86,9 @@ impl Sequence {
 
     /// Of rows that end, kind by kind, at `ends`, under any whitening; `jacobian` (`m × n`) is that of what
     /// is free, white-whitened.
-    pub fn under(whitening: Whitening, mut jacobian: Mat<f64>, ends: [usize; 3]) -> Self {
-        whitening.finish(jacobian.as_mut());
-        let bases = ends.map(|end| orthonormal(&jacobian.as_ref().subrows(0, end).to_owned()));
+    pub fn under(whitening: Whitening, jacobian: Columns, ends: [usize; 3]) -> Self {
+        let jacobian = whitening.finish_columns(jacobian);
+        let bases = ends.map(|end| Basis::of(&jacobian.first_rows(end)));
         Self {
             bases,
             ends,
@@ -100,20 +99,19 @@ impl Sequence {
     /// Of the disagreement itself.
     pub fn misfits(&self, state: &State) -> [Misfit; 3] {
         let r = &state.fit.white_residuals;
-        self.of_column(Mat::from_fn(r.len(), 1, |i, _| r[i]))
+        self.of_column(r)
     }
 
-    /// Of any white-whitened column (`m × 1`): how much of it each channel shows.
-    pub fn of_column(&self, mut column: Mat<f64>) -> [Misfit; 3] {
-        self.whitening.finish(column.as_mut());
+    /// Of any white-whitened column (`m`): how much of it each channel shows.
+    pub fn of_column(&self, column: &[f64]) -> [Misfit; 3] {
+        let column = self.whitening.finish_column(column);
         let mut before = Misfit::default();
         let mut misfits = [Misfit::default(); 3];
         for (k, basis) in self.bases.iter().enumerate() {
-            let part = column.as_ref().subrows(0, self.ends[k]);
-            let taken = (basis.transpose() * part).squared_norm_l2();
+            let left = basis.without_column(&column[..self.ends[k]]);
             let upto = Misfit {
-                chi2: part.squared_norm_l2() - taken,
-                dof: (self.ends[k] - basis.ncols()) as f64,
+                chi2: left.iter().map(|v| v * v).sum(),
+                dof: (self.ends[k] - basis.rank()) as f64,
             };
             misfits[k] = Misfit {
                 chi2: (upto.chi2 - before.chi2).max(0.0),

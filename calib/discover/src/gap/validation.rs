@@ -5,7 +5,7 @@
 //! ```
 
 use estimate::methods::joint::{
-    BiasNoise, JointFit, Rows, Whitening, columns, covariance_at, fit_joint,
+    BiasNoise, Columns, Covariance, JointFit, Rows, Whitening, covariance_at, fit_joint,
 };
 use faer::Mat;
 use recording::{Error, Recording};
@@ -14,7 +14,6 @@ use sensor::{AnyEffect, Role};
 use crate::discovery::Discovery;
 use crate::findings::Validation;
 use crate::gap::channel::{Channel, Misfit, Sequence, whitening_at};
-use crate::linear::least_squares;
 use crate::request::{Request, Session};
 use crate::state::{Extension, State};
 
@@ -87,18 +86,18 @@ fn missed(session: &Session<'_>, model: &State, noise: BiasNoise) -> Result<[Mis
         .collect();
     for _ in 0..STEPS {
         let (r, jacobian) = whitened(&rows, &fit, &x);
-        let Some(step) = least_squares(&columns(&jacobian, &nuisance), &r) else {
+        let Some(step) = jacobian.select(&nuisance).least_squares(&r) else {
             break;
         };
-        for (k, place) in nuisance.iter().enumerate() {
-            x[*place] -= step[(k, 0)];
+        for (step, place) in step.iter().zip(&nuisance) {
+            x[*place] -= step;
         }
     }
     let (r, jacobian) = whitened(&rows, &fit, &x);
     let covariance = expected(&fit, &held, &jacobian, noise);
     let whitening = Whitening::with_covariance(fit.whitening.white.clone(), &covariance);
-    let ends = [fit.first_rows[0], fit.first_rows[1], r.nrows()];
-    Ok(Sequence::under(whitening, columns(&jacobian, &nuisance), ends).of_column(r))
+    let ends = [fit.first_rows[0], fit.first_rows[1], r.len()];
+    Ok(Sequence::under(whitening, jacobian.select(&nuisance), ends).of_column(&r))
 }
 
 /// A model's fit, its parameters moved to where walks of these densities put them.
@@ -108,41 +107,35 @@ fn missed(session: &Session<'_>, model: &State, noise: BiasNoise) -> Result<[Mis
 fn under(model: &State, noise: BiasNoise) -> JointFit {
     let mut fit = model.fit.clone();
     let whitening = whitening_at(model, noise);
-    let mut r = Mat::from_fn(model.rows(), 1, |i, _| fit.white_residuals[i]);
-    let mut jacobian = fit.white_jacobian.clone();
-    whitening.finish(r.as_mut());
-    whitening.finish(jacobian.as_mut());
-    if let Some(step) = least_squares(&jacobian, &r) {
-        for (k, place) in fit.free.iter().enumerate() {
-            fit.parameters.values_mut()[*place] -= step[(k, 0)];
+    let r = whitening.finish_column(&fit.white_residuals);
+    let jacobian = whitening.finish_columns(fit.white_jacobian.clone());
+    if let Some(step) = jacobian.least_squares(&r) {
+        for (step, place) in step.iter().zip(&fit.free) {
+            fit.parameters.values_mut()[*place] -= step;
         }
     }
     fit.set_jacobian(jacobian);
     fit
 }
 
-/// Residuals (`m × 1`) and Jacobian of all parameters (`m × n`), white-whitened.
-fn whitened(rows: &Rows<'_>, fit: &JointFit, x: &[f64]) -> (Mat<f64>, Mat<f64>) {
-    let linear = rows.linearize(x);
-    let mut r = Mat::from_fn(linear.residuals.len(), 1, |i, _| linear.residuals[i]);
-    let mut jacobian = linear.jacobian;
-    fit.whitening.white.apply(r.as_mut());
-    fit.whitening.white.apply(jacobian.as_mut());
-    (r, jacobian)
+/// Residuals (`m`) and Jacobian of all parameters (`m × n`), white-whitened.
+fn whitened(rows: &Rows<'_>, fit: &JointFit, x: &[f64]) -> (Vec<f64>, Columns) {
+    let all: Vec<usize> = (0..rows.layout.count()).collect();
+    rows.linearize(x).whitened_by(&all, &fit.whitening.white)
 }
 
 /// `I + k_a² C_a + k_g² C_g + J_s Σ J_sᵀ`, white-whitened.
 fn expected(
     fit: &JointFit,
     held: &HeldCalibration,
-    jacobian: &Mat<f64>,
+    jacobian: &Columns,
     noise: BiasNoise,
-) -> Mat<f64> {
+) -> Covariance {
     let m = jacobian.nrows();
     let noise = covariance_at(&fit.components, &noise.levels());
-    let v = noise.unwrap_or_else(|| Mat::identity(m, m));
-    let by_calibration = columns(jacobian, &held.uncertain);
-    v + &by_calibration * &held.covariance * by_calibration.transpose()
+    let v = noise.map_or_else(|| Mat::identity(m, m), |noise| noise.to_dense());
+    let by_calibration = jacobian.select(&held.uncertain).to_dense();
+    Covariance::dense(v + &by_calibration * &held.covariance * by_calibration.transpose())
 }
 
 /// A calibration in the units of another fit, biases left out: those are the recording's own.

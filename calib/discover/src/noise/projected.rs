@@ -1,7 +1,7 @@
 //! The disagreement, with everything that the model's parameters could explain taken out.
 
 use estimate::methods::joint::{
-    BiasNoise, Component, ComponentKind, NoiseLevel, Within, both_sides, left_null_space,
+    BiasNoise, Component, ComponentKind, NoiseLevel, Within, left_null_space,
 };
 use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::{Mat, MatRef, Par, Side};
@@ -35,14 +35,14 @@ impl Projected {
         let of_turns = |c: &&Component| c.kind == ComponentKind::TurnScatter;
         let scatter = noise.iter().find(of_turns).and_then(|c| {
             let size = levels.iter().find(|level| level.kind == c.kind)?.size;
-            (size > 0.0).then(|| faer::Scale(size * size) * both_sides(&null, &c.covariance))
+            (size > 0.0).then(|| faer::Scale(size * size) * c.covariance.both_sides(&null))
         });
         let noise = noise.iter().filter(of_biases);
         Self {
             scatter,
             z: null.transpose() * &r,
             noise: noise
-                .map(|c| (c.kind, both_sides(&null, &c.covariance)))
+                .map(|c| (c.kind, c.covariance.both_sides(&null)))
                 .collect(),
             within: Vec::new(),
             null,
@@ -153,6 +153,7 @@ impl Whitened {
 
 #[cfg(test)]
 mod tests {
+    use estimate::methods::joint::Covariance;
     use faer::linalg::solvers::DenseSolveCore;
 
     use super::*;
@@ -164,7 +165,7 @@ mod tests {
         let walk = Mat::from_fn(9, 9, |i, k| (i.min(k) + 1) as f64);
         let component = Component {
             kind: ComponentKind::AccelerometerWalk,
-            covariance: walk.clone(),
+            covariance: Covariance::dense(walk.clone()),
         };
         let projected = Projected::new(&r, &j, (&[component], &[]));
         assert_eq!(projected.dof(), 7);

@@ -1,7 +1,6 @@
 //! Turns that miss by so much that they hide each other and everything else.
 
-use estimate::methods::joint::{Disturbance, Suspect};
-use faer::Mat;
+use estimate::methods::joint::{Column, Disturbance, Suspect};
 use nalgebra::{DMatrix, DVector};
 use recording::averages::median;
 
@@ -70,8 +69,8 @@ struct Turns {
 
 impl Turns {
     fn of(state: &State, suspects: &[&Suspect]) -> Self {
-        let all: Vec<&Vec<f64>> = suspects.iter().flat_map(|s| &s.columns).collect();
-        let columns = Mat::from_fn(state.rows(), all.len(), |i, k| all[k][i]);
+        let all: Vec<&Column> = suspects.iter().flat_map(|s| &s.columns).collect();
+        let columns = Column::side_by_side(state.rows(), &all);
         let own = state.projected.columns(state.whitened(columns).as_ref());
         let precision = own.transpose() * &own;
         let y = own.transpose() * &state.projected.z;

@@ -1,12 +1,11 @@
 //! What a recording says of the parameters that recordings of a device have in common.
 
-use estimate::methods::joint::{BiasNoise, Whitening, columns, without};
+use estimate::methods::joint::{Basis, BiasNoise, Columns, Whitening};
 use faer::Mat;
 use nalgebra::{DMatrix, DVector};
 use sensor::{Sensor, base_names};
 use serde::{Deserialize, Serialize};
 
-use crate::family::beside;
 use crate::state::State;
 
 /// A direction of scaled information below this share is rounding.
@@ -31,12 +30,13 @@ impl Information {
         let (common, others): (Vec<usize>, Vec<usize>) = (0..fit.free.len()).partition(is_common);
         let white = fit.whitening.white.clone();
         let whitening = Whitening::new(white, &fit.components, &noise.levels());
-        let mut jacobian = fit.white_jacobian.clone();
-        whitening.finish(jacobian.as_mut());
-        let mut own = own.clone();
-        whitening.finish(own.as_mut());
-        let kept = beside(&[columns(&jacobian, &common), own], jacobian.nrows());
-        let kept = without(&columns(&jacobian, &others), &kept);
+        let jacobian = whitening.finish_columns(fit.white_jacobian.clone());
+        let own = Columns::cut(own, fit.whitening.white.groups());
+        let own = whitening.finish_columns(own);
+        let kept = jacobian.select(&common).beside(&own);
+        let kept = Basis::of(&jacobian.select(&others))
+            .without(&kept)
+            .to_dense();
         let square = kept.transpose() * &kept;
         let of_base = common.iter().map(|k| all[fit.free[*k]].clone());
         Self {

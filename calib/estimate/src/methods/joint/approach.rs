@@ -1,10 +1,11 @@
 //! Gauss–Newton steps, damped where they have to be, for the points on the way.
 
-use faer::linalg::solvers::{Llt, Solve};
-use faer::{Mat, MatMut, Side};
+use faer::Mat;
 use solver::Problem;
 
-use crate::methods::joint::noise::weights::Whitening;
+use crate::methods::joint::blocks::arrow::{Arrow, ArrowFactor};
+use crate::methods::joint::blocks::columns::Columns;
+use crate::methods::joint::noise::weights::{White, Whitening};
 use crate::methods::joint::rows::{Linear, Rows};
 
 /// Steps at most, those that fail included: a point on the way need not be a minimum, and the last fit is the solver's.
@@ -43,18 +44,13 @@ pub struct Weighted<'a> {
 
 impl Problem for Weighted<'_> {
     fn values(&self, x: &[f64], out: &mut Vec<f64>) {
-        let r = self.rows.residuals(x);
-        let mut column = Mat::from_fn(r.len(), 1, |i, _| r[i]);
-        self.whitening.apply(column.as_mut());
-        out.clear();
-        out.extend(column.col(0).iter());
+        *out = self.whitening.whiten_column(&self.rows.residuals(x));
     }
 
     fn linearize(&self, x: &[f64], free: &[usize], residuals: &mut Vec<f64>) -> Mat<f64> {
-        let linear = self.rows.linearize(x);
-        let (r, jacobian) = linear.whitened(free, |a| self.whitening.apply(a));
+        let (r, jacobian) = self.rows.linearize(x).whitened(free, self.whitening);
         *residuals = r;
-        jacobian
+        jacobian.to_dense()
     }
 
     fn second_derivative(&self, _: &[f64], _: &[f64], _: &mut Vec<f64>) -> bool {
@@ -63,31 +59,28 @@ impl Problem for Weighted<'_> {
 }
 
 impl Linear {
-    /// Residuals and free columns after `whiten`.
-    pub fn whitened(
-        &self,
-        free: &[usize],
-        whiten: impl Fn(MatMut<'_, f64>),
-    ) -> (Vec<f64>, Mat<f64>) {
-        let m = self.residuals.len();
-        let mut jacobian = Mat::from_fn(m, free.len(), |i, k| self.jacobian[(i, free[k])]);
-        whiten(jacobian.as_mut());
-        let mut residuals = Mat::from_fn(m, 1, |i, _| self.residuals[i]);
-        whiten(residuals.as_mut());
-        (residuals.col(0).iter().copied().collect(), jacobian)
+    /// Residuals and free columns, whitened by everything.
+    pub fn whitened(&self, free: &[usize], whitening: &Whitening) -> (Vec<f64>, Columns) {
+        let jacobian = whitening.whiten(self.jacobian.select(free));
+        (whitening.whiten_column(&self.residuals), jacobian)
+    }
+
+    /// The same, whitened by the white noise alone.
+    pub fn whitened_by(&self, free: &[usize], white: &White) -> (Vec<f64>, Columns) {
+        let mut jacobian = self.jacobian.select(free);
+        jacobian.apply(|rows, a| white.apply_rows(rows, a));
+        (white.whiten(&self.residuals), jacobian)
     }
 
     /// The rows at `x` as they would be without its parameters from `plain` on, which are disturbances.
     pub fn without_disturbances(&self, x: &[f64], plain: usize) -> Self {
-        let mut residuals = self.residuals.clone();
-        for (k, value) in x.iter().enumerate().skip(plain) {
-            for (r, slope) in residuals.iter_mut().zip(self.jacobian.col(k).iter()) {
-                *r -= slope * value;
-            }
-        }
+        let kept: Vec<usize> = (0..plain).collect();
+        let own: Vec<usize> = (plain..self.jacobian.ncols()).collect();
+        let explained = self.jacobian.select(&own).times(&x[plain..]);
+        let residuals = self.residuals.iter().zip(explained);
         Self {
-            residuals,
-            jacobian: self.jacobian.as_ref().subcols(0, plain).to_owned(),
+            residuals: residuals.map(|(r, by)| r - by).collect(),
+            jacobian: self.jacobian.select(&kept),
         }
     }
 }
@@ -159,7 +152,7 @@ impl Near {
     /// `None` where the cost is no number.
     fn new(weighted: &Weighted<'_>, x: &[f64], free: &[usize]) -> Option<Self> {
         let linear = weighted.rows.linearize(x);
-        let (residuals, jacobian) = linear.whitened(free, |a| weighted.whitening.apply(a));
+        let (residuals, jacobian) = linear.whitened(free, weighted.whitening);
         let cost: f64 = residuals.iter().map(|v| v * v).sum();
         Some(Self {
             equations: Normal::new(jacobian).filter(|_| cost.is_finite())?,
@@ -209,27 +202,24 @@ fn add(x: &mut [f64], free: &[usize], step: &[f64]) {
 
 /// Normal equations with unit columns.
 struct Normal {
-    jacobian: Mat<f64>,
+    jacobian: Columns,
     norms: Vec<f64>,
-    matrix: Mat<f64>,
-    factor: Llt<f64>,
+    matrix: Arrow,
+    factor: ArrowFactor,
 }
 
 impl Normal {
     /// Held up where they are close to singular; `None` where they are no numbers.
-    fn new(mut jacobian: Mat<f64>) -> Option<Self> {
+    fn new(mut jacobian: Columns) -> Option<Self> {
         let unit_if_zero = |norm: f64| if norm > 0.0 { norm } else { 1.0 };
-        let norms = jacobian.col_iter().map(|c| unit_if_zero(c.norm_l2()));
-        let norms: Vec<f64> = norms.collect();
-        for (column, norm) in jacobian.col_iter_mut().zip(&norms) {
-            column.iter_mut().for_each(|v| *v /= norm);
-        }
-        let matrix = jacobian.transpose() * &jacobian;
-        let factor = matrix.llt(Side::Lower).ok().filter(is_safe);
+        let norms: Vec<f64> = jacobian.norms().into_iter().map(unit_if_zero).collect();
+        jacobian.divide(&norms);
+        let matrix = Arrow::gram(&jacobian);
+        let factor = matrix.factor(0.0).filter(is_safe);
         Some(Self {
             factor: match factor {
                 Some(factor) => factor,
-                None => held_up(&matrix, HELD_UP)?,
+                None => matrix.factor(HELD_UP)?,
             },
             jacobian,
             norms,
@@ -241,36 +231,31 @@ impl Normal {
     fn step(&self, r: &[f64]) -> (Vec<f64>, f64) {
         let right = self.right(r);
         let scaled = self.factor.solve(&right);
-        let square = (scaled.transpose() * &right)[(0, 0)];
+        let square = scaled.iter().zip(&right).map(|(s, r)| s * r).sum();
         (self.unscaled(&scaled), square)
     }
 
     /// The step of `(JᵀJ + λ I) p = −Jᵀ r`.
     fn damped(&self, damping: f64, r: &[f64]) -> Option<Vec<f64>> {
-        let factor = held_up(&self.matrix, damping)?;
-        Some(self.unscaled(&factor.solve(self.right(r))))
+        let factor = self.matrix.factor(damping)?;
+        Some(self.unscaled(&factor.solve(&self.right(r))))
     }
 
-    fn right(&self, r: &[f64]) -> Mat<f64> {
-        let r = Mat::from_fn(r.len(), 1, |i, _| -r[i]);
-        self.jacobian.transpose() * &r
+    fn right(&self, r: &[f64]) -> Vec<f64> {
+        let by = self.jacobian.transposed_times(r);
+        by.into_iter().map(|v| -v).collect()
     }
 
-    fn unscaled(&self, scaled: &Mat<f64>) -> Vec<f64> {
-        let scaled = scaled.col(0).iter().zip(&self.norms);
+    fn unscaled(&self, scaled: &[f64]) -> Vec<f64> {
+        let scaled = scaled.iter().zip(&self.norms);
         scaled.map(|(s, n)| s / n).collect()
     }
 }
 
 /// Whether the pivots keep digits enough for a step.
-fn is_safe(factor: &Llt<f64>) -> bool {
-    let pivots = factor.L().diagonal().column_vector().iter();
-    pivots.fold(f64::INFINITY, |least, pivot| least.min(pivot.powi(2))) >= SAFE
-}
-
-/// The factor of `A + λ I`.
-fn held_up(matrix: &Mat<f64>, damping: f64) -> Option<Llt<f64>> {
-    let n = matrix.nrows();
-    let held_up = matrix + faer::Scale(damping) * Mat::<f64>::identity(n, n);
-    held_up.llt(Side::Lower).ok()
+fn is_safe(factor: &ArrowFactor) -> bool {
+    let least = factor
+        .pivots()
+        .fold(f64::INFINITY, |least, pivot| least.min(pivot * pivot));
+    least >= SAFE
 }

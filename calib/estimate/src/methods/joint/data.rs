@@ -12,6 +12,7 @@ use sensor::{Kinematics, Sensor};
 use super::clock::{ClockMode, SourceClock, TurnClock, clocks_behind, window};
 use super::noise::SensorNoise;
 use crate::methods::RawUnit;
+use crate::methods::joint::blocks::groups::RowGroups;
 use crate::methods::joint::clock::sampling::shocks;
 use crate::methods::joint::clock::windows::means_over_windows;
 use crate::methods::joint::disturbance::broken::{Beside, Pair, touched};
@@ -290,6 +291,19 @@ impl Data {
     pub fn cost_of_a_step(&self) -> usize {
         let samples: usize = self.turns.iter().map(|turn| turn.readings.len()).sum();
         samples + self.rests.len().pow(3) / 4
+    }
+
+    /// The rows of every recording: means of the accelerometer, of the gyroscope, three rows each, then turns, two each.
+    pub fn row_groups(&self) -> RowGroups {
+        let of_chunk = |chunk: &Chunk| self.rests[chunk.rest].recording;
+        let of_means = |sensor: Sensor| {
+            let own = self.chunks.iter().filter(move |c| c.mean(sensor).is_some());
+            own.flat_map(move |chunk| [of_chunk(chunk); 3])
+        };
+        let force = of_means(Sensor::Accelerometer);
+        let rate = of_means(Sensor::Gyroscope);
+        let turns = self.turns.iter().flat_map(|turn| [turn.recording; 2]);
+        RowGroups::of_count(force.chain(rate).chain(turns).collect(), self.sources.len())
     }
 
     /// Whether the rate of a recording jumps between samples somewhere.

@@ -12,6 +12,7 @@ use sensor::Sensor;
 use serde::Serialize;
 
 use super::data::{Chunk, Mean};
+use crate::methods::joint::blocks::columns::Column;
 use crate::methods::joint::disturbance::shake::Shake;
 use crate::methods::joint::rows::Rows;
 
@@ -41,12 +42,12 @@ pub struct Suspect {
     pub kind: Disturbance,
     /// The rest, the chunk or the turn, by its place in the data.
     pub place: usize,
-    /// `∂r/∂d` (`m`), one column per parameter.
-    pub columns: Vec<Vec<f64>>,
+    /// `∂r/∂d`, one column per parameter.
+    pub columns: Vec<Column>,
     /// What is known of it in words.
     pub detail: String,
     /// What else the rows may have that looks like it: what these columns explain is no evidence.
-    pub nuisance: Vec<Vec<f64>>,
+    pub nuisance: Vec<Column>,
     /// What the slopes of the accelerometer within chunks say of it, whitened: `∂s/∂d` and `s`.
     pub slopes: Vec<(Vec<f64>, f64)>,
 }
@@ -59,13 +60,13 @@ pub fn suspects(rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
     all.extend(
         rows.means(Sensor::Accelerometer)
             .enumerate()
-            .map(|(k, (place, _))| pushed(rows, place, 3 * k)),
+            .map(|(k, (place, _))| pushed(place, 3 * k)),
     );
     let first = rows.first_turn_row();
     all.extend((0..rows.data.turns.len()).map(|k| Suspect {
         kind: Disturbance::BadTurn,
         place: k,
-        columns: unit_columns(rows.count(), first + 2 * k, 2),
+        columns: unit_columns(first + 2 * k, 2),
         nuisance: Vec::new(),
         slopes: Vec::new(),
         detail: String::new(),
@@ -78,12 +79,12 @@ pub fn suspects(rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
 pub fn excursions(rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
     let mut all: Vec<Suspect> = Vec::new();
     for (rest, own) in rows.data.rests.iter().enumerate() {
-        let mut columns = vec![vec![0.0; rows.count()]; 3];
+        let mut columns = vec![Column::default(); 3];
         for (k, (place, _)) in rows.means(Sensor::Gyroscope).enumerate() {
             if own.chunks.contains(&place) {
                 let row = rows.first_rate_row() + 3 * k;
                 for (axis, column) in columns.iter_mut().enumerate() {
-                    column[row + axis] = -1.0;
+                    column.set(row + axis, -1.0);
                 }
             }
         }
@@ -97,7 +98,7 @@ pub fn excursions(rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
     all
 }
 
-fn plain(kind: Disturbance, place: usize, columns: Vec<Vec<f64>>) -> Suspect {
+fn plain(kind: Disturbance, place: usize, columns: Vec<Column>) -> Suspect {
     Suspect {
         kind,
         place,
@@ -110,16 +111,16 @@ fn plain(kind: Disturbance, place: usize, columns: Vec<Vec<f64>>) -> Suspect {
 
 /// A rotation by `δ` (rad, body frame) before chunk `chunk` of rest `k`: `u` becomes `u + u × δ`. What comes after, the
 /// turn that begins there among it, sees the new direction.
-fn sudden(rows: &Rows<'_>, x: &[f64], k: usize, chunk: usize) -> Vec<Vec<f64>> {
+fn sudden(rows: &Rows<'_>, x: &[f64], k: usize, chunk: usize) -> Vec<Column> {
     let u = rows.direction(x, k);
     let rest = &rows.data.rests[k];
-    let mut columns = vec![vec![0.0; rows.count()]; 3];
+    let mut columns = vec![Column::default(); 3];
     for (axis, column) in columns.iter_mut().enumerate() {
         let moved = u.cross(&axis_vector(axis));
         for (place, (own, _)) in rows.means(Sensor::Accelerometer).enumerate() {
             if own >= chunk && rest.chunks.contains(&own) {
                 for i in 0..3 {
-                    column[3 * place + i] = -rows.gravity * moved[i];
+                    column.set(3 * place + i, -rows.gravity * moved[i]);
                 }
             }
         }
@@ -128,29 +129,23 @@ fn sudden(rows: &Rows<'_>, x: &[f64], k: usize, chunk: usize) -> Vec<Vec<f64>> {
                 let q = rows.rotation(x, turn);
                 let shift = rows.charts[k + 1].across.transpose() * (q * -moved);
                 let row = rows.first_turn_row() + 2 * place;
-                column[row] = shift[0];
-                column[row + 1] = shift[1];
+                column.set(row, shift[0]);
+                column.set(row + 1, shift[1]);
             }
         }
     }
     columns
 }
 
-fn unit_columns(m: usize, row: usize, count: usize) -> Vec<Vec<f64>> {
-    (0..count)
-        .map(|k| {
-            let mut column = vec![0.0; m];
-            column[row + k] = 1.0;
-            column
-        })
-        .collect()
+fn unit_columns(row: usize, count: usize) -> Vec<Column> {
+    (0..count).map(|k| Column::unit(row + k)).collect()
 }
 
-fn pushed(rows: &Rows<'_>, chunk: usize, row: usize) -> Suspect {
+fn pushed(chunk: usize, row: usize) -> Suspect {
     Suspect {
         kind: Disturbance::DisturbedInterval,
         place: chunk,
-        columns: unit_columns(rows.count(), row, 3),
+        columns: unit_columns(row, 3),
         nuisance: Vec::new(),
         slopes: Vec::new(),
         detail: String::new(),
@@ -162,7 +157,7 @@ pub fn pushed_chunk(rows: &Rows<'_>, x: &[f64], chunk: usize, shake: &Shake) -> 
     let place = rows
         .means(Sensor::Accelerometer)
         .position(|(place, _)| place == chunk)?;
-    let mut suspect = pushed(rows, chunk, 3 * place);
+    let mut suspect = pushed(chunk, 3 * place);
     suspect
         .columns
         .extend(slip(rows, x, rows.data.chunks[chunk].rest).columns);
@@ -177,14 +172,13 @@ pub fn pushed_chunk(rows: &Rows<'_>, x: &[f64], chunk: usize, shake: &Shake) -> 
 /// its chunks see gravity move, the turns beside it start and end half the angle away from its
 /// mean direction.
 fn slip(rows: &Rows<'_>, x: &[f64], k: usize) -> Suspect {
-    let m = rows.count();
     let rest = &rows.data.rests[k];
     let u = rows.direction(x, k);
     let (middle, half) = (
         0.5 * (rest.span.from + rest.span.to),
         0.5 * rest.span.length(),
     );
-    let mut columns = vec![vec![0.0; m]; 3];
+    let mut columns = vec![Column::default(); 3];
     let mut slopes = Vec::new();
     let mut row = 0;
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
@@ -209,8 +203,8 @@ fn slip(rows: &Rows<'_>, x: &[f64], k: usize) -> Suspect {
             } else {
                 continue;
             };
-            column[row] = shift[0];
-            column[row + 1] = shift[1];
+            column.set(row, shift[0]);
+            column.set(row + 1, shift[1]);
         }
     }
     for (_, chunk) in rows
@@ -241,20 +235,20 @@ fn slip(rows: &Rows<'_>, x: &[f64], k: usize) -> Suspect {
 
 /// A bias of the accelerometer that drifts evenly through rest `k`: a long rest at the begin shows the warm-up of
 /// the device, which is no creep. None where the rest has fewer than [`LONG`] chunks.
-fn drift(rows: &Rows<'_>, k: usize) -> Vec<Vec<f64>> {
+fn drift(rows: &Rows<'_>, k: usize) -> Vec<Column> {
     let rest = &rows.data.rests[k];
     if rest.chunks.len() < LONG {
         return Vec::new();
     }
     let middle = 0.5 * (rest.span.from + rest.span.to);
-    let mut columns = vec![vec![0.0; rows.count()]; 3];
+    let mut columns = vec![Column::default(); 3];
     for (place, (chunk, of)) in rows.means(Sensor::Accelerometer).enumerate() {
         let Some(mean) = of.accelerometer.filter(|_| rest.chunks.contains(&chunk)) else {
             continue;
         };
         let since = 0.5 * (mean.span.from + mean.span.to) - middle;
         for (axis, column) in columns.iter_mut().enumerate() {
-            column[3 * place + axis] = since;
+            column.set(3 * place + axis, since);
         }
     }
     columns
@@ -273,7 +267,7 @@ fn creep_rows(
     chunk: &Chunk,
     (u, middle): (Vector3<f64>, f64),
     row: usize,
-    columns: &mut [Vec<f64>],
+    columns: &mut [Column],
 ) {
     for (axis, column) in columns.iter_mut().enumerate() {
         let unit = axis_vector(axis);
@@ -286,7 +280,7 @@ fn creep_rows(
             _ => continue,
         };
         for i in 0..3 {
-            column[row + i] = -change[i];
+            column.set(row + i, -change[i]);
         }
     }
 }

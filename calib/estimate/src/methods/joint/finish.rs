@@ -1,6 +1,5 @@
 //! The last steps and the result.
 
-use faer::Mat;
 use recording::Error;
 use solver::{Termination, solve};
 
@@ -10,10 +9,12 @@ use super::disturbance::{Disturbance, Suspect};
 use super::fit::JointFit;
 use super::minimum::{Point, Run, options};
 use super::request::Accused;
+use crate::methods::joint::blocks::basis::Basis;
+use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::disturbance::belief::Weights;
 use crate::methods::joint::noise::centred::centred;
 use crate::methods::joint::noise::weights::{Whitening, weighing};
-use crate::methods::joint::result::marginal::{orthonormal, reduced};
+use crate::methods::joint::result::marginal::reduced;
 
 /// A minimum nearer than this, in standard errors, is reached.
 const NEAR: f64 = 0.01;
@@ -56,12 +57,11 @@ impl Run<'_> {
         let x = report.parameters.values();
         let linear = rows.linearize(x);
         let white = &weights.whitening.white;
-        let (white_residuals, white_jacobian) = linear.whitened(&free, |a| white.apply(a));
-        let mut jacobian = white_jacobian.clone();
-        weights.whitening.finish(jacobian.as_mut());
+        let (white_residuals, white_jacobian) = linear.whitened_by(&free, white);
+        let jacobian = weights.whitening.finish_columns(white_jacobian.clone());
         let reduced = reduced(&jacobian, &free, rows.layout.shared());
-        let mut carried = weights.carried;
-        weights.whitening.finish(carried.as_mut());
+        let carried = weights.whitening.finish_columns(weights.carried);
+        let of_place = weights.whitening.finish_columns(weights.of_place);
         let without_end = [Termination::Stalled, Termination::IterationLimit];
         if without_end.contains(&report.termination) && is_near(&report.residuals, &jacobian) {
             report.termination = Termination::Cost;
@@ -80,6 +80,7 @@ impl Run<'_> {
             jacobian,
             reduced,
             carried,
+            of_place,
             white_residuals,
             white_jacobian,
             accused: weights
@@ -154,8 +155,10 @@ impl Run<'_> {
 /// Whether the minimum is nearer than a hundredth of the standard errors: of whitened residuals, what the
 /// Jacobian's columns still explain is below that share of what chance makes of them (Bates & Watts 1981). A
 /// combination that is hardly observable can keep rounding from letting the cost fall further.
-fn is_near(residuals: &[f64], jacobian: &Mat<f64>) -> bool {
-    let basis = orthonormal(jacobian);
-    let r = Mat::from_fn(residuals.len(), 1, |i, _| residuals[i]);
-    (basis.transpose() * r).squared_norm_l2() < NEAR.powi(2) * basis.ncols() as f64
+fn is_near(residuals: &[f64], jacobian: &Columns) -> bool {
+    let basis = Basis::of(jacobian);
+    let left = basis.without_column(residuals);
+    let square = |r: &[f64]| r.iter().map(|v| v * v).sum::<f64>();
+    let explained = residuals.iter().zip(&left).map(|(r, l)| r - l);
+    square(&explained.collect::<Vec<_>>()) < NEAR.powi(2) * basis.rank() as f64
 }

@@ -1,6 +1,5 @@
 //! The fit and its data, to be looked at from any side.
 
-use faer::Mat;
 use nalgebra::Vector3;
 use sensor::{Model, Sensor};
 use solver::{Parameters, Report};
@@ -9,6 +8,7 @@ use super::data::Data;
 use super::orientation::Shown;
 use super::request::Accused;
 use crate::methods::RawUnit;
+use crate::methods::joint::blocks::columns::{Column, Columns};
 use crate::methods::joint::noise::weights::{Component, NoiseLevel, Whitening};
 use crate::methods::joint::result::marginal::reduced;
 use crate::methods::joint::rows::Rows;
@@ -36,19 +36,22 @@ pub struct JointFit {
     /// Residuals at the minimum, whitened by everything (`m`).
     pub residuals: Vec<f64>,
     /// Jacobian there (`m × n`), whitened by everything.
-    pub jacobian: Mat<f64>,
+    pub jacobian: Columns,
     /// The columns of the shared parameters less what all others can take of them (`m × k`), whitened by everything.
-    pub reduced: Mat<f64>,
+    pub reduced: Columns,
     /// What the errors of the parameters are larger by and the weights do not know, whitened by everything (`m × q`).
-    pub carried: Mat<f64>,
+    pub carried: Columns,
+    /// What the vertical part of the earth's rotation, which the weights take for another in every recording, does to the rows
+    /// of each, whitened by everything (`m × recordings`).
+    pub of_place: Columns,
     /// Residuals whitened by white noise alone.
     pub white_residuals: Vec<f64>,
     /// Jacobian whitened by white noise alone.
-    pub white_jacobian: Mat<f64>,
+    pub white_jacobian: Columns,
     /// The whitening: by white noise, then by everything else.
     pub whitening: Whitening,
-    /// `∂r/∂d` of what was found disturbed, one column per parameter, not whitened (`m` each).
-    pub disturbance_columns: Vec<Vec<f64>>,
+    /// `∂r/∂d` of what was found disturbed, one column per parameter, not whitened.
+    pub disturbance_columns: Vec<Column>,
     /// What the noise may have besides, whitened by white noise: `Ca`, `Cg` …
     pub components: Vec<Component>,
     /// How much of it there is.
@@ -90,7 +93,7 @@ impl JointFit {
     }
 
     /// Another whitening of the same rows: uncertainties are those of this Jacobian since.
-    pub fn set_jacobian(&mut self, jacobian: Mat<f64>) {
+    pub fn set_jacobian(&mut self, jacobian: Columns) {
         self.reduced = reduced(&jacobian, &self.free, self.shared);
         self.jacobian = jacobian;
     }

@@ -1,6 +1,5 @@
 //! The minimum of a joint fit under some weights.
 
-use faer::Mat;
 use recording::Error;
 use recording::watch::{Stage, step};
 use sensor::Sensor;
@@ -10,6 +9,7 @@ use super::approach::{Weighted, approach};
 use super::data::Data;
 use super::request::JointRequest;
 use super::start::Start;
+use crate::methods::joint::blocks::columns::Column;
 use crate::methods::joint::disturbance::belief::Weights;
 use crate::methods::joint::noise::weights::Whitening;
 use crate::methods::joint::rows::chart::Chart;
@@ -55,7 +55,7 @@ impl Point {
 
 impl Run<'_> {
     /// The rows, with columns of disturbances.
-    pub fn rows<'b>(&'b self, disturbances: &'b [Vec<f64>]) -> Rows<'b> {
+    pub fn rows<'b>(&'b self, disturbances: &'b [Column]) -> Rows<'b> {
         let models = (&self.request.accelerometer, &self.request.gyroscope);
         Rows::new(
             self.data,
@@ -111,16 +111,14 @@ impl Run<'_> {
     /// of white noise (root of the sum of squares).
     pub fn bend(&self, point: &Point, next: &Point, whitening: &Whitening) -> f64 {
         let (a, b) = (point.undisturbed(), next.undisturbed());
-        let m = a.residuals.len();
-        let step = Mat::from_fn(point.plain, 1, |k, _| {
-            next.plain_values()[k] - point.plain_values()[k]
-        });
-        let foretold = &a.jacobian * &step;
-        let mut bend = Mat::from_fn(m, 1, |i, _| {
-            b.residuals[i] - a.residuals[i] - foretold[(i, 0)]
-        });
-        whitening.white.apply(bend.as_mut());
-        bend.norm_l2()
+        let step = next.plain_values().iter().zip(point.plain_values());
+        let foretold = a
+            .jacobian
+            .times(&step.map(|(b, a)| b - a).collect::<Vec<_>>());
+        let moved = b.residuals.iter().zip(&a.residuals).zip(foretold);
+        let bend: Vec<f64> = moved.map(|((b, a), by)| b - a - by).collect();
+        let white = whitening.white.whiten(&bend);
+        white.iter().map(|v| v * v).sum::<f64>().sqrt()
     }
 
     /// The parameters at the start.

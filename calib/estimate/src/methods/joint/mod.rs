@@ -14,6 +14,7 @@
 //! their correlation through it is in the covariance of the result.
 
 mod approach;
+mod blocks;
 mod budget;
 mod clock;
 mod data;
@@ -29,6 +30,10 @@ mod rows;
 mod run;
 mod start;
 
+pub use blocks::basis::Basis;
+pub use blocks::columns::{Column, Columns, Part};
+pub use blocks::covariance::Covariance;
+pub use blocks::groups::RowGroups;
 pub use budget::{MOST_IN_A_SEARCH, MOST_STATIC_INTERVALS, within_budget};
 pub use clock::sampling::Share;
 pub use clock::undersampled::Undersampled;
@@ -38,7 +43,7 @@ pub use disturbance::{Disturbance, Suspect, excursions, suspects};
 pub use fit::JointFit;
 pub use noise::SensorNoise;
 pub use noise::bias::{BiasNoise, Within, within};
-pub use noise::likelihood::{Restricted, both_sides, left_null_space};
+pub use noise::likelihood::{Restricted, left_null_space};
 pub use noise::rows::RowNoise;
 pub use noise::weights::covariance_at;
 pub use noise::weights::{Component, ComponentKind, NoiseLevel, White, Whitening};

@@ -14,6 +14,7 @@ use serde::{Deserialize, Serialize};
 use solver::Uncertainty;
 
 use super::fit::JointFit;
+use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::noise::weights::{ComponentKind, NoiseLevel};
 use crate::methods::joint::result::marginal::marginal;
 use crate::methods::joint::result::prediction::Prediction;
@@ -45,8 +46,9 @@ impl JointFit {
     pub(crate) fn covariance_of_weights(&self) -> Vec<Vec<f64>> {
         let count = self.reduced.ncols();
         let places: Vec<usize> = (0..count).collect();
-        let nothing = faer::Mat::zeros(self.reduced.nrows(), 0);
-        marginal(&self.reduced, &places, vec![String::new(); count], &nothing).covariance
+        let nothing = Columns::none(self.reduced.groups());
+        let names = vec![String::new(); count];
+        marginal(&self.reduced, &places, names, (&nothing, &nothing)).covariance
     }
 
     /// The same for some of them, everything else free.
@@ -58,7 +60,8 @@ impl JointFit {
             .filter(|(_, k)| wanted(&names[self.free[*k]]))
             .unzip();
         let kept = keep.iter().map(|&k| names[self.free[k]].clone()).collect();
-        let mut uncertainty = marginal(&self.reduced, &places, kept, &self.carried);
+        let errors = (&self.carried, &self.of_place);
+        let mut uncertainty = marginal(&self.reduced, &places, kept, errors);
         let widening = [Sensor::Accelerometer, Sensor::Gyroscope].map(|s| self.widening(s));
         let of = |k: usize| {
             let gyroscope = self.of_gyroscope(self.free[keep[k]]);

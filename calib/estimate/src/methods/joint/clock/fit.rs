@@ -5,17 +5,16 @@
 //!                                                       └─► 0 or 1 where χ² allows it
 //! ```
 
-use faer::Mat;
 use nalgebra::{DMatrix, DVector, Matrix2, Vector2};
 use recording::Error;
 
 use super::sampling::{Evidence, Levels, Share, likeliest};
+use crate::methods::joint::blocks::basis::Basis;
 use crate::methods::joint::clock::{ClockMode, ClockState, DecidedClock};
 use crate::methods::joint::data::{Data, Source};
 use crate::methods::joint::minimum::{Point, Run};
 use crate::methods::joint::noise::weights::White;
 use crate::methods::joint::request::JointRequest;
-use crate::methods::joint::result::marginal::orthonormal_with_volume;
 use crate::methods::joint::rows::chart::Chart;
 use crate::methods::joint::start::Start;
 
@@ -266,47 +265,40 @@ impl ClockFit<'_> {
     fn left(&self, run: &Run<'_>, point: &Point, white: &White) -> Left {
         let rows = run.rows(&[]);
         let (x, free) = (point.plain_values(), point.mask.free_indices());
-        let (r, jacobian) = point.linear.whitened(&free, |a| white.apply(a));
-        let (m, first) = (r.len(), rows.first_turn_row());
-        let mut all = Mat::<f64>::zeros(m, 1 + self.open.len());
+        let (r, jacobian) = point.linear.whitened_by(&free, white);
+        let first = rows.first_turn_row();
+        let mut by_share = vec![vec![0.0; r.len()]; self.open.len()];
         for (k, turn) in run.data.turns.iter().enumerate() {
             if let Some(place) = self.open.iter().position(|&o| o == turn.recording) {
                 let moved = rows.by_clock(x, turn);
-                all[(first + 2 * k, 1 + place)] = moved[0];
-                all[(first + 2 * k + 1, 1 + place)] = moved[1];
+                by_share[place][first + 2 * k] = moved[0];
+                by_share[place][first + 2 * k + 1] = moved[1];
             }
         }
-        white.apply(all.as_mut());
-        for (i, value) in r.iter().enumerate() {
-            all[(i, 0)] = *value;
-        }
-        let (basis, log_volume) = orthonormal_with_volume(&jacobian);
-        let all = &all - &basis * (basis.transpose() * &all);
+        let basis = Basis::of(&jacobian);
+        let residuals = basis.without_column(&r);
+        let of_share = |column: &Vec<f64>| basis.without_column(&white.whiten(column));
+        let by_share = by_share.iter().map(of_share).collect();
         let noise = rows.noise(x);
         let turns = noise.by_share.iter().enumerate().map(|(k, by_share)| {
             let row = first + 2 * k;
-            let hat = Matrix2::from_fn(|i, j| {
-                let (a, b) = (basis.row(row + i), basis.row(row + j));
-                a.iter().zip(b.iter()).map(|(a, b)| a * b).sum()
-            });
+            let hat = Matrix2::from_fn(|i, j| basis.row_product(row + i, row + j));
             let [share, floor] =
                 [by_share, &Matrix2::identity()].map(|c| both_sides(white, row, c));
-            let left = Vector2::new(all[(row, 0)], all[(row + 1, 0)]);
+            let left = Vector2::new(residuals[row], residuals[row + 1]);
             Evidence::new(&left, &hat, &share, &floor)
         });
         let turns: Vec<Evidence> = turns.collect();
-        let before_turns: f64 = all.col(0).iter().take(first).map(|r| r * r).sum();
+        let before_turns: f64 = residuals.iter().take(first).map(|r| r * r).sum();
         let likelihood = turns.iter().map(Evidence::score).sum::<f64>()
             - 0.5 * before_turns
             - white.log_determinant()
-            - log_volume;
+            - basis.log_volume();
         Left {
             turns,
             likelihood,
-            residuals: all.col(0).iter().copied().collect(),
-            by_share: (0..self.open.len())
-                .map(|k| all.col(1 + k).iter().copied().collect())
-                .collect(),
+            residuals,
+            by_share,
             first,
         }
     }

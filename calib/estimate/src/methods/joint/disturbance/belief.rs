@@ -1,8 +1,8 @@
 //! What the rows are believed to hold: levels of noise, and disturbances.
 
-use faer::Mat;
 use sensor::Sensor;
 
+use crate::methods::joint::blocks::columns::{Column, Columns};
 use crate::methods::joint::disturbance::Suspect;
 use crate::methods::joint::noise::weights::{Component, NoiseLevel, Whitening};
 use crate::methods::joint::orientation::Shown;
@@ -20,14 +20,17 @@ pub(crate) struct Weights {
     /// What makes the rows white.
     pub whitening: Whitening,
     /// What the errors are larger by and the weights do not know, whitened by the white noise (`m × q`).
-    pub carried: Mat<f64>,
+    pub carried: Columns,
+    /// What the vertical part of the earth's rotation, which the weights take for another in every recording, does to the rows
+    /// of each, whitened by the white noise (`m × recordings`).
+    pub of_place: Columns,
     /// What depends on the orientation and should not.
     pub shown: Vec<(Sensor, Shown)>,
 }
 
 impl Weights {
     /// The columns of the disturbances.
-    pub fn columns(&self) -> Vec<Vec<f64>> {
+    pub fn columns(&self) -> Vec<Column> {
         let of = |s: &Suspect| s.columns.clone();
         self.accused.iter().flat_map(of).collect()
     }

@@ -1,9 +1,9 @@
 //! How the rows are believed: levels of noise, and the disturbances that they accuse.
 
-use faer::Mat;
 use sensor::Sensor;
 
 use super::belief::Weights;
+use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::data::MOST_DISTURBED;
 use crate::methods::joint::disturbance::{Suspect, excursions, pushed_chunk, suspects};
 use crate::methods::joint::minimum::{Point, Run};
@@ -33,7 +33,8 @@ impl Run<'_> {
         let levels = given.map(BiasNoise::levels).unwrap_or_default();
         Weights {
             whitening: Whitening::new(white, &components, &levels),
-            carried: Mat::zeros(rows.count(), 0),
+            carried: Columns::none(rows.groups()),
+            of_place: Columns::none(rows.groups()),
             components,
             walk_ends_with_rests: false,
             levels,
@@ -43,7 +44,7 @@ impl Run<'_> {
     }
 
     /// Levels of noise and disturbances at a point.
-    pub(crate) fn judge(&self, point: &Point, earth: Option<&Mat<f64>>) -> Weights {
+    pub(crate) fn judge(&self, point: &Point, earth: Option<&Columns>) -> Weights {
         let rows = self.rows(&[]);
         let x = point.plain_values();
         let mut free = point.mask.free_indices();
@@ -78,6 +79,7 @@ impl Run<'_> {
         Weights {
             whitening: analysis.weighting(&levels),
             carried: analysis.carried(&levels),
+            of_place: analysis.of_place(earth),
             components: analysis.components,
             walk_ends_with_rests: analysis.walk_ends_with_rests,
             levels,

@@ -3,6 +3,8 @@
 use faer::Mat;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
+use crate::methods::joint::blocks::basis::{Basis, stacked};
+use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::disturbance::Suspect;
 use crate::methods::joint::noise::weights::Whitening;
 use crate::methods::joint::result::marginal::orthonormal;
@@ -35,26 +37,31 @@ pub struct Trial<'a> {
     first: Vec<usize>,
     /// First column of what looks like each suspect, and the end.
     alike: Vec<usize>,
-    /// The columns of all, then what looks like each, whitened (`m × k`).
-    columns: Mat<f64>,
-    /// An orthonormal basis of the columns of the Jacobian.
-    basis: Mat<f64>,
-    /// The residuals, whitened (`m × 1`).
-    residuals: Mat<f64>,
+    /// The columns of all, then what looks like each, whitened (`m × k`): those of a suspect are in one group of rows.
+    columns: Columns,
+    /// Of the columns of the Jacobian.
+    basis: Basis,
+    /// The residuals, whitened (`m`).
+    residuals: Vec<f64>,
+}
+
+/// What is fitted beside the Jacobian, and what all of it leaves.
+struct Known {
+    /// An orthonormal basis of what the columns of the disturbances add (`m × a`).
+    added: Mat<f64>,
+    /// What is left of the residuals (`m`).
+    left: Vec<f64>,
 }
 
 impl<'a> Trial<'a> {
     /// Of residuals, a Jacobian and the suspects' columns, all whitened by the white noise.
     pub fn new(
         suspects: &'a [Suspect],
-        mut columns: Mat<f64>,
-        mut jacobian: Mat<f64>,
-        mut residuals: Mat<f64>,
+        columns: Columns,
+        jacobian: Columns,
+        residuals: &[f64],
         whitening: &Whitening,
     ) -> Self {
-        whitening.finish(columns.as_mut());
-        whitening.finish(jacobian.as_mut());
-        whitening.finish(residuals.as_mut());
         let ends = |begin: usize, count: fn(&Suspect) -> usize| {
             let mut ends = vec![begin];
             ends.extend(suspects.iter().scan(begin, |sum, s| {
@@ -69,9 +76,9 @@ impl<'a> Trial<'a> {
             suspects,
             first,
             alike,
-            columns,
-            basis: orthonormal(&jacobian),
-            residuals,
+            columns: whitening.finish_columns(columns),
+            basis: Basis::of(&whitening.finish_columns(jacobian)),
+            residuals: whitening.finish_column(residuals),
         }
     }
 
@@ -116,12 +123,13 @@ impl<'a> Trial<'a> {
 
     /// The tests of `tried`, with the columns of `known` among the free ones.
     fn verdicts(&self, known: &[usize], tried: impl Iterator<Item = usize>) -> Vec<Verdict> {
-        let basis = self.with(known);
-        let r = &self.residuals - &basis * (basis.transpose() * &self.residuals);
-        let inside = basis.transpose() * &self.columns;
+        let known = self.with(known);
+        let inside: Vec<Mat<f64>> = (0..self.columns.parts().len())
+            .map(|group| self.inside(group, &known))
+            .collect();
         tried
             .filter_map(|suspect| {
-                let (statistic, p_value) = self.test(suspect, (&basis, &inside), &r)?;
+                let (statistic, p_value) = self.test(suspect, &known, &inside)?;
                 Some(Verdict {
                     suspect,
                     statistic,
@@ -131,53 +139,74 @@ impl<'a> Trial<'a> {
             .collect()
     }
 
-    /// The basis with what the columns of `known` add to it.
-    fn with(&self, known: &[usize]) -> Mat<f64> {
+    /// What the columns of `known` add to the basis, and what is left.
+    fn with(&self, known: &[usize]) -> Known {
         let places: Vec<usize> = known
             .iter()
             .flat_map(|&k| self.first[k]..self.first[k + 1])
             .collect();
-        let m = self.basis.nrows();
-        let own = Mat::from_fn(m, places.len(), |i, k| self.columns[(i, places[k])]);
+        let mut left = self.basis.without_column(&self.residuals);
+        if places.is_empty() {
+            let added = Mat::zeros(left.len(), 0);
+            return Known { added, left };
+        }
         // Twice is enough: what the first projection leaves of rounding, the second takes.
-        let mut left = &own - &self.basis * (self.basis.transpose() * &own);
-        left = &left - &self.basis * (self.basis.transpose() * &left);
-        let added = orthonormal(&left);
-        let n = self.basis.ncols();
-        Mat::from_fn(m, n + added.ncols(), |i, k| {
-            if k < n {
-                self.basis[(i, k)]
-            } else {
-                added[(i, k - n)]
-            }
-        })
+        let own = self.basis.without(&self.columns.select(&places));
+        let added = orthonormal(&self.basis.without(&own).to_dense());
+        let column = Mat::from_fn(left.len(), 1, |i, _| left[i]);
+        let taken = &added * (added.transpose() * &column);
+        left.iter_mut()
+            .zip(taken.col(0).iter())
+            .for_each(|(l, t)| *l -= t);
+        Known { added, left }
     }
 
-    /// An orthonormal basis of what looks like a suspect beyond the `basis`; `None` where nothing does.
-    fn alike(&self, suspect: usize, basis: &Mat<f64>, inside: &Mat<f64>) -> Option<Mat<f64>> {
-        let range = self.alike[suspect]..self.alike[suspect + 1];
-        let n = self.columns.as_ref().subcols(range.start, range.len());
-        let left = n - basis * inside.as_ref().subcols(range.start, range.len());
-        (!range.is_empty()).then(|| orthonormal(&left))
+    /// The parts of the columns of a group of rows in the space of all that is fitted.
+    fn inside(&self, group: usize, known: &Known) -> Mat<f64> {
+        let part = &self.columns.parts()[group];
+        let in_basis = self.basis.inside(group, part.values.as_ref());
+        let count = known.added.ncols();
+        let added = Mat::from_fn(part.rows.len(), count, |i, k| {
+            known.added[(part.rows[i], k)]
+        });
+        stacked(&in_basis, &(added.transpose() * &part.values))
     }
 
-    /// `inside` are the columns' parts in the `basis`.
-    fn test(
-        &self,
-        suspect: usize,
-        (basis, inside): (&Mat<f64>, &Mat<f64>),
-        r: &Mat<f64>,
-    ) -> Option<(f64, f64)> {
-        let range = self.first[suspect]..self.first[suspect + 1];
-        let q = range.len();
-        let e = self.columns.as_ref().subcols(range.start, q);
-        let taken = inside.as_ref().subcols(range.start, q);
+    /// The group of rows that a column is in, and its place there.
+    fn place(&self, column: usize) -> Option<(usize, usize)> {
+        let mut parts = self.columns.parts().iter().enumerate();
+        parts.find_map(|(group, part)| Some((group, part.place(column)?)))
+    }
+
+    /// An orthonormal basis of what looks like a suspect beyond all that is fitted, in the rows of the suspect's group, and
+    /// its part in what is left of the residuals; `None` where nothing does.
+    fn alike(&self, suspect: usize, known: &Known) -> Option<(Mat<f64>, Mat<f64>)> {
+        let range: Vec<usize> = (self.alike[suspect]..self.alike[suspect + 1]).collect();
+        let (group, _) = self.place(*range.first()?)?;
+        let left = self.basis.without(&self.columns.select(&range)).to_dense();
+        let left = &left - &known.added * (known.added.transpose() * &left);
+        let basis = orthonormal(&left);
+        let r = Mat::from_fn(known.left.len(), 1, |i, _| known.left[i]);
+        let moved = basis.transpose() * &r;
+        let rows = &self.columns.parts()[group].rows;
+        let own = Mat::from_fn(rows.len(), basis.ncols(), |i, k| basis[(rows[i], k)]);
+        Some((own, moved))
+    }
+
+    /// `inside` are the columns' parts in the space of all that is fitted, group by group.
+    fn test(&self, suspect: usize, known: &Known, inside: &[Mat<f64>]) -> Option<(f64, f64)> {
+        let q = self.first[suspect + 1] - self.first[suspect];
+        let (group, place) = self.place(self.first[suspect])?;
+        let part = &self.columns.parts()[group];
+        let e = part.values.as_ref().subcols(place, q);
+        let taken = inside[group].as_ref().subcols(place, q);
         let gram = e.transpose() * e;
         let mut taken = taken.transpose() * taken;
+        let r = Mat::from_fn(part.rows.len(), 1, |i, _| known.left[part.rows[i]]);
         let mut moved = e.transpose() * r;
-        if let Some(alike) = self.alike(suspect, basis, inside) {
+        if let Some((alike, of_rest)) = self.alike(suspect, known) {
             let shared = e.transpose() * &alike;
-            moved -= &shared * (alike.transpose() * r);
+            moved -= &shared * of_rest;
             taken += &shared * shared.transpose();
         }
         let mut a = nalgebra::DMatrix::from_fn(q, q, |i, k| gram[(i, k)] - taken[(i, k)]);

@@ -4,7 +4,7 @@ use faer::Mat;
 use sensor::Sensor;
 
 use super::weights::{Component, ComponentKind, White};
-use crate::methods::joint::data::Chunk;
+use crate::methods::joint::noise::exposure::Exposure;
 use crate::methods::joint::noise::rows::RowNoise;
 use crate::methods::joint::result::analysis::whitened;
 use crate::methods::joint::rows::Rows;
@@ -34,17 +34,14 @@ pub fn centred(
             }
             _ => return component.clone(),
         };
-        let mut total = Mat::<f64>::zeros(rows.count(), 3 * rows.data.sources.len());
-        for exposure in whitened(&noise.exposures[place], white) {
-            for (i, row) in exposure.rows.clone().enumerate() {
-                for axis in 0..3 {
-                    total[(row, 3 * exposure.recording + axis)] = exposure.total[(i, axis)];
-                }
-            }
-        }
+        let exposures = whitened(&noise.exposures[place], white);
+        let lengths = lengths(rows, sensor);
         Component {
             kind: component.kind,
-            covariance: carried_over(&component.covariance, &total, &shares(rows, sensor, white)),
+            covariance: component.covariance.map(|own, c| {
+                let total = total(own, &exposures);
+                carried_over(c, &total, &shares(own, &lengths, white))
+            }),
         }
     };
     components.iter().map(of).collect()
@@ -58,21 +55,48 @@ fn carried_over(c: &Mat<f64>, total: &Mat<f64>, shares: &Mat<f64>) -> Mat<f64> {
     c + &cross + cross.transpose() + total * &of_mean * total.transpose()
 }
 
-/// `A` (`3 recordings × m`) for rows that the white noise has whitened.
-fn shares(rows: &Rows<'_>, sensor: Sensor, white: &White) -> Mat<f64> {
-    let length = |chunk: &Chunk| chunk.mean(sensor).map_or(0.0, |m| m.span.length());
-    let recording = |chunk: &Chunk| rows.data.rests[chunk.rest].recording;
-    let mut sums = vec![0.0; rows.data.sources.len()];
-    for (_, chunk) in rows.means(sensor) {
-        sums[recording(chunk)] += length(chunk);
+/// `T` (`k × 3`) of some rows.
+fn total(rows: &[usize], exposures: &[Exposure]) -> Mat<f64> {
+    let mut total = Mat::<f64>::zeros(rows.len(), 3);
+    for exposure in exposures {
+        let Ok(first) = rows.binary_search(&exposure.rows.start) else {
+            continue;
+        };
+        for i in 0..exposure.rows.len() {
+            for axis in 0..3 {
+                total[(first + i, axis)] = exposure.total[(i, axis)];
+            }
+        }
     }
+    total
+}
+
+/// Of every row of a sensor's means how long that mean lasts, s, and its axis.
+fn lengths(rows: &Rows<'_>, sensor: Sensor) -> Vec<(f64, usize)> {
+    let mut lengths = vec![(0.0, 0); rows.count()];
     let first = rows.first_row(sensor);
-    let mut shares = Mat::zeros(3 * sums.len(), rows.count());
     for (k, (_, chunk)) in rows.means(sensor).enumerate() {
-        let place = recording(chunk);
         for axis in 0..3 {
-            let row = first + 3 * k + axis;
-            shares[(3 * place + axis, row)] = length(chunk) / sums[place] * white.std(row);
+            let length = chunk.mean(sensor).map_or(0.0, |m| m.span.length());
+            lengths[first + 3 * k + axis] = (length, axis);
+        }
+    }
+    lengths
+}
+
+/// `A` (`3 × k`) for some rows of a recording that the white noise has whitened.
+fn shares(rows: &[usize], lengths: &[(f64, usize)], white: &White) -> Mat<f64> {
+    let axis_of_first = |row: &&usize| lengths[**row].1 == 0;
+    let whole: f64 = rows
+        .iter()
+        .filter(axis_of_first)
+        .map(|&row| lengths[row].0)
+        .sum();
+    let mut shares = Mat::zeros(3, rows.len());
+    for (k, &row) in rows.iter().enumerate() {
+        let (length, axis) = lengths[row];
+        if length > 0.0 {
+            shares[(axis, k)] = length / whole * white.std(row);
         }
     }
     shares
@@ -81,7 +105,7 @@ fn shares(rows: &Rows<'_>, sensor: Sensor, white: &White) -> Mat<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::methods::joint::noise::exposure::{Exposure, covariance};
+    use crate::methods::joint::noise::exposure::covariance;
 
     #[test]
     fn the_mean_over_the_rests_does_not_walk_and_differences_walk_as_before() {
@@ -91,7 +115,7 @@ mod tests {
             .enumerate()
             .map(|(k, span)| Exposure::of_mean(3 * k..3 * k + 3, 0, span, 3.0, -1.0))
             .collect();
-        let pinned = covariance(&exposures, 9);
+        let pinned = covariance(&exposures, 9).to_dense();
         let total = Mat::from_fn(9, 3, |i, k| if i % 3 == k { -1.0 } else { 0.0 });
         let share = [2.0 / 7.0, 4.0 / 7.0, 1.0 / 7.0];
         let shares = Mat::from_fn(3, 9, |k, i| if i % 3 == k { share[i / 3] } else { 0.0 });

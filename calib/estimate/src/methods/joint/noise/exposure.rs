@@ -1,9 +1,12 @@
 //! How rows feel a bias that walks at random.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use faer::Mat;
 use nalgebra::{DMatrix, Matrix2x3, Vector3};
+
+use crate::methods::joint::blocks::covariance::Covariance;
 
 /// What a group of rows (`d` of them) takes from the path `b(t) − b(t_r)` of a bias since the reference
 /// time, axis by axis: `∫ w(t) (b(t) − b(t_r)) dt`.
@@ -96,25 +99,53 @@ impl Exposure {
 }
 
 /// Covariance of all `m` rows for a walk of unit density.
-pub fn covariance(exposures: &[Exposure], m: usize) -> Mat<f64> {
-    let mut c = Mat::zeros(m, m);
-    for (k, one) in exposures.iter().enumerate() {
-        put(&mut c, &one.rows, &one.rows, &one.own);
-        for other in &exposures[..k] {
-            if one.recording != other.recording || one.after != other.after {
-                continue;
+pub fn covariance(exposures: &[Exposure], m: usize) -> Covariance {
+    let of_path = |path: Path<'_, Exposure>| {
+        let mut c = Mat::zeros(path.rows.len(), path.rows.len());
+        for (k, (one, own)) in path.items.iter().enumerate() {
+            put(&mut c, own, own, &one.own);
+            for (other, at) in &path.items[..k] {
+                if one.after != other.after {
+                    continue;
+                }
+                let (near, far) = if one.near <= other.near {
+                    ((one, own), (other, at))
+                } else {
+                    ((other, at), (one, own))
+                };
+                let block = &near.0.moment * far.0.total.transpose();
+                put(&mut c, near.1, far.1, &block);
+                put(&mut c, far.1, near.1, &block.transpose());
             }
-            let (near, far) = if one.near <= other.near {
-                (one, other)
-            } else {
-                (other, one)
-            };
-            let block = &near.moment * far.total.transpose();
-            put(&mut c, &near.rows, &far.rows, &block);
-            put(&mut c, &far.rows, &near.rows, &block.transpose());
         }
+        (path.rows, c)
+    };
+    let paths = paths(exposures, |e| (e.recording, e.rows.clone()));
+    Covariance::of_blocks(m, paths.into_iter().map(of_path).collect())
+}
+
+/// Rows that feel the same path of a bias.
+pub struct Path<'a, T> {
+    /// The rows, in ascending order.
+    pub rows: Vec<usize>,
+    /// What feels it, and its rows as places among these.
+    pub items: Vec<(&'a T, Range<usize>)>,
+}
+
+/// The paths that items feel, `of` the number of the path and the rows of each.
+pub fn paths<T>(items: &[T], of: impl Fn(&T) -> (usize, Range<usize>)) -> Vec<Path<'_, T>> {
+    let mut paths: BTreeMap<usize, Path<'_, T>> = BTreeMap::new();
+    for item in items {
+        let (number, rows) = of(item);
+        let path = paths.entry(number).or_insert_with(|| Path {
+            rows: Vec::new(),
+            items: Vec::new(),
+        });
+        let first = path.rows.len();
+        path.items.push((item, first..first + rows.len()));
+        path.rows.extend(rows);
     }
-    c
+    paths.into_values().collect()
 }
 
 /// Writes a block.
@@ -153,7 +184,7 @@ mod tests {
             Exposure::of_mean(3..6, 0, (4.5, 5.5), reference, 1.0),
             Exposure::of_samples(6..8, 0, &t, &gains, reference),
         ];
-        let exact = covariance(&exposures, 8);
+        let exact = covariance(&exposures, 8).to_dense();
         let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(3);
         let mut sum = Mat::<f64>::zeros(8, 8);
         let walks = 4000;

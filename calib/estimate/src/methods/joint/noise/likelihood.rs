@@ -5,6 +5,9 @@ use std::cell::Cell;
 use faer::linalg::solvers::{DenseSolveCore, Llt, Solve};
 use faer::{Mat, Side};
 
+use crate::methods::joint::blocks::basis::orthonormal_with_pivots;
+use crate::methods::joint::blocks::columns::Columns;
+use crate::methods::joint::blocks::covariance::Covariance;
 use crate::methods::joint::noise::bias::Within;
 
 /// Newton steps at most: usual ones are ten.
@@ -24,27 +27,84 @@ const HELD_UP: f64 = 1e-3;
 /// it pass by chance, the variance being at the edge of what it can be (½ χ²₀ + ½ χ²₁).
 const WORTH_IT: f64 = 2.7;
 
-/// What is left of the residuals when the parameters have had their share:
-/// `z = Nᵀ r ~ N(0, I + Σ θ_c C_c)`, `N` the left null space of the whitened Jacobian.
+/// What is left of the residuals when the parameters have had their share: in every group of rows
+/// `z = Nᵀ r ~ N(S γ, I + Σ θ_c C_c)`, `N` the left null space of the columns of the whitened Jacobian that are the
+/// group's own, `S` those that it shares with others.
 #[derive(Clone, Debug)]
 pub struct Restricted {
-    /// `Nᵀ r` (`q`).
-    pub z: Vec<f64>,
-    /// `Nᵀ C_c N` (`q × q`) of every component.
-    pub covariances: Vec<Mat<f64>>,
+    parts: Vec<Part>,
+    /// Number of shared columns `s`.
+    shared: usize,
+    /// Number of components.
+    components: usize,
     /// Independent numbers whose variances depend on the same components.
     pub within: Vec<Within>,
 }
 
+/// One group of rows.
+#[derive(Clone, Debug)]
+struct Part {
+    /// `Nᵀ r` (`q × 1`).
+    z: Mat<f64>,
+    /// `Nᵀ S` (`q × s`), orthonormal over all groups.
+    shared: Mat<f64>,
+    /// `Nᵀ C_c N` (`q × q`) of every component.
+    covariances: Vec<Mat<f64>>,
+}
+
 impl Restricted {
     /// Projects residuals `r` (`m`), Jacobian `J` (`m × n`, white whitened, full rank) and covariances.
-    pub fn new(residuals: &[f64], jacobian: &Mat<f64>, covariances: &[&Mat<f64>]) -> Self {
-        let null = left_null_space(jacobian);
-        let r = Mat::from_fn(residuals.len(), 1, |i, _| residuals[i]);
-        let z = null.transpose() * &r;
+    pub fn new(residuals: &[f64], jacobian: &Columns, covariances: &[&Covariance]) -> Self {
+        let groups = jacobian.groups().connected_by(covariances.iter().copied());
+        let jacobian = jacobian.clone().regrouped(&groups);
+        let (norms, parts_of) = (jacobian.norms(), jacobian.parts_of());
+        let common: Vec<usize> = (0..parts_of.len()).filter(|&k| parts_of[k] > 1).collect();
+        let mut parts: Vec<Part> = jacobian
+            .parts()
+            .iter()
+            .map(|part| {
+                let (own, others) = part.own_and_shared(&parts_of);
+                let m = part.rows.len();
+                let own = Mat::from_fn(m, own.len(), |i, k| part.values[(i, own[k])]);
+                let null = left_null_space(&own);
+                let mut shared = Mat::<f64>::zeros(m, common.len());
+                for place in others {
+                    let column = part.columns[place];
+                    if let Ok(to) = common.binary_search(&column) {
+                        for i in 0..m {
+                            shared[(i, to)] = part.values[(i, place)] / norms[column];
+                        }
+                    }
+                }
+                let r = Mat::from_fn(m, 1, |i, _| residuals[part.rows[i]]);
+                let projected = |c: &&Covariance| c.both_sides_of(&part.rows, &null);
+                Part {
+                    z: null.transpose() * &r,
+                    shared: null.transpose() * &shared,
+                    covariances: covariances.iter().map(projected).collect(),
+                }
+            })
+            .collect();
+        let shared = make_orthonormal(&mut parts);
         Self {
-            z: z.col(0).iter().copied().collect(),
-            covariances: covariances.iter().map(|c| both_sides(&null, c)).collect(),
+            parts,
+            shared,
+            components: covariances.len(),
+            within: Vec::new(),
+        }
+    }
+
+    /// Of one group of rows that shares nothing: numbers `z` (`q`) and covariances (`q × q`).
+    #[cfg(test)]
+    pub(crate) fn alone(z: &[f64], covariances: Vec<Mat<f64>>) -> Self {
+        Self {
+            components: covariances.len(),
+            parts: vec![Part {
+                z: Mat::from_fn(z.len(), 1, |i, _| z[i]),
+                shared: Mat::zeros(z.len(), 0),
+                covariances,
+            }],
+            shared: 0,
             within: Vec::new(),
         }
     }
@@ -52,7 +112,7 @@ impl Restricted {
     /// The variances that maximise the likelihood, those that are not worth it at zero; `kept` ones are
     /// kept whatever they are worth.
     pub fn variances(&self, kept: &[bool]) -> Vec<f64> {
-        let mut active: Vec<bool> = self.covariances.iter().map(|_| true).collect();
+        let mut active = vec![true; self.components];
         let mut from = vec![0.0; active.len()];
         let left = Cell::new(self.most_steps());
         loop {
@@ -79,13 +139,16 @@ impl Restricted {
     }
 
     fn most_steps(&self) -> usize {
-        let cube = (self.z.len() as f64).powi(3).max(1.0);
-        (MOST_WORK / cube).max(FEWEST_STEPS) as usize
+        let cubes = self
+            .parts
+            .iter()
+            .map(|part| (part.z.nrows() as f64).powi(3));
+        (MOST_WORK / cubes.sum::<f64>().max(1.0)).max(FEWEST_STEPS) as usize
     }
 
     /// The highest `log L` over all variances, up to a constant.
     pub fn highest(&self) -> f64 {
-        let count = self.covariances.len();
+        let count = self.components;
         let steps = Cell::new(self.most_steps());
         self.maximise(&vec![true; count], &vec![0.0; count], &steps)
             .1
@@ -141,18 +204,44 @@ impl Restricted {
 
     /// The log-likelihood; `None` where it is below `least`.
     fn measure(&self, theta: &[f64], least: f64) -> Option<Measured> {
-        let q = self.z.len();
-        let mut v = Mat::<f64>::identity(q, q);
-        for (c, value) in self.covariances.iter().zip(theta) {
-            if *value > 0.0 {
-                add_lower(&mut v, *value, c);
+        let mut parts = Vec::with_capacity(self.parts.len());
+        let (mut log_determinant, mut square) = (0.0, 0.0);
+        let mut normal = Mat::<f64>::zeros(self.shared, self.shared);
+        let mut right = Mat::<f64>::zeros(self.shared, 1);
+        for part in &self.parts {
+            let q = part.z.nrows();
+            let mut v = Mat::<f64>::identity(q, q);
+            for (c, value) in part.covariances.iter().zip(theta) {
+                if *value > 0.0 {
+                    add_lower(&mut v, *value, c);
+                }
             }
+            let factor = v.llt(Side::Lower).ok()?;
+            log_determinant += (0..q).map(|k| 2.0 * factor.L()[(k, k)].ln()).sum::<f64>();
+            let weighted = factor.solve(&part.z);
+            square += (part.z.transpose() * &weighted)[(0, 0)];
+            let shared = factor.solve(&part.shared);
+            normal += part.shared.transpose() * &shared;
+            right += part.shared.transpose() * &weighted;
+            parts.push(MeasuredPart {
+                factor,
+                weighted,
+                shared,
+            });
         }
-        let factor = v.llt(Side::Lower).ok()?;
-        let log_determinant: f64 = (0..q).map(|k| 2.0 * factor.L()[(k, k)].ln()).sum();
-        let z = Mat::from_fn(q, 1, |i, _| self.z[i]);
-        let weighted = factor.solve(&z);
-        let square = (z.transpose() * &weighted)[(0, 0)];
+        let common = match self.shared {
+            0 => None,
+            s => {
+                let factor = normal.llt(Side::Lower).ok()?;
+                log_determinant += (0..s).map(|k| 2.0 * factor.L()[(k, k)].ln()).sum::<f64>();
+                let taken = factor.solve(&right);
+                square -= (right.transpose() * &taken)[(0, 0)];
+                for part in &mut parts {
+                    part.weighted -= &part.shared * &taken;
+                }
+                Some(factor)
+            }
+        };
         let mut log_likelihood = -0.5 * (log_determinant + square);
         let own: Vec<f64> = self.within.iter().map(|w| w.variance(theta)).collect();
         for (w, v) in self.within.iter().zip(&own) {
@@ -163,43 +252,59 @@ impl Restricted {
         }
         Some(Measured {
             log_likelihood,
-            factor,
-            weighted,
+            parts,
+            common,
             own,
         })
     }
 
     /// Derivatives of the log-likelihood, which the last point of a search is not asked for: half of the work.
     fn slopes(&self, at: &Measured, active: &[bool]) -> Slopes {
-        let Measured {
-            factor,
-            weighted,
-            own,
-            ..
-        } = at;
-        let inverse = factor.inverse();
-        let count = self.covariances.len();
-        let moved: Vec<Option<Mat<f64>>> = self
-            .covariances
-            .iter()
-            .zip(active)
-            .map(|(c, on)| on.then(|| c * weighted))
-            .collect();
+        let count = self.components;
         let mut score = vec![0.0; count];
         let mut information = vec![vec![0.0; count]; count];
-        for (i, own_moved) in moved.iter().enumerate() {
-            let Some(own_moved) = own_moved else { continue };
-            let trace = trace_of_product(&inverse, &self.covariances[i]);
-            let form = (weighted.transpose() * own_moved)[(0, 0)];
-            score[i] = 0.5 * (form - trace);
-            let through = factor.solve(own_moved);
-            for (j, other) in moved.iter().enumerate().take(i + 1) {
-                let Some(other) = other else { continue };
-                let sum = 0.5 * (other.transpose() * &through)[(0, 0)];
-                information[i][j] = sum;
-                information[j][i] = sum;
+        // `Sᵀ V⁻¹ C_c P z` over all groups.
+        let mut of_shared: Vec<Mat<f64>> = vec![Mat::zeros(self.shared, 1); count];
+        for (part, at_part) in self.parts.iter().zip(&at.parts) {
+            let inverse = at_part.factor.inverse();
+            let moved: Vec<Option<Mat<f64>>> = part
+                .covariances
+                .iter()
+                .zip(active)
+                .map(|(c, on)| on.then(|| c * &at_part.weighted))
+                .collect();
+            for (i, own_moved) in moved.iter().enumerate() {
+                let Some(own_moved) = own_moved else { continue };
+                let mut trace = trace_of_product(&inverse, &part.covariances[i]);
+                if let Some(common) = &at.common {
+                    let c = &part.covariances[i];
+                    let through = at_part.shared.transpose() * (c * &at_part.shared);
+                    let inside = common.solve(&through);
+                    trace -= (0..self.shared).map(|k| inside[(k, k)]).sum::<f64>();
+                    of_shared[i] += at_part.shared.transpose() * own_moved;
+                }
+                let form = (at_part.weighted.transpose() * own_moved)[(0, 0)];
+                score[i] += 0.5 * (form - trace);
+                let through = at_part.factor.solve(own_moved);
+                for (j, other) in moved.iter().enumerate().take(i + 1) {
+                    let Some(other) = other else { continue };
+                    let sum = 0.5 * (other.transpose() * &through)[(0, 0)];
+                    information[i][j] += sum;
+                    if j < i {
+                        information[j][i] += sum;
+                    }
+                }
             }
         }
+        if let Some(common) = &at.common {
+            for i in 0..count {
+                let through = common.solve(&of_shared[i]);
+                for j in 0..count {
+                    information[i][j] -= 0.5 * (of_shared[j].transpose() * &through)[(0, 0)];
+                }
+            }
+        }
+        let own = &at.own;
         for (w, v) in self.within.iter().zip(own) {
             for i in (0..count).filter(|&i| active[i]) {
                 let share = w.by_component[i] / v;
@@ -213,15 +318,45 @@ impl Restricted {
     }
 }
 
+/// Makes the shared columns of all groups together orthonormal; how many are left.
+fn make_orthonormal(parts: &mut [Part]) -> usize {
+    let rows = parts.iter().map(|part| part.z.nrows()).sum();
+    let count = parts.first().map_or(0, |part| part.shared.ncols());
+    let mut all = Mat::<f64>::zeros(rows, count);
+    let mut above = 0;
+    for part in parts.iter() {
+        let q = part.z.nrows();
+        all.as_mut().subrows_mut(above, q).copy_from(&part.shared);
+        above += q;
+    }
+    let basis = orthonormal_with_pivots(&all, &mut Vec::new());
+    above = 0;
+    for part in parts.iter_mut() {
+        let q = part.z.nrows();
+        part.shared = basis.as_ref().subrows(above, q).to_owned();
+        above += q;
+    }
+    basis.ncols()
+}
+
 /// The likelihood at some variances.
 struct Measured {
     log_likelihood: f64,
-    /// Of the covariance `V` of `z`.
-    factor: Llt<f64>,
-    /// `V⁻¹ z`.
-    weighted: Mat<f64>,
+    parts: Vec<MeasuredPart>,
+    /// Of `Σ Sᵀ V⁻¹ S`; none where nothing is shared.
+    common: Option<Llt<f64>>,
     /// Variances of the independent numbers.
     own: Vec<f64>,
+}
+
+/// The same of one group of rows.
+struct MeasuredPart {
+    /// Of the covariance `V` of `z`.
+    factor: Llt<f64>,
+    /// `P z`: `V⁻¹ z` less what the shared columns take.
+    weighted: Mat<f64>,
+    /// `V⁻¹ S`.
+    shared: Mat<f64>,
 }
 
 /// First and second derivatives by the variances.
@@ -268,14 +403,6 @@ fn trace_of_product(a: &Mat<f64>, b: &Mat<f64>) -> f64 {
     columns.map(|(a, b)| a.transpose() * b).sum()
 }
 
-/// `Nᵀ C N`, by the rows that are not zero in a symmetric `C`.
-pub fn both_sides(null: &Mat<f64>, c: &Mat<f64>) -> Mat<f64> {
-    let rows: Vec<usize> = (0..c.nrows()).filter(|&i| c[(i, i)] != 0.0).collect();
-    let part = Mat::from_fn(rows.len(), null.ncols(), |i, k| null[(rows[i], k)]);
-    let own = Mat::from_fn(rows.len(), rows.len(), |i, k| c[(rows[i], rows[k])]);
-    part.transpose() * (own * &part)
-}
-
 /// An orthonormal basis (`m × (m − n)`) of what is orthogonal to the columns of `J`.
 pub fn left_null_space(jacobian: &Mat<f64>) -> Mat<f64> {
     let (m, n) = (jacobian.nrows(), jacobian.ncols());
@@ -289,6 +416,7 @@ mod tests {
     use rand_distr::{Distribution, StandardNormal};
 
     use super::*;
+    use crate::methods::joint::blocks::groups::RowGroups;
 
     #[test]
     fn the_left_null_space_is_orthogonal_to_every_column() {
@@ -310,11 +438,7 @@ mod tests {
             })
             .collect();
         let closed = z.iter().map(|v| v * v).sum::<f64>() / 300.0 - 1.0;
-        let restricted = Restricted {
-            z,
-            covariances: vec![Mat::identity(300, 300)],
-            within: Vec::new(),
-        };
+        let restricted = Restricted::alone(&z, vec![Mat::identity(300, 300)]);
         assert!((restricted.variances(&[false])[0] / closed - 1.0).abs() < 2e-3);
     }
 
@@ -324,11 +448,45 @@ mod tests {
         let z: Vec<f64> = (0..200)
             .map(|_| StandardNormal.sample(&mut random))
             .collect();
-        let restricted = Restricted {
-            z,
-            covariances: vec![Mat::from_fn(200, 200, |i, j| (i.min(j) + 1) as f64)],
-            within: Vec::new(),
-        };
+        let walk = Mat::from_fn(200, 200, |i, j| (i.min(j) + 1) as f64);
+        let restricted = Restricted::alone(&z, vec![walk]);
         assert_eq!(restricted.variances(&[false]), [0.0]);
+    }
+
+    #[test]
+    fn recordings_by_themselves_have_the_likelihood_of_all_rows_together() {
+        let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(7);
+        let r: Vec<f64> = (0..60)
+            .map(|_| StandardNormal.sample(&mut random))
+            .collect();
+        let whole = Mat::from_fn(60, 6, |i, k| {
+            let value = ((i * 7 + k * 5 + i * k) % 11) as f64 - 5.0;
+            if k < 2 || i / 30 == k / 4 { value } else { 0.0 }
+        });
+        let walk = Mat::from_fn(30, 30, |i, j| 0.1 * (i.min(j) + 1) as f64);
+        let blocks = [0, 30].map(|first| ((first..first + 30).collect(), walk.clone()));
+        let walk = Covariance::of_blocks(60, blocks.into());
+        let scatter = Covariance::of_blocks(60, vec![((5..35).collect(), Mat::identity(30, 30))]);
+        let groups = RowGroups::new((0..60).map(|i| i / 30).collect());
+        let likelihood = |groups: &RowGroups, all: &[&Covariance], theta: &[f64]| {
+            let jacobian = Columns::cut(&whole, groups);
+            Restricted::new(&r, &jacobian, all)
+                .log_likelihood(theta)
+                .unwrap()
+        };
+        let one = RowGroups::whole(60);
+        let change = |groups: &RowGroups| {
+            likelihood(groups, &[&walk], &[0.7]) - likelihood(groups, &[&walk], &[0.0])
+        };
+        assert!((change(&groups) - change(&one)).abs() < 1e-10);
+        let both = [&walk, &scatter];
+        let [a, b] = [&groups, &one]
+            .map(|g| Restricted::new(&r, &Columns::cut(&whole, g), &both).variances(&[true, true]));
+        for (a, b) in a.iter().zip(&b) {
+            assert!((a - b).abs() < 1e-6 * (1.0 + b), "{a} {b}");
+        }
+        let [a, b] = [&groups, &one]
+            .map(|g| Restricted::new(&r, &Columns::cut(&whole, g), &[&walk]).variances(&[true]));
+        assert!((a[0] - b[0]).abs() < 1e-6 * b[0].max(1e-3), "{a:?} {b:?}");
     }
 }

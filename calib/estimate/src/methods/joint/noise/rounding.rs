@@ -1,9 +1,9 @@
 //! What steps wider than the noise do to means, and to the gyroscope's bias.
 
-use faer::Mat;
 use nalgebra::{Matrix2x3, Vector3};
 use sensor::Sensor;
 
+use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::data::TurnSamples;
 use crate::methods::joint::noise::scatter;
 use crate::methods::joint::rows::Rows;
@@ -84,7 +84,7 @@ impl Rows<'_> {
     /// The rate at rest is the bias every time: readings in steps wider than the noise are off by the same amount in
     /// every interval, with the standard deviation `LSB/√12`, and intervals do not average it out. Nor do those samples
     /// of a turn in which an axis reads what it reads at rest.
-    pub fn rounding_columns(&self, x: &[f64]) -> Option<Mat<f64>> {
+    pub fn rounding_columns(&self, x: &[f64]) -> Option<Columns> {
         let is_coarse = |source: &crate::methods::joint::data::Source| {
             let noise = source.gyroscope.as_ref();
             noise.is_some_and(|n| n.rounding.max() > 0.0)
@@ -92,7 +92,10 @@ impl Rows<'_> {
         if !self.data.sources.iter().any(is_coarse) {
             return None;
         }
-        let mut columns = Mat::zeros(self.count(), 3 * self.data.sources.len());
+        let recordings = 0..self.data.sources.len();
+        let of_group = recordings.map(|k| vec![3 * k, 3 * k + 1, 3 * k + 2]);
+        let count = 3 * self.data.sources.len();
+        let mut columns = Columns::zeros(self.groups(), count, of_group.collect());
         let mut levels = vec![Vector3::zeros(); self.data.sources.len()];
         let mut row = self.first_rate_row();
         for (_, chunk) in self.means(Sensor::Gyroscope) {
@@ -101,7 +104,8 @@ impl Rows<'_> {
             if let Some((noise, mean)) = own {
                 levels[recording] = mean.value;
                 for axis in 0..3 {
-                    columns[(row + axis, 3 * recording + axis)] = -noise.rounding[axis].sqrt();
+                    let size = -noise.rounding[axis].sqrt();
+                    columns.set(row + axis, 3 * recording + axis, size);
                 }
             }
             row += 3;
@@ -114,7 +118,7 @@ impl Rows<'_> {
             for axis in 0..3 {
                 let size = noise.rounding[axis].sqrt();
                 for i in 0..2 {
-                    columns[(row + i, 3 * turn.recording + axis)] = size * held[(i, axis)];
+                    columns.set(row + i, 3 * turn.recording + axis, size * held[(i, axis)]);
                 }
             }
             row += 2;

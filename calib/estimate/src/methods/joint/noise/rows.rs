@@ -4,6 +4,7 @@ use nalgebra::{Matrix2, Matrix2x3, Vector3};
 use sensor::{Base, Sensor};
 
 use super::exposure::{Exposure, white};
+use crate::methods::joint::blocks::groups::RowGroups;
 use crate::methods::joint::clock::outer;
 use crate::methods::joint::data::TurnSamples;
 use crate::methods::joint::rows::Rows;
@@ -20,6 +21,8 @@ pub struct RowNoise {
     pub exposures: [Vec<Exposure>; 2],
     /// Per turn: the covariance that a sampling share of one adds.
     pub by_share: Vec<Matrix2<f64>>,
+    /// The rows of the recordings.
+    pub groups: RowGroups,
 }
 
 impl Rows<'_> {
@@ -31,6 +34,7 @@ impl Rows<'_> {
             with_before: vec![0.0; m],
             exposures: [Vec::new(), Vec::new()],
             by_share: Vec::with_capacity(self.data.turns.len()),
+            groups: self.groups().clone(),
         };
         let mut chunks = vec![0.0; self.data.rests.len()];
         for chunk in &self.data.chunks {

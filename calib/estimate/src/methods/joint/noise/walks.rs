@@ -1,9 +1,13 @@
 //! Expected densities of random walks: the restricted likelihood, group by group of rows.
 
+use std::sync::Arc;
+
 use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::{Mat, Par, Side};
 
-use crate::methods::joint::rows::blocks::independent;
+use crate::methods::joint::blocks::arrow::{Arrow, Places};
+use crate::methods::joint::blocks::columns::Columns;
+use crate::methods::joint::blocks::covariance::{Covariance, independent};
 
 /// Sizes tried for an average.
 const GRID: usize = 12;
@@ -29,6 +33,8 @@ const UNDETERMINED: f64 = 1e-11;
 #[derive(Clone, Debug)]
 pub struct Walks {
     groups: Vec<Group>,
+    /// Which columns belong to which recording.
+    places: Arc<Places>,
     /// Number of columns of the Jacobian.
     columns: usize,
     /// Number of walks.
@@ -38,6 +44,8 @@ pub struct Walks {
 /// Rows that share noise with each other only.
 #[derive(Clone, Debug)]
 struct Group {
+    /// The group of rows in the Jacobian that these are part of.
+    recording: usize,
     /// The columns of the Jacobian that are not zero here.
     columns: Vec<usize>,
     /// These columns and the residuals (`k × (c + 1)`).
@@ -60,34 +68,43 @@ impl Walks {
     /// walks of unit density and a covariance that is `fixed`.
     pub fn new(
         residuals: &[f64],
-        jacobian: &Mat<f64>,
-        walks: &[&Mat<f64>],
-        fixed: Option<&Mat<f64>>,
+        jacobian: &Columns,
+        walks: &[&Covariance],
+        fixed: Option<&Covariance>,
     ) -> Self {
-        let scales: Vec<f64> = jacobian.col_iter().map(|c| c.norm_l2()).collect();
-        let all: Vec<&Mat<f64>> = walks.iter().copied().chain(fixed).collect();
-        let part = |c: &Mat<f64>, rows: &[usize]| {
-            let own = Mat::from_fn(rows.len(), rows.len(), |i, k| c[(rows[i], rows[k])]);
+        let all: Vec<&Covariance> = walks.iter().copied().chain(fixed).collect();
+        let connected = jacobian.groups().connected_by(all.iter().copied());
+        let jacobian = jacobian.clone().regrouped(&connected);
+        let scales = jacobian.norms();
+        let part = |c: &Covariance, rows: &[usize]| {
+            let own = c.part(rows)?;
             (own.norm_max() > 0.0).then_some(own)
         };
-        let groups = independent(&all).into_iter().map(|rows| {
-            let columns: Vec<usize> = (0..scales.len())
-                .filter(|&k| rows.iter().any(|&i| jacobian[(i, k)] != 0.0))
+        let groups = independent(&all, residuals.len()).into_iter().map(|rows| {
+            let recording = rows.first().map_or(0, |&row| connected.of(row));
+            let own = &jacobian.parts()[recording];
+            let places = rows
+                .iter()
+                .filter_map(|row| own.rows.binary_search(row).ok());
+            let places: Vec<usize> = places.collect();
+            let used: Vec<usize> = (0..own.columns.len())
+                .filter(|&k| places.iter().any(|&i| own.values[(i, k)] != 0.0))
                 .collect();
-            let bordered =
-                Mat::from_fn(rows.len(), columns.len() + 1, |i, k| match columns.get(k) {
-                    Some(&column) => jacobian[(rows[i], column)] / scales[column],
-                    None => residuals[rows[i]],
-                });
+            let bordered = Mat::from_fn(rows.len(), used.len() + 1, |i, k| match used.get(k) {
+                Some(&k) => own.values[(places[i], k)] / scales[own.columns[k]],
+                None => residuals[rows[i]],
+            });
             Group {
+                recording,
                 bordered,
                 fixed: fixed.and_then(|c| part(c, &rows)),
                 walks: walks.iter().map(|c| part(c, &rows)).collect(),
-                columns,
+                columns: used.into_iter().map(|k| own.columns[k]).collect(),
             }
         });
         Self {
             groups: groups.collect(),
+            places: Arc::new(Places::of(&jacobian)),
             columns: scales.len(),
             walks: walks.len(),
         }
@@ -147,32 +164,26 @@ impl Walks {
 
     /// `−½ (log |V| + log |JᵀV⁻¹J| + rᵀ P r)`, up to a constant.
     fn log_likelihood(&self, parts: &[Part]) -> f64 {
-        let n = self.columns;
-        let mut normal = Mat::<f64>::zeros(n, n);
-        let mut right = vec![0.0; n];
+        let mut normal = Arrow::zeros(&self.places);
+        let mut right = vec![0.0; self.columns];
         let (mut square, mut log_determinant) = (0.0, 0.0);
         for (group, part) in self.groups.iter().zip(parts) {
             let last = group.columns.len();
+            normal.add(group.recording, &group.columns, &part.gram);
             for (k, &column) in group.columns.iter().enumerate() {
-                for (i, &row) in group.columns.iter().enumerate() {
-                    normal[(row, column)] += part.gram[(i, k)];
-                }
                 right[column] += part.gram[(k, last)];
             }
             square += part.gram[(last, last)];
             log_determinant += part.log_determinant;
         }
-        for k in 0..n {
-            // A unit prior of no weight: combinations that nothing determines stay what they are.
-            normal[(k, k)] += UNDETERMINED;
-        }
-        let Ok(factor) = normal.llt(Side::Lower) else {
+        // A unit prior of no weight: combinations that nothing determines stay what they are.
+        let Some(factor) = normal.factor(UNDETERMINED) else {
             return f64::NEG_INFINITY;
         };
-        let mut solved = Mat::from_fn(n, 1, |k, _| right[k]);
-        solve_lower_triangular_in_place(factor.L(), solved.as_mut(), Par::Seq);
-        let pivots: f64 = (0..n).map(|k| 2.0 * factor.L()[(k, k)].ln()).sum();
-        -0.5 * (log_determinant + pivots + square - solved.squared_norm_l2())
+        let (own, shared) = factor.forward(&right);
+        let solved = own.iter().map(|own| own.squared_norm_l2()).sum::<f64>();
+        let pivots: f64 = factor.pivots().map(|pivot| 2.0 * pivot.ln()).sum();
+        -0.5 * (log_determinant + pivots + square - solved - shared.squared_norm_l2())
     }
 }
 
@@ -250,9 +261,10 @@ mod tests {
 
     use super::*;
     use crate::methods::joint::Restricted;
+    use crate::methods::joint::blocks::groups::RowGroups;
 
     /// Two groups of thirty rows with a walk each, one column across both and one in each.
-    fn example() -> (Vec<f64>, Mat<f64>, [Mat<f64>; 2]) {
+    fn example() -> (Vec<f64>, Columns, [Covariance; 2]) {
         let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(8);
         let r = (0..60).map(|_| StandardNormal.sample(&mut random));
         let jacobian = Mat::from_fn(60, 3, |i, k| match k {
@@ -261,15 +273,11 @@ mod tests {
             _ => f64::from(u8::from(i >= 30)) * (i as f64 - 45.0),
         });
         let walk = |first: usize| {
-            Mat::from_fn(60, 60, |i, k| {
-                let inside = |i: usize| (first..first + 30).contains(&i);
-                if inside(i) && inside(k) {
-                    (i.min(k) + 1 - first) as f64
-                } else {
-                    0.0
-                }
-            })
+            let values = Mat::from_fn(30, 30, |i, k| (i.min(k) + 1) as f64);
+            Covariance::of_blocks(60, vec![((first..first + 30).collect(), values)])
         };
+        let groups = RowGroups::new((0..60).map(|i| i / 30).collect());
+        let jacobian = Columns::cut(&jacobian, &groups);
         (r.collect(), jacobian, [walk(0), walk(30)])
     }
 

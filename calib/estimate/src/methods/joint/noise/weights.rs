@@ -6,8 +6,10 @@ use gyroscope::EARTH_RATE;
 use nalgebra::DMatrix;
 
 use super::exposure::Exposure;
+use crate::methods::joint::blocks::columns::Columns;
+use crate::methods::joint::blocks::covariance::{Covariance, combined, independent};
+use crate::methods::joint::blocks::groups::RowGroups;
 use crate::methods::joint::noise::rows::RowNoise;
-use crate::methods::joint::rows::blocks::independent;
 
 /// Standard deviation of a component of the earth's rotation where nothing is known of its direction, rad/s.
 const EARTH_COMPONENT: f64 = EARTH_RATE / 1.732_050_807_568_877_2;
@@ -22,6 +24,8 @@ pub struct White {
     diagonal: Vec<f64>,
     /// Its entries beside the diagonal (`m`).
     beside: Vec<f64>,
+    /// The rows of the recordings.
+    groups: RowGroups,
 }
 
 impl White {
@@ -42,7 +46,16 @@ impl White {
                 .max(f64::MIN_POSITIVE)
                 .sqrt();
         }
-        Self { diagonal, beside }
+        Self {
+            diagonal,
+            beside,
+            groups: noise.groups.clone(),
+        }
+    }
+
+    /// The rows of the recordings.
+    pub fn groups(&self) -> &RowGroups {
+        &self.groups
     }
 
     /// `L⁻¹ A` in place.
@@ -55,6 +68,24 @@ impl White {
                 *v = before;
             }
         }
+    }
+
+    /// The same of some rows, in ascending order, with both rows of every turn among them or none.
+    pub fn apply_rows(&self, rows: &[usize], a: MatMut<'_, f64>) {
+        for column in a.col_iter_mut() {
+            let mut before = 0.0;
+            for (v, &row) in column.iter_mut().zip(rows) {
+                before = (*v - self.beside[row] * before) / self.diagonal[row];
+                *v = before;
+            }
+        }
+    }
+
+    /// `L⁻¹ r` of a column.
+    pub fn whiten(&self, r: &[f64]) -> Vec<f64> {
+        let mut column = Mat::from_fn(r.len(), 1, |i, _| r[i]);
+        self.apply(column.as_mut());
+        column.col(0).iter().copied().collect()
     }
 
     /// The same for the rows from `first` on that share noise with no other.
@@ -101,12 +132,14 @@ impl White {
     }
 
     /// `L⁻¹ C L⁻ᵀ`.
-    pub fn both_sides(&self, c: &Mat<f64>) -> Mat<f64> {
-        let mut half = c.clone();
-        self.apply(half.as_mut());
-        let mut whole = half.transpose().to_owned();
-        self.apply(whole.as_mut());
-        whole
+    pub fn both_sides(&self, c: &Covariance) -> Covariance {
+        c.map(|rows, c| {
+            let mut half = c.clone();
+            self.apply_rows(rows, half.as_mut());
+            let mut whole = half.transpose().to_owned();
+            self.apply_rows(rows, whole.as_mut());
+            whole
+        })
     }
 }
 
@@ -116,7 +149,7 @@ pub struct Component {
     /// What it is.
     pub kind: ComponentKind,
     /// `L⁻¹ C L⁻ᵀ` (`m × m`).
-    pub covariance: Mat<f64>,
+    pub covariance: Covariance,
 }
 
 /// Kinds of noise that are estimated from the fit's own residuals.
@@ -202,17 +235,13 @@ pub fn weighing(levels: &[NoiseLevel]) -> Vec<NoiseLevel> {
 }
 
 /// `I + Σ size² C` (`m × m`), white-whitened; `None` where that is the identity.
-pub fn covariance_at(components: &[Component], levels: &[NoiseLevel]) -> Option<Mat<f64>> {
-    let mut sum: Option<Mat<f64>> = None;
-    for level in levels.iter().filter(|l| l.size > 0.0) {
-        let Some(component) = components.iter().find(|c| c.kind == level.kind) else {
-            continue;
-        };
-        let m = component.covariance.nrows();
-        let total = sum.get_or_insert_with(|| Mat::identity(m, m));
-        *total += faer::Scale(level.size * level.size) * &component.covariance;
-    }
-    sum
+pub fn covariance_at(components: &[Component], levels: &[NoiseLevel]) -> Option<Covariance> {
+    let present = levels.iter().filter(|l| l.size > 0.0).filter_map(|level| {
+        let component = components.iter().find(|c| c.kind == level.kind)?;
+        Some((level.size * level.size, &component.covariance))
+    });
+    let present: Vec<(f64, &Covariance)> = present.collect();
+    combined(present.first()?.1.size(), 1.0, &present)
 }
 
 /// The whole whitening: by white noise, then by what else there is.
@@ -220,6 +249,8 @@ pub fn covariance_at(components: &[Component], levels: &[NoiseLevel]) -> Option<
 pub struct Whitening {
     /// By white noise.
     pub white: White,
+    /// Rows that share noise: those of a recording, or of several where a covariance connects them.
+    groups: RowGroups,
     /// Cholesky factors of `I + Σ size² C`, for every group of rows that share no noise with others; none
     /// where that is the identity.
     factors: Vec<(Vec<usize>, Mat<f64>)>,
@@ -230,27 +261,46 @@ impl Whitening {
     pub fn new(white: White, components: &[Component], levels: &[NoiseLevel]) -> Self {
         match covariance_at(components, levels) {
             Some(covariance) => Self::with_covariance(white, &covariance),
-            None => Self {
-                white,
-                factors: Vec::new(),
-            },
+            None => Self::by(white),
+        }
+    }
+
+    /// The white noise alone.
+    fn by(white: White) -> Self {
+        Self {
+            groups: white.groups.clone(),
+            factors: Vec::new(),
+            white,
         }
     }
 
     /// For white noise and what else there is, `covariance` (`m × m`) after the white noise is whitened;
     /// the white noise alone where it is not positive definite.
-    pub fn with_covariance(white: White, covariance: &Mat<f64>) -> Self {
-        let v = covariance;
+    pub fn with_covariance(white: White, covariance: &Covariance) -> Self {
         let factor = |rows: Vec<usize>| {
-            let own = Mat::from_fn(rows.len(), rows.len(), |i, k| v[(rows[i], rows[k])]);
-            let lower = own.llt(Side::Lower).ok()?.L().to_owned();
+            let lower = covariance
+                .part(&rows)?
+                .llt(Side::Lower)
+                .ok()?
+                .L()
+                .to_owned();
             Some((rows, lower))
         };
-        let factors: Option<Vec<_>> = independent(&[v]).into_iter().map(factor).collect();
-        Self {
-            white,
-            factors: factors.unwrap_or_default(),
+        let groups = independent(&[covariance], covariance.size()).into_iter();
+        let factors: Option<Vec<_>> = groups.map(factor).collect();
+        match factors {
+            Some(factors) => Self {
+                groups: white.groups.connected_by(std::iter::once(covariance)),
+                white,
+                factors,
+            },
+            None => Self::by(white),
         }
+    }
+
+    /// Rows that share noise.
+    pub fn groups(&self) -> &RowGroups {
+        &self.groups
     }
 
     /// Whitens in place.
@@ -259,17 +309,62 @@ impl Whitening {
         self.finish(a);
     }
 
+    /// Whitens columns.
+    pub fn whiten(&self, mut columns: Columns) -> Columns {
+        columns.apply(|rows, a| self.white.apply_rows(rows, a));
+        self.finish_columns(columns)
+    }
+
+    /// Whitens a column.
+    pub fn whiten_column(&self, r: &[f64]) -> Vec<f64> {
+        self.finish_column(&self.white.whiten(r))
+    }
+
     /// The second step alone, of what the white noise has whitened. Every row is mixed with rows before
     /// it only.
     pub fn finish(&self, mut a: MatMut<'_, f64>) {
         for (rows, factor) in &self.factors {
-            let mut own = Mat::from_fn(rows.len(), a.ncols(), |i, k| a[(rows[i], k)]);
-            solve_lower_triangular_in_place(factor.as_ref(), own.as_mut(), Par::Seq);
-            for k in 0..own.ncols() {
-                for (i, &row) in rows.iter().enumerate() {
-                    a[(row, k)] = own[(i, k)];
-                }
+            solve_rows(rows, factor, a.as_mut());
+        }
+    }
+
+    /// The same of columns in groups of rows.
+    pub fn finish_columns(&self, columns: Columns) -> Columns {
+        let mut columns = columns.regrouped(&self.groups);
+        let mut of_group = vec![Vec::new(); columns.parts().len()];
+        for (rows, factor) in &self.factors {
+            if let Some(&first) = rows.first() {
+                of_group[self.groups.of(first)].push((rows, factor));
             }
+        }
+        for (group, factors) in of_group.into_iter().enumerate() {
+            let part = columns.part_mut(group);
+            for (rows, factor) in factors {
+                let places = rows
+                    .iter()
+                    .filter_map(|row| part.rows.binary_search(row).ok());
+                let places: Vec<usize> = places.collect();
+                solve_rows(&places, factor, part.values.as_mut());
+            }
+        }
+        columns
+    }
+
+    /// The same of a column.
+    pub fn finish_column(&self, r: &[f64]) -> Vec<f64> {
+        let mut column = Mat::from_fn(r.len(), 1, |i, _| r[i]);
+        self.finish(column.as_mut());
+        column.col(0).iter().copied().collect()
+    }
+}
+
+/// `L⁻¹ A` of some rows.
+fn solve_rows(rows: &[usize], lower: &Mat<f64>, mut a: MatMut<'_, f64>) {
+    let mut own = Mat::from_fn(rows.len(), a.ncols(), |i, k| a[(rows[i], k)]);
+    solve_lower_triangular_in_place(lower.as_ref(), own.as_mut(), Par::Seq);
+    for k in 0..own.ncols() {
+        for (i, &row) in rows.iter().enumerate() {
+            a[(row, k)] = own[(i, k)];
         }
     }
 }
@@ -285,6 +380,7 @@ mod tests {
             with_before: vec![0.0, 3.0, 0.0],
             exposures: [Vec::new(), Vec::new()],
             by_share: Vec::new(),
+            groups: RowGroups::whole(3),
         };
         let white = White::new(&noise, 3);
         let before = Mat::from_fn(3, 2, |i, k| (i + 3 * k) as f64 - 1.5);

@@ -1,9 +1,9 @@
 //! The static intervals of a joint fit as the tests of their orientation see them.
 
-use faer::Mat;
 use nalgebra::{DMatrix, DVector, Vector3};
 use sensor::{Base, Sensor};
 
+use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::data::{Chunk, Mean};
 use crate::methods::joint::disturbance::{Disturbance, Suspect};
 use crate::methods::joint::orientation::interval::Oriented;
@@ -22,7 +22,7 @@ pub struct At<'a> {
     /// The free parameters.
     pub free: &'a [usize],
     /// What the rotation of the earth does to the rows, where nobody says it.
-    pub earth: Option<&'a Mat<f64>>,
+    pub earth: Option<&'a Columns>,
 }
 
 impl At<'_> {
@@ -64,7 +64,7 @@ impl At<'_> {
         let earth = self
             .earth
             .filter(|_| sensor == Sensor::Gyroscope)
-            .map_or(0, Mat::ncols);
+            .map_or(0, Columns::ncols);
         let mut out = Numbers::default();
         for rest in 0..rows.data.rests.len() {
             if self.is_disturbed(rest, disturbed) {
@@ -84,12 +84,12 @@ impl At<'_> {
                         let weight = share * along[i];
                         number.residual += weight * self.linear.residuals[row + i];
                         for (slope, &k) in number.slopes.iter_mut().zip(&shared) {
-                            *slope += weight * self.linear.jacobian[(row + i, k)];
+                            *slope += weight * self.linear.jacobian.get(row + i, k);
                         }
                         if let Some(columns) = self.earth.filter(|_| earth > 0) {
                             let own = number.slopes.iter_mut().skip(shared.len());
                             for (k, slope) in own.enumerate() {
-                                *slope += weight * columns[(row + i, k)];
+                                *slope += weight * columns.get(row + i, k);
                             }
                         }
                     }

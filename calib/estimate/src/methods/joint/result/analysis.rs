@@ -3,7 +3,9 @@
 use faer::Mat;
 use sensor::Sensor;
 
-use super::marginal::orthonormal;
+use crate::methods::joint::blocks::basis::Basis;
+use crate::methods::joint::blocks::columns::{Column, Columns};
+use crate::methods::joint::blocks::covariance::{Covariance, combined};
 use crate::methods::joint::data::Chunk;
 use crate::methods::joint::disturbance::Suspect;
 use crate::methods::joint::disturbance::trial::Trial;
@@ -50,13 +52,13 @@ pub struct Analysis {
     /// Residuals (`m`).
     pub residuals: Vec<f64>,
     /// Jacobian (`m × n`).
-    pub jacobian: Mat<f64>,
+    pub jacobian: Columns,
     /// Whitening by the white noise.
     pub white: White,
     /// What else the noise may have.
     pub components: Vec<Component>,
     /// What depends on the orientation, of unit size, whitened by the white noise (`m × q` each).
-    orientation: Vec<(ComponentKind, Mat<f64>)>,
+    orientation: Vec<(ComponentKind, Columns)>,
     /// How the gyroscope's means, then the turns, feel its bias.
     rate_exposures: Vec<Exposure>,
     /// Whether the walk of the accelerometer's bias begins anew in every rest.
@@ -66,14 +68,10 @@ pub struct Analysis {
 impl Analysis {
     /// Of a linearised problem and its noise.
     pub fn new(rows: &Rows<'_>, linear: &Linear, noise: &RowNoise, free: &[usize]) -> Self {
-        let m = rows.count();
         let white = White::new(noise, rows.first_turn_row());
-        let mut jacobian = Mat::from_fn(m, free.len(), |i, k| linear.jacobian[(i, free[k])]);
-        white.apply(jacobian.as_mut());
-        let mut residuals = Mat::from_fn(m, 1, |i, _| linear.residuals[i]);
-        white.apply(residuals.as_mut());
+        let (residuals, jacobian) = linear.whitened_by(free, &white);
         Self {
-            residuals: residuals.col(0).iter().copied().collect(),
+            residuals,
             jacobian,
             orientation: Vec::new(),
             components: walks(noise, &white),
@@ -90,8 +88,8 @@ impl Analysis {
         let taken = self
             .orientation
             .iter()
-            .fold(self.with(known), |taken, (_, own)| beside(&taken, own));
-        let left = Left::of(&taken, &self.residuals());
+            .fold(self.with(known), |taken, (_, own)| taken.beside(own));
+        let left = Left::of(&taken, &self.residuals);
         for (kind, groups) in groups(rows) {
             if left.quieter_ratio(&groups) > MISFIT {
                 self.allow(rows, kind, &groups);
@@ -115,7 +113,7 @@ impl Analysis {
     /// The same where the quieter three quarters of them are off by so much more than the noise that whatever can be fitted
     /// to turns would pass for their cause: an effect has to be likelier than turns that scatter.
     pub fn allow_scatter_of_gross_turns(&mut self, rows: &Rows<'_>, known: &[&Suspect]) {
-        let left = Left::of(&self.with(known), &self.residuals());
+        let left = Left::of(&self.with(known), &self.residuals);
         let [_, _, (_, turns)] = groups(rows);
         if left.quieter_ratio(&turns) > GROSS {
             self.allow_scatter_of_turns(rows);
@@ -169,15 +167,18 @@ impl Analysis {
         if first == count || self.components.iter().any(scatters) {
             return;
         }
-        let unit = |i: usize, k: usize| f64::from(u8::from(i == first + k));
-        let mut by_turn = Mat::from_fn(count, count - first, unit);
-        self.white.apply(by_turn.as_mut());
-        let covariance = &by_turn * by_turn.transpose();
+        let units: Vec<Column> = (first..count).map(Column::unit).collect();
+        let mut by_turn = Columns::sparse(rows.groups(), &units.iter().collect::<Vec<_>>());
+        by_turn.apply(|rows, a| self.white.apply_rows(rows, a));
+        let covariance =
+            self.white
+                .both_sides(&shared(&turn_rows(rows), ComponentKind::TurnScatter, count));
         let whitening = self.whitening(levels);
-        whitening.finish(by_turn.as_mut());
+        let by_turn = whitening.finish_columns(by_turn);
+        let by_scatter = row_squares(&by_turn);
         let (jacobian, r) = self.whitened(known, &whitening);
         let left = Left::of(&jacobian, &r);
-        let of_row = |i: usize| (left.square(i), left.spare(i), row_square(&by_turn, i));
+        let of_row = |i: usize| (left.square(i), left.spare(i), by_scatter[i]);
         let turns: Vec<(f64, f64, f64)> = (first..count).map(of_row).collect();
         let log_likelihood = |size: f64| {
             let of_turn = |(square, spare, by_scatter): &(f64, f64, f64)| {
@@ -193,27 +194,20 @@ impl Analysis {
         levels.push(NoiseLevel { kind, size });
     }
 
-    /// The columns with those of the disturbances, and the residuals (`m × 1`), whitened.
-    fn whitened(&self, known: &[&Suspect], whitening: &Whitening) -> (Mat<f64>, Mat<f64>) {
-        let (mut jacobian, mut r) = (self.with(known), self.residuals());
-        whitening.finish(jacobian.as_mut());
-        whitening.finish(r.as_mut());
-        (jacobian, r)
-    }
-
-    /// The residuals as a column (`m × 1`).
-    fn residuals(&self) -> Mat<f64> {
-        Mat::from_fn(self.residuals.len(), 1, |i, _| self.residuals[i])
+    /// The columns with those of the disturbances, and the residuals, whitened.
+    fn whitened(&self, known: &[&Suspect], whitening: &Whitening) -> (Columns, Vec<f64>) {
+        let jacobian = whitening.finish_columns(self.with(known));
+        (jacobian, whitening.finish_column(&self.residuals))
     }
 
     /// Whether no kind of rows is conspicuous even by what the residuals are before anything more is fitted.
-    fn is_quiet(&self, rows: &Rows<'_>, r: &Mat<f64>) -> bool {
+    fn is_quiet(&self, rows: &Rows<'_>, r: &[f64]) -> bool {
         let [rate, turns, end] = [rows.first_rate_row(), rows.first_turn_row(), rows.count()];
         let directions = 2 * rows.data.rests.len() + 9;
         [(0, rate, directions), (rate, turns, 3), (turns, end, 9)]
             .into_iter()
             .all(|(from, to, taken)| {
-                let square: f64 = (from..to).map(|i| r[(i, 0)].powi(2)).sum();
+                let square: f64 = r[from..to].iter().map(|v| v.powi(2)).sum();
                 let spare = (to - from).saturating_sub(taken) as f64;
                 square <= spare + QUIET * (2.0 * spare).sqrt()
             })
@@ -221,8 +215,7 @@ impl Analysis {
 
     fn allow(&mut self, rows: &Rows<'_>, kind: ComponentKind, groups: &[Vec<usize>]) {
         let covariance = if kind == ComponentKind::RateScatter {
-            let shifts = self.rate_shifts(rows);
-            &shifts * shifts.transpose()
+            Covariance::of_columns(&self.rate_shifts(rows))
         } else {
             self.white.both_sides(&shared(groups, kind, rows.count()))
         };
@@ -253,26 +246,49 @@ impl Analysis {
             }
             Sensor::Gyroscope | Sensor::Magnetometer => {
                 let shifts = self.rate_shifts(rows);
-                let stacked =
-                    Mat::from_fn(3 * errors.len(), count, |i, c| errors[i / 3][(i % 3, c)]);
-                (ComponentKind::RateOfOrientation, &shifts * &stacked)
+                let mut columns = Mat::zeros(rows.count(), count);
+                for c in 0..count {
+                    let errors = errors.iter().flat_map(|e| (0..3).map(move |i| e[(i, c)]));
+                    let moved = shifts.times(&errors.collect::<Vec<_>>());
+                    columns
+                        .col_mut(c)
+                        .iter_mut()
+                        .zip(moved)
+                        .for_each(|(v, m)| *v = m);
+                }
+                (ComponentKind::RateOfOrientation, columns)
             }
         };
+        let columns = Columns::cut(&columns, rows.groups());
         self.components.push(Component {
             kind,
-            covariance: &columns * columns.transpose(),
+            covariance: Covariance::of_columns(&columns),
         });
         self.orientation.push((kind, columns));
     }
 
     /// Adds to the noise what `columns` (`m × q`, not whitened) do to the rows by unit sizes.
-    pub fn carry(&mut self, kind: ComponentKind, columns: &Mat<f64>) {
+    pub fn carry(&mut self, kind: ComponentKind, columns: &Columns) {
         let mut whitened = columns.clone();
-        self.white.apply(whitened.as_mut());
+        whitened.apply(|rows, a| self.white.apply_rows(rows, a));
         self.components.push(Component {
             kind,
-            covariance: &whitened * whitened.transpose(),
+            covariance: Covariance::of_columns(&whitened),
         });
+    }
+
+    /// What the vertical part of the earth's rotation, of which `earth` has three columns for every recording, does to the
+    /// rows of each, of the size that it may have, whitened by the white noise (`m × recordings`).
+    pub fn of_place(&self, earth: Option<&Columns>) -> Columns {
+        let Some(earth) = earth else {
+            return Columns::none(self.white.groups());
+        };
+        let vertical: Vec<usize> = (0..earth.ncols()).step_by(3).collect();
+        let mut columns = earth.select(&vertical);
+        let variance = ComponentKind::EarthRotation.known_variance();
+        columns.scale(variance.unwrap_or(0.0).sqrt());
+        columns.apply(|rows, a| self.white.apply_rows(rows, a));
+        columns
     }
 
     /// Lets the walk of the accelerometer's bias begin anew in every rest, unless the rows, whose columns `taken` are
@@ -284,7 +300,7 @@ impl Analysis {
     /// rests is then left to their scatter, and the walk to what is seen within them. A bias that does drift
     /// leaves the same misfit, but neighbouring rests agree: as scatter it would count as independent in every
     /// rest, and the mean bias would pass for known far better than it is.
-    fn end_walk_with_rests(&mut self, rows: &Rows<'_>, taken: &Mat<f64>) {
+    fn end_walk_with_rests(&mut self, rows: &Rows<'_>, taken: &Columns) {
         let within = Component {
             kind: ComponentKind::AccelerometerWalk,
             covariance: walk_within_rests(rows, &self.white),
@@ -303,10 +319,10 @@ impl Analysis {
     }
 
     /// The highest restricted log-likelihood of walks and scatter, the columns `taken` fitted, up to a constant.
-    fn likelihood_of_noise(&self, taken: &Mat<f64>) -> f64 {
+    fn likelihood_of_noise(&self, taken: &Columns) -> f64 {
         let own = self.components.iter();
         let own = own.filter(|c| c.kind.is_walk() || !c.kind.is_noise());
-        let own: Vec<&Mat<f64>> = own
+        let own: Vec<&Covariance> = own
             .filter(|c| !c.kind.is_of_orientation())
             .map(|c| &c.covariance)
             .collect();
@@ -315,17 +331,21 @@ impl Analysis {
 
     /// What a shift of the gyroscope's reading in every rest does to the rows (`m × 3 rests`), whitened: what shifts it
     /// in a rest shifts it by half in the turns on either side, as far as anybody can know.
-    fn rate_shifts(&self, rows: &Rows<'_>) -> Mat<f64> {
+    fn rate_shifts(&self, rows: &Rows<'_>) -> Columns {
         let means = rows.means(Sensor::Gyroscope);
         let of_means = means.map(|(_, chunk)| vec![(chunk.rest, 1.0)]);
         let turns = rows.data.turns.iter();
         let of_turns = turns.map(|turn| vec![(turn.from, 0.5), (turn.from + 1, 0.5)]);
-        let mut by_shift = Mat::<f64>::zeros(rows.count(), 3 * rows.data.rests.len());
+        let mut of_group = vec![Vec::new(); rows.groups().iter().len()];
+        for (k, rest) in rows.data.rests.iter().enumerate() {
+            of_group[rest.recording].extend([3 * k, 3 * k + 1, 3 * k + 2]);
+        }
+        let mut by_shift = Columns::zeros(rows.groups(), 3 * rows.data.rests.len(), of_group);
         for (exposure, shares) in self.rate_exposures.iter().zip(of_means.chain(of_turns)) {
             for (rest, share) in shares {
                 for (i, row) in exposure.rows.clone().enumerate() {
                     for axis in 0..3 {
-                        by_shift[(row, 3 * rest + axis)] = share * exposure.total[(i, axis)];
+                        by_shift.set(row, 3 * rest + axis, share * exposure.total[(i, axis)]);
                     }
                 }
             }
@@ -358,15 +378,10 @@ impl Analysis {
         let known: Vec<(&Component, f64)> = known
             .filter_map(|c| Some((c, c.kind.known_variance()?)))
             .collect();
-        let fixed =
-            scatter
-                .iter()
-                .chain(&known)
-                .fold(None, |sum: Option<Mat<f64>>, (c, variance)| {
-                    let own = faer::Scale(*variance) * &c.covariance;
-                    Some(sum.map_or_else(|| own.clone(), |sum| sum + &own))
-                });
-        let covariances: Vec<&Mat<f64>> = walks.iter().map(|c| &c.covariance).collect();
+        let fixed = scatter.iter().chain(&known);
+        let fixed: Vec<(f64, &Covariance)> = fixed.map(|(c, v)| (*v, &c.covariance)).collect();
+        let fixed = combined(self.residuals.len(), 0.0, &fixed);
+        let covariances: Vec<&Covariance> = walks.iter().map(|c| &c.covariance).collect();
         let usual: Vec<f64> = covariances.iter().map(|c| usual_walk(c)).collect();
         let expected = Walks::new(&self.residuals, &jacobian, &covariances, fixed.as_ref())
             .expected(&usual, NONE);
@@ -383,14 +398,12 @@ impl Analysis {
     }
 
     /// Walks, flicker and the scatter of turns at their likeliest, what is known beside them.
-    fn likeliest(&self, jacobian: &Mat<f64>, within: &[Within]) -> Vec<NoiseLevel> {
+    fn likeliest(&self, jacobian: &Columns, within: &[Within]) -> Vec<NoiseLevel> {
         let kinds = self.estimated_kinds();
         let own = self.components.iter().filter(|c| kinds.contains(&c.kind));
-        let covariances: Vec<&Mat<f64>> = own.map(|c| &c.covariance).collect();
-        let restricted = Restricted {
-            within: within.to_vec(),
-            ..Restricted::new(&self.residuals, jacobian, &covariances)
-        };
+        let covariances: Vec<&Covariance> = own.map(|c| &c.covariance).collect();
+        let mut restricted = Restricted::new(&self.residuals, jacobian, &covariances);
+        restricted.within = within.to_vec();
         let kept: Vec<bool> = kinds.iter().map(|kind| kind.is_noise()).collect();
         let variances = restricted.variances(&kept);
         let known = self.components.iter();
@@ -406,14 +419,14 @@ impl Analysis {
     /// The likeliest variances of the scatter, walks beside it.
     fn scatter<'a>(
         &self,
-        jacobian: &Mat<f64>,
+        jacobian: &Columns,
         walks: &[&Component],
         scatter: &[&'a Component],
     ) -> Vec<(&'a Component, f64)> {
         if scatter.is_empty() {
             return Vec::new();
         }
-        let all: Vec<&Mat<f64>> = walks.iter().chain(scatter).map(|c| &c.covariance).collect();
+        let all: Vec<&Covariance> = walks.iter().chain(scatter).map(|c| &c.covariance).collect();
         let kept: Vec<bool> = (0..all.len()).map(|c| c < walks.len()).collect();
         let variances = Restricted::new(&self.residuals, jacobian, &all).variances(&kept);
         let own = variances.into_iter().skip(walks.len());
@@ -431,12 +444,13 @@ impl Analysis {
     }
 
     /// What depends on the orientation at these levels, whitened by the white noise (`m × q`).
-    pub fn carried(&self, levels: &[NoiseLevel]) -> Mat<f64> {
-        let none = Mat::zeros(self.residuals.len(), 0);
+    pub fn carried(&self, levels: &[NoiseLevel]) -> Columns {
+        let none = Columns::none(self.white.groups());
         self.orientation.iter().fold(none, |sum, (kind, columns)| {
             let level = levels.iter().find(|level| level.kind == *kind);
-            let size = level.map_or(0.0, |level| level.size);
-            beside(&sum, &(faer::Scale(size) * columns))
+            let mut columns = columns.clone();
+            columns.scale(level.map_or(0.0, |level| level.size));
+            sum.beside(&columns)
         })
     }
 
@@ -444,67 +458,56 @@ impl Analysis {
     pub fn trial<'a>(
         &self,
         suspects: &'a [Suspect],
-        columns: &Mat<f64>,
+        columns: &Columns,
         levels: &[NoiseLevel],
     ) -> Trial<'a> {
-        let residuals = Mat::from_fn(self.residuals.len(), 1, |i, _| self.residuals[i]);
         let (columns, jacobian) = (columns.clone(), self.jacobian.clone());
-        Trial::new(
-            suspects,
-            columns,
-            jacobian,
-            residuals,
-            &self.whitening(levels),
-        )
+        let whitening = self.whitening(levels);
+        Trial::new(suspects, columns, jacobian, &self.residuals, &whitening)
     }
 
     /// The columns of all suspects, then what looks like each of them, whitened by the white noise (`m × k`).
-    pub fn columns(&self, suspects: &[Suspect]) -> Mat<f64> {
+    pub fn columns(&self, suspects: &[Suspect]) -> Columns {
         let own = suspects.iter().flat_map(|s| &s.columns);
         let alike = suspects.iter().flat_map(|s| &s.nuisance);
-        let all: Vec<&Vec<f64>> = own.chain(alike).collect();
-        let mut columns = Mat::from_fn(self.residuals.len(), all.len(), |i, k| all[k][i]);
-        self.white.apply(columns.as_mut());
-        columns
+        self.whitened_columns(&own.chain(alike).collect::<Vec<_>>())
     }
 
     /// The Jacobian with more columns, all whitened by white noise.
-    fn with(&self, disturbances: &[&Suspect]) -> Mat<f64> {
-        let (m, n) = (self.jacobian.nrows(), self.jacobian.ncols());
-        let extra: Vec<&Vec<f64>> = disturbances.iter().flat_map(|s| &s.columns).collect();
-        let mut added = Mat::from_fn(m, extra.len(), |i, k| extra[k][i]);
-        self.white.apply(added.as_mut());
-        Mat::from_fn(m, n + extra.len(), |i, k| {
-            if k < n {
-                self.jacobian[(i, k)]
-            } else {
-                added[(i, k - n)]
-            }
-        })
+    fn with(&self, disturbances: &[&Suspect]) -> Columns {
+        let extra = disturbances.iter().flat_map(|s| &s.columns);
+        let extra = self.whitened_columns(&extra.collect::<Vec<_>>());
+        self.jacobian.beside(&extra)
+    }
+
+    fn whitened_columns(&self, columns: &[&Column]) -> Columns {
+        let mut columns = Columns::sparse(self.white.groups(), columns);
+        columns.apply(|rows, a| self.white.apply_rows(rows, a));
+        columns
     }
 }
 
 /// What columns that are fitted leave of the rows.
 struct Left {
-    residuals: Mat<f64>,
-    basis: Mat<f64>,
+    residuals: Vec<f64>,
+    basis: Basis,
 }
 
 impl Left {
-    fn of(columns: &Mat<f64>, r: &Mat<f64>) -> Self {
-        let basis = orthonormal(columns);
-        let residuals = r - &basis * (basis.transpose() * r);
+    fn of(columns: &Columns, r: &[f64]) -> Self {
+        let basis = Basis::of(columns);
+        let residuals = basis.without_column(r);
         Self { residuals, basis }
     }
 
     /// Square of what is left of row `i`.
     fn square(&self, i: usize) -> f64 {
-        self.residuals[(i, 0)].powi(2)
+        self.residuals[i].powi(2)
     }
 
     /// The part of row `i` that the columns leave free: what its square is expected to be.
     fn spare(&self, i: usize) -> f64 {
-        1.0 - row_square(&self.basis, i)
+        1.0 - self.basis.leverage(i)
     }
 
     /// `χ²` per degree of freedom of the quieter groups of rows.
@@ -517,15 +520,15 @@ impl Left {
     }
 }
 
-fn row_square(a: &Mat<f64>, i: usize) -> f64 {
-    a.row(i).iter().map(|v| v * v).sum()
-}
-
-fn beside(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
-    let n = a.ncols();
-    Mat::from_fn(a.nrows(), n + b.ncols(), |i, k| {
-        if k < n { a[(i, k)] } else { b[(i, k - n)] }
-    })
+/// The sum of squares of every row.
+fn row_squares(a: &Columns) -> Vec<f64> {
+    let mut squares = vec![0.0; a.nrows()];
+    for part in a.parts() {
+        for (i, &row) in part.rows.iter().enumerate() {
+            squares[row] = part.values.row(i).iter().map(|v| v * v).sum();
+        }
+    }
+    squares
 }
 
 /// The walks of the biases, of unit density, whitened by the white noise.
@@ -551,7 +554,7 @@ pub fn whitened(exposures: &[Exposure], white: &White) -> Vec<Exposure> {
 
 /// The covariance of a walk of the accelerometer's bias, of unit density, that is none at the begin of every
 /// rest; whitened by the white noise.
-fn walk_within_rests(rows: &Rows<'_>, white: &White) -> Mat<f64> {
+fn walk_within_rests(rows: &Rows<'_>, white: &White) -> Covariance {
     let exposure = |(k, (_, chunk)): (usize, (usize, &Chunk))| {
         let span = chunk.accelerometer?.span;
         let begin = rows.data.rests[chunk.rest].span.from;
@@ -567,15 +570,22 @@ fn walk_within_rests(rows: &Rows<'_>, white: &White) -> Mat<f64> {
 
 /// The density up to which walks are common: at the far end of the recording the bias has moved by three
 /// standard deviations of a chunk's mean.
-fn usual_walk(covariance: &Mat<f64>) -> f64 {
-    let farthest = (0..covariance.nrows())
-        .map(|k| covariance[(k, k)])
-        .fold(0.0, f64::max);
+fn usual_walk(covariance: &Covariance) -> f64 {
+    let farthest = covariance.diagonal().fold(0.0, f64::max);
     if farthest > 0.0 {
         USUAL / farthest.sqrt()
     } else {
         1.0
     }
+}
+
+/// The rows of every turn.
+fn turn_rows(rows: &Rows<'_>) -> Vec<Vec<usize>> {
+    let of_turn = |k: usize| {
+        let first = rows.first_turn_row() + 2 * k;
+        vec![first, first + 1]
+    };
+    (0..rows.data.turns.len()).map(of_turn).collect()
 }
 
 /// The rows of every rest, by sensor, and of every turn.
@@ -587,14 +597,6 @@ fn groups(rows: &Rows<'_>) -> [(ComponentKind, Vec<Vec<usize>>); 3] {
         }
         groups
     };
-    let turns = (0..rows.data.turns.len())
-        .map(|k| {
-            vec![
-                rows.first_turn_row() + 2 * k,
-                rows.first_turn_row() + 2 * k + 1,
-            ]
-        })
-        .collect();
     [
         (
             ComponentKind::ForceScatter,
@@ -604,7 +606,7 @@ fn groups(rows: &Rows<'_>) -> [(ComponentKind, Vec<Vec<usize>>); 3] {
             ComponentKind::RateScatter,
             of_rests(Sensor::Gyroscope, rows.first_rate_row()),
         ),
-        (ComponentKind::TurnScatter, turns),
+        (ComponentKind::TurnScatter, turn_rows(rows)),
     ]
 }
 
@@ -620,21 +622,12 @@ fn quieter_ratio(mut groups: Vec<(f64, f64)>) -> f64 {
 }
 
 /// Covariance of a scatter that the chunks of a rest share, axis by axis; the rows of a turn share none.
-fn shared(groups: &[Vec<usize>], kind: ComponentKind, m: usize) -> Mat<f64> {
-    let mut covariance = Mat::zeros(m, m);
-    for group in groups {
-        for (a, &i) in group.iter().enumerate() {
-            for (b, &j) in group.iter().enumerate() {
-                let same = if kind == ComponentKind::TurnScatter {
-                    a == b
-                } else {
-                    a % 3 == b % 3
-                };
-                if same {
-                    covariance[(i, j)] = 1.0;
-                }
-            }
-        }
-    }
-    covariance
+fn shared(groups: &[Vec<usize>], kind: ComponentKind, m: usize) -> Covariance {
+    let alone = kind == ComponentKind::TurnScatter;
+    let of_group = |group: &Vec<usize>| {
+        let same = |a: usize, b: usize| if alone { a == b } else { a % 3 == b % 3 };
+        let value = |a: usize, b: usize| f64::from(u8::from(same(a, b)));
+        (group.clone(), Mat::from_fn(group.len(), group.len(), value))
+    };
+    Covariance::of_blocks(m, groups.iter().map(of_group).collect())
 }

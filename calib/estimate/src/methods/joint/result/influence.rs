@@ -1,9 +1,9 @@
 //! What every static interval does to the result.
 
-use faer::Mat;
 use serde::Serialize;
 
-use super::marginal::orthonormal;
+use crate::methods::joint::blocks::basis::Basis;
+use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::fit::JointFit;
 
 /// What is left of a row when all others have had their say; below this they say nothing of it.
@@ -29,7 +29,7 @@ impl JointFit {
     /// projection orthogonal to the Jacobian, the parameters move by `−(JᵀJ)⁻¹ Jᵀ E (Eᵀ P E)⁻¹ Eᵀ r`.
     /// Exact for the linearised problem under any covariance of the rows.
     pub fn influences(&self) -> Vec<Influence> {
-        let basis = orthonormal(&self.jacobian);
+        let basis = Basis::of(&self.jacobian);
         let shared: Vec<usize> = (0..self.free.len())
             .filter(|&k| self.free[k] < self.shared)
             .collect();
@@ -58,24 +58,18 @@ impl JointFit {
     fn leverage_and_changes(
         &self,
         rest: usize,
-        basis: &Mat<f64>,
-        reduced: &Mat<f64>,
+        basis: &Basis,
+        reduced: &Columns,
         covariance: &[Vec<f64>],
     ) -> (f64, Vec<f64>) {
         let rows: Vec<usize> = (0..self.first_rows[1])
             .filter(|&i| self.rest_of_row[i] == rest)
             .collect();
-        let leverage = rows
-            .iter()
-            .map(|&i| basis.row(i).iter().map(|v| v * v).sum::<f64>())
-            .sum();
+        let leverage = rows.iter().map(|&i| basis.leverage(i)).sum();
         // The rows of a whitened problem stand for their rests: a walk mixes only little into them.
-        let e = Mat::from_fn(self.residuals.len(), rows.len(), |i, k| {
-            f64::from(u8::from(rows[k] == i))
+        let gram = nalgebra::DMatrix::from_fn(rows.len(), rows.len(), |i, k| {
+            f64::from(u8::from(i == k)) - basis.row_product(rows[i], rows[k])
         });
-        let left = &e - basis * (basis.transpose() * &e);
-        let gram = left.transpose() * &left;
-        let gram = nalgebra::DMatrix::from_fn(rows.len(), rows.len(), |i, k| gram[(i, k)]);
         let r = nalgebra::DVector::from_fn(rows.len(), |i, _| self.residuals[rows[i]]);
         let own = gram
             .cholesky()
@@ -86,7 +80,7 @@ impl JointFit {
         };
         let gradient = |b: usize| -> f64 {
             let own = rows.iter().zip(deleted.iter());
-            own.map(|(&i, v)| reduced[(i, b)] * v).sum()
+            own.map(|(&i, v)| reduced.get(i, b) * v).sum()
         };
         let gradient: Vec<f64> = (0..covariance.len()).map(gradient).collect();
         let change = |of: &Vec<f64>| of.iter().zip(&gradient).map(|(c, g)| c * g).sum::<f64>();

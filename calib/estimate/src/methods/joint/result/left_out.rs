@@ -3,7 +3,8 @@
 use faer::Mat;
 use sensor::AnyEffect;
 
-use super::marginal::{columns, orthonormal};
+use crate::methods::joint::blocks::basis::Basis;
+use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::fit::JointFit;
 use crate::methods::joint::rows::error_columns::effect_columns;
 use crate::methods::left_out::squares_added;
@@ -17,25 +18,29 @@ impl JointFit {
         let m = self.residuals.len();
         let sensitivities = self.sensitivities();
         let others = self.columns_of_others();
+        let reduced = self.reduced.to_dense();
         let residuals = Mat::from_fn(m, 1, |i, _| self.residuals[i]);
         let of = |effect: &&dyn AnyEffect| {
             let count = effect.params().len();
             let (nothing, wanted) = (vec![0.0; count], (0..count).collect::<Vec<_>>());
-            let mut added = effect_columns(&sensitivities, m, *effect, &nothing, &wanted);
-            self.whitening.apply(added.as_mut());
+            let added = effect_columns(&sensitivities, m, *effect, &nothing, &wanted);
+            let added = Columns::cut(&added, self.whitening.white.groups());
+            let mut added = self.whitening.whiten(added);
             // Twice is enough: what the first projection leaves of rounding, the second takes.
             for _ in 0..2 {
-                added = &added - &others * (others.transpose() * &added);
+                added = others.without(&added);
             }
-            squares_added(&self.reduced, &added, &residuals, |k| effect.typical_of(k))
+            squares_added(&reduced, &added.to_dense(), &residuals, |k| {
+                effect.typical_of(k)
+            })
         };
         effects.iter().map(of).collect()
     }
 
-    /// An orthonormal basis of the columns of all parameters that are not shared.
-    fn columns_of_others(&self) -> Mat<f64> {
+    /// A basis of the columns of all parameters that are not shared.
+    fn columns_of_others(&self) -> Basis {
         let is_other = |k: &usize| self.free[*k] >= self.shared;
         let others: Vec<usize> = (0..self.free.len()).filter(is_other).collect();
-        orthonormal(&columns(&self.jacobian, &others))
+        Basis::of(&self.jacobian.select(&others))
     }
 }

@@ -1,9 +1,10 @@
 //! How far the data are from the model, before any error is inflated.
 
-use faer::linalg::solvers::Solve;
-use faer::{Mat, Side};
+use faer::Mat;
 use sensor::Sensor;
 
+use crate::methods::joint::blocks::arrow::Arrow;
+use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::disturbance::Disturbance;
 use crate::methods::joint::fit::JointFit;
 use crate::methods::joint::noise::weights::{NoiseLevel, Whitening};
@@ -56,10 +57,8 @@ impl JointFit {
             .collect();
         let whitening = Whitening::new(self.whitening.white.clone(), &self.components, &noise);
         let m = self.white_residuals.len();
-        let mut jacobian = self.white_jacobian.clone();
-        let mut residuals = Mat::from_fn(m, 1, |i, _| self.white_residuals[i]);
-        whitening.finish(jacobian.as_mut());
-        whitening.finish(residuals.as_mut());
+        let jacobian = whitening.finish_columns(self.white_jacobian.clone());
+        let residuals = whitening.finish_column(&self.white_residuals);
         let [rate, turns] = self.first_rows;
         let channels = [
             (Channel::Force, rate, self.norm_rms()),
@@ -69,8 +68,7 @@ impl JointFit {
         let mut before = (0.0, 0.0);
         let mut misfits = Vec::new();
         for (channel, end, rms) in channels {
-            let own = jacobian.as_ref().subrows(0, end).to_owned();
-            let (square, spare) = left(&own, &residuals.as_ref().subrows(0, end).to_owned());
+            let (square, spare) = left(&jacobian.first_rows(end), &residuals[..end]);
             let (chi2, dof) = ((square - before.0).max(0.0), spare - before.1);
             before = (square, spare);
             if dof < 0.5 {
@@ -180,22 +178,21 @@ fn rms(values: impl Iterator<Item = (f64, f64)>) -> f64 {
 
 /// The sum of squares that columns leave of a residual, and the degrees of freedom: by normal equations with unit columns,
 /// held up a little where columns depend on each other.
-fn left(columns: &Mat<f64>, r: &Mat<f64>) -> (f64, f64) {
-    let m = columns.nrows();
-    let norms: Vec<f64> = columns.col_iter().map(|c| c.norm_l2()).collect();
+fn left(columns: &Columns, r: &[f64]) -> (f64, f64) {
+    let norms = columns.norms();
     let used: Vec<usize> = (0..norms.len()).filter(|&k| norms[k] > 0.0).collect();
-    let unit = Mat::from_fn(m, used.len(), |i, k| columns[(i, used[k])] / norms[used[k]]);
-    let mut gram = unit.transpose() * &unit;
-    for k in 0..used.len() {
-        gram[(k, k)] += HELD_UP;
-    }
-    let right = unit.transpose() * r;
-    let Ok(factor) = gram.llt(Side::Lower) else {
-        return (r.squared_norm_l2(), m as f64);
+    let mut unit = columns.select(&used);
+    unit.divide(&used.iter().map(|&k| norms[k]).collect::<Vec<_>>());
+    let square: f64 = r.iter().map(|v| v * v).sum();
+    let Some(factor) = Arrow::gram(&unit).factor(HELD_UP) else {
+        return (square, r.len() as f64);
     };
-    let taken = (right.transpose() * factor.solve(&right))[(0, 0)];
-    let inverse = factor.solve(&Mat::<f64>::identity(used.len(), used.len()));
-    let undetermined: f64 = (0..used.len()).map(|k| HELD_UP * inverse[(k, k)]).sum();
+    let (own, shared) = factor.forward(&unit.transposed_times(r));
+    let taken = own.iter().map(|own| own.squared_norm_l2()).sum::<f64>();
+    let undetermined = HELD_UP * factor.trace_of_inverse();
     let rank = used.len() as f64 - undetermined;
-    (r.squared_norm_l2() - taken, m as f64 - rank)
+    (
+        square - taken - shared.squared_norm_l2(),
+        r.len() as f64 - rank,
+    )
 }

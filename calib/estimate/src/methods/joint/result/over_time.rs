@@ -5,7 +5,8 @@ use nalgebra::{Matrix3, Vector3};
 use recording::intervals::Span;
 use sensor::Sensor;
 
-use super::marginal::orthonormal;
+use crate::methods::joint::blocks::basis::Basis;
+use crate::methods::joint::blocks::columns::{Column, Columns};
 use crate::methods::joint::data::{Chunk, Mean};
 use crate::methods::joint::fit::JointFit;
 
@@ -49,7 +50,7 @@ impl JointFit {
         if span.length() <= 0.0 || chunks.len() < 2 {
             return None;
         }
-        let mut columns = Mat::zeros(self.residuals.len(), 3);
+        let mut columns = [const { Column::none() }; 3];
         let mut row = if sensor == Sensor::Accelerometer {
             0
         } else {
@@ -58,13 +59,15 @@ impl JointFit {
         for chunk in &self.data.chunks {
             let Some(m) = mean(chunk) else { continue };
             if own(chunk) {
-                for axis in 0..3 {
-                    columns[(row + axis, axis)] = (middle(&m) - centre) / span.length();
+                let share = (middle(&m) - centre) / span.length();
+                for (axis, column) in columns.iter_mut().enumerate() {
+                    column.set(row + axis, share);
                 }
             }
             row += 3;
         }
-        self.whitening.apply(columns.as_mut());
+        let columns = Columns::sparse(self.whitening.white.groups(), &columns.each_ref());
+        let columns = self.whitening.whiten(columns);
         let (change, covariance) = self.beside(&columns)?;
         Some(BiasMotion {
             span,
@@ -75,9 +78,8 @@ impl JointFit {
     }
 
     /// What three whitened columns would take beside all that is fitted, and the covariance of that.
-    fn beside(&self, columns: &Mat<f64>) -> Option<(Vector3<f64>, Matrix3<f64>)> {
-        let basis = orthonormal(&self.jacobian);
-        let left = columns - &basis * (basis.transpose() * columns);
+    fn beside(&self, columns: &Columns) -> Option<(Vector3<f64>, Matrix3<f64>)> {
+        let left = Basis::of(&self.jacobian).without(columns).to_dense();
         let r = Mat::from_fn(self.residuals.len(), 1, |i, _| self.residuals[i]);
         let gram = left.transpose() * &left;
         let right = left.transpose() * &r;
@@ -92,13 +94,11 @@ impl JointFit {
     pub fn pull_of_held(&self, name: &str) -> Option<(f64, f64)> {
         let place = self.parameters.index(name)?;
         let linear = self.rows().linearize(self.parameters.values());
-        let m = self.residuals.len();
-        let mut column = Mat::from_fn(m, 1, |i, _| linear.jacobian[(i, place)]);
-        self.whitening.apply(column.as_mut());
-        let basis = orthonormal(&self.jacobian);
-        let left = &column - &basis * (basis.transpose() * &column);
+        let column = self.whitening.whiten(linear.jacobian.select(&[place]));
+        let left = Basis::of(&self.jacobian).without(&column).to_dense();
         let square = left.squared_norm_l2();
-        let moved: f64 = (0..m).map(|i| left[(i, 0)] * self.residuals[i]).sum();
+        let of_left = left.col(0).iter().zip(&self.residuals);
+        let moved: f64 = of_left.map(|(l, r)| l * r).sum();
         (square > 0.0).then(|| (-moved / square, square.sqrt().recip()))
     }
 }

@@ -1,20 +1,26 @@
 //! The rotation of the earth in the rows, where no latitude is given.
 
-use faer::Mat;
 use nalgebra::{Matrix3, Vector3};
 use sensor::attitude::Attitude;
 use sensor::{Base, Sensor, inverse};
 
+use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::rows::Rows;
 
 impl Rows<'_> {
     /// What a unit rotation of the earth does to the rows: the gyroscope at rest reads it, turns contain it. The first
-    /// column is the vertical part (up), then two horizontal ones for every recording, as each begins with a
-    /// heading of its own (`m × (1 + 2 recordings)`).
-    pub fn earth_columns(&self, x: &[f64]) -> Mat<f64> {
+    /// columns of every recording are the vertical part (up) and two horizontal ones, as each begins with a heading of its
+    /// own (`m × 3 recordings`).
+    ///
+    /// The vertical part is the same in all recordings of one place. Weights take it for each recording's own, which
+    /// keeps their rows apart; what that does to the errors is put right by what the result has of the place.
+    pub fn earth_columns(&self, x: &[f64]) -> Columns {
         let attitudes = self.attitudes(x);
-        let mut columns = Mat::zeros(self.count(), 1 + 2 * self.data.sources.len());
-        let places = |recording: usize| [1 + 2 * recording, 2 + 2 * recording, 0];
+        let recordings = 0..self.data.sources.len();
+        let of_group = recordings.map(|k| vec![3 * k, 3 * k + 1, 3 * k + 2]);
+        let of_group: Vec<Vec<usize>> = of_group.collect();
+        let mut columns = Columns::zeros(self.groups(), 3 * of_group.len(), of_group);
+        let places = |recording: usize| [3 * recording + 1, 3 * recording + 2, 3 * recording];
         let mut row = self.first_rate_row();
         for (_, chunk) in self.means(Sensor::Gyroscope) {
             let recording = self.data.rests[chunk.rest].recording;
@@ -23,7 +29,7 @@ impl Rows<'_> {
             let seen = through * into_body(attitudes.at_rest(chunk.rest));
             for i in 0..3 {
                 for (k, place) in places(recording).into_iter().enumerate() {
-                    columns[(row + i, place)] = seen[(i, k)];
+                    columns.set(row + i, place, seen[(i, k)]);
                 }
             }
             row += 3;
@@ -42,7 +48,7 @@ impl Rows<'_> {
             let change = -(by_rotation * sum);
             for i in 0..2 {
                 for (k, place) in places(turn.recording).into_iter().enumerate() {
-                    columns[(row + i, place)] = change[(i, k)];
+                    columns.set(row + i, place, change[(i, k)]);
                 }
             }
             row += 2;

@@ -1,7 +1,6 @@
 //! The rows of the joint problem and their Jacobian.
 
 pub(crate) mod attitudes;
-pub(crate) mod blocks;
 pub(crate) mod chart;
 pub(crate) mod earth;
 pub(crate) mod error_columns;
@@ -12,11 +11,12 @@ pub(crate) mod slopes;
 pub(crate) mod turn;
 pub(crate) mod values;
 
-use faer::Mat;
 use nalgebra::{Matrix2x3, Matrix3, Vector2, Vector3};
 use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, PLACES, Sensor, Since, inverse};
 
 use super::data::{Chunk, Data, Mean, TurnSamples};
+use crate::methods::joint::blocks::columns::{Column, Columns, Part};
+use crate::methods::joint::blocks::groups::RowGroups;
 use crate::methods::joint::clock::coning::Coning;
 use crate::methods::joint::rows::chart::Chart;
 use crate::methods::joint::rows::layout::Layout;
@@ -38,8 +38,10 @@ pub struct Rows<'a> {
     pub layout: Layout,
     /// Coordinates of the direction of every rest.
     pub charts: &'a [Chart],
-    /// `∂r/∂d` of the disturbances, one column each (`m`): rows that are known to be off.
-    pub disturbances: &'a [Vec<f64>],
+    /// `∂r/∂d` of the disturbances, one column each: rows that are known to be off.
+    pub disturbances: &'a [Column],
+    /// The rows of the recordings.
+    groups: RowGroups,
     /// Of samples that are means over their windows, and of samples at instants.
     conings: [Coning; 2],
 }
@@ -50,7 +52,7 @@ pub struct Linear {
     /// `r` (`m`).
     pub residuals: Vec<f64>,
     /// `∂r/∂x` (`m × n`), all columns.
-    pub jacobian: Mat<f64>,
+    pub jacobian: Columns,
 }
 
 impl<'a> Rows<'a> {
@@ -60,7 +62,7 @@ impl<'a> Rows<'a> {
         (accelerometer, gyroscope): (&'a Model, &'a Model),
         gravity: f64,
         charts: &'a [Chart],
-        (own_force_bias, disturbances): (bool, &'a [Vec<f64>]),
+        (own_force_bias, disturbances): (bool, &'a [Column]),
     ) -> Self {
         let rate = data.chunks.iter().any(|c| c.gyroscope.is_some());
         let gyroscope_parameters = if rate {
@@ -83,6 +85,7 @@ impl<'a> Rows<'a> {
             },
             charts,
             disturbances,
+            groups: data.row_groups(),
             conings: [Coning::new(), Coning::at_instants()],
         }
     }
@@ -92,6 +95,41 @@ impl<'a> Rows<'a> {
         3 * self.means(Sensor::Accelerometer).count()
             + 3 * self.means(Sensor::Gyroscope).count()
             + 2 * self.data.turns.len()
+    }
+
+    /// The rows of the recordings.
+    pub fn groups(&self) -> &RowGroups {
+        &self.groups
+    }
+
+    /// The columns that may differ from zero in the rows of every recording.
+    fn columns_of_groups(&self) -> Vec<Vec<usize>> {
+        let sensors = [Sensor::Accelerometer, Sensor::Gyroscope];
+        let recordings = 0..self.groups.iter().len();
+        let mut of_group: Vec<Vec<usize>> = recordings
+            .map(|k| {
+                sensors
+                    .iter()
+                    .flat_map(|s| self.layout.columns(*s, k))
+                    .collect()
+            })
+            .collect();
+        for (k, rest) in self.data.rests.iter().enumerate() {
+            let first = self.layout.direction(k);
+            if let Some(own) = of_group.get_mut(rest.recording) {
+                own.extend([first, first + 1]);
+            }
+        }
+        for (k, column) in self.disturbances.iter().enumerate() {
+            let place = self.layout.disturbance(k);
+            let rows = column.entries().iter().map(|(row, _)| *row);
+            rows.for_each(|row| of_group[self.groups.of(row)].push(place));
+        }
+        for columns in &mut of_group {
+            columns.sort_unstable();
+            columns.dedup();
+        }
+        of_group
     }
 
     /// First row of the turns.
@@ -151,27 +189,32 @@ impl<'a> Rows<'a> {
 
     /// Residuals and Jacobian.
     pub fn linearize(&self, x: &[f64]) -> Linear {
-        let m = self.count();
         let mut out = Linear {
-            residuals: vec![0.0; m],
-            jacobian: Mat::zeros(m, self.layout.count()),
+            residuals: Vec::with_capacity(self.count()),
+            jacobian: Columns::zeros(&self.groups, self.layout.count(), self.columns_of_groups()),
         };
-        let mut row = 0;
+        // The rows of every recording that are written.
+        let mut written = vec![0; self.data.sources.len()];
         for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
             for (_, chunk) in self.means(sensor) {
-                self.mean_rows(x, sensor, chunk, row, &mut out);
-                row += 3;
+                let recording = self.data.rests[chunk.rest].recording;
+                let part = out.jacobian.part_mut(recording);
+                let residual = self.mean_rows(x, sensor, chunk, (written[recording], part));
+                out.residuals.extend(residual.iter());
+                written[recording] += 3;
             }
         }
         for turn in &self.data.turns {
-            self.turn_rows(x, turn, row, &mut out);
-            row += 2;
+            let part = out.jacobian.part_mut(turn.recording);
+            let residual = self.turn_rows(x, turn, (written[turn.recording], part));
+            out.residuals.extend(residual.iter());
+            written[turn.recording] += 2;
         }
         for (k, column) in self.disturbances.iter().enumerate() {
             let place = self.layout.disturbance(k);
-            for (i, value) in column.iter().enumerate() {
-                out.residuals[i] += value * x[place];
-                out.jacobian[(i, place)] = *value;
+            for &(row, value) in column.entries() {
+                out.residuals[row] += value * x[place];
+                out.jacobian.set(row, place, value);
             }
         }
         out
@@ -179,10 +222,18 @@ impl<'a> Rows<'a> {
 
     /// `r = distort(g u) − mean` of one chunk: the reading that the model foretells at rest, less the one
     /// that was measured.
-    fn mean_rows(&self, x: &[f64], sensor: Sensor, chunk: &Chunk, row: usize, out: &mut Linear) {
+    fn mean_rows(
+        &self,
+        x: &[f64],
+        sensor: Sensor,
+        chunk: &Chunk,
+        (row, part): (usize, &mut Part),
+    ) -> Vector3<f64> {
         let rest = &self.data.rests[chunk.rest];
         let (model, mean) = self.model_and_mean(sensor, chunk);
-        let Some(mean) = mean else { return };
+        let Some(mean) = mean else {
+            return Vector3::repeat(f64::NAN);
+        };
         let columns = self.layout.columns(sensor, rest.recording);
         let p: Vec<f64> = columns.iter().map(|&c| x[c]).collect();
         let base = Base::from_parameters(&p);
@@ -200,27 +251,25 @@ impl<'a> Rows<'a> {
             Matrix3::zeros()
         };
         let by_force = inverse * (own + effects.by_signal) * by_direction;
-        let residual = reading + base.bias - mean.value;
+        let places = part.places(&columns);
+        let by_direction = part.places(&[at, at + 1]);
         for i in 0..3 {
-            out.residuals[row + i] = residual[i];
             for (k, (a, b)) in PLACES.iter().enumerate() {
-                out.jacobian[(row + i, columns[k])] = -inverse[(i, *a)] * reading[*b];
+                part.values[(row + i, places[k])] = -inverse[(i, *a)] * reading[*b];
             }
-            out.jacobian[(row + i, columns[9 + i])] = 1.0;
-            for j in 0..2 {
-                out.jacobian[(row + i, at + j)] = by_force[(i, j)];
+            part.values[(row + i, places[9 + i])] = 1.0;
+            for (j, place) in by_direction.iter().enumerate() {
+                part.values[(row + i, *place)] = by_force[(i, j)];
             }
         }
-        for (slope, column) in effects
-            .by_parameters
-            .iter()
-            .zip(&columns[BASE_PARAMETERS..])
-        {
+        let own = places.iter().skip(BASE_PARAMETERS);
+        for (slope, place) in effects.by_parameters.iter().zip(own) {
             let carried = inverse * slope;
             for i in 0..3 {
-                out.jacobian[(row + i, *column)] = carried[i];
+                part.values[(row + i, *place)] = carried[i];
             }
         }
+        reading + base.bias - mean.value
     }
 
     /// The truth in a chunk of a rest: time that of the mean's middle.
@@ -244,7 +293,12 @@ impl<'a> Rows<'a> {
     ///
     /// Both directions are parameters, so that consecutive turns share no noise: given the
     /// directions, the rows of a turn see the samples of that turn only.
-    fn turn_rows(&self, x: &[f64], turn: &TurnSamples, row: usize, out: &mut Linear) {
+    fn turn_rows(
+        &self,
+        x: &[f64],
+        turn: &TurnSamples,
+        (row, part): (usize, &mut Part),
+    ) -> Vector2<f64> {
         let columns = self.layout.columns(Sensor::Gyroscope, turn.recording);
         let p: Vec<f64> = columns.iter().map(|&c| x[c]).collect();
         let (carried, slopes) = self.carried(turn, &p);
@@ -254,28 +308,29 @@ impl<'a> Rows<'a> {
         let residual = across * (foretold - self.direction(x, turn.from + 1));
         // ∂(Rᵀ u) = (Rᵀ u) × δ
         let by_rotation = across * foretold.cross_matrix();
+        let [from, to] = [turn.from, turn.from + 1].map(|rest| self.layout.direction(rest));
+        let places = part.places(&columns);
+        let [at_from, at_to] = [from, to].map(|first| part.places(&[first, first + 1]));
         let mut set = |column: usize, value: Vector2<f64>| {
             for i in 0..2 {
-                out.jacobian[(row + i, column)] = value[i];
+                part.values[(row + i, column)] = value[i];
             }
         };
         for (rotation, column) in self
             .by_parameters(turn, &carried, &slopes, &p)
             .iter()
-            .zip(&columns)
+            .zip(&places)
         {
             set(*column, by_rotation * rotation);
         }
-        let [from, to] = [turn.from, turn.from + 1].map(|rest| self.layout.direction(rest));
         let slope_before = self.charts[turn.from].slope(&x[from..from + 2]);
         let slope_after = self.charts[turn.from + 1].slope(&x[to..to + 2]);
         for j in 0..2 {
             let moved = carried.rotation * slope_before.column(j);
-            set(from + j, across * moved);
-            set(to + j, -(across * slope_after.column(j)));
+            set(at_from[j], across * moved);
+            set(at_to[j], -(across * slope_after.column(j)));
         }
-        out.residuals[row] = residual[0];
-        out.residuals[row + 1] = residual[1];
+        residual
     }
 
     /// How the samples of a turn are taken.

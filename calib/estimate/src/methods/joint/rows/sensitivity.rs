@@ -168,7 +168,7 @@ mod tests {
                     .map(|(truth, by)| by.column(axis) * truth.angular_rate[axis].powi(2))
                     .sum();
                 for i in 0..2 {
-                    let column = jacobian[(turn.row + i, 24 + axis)];
+                    let column = jacobian.get(turn.row + i, 24 + axis);
                     assert!((sum[i] - column).abs() < 1e-12 * (1.0 + column.abs()));
                 }
             }
@@ -183,7 +183,7 @@ mod tests {
                 // ∂r/∂s_x = −T⁻¹ e_x (T⁻¹ s)_x of the true signal s; none but the bias at rest.
                 let signal = mean.truth.signal(mean.sensor);
                 let expected = -mean.by_error[(i, 0)] * (mean.by_error * signal).x;
-                assert!((jacobian[(mean.row + i, place)] - expected).abs() < 1e-12);
+                assert!((jacobian.get(mean.row + i, place) - expected).abs() < 1e-12);
             }
         }
     }

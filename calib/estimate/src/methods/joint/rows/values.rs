@@ -27,8 +27,8 @@ impl Rows<'_> {
         }
         for (k, column) in self.disturbances.iter().enumerate() {
             let value = x[self.layout.disturbance(k)];
-            for (r, c) in out.iter_mut().zip(column) {
-                *r += c * value;
+            for &(row, slope) in column.entries() {
+                out[row] += slope * value;
             }
         }
         out

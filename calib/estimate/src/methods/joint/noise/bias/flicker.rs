@@ -6,7 +6,8 @@ use std::ops::Range;
 use faer::Mat;
 use nalgebra::{DMatrix, Matrix2x3};
 
-use crate::methods::joint::noise::exposure::put;
+use crate::methods::joint::blocks::covariance::Covariance;
+use crate::methods::joint::noise::exposure::{Path, paths, put};
 use crate::methods::joint::noise::weights::White;
 
 /// Shortest time constant, s: faster ones are white to a mean over seconds.
@@ -131,31 +132,41 @@ impl Flicker {
     /// Covariance of all `m` rows, of flicker on one axis.
     ///
     /// Rows of one recording do not overlap in time: of an earlier and a later group `C = Σ σ² e^(−gap/τ) tail headᵀ`.
-    pub fn covariance(&self, all: &[Fading], axis: usize, m: usize) -> Mat<f64> {
-        let mut c = Mat::zeros(m, m);
-        for (k, one) in all.iter().enumerate() {
-            put(&mut c, &one.rows, &one.rows, &one.own[axis]);
-            for other in all[..k].iter().filter(|o| o.recording == one.recording) {
-                let (early, late) = if one.begin <= other.begin {
-                    (one, other)
-                } else {
-                    (other, one)
-                };
-                let gap = (late.begin - early.end).max(0.0);
-                let mut block = DMatrix::zeros(early.rows.len(), late.rows.len());
-                for (k, tau) in self.taus.iter().enumerate() {
-                    let decay = (-gap / tau).exp();
-                    if decay > 1e-9 {
-                        block += early.tail[k].column(axis)
-                            * late.head[k].column(axis).transpose()
-                            * (decay * Self::variance());
-                    }
+    pub fn covariance(&self, all: &[Fading], axis: usize, m: usize) -> Covariance {
+        let of_path = |path: Path<'_, Fading>| {
+            let mut c = Mat::zeros(path.rows.len(), path.rows.len());
+            for (k, (one, own)) in path.items.iter().enumerate() {
+                put(&mut c, own, own, &one.own[axis]);
+                for (other, at) in &path.items[..k] {
+                    let (early, late) = if one.begin <= other.begin {
+                        ((one, own), (other, at))
+                    } else {
+                        ((other, at), (one, own))
+                    };
+                    let block = self.between(early.0, late.0, axis);
+                    put(&mut c, early.1, late.1, &block);
+                    put(&mut c, late.1, early.1, &block.transpose());
                 }
-                put(&mut c, &early.rows, &late.rows, &block);
-                put(&mut c, &late.rows, &early.rows, &block.transpose());
+            }
+            (path.rows, c)
+        };
+        let paths = paths(all, |one| (one.recording, one.rows.clone()));
+        Covariance::of_blocks(m, paths.into_iter().map(of_path).collect())
+    }
+
+    /// Covariance of an earlier and a later group of rows.
+    fn between(&self, early: &Fading, late: &Fading, axis: usize) -> DMatrix<f64> {
+        let gap = (late.begin - early.end).max(0.0);
+        let mut block = DMatrix::zeros(early.rows.len(), late.rows.len());
+        for (k, tau) in self.taus.iter().enumerate() {
+            let decay = (-gap / tau).exp();
+            if decay > 1e-9 {
+                block += early.tail[k].column(axis)
+                    * late.head[k].column(axis).transpose()
+                    * (decay * Self::variance());
             }
         }
-        c
+        block
     }
 }
 
@@ -203,7 +214,7 @@ mod tests {
             .enumerate()
             .map(|(k, w)| flicker.of_mean(3 * k..3 * k + 3, 0, *w, 1.0))
             .collect();
-        let c = flicker.covariance(&all, 0, 3 * windows.len());
+        let c = flicker.covariance(&all, 0, 3 * windows.len()).to_dense();
         Mat::from_fn(windows.len(), windows.len(), |i, k| c[(3 * i, 3 * k)])
     }
 
@@ -252,9 +263,11 @@ mod tests {
         let samples = flicker.of_samples(0..2, 0, &t, &gains);
         let mean = flicker.of_mean(2..5, 0, (20.0, 28.0), 1.0);
         let same = flicker.of_mean(0..3, 0, (3.0, 11.0), 1.0);
-        let by_samples = flicker.covariance(&[samples, mean.clone()], 0, 5);
+        let by_samples = flicker
+            .covariance(&[samples, mean.clone()], 0, 5)
+            .to_dense();
         let moved = Fading { rows: 3..6, ..mean };
-        let by_means = flicker.covariance(&[same, moved], 0, 6);
+        let by_means = flicker.covariance(&[same, moved], 0, 6).to_dense();
         for (i, k, j, l) in [(0, 0, 0, 0), (0, 2, 0, 3)] {
             let ratio = by_samples[(i, k)] / by_means[(j, l)];
             assert!((ratio - 1.0).abs() < 1e-3, "{ratio}");

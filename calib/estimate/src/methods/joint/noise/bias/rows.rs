@@ -26,7 +26,8 @@ impl Rows<'_> {
             (0..3).map(axis).collect::<Vec<_>>()
         };
         let all = sensors.enumerate().flat_map(of);
-        all.filter(|c| c.covariance.norm_max() > 0.0).collect()
+        all.filter(|c| c.covariance.diagonal().any(|v| v > 0.0))
+            .collect()
     }
 
     fn fading(&self, flicker: &Flicker, x: &[f64], sensor: Sensor, white: &White) -> Vec<Fading> {

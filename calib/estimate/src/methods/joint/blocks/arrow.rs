@@ -1,0 +1,241 @@
+//! Normal equations of groups of rows that share a few columns.
+
+use std::sync::Arc;
+
+use faer::linalg::triangular_solve::{
+    solve_lower_triangular_in_place, solve_upper_triangular_in_place,
+};
+use faer::{Mat, Par, Side};
+
+use super::columns::Columns;
+
+/// `AᵀA` of columns of which each belongs to one group of rows or is shared by many: a block for every group, a border,
+/// and a block of what is shared. Its factor fills nothing in between.
+#[derive(Clone, Debug)]
+pub struct Arrow {
+    places: Arc<Places>,
+    parts: Vec<Wing>,
+    /// Of the shared columns (`s × s`).
+    last: Mat<f64>,
+}
+
+/// Where the columns stand.
+#[derive(Clone, Debug)]
+pub struct Places {
+    /// The columns of every group, and of all groups.
+    own: Vec<Vec<usize>>,
+    shared: Vec<usize>,
+    /// The place of every column: in its group, or after all of any group among the shared ones.
+    of_column: Vec<Place>,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Place {
+    Own(usize),
+    Shared(usize),
+}
+
+#[derive(Clone, Debug)]
+struct Wing {
+    /// Of the group's own columns (`k × k`).
+    own: Mat<f64>,
+    /// Of those with the shared ones (`k × s`).
+    border: Mat<f64>,
+}
+
+impl Places {
+    /// Of columns in groups of rows.
+    pub fn of(columns: &Columns) -> Self {
+        let parts_of = columns.parts_of();
+        let shared: Vec<usize> = (0..columns.ncols()).filter(|&k| parts_of[k] != 1).collect();
+        let mut of_column = vec![Place::Own(0); columns.ncols()];
+        for (place, &k) in shared.iter().enumerate() {
+            of_column[k] = Place::Shared(place);
+        }
+        let own = columns.parts().iter().map(|part| {
+            let own = part.columns.iter().copied();
+            let own: Vec<usize> = own.filter(|&k| parts_of[k] == 1).collect();
+            for (place, &k) in own.iter().enumerate() {
+                of_column[k] = Place::Own(place);
+            }
+            own
+        });
+        Self {
+            own: own.collect(),
+            shared,
+            of_column,
+        }
+    }
+}
+
+impl Arrow {
+    /// Nothing yet.
+    pub fn zeros(places: &Arc<Places>) -> Self {
+        let s = places.shared.len();
+        let wings = places.own.iter().map(|own| Wing {
+            own: Mat::zeros(own.len(), own.len()),
+            border: Mat::zeros(own.len(), s),
+        });
+        Self {
+            parts: wings.collect(),
+            last: Mat::zeros(s, s),
+            places: places.clone(),
+        }
+    }
+
+    /// `AᵀA`.
+    pub fn gram(columns: &Columns) -> Self {
+        let mut arrow = Self::zeros(&Arc::new(Places::of(columns)));
+        for (group, part) in columns.parts().iter().enumerate() {
+            let gram = part.values.transpose() * &part.values;
+            arrow.add(group, &part.columns, &gram);
+        }
+        arrow
+    }
+
+    /// Adds what some rows of a group give: `gram` (`c × c` or larger) of these columns.
+    pub fn add(&mut self, group: usize, columns: &[usize], gram: &Mat<f64>) {
+        let wing = &mut self.parts[group];
+        for (k, &b) in columns.iter().enumerate() {
+            for (i, &a) in columns.iter().enumerate() {
+                let of_column = &self.places.of_column;
+                match (of_column[a], of_column[b]) {
+                    (Place::Own(a), Place::Own(b)) => wing.own[(a, b)] += gram[(i, k)],
+                    (Place::Own(a), Place::Shared(b)) => wing.border[(a, b)] += gram[(i, k)],
+                    (Place::Shared(_), Place::Own(_)) => {}
+                    (Place::Shared(a), Place::Shared(b)) => self.last[(a, b)] += gram[(i, k)],
+                }
+            }
+        }
+    }
+
+    /// The Cholesky factor, `λ` added to the diagonal; `None` where that is not positive.
+    pub fn factor(&self, damping: f64) -> Option<ArrowFactor> {
+        let held_up = |matrix: &Mat<f64>| {
+            let mut matrix = matrix.clone();
+            for k in 0..matrix.nrows() {
+                matrix[(k, k)] += damping;
+            }
+            matrix
+        };
+        let mut last = held_up(&self.last);
+        let mut parts = Vec::new();
+        for wing in &self.parts {
+            let lower = held_up(&wing.own).llt(Side::Lower).ok()?.L().to_owned();
+            let mut border = wing.border.clone();
+            solve_lower_triangular_in_place(lower.as_ref(), border.as_mut(), Par::Seq);
+            last -= border.transpose() * &border;
+            parts.push((lower, border));
+        }
+        Some(ArrowFactor {
+            places: self.places.clone(),
+            parts,
+            last: last.llt(Side::Lower).ok()?.L().to_owned(),
+        })
+    }
+}
+
+/// `L` of `A + λ I = L Lᵀ`, what is shared last.
+#[derive(Clone, Debug)]
+pub struct ArrowFactor {
+    places: Arc<Places>,
+    parts: Vec<(Mat<f64>, Mat<f64>)>,
+    last: Mat<f64>,
+}
+
+impl ArrowFactor {
+    /// The diagonal of `L`.
+    pub fn pivots(&self) -> impl Iterator<Item = f64> + '_ {
+        let all = self.parts.iter().map(|(own, _)| own);
+        all.chain(std::iter::once(&self.last))
+            .flat_map(|l| (0..l.nrows()).map(move |k| l[(k, k)]))
+    }
+
+    /// `L⁻¹ b` (`n`): the groups one after the other, what is shared last.
+    pub fn forward(&self, b: &[f64]) -> (Vec<Mat<f64>>, Mat<f64>) {
+        let gather = |columns: &[usize]| Mat::from_fn(columns.len(), 1, |k, _| b[columns[k]]);
+        let mut last = gather(&self.places.shared);
+        let mut parts = Vec::new();
+        for ((lower, border), columns) in self.parts.iter().zip(&self.places.own) {
+            let mut own = gather(columns);
+            solve_lower_triangular_in_place(lower.as_ref(), own.as_mut(), Par::Seq);
+            last -= border.transpose() * &own;
+            parts.push(own);
+        }
+        solve_lower_triangular_in_place(self.last.as_ref(), last.as_mut(), Par::Seq);
+        (parts, last)
+    }
+
+    /// The trace of `(A + λ I)⁻¹ = L⁻ᵀ L⁻¹`: the sum of squares of the entries of `L⁻¹`.
+    pub fn trace_of_inverse(&self) -> f64 {
+        let inverse = |lower: &Mat<f64>| {
+            let n = lower.nrows();
+            let mut inverse = Mat::<f64>::identity(n, n);
+            solve_lower_triangular_in_place(lower.as_ref(), inverse.as_mut(), Par::Seq);
+            inverse
+        };
+        let last = inverse(&self.last);
+        let of_part = |(lower, border): &(Mat<f64>, Mat<f64>)| {
+            let own = inverse(lower);
+            let below = &last * (border.transpose() * &own);
+            own.squared_norm_l2() + below.squared_norm_l2()
+        };
+        last.squared_norm_l2() + self.parts.iter().map(of_part).sum::<f64>()
+    }
+
+    /// `(A + λ I)⁻¹ b` (`n`).
+    pub fn solve(&self, b: &[f64]) -> Vec<f64> {
+        let (parts, mut last) = self.forward(b);
+        let mut x = vec![0.0; b.len()];
+        let upper = self.last.transpose();
+        solve_upper_triangular_in_place(upper, last.as_mut(), Par::Seq);
+        for (k, &column) in self.places.shared.iter().enumerate() {
+            x[column] = last[(k, 0)];
+        }
+        let wings = self.parts.iter().zip(&self.places.own).zip(parts);
+        for (((lower, border), columns), mut own) in wings {
+            own -= border * &last;
+            solve_upper_triangular_in_place(lower.transpose(), own.as_mut(), Par::Seq);
+            for (k, &column) in columns.iter().enumerate() {
+                x[column] = own[(k, 0)];
+            }
+        }
+        x
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use faer::linalg::solvers::{DenseSolveCore, Solve};
+
+    use super::*;
+    use crate::methods::joint::blocks::groups::RowGroups;
+
+    #[test]
+    fn the_factor_of_the_groups_is_that_of_the_whole() {
+        let whole = Mat::from_fn(18, 7, |i, k| {
+            let value = ((i * 5 + k * 7 + i * i * (k + 1)) % 13) as f64 - 6.0;
+            if k >= 6 || i / 6 == k / 2 { value } else { 0.0 }
+        });
+        let groups = RowGroups::new((0..18).map(|i| i / 6).collect());
+        let columns = Columns::cut(&whole, &groups);
+        let mut matrix = whole.transpose() * &whole;
+        for k in 0..7 {
+            matrix[(k, k)] += 0.5;
+        }
+        let dense = matrix.llt(Side::Lower).unwrap();
+        let arrow = Arrow::gram(&columns);
+        let factor = arrow.factor(0.5).unwrap();
+        let b: Vec<f64> = (0..7).map(|k| k as f64 - 2.5).collect();
+        let x = dense.solve(Mat::from_fn(7, 1, |k, _| b[k]));
+        for (k, value) in factor.solve(&b).into_iter().enumerate() {
+            assert!((value - x[(k, 0)]).abs() < 1e-12);
+        }
+        let inverse = dense.inverse();
+        let trace: f64 = (0..7).map(|k| inverse[(k, k)]).sum();
+        assert!((factor.trace_of_inverse() - trace).abs() < 1e-12);
+        let log = |pivots: &mut dyn Iterator<Item = f64>| pivots.map(f64::ln).sum::<f64>();
+        let direct = log(&mut (0..7).map(|k| dense.L()[(k, k)]));
+        assert!((log(&mut factor.pivots()) - direct).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,105 @@
+//! Which rows belong to which recording.
+
+use std::sync::Arc;
+
+use super::covariance::Covariance;
+
+/// Rows that share noise and parameters with each other: those of every recording. With other groups they share parameters
+/// only.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RowGroups {
+    groups: Arc<[Vec<usize>]>,
+    /// The group of every row.
+    of_row: Arc<[usize]>,
+}
+
+impl RowGroups {
+    /// Of the group of every row (`m`).
+    pub fn new(of_row: Vec<usize>) -> Self {
+        let count = of_row.iter().max().map_or(0, |last| last + 1);
+        Self::of_count(of_row, count)
+    }
+
+    /// The same of so many groups, of which some may be empty.
+    pub fn of_count(of_row: Vec<usize>, count: usize) -> Self {
+        let mut groups = vec![Vec::new(); count];
+        for (row, &group) in of_row.iter().enumerate() {
+            groups[group].push(row);
+        }
+        Self {
+            groups: groups.into(),
+            of_row: of_row.into(),
+        }
+    }
+
+    /// All rows in one group.
+    pub fn whole(rows: usize) -> Self {
+        Self::new(vec![0; rows])
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.of_row.len()
+    }
+
+    /// The rows of every group, in ascending order.
+    pub fn iter(&self) -> std::slice::Iter<'_, Vec<usize>> {
+        self.groups.iter()
+    }
+
+    /// The group of a row.
+    pub fn of(&self, row: usize) -> usize {
+        self.of_row[row]
+    }
+
+    /// The groups of the first `end` rows.
+    pub fn before(&self, end: usize) -> Self {
+        Self::of_count(self.of_row[..end].to_vec(), self.groups.len())
+    }
+
+    /// Groups that a covariance connects as one.
+    pub fn connected_by<'a>(&self, covariances: impl Iterator<Item = &'a Covariance>) -> Self {
+        let mut joined: Vec<usize> = (0..self.groups.len()).collect();
+        for rows in covariances.flat_map(Covariance::rows_of_blocks) {
+            let Some(&first) = rows.first() else { continue };
+            let to = joined[self.of(first)];
+            for &row in rows {
+                let from = joined[self.of(row)];
+                if from != to {
+                    joined
+                        .iter_mut()
+                        .filter(|j| **j == from)
+                        .for_each(|j| *j = to);
+                }
+            }
+        }
+        if joined.iter().enumerate().all(|(group, to)| group == *to) {
+            return self.clone();
+        }
+        let mut kept = joined.clone();
+        kept.sort_unstable();
+        kept.dedup();
+        let place = |row: &usize| kept.binary_search(&joined[*row]).unwrap_or(0);
+        Self::new(self.of_row.iter().map(place).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use faer::Mat;
+
+    use super::*;
+
+    #[test]
+    fn a_covariance_between_recordings_makes_one_group_of_them() {
+        let groups = RowGroups::new(vec![0, 1, 2, 0, 1, 2]);
+        let rows: Vec<&Vec<usize>> = groups.iter().collect();
+        assert_eq!(rows, [&vec![0, 3], &vec![1, 4], &vec![2, 5]]);
+        let within = Covariance::of_blocks(6, vec![(vec![0, 3], Mat::identity(2, 2))]);
+        assert_eq!(groups.connected_by([&within].into_iter()), groups);
+        let across = Covariance::of_blocks(6, vec![(vec![1, 5], Mat::identity(2, 2))]);
+        let joined = groups.connected_by([&across].into_iter());
+        let rows: Vec<&Vec<usize>> = joined.iter().collect();
+        assert_eq!(rows, [&vec![0, 3], &vec![1, 2, 4, 5]]);
+    }
+}
