@@ -169,6 +169,36 @@ fn two_hundred_random_graphs_have_the_minimum_of_the_dense_problem() {
 }
 
 #[test]
+fn wide_blocks_of_unequal_width_under_many_rows_have_the_minimum_of_the_dense_problem() {
+    let mut rng = ChaCha8Rng::seed_from_u64(12);
+    let widths = vec![20, 77, 30];
+    let lists = [vec![0, 1], vec![0, 2], vec![0]];
+    let factors = lists.map(|list| {
+        let n: usize = list.iter().map(|&b| widths[b]).sum();
+        let mut number = |_| rng.random_range(-1.0..1.0);
+        let coefficients = (0..300)
+            .map(|_| (0..n).map(&mut number).collect())
+            .collect();
+        let targets = (0..300).map(&mut number).collect();
+        let rows = Rows {
+            coefficients,
+            targets,
+        };
+        (list, rows)
+    });
+    let random = Random {
+        widths,
+        factors: factors.into(),
+    };
+    let report = solve_graph(&random.graph().0, &GraphOptions::default()).unwrap();
+    let start = Parameters::unnamed(&report.values);
+    let dense = solve(&random, &start, &Mask::all(127), &Options::default()).unwrap();
+    for (a, b) in report.values.iter().zip(dense.parameters.values()) {
+        assert!((a - b).abs() < 1e-10, "{a} {b}");
+    }
+}
+
+#[test]
 fn a_graph_without_last_digits_ends_as_near_whatever_the_first_damping() {
     let mut rng = ChaCha8Rng::seed_from_u64(12);
     for trial in 0..60 {

@@ -269,6 +269,9 @@ impl Panel {
     /// Adds what was collected to the block.
     pub fn flush(&mut self, h: &mut [f64], structure: &Structure) {
         let Some(slot) = self.slot.take() else { return };
+        if self.left.is_empty() {
+            return;
+        }
         let out = &mut h[structure.entry[slot]..structure.entry[slot + 1]];
         let (rows, columns) = self.shape;
         let lines = self.left.len() / rows.max(1);
