@@ -54,7 +54,7 @@ pub(super) fn settle(session: &Session<'_>, last: &mut State) -> Vec<HeldShape> 
     };
     let fitted = &settled.fit.parameters;
     // Where the recording does not show a time constant, its fit wanders along a valley without an end.
-    let converged = settled.fit.report.termination.converged();
+    let converged = settled.fit.ending.termination.converged();
     if converged && held.iter().all(|shape| shape.is_shown_by(fitted)) {
         *last = settled;
         return Vec::new();

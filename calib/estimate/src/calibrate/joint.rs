@@ -209,7 +209,7 @@ fn check_force(fit: &JointFit, fitted: &Fitted, warnings: &mut Vec<String>) -> R
         directions: fit.directions(),
         scale: fit.force_unit.scale,
         gravity: fit.gravity,
-        report: &fit.report,
+        ending: fit.ending,
     };
     checks::accelerometer_is_determined(&evidence, warnings)
 }
@@ -225,7 +225,7 @@ fn check_rate(
         turns: fit.chords.len(),
         scale: fit.rate_unit.scale,
         rms: root_mean_square(&fit.chords),
-        report: &fit.report,
+        ending: fit.ending,
     };
     if !fit.chords.is_empty() {
         checks::gyroscope_is_determined(&evidence, warnings)?;

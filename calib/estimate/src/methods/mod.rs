@@ -1,6 +1,7 @@
 //! Ways from static intervals and turns to a calibration.
 
 pub mod earth;
+mod ending;
 mod first_guess;
 mod fitted;
 mod gyro_guess;
@@ -15,6 +16,7 @@ pub(crate) mod small_sample;
 mod stepwise;
 mod threshold;
 
+pub use ending::Ending;
 pub use first_guess::{RawUnit, accelerometer_unit};
 pub use fitted::Fitted;
 pub use gyro_guess::{GyroGuess, gyroscope_guess};

@@ -2,10 +2,9 @@
 
 use nalgebra::Vector3;
 use recording::Error;
-use solver::Report;
 
 use super::coverage::refusal;
-use crate::methods::{AccelerometerFit, AccelerometerRequest, Fitted, GyroscopeFit};
+use crate::methods::{AccelerometerFit, AccelerometerRequest, Ending, Fitted, GyroscopeFit};
 
 /// A gyroscope that misses gravity by this much after the fit is not understood, rad.
 pub(super) const LOST: f64 = 0.1;
@@ -27,7 +26,7 @@ pub(in crate::calibrate) struct ForceEvidence<'a> {
     pub scale: f64,
     /// Local gravity, m/s².
     pub gravity: f64,
-    pub report: &'a Report,
+    pub ending: Ending,
 }
 
 /// The fit of a gyroscope, by whatever method.
@@ -39,7 +38,7 @@ pub(in crate::calibrate) struct RateEvidence<'a> {
     pub scale: f64,
     /// By how much the turns miss gravity after the fit, rad.
     pub rms: f64,
-    pub report: &'a Report,
+    pub ending: Ending,
 }
 
 impl<'a> ForceEvidence<'a> {
@@ -53,7 +52,7 @@ impl<'a> ForceEvidence<'a> {
             directions: directions(fit, request),
             scale: fit.unit.scale,
             gravity: request.gravity,
-            report: &fit.first,
+            ending: (&fit.first).into(),
         }
     }
 }
@@ -66,7 +65,7 @@ impl<'a> RateEvidence<'a> {
             turns: fit.chords.len(),
             scale: fit.unit.scale,
             rms: fit.rms(),
-            report: &fit.report,
+            ending: (&fit.report).into(),
         }
     }
 }
@@ -90,13 +89,11 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
         );
         return Err(Error::NotEnough(refusal(directions, &unknown)));
     }
-    if !fit.report.termination.converged() {
+    if !fit.ending.termination.converged() {
         return Err(Error::NotConverged(format!(
             "the accelerometer's fit stopped after {} steps ({:?}); is the gravity of {} m/s² right, \
              and was the device still in the intervals that `segment` shows?",
-            fit.report.iterations.len(),
-            fit.report.termination,
-            fit.gravity
+            fit.ending.steps, fit.ending.termination, fit.gravity
         )));
     }
     let weak = weak_parameters(fit.fitted, fit.scale, fit.gravity);
@@ -181,11 +178,10 @@ pub(in crate::calibrate) fn gyroscope_is_determined(
         );
         return Err(refusal(unknown, &[]));
     }
-    if !fit.report.termination.converged() {
+    if !fit.ending.termination.converged() {
         return Err(Error::NotConverged(format!(
             "the gyroscope's fit stopped after {} steps ({:?})",
-            fit.report.iterations.len(),
-            fit.report.termination
+            fit.ending.steps, fit.ending.termination
         )));
     }
     let weak = weak_parameters(fitted, fit.scale, 1.0);

@@ -1,8 +1,5 @@
 //! Gauss–Newton steps, damped where they have to be, for the points on the way.
 
-use faer::Mat;
-use solver::Problem;
-
 use crate::methods::joint::blocks::arrow::{Arrow, ArrowFactor};
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::noise::weights::{White, Whitening};
@@ -40,22 +37,6 @@ pub struct Weighted<'a> {
     pub rows: &'a Rows<'a>,
     /// Their whitening.
     pub whitening: &'a Whitening,
-}
-
-impl Problem for Weighted<'_> {
-    fn values(&self, x: &[f64], out: &mut Vec<f64>) {
-        *out = self.whitening.whiten_column(&self.rows.residuals(x));
-    }
-
-    fn linearize(&self, x: &[f64], free: &[usize], residuals: &mut Vec<f64>) -> Mat<f64> {
-        let (r, jacobian) = self.rows.linearize(x).whitened(free, self.whitening);
-        *residuals = r;
-        jacobian.to_dense()
-    }
-
-    fn second_derivative(&self, _: &[f64], _: &[f64], _: &mut Vec<f64>) -> bool {
-        false
-    }
 }
 
 impl Linear {
@@ -179,10 +160,11 @@ impl Approached {
     /// thousandth of the way, until rounding stops them.
     pub fn settled(&self, weighted: &Weighted<'_>, free: &[usize]) -> Vec<f64> {
         let mut x = self.x.clone();
-        let mut r = Vec::new();
         let mut before = f64::INFINITY;
         for _ in 0..CHORDS {
-            weighted.values(&x, &mut r);
+            let r = weighted
+                .whitening
+                .whiten_column(&weighted.rows.residuals(&x));
             let (step, square) = self.equations.step(&r);
             if square.is_nan() || square > 0.1 * before {
                 break;

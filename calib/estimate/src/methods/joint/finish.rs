@@ -1,13 +1,14 @@
 //! The last steps and the result.
 
 use recording::Error;
-use solver::{Termination, solve};
+use solver::Termination;
 
 use super::approach::{Weighted, approach};
 use super::budget::Steps;
 use super::disturbance::{Disturbance, Suspect};
 use super::fit::JointFit;
-use super::minimum::{Point, Run, options};
+use super::graph::solve_rows;
+use super::minimum::{Point, Run};
 use super::request::Accused;
 use crate::methods::joint::blocks::basis::Basis;
 use crate::methods::joint::blocks::columns::Columns;
@@ -51,10 +52,11 @@ impl Run<'_> {
             let x = near.settled(&weighted, &free);
             parameters.values_mut().copy_from_slice(&x);
         }
-        let options = options(Steps::at_the_end(self.data.cost_of_a_step()));
-        let mut report = solve(&weighted, &parameters, &point.mask, &options)?;
-        self.start.steps.took(report.jacobian_evaluations);
-        let x = report.parameters.values();
+        let most = Steps::at_the_end(self.data.cost_of_a_step());
+        let ended = solve_rows(&weighted, parameters.values(), &free, most)?;
+        self.start.steps.took(ended.linearisations);
+        parameters.values_mut().copy_from_slice(&ended.x);
+        let (x, mut ending) = (&ended.x, ended.ending);
         let linear = rows.linearize(x);
         let white = &weights.whitening.white;
         let (white_residuals, white_jacobian) = linear.whitened_by(&free, white);
@@ -63,8 +65,9 @@ impl Run<'_> {
         let carried = weights.whitening.finish_columns(weights.carried);
         let of_place = weights.whitening.finish_columns(weights.of_place);
         let without_end = [Termination::Stalled, Termination::IterationLimit];
-        if without_end.contains(&report.termination) && is_near(&report.residuals, &jacobian) {
-            report.termination = Termination::Cost;
+        let residuals = weights.whitening.finish_column(&white_residuals);
+        if without_end.contains(&ending.termination) && is_near(&residuals, &jacobian) {
+            ending.termination = Termination::Cost;
         }
         let broken = self.broken();
         Ok(JointFit {
@@ -72,11 +75,13 @@ impl Run<'_> {
                 self.request.accelerometer.clone(),
                 self.request.gyroscope.clone(),
             ],
-            parameters: report.parameters.clone(),
+            chords: rows.chords(x),
+            moduli: rows.moduli(x),
+            parameters,
             shared: rows.layout.shared(),
             first_rows: [rows.first_rate_row(), rows.first_turn_row()],
             rest_of_row: rows.rest_of_row(),
-            residuals: report.residuals.clone(),
+            residuals,
             jacobian,
             reduced,
             carried,
@@ -95,8 +100,6 @@ impl Run<'_> {
             rate_unit: self.start.rate_unit,
             gravity: self.request.gravity,
             chords_before: rows.chords(self.first_values(&rows).values()),
-            chords: rows.chords(x),
-            moduli: rows.moduli(x),
             data: self.data.clone(),
             charts: self.charts.to_vec(),
             disturbance_columns: columns.clone(),
@@ -105,7 +108,7 @@ impl Run<'_> {
             levels: weights.levels,
             work: self.start.steps.work(self.data.cost_of_a_step()),
             free,
-            report,
+            ending,
         })
     }
 

@@ -2,11 +2,12 @@
 
 use nalgebra::Vector3;
 use sensor::{Model, Sensor};
-use solver::{Parameters, Report};
+use solver::Parameters;
 
 use super::data::Data;
 use super::orientation::Shown;
 use super::request::Accused;
+use crate::methods::Ending;
 use crate::methods::RawUnit;
 use crate::methods::joint::blocks::columns::{Column, Columns};
 use crate::methods::joint::noise::weights::{Component, NoiseLevel, Whitening};
@@ -70,8 +71,8 @@ pub struct JointFit {
     pub rate_unit: RawUnit,
     /// Local gravity, m/s².
     pub gravity: f64,
-    /// The solver's last report.
-    pub report: Report,
+    /// How the solver's last run ended.
+    pub ending: Ending,
     /// Turns' misses before any fit (unit scales), rad.
     pub chords_before: Vec<f64>,
     /// Turns' misses, rad.

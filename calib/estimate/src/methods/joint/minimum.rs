@@ -3,10 +3,11 @@
 use recording::Error;
 use recording::watch::{Stage, step};
 use sensor::Sensor;
-use solver::{Mask, Options, Parameters, Variant, solve};
+use solver::{Mask, Parameters};
 
 use super::approach::{Weighted, approach};
 use super::data::Data;
+use super::graph::solve_rows;
 use super::request::JointRequest;
 use super::start::Start;
 use crate::methods::joint::blocks::columns::Column;
@@ -92,11 +93,12 @@ impl Run<'_> {
             }
             None => {
                 let steps = &self.start.steps;
-                let options = options(steps.on_the_way(self.data.cost_of_a_step()));
-                let report = solve(&weighted, &parameters, &mask, &options)?;
-                steps.took(report.jacobian_evaluations);
-                parameters = report.parameters;
-                rows.linearize(parameters.values())
+                let most = steps.on_the_way(self.data.cost_of_a_step());
+                let free = mask.free_indices();
+                let ended = solve_rows(&weighted, parameters.values(), &free, most)?;
+                steps.took(ended.linearisations);
+                parameters.values_mut().copy_from_slice(&ended.x);
+                rows.linearize(&ended.x)
             }
         };
         Ok(Point {
@@ -153,14 +155,5 @@ fn set(parameters: &mut Parameters, values: &[(String, f64)]) {
         if let Some(place) = parameters.index(name) {
             parameters.values_mut()[place] = *value;
         }
-    }
-}
-
-/// Of the solver, near the minimum.
-pub(crate) fn options(most_steps: usize) -> Options {
-    Options {
-        variant: Variant::GaussNewton,
-        max_iterations: most_steps,
-        ..Options::default()
     }
 }

@@ -21,6 +21,7 @@ mod data;
 mod disturbance;
 mod finish;
 mod fit;
+mod graph;
 mod minimum;
 mod noise;
 mod orientation;

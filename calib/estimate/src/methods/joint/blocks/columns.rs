@@ -68,6 +68,15 @@ pub struct Part {
 }
 
 impl Part {
+    /// No entries.
+    pub fn zeros(rows: &[usize], columns: &[usize]) -> Self {
+        Self {
+            values: Mat::zeros(rows.len(), columns.len()),
+            rows: rows.to_vec(),
+            columns: columns.to_vec(),
+        }
+    }
+
     /// The place of a column here.
     pub fn place(&self, column: usize) -> Option<usize> {
         self.columns.binary_search(&column).ok()
@@ -100,11 +109,8 @@ impl Part {
 impl Columns {
     /// No entries: `of_group` are the columns that may differ from zero in each, in ascending order.
     pub fn zeros(groups: &RowGroups, count: usize, of_group: Vec<Vec<usize>>) -> Self {
-        let parts = groups.iter().zip(of_group).map(|(rows, columns)| Part {
-            values: Mat::zeros(rows.len(), columns.len()),
-            rows: rows.clone(),
-            columns,
-        });
+        let parts = groups.iter().zip(of_group);
+        let parts = parts.map(|(rows, columns)| Part::zeros(rows, &columns));
         Self {
             count,
             parts: parts.collect(),

@@ -52,6 +52,12 @@ impl RowGroups {
         self.of_row[row]
     }
 
+    /// The place of a row in its group.
+    pub fn place(&self, row: usize) -> usize {
+        let own = &self.groups[self.of(row)];
+        own.binary_search(&row).unwrap_or(0)
+    }
+
     /// The groups of the first `end` rows.
     pub fn before(&self, end: usize) -> Self {
         Self::of_count(self.of_row[..end].to_vec(), self.groups.len())

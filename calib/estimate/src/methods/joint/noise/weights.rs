@@ -251,9 +251,18 @@ pub struct Whitening {
     pub white: White,
     /// Rows that share noise: those of a recording, or of several where a covariance connects them.
     groups: RowGroups,
-    /// Cholesky factors of `I + Σ size² C`, for every group of rows that share no noise with others; none
-    /// where that is the identity.
-    factors: Vec<(Vec<usize>, Mat<f64>)>,
+    /// Of every group the Cholesky factors of `I + Σ size² C`; none where that is the identity.
+    factors: Vec<Vec<Factor>>,
+}
+
+/// A Cholesky factor of the covariance of rows that share no noise with others.
+#[derive(Clone, Debug)]
+struct Factor {
+    /// The rows.
+    rows: Vec<usize>,
+    /// Their places in their group.
+    places: Vec<usize>,
+    lower: Mat<f64>,
 }
 
 impl Whitening {
@@ -277,24 +286,23 @@ impl Whitening {
     /// For white noise and what else there is, `covariance` (`m × m`) after the white noise is whitened;
     /// the white noise alone where it is not positive definite.
     pub fn with_covariance(white: White, covariance: &Covariance) -> Self {
-        let factor = |rows: Vec<usize>| {
-            let lower = covariance
-                .part(&rows)?
-                .llt(Side::Lower)
-                .ok()?
-                .L()
-                .to_owned();
-            Some((rows, lower))
-        };
-        let groups = independent(&[covariance], covariance.size()).into_iter();
-        let factors: Option<Vec<_>> = groups.map(factor).collect();
-        match factors {
-            Some(factors) => Self {
-                groups: white.groups.connected_by(std::iter::once(covariance)),
-                white,
-                factors,
-            },
-            None => Self::by(white),
+        let groups = white.groups.connected_by(std::iter::once(covariance));
+        let mut factors: Vec<Vec<Factor>> = vec![Vec::new(); groups.iter().len()];
+        for rows in independent(&[covariance], covariance.size()) {
+            let own = covariance.part(&rows).map(|own| own.llt(Side::Lower));
+            let (Some(&first), Some(Ok(factor))) = (rows.first(), own) else {
+                return Self::by(white);
+            };
+            factors[groups.of(first)].push(Factor {
+                places: rows.iter().map(|&row| groups.place(row)).collect(),
+                lower: factor.L().to_owned(),
+                rows,
+            });
+        }
+        Self {
+            white,
+            groups,
+            factors,
         }
     }
 
@@ -323,29 +331,30 @@ impl Whitening {
     /// The second step alone, of what the white noise has whitened. Every row is mixed with rows before
     /// it only.
     pub fn finish(&self, mut a: MatMut<'_, f64>) {
-        for (rows, factor) in &self.factors {
-            solve_rows(rows, factor, a.as_mut());
+        for factor in self.factors.iter().flatten() {
+            solve_rows(&factor.rows, &factor.lower, a.as_mut());
+        }
+    }
+
+    /// Whitens the rows of one group in place.
+    pub fn apply_group(&self, rows: &[usize], mut a: MatMut<'_, f64>) {
+        self.white.apply_rows(rows, a.as_mut());
+        let group = rows.first().map(|&row| self.groups.of(row));
+        self.finish_group(group.unwrap_or(0), a);
+    }
+
+    /// The second step alone for one group.
+    fn finish_group(&self, group: usize, mut a: MatMut<'_, f64>) {
+        for factor in self.factors.get(group).into_iter().flatten() {
+            solve_rows(&factor.places, &factor.lower, a.as_mut());
         }
     }
 
     /// The same of columns in groups of rows.
     pub fn finish_columns(&self, columns: Columns) -> Columns {
         let mut columns = columns.regrouped(&self.groups);
-        let mut of_group = vec![Vec::new(); columns.parts().len()];
-        for (rows, factor) in &self.factors {
-            if let Some(&first) = rows.first() {
-                of_group[self.groups.of(first)].push((rows, factor));
-            }
-        }
-        for (group, factors) in of_group.into_iter().enumerate() {
-            let part = columns.part_mut(group);
-            for (rows, factor) in factors {
-                let places = rows
-                    .iter()
-                    .filter_map(|row| part.rows.binary_search(row).ok());
-                let places: Vec<usize> = places.collect();
-                solve_rows(&places, factor, part.values.as_mut());
-            }
+        for group in 0..columns.parts().len() {
+            self.finish_group(group, columns.part_mut(group).values.as_mut());
         }
         columns
     }

@@ -102,28 +102,24 @@ impl<'a> Rows<'a> {
         &self.groups
     }
 
-    /// The columns that may differ from zero in the rows of every recording.
-    fn columns_of_groups(&self) -> Vec<Vec<usize>> {
-        let sensors = [Sensor::Accelerometer, Sensor::Gyroscope];
-        let recordings = 0..self.groups.iter().len();
-        let mut of_group: Vec<Vec<usize>> = recordings
-            .map(|k| {
-                sensors
-                    .iter()
-                    .flat_map(|s| self.layout.columns(*s, k))
-                    .collect()
-            })
-            .collect();
-        for (k, rest) in self.data.rests.iter().enumerate() {
-            let first = self.layout.direction(k);
-            if let Some(own) = of_group.get_mut(rest.recording) {
-                own.extend([first, first + 1]);
+    /// The columns that may differ from zero in the rows of every group, which is of whole recordings.
+    pub(crate) fn columns_of(&self, groups: &RowGroups) -> Vec<Vec<usize>> {
+        let mut of_group = vec![Vec::new(); groups.iter().len()];
+        for (recording, rows) in self.groups.iter().enumerate() {
+            let Some(&first) = rows.first() else { continue };
+            for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+                of_group[groups.of(first)].extend(self.layout.columns(sensor, recording));
+            }
+            let rests = self.data.rests.iter().enumerate();
+            for (k, _) in rests.filter(|(_, rest)| rest.recording == recording) {
+                let direction = self.layout.direction(k);
+                of_group[groups.of(first)].extend([direction, direction + 1]);
             }
         }
         for (k, column) in self.disturbances.iter().enumerate() {
             let place = self.layout.disturbance(k);
             let rows = column.entries().iter().map(|(row, _)| *row);
-            rows.for_each(|row| of_group[self.groups.of(row)].push(place));
+            rows.for_each(|row| of_group[groups.of(row)].push(place));
         }
         for columns in &mut of_group {
             columns.sort_unstable();
@@ -189,35 +185,85 @@ impl<'a> Rows<'a> {
 
     /// Residuals and Jacobian.
     pub fn linearize(&self, x: &[f64]) -> Linear {
-        let mut out = Linear {
-            residuals: Vec::with_capacity(self.count()),
-            jacobian: Columns::zeros(&self.groups, self.layout.count(), self.columns_of_groups()),
-        };
-        // The rows of every recording that are written.
-        let mut written = vec![0; self.data.sources.len()];
+        let of_group = self.columns_of(&self.groups);
+        let mut jacobian = Columns::zeros(&self.groups, self.layout.count(), of_group);
+        let mut residuals = vec![0.0; self.count()];
+        for group in 0..jacobian.parts().len() {
+            let part = jacobian.part_mut(group);
+            let own = self.linearize_part(x, part);
+            part.rows
+                .iter()
+                .zip(own)
+                .for_each(|(&row, r)| residuals[row] = r);
+        }
+        Linear {
+            residuals,
+            jacobian,
+        }
+    }
+
+    /// The residuals of the rows of a part, whose Jacobian is filled.
+    pub(crate) fn linearize_part(&self, x: &[f64], part: &mut Part) -> Vec<f64> {
+        let mut residuals = Vec::with_capacity(part.rows.len());
+        let mut row = 0;
         for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
             for (_, chunk) in self.means(sensor) {
-                let recording = self.data.rests[chunk.rest].recording;
-                let part = out.jacobian.part_mut(recording);
-                let residual = self.mean_rows(x, sensor, chunk, (written[recording], part));
-                out.residuals.extend(residual.iter());
-                written[recording] += 3;
+                if part.rows.get(residuals.len()) == Some(&row) {
+                    let own = self.mean_rows(x, sensor, chunk, (residuals.len(), part));
+                    residuals.extend(own.iter());
+                }
+                row += 3;
             }
         }
         for turn in &self.data.turns {
-            let part = out.jacobian.part_mut(turn.recording);
-            let residual = self.turn_rows(x, turn, (written[turn.recording], part));
-            out.residuals.extend(residual.iter());
-            written[turn.recording] += 2;
+            if part.rows.get(residuals.len()) == Some(&row) {
+                let own = self.turn_rows(x, turn, (residuals.len(), part));
+                residuals.extend(own.iter());
+            }
+            row += 2;
         }
         for (k, column) in self.disturbances.iter().enumerate() {
             let place = self.layout.disturbance(k);
-            for &(row, value) in column.entries() {
-                out.residuals[row] += value * x[place];
-                out.jacobian.set(row, place, value);
+            let Some(own) = part.place(place) else {
+                continue;
+            };
+            for &(row, slope) in column.entries() {
+                if let Ok(i) = part.rows.binary_search(&row) {
+                    residuals[i] += slope * x[place];
+                    part.values[(i, own)] = slope;
+                }
             }
         }
-        out
+        residuals
+    }
+
+    /// The residuals of some rows, whole recordings in ascending order.
+    pub(crate) fn residuals_of(&self, x: &[f64], rows: &[usize]) -> Vec<f64> {
+        let mut residuals = Vec::with_capacity(rows.len());
+        let mut row = 0;
+        for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+            for (_, chunk) in self.means(sensor) {
+                if rows.get(residuals.len()) == Some(&row) {
+                    residuals.extend(self.mean_residual(x, sensor, chunk).iter());
+                }
+                row += 3;
+            }
+        }
+        for turn in &self.data.turns {
+            if rows.get(residuals.len()) == Some(&row) {
+                residuals.extend(self.turn_residual(x, turn).iter());
+            }
+            row += 2;
+        }
+        for (k, column) in self.disturbances.iter().enumerate() {
+            let value = x[self.layout.disturbance(k)];
+            for &(row, slope) in column.entries() {
+                if let Ok(i) = rows.binary_search(&row) {
+                    residuals[i] += slope * value;
+                }
+            }
+        }
+        residuals
     }
 
     /// `r = distort(g u) − mean` of one chunk: the reading that the model foretells at rest, less the one

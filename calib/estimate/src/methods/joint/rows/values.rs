@@ -1,6 +1,6 @@
 //! The rows without derivatives, and what they mean to people.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Vector2, Vector3};
 use recording::intervals::Span;
 use sensor::{Base, Sensor};
 
@@ -14,27 +14,17 @@ const INSTANTS: u32 = 8;
 impl Rows<'_> {
     /// The residuals at `x` (`m`).
     pub fn residuals(&self, x: &[f64]) -> Vec<f64> {
-        let mut out = Vec::with_capacity(self.count());
-        for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
-            for (_, chunk) in self.means(sensor) {
-                out.extend(self.mean_residual(x, sensor, chunk).iter());
-            }
-        }
-        for turn in &self.data.turns {
-            let foretold = self.rotation(x, turn) * self.direction(x, turn.from);
-            let miss = foretold - self.direction(x, turn.from + 1);
-            out.extend((self.charts[turn.from + 1].across.transpose() * miss).iter());
-        }
-        for (k, column) in self.disturbances.iter().enumerate() {
-            let value = x[self.layout.disturbance(k)];
-            for &(row, slope) in column.entries() {
-                out[row] += slope * value;
-            }
-        }
-        out
+        let all: Vec<usize> = (0..self.count()).collect();
+        self.residuals_of(x, &all)
     }
 
-    fn mean_residual(&self, x: &[f64], sensor: Sensor, chunk: &Chunk) -> Vector3<f64> {
+    pub(super) fn turn_residual(&self, x: &[f64], turn: &TurnSamples) -> Vector2<f64> {
+        let foretold = self.rotation(x, turn) * self.direction(x, turn.from);
+        let miss = foretold - self.direction(x, turn.from + 1);
+        self.charts[turn.from + 1].across.transpose() * miss
+    }
+
+    pub(super) fn mean_residual(&self, x: &[f64], sensor: Sensor, chunk: &Chunk) -> Vector3<f64> {
         let unknown = Vector3::repeat(f64::NAN);
         let rest = &self.data.rests[chunk.rest];
         let (model, mean) = self.model_and_mean(sensor, chunk);
