@@ -3,10 +3,14 @@
 pub(crate) mod interval;
 pub(crate) mod oriented;
 
+use faer::Mat;
 use nalgebra::{DMatrix, DVector, Vector3};
 use serde::{Deserialize, Serialize};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
+use crate::methods::joint::blocks::basis::{Basis, orthonormal_with_pivots};
+use crate::methods::joint::blocks::columns::Columns;
+use crate::methods::joint::blocks::groups::RowGroups;
 use crate::methods::joint::noise::walk_filter::WalkFilter;
 use crate::methods::joint::orientation::interval::Oriented;
 use crate::methods::small_sample::by_chance;
@@ -26,6 +30,9 @@ const WALKS: [f64; 9] = [0.0, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 1000.0];
 
 /// Standard deviations below this share of the largest are held up to it: intervals of very different lengths.
 const LEAST_SHARE: f64 = 1e-3;
+
+/// Columns of unit length of which others leave less than this depend on them.
+const RANK_TOLERANCE: f64 = 1e-7;
 
 /// A shape that the misfit of the static intervals may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -90,9 +97,12 @@ impl StaticNumbers {
     /// to interval, or a walk of the bias, whose density is the likeliest with the pattern present. Nothing of that kind
     /// depends on the orientation.
     pub fn shown(&self, patterns: &[Pattern]) -> Option<Shown> {
+        if self.rows.len() < LEAST_SPARE {
+            return None;
+        }
+        let walks = self.walks();
         let all = patterns.iter().filter_map(|&pattern| {
-            let columns = self.columns(pattern);
-            let (p_value, dof) = self.test(&columns)?;
+            let (p_value, dof) = self.test(&walks, &self.columns(pattern))?;
             Some(Shown {
                 pattern,
                 p_value,
@@ -116,37 +126,40 @@ impl StaticNumbers {
         })
     }
 
-    /// The p-value of columns beside the parameters, and its degrees of freedom.
-    fn test(&self, columns: &DMatrix<f64>) -> Option<(f64, [usize; 2])> {
-        let n = self.rows.len();
-        if n < LEAST_SPARE {
-            return None;
-        }
-        let with = beside(&self.jacobian, columns);
+    /// What the parameters leave under every walk that is tried.
+    fn walks(&self) -> Vec<Walking> {
+        let groups = RowGroups::new(self.rows.iter().map(|(at, _)| at.recording).collect());
+        let residuals = DMatrix::from_column_slice(self.rows.len(), 1, self.residuals.as_slice());
+        let (residuals, jacobian) = (self.scaled(&residuals), self.scaled(&self.jacobian));
         let walk = self.walk();
-        let scaled =
-            |a: &DMatrix<f64>| DMatrix::from_fn(n, a.ncols(), |i, k| a[(i, k)] / self.sigma[i]);
-        let residuals = scaled(&DMatrix::from_fn(n, 1, |i, _| self.residuals[i]));
-        let (with, jacobian) = (scaled(&with), scaled(&self.jacobian));
-        let best = WALKS
+        let filters = WALKS.iter();
+        let filters =
+            filters.filter_map(|size| WalkFilter::new(&self.rows, &self.sigma, walk * size));
+        filters
+            .map(|filter| Walking::new(filter, &groups, &residuals, &jacobian))
+            .collect()
+    }
+
+    /// Numbers in standard deviations.
+    fn scaled(&self, a: &DMatrix<f64>) -> DMatrix<f64> {
+        DMatrix::from_fn(a.nrows(), a.ncols(), |i, k| a[(i, k)] / self.sigma[i])
+    }
+
+    /// The p-value of columns beside the parameters, and its degrees of freedom.
+    fn test(&self, walks: &[Walking], columns: &DMatrix<f64>) -> Option<(f64, [usize; 2])> {
+        let n = self.rows.len();
+        let columns = self.scaled(columns);
+        let best = walks
             .iter()
-            .filter_map(|&size| {
-                let filter = WalkFilter::new(&self.rows, &self.sigma, walk * size)?;
-                let whitened = |a: &DMatrix<f64>| {
-                    let mut own = a.clone();
-                    filter.whiten(&mut own);
-                    own
-                };
-                let r = whitened(&residuals);
-                let full = Left::of(&whitened(&with), &r);
-                let base = Left::of(&whitened(&jacobian), &r);
-                let log_v = filter.log_determinant;
+            .map(|walk| {
+                let full = walk.with(&columns);
                 // The scale is profiled too: scatter that all intervals share is no pattern either.
                 let spare = n.saturating_sub(full.rank);
                 let scale = (full.square / spare.max(1) as f64).max(1.0);
+                let log_v = walk.filter.log_determinant;
                 let log = -0.5
                     * (log_v + full.log_gram + full.square / scale + spare as f64 * scale.ln());
-                Some((log, full, base))
+                (log, full, &walk.base)
             })
             .max_by(|a, b| a.0.total_cmp(&b.0));
         let (_, full, base) = best?;
@@ -191,65 +204,81 @@ impl StaticNumbers {
     }
 }
 
-fn beside(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
-    let columns: Vec<DVector<f64>> = a
-        .column_iter()
-        .chain(b.column_iter())
-        .map(|c| c.into_owned())
-        .collect();
-    DMatrix::from_columns(&columns)
-}
-
 /// What columns leave of a residual.
+#[derive(Clone, Copy, Debug)]
 struct Left {
     /// Sum of squares.
     square: f64,
     /// Rank of the columns.
     rank: usize,
-    /// Logarithm of the determinant of their Gram matrix, columns scaled to unit length before whitening's share.
+    /// Logarithm of the determinant of their Gram matrix.
     log_gram: f64,
 }
 
-impl Left {
-    fn of(columns: &DMatrix<f64>, r: &DMatrix<f64>) -> Self {
-        if columns.is_empty() {
-            return Self {
-                square: r.norm_squared(),
-                rank: 0,
-                log_gram: 0.0,
-            };
-        }
-        let norms: Vec<f64> = columns.column_iter().map(|c| c.norm()).collect();
-        let scaled = DMatrix::from_fn(columns.nrows(), columns.ncols(), |i, k| {
-            if norms[k] > 0.0 {
-                columns[(i, k)] / norms[k]
-            } else {
-                0.0
-            }
-        });
-        let svd = scaled.svd(true, false);
-        let mut square = r.norm_squared();
-        let (mut rank, mut log_gram) = (0, 0.0);
-        if let Some(u) = &svd.u {
-            for (k, value) in svd.singular_values.iter().enumerate() {
-                if *value > 1e-7 {
-                    rank += 1;
-                    log_gram += 2.0 * value.ln();
-                    square -= u.column(k).dot(&r.column(0)).powi(2);
-                }
-            }
-        }
-        log_gram += norms
-            .iter()
-            .filter(|n| **n > 0.0)
-            .map(|n| 2.0 * n.ln())
-            .sum::<f64>();
+/// The numbers under one walk of the bias.
+struct Walking {
+    filter: WalkFilter,
+    /// Of the parameters' columns.
+    basis: Basis,
+    /// What the parameters leave.
+    base: Left,
+    /// The residuals then.
+    left: Vec<f64>,
+}
+
+impl Walking {
+    /// Of residuals (`n × 1`) and the parameters' columns (`n × k`) in standard deviations.
+    fn new(
+        filter: WalkFilter,
+        groups: &RowGroups,
+        residuals: &DMatrix<f64>,
+        jacobian: &DMatrix<f64>,
+    ) -> Self {
+        let columns = Columns::cut(&whitened(&filter, jacobian), groups);
+        let basis = Basis::with_tolerance(&columns, RANK_TOLERANCE);
+        let left = basis.without_column(whitened(&filter, residuals).col_as_slice(0));
+        let base = Left {
+            square: left.iter().map(|r| r * r).sum(),
+            rank: basis.rank(),
+            log_gram: 2.0 * basis.log_volume(),
+        };
         Self {
-            square: square.max(0.0),
-            rank,
-            log_gram,
+            filter,
+            basis,
+            base,
+            left,
         }
     }
+
+    /// What the parameters and more columns leave.
+    fn with(&self, columns: &DMatrix<f64>) -> Left {
+        let mut columns = whitened(&self.filter, columns);
+        let norms: Vec<f64> = columns.col_iter().map(|c| c.norm_l2()).collect();
+        for (column, norm) in columns.col_iter_mut().zip(&norms) {
+            if *norm > 0.0 {
+                column.iter_mut().for_each(|v| *v /= norm);
+            }
+        }
+        let columns = Columns::cut(&columns, self.basis.groups());
+        let left = self.basis.without(&self.basis.without(&columns)).to_dense();
+        let mut pivots = Vec::new();
+        let own = orthonormal_with_pivots(&left, RANK_TOLERANCE, &mut pivots);
+        let r = Mat::from_fn(self.left.len(), 1, |i, _| self.left[i]);
+        let square = self.base.square - (own.transpose() * r).squared_norm_l2();
+        let lengths = norms.into_iter().filter(|norm| *norm > 0.0);
+        let log_volume: f64 = pivots.into_iter().chain(lengths).map(f64::ln).sum();
+        Left {
+            square: square.max(0.0),
+            rank: self.base.rank + own.ncols(),
+            log_gram: self.base.log_gram + 2.0 * log_volume,
+        }
+    }
+}
+
+fn whitened(filter: &WalkFilter, a: &DMatrix<f64>) -> Mat<f64> {
+    let mut own = a.clone();
+    filter.whiten(&mut own);
+    Mat::from_fn(own.nrows(), own.ncols(), |i, k| own[(i, k)])
 }
 
 #[cfg(test)]

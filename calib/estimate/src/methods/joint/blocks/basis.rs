@@ -3,14 +3,16 @@
 use faer::{Mat, MatRef};
 
 use super::columns::{Columns, Part};
+use super::groups::RowGroups;
 
 /// Diagonal of a pivoted triangle below this share of the length of a column is rank lost.
-const RANK_TOLERANCE: f64 = 1e-10;
+pub const RANK_TOLERANCE: f64 = 1e-10;
 
 /// An orthonormal basis of the space of columns: of every group of rows first what is its own, then what the
 /// groups share and their own columns leave.
 #[derive(Clone, Debug)]
 pub struct Basis {
+    groups: RowGroups,
     parts: Vec<Own>,
     /// Number of vectors that all groups share.
     shared: usize,
@@ -34,6 +36,11 @@ struct Own {
 impl Basis {
     /// Of the columns, scaled to unit length first.
     pub fn of(columns: &Columns) -> Self {
+        Self::with_tolerance(columns, RANK_TOLERANCE)
+    }
+
+    /// The same where a column of which others leave less than `tolerance` of its length depends on them.
+    pub fn with_tolerance(columns: &Columns, tolerance: f64) -> Self {
         let norms = columns.norms();
         let parts_of = columns.parts_of();
         let scale = |part: &Part, places: &[usize]| {
@@ -53,7 +60,7 @@ impl Basis {
         let mut above = 0;
         for part in columns.parts() {
             let (own, others) = part.own_and_shared(&parts_of);
-            let own = orthonormal_with_pivots(&scale(part, &own), &mut pivots);
+            let own = orthonormal_with_pivots(&scale(part, &own), tolerance, &mut pivots);
             let mut rest = scale(part, &others);
             // Twice is enough: what the first projection leaves of rounding, the second takes.
             for _ in 0..2 {
@@ -74,7 +81,7 @@ impl Basis {
                 shared: Mat::zeros(0, 0),
             });
         }
-        let common = orthonormal_with_pivots(&left, &mut pivots);
+        let common = orthonormal_with_pivots(&left, tolerance, &mut pivots);
         let mut above = 0;
         for part in &mut parts {
             let count = part.rows.len();
@@ -83,12 +90,18 @@ impl Basis {
         }
         let lengths = norms.iter().copied().filter(|norm| *norm > 0.0);
         Self {
+            groups: columns.groups().clone(),
             leverages: leverages(&parts, columns.nrows()),
             place_of_row: places(&parts, columns.nrows()),
             shared: common.ncols(),
             log_volume: pivots.into_iter().chain(lengths).map(f64::ln).sum(),
             parts,
         }
+    }
+
+    /// The groups of rows.
+    pub fn groups(&self) -> &RowGroups {
+        &self.groups
     }
 
     /// `½ ln |AᵀA|` of the columns `A`, of the part that has rank.
@@ -214,7 +227,11 @@ pub fn stacked(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
 }
 
 /// An orthonormal basis of columns of unit length or shorter; the pivots of those that have rank are added.
-pub fn orthonormal_with_pivots(scaled: &Mat<f64>, pivots: &mut Vec<f64>) -> Mat<f64> {
+pub fn orthonormal_with_pivots(
+    scaled: &Mat<f64>,
+    tolerance: f64,
+    pivots: &mut Vec<f64>,
+) -> Mat<f64> {
     if scaled.ncols() == 0 || scaled.nrows() == 0 {
         return Mat::zeros(scaled.nrows(), 0);
     }
@@ -222,7 +239,7 @@ pub fn orthonormal_with_pivots(scaled: &Mat<f64>, pivots: &mut Vec<f64>) -> Mat<
     let triangle = qr.thin_R();
     let size = triangle.nrows().min(triangle.ncols());
     let rank = (0..size)
-        .take_while(|&k| triangle[(k, k)].abs() > RANK_TOLERANCE)
+        .take_while(|&k| triangle[(k, k)].abs() > tolerance)
         .count();
     pivots.extend((0..rank).map(|k| triangle[(k, k)].abs()));
     qr.compute_thin_Q().as_ref().subcols(0, rank).to_owned()
@@ -231,7 +248,6 @@ pub fn orthonormal_with_pivots(scaled: &Mat<f64>, pivots: &mut Vec<f64>) -> Mat<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::methods::joint::blocks::groups::RowGroups;
     use crate::methods::joint::result::marginal::orthonormal;
 
     /// Two groups of eight rows with three columns of their own and two that both have; one column depends on others.

@@ -5,7 +5,7 @@ use std::cell::Cell;
 use faer::linalg::solvers::{DenseSolveCore, Llt, Solve};
 use faer::{Mat, Side};
 
-use crate::methods::joint::blocks::basis::orthonormal_with_pivots;
+use crate::methods::joint::blocks::basis::{RANK_TOLERANCE, orthonormal_with_pivots};
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::blocks::covariance::Covariance;
 use crate::methods::joint::noise::bias::Within;
@@ -329,7 +329,7 @@ fn make_orthonormal(parts: &mut [Part]) -> usize {
         all.as_mut().subrows_mut(above, q).copy_from(&part.shared);
         above += q;
     }
-    let basis = orthonormal_with_pivots(&all, &mut Vec::new());
+    let basis = orthonormal_with_pivots(&all, RANK_TOLERANCE, &mut Vec::new());
     above = 0;
     for part in parts.iter_mut() {
         let q = part.z.nrows();

@@ -3,7 +3,7 @@
 use faer::Mat;
 use solver::{Uncertainty, uncertainty};
 
-use crate::methods::joint::blocks::basis::{Basis, orthonormal_with_pivots};
+use crate::methods::joint::blocks::basis::{Basis, RANK_TOLERANCE, orthonormal_with_pivots};
 use crate::methods::joint::blocks::columns::Columns;
 
 /// Covariance, rank, condition and unobservable combinations of the columns `keep` of a whitened
@@ -78,7 +78,7 @@ pub fn orthonormal(a: &Mat<f64>) -> Mat<f64> {
             0.0
         }
     });
-    orthonormal_with_pivots(&scaled, &mut Vec::new())
+    orthonormal_with_pivots(&scaled, RANK_TOLERANCE, &mut Vec::new())
 }
 
 #[cfg(test)]
