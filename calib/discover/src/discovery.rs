@@ -17,16 +17,17 @@ use super::family::{Claim, effect_family, is_late};
 use super::fault::integrity::{disturbed, integrity, undersampled};
 use super::fault::time_offset::{Delay, delay};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
+use super::flicker::names_and_rest;
 use super::gap::channel::{Channel, Misfit, Sequence, channel_of};
 use super::gap::held_out::{gap_of, held_out};
 use super::gap::localise::disagreements;
 use super::propose::{Proposal, propose};
 use super::rank::Ranked;
-use super::remainder::unexplained::{Unexplained, rest_of, unexplained};
+use super::remainder::unexplained::{Unexplained, rest_of};
 use super::remainder::weighed_again::weighed_again;
 use super::request::{Request, Session};
 use super::score::log_tail;
-use super::search::{Name, Search, search};
+use super::search::{Name, Search};
 use super::settle::{HeldShape, say_held, settle};
 use super::state::State;
 use super::visible::{NEVER_VISIBLE, told_apart_by};
@@ -77,16 +78,11 @@ fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discover
     enough_to_compare(&session, &base)?;
     let mut faults = integrity(&session, &base);
     let quantised = faults.iter().any(|f| f.name == "quantisation");
-    let mut search = if quantised {
-        Search::without_names(base)
-    } else {
-        search(&session, request, base)?
-    };
     let alpha = request.half_alpha();
-    let mut rest = if quantised {
-        None
+    let (mut search, mut rest) = if quantised {
+        (Search::without_names(base), None)
     } else {
-        unexplained(&mut search, alpha)
+        names_and_rest(&mut session, request, base)?
     };
     if rest.is_some() && without_weak(&session, &mut search, request)? {
         rest = rest_of(&search.last, alpha);

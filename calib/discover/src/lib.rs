@@ -13,6 +13,7 @@ mod enough;
 mod family;
 mod fault;
 mod findings;
+mod flicker;
 mod gap;
 mod noise;
 mod pictures;

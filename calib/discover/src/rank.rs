@@ -114,7 +114,7 @@ pub(super) fn levels(projected: &Projected, noise: BiasNoise, given: bool) -> Ve
             add(noise.with_shares(sensor, walk, flicker), 1.0, Some(sensor));
         }
     }
-    if projected.scatter.is_some() {
+    if projected.scatters {
         for share in SCATTERS {
             add(noise, share, None);
         }

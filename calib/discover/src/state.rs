@@ -81,8 +81,7 @@ impl State {
         let fit = fit_joint(&session.joint(&extension))?;
         let sensitivities = fit.sensitivities();
         let noise = (&fit.components[..], &fit.levels[..]);
-        let mut projected =
-            Projected::new(&fit.white_residuals, &fit.white_jacobian.to_dense(), noise);
+        let mut projected = Projected::new(&fit.white_residuals, &fit.white_jacobian, noise);
         projected.within = within(&fit.data, &projected.kinds());
         let noise = BiasNoise::of(&fit.levels);
         Ok(Self {

@@ -1,8 +1,7 @@
 //! Intervals that the fit did not see: cross-validation over blocks of rests.
 
 use estimate::methods::joint::BiasNoise;
-use faer::linalg::solvers::DenseSolveCore;
-use faer::{Mat, Side};
+use faer::Mat;
 use nalgebra::DMatrix;
 
 use crate::gap::channel::{Channel, Misfit};
@@ -20,22 +19,25 @@ const UNSEEN: f64 = 1e-8;
 /// `(P_BB)⁺`: no refit is needed. The errors of the parameters that the other blocks give are in it, and
 /// what only the block could tell (its directions) is projected out.
 pub fn held_out(state: &State, noise: BiasNoise) -> Option<[Misfit; 3]> {
-    let precision = precision(state, noise)?;
-    let r = &state.fit.white_residuals;
-    let pr = &precision * Mat::from_fn(r.len(), 1, |i, _| r[i]);
+    let whitened = state.projected.at(noise)?;
     let mut sums = [Misfit::default(); 3];
     for block in blocks(state) {
         let of = |first: usize, last: usize| -> Vec<usize> {
-            let rows = block.iter().copied();
-            rows.filter(|i| (first..last).contains(i)).collect()
+            let places = 0..block.len();
+            places
+                .filter(|&k| (first..last).contains(&block[k]))
+                .collect()
         };
         let [rate, turns] = state.fit.first_rows;
         let force = of(0, rate);
-        let direction: Vec<usize> = force.iter().copied().chain(of(turns, r.len())).collect();
-        let modulus = missed(&precision, &pr, &block, &force);
-        let with_force = missed(&precision, &pr, &block, &direction);
+        let end = of(turns, state.rows());
+        let direction: Vec<usize> = force.iter().copied().chain(end).collect();
+        let seen = whitened.columns(&state.projected.units(&block));
+        let (precision, pr) = (seen.transpose() * &seen, seen.transpose() * &whitened.z);
+        let modulus = missed(&precision, &pr, &force);
+        let with_force = missed(&precision, &pr, &direction);
         sums[0].add(modulus);
-        sums[1].add(missed(&precision, &pr, &block, &of(rate, turns)));
+        sums[1].add(missed(&precision, &pr, &of(rate, turns)));
         sums[2].add(Misfit {
             chi2: (with_force.chi2 - modulus.chi2).max(0.0),
             dof: with_force.dof - modulus.dof,
@@ -49,15 +51,6 @@ pub fn gap_of(misfits: &[Misfit; 3], channel: Channel) -> f64 {
     misfits.get(channel as usize).map_or(1.0, Misfit::gap)
 }
 
-fn precision(state: &State, noise: BiasNoise) -> Option<Mat<f64>> {
-    let projected = &state.projected;
-    let Some(v) = projected.covariance(noise) else {
-        return Some(&projected.null * projected.null.transpose());
-    };
-    let inverse = v.llt(Side::Lower).ok()?.inverse();
-    Some(&projected.null * (inverse * projected.null.transpose()))
-}
-
 /// The rows of every block: neighbouring rests with their chunks and the turns that begin in them.
 fn blocks(state: &State) -> Vec<Vec<usize>> {
     let rests = state.fit.data.rests.len().max(1);
@@ -69,12 +62,10 @@ fn blocks(state: &State) -> Vec<Vec<usize>> {
     blocks
 }
 
-/// The rows `wanted` of a block that is left out as a whole: its other rows are taken out of the data first,
-/// `P → P − P_·o (P_oo)⁺ P_o·`.
-fn missed(precision: &Mat<f64>, pr: &Mat<f64>, block: &[usize], wanted: &[usize]) -> Misfit {
-    let others: Vec<usize> = block
-        .iter()
-        .copied()
+/// The rows `wanted` of a block that is left out as a whole, whose part of `P` and `P r` these are: its other rows are taken
+/// out of the data first, `P → P − P_·o (P_oo)⁺ P_o·`.
+fn missed(precision: &Mat<f64>, pr: &Mat<f64>, wanted: &[usize]) -> Misfit {
+    let others: Vec<usize> = (0..precision.nrows())
         .filter(|i| !wanted.contains(i))
         .collect();
     let part = |rows: &[usize], columns: &[usize]| {
@@ -141,7 +132,11 @@ mod tests {
         let own = dense(wanted);
         let covariance = DMatrix::identity(3, 3) + &own * normal * own.transpose();
         let direct = missed_by_fit.transpose() * covariance.try_inverse().unwrap() * &missed_by_fit;
-        let found = missed(&precision, &pr, &block, wanted);
+        let own_block = Mat::from_fn(block.len(), block.len(), |i, k| {
+            precision[(block[i], block[k])]
+        });
+        let of_block = Mat::from_fn(block.len(), 1, |i, _| pr[(block[i], 0)]);
+        let found = missed(&own_block, &of_block, &[0, 1, 2]);
         assert_eq!(found.dof, 3.0);
         assert!((found.chi2 / direct[(0, 0)] - 1.0).abs() < 1e-9);
     }

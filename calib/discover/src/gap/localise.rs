@@ -57,19 +57,22 @@ fn worst_intervals(state: &State, channel: Channel) -> String {
     let rows = state.rows();
     let [rate, turns] = state.fit.first_rows;
     let range = [0..rate, rate..turns, turns..rows][channel as usize].clone();
-    let null = &state.projected.null;
-    let pr = null * &state.projected.z;
+    let bare = state.projected.white();
     let mut misses: Vec<(f64, usize)> = (0..state.fit.data.rests.len())
         .filter_map(|rest| {
             let own: Vec<usize> = range
                 .clone()
                 .filter(|&i| state.fit.rest_of_row[i] == rest)
                 .collect();
-            let p = Mat::from_fn(own.len(), own.len(), |i, j| {
-                (null.row(own[i]) * null.row(own[j]).transpose()) + if i == j { 1e-9 } else { 0.0 }
-            });
+            let seen = bare.columns(&state.projected.units(&own));
+            let mut p = seen.transpose() * &seen;
+            p.diagonal_mut()
+                .column_vector_mut()
+                .iter_mut()
+                .for_each(|v| *v += 1e-9);
             let inverse = p.llt(Side::Lower).ok()?.inverse();
-            let y = DMatrix::from_fn(own.len(), 1, |i, _| pr[(own[i], 0)]);
+            let y = seen.transpose() * &bare.z;
+            let y = DMatrix::from_fn(own.len(), 1, |i, _| y[(i, 0)]);
             let inverse = DMatrix::from_fn(own.len(), own.len(), |i, j| inverse[(i, j)]);
             let chi2 = (y.transpose() * inverse * &y)[(0, 0)];
             (!own.is_empty()).then_some((chi2 / own.len() as f64, rest))
@@ -126,6 +129,7 @@ fn best_covariate(state: &State, channel: Channel) -> &'static str {
         Channel::StaticNorm => Sensor::Accelerometer,
         _ => Sensor::Gyroscope,
     };
+    let bare = state.projected.white();
     let statistic = |covariate: &Covariate| {
         let columns = error_columns(
             &state.sensitivities,
@@ -150,7 +154,7 @@ fn best_covariate(state: &State, channel: Channel) -> &'static str {
             }
         });
         let projected = state.projected.columns(state.whitened(scaled).as_ref());
-        let s = score(projected.as_ref(), &state.projected.z);
+        let s = score(bare.columns(&projected).as_ref(), &bare.z);
         log_tail(s.statistic, s.dof as f64)
     };
     COVARIATES

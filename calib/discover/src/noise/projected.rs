@@ -1,89 +1,167 @@
 //! The disagreement, with everything that the model's parameters could explain taken out.
 
 use estimate::methods::joint::{
-    BiasNoise, Component, ComponentKind, NoiseLevel, Within, left_null_space,
+    BiasNoise, Column, Columns, Component, ComponentKind, NoiseLevel, Within, left_null_space,
+    orthonormal,
 };
 use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::{Mat, MatRef, Par, Side};
 
-/// `z = Nᵀ r ~ N(Nᵀ E β, I + Σ θ_c C_c)`, `N` (`m × q`) the left null space of the Jacobian of a model: what is left when
-/// all its parameters, directions and biases have had their share; `C_c` those of walk and flicker of the biases.
+/// `z = Nᵀ r ~ N(Nᵀ E β + Nᵀ S γ, I + Σ θ_c C_c)`, `N` (`m × q`) of every recording the left null space of the columns of a
+/// model's Jacobian that are its own, directions and biases; `S` what all recordings share, which is taken out under the
+/// noise at hand; `C_c` those of walk and flicker of the biases.
 #[derive(Clone, Debug)]
 pub struct Projected {
-    /// `N` (`m × q`).
-    pub null: Mat<f64>,
-    /// `Nᵀ r` (`q × 1`).
-    pub z: Mat<f64>,
-    /// `Nᵀ C N` (`q × q`) of the noise of the biases.
-    pub noise: Vec<(ComponentKind, Mat<f64>)>,
-    /// The scatter of the turns at its likeliest (`q × q`), where they are off by far more than the noise.
-    pub scatter: Option<Mat<f64>>,
+    /// Number of rows `m`.
+    rows: usize,
+    parts: Vec<Part>,
+    /// `Nᵀ r` (`q × 1`), the recordings one after the other.
+    z: Mat<f64>,
+    /// `Nᵀ S` (`q × s`), orthonormal.
+    shared: Mat<f64>,
+    /// Kinds of noise of the biases, in order.
+    kinds: Vec<ComponentKind>,
+    /// Whether turns scatter, as they are off by far more than the noise.
+    pub scatters: bool,
     /// What the readings within static intervals say of that noise, in its order: no error of a model shows there.
     pub within: Vec<Within>,
+}
+
+/// One recording, or several that share noise.
+#[derive(Clone, Debug)]
+struct Part {
+    /// Its rows.
+    rows: Vec<usize>,
+    /// `N` (`rows × q`).
+    null: Mat<f64>,
+    /// `Nᵀ C N` (`q × q`) of the noise of the biases.
+    noise: Vec<Mat<f64>>,
+    /// The scatter of the turns at its likeliest (`q × q`).
+    scatter: Option<Mat<f64>>,
 }
 
 impl Projected {
     /// Of white-whitened residuals (`m`), Jacobian (`m × n`) and kinds of noise (`m × m`) with their levels.
     pub fn new(
         residuals: &[f64],
-        jacobian: &Mat<f64>,
+        jacobian: &Columns,
         (noise, levels): (&[Component], &[NoiseLevel]),
     ) -> Self {
-        let null = left_null_space(jacobian);
-        let r = Mat::from_fn(residuals.len(), 1, |i, _| residuals[i]);
         let of_biases = |c: &&Component| c.kind.is_walk() || c.kind.is_flicker();
         let of_turns = |c: &&Component| c.kind == ComponentKind::TurnScatter;
         let scatter = noise.iter().find(of_turns).and_then(|c| {
             let size = levels.iter().find(|level| level.kind == c.kind)?.size;
-            (size > 0.0).then(|| faer::Scale(size * size) * c.covariance.both_sides(&null))
+            (size > 0.0).then_some((size * size, &c.covariance))
         });
-        let noise = noise.iter().filter(of_biases);
-        Self {
-            scatter,
-            z: null.transpose() * &r,
-            noise: noise
-                .map(|c| (c.kind, c.covariance.both_sides(&null)))
-                .collect(),
+        let noise: Vec<&Component> = noise.iter().filter(of_biases).collect();
+        let all = noise.iter().map(|c| &c.covariance);
+        let all = all.chain(scatter.map(|(_, c)| c));
+        let groups = jacobian.groups().connected_by(all);
+        let jacobian = jacobian.clone().regrouped(&groups);
+        let parts_of = jacobian.parts_of();
+        let common: Vec<usize> = (0..parts_of.len()).filter(|&k| parts_of[k] > 1).collect();
+        let shared = jacobian.select(&common).to_dense();
+        let part = |part: &estimate::methods::joint::Part| {
+            let (own, _) = part.own_and_shared(&parts_of);
+            let own = Mat::from_fn(part.rows.len(), own.len(), |i, k| part.values[(i, own[k])]);
+            let null = left_null_space(&own);
+            Part {
+                noise: noise
+                    .iter()
+                    .map(|c| c.covariance.both_sides_of(&part.rows, &null))
+                    .collect(),
+                scatter: scatter
+                    .map(|(size, c)| faer::Scale(size) * c.both_sides_of(&part.rows, &null)),
+                rows: part.rows.clone(),
+                null,
+            }
+        };
+        let mut projected = Self {
+            rows: residuals.len(),
+            parts: jacobian.parts().iter().map(part).collect(),
+            z: Mat::zeros(0, 1),
+            shared: Mat::zeros(0, 0),
+            kinds: noise.iter().map(|c| c.kind).collect(),
+            scatters: scatter.is_some(),
             within: Vec::new(),
-            null,
-        }
+        };
+        let r = Mat::from_fn(residuals.len(), 1, |i, _| residuals[i]);
+        projected.z = projected.columns(r.as_ref());
+        projected.shared = orthonormal(&projected.columns(shared.as_ref()));
+        projected
     }
 
     /// Kinds of noise of the biases, in order.
     pub fn kinds(&self) -> Vec<ComponentKind> {
-        self.noise.iter().map(|(kind, _)| *kind).collect()
+        self.kinds.clone()
     }
 
-    /// Degrees of freedom `q`.
+    /// Degrees of freedom `q − s`.
     pub fn dof(&self) -> usize {
-        self.z.nrows()
+        self.z.nrows() - self.shared.ncols()
     }
 
     /// `Nᵀ E` (`q × k`) of white-whitened columns.
     pub fn columns(&self, e: MatRef<'_, f64>) -> Mat<f64> {
-        self.null.transpose() * e
+        if let [part] = self.parts.as_slice() {
+            return part.null.transpose() * e;
+        }
+        let count = self.parts.iter().map(|part| part.null.ncols()).sum();
+        let mut all = Mat::zeros(count, e.ncols());
+        let mut above = 0;
+        for part in &self.parts {
+            let q = part.null.ncols();
+            let is_used = |k: &usize| part.rows.iter().any(|&i| e[(i, *k)] != 0.0);
+            let used: Vec<usize> = (0..e.ncols()).filter(is_used).collect();
+            let own = Mat::from_fn(part.rows.len(), used.len(), |i, k| {
+                e[(part.rows[i], used[k])]
+            });
+            put(&mut all, above, &used, &(part.null.transpose() * own));
+            above += q;
+        }
+        all
     }
 
-    /// `V = I + Σ θ_c C_c` (`q × q`); `None` where that is the identity.
-    pub fn covariance(&self, noise: BiasNoise) -> Option<Mat<f64>> {
-        let q = self.dof();
+    /// The same of unit columns, one for each of these rows.
+    pub fn units(&self, rows: &[usize]) -> Mat<f64> {
+        let units: Vec<Column> = rows.iter().map(|&row| Column::unit(row)).collect();
+        let units = Column::side_by_side(self.rows, &units.iter().collect::<Vec<_>>());
+        self.columns(units.as_ref())
+    }
+
+    /// `V = I + Σ θ_c C_c` (`q × q`) of a recording; `None` where that is the identity.
+    fn covariance(&self, part: &Part, noise: BiasNoise, share: f64) -> Option<Mat<f64>> {
+        let q = part.null.ncols();
         let mut sum: Option<Mat<f64>> = None;
         for (kind, size) in noise.sizes() {
-            let own = self.noise.iter().find(|(own, _)| *own == kind);
-            if let (Some((_, c)), true) = (own, size > 0.0) {
+            let own = self.kinds.iter().position(|own| *own == kind);
+            if let (Some(place), true) = (own, size > 0.0) {
+                let c = &part.noise[place];
                 *sum.get_or_insert_with(|| Mat::identity(q, q)) += faer::Scale(size * size) * c;
             }
+        }
+        if let (Some(scatter), true) = (&part.scatter, share > 0.0) {
+            *sum.get_or_insert_with(|| Mat::identity(q, q)) += faer::Scale(share) * scatter;
         }
         sum
     }
 
     fn log_likelihood_within(&self, noise: &BiasNoise) -> f64 {
-        let variance = |(kind, _): &(ComponentKind, Mat<f64>)| {
+        let variance = |kind: &ComponentKind| {
             let size = noise.sizes().find(|(own, _)| own == kind);
             size.map_or(0.0, |(_, size)| size * size)
         };
-        let theta: Vec<f64> = self.noise.iter().map(variance).collect();
+        let theta: Vec<f64> = self.kinds.iter().map(variance).collect();
         self.within.iter().map(|w| w.log_likelihood(&theta)).sum()
+    }
+
+    /// The whole under white noise alone.
+    pub fn white(&self) -> Whitened {
+        let whitened = self.whitened(vec![None; self.parts.len()]);
+        Whitened {
+            within: self.log_likelihood_within(&BiasNoise::default()),
+            ..whitened
+        }
     }
 
     /// The whole at given noise of the biases; `None` where that is not finite.
@@ -93,56 +171,102 @@ impl Projected {
 
     /// The same with a share of the variance by which turns scatter.
     pub fn at_share(&self, noise: BiasNoise, share: f64) -> Option<Whitened> {
-        let mut covariance = self.covariance(noise);
-        if let (Some(scatter), true) = (&self.scatter, share > 0.0) {
-            let q = self.dof();
-            *covariance.get_or_insert_with(|| Mat::identity(q, q)) += faer::Scale(share) * scatter;
-        }
-        let factor = match covariance {
-            Some(v) => Some(v.llt(Side::Lower).ok()?.L().to_owned()),
-            None => None,
+        let factor = |part: &Part| match self.covariance(part, noise, share) {
+            Some(v) => Some(Some(v.llt(Side::Lower).ok()?.L().to_owned())),
+            None => Some(None),
         };
-        let mut z = self.z.clone();
-        let log_determinant = match &factor {
-            Some(l) => {
-                solve_lower_triangular_in_place(l.as_ref(), z.as_mut(), Par::Seq);
-                (0..self.dof()).map(|k| 2.0 * l[(k, k)].ln()).sum()
-            }
-            None => 0.0,
-        };
+        let factors: Option<Vec<_>> = self.parts.iter().map(factor).collect();
         Some(Whitened {
             within: self.log_likelihood_within(&noise),
-            square: z.squared_norm_l2(),
-            z,
-            factor,
-            log_determinant,
+            ..self.whitened(factors?)
         })
+    }
+
+    /// The whole under noise with these factors of its covariance, recording by recording.
+    fn whitened(&self, factors: Vec<Option<Mat<f64>>>) -> Whitened {
+        let log_determinants = factors
+            .iter()
+            .flatten()
+            .map(|l| (0..l.nrows()).map(|k| 2.0 * l[(k, k)].ln()).sum::<f64>());
+        let mut log_determinant = log_determinants.sum();
+        let sizes = self.parts.iter().map(|part| part.null.ncols());
+        let mut whitened = Whitened {
+            z: self.z.clone(),
+            factors: sizes.zip(factors).collect(),
+            taken: Mat::zeros(self.z.nrows(), 0),
+            log_determinant: 0.0,
+            square: 0.0,
+            within: 0.0,
+        };
+        if self.shared.ncols() > 0 {
+            let qr = whitened.columns(&self.shared).qr();
+            let triangle = qr.thin_R();
+            let pivots = (0..triangle.nrows()).map(|k| 2.0 * triangle[(k, k)].abs().ln());
+            log_determinant += pivots.sum::<f64>();
+            whitened.taken = qr.compute_thin_Q();
+        }
+        whitened.z = whitened.columns(&self.z);
+        whitened.square = whitened.z.squared_norm_l2();
+        whitened.log_determinant = log_determinant;
+        whitened
+    }
+}
+
+/// Writes columns `used` of some rows.
+fn put(all: &mut Mat<f64>, above: usize, used: &[usize], own: &Mat<f64>) {
+    for (k, &column) in used.iter().enumerate() {
+        for i in 0..own.nrows() {
+            all[(above + i, column)] = own[(i, k)];
+        }
     }
 }
 
 /// The disagreement at given noise of the biases, whitened.
 #[derive(Clone, Debug)]
 pub struct Whitened {
-    /// `L⁻¹ z` (`q × 1`).
+    /// `P L⁻¹ z` (`q × 1`), `P` what takes out what the recordings share.
     pub z: Mat<f64>,
-    /// `L` of `V = L Lᵀ`; `None` for the identity.
-    factor: Option<Mat<f64>>,
-    /// `ln det V`.
+    /// Of every recording its number of rows of `z`, and `L` of `V = L Lᵀ`; `None` for the identity.
+    factors: Vec<(usize, Option<Mat<f64>>)>,
+    /// An orthonormal basis of what the recordings share (`q × s`).
+    taken: Mat<f64>,
+    /// `ln det V` and that of `SᵀV⁻¹S`.
     pub log_determinant: f64,
-    /// `zᵀ V⁻¹ z`: χ² of `q` when nothing is missing.
+    /// `zᵀ V⁻¹ z`: χ² of `q − s` when nothing is missing.
     pub square: f64,
     /// Log-likelihood of the readings within static intervals.
     within: f64,
 }
 
 impl Whitened {
-    /// `L⁻¹ F` (`q × k`) of projected columns.
+    /// `P L⁻¹ F` (`q × k`) of projected columns.
     pub fn columns(&self, f: &Mat<f64>) -> Mat<f64> {
         let mut w = f.clone();
-        if let Some(l) = &self.factor {
-            solve_lower_triangular_in_place(l.as_ref(), w.as_mut(), Par::Seq);
+        let mut above = 0;
+        for (q, factor) in &self.factors {
+            if let Some(l) = factor {
+                self.solve(l, above, &mut w);
+            }
+            above += q;
+        }
+        if self.taken.ncols() > 0 {
+            w -= &self.taken * (self.taken.transpose() * &w);
         }
         w
+    }
+
+    /// `L⁻¹` of the rows of a recording that begin at `above`, in those columns that are not zero there.
+    fn solve(&self, l: &Mat<f64>, above: usize, w: &mut Mat<f64>) {
+        let q = l.nrows();
+        if let [_] = self.factors.as_slice() {
+            solve_lower_triangular_in_place(l.as_ref(), w.as_mut(), Par::Seq);
+            return;
+        }
+        let is_used = |k: &usize| (above..above + q).any(|i| w[(i, *k)] != 0.0);
+        let used: Vec<usize> = (0..w.ncols()).filter(is_used).collect();
+        let mut own = Mat::from_fn(q, used.len(), |i, k| w[(above + i, used[k])]);
+        solve_lower_triangular_in_place(l.as_ref(), own.as_mut(), Par::Seq);
+        put(w, above, &used, &own);
     }
 
     /// Log-likelihood of the model as it is, up to a constant.
@@ -153,7 +277,7 @@ impl Whitened {
 
 #[cfg(test)]
 mod tests {
-    use estimate::methods::joint::Covariance;
+    use estimate::methods::joint::{Covariance, RowGroups};
     use faer::linalg::solvers::DenseSolveCore;
 
     use super::*;
@@ -167,12 +291,14 @@ mod tests {
             kind: ComponentKind::AccelerometerWalk,
             covariance: Covariance::dense(walk.clone()),
         };
-        let projected = Projected::new(&r, &j, (&[component], &[]));
+        let one = Columns::cut(&j, &RowGroups::whole(9));
+        let projected = Projected::new(&r, &one, (&[component], &[]));
         assert_eq!(projected.dof(), 7);
         let at = projected.at(BiasNoise::walks([0.5, 0.0])).unwrap();
         // zᵀ (Nᵀ(I + k²C)N)⁻¹ z with the inverse written out.
         let v = Mat::<f64>::identity(9, 9) + faer::Scale(0.25) * &walk;
-        let inner = projected.null.transpose() * (&v * &projected.null);
+        let null = left_null_space(&j);
+        let inner = null.transpose() * (&v * &null);
         let inverse = inner.llt(Side::Lower).unwrap().inverse();
         let direct = (projected.z.transpose() * (inverse * &projected.z))[(0, 0)];
         assert!((at.square / direct - 1.0).abs() < 1e-12);
@@ -181,5 +307,39 @@ mod tests {
                 .abs()
                 < 1e-12
         );
+    }
+
+    #[test]
+    fn recordings_by_themselves_disagree_as_all_rows_together_do() {
+        let whole = Mat::from_fn(24, 7, |i, k| {
+            let value = ((i * 7 + k * 5 + i * k) % 11) as f64 - 5.0;
+            if k < 3 || i / 12 == k / 5 { value } else { 0.0 }
+        });
+        let r: Vec<f64> = (0..24).map(|i| ((i * 5 % 13) as f64) - 6.0).collect();
+        let walk = Mat::from_fn(12, 12, |i, k| 0.1 * (i.min(k) + 1) as f64);
+        let blocks = [0, 12].map(|first| ((first..first + 12).collect(), walk.clone()));
+        let component = Component {
+            kind: ComponentKind::GyroscopeWalk,
+            covariance: Covariance::of_blocks(24, blocks.into()),
+        };
+        let groups = RowGroups::new((0..24).map(|i| i / 12).collect());
+        let [cut, one] = [groups, RowGroups::whole(24)].map(|groups| {
+            let jacobian = Columns::cut(&whole, &groups);
+            Projected::new(&r, &jacobian, (std::slice::from_ref(&component), &[]))
+        });
+        assert_eq!((cut.dof(), one.dof()), (17, 17));
+        let e = Mat::from_fn(24, 2, |i, k| ((i * (k + 3)) % 7) as f64);
+        let at = |projected: &Projected, walk: f64| {
+            let whitened = projected.at(BiasNoise::walks([0.0, walk])).unwrap();
+            let w = whitened.columns(&projected.columns(e.as_ref()));
+            let (gram, moved) = (w.transpose() * &w, w.transpose() * &whitened.z);
+            (whitened.square, whitened.log_likelihood(), gram, moved)
+        };
+        let (a, b) = (at(&cut, 0.7), at(&one, 0.7));
+        assert!((a.0 / b.0 - 1.0).abs() < 1e-10);
+        assert!((&a.2 - &b.2).norm_max() < 1e-10 * b.2.norm_max());
+        assert!((&a.3 - &b.3).norm_max() < 1e-10 * b.3.norm_max());
+        let change = |p: &Projected| at(p, 0.7).1 - at(p, 0.0).1;
+        assert!((change(&cut) - change(&one)).abs() < 1e-10);
     }
 }

@@ -41,6 +41,7 @@ pub fn alternatives(whitened: &Whitened, terms: &Terms, products: &[&Product]) -
 
 #[cfg(test)]
 mod tests {
+    use estimate::methods::joint::{Columns, RowGroups};
     use sensor::{Axis, Covariate, Sensor};
 
     use super::*;
@@ -58,13 +59,8 @@ mod tests {
 
     #[test]
     fn a_term_that_is_twenty_times_less_likely_is_no_alternative() {
-        let projected = Projected {
-            null: Mat::identity(3, 3),
-            z: Mat::from_fn(3, 1, |i, _| [10.0, 1.0, 0.0][i]),
-            noise: Vec::new(),
-            within: Vec::new(),
-            scatter: None,
-        };
+        let nothing = Columns::none(&RowGroups::whole(3));
+        let projected = Projected::new(&[10.0, 1.0, 0.0], &nothing, (&[], &[]));
         let whitened = projected.at(Default::default()).unwrap();
         let chosen = product(Covariate::Time, [1.0, 0.0, 0.0]);
         // (10 cos 0.2 + sin 0.2)² is 99.98, (10 cos 0.4 + sin 0.4)² is 92.2; of 100 more than 2 ln 20 less is 94.0.

@@ -62,10 +62,11 @@ struct Halves<'a> {
 
 impl<'a> Halves<'a> {
     fn new(state: &'a State, whitened: &Whitened, bases: &[Mat<f64>]) -> Self {
-        let b = whitened.columns(&state.projected.null.transpose().to_owned());
+        let all: Vec<usize> = (0..state.rows()).collect();
+        let b = whitened.columns(&state.projected.units(&all));
         let mut parts = bases.to_vec();
         parts.push(whitened.z.clone());
-        let whole = crate::family::beside(&parts, state.projected.dof());
+        let whole = crate::family::beside(&parts, whitened.z.nrows());
         let mut first = 0;
         let groups = bases.iter().map(|basis| {
             let range = first..first + basis.ncols();

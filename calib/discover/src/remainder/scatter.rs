@@ -49,7 +49,10 @@ pub(super) fn scatters(state: &State, levels: &[Level]) -> Vec<Scatter> {
         if means.is_empty() {
             continue;
         }
-        let times: Vec<f64> = means.iter().map(|m| m.truth.time).collect();
+        let recording =
+            |chunk: usize| state.fit.data.rests[state.fit.data.chunks[chunk].rest].recording;
+        let places = means.iter().map(|m| (recording(m.chunk), m.truth.time));
+        let times: Vec<(usize, f64)> = places.collect();
         let kernels: Vec<_> = MEMORIES
             .into_iter()
             .filter_map(|memory| Some((memory, kernel_factor(&times, memory)?)))
@@ -82,11 +85,17 @@ pub(super) fn scatters(state: &State, levels: &[Level]) -> Vec<Scatter> {
     all
 }
 
-/// `L` of `K = L Lᵀ`.
-fn kernel_factor(times: &[f64], memory: f64) -> Option<Mat<f64>> {
+/// `L` of `K = L Lᵀ`, for chunks of recordings at times since their start: no bias remembers another recording.
+fn kernel_factor(times: &[(usize, f64)], memory: f64) -> Option<Mat<f64>> {
     let n = times.len();
     let kernel = Mat::from_fn(n, n, |i, j| {
-        (-(times[i] - times[j]).abs() / memory).exp() + if i == j { 1e-9 } else { 0.0 }
+        let ((one, a), (other, b)) = (times[i], times[j]);
+        let alike = if one == other {
+            (-(a - b).abs() / memory).exp()
+        } else {
+            0.0
+        };
+        alike + if i == j { 1e-9 } else { 0.0 }
     });
     Some(kernel.llt(Side::Lower).ok()?.L().to_owned())
 }
@@ -137,8 +146,10 @@ mod tests {
 
     use super::*;
 
-    fn biases(random: &mut rand_chacha::ChaCha8Rng, wanders: f64) -> (Biases, Vec<f64>) {
-        let times: Vec<f64> = (0..40).map(|k| 10.0 * f64::from(k)).collect();
+    fn biases(random: &mut rand_chacha::ChaCha8Rng, wanders: f64) -> (Biases, Vec<(usize, f64)>) {
+        let times = (0..40)
+            .map(|k| (0, 10.0 * f64::from(k)))
+            .collect::<Vec<_>>();
         let b = Mat::from_fn(60, 40, |i, k| if i == k || i == k + 20 { 0.7 } else { 0.0 });
         let mut draw = |n: usize| -> Mat<f64> {
             Mat::from_fn(n, 1, |_, _| StandardNormal.sample(&mut *random))

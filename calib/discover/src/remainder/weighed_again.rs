@@ -41,7 +41,7 @@ pub(crate) fn weighed_again(
     let explained = |kept: &[&Item]| {
         let own = kept.iter().map(|item| item.columns.clone());
         let all: Vec<Mat<f64>> = std::iter::once(shape.clone()).chain(own).collect();
-        let score = score(beside(&all, base.projected.dof()).as_ref(), &whitened.z);
+        let score = score(beside(&all, whitened.z.nrows()).as_ref(), &whitened.z);
         (score.statistic, score.dof as f64)
     };
     while !items.is_empty() {

@@ -31,10 +31,8 @@ impl Finder<'_> {
             })
             .collect();
         let evidence = |i: usize, j: usize| {
-            let both = beside(
-                &[columns[i].clone(), columns[j].clone()],
-                base.projected.dof(),
-            );
+            let pair = [columns[i].clone(), columns[j].clone()];
+            let both = beside(&pair, whitened.z.nrows());
             let score = score(both.as_ref(), &whitened.z);
             let families = [&families[best[i].family], &families[best[j].family]];
             let dof = score.dof as f64 + families.iter().map(|f| f.shape_dof).sum::<f64>();

@@ -6,6 +6,13 @@ use nalgebra::Vector3;
 /// keeps a peak from repeating to the last digit.
 const RUN_AT_RAIL: usize = 5;
 
+/// A run that readings in steps make by chance as often as this is none.
+const CHANCE: f64 = 0.01;
+
+/// Readings beside such a run, within a step of it, that a rail has at most, as a share of the run: the top of a
+/// parabola that is read in steps has a fifth of it on either side.
+const BESIDE: f64 = 0.2;
+
 /// The readings at which each axis is cut off; infinite where the recording does not show it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rails {
@@ -14,26 +21,18 @@ pub struct Rails {
 }
 
 impl Rails {
-    /// Looks for a flat top or bottom of each axis.
+    /// Looks for a flat top or bottom of each axis, which readings in steps do not round off.
     pub fn of(values: &[Vector3<f64>]) -> Self {
-        let mut ends = [[End::default(); 3]; 2];
-        for value in values {
-            for k in 0..3 {
-                ends[0][k].look_at(-value[k]);
-                ends[1][k].look_at(value[k]);
-            }
-        }
-        let [low, high] = ends;
-        let rail = |end: &End, other: &End| {
-            if end.longest >= RUN_AT_RAIL && end.top > -other.top {
-                end.top
-            } else {
-                f64::INFINITY
-            }
-        };
+        let rails = [0, 1, 2].map(|axis| {
+            let upwards: Vec<f64> = values.iter().map(|v| v[axis]).collect();
+            let downwards: Vec<f64> = upwards.iter().map(|v| -v).collect();
+            let step = least_step(&upwards);
+            let longest = longest_by_chance(&upwards);
+            [downwards, upwards].map(|values| rail(&values, step, longest).unwrap_or(f64::INFINITY))
+        });
         Self {
-            low: Vector3::from_fn(|k, _| -rail(&low[k], &high[k])),
-            high: Vector3::from_fn(|k, _| rail(&high[k], &low[k])),
+            low: Vector3::from_fn(|k, _| -rails[k][0]),
+            high: Vector3::from_fn(|k, _| rails[k][1]),
         }
     }
 
@@ -43,35 +42,43 @@ impl Rails {
     }
 }
 
-/// The largest reading so far and the longest run of it.
-#[derive(Clone, Copy)]
-struct End {
-    top: f64,
-    run: usize,
-    longest: usize,
+/// The smallest step between neighbouring readings that differ; 0 of none.
+fn least_step(values: &[f64]) -> f64 {
+    let steps = values.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+    let least = steps
+        .filter(|step| *step > 0.0)
+        .fold(f64::INFINITY, f64::min);
+    if least.is_finite() { least } else { 0.0 }
 }
 
-impl Default for End {
-    fn default() -> Self {
-        Self {
-            top: f64::NEG_INFINITY,
-            run: 0,
-            longest: 0,
-        }
-    }
+/// How often a reading has to repeat in a row to be no chance: of `n` readings that repeat their neighbour with probability
+/// `p` there are `n p^(k−1)` runs of `k`.
+fn longest_by_chance(values: &[f64]) -> usize {
+    let pairs = values.windows(2);
+    let equal = pairs.filter(|pair| pair[0] == pair[1]).count() as f64;
+    let repeats = equal / values.len().max(2) as f64;
+    let runs = (values.len() as f64 / CHANCE).ln() / -repeats.ln();
+    RUN_AT_RAIL.max(runs.ceil() as usize + 1)
 }
 
-impl End {
-    fn look_at(&mut self, value: f64) {
-        if value > self.top {
-            (self.top, self.run, self.longest) = (value, 1, 1);
-        } else if value == self.top {
-            self.run += 1;
-            self.longest = self.longest.max(self.run);
-        } else {
-            self.run = 0;
+/// The largest reading, where a long run of it begins and ends with a leap.
+fn rail(values: &[f64], step: f64, longest: usize) -> Option<f64> {
+    let top = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let is_beside = |value: &&f64| **value >= top - 1.5 * step;
+    let mut first = 0;
+    for run in values.chunk_by(|a, b| (*a == top) == (*b == top)) {
+        let (begin, end) = (first, first + run.len());
+        first = end;
+        if run[0] != top || run.len() < longest {
+            continue;
+        }
+        let before = values[..begin].iter().rev().take_while(is_beside).count();
+        let after = values[end..].iter().take_while(is_beside).count();
+        if ((before + after) as f64) < BESIDE * run.len() as f64 {
+            return Some(top);
         }
     }
+    None
 }
 
 #[cfg(test)]
@@ -87,5 +94,19 @@ mod tests {
         let rails = Rails::of(&values);
         assert!(rails.reached(&Vector3::new(0.8, 0.0, 0.0)));
         assert!(!rails.reached(&Vector3::new(0.7, 0.999, 0.0)));
+    }
+
+    #[test]
+    fn a_round_peak_that_is_read_in_steps_is_no_rail_and_one_that_is_cut_off_is() {
+        let wave = |k: usize, limit: f64| {
+            let value = (10.0 * (k as f64 * 0.05).sin()).min(limit);
+            (value / 0.1).round() * 0.1
+        };
+        let values: Vec<_> = (0..300)
+            .map(|k| Vector3::new(wave(k, 8.0), wave(k, 20.0), 0.0))
+            .collect();
+        let rails = Rails::of(&values);
+        assert!(rails.reached(&Vector3::new(8.0, 0.0, 0.0)));
+        assert!(!rails.reached(&Vector3::new(7.9, 10.0, 0.0)));
     }
 }

@@ -12,7 +12,8 @@ use recording::intervals::StaticInterval;
 use crate::methods::Choice;
 
 /// Most static intervals of a recording. Every one has a direction of its own among the parameters, and noise
-/// joins all rows: time grows with the third power of their number and memory with the second.
+/// joins all rows of a recording: time grows with the third power of their number and memory with the second. With the
+/// number of recordings, which share no noise, both grow evenly.
 pub const MOST_STATIC_INTERVALS: usize = 100;
 
 /// The same where many models are fitted one after the other.

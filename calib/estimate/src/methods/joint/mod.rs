@@ -12,6 +12,10 @@
 //! walk of the biases between all rows, its density by restricted likelihood. Because the directions
 //! are parameters, two turns that share a rest share no noise: their rows are independent given it, and
 //! their correlation through it is in the covariance of the result.
+//!
+//! Recordings share parameters and no noise. Jacobian, covariances, projections and likelihoods are cut into
+//! the rows of each (`blocks`), and the last steps are those of a graph with a factor for every recording (`graph`): time and
+//! memory grow with the number of recordings and no faster.
 
 mod approach;
 mod blocks;

@@ -1,0 +1,75 @@
+//! A search under noise that flickers, where the biases do.
+
+use estimate::methods::joint::BiasNoise;
+use recording::Error;
+
+use super::remainder::unexplained::{Unexplained, unexplained};
+use super::request::{Request, Session};
+use super::search::{Search, search};
+use super::state::{Extension, State};
+
+/// Axes that flicker at least where the biases do, and how many times likelier (log) each makes the data. In twelve clean
+/// sessions with 1 mm/s² and 15 °/h to which a walk left something, the third axis made them 3.6 and more times likelier;
+/// in thirty sessions with a bias on one axis that flips or wanders 2.9 and less.
+const FLICKERING: usize = 3;
+const LIKELIER: f64 = 3.0;
+
+/// The names and what they leave, under noise that flickers where the biases do.
+///
+/// A search takes the noise of the biases for walks: flicker beside them would take some of what depends on the
+/// placement. Of biases that flicker a walk leaves what looks like a wandering, a fine pattern or a small effect. Sensors do
+/// that, and nothing is missing: what was found is then looked for again.
+pub fn names_and_rest(
+    session: &mut Session<'_>,
+    request: &Request,
+    base: State,
+) -> Result<(Search, Option<Unexplained>), Error> {
+    let alpha = request.half_alpha();
+    let mut first = search(session, request, base)?;
+    let rest = unexplained(&mut first, alpha);
+    let nothing = rest.is_none() && first.names.is_empty();
+    if nothing || !flickers(session, &first.last)? {
+        return Ok((first, rest));
+    }
+    session.flicker = true;
+    let base = State::fit(session, Extension::default())?;
+    let mut again = search(session, request, base)?;
+    let rest = unexplained(&mut again, alpha);
+    Ok((again, rest))
+}
+
+/// Whether the biases flicker beside all that a model has: on [`FLICKERING`] axes at least, as one that wanders or follows the
+/// placement by itself is something else. Of turns that miss something between samples nobody can tell.
+fn flickers(session: &Session<'_>, model: &State) -> Result<bool, Error> {
+    let is_knocked = model.fit.data.misses_something_between_samples();
+    if session.flicker || session.noise.is_some() || is_knocked {
+        return Ok(false);
+    }
+    let with_it = Session {
+        flicker: true,
+        ..session.clone()
+    };
+    let state = State::fit(&with_it, model.extension.clone())?;
+    let gains = by_flicker(&state, model.noise);
+    let evident = gains.into_iter().filter(|gain| *gain > LIKELIER);
+    Ok(evident.count() >= FLICKERING)
+}
+
+/// By how much the data are likelier (log) with the flicker of each axis than without it, the walk of that sensor as large
+/// as it is, or as it is under `walking` noise.
+fn by_flicker(state: &State, walking: BiasNoise) -> Vec<f64> {
+    let at = |noise| {
+        let whitened = state.projected.at(noise);
+        whitened.map_or(f64::NEG_INFINITY, |w| w.log_likelihood())
+    };
+    let whole = at(state.noise);
+    let axes = (0..2).flat_map(|sensor| (0..3).map(move |axis| (sensor, axis)));
+    let gain = axes.map(|(sensor, axis)| {
+        let mut without = state.noise;
+        without.flicker[sensor][axis] = 0.0;
+        let mut walks = without;
+        walks.walk[sensor] = walks.walk[sensor].max(walking.walk[sensor]);
+        whole - at(without).max(at(walks))
+    });
+    gain.collect()
+}
