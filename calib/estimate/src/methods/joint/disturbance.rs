@@ -12,7 +12,7 @@ use sensor::Sensor;
 use serde::Serialize;
 
 use super::data::{Chunk, Mean};
-use crate::methods::joint::blocks::columns::Column;
+use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::disturbance::shake::Shake;
 use crate::methods::joint::rows::Rows;
 

@@ -10,7 +10,7 @@ use super::data::Data;
 use super::graph::solve_rows;
 use super::request::JointRequest;
 use super::start::Start;
-use crate::methods::joint::blocks::columns::Column;
+use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::disturbance::belief::Weights;
 use crate::methods::joint::noise::weights::Whitening;
 use crate::methods::joint::rows::chart::Chart;

@@ -36,7 +36,8 @@ mod run;
 mod start;
 
 pub use blocks::basis::Basis;
-pub use blocks::columns::{Column, Columns, Part};
+pub use blocks::column::Column;
+pub use blocks::columns::{Columns, Part};
 pub use blocks::covariance::Covariance;
 pub use blocks::groups::RowGroups;
 pub use budget::{MOST_IN_A_SEARCH, MOST_STATIC_INTERVALS, within_budget};

@@ -3,49 +3,11 @@
 use faer::{Mat, MatMut};
 
 use super::arrow::Arrow;
-use super::covariance::Covariance;
+use super::column::Column;
 use super::groups::RowGroups;
 
 /// Share of a column's square that is added to it in normal equations whose columns may be dependent.
 const RIDGE: f64 = 1e-12;
-
-/// A column of which few entries differ from zero.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Column(Vec<(usize, f64)>);
-
-impl Column {
-    /// Nothing yet.
-    pub const fn none() -> Self {
-        Self(Vec::new())
-    }
-
-    /// A one in one row.
-    pub fn unit(row: usize) -> Self {
-        Self(vec![(row, 1.0)])
-    }
-
-    /// Adds the entry of a row that has none yet.
-    pub fn set(&mut self, row: usize, value: f64) {
-        self.0.push((row, value));
-    }
-
-    /// Columns of `m` rows side by side (`m × k`).
-    pub fn side_by_side(rows: usize, columns: &[&Self]) -> Mat<f64> {
-        let mut whole = Mat::zeros(rows, columns.len());
-        for (k, column) in columns.iter().enumerate() {
-            column
-                .0
-                .iter()
-                .for_each(|&(row, value)| whole[(row, k)] = value);
-        }
-        whole
-    }
-
-    /// Rows and values.
-    pub fn entries(&self) -> &[(usize, f64)] {
-        &self.0
-    }
-}
 
 /// Columns (`m × n`), of which every group of rows keeps those that may differ from zero there: all groups share a few, the
 /// others, as directions and biases, belong to one.
@@ -127,17 +89,19 @@ impl Columns {
     pub fn sparse(groups: &RowGroups, columns: &[&Column]) -> Self {
         let mut of_group = vec![Vec::new(); groups.iter().len()];
         for (k, column) in columns.iter().enumerate() {
-            let group = column.0.first().map_or(0, |(row, _)| groups.of(*row));
+            let group = column
+                .entries()
+                .first()
+                .map_or(0, |(row, _)| groups.of(*row));
             if let Some(own) = of_group.get_mut(group) {
                 own.push(k);
             }
         }
         let mut all = Self::zeros(groups, columns.len(), of_group);
         for (k, column) in columns.iter().enumerate() {
-            column
-                .0
-                .iter()
-                .for_each(|&(row, value)| all.set(row, k, value));
+            for &(row, value) in column.entries() {
+                all.set(row, k, value);
+            }
         }
         all
     }
@@ -307,17 +271,10 @@ impl Columns {
             .filter(|&k| parts_of[k] > 1)
             .map(|k| {
                 let with = self.parts.iter().filter(|part| part.place(k).is_some());
-                let mut rows: Vec<usize> = with.flat_map(|part| part.rows.clone()).collect();
-                rows.sort_unstable();
-                rows
+                with.filter_map(|part| part.rows.first().copied()).collect()
             })
             .collect();
-        let links = shared.into_iter().map(|rows| {
-            let nothing = Mat::zeros(rows.len(), rows.len());
-            Covariance::of_blocks(self.nrows(), vec![(rows, nothing)])
-        });
-        let links: Vec<Covariance> = links.collect();
-        let groups = self.groups.connected_by(links.iter());
+        let groups = self.groups.connected(shared.iter().map(Vec::as_slice));
         self.clone().regrouped(&groups)
     }
 
@@ -386,7 +343,7 @@ impl Columns {
     }
 
     /// `x` (`n`) with the least `‖A x − b‖²`, by the normal equations of columns of unit length, of which a share
-    /// [`RIDGE`] of the square is added: what no row sees stays at zero. `None` where a number is not finite.
+    /// of `1e-12` of the square is added: what no row sees stays at zero. `None` where a number is not finite.
     pub fn least_squares(&self, b: &[f64]) -> Option<Vec<f64>> {
         let unit_if_zero = |norm: f64| if norm > 0.0 { norm } else { 1.0 };
         let norms: Vec<f64> = self.norms().into_iter().map(unit_if_zero).collect();

@@ -65,17 +65,20 @@ impl RowGroups {
 
     /// Groups that a covariance connects as one.
     pub fn connected_by<'a>(&self, covariances: impl Iterator<Item = &'a Covariance>) -> Self {
+        self.connected(covariances.flat_map(Covariance::rows_of_blocks))
+    }
+
+    /// Groups with rows of one of these sets as one.
+    pub fn connected<'a>(&self, sets: impl Iterator<Item = &'a [usize]>) -> Self {
         let mut joined: Vec<usize> = (0..self.groups.len()).collect();
-        for rows in covariances.flat_map(Covariance::rows_of_blocks) {
+        for rows in sets {
             let Some(&first) = rows.first() else { continue };
             let to = joined[self.of(first)];
             for &row in rows {
                 let from = joined[self.of(row)];
                 if from != to {
-                    joined
-                        .iter_mut()
-                        .filter(|j| **j == from)
-                        .for_each(|j| *j = to);
+                    let own = joined.iter_mut().filter(|j| **j == from);
+                    own.for_each(|j| *j = to);
                 }
             }
         }

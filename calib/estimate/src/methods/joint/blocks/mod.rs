@@ -3,6 +3,7 @@
 
 pub(crate) mod arrow;
 pub(crate) mod basis;
+pub(crate) mod column;
 pub(crate) mod columns;
 pub(crate) mod covariance;
 pub(crate) mod groups;

@@ -2,7 +2,8 @@
 
 use sensor::Sensor;
 
-use crate::methods::joint::blocks::columns::{Column, Columns};
+use crate::methods::joint::blocks::column::Column;
+use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::disturbance::Suspect;
 use crate::methods::joint::noise::weights::{Component, NoiseLevel, Whitening};
 use crate::methods::joint::orientation::Shown;

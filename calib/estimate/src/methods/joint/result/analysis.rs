@@ -4,7 +4,8 @@ use faer::Mat;
 use sensor::Sensor;
 
 use crate::methods::joint::blocks::basis::Basis;
-use crate::methods::joint::blocks::columns::{Column, Columns};
+use crate::methods::joint::blocks::column::Column;
+use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::blocks::covariance::{Covariance, combined};
 use crate::methods::joint::data::Chunk;
 use crate::methods::joint::disturbance::Suspect;

@@ -6,7 +6,8 @@ use recording::intervals::Span;
 use sensor::Sensor;
 
 use crate::methods::joint::blocks::basis::Basis;
-use crate::methods::joint::blocks::columns::{Column, Columns};
+use crate::methods::joint::blocks::column::Column;
+use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::data::{Chunk, Mean};
 use crate::methods::joint::fit::JointFit;
 

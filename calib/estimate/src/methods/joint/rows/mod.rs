@@ -15,7 +15,8 @@ use nalgebra::{Matrix2x3, Matrix3, Vector2, Vector3};
 use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, PLACES, Sensor, Since, inverse};
 
 use super::data::{Chunk, Data, Mean, TurnSamples};
-use crate::methods::joint::blocks::columns::{Column, Columns, Part};
+use crate::methods::joint::blocks::column::Column;
+use crate::methods::joint::blocks::columns::{Columns, Part};
 use crate::methods::joint::blocks::groups::RowGroups;
 use crate::methods::joint::clock::coning::Coning;
 use crate::methods::joint::rows::chart::Chart;
