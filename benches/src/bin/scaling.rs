@@ -1,20 +1,24 @@
-//! Cost against length: a stepwise calibration of a session repeated 1, 10 and 100 times end to end.
+//! Cost against length: a stepwise calibration of a session repeated 1, 10 and 100 times end to end; and against the
+//! number of recordings: the joint estimate of 1 to 32 recordings of 37 placements each.
 //!
 //! ```text
 //! cargo run --release -p stillpoint-benches --bin scaling [-- --repeat 3]
+//! cargo run --release -p stillpoint-benches --bin scaling -- --recordings [--repeat 3]
 //! ```
-//! Each length runs in a process of its own. Memory is what a calibration holds at its peak besides the
+//! Each length and number runs in a process of its own. Memory is what a calibration holds at its peak besides the
 //! recording, counted by the allocator; the least of the repeated runs.
 
+use std::collections::BTreeMap;
 use std::process::{Command, ExitCode};
 
-use calib::calibrate::{Request, calibrate};
+use calib::calibrate::{Method, Request, calibrate};
 use calib::recording::Stream;
-use calib::simulate::Spec;
+use calib::simulate::{HandHeld, Motion, Spec};
 use calib::{Error, Recording};
 use clap::Parser;
 use comfy_table::{Table, presets::UTF8_FULL_CONDENSED};
 use peak_alloc::PeakAlloc;
+use sensor::Sensor;
 use stillpoint_benches::stages::median;
 
 #[global_allocator]
@@ -29,13 +33,22 @@ struct Arguments {
     /// Runs one length and prints samples, seconds and bytes.
     #[arg(long)]
     length: Option<usize>,
+    /// Against the number of recordings, by the joint estimate.
+    #[arg(long)]
+    recordings: bool,
+    /// Runs so many recordings and prints seconds and bytes.
+    #[arg(long)]
+    count: Option<u64>,
 }
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    let outcome = match arguments.length {
-        Some(length) => one(length, arguments.repeat),
-        None => all(arguments.repeat).map(|table| table.to_string()),
+    let repeat = arguments.repeat;
+    let outcome = match (arguments.length, arguments.count) {
+        (Some(length), _) => one(length, repeat),
+        (None, Some(count)) => several(count, repeat),
+        (None, None) if arguments.recordings => of_recordings(repeat).map(|t| t.to_string()),
+        (None, None) => all(repeat).map(|table| table.to_string()),
     };
     match outcome {
         Ok(text) => {
@@ -58,18 +71,85 @@ fn one(length: usize, repeat: usize) -> Result<String, Error> {
     };
     let recordings = [repeated(&session.recording, length)];
     let samples = recordings[0].gyroscope.as_ref().map_or(0, Stream::len);
-    // The first calibration also buys what threads keep for good: 4 MiB of work space for products of
-    // matrices each.
-    calibrate(&recordings, &[], &request)?;
+    let (seconds, bytes) = measured(repeat, || calibrate(&recordings, &[], &request))?;
+    Ok(format!("{samples} {seconds} {bytes}"))
+}
+
+/// Seconds, and bytes at the peak beyond those before the calibration, of so many recordings of one device.
+fn several(count: u64, repeat: usize) -> Result<String, Error> {
+    let truth = Spec::hand_held(1).run()?.truth;
+    let sensors = [Sensor::Accelerometer, Sensor::Gyroscope].map(|s| truth.parameters(s));
+    let named = sensors
+        .iter()
+        .flat_map(|p| p.names().iter().cloned().zip(p.values().to_vec()));
+    let device: BTreeMap<String, f64> = named.collect();
+    let spec = |seed: u64| Spec {
+        motion: Motion::HandHeld(HandHeld {
+            placements: Some(37),
+            ..HandHeld::default()
+        }),
+        parameters: device.clone(),
+        ..Spec::hand_held(seed)
+    };
+    let recordings = (1..=count).map(|seed| Ok(spec(seed).run()?.recording));
+    let recordings: Vec<Recording> = recordings.collect::<Result<_, Error>>()?;
+    let request = Request {
+        gravity: spec(1).gravity,
+        method: Method::Joint,
+        ..Request::default()
+    };
+    let (seconds, bytes) = measured(repeat, || calibrate(&recordings, &[], &request))?;
+    Ok(format!("{seconds} {bytes}"))
+}
+
+/// Median time, and least memory at the peak beyond that before, of what is done.
+fn measured<T>(repeat: usize, work: impl Fn() -> Result<T, Error>) -> Result<(f64, usize), Error> {
+    // The first also buys what threads keep for good: 4 MiB of work space for products of matrices each.
+    work()?;
     let mut bytes = usize::MAX;
     let seconds = median(repeat, || {
         MEMORY.reset_peak_usage();
         let before = MEMORY.current_usage();
-        let outcome = calibrate(&recordings, &[], &request);
+        let outcome = work();
         bytes = bytes.min(MEMORY.peak_usage().saturating_sub(before));
         outcome
     });
-    Ok(format!("{samples} {seconds} {bytes}"))
+    Ok((seconds, bytes))
+}
+
+/// A table of all numbers of recordings.
+fn of_recordings(repeat: usize) -> Result<Table, Error> {
+    let mut table = Table::new();
+    table.load_style(UTF8_FULL_CONDENSED);
+    table.set_header(["recordings", "s", "s each", "MB", "MB each"]);
+    for count in [1, 2, 4, 8, 16, 32] {
+        let [seconds, bytes] = of_process(["--count", &count.to_string()], repeat)?;
+        let each = f64::from(count);
+        table.add_row([
+            format!("{count}"),
+            format!("{seconds:.3}"),
+            format!("{:.3}", seconds / each),
+            format!("{:.1}", 1e-6 * bytes),
+            format!("{:.1}", 1e-6 * bytes / each),
+        ]);
+    }
+    Ok(table)
+}
+
+/// What this program prints, run by itself.
+fn of_process<const N: usize>(arguments: [&str; 2], repeat: usize) -> Result<[f64; N], Error> {
+    let this = std::env::current_exe().map_err(|e| Error::Input(e.to_string()))?;
+    let output = Command::new(this)
+        .args(arguments)
+        .args(["--repeat", &repeat.to_string()])
+        .output()
+        .map_err(|e| Error::Input(e.to_string()))?;
+    let text = String::from_utf8_lossy(&output.stdout);
+    let numbers = text.split_whitespace().filter_map(|word| word.parse().ok());
+    <[f64; N]>::try_from(numbers.collect::<Vec<f64>>()).map_err(|_| {
+        let why = String::from_utf8_lossy(&output.stderr);
+        Error::Input(format!("{}: {why}", arguments.join(" ")))
+    })
 }
 
 /// A table of all lengths.
@@ -83,22 +163,9 @@ fn all(repeat: usize) -> Result<Table, Error> {
         "ns per sample",
         "bytes per sample",
     ]);
-    let this = std::env::current_exe().map_err(|e| Error::Input(e.to_string()))?;
     for length in [1, 10, 100] {
-        let output = Command::new(&this)
-            .args(["--length", &length.to_string()])
-            .args(["--repeat", &repeat.to_string()])
-            .output()
-            .map_err(|e| Error::Input(e.to_string()))?;
-        let text = String::from_utf8_lossy(&output.stdout);
-        let numbers: Vec<f64> = text
-            .split_whitespace()
-            .filter_map(|word| word.parse().ok())
-            .collect();
-        let [samples, seconds, bytes] = numbers[..] else {
-            let why = String::from_utf8_lossy(&output.stderr);
-            return Err(Error::Input(format!("{length} times: {why}")));
-        };
+        let arguments = ["--length", &length.to_string()];
+        let [samples, seconds, bytes] = of_process(arguments, repeat)?;
         table.add_row([
             format!("{length} ×"),
             format!("{samples:.0}"),

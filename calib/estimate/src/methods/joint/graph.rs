@@ -30,7 +30,9 @@ pub(crate) fn solve_rows(
     free: &[usize],
     most_steps: usize,
 ) -> Result<Ended, Error> {
-    let places = Places::of(weighted, x.len(), free);
+    let groups = weighted.whitening.groups();
+    let columns = weighted.rows.columns_of(groups);
+    let places = Places::of(&columns, x.len(), free);
     let mut graph = Graph::new();
     let values = |columns: &[usize]| columns.iter().map(|&k| x[k]).collect::<Vec<f64>>();
     let add = |graph: &mut Graph<'_>, name: String, columns: &[usize]| {
@@ -42,14 +44,14 @@ pub(crate) fn solve_rows(
     let shared = add(&mut graph, "shared".into(), &places.shared)?;
     let mut blocks: Vec<(Block, &[usize])> = Vec::new();
     blocks.extend(shared.map(|block| (block, places.shared.as_slice())));
-    let groups = weighted.whitening.groups();
-    for (k, (rows, own)) in groups.iter().zip(&places.own).enumerate() {
+    let parts = groups.iter().zip(&columns).zip(&places.own);
+    for (k, ((rows, columns), own)) in parts.enumerate() {
         let block = add(&mut graph, format!("recording {}", k + 1), own)?;
         let touched: Vec<Block> = shared.into_iter().chain(block).collect();
         let read = [&places.shared[..], own].concat();
         blocks.extend(block.map(|block| (block, own.as_slice())));
-        if !rows.is_empty() {
-            graph.add_factor(&touched, Recording::new(weighted, x, rows, read));
+        if !rows.is_empty() && !touched.is_empty() {
+            graph.add_factor(&touched, Recording::new(weighted, x, (rows, columns), read));
         }
     }
     let options = GraphOptions {
@@ -80,10 +82,11 @@ struct Places {
 }
 
 impl Places {
-    fn of(weighted: &Weighted<'_>, count: usize, free: &[usize]) -> Self {
+    /// Of the columns that every group has, among `count` parameters.
+    fn of(columns: &[Vec<usize>], count: usize, free: &[usize]) -> Self {
         let mut is_free = vec![false; count];
         free.iter().for_each(|&k| is_free[k] = true);
-        let mut own = weighted.rows.columns_of(weighted.whitening.groups());
+        let mut own = columns.to_vec();
         let mut groups_of = vec![0; count];
         for columns in &mut own {
             columns.retain(|&k| is_free[k]);
@@ -108,20 +111,16 @@ struct Recording<'a> {
     /// Their places among the columns of the rows.
     places: Vec<Option<usize>>,
     /// The columns of the rows.
-    columns: Vec<usize>,
+    columns: &'a [usize],
 }
 
 impl<'a> Recording<'a> {
     fn new(
         weighted: &'a Weighted<'a>,
         held: &'a [f64],
-        rows: &'a [usize],
+        (rows, columns): (&'a [usize], &'a [usize]),
         read: Vec<usize>,
     ) -> Self {
-        let groups = weighted.whitening.groups();
-        let mut of_group = weighted.rows.columns_of(groups);
-        let group = rows.first().map_or(0, |&row| groups.of(row));
-        let columns = std::mem::take(&mut of_group[group]);
         let place = |k: &usize| columns.binary_search(k).ok();
         Self {
             places: read.iter().map(place).collect(),
@@ -157,7 +156,7 @@ impl Factor for Recording<'_> {
     }
 
     fn linearize(&self, x: &[f64], residuals: &mut Vec<f64>, jacobian: &mut Vec<f64>) {
-        let mut part = Part::zeros(self.rows, &self.columns);
+        let mut part = Part::zeros(self.rows, self.columns);
         let r = self.weighted.rows.linearize_part(&self.all(x), &mut part);
         *residuals = self.whitened(&r);
         let whitening = self.weighted.whitening;

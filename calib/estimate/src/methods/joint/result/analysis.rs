@@ -60,6 +60,8 @@ pub struct Analysis {
     pub components: Vec<Component>,
     /// What depends on the orientation, of unit size, whitened by the white noise (`m × q` each).
     orientation: Vec<(ComponentKind, Columns)>,
+    /// What is known to be in the noise by unit sizes, whitened by the white noise (`m × q` each).
+    carried: Vec<Columns>,
     /// How the gyroscope's means, then the turns, feel its bias.
     rate_exposures: Vec<Exposure>,
     /// Whether the walk of the accelerometer's bias begins anew in every rest.
@@ -75,6 +77,7 @@ impl Analysis {
             residuals,
             jacobian,
             orientation: Vec::new(),
+            carried: Vec::new(),
             components: walks(noise, &white),
             rate_exposures: whitened(&noise.exposures[1], &white),
             walk_ends_with_rests: false,
@@ -86,10 +89,9 @@ impl Analysis {
     /// quarters of them are off by far more than the noise; whether any are.
     pub fn allow_scatter_where_misfit(&mut self, rows: &Rows<'_>, known: &[&Suspect]) -> bool {
         let before = self.components.len();
-        let taken = self
-            .orientation
-            .iter()
-            .fold(self.with(known), |taken, (_, own)| taken.beside(own));
+        let own = self.orientation.iter().map(|(_, own)| own);
+        let own = own.chain(&self.carried);
+        let taken = own.fold(self.with(known), |taken, own| taken.beside(own));
         let left = Left::of(&taken, &self.residuals);
         for (kind, groups) in groups(rows) {
             if left.quieter_ratio(&groups) > MISFIT {
@@ -276,6 +278,7 @@ impl Analysis {
             kind,
             covariance: Covariance::of_columns(&whitened),
         });
+        self.carried.push(whitened);
     }
 
     /// What the vertical part of the earth's rotation, of which `earth` has three columns for every recording, does to the

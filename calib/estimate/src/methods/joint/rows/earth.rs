@@ -13,7 +13,7 @@ impl Rows<'_> {
     /// own (`m × 3 recordings`).
     ///
     /// The vertical part is the same in all recordings of one place. Weights take it for each recording's own, which
-    /// keeps their rows apart; what that does to the errors is put right by what the result has of the place.
+    /// keeps their rows apart; the stated errors are those of one for all (`JointFit::of_place`).
     pub fn earth_columns(&self, x: &[f64]) -> Columns {
         let attitudes = self.attitudes(x);
         let recordings = 0..self.data.sources.len();
