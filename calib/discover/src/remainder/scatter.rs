@@ -85,18 +85,29 @@ pub(super) fn scatters(state: &State, levels: &[Level]) -> Vec<Scatter> {
     all
 }
 
-/// `L` of `K = L Lᵀ`, for chunks of recordings at times since their start: no bias remembers another recording.
+/// `L` of `K = L Lᵀ`, for chunks of recordings at times since their start: no bias remembers another recording, and what
+/// differs between recordings as a whole is a bias of each and no wandering.
 fn kernel_factor(times: &[(usize, f64)], memory: f64) -> Option<Mat<f64>> {
     let n = times.len();
-    let kernel = Mat::from_fn(n, n, |i, j| {
+    let alike = |i: usize, j: usize| {
         let ((one, a), (other, b)) = (times[i], times[j]);
-        let alike = if one == other {
-            (-(a - b).abs() / memory).exp()
-        } else {
-            0.0
-        };
-        alike + if i == j { 1e-9 } else { 0.0 }
-    });
+        let fades = (-(a - b).abs() / memory).exp();
+        if one == other { fades } else { 0.0 }
+    };
+    let mut kernel = Mat::from_fn(n, n, alike);
+    if times.iter().any(|(recording, _)| *recording != times[0].0) {
+        let share = Mat::from_fn(n, n, |i, j| {
+            let own = times
+                .iter()
+                .filter(|(recording, _)| *recording == times[i].0);
+            let same = times[i].0 == times[j].0;
+            f64::from(u8::from(i == j)) - f64::from(u8::from(same)) / own.count() as f64
+        });
+        kernel = &share * kernel * share.transpose();
+    }
+    for k in 0..n {
+        kernel[(k, k)] += 1e-9;
+    }
     Some(kernel.llt(Side::Lower).ok()?.L().to_owned())
 }
 
@@ -183,5 +194,16 @@ mod tests {
         let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(12);
         let (biases, times) = biases(&mut random, 2.0);
         assert!(biases.gain(&kernel_factor(&times, 30.0).unwrap()) > 20.0);
+    }
+
+    #[test]
+    fn what_differs_between_recordings_is_no_wandering() {
+        let times: Vec<(usize, f64)> = (0..12).map(|k| (k / 7, 10.0 * k as f64)).collect();
+        let factor = kernel_factor(&times, 30.0).unwrap();
+        let kernel = &factor * factor.transpose();
+        let by_recording = Mat::from_fn(12, 2, |k, r| f64::from(u8::from(times[k].0 == r)));
+        // What is added to the diagonal is left of it.
+        assert!((&kernel * by_recording).norm_max() < 2e-9);
+        assert!(kernel[(0, 0)] > 0.3 && kernel[(0, 8)].abs() < 1e-12);
     }
 }
