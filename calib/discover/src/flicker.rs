@@ -73,3 +73,33 @@ fn by_flicker(state: &State, walking: BiasNoise) -> Vec<f64> {
     });
     gain.collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use simulate::Spec;
+
+    use super::*;
+
+    #[test]
+    fn biases_that_flicker_on_all_axes_lack_nothing() {
+        // To a walk two of these leave a remainder, and the one between them an effect.
+        for seed in [0, 10, 31] {
+            let mut spec = Spec::hand_held(seed);
+            spec.accelerometer.instability = 1e-3;
+            spec.gyroscope.instability = 7.3e-5;
+            let recordings = [spec.run().unwrap().recording];
+            let request = Request::new(spec.gravity);
+            let mut session = Session::new(&recordings, &request).unwrap();
+            let base = State::fit(&session, Extension::default()).unwrap();
+            let mut walking = search(&session, &request, base.clone()).unwrap();
+            let rest = unexplained(&mut walking, request.half_alpha());
+            assert!(rest.is_some() || !walking.names.is_empty(), "{seed}");
+            let (found, rest) = names_and_rest(&mut session, &request, base).unwrap();
+            assert!(rest.is_none() && found.names.is_empty(), "{seed}");
+            assert!(
+                found.last.noise.flicker[0].iter().all(|b| *b > 1e-4),
+                "{seed}"
+            );
+        }
+    }
+}

@@ -62,9 +62,7 @@ impl Projected {
         let common: Vec<usize> = (0..parts_of.len()).filter(|&k| parts_of[k] > 1).collect();
         let shared = jacobian.select(&common).to_dense();
         let part = |part: &estimate::methods::joint::Part| {
-            let (own, _) = part.own_and_shared(&parts_of);
-            let own = Mat::from_fn(part.rows.len(), own.len(), |i, k| part.values[(i, own[k])]);
-            let null = left_null_space(&own);
+            let null = left_null_space(&part.own_columns(&parts_of));
             Part {
                 noise: noise
                     .iter()

@@ -62,6 +62,12 @@ impl Part {
         }
     }
 
+    /// The columns that no other part has.
+    pub fn own_columns(&self, parts_of: &[usize]) -> Mat<f64> {
+        let (own, _) = self.own_and_shared(parts_of);
+        Mat::from_fn(self.rows.len(), own.len(), |i, k| self.values[(i, own[k])])
+    }
+
     /// Places of the columns that no other part has, then of those that others have as well.
     pub fn own_and_shared(&self, parts_of: &[usize]) -> (Vec<usize>, Vec<usize>) {
         (0..self.columns.len()).partition(|&k| parts_of[self.columns[k]] == 1)

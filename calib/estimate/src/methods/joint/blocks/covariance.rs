@@ -99,13 +99,7 @@ impl Covariance {
         whole
     }
 
-    /// `Nᵀ C N` (`q × q`) for all rows.
-    pub fn both_sides(&self, null: &Mat<f64>) -> Mat<f64> {
-        let all: Vec<usize> = (0..self.size()).collect();
-        self.both_sides_of(&all, null)
-    }
-
-    /// The same for some rows, in ascending order.
+    /// `Nᵀ C N` (`q × q`) for some rows, in ascending order.
     pub fn both_sides_of(&self, rows: &[usize], null: &Mat<f64>) -> Mat<f64> {
         let is_used = |i: &usize| {
             let place = self.of_row[rows[*i]];
@@ -206,6 +200,6 @@ mod tests {
         assert_eq!(sum, direct);
         let null = Mat::from_fn(4, 2, |i, k| (i + 2 * k) as f64);
         let both = null.transpose() * (one.to_dense() * &null);
-        assert!((one.both_sides(&null) - both).norm_max() < 1e-12);
+        assert!((one.both_sides_of(&[0, 1, 2, 3], &null) - both).norm_max() < 1e-12);
     }
 }

@@ -63,10 +63,9 @@ impl Restricted {
             .parts()
             .iter()
             .map(|part| {
-                let (own, others) = part.own_and_shared(&parts_of);
+                let (_, others) = part.own_and_shared(&parts_of);
                 let m = part.rows.len();
-                let own = Mat::from_fn(m, own.len(), |i, k| part.values[(i, own[k])]);
-                let null = left_null_space(&own);
+                let null = left_null_space(&part.own_columns(&parts_of));
                 let mut shared = Mat::<f64>::zeros(m, common.len());
                 for place in others {
                     let column = part.columns[place];

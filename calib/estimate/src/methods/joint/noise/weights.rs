@@ -311,12 +311,6 @@ impl Whitening {
         &self.groups
     }
 
-    /// Whitens in place.
-    pub fn apply(&self, mut a: MatMut<'_, f64>) {
-        self.white.apply(a.as_mut());
-        self.finish(a);
-    }
-
     /// Whitens columns.
     pub fn whiten(&self, mut columns: Columns) -> Columns {
         columns.apply(|rows, a| self.white.apply_rows(rows, a));
@@ -330,7 +324,7 @@ impl Whitening {
 
     /// The second step alone, of what the white noise has whitened. Every row is mixed with rows before
     /// it only.
-    pub fn finish(&self, mut a: MatMut<'_, f64>) {
+    fn finish(&self, mut a: MatMut<'_, f64>) {
         for factor in self.factors.iter().flatten() {
             solve_rows(&factor.rows, &factor.lower, a.as_mut());
         }
