@@ -2,12 +2,8 @@
 
 use faer::{Mat, MatMut};
 
-use super::arrow::Arrow;
 use super::column::Column;
 use super::groups::RowGroups;
-
-/// Share of a column's square that is added to it in normal equations whose columns may be dependent.
-const RIDGE: f64 = 1e-12;
 
 /// Columns (`m × n`), of which every group of rows keeps those that may differ from zero there: all groups share a few, the
 /// others, as directions and biases, belong to one.
@@ -348,18 +344,6 @@ impl Columns {
         product
     }
 
-    /// `x` (`n`) with the least `‖A x − b‖²`, by the normal equations of columns of unit length, of which a share
-    /// of `1e-12` of the square is added: what no row sees stays at zero. `None` where a number is not finite.
-    pub fn least_squares(&self, b: &[f64]) -> Option<Vec<f64>> {
-        let unit_if_zero = |norm: f64| if norm > 0.0 { norm } else { 1.0 };
-        let norms: Vec<f64> = self.norms().into_iter().map(unit_if_zero).collect();
-        let mut unit = self.clone();
-        unit.divide(&norms);
-        let factor = Arrow::gram(&unit).factor(RIDGE)?;
-        let x = factor.solve(&unit.transposed_times(b)).into_iter();
-        Some(x.zip(&norms).map(|(x, norm)| x / norm).collect())
-    }
-
     /// The first `end` rows.
     pub fn first_rows(&self, end: usize) -> Self {
         let of_part = |part: &Part| {
@@ -442,18 +426,6 @@ mod tests {
         assert!(error(cut.transposed_times(&column(&r)), whole.transpose() * &r) < 1e-12);
         for (k, norm) in cut.norms().into_iter().enumerate() {
             assert!((norm - whole.col(k).norm_l2()).abs() < 1e-12);
-        }
-    }
-
-    #[test]
-    fn the_line_through_three_points_and_a_column_that_nothing_shows() {
-        // y = 2 + 3 t at t = 0, 1, 2, one percent of the size of the other column, and a column of zeros.
-        let a = Mat::from_fn(3, 3, |i, k| [1.0, 0.01 * i as f64, 0.0][k]);
-        let a = Columns::cut(&a, &RowGroups::whole(3));
-        let found = a.least_squares(&[2.0, 5.0, 8.0]).unwrap();
-        for (found, value) in found.into_iter().zip([2.0, 300.0, 0.0]) {
-            // The ridge is worth 1e-12 of a condition of ten.
-            assert!((found - value).abs() < 1e-8, "{found}");
         }
     }
 }

@@ -3,6 +3,7 @@
 use faer::Mat;
 
 use super::columns::Columns;
+use super::groups::RowGroups;
 
 /// A symmetric matrix (`m × m`) that is zero outside of blocks.
 #[derive(Clone, Debug)]
@@ -112,6 +113,13 @@ impl Covariance {
             Some(own) => part.transpose() * (own * &part),
             None => Mat::zeros(null.ncols(), null.ncols()),
         }
+    }
+}
+
+impl RowGroups {
+    /// Groups that a covariance connects as one.
+    pub fn connected_by<'a>(&self, covariances: impl Iterator<Item = &'a Covariance>) -> Self {
+        self.connected(covariances.flat_map(Covariance::rows_of_blocks))
     }
 }
 

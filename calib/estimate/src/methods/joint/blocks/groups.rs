@@ -2,8 +2,6 @@
 
 use std::sync::Arc;
 
-use super::covariance::Covariance;
-
 /// Rows that share noise and parameters with each other: those of every recording. With other groups they share parameters
 /// only.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,11 +61,6 @@ impl RowGroups {
         Self::of_count(self.of_row[..end].to_vec(), self.groups.len())
     }
 
-    /// Groups that a covariance connects as one.
-    pub fn connected_by<'a>(&self, covariances: impl Iterator<Item = &'a Covariance>) -> Self {
-        self.connected(covariances.flat_map(Covariance::rows_of_blocks))
-    }
-
     /// Groups with rows of one of these sets as one.
     pub fn connected<'a>(&self, sets: impl Iterator<Item = &'a [usize]>) -> Self {
         let mut joined: Vec<usize> = (0..self.groups.len()).collect();
@@ -95,20 +88,17 @@ impl RowGroups {
 
 #[cfg(test)]
 mod tests {
-    use faer::Mat;
-
     use super::*;
 
     #[test]
-    fn a_covariance_between_recordings_makes_one_group_of_them() {
+    fn rows_of_two_groups_in_one_set_make_one_group_of_them() {
         let groups = RowGroups::new(vec![0, 1, 2, 0, 1, 2]);
         let rows: Vec<&Vec<usize>> = groups.iter().collect();
         assert_eq!(rows, [&vec![0, 3], &vec![1, 4], &vec![2, 5]]);
-        let within = Covariance::of_blocks(6, vec![(vec![0, 3], Mat::identity(2, 2))]);
-        assert_eq!(groups.connected_by([&within].into_iter()), groups);
-        let across = Covariance::of_blocks(6, vec![(vec![1, 5], Mat::identity(2, 2))]);
-        let joined = groups.connected_by([&across].into_iter());
+        assert_eq!(groups.connected([&[0, 3][..]].into_iter()), groups);
+        let joined = groups.connected([&[1, 5][..]].into_iter());
         let rows: Vec<&Vec<usize>> = joined.iter().collect();
         assert_eq!(rows, [&vec![0, 3], &vec![1, 2, 4, 5]]);
+        assert_eq!((joined.of(4), joined.place(4)), (1, 2));
     }
 }
