@@ -177,7 +177,7 @@ impl Columns {
         count
     }
 
-    /// Some columns, in ascending order of their places.
+    /// Some columns, in this order.
     pub fn select(&self, which: &[usize]) -> Self {
         let mut place = vec![None; self.count];
         for (new, &old) in which.iter().enumerate() {
@@ -185,9 +185,9 @@ impl Columns {
         }
         let of_part = |part: &Part| {
             let places = part.columns.iter().enumerate();
-            let kept: Vec<(usize, usize)> = places
-                .filter_map(|(k, &old)| Some((k, place[old]?)))
-                .collect();
+            let kept = places.filter_map(|(k, &old)| Some((k, place[old]?)));
+            let mut kept: Vec<(usize, usize)> = kept.collect();
+            kept.sort_unstable_by_key(|(_, new)| *new);
             part.keep(&kept)
         };
         Self {
@@ -406,6 +406,11 @@ mod tests {
         assert_eq!(
             some.to_dense(),
             Mat::from_fn(6, 2, |i, k| whole[(i, [1, 3][k])])
+        );
+        let turned = cut.select(&[3, 0]);
+        assert_eq!(
+            (turned.get(4, 0), turned.get(0, 1)),
+            (whole[(4, 3)], whole[(0, 0)])
         );
         let twice = some.beside(&cut);
         assert_eq!((twice.ncols(), twice.get(4, 0)), (6, whole[(4, 1)]));
