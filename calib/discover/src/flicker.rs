@@ -8,9 +8,9 @@ use super::request::{Request, Session};
 use super::search::{Search, search};
 use super::state::{Extension, State};
 
-/// Axes that flicker at least where the biases do, and how many times likelier (log) each makes the data. In twelve clean
-/// sessions with 1 mm/s² and 15 °/h to which a walk left something, the third axis made them 3.6 and more times likelier;
-/// in thirty sessions with a bias on one axis that flips or wanders 2.9 and less.
+/// Axes that flicker at least where the biases do, and by how much each makes the data likelier (log). In eleven clean
+/// sessions with 1 mm/s² and 15 °/h of which a walk left something, the third axis gained 3.6 and more; in some thirty with
+/// a bias on one axis that flips or wanders, 2.9 and less.
 const FLICKERING: usize = 3;
 const LIKELIER: f64 = 3.0;
 
