@@ -1,10 +1,17 @@
-//! Median and root mean square.
+//! Median, quantiles and root mean square.
 
 /// The middle value, of an even number of them the upper of the two; `None` of none.
 pub fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
     let mut values: Vec<f64> = values.into_iter().collect();
     let middle = values.len() / 2;
     (!values.is_empty()).then(|| *values.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
+/// The value that a `share` of them lies below, the greatest where the share is 1; `None` of none.
+pub fn quantile(values: &[f64], share: f64) -> Option<f64> {
+    let mut values = values.to_vec();
+    let place = ((share * values.len() as f64) as usize).min(values.len().checked_sub(1)?);
+    Some(*values.select_nth_unstable_by(place, f64::total_cmp).1)
 }
 
 /// `√(Σ v² / n)`; 0 of none.

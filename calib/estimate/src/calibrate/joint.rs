@@ -265,6 +265,15 @@ fn disturbances(fit: &JointFit, warnings: &mut Vec<String>) {
             fit.data.rests.len()
         ));
     }
+    for (place, source) in fit.data.sources.iter().enumerate() {
+        if source.moves_at_rest() {
+            warnings.push(format!(
+                "{}: the device sways in its static intervals and comes back, as one that is held in the hand does: turns begin \
+                 and end off its mean attitude there, and creeping is not told from it. Lay it down for smaller errors",
+                name(place)
+            ));
+        }
+    }
     for accused in &fit.accused {
         let (what, done) = match accused.kind {
             Disturbance::MountSlip | Disturbance::SuddenSlip => (

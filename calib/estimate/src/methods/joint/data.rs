@@ -154,6 +154,8 @@ pub struct Source {
     pub timing: f64,
     /// Scatter of the turns that is allowed for while the clock is fitted, rad.
     pub floor: f64,
+    /// Shares of the variance that means over rests have of what batches of readings say, accelerometer and gyroscope.
+    pub noise_shares: [f64; 2],
 }
 
 impl Source {
@@ -164,6 +166,11 @@ impl Source {
             Sensor::Gyroscope => self.gyroscope,
             Sensor::Magnetometer => None,
         }
+    }
+
+    /// Whether the device moves at rest and comes back, so that turns begin and end off its mean direction there.
+    pub fn moves_at_rest(&self) -> bool {
+        self.noise_shares.iter().any(|share| *share < 1.0)
     }
 }
 
@@ -283,6 +290,7 @@ impl Data {
             clock,
             timing: 0.0,
             floor: 0.0,
+            noise_shares: [1.0; 2],
         });
     }
 
@@ -316,6 +324,11 @@ impl Data {
     pub fn misses_something_between_samples(&self) -> bool {
         let mut shares = self.sources.iter().map(|s| s.clock.sampling.value);
         shares.any(|share| share > 0.0)
+    }
+
+    /// Whether the device moves at rest in some recording.
+    pub fn moves_at_rest(&self) -> bool {
+        self.sources.iter().any(Source::moves_at_rest)
     }
 
     /// How many rests shake, where they are too many to have been touched one by one.

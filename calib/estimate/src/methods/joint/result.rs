@@ -2,6 +2,7 @@
 
 pub(crate) mod analysis;
 pub(crate) mod influence;
+pub(crate) mod left;
 pub(crate) mod left_out;
 pub(crate) mod marginal;
 pub(crate) mod misfit;

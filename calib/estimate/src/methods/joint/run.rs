@@ -61,13 +61,25 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
     if covariates && point.is_some() {
         point = Some(known(&mut data, point.as_ref())?);
     }
+    let mut point = point.or(first);
+    if request.clocks.is_none() && data.is_coloured() {
+        let run = Run {
+            request,
+            data: &data,
+            charts: &charts,
+            start: &start,
+        };
+        let (shares, reached) = run.shares_of_noise(point.as_ref())?;
+        data.lower_noise(&shares);
+        point = Some(reached);
+    }
     Run {
         request,
         data: &data,
         charts: &charts,
         start: &start,
     }
-    .run(point.or(first))
+    .run(point)
 }
 
 /// Works out what effects look at: by the models at first, or at the fit before, then by those of a first fit, which is

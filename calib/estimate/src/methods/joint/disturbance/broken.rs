@@ -217,6 +217,7 @@ mod tests {
         let noise = SensorNoise {
             white: Vector3::repeat(0.2 * step),
             long_run: Vector3::repeat(1.0),
+            restless_long_run: Vector3::repeat(1.0),
             step: Vector3::repeat(step),
             rounding: Vector3::repeat(step * step / 12.0),
             freedom: Vector3::repeat(1.0),

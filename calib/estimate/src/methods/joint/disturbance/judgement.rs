@@ -73,7 +73,11 @@ impl Run<'_> {
         } else {
             let known = self.known(&rows, x);
             let all: Vec<&Suspect> = known.iter().collect();
-            analysis.allow_scatter_of_gross_turns(&rows, &all);
+            if self.data.moves_at_rest() {
+                analysis.allow_scatter_of_turns(&rows);
+            } else {
+                analysis.allow_scatter_of_gross_turns(&rows, &all);
+            }
             (self.measured(&analysis, &all), known)
         };
         Weights {
@@ -124,8 +128,9 @@ impl Run<'_> {
         let all = |places: &[usize]| places.iter().map(|&k| &candidates[k]).collect::<Vec<_>>();
         let patterns = at.allow_patterns(&all(&given), analysis, shown);
         let mut misfit = analysis.allow_scatter_where_misfit(rows, &all(&given)) || patterns;
-        if self.data.misses_something_between_samples() {
-            // What falls between samples altogether shows in none of them: turns scatter by more than their samples say.
+        if self.data.misses_something_between_samples() || self.data.moves_at_rest() {
+            // What falls between samples altogether shows in none of them, and a device that sways begins a turn where it sways
+            // to: turns scatter by more than their samples say.
             analysis.allow_scatter_of_turns(rows);
             misfit = true;
         }
@@ -163,7 +168,8 @@ impl Run<'_> {
     }
 
     /// The chunks that were seen to shake: their force may be off and the device may have moved. None where
-    /// shaking is how the recording is: the rows are believed by their own noise then.
+    /// shaking is how the recording is: the rows are believed by their own noise then. Nor where the device sways, as in a
+    /// hand, which trembles now more and now less.
     fn touched(&self, rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
         if self.data.shakes_throughout().is_some() {
             return Vec::new();
@@ -171,6 +177,10 @@ impl Run<'_> {
         self.data
             .shaken
             .iter()
+            .filter(|(chunk, _)| {
+                let recording = self.data.rests[self.data.chunks[*chunk].rest].recording;
+                !self.data.sources[recording].moves_at_rest()
+            })
             .filter_map(|(chunk, shake)| pushed_chunk(rows, x, *chunk, shake))
             .collect()
     }

@@ -1,6 +1,7 @@
 //! Touches: short windows of a rest that shake more than the rest of the recording.
 
 use nalgebra::Vector3;
+use recording::averages::quantile;
 use recording::intervals::Span;
 use recording::{INSTANT, Stream};
 use statrs::function::erf::erfc;
@@ -170,8 +171,9 @@ struct Law {
 impl Law {
     fn of(windows: &[Window], count: usize) -> Self {
         let roots: Vec<f64> = windows.iter().map(|w| w.root).collect();
-        let centre = quantile(&roots, 0.5);
-        let below = centre - quantile(&roots, BELOW);
+        let of_roots = |share| quantile(&roots, share).unwrap_or(0.0);
+        let centre = of_roots(0.5);
+        let below = centre - of_roots(BELOW);
         let n = 3.0 * count as f64;
         let least = n.cbrt() * (2.0 / (9.0 * n)).sqrt();
         // A quantile of so many windows is itself off by chance.
@@ -189,19 +191,10 @@ impl Law {
     }
 }
 
-fn quantile(values: &[f64], share: f64) -> f64 {
-    let mut sorted = values.to_vec();
-    let place = ((share * sorted.len() as f64) as usize).min(sorted.len().saturating_sub(1));
-    if sorted.is_empty() {
-        return 0.0;
-    }
-    *sorted.select_nth_unstable_by(place, f64::total_cmp).1
-}
-
 fn quantile3(values: &[Vector3<f64>], share: f64) -> Vector3<f64> {
     Vector3::from_fn(|axis, _| {
         let own: Vec<f64> = values.iter().map(|v| v[axis]).collect();
-        quantile(&own, share)
+        quantile(&own, share).unwrap_or(0.0)
     })
 }
 

@@ -3,7 +3,6 @@
 use faer::Mat;
 use sensor::Sensor;
 
-use crate::methods::joint::blocks::basis::Basis;
 use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::blocks::covariance::{Covariance, combined};
@@ -18,6 +17,7 @@ use crate::methods::joint::noise::walks::{Walks, expected_square};
 use crate::methods::joint::noise::weights::{
     Component, ComponentKind, NoiseLevel, White, Whitening, weighing,
 };
+use crate::methods::joint::result::left::Left;
 use crate::methods::joint::rows::{Linear, Rows};
 use crate::methods::small_sample::by_chance;
 
@@ -44,8 +44,8 @@ const NONE: f64 = 1.0;
 /// How far usual walks go, in standard deviations of a chunk's mean.
 const USUAL: f64 = 3.0;
 
-/// The share of rests (or turns) that such a judgement rests on.
-const QUIETER: f64 = 0.75;
+/// The same of what turns scatter by without any recording showing it, in standard deviations of the best turn.
+const USUAL_OF_TURNS: f64 = 1.0;
 
 /// Residuals and Jacobian (free columns), whitened by the white noise alone.
 #[derive(Clone, Debug)]
@@ -190,7 +190,7 @@ impl Analysis {
             };
             turns.iter().map(of_turn).sum()
         };
-        let usual = usual_walk(&covariance);
+        let usual = usual_size(&covariance, USUAL_OF_TURNS);
         let size = expected_square((usual, NONE), log_likelihood).sqrt();
         let kind = ComponentKind::TurnDoubt;
         self.components.push(Component { kind, covariance });
@@ -386,7 +386,7 @@ impl Analysis {
         let fixed: Vec<(f64, &Covariance)> = fixed.map(|(c, v)| (*v, &c.covariance)).collect();
         let fixed = combined(self.residuals.len(), 0.0, &fixed);
         let covariances: Vec<&Covariance> = walks.iter().map(|c| &c.covariance).collect();
-        let usual: Vec<f64> = covariances.iter().map(|c| usual_walk(c)).collect();
+        let usual: Vec<f64> = covariances.iter().map(|c| usual_size(c, USUAL)).collect();
         let expected = Walks::new(&self.residuals, &jacobian, &covariances, fixed.as_ref())
             .expected(&usual, NONE);
         walks
@@ -491,39 +491,6 @@ impl Analysis {
     }
 }
 
-/// What columns that are fitted leave of the rows.
-struct Left {
-    residuals: Vec<f64>,
-    basis: Basis,
-}
-
-impl Left {
-    fn of(columns: &Columns, r: &[f64]) -> Self {
-        let basis = Basis::of(columns);
-        let residuals = basis.without_column(r);
-        Self { residuals, basis }
-    }
-
-    /// Square of what is left of row `i`.
-    fn square(&self, i: usize) -> f64 {
-        self.residuals[i].powi(2)
-    }
-
-    /// The part of row `i` that the columns leave free: what its square is expected to be.
-    fn spare(&self, i: usize) -> f64 {
-        1.0 - self.basis.leverage(i)
-    }
-
-    /// `χ²` per degree of freedom of the quieter groups of rows.
-    fn quieter_ratio(&self, groups: &[Vec<usize>]) -> f64 {
-        let of = |rows: &Vec<usize>| {
-            let square: f64 = rows.iter().map(|&i| self.square(i)).sum();
-            (square, rows.iter().map(|&i| self.spare(i)).sum())
-        };
-        quieter_ratio(groups.iter().map(of).collect())
-    }
-}
-
 /// The sum of squares of every row.
 fn row_squares(a: &Columns) -> Vec<f64> {
     let mut squares = vec![0.0; a.nrows()];
@@ -572,12 +539,12 @@ fn walk_within_rests(rows: &Rows<'_>, white: &White) -> Covariance {
     covariance(&exposures, rows.count())
 }
 
-/// The density up to which walks are common: at the far end of the recording the bias has moved by three
-/// standard deviations of a chunk's mean.
-fn usual_walk(covariance: &Covariance) -> f64 {
+/// The size up to which noise of this covariance is common: where a row feels it most, whose white noise has the variance
+/// one, it has this standard deviation.
+fn usual_size(covariance: &Covariance, deviations: f64) -> f64 {
     let farthest = covariance.diagonal().fold(0.0, f64::max);
     if farthest > 0.0 {
-        USUAL / farthest.sqrt()
+        deviations / farthest.sqrt()
     } else {
         1.0
     }
@@ -612,17 +579,6 @@ fn groups(rows: &Rows<'_>) -> [(ComponentKind, Vec<Vec<usize>>); 3] {
         ),
         (ComponentKind::TurnScatter, turn_rows(rows)),
     ]
-}
-
-/// `χ²` per degree of freedom of the quieter groups, of `(χ², degrees of freedom)`; 0 of none.
-fn quieter_ratio(mut groups: Vec<(f64, f64)>) -> f64 {
-    groups.retain(|(_, dof)| *dof > 0.1);
-    groups.sort_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)));
-    groups.truncate((QUIETER * groups.len() as f64).ceil() as usize);
-    let (sum, dof) = groups
-        .iter()
-        .fold((0.0, 0.0), |(s, d), g| (s + g.0, d + g.1));
-    if dof > 0.0 { sum / dof } else { 0.0 }
 }
 
 /// Covariance of a scatter that the chunks of a rest share, axis by axis; the rows of a turn share none.
