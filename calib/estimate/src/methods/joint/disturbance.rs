@@ -15,6 +15,7 @@ use super::data::{Chunk, Mean};
 use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::disturbance::shake::Shake;
 use crate::methods::joint::rows::Rows;
+use crate::methods::small_sample::LEAST_SPARE;
 
 /// What happened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -61,11 +62,11 @@ pub fn suspects(rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
     };
     let rests = (0..rows.data.rests.len()).filter(may_creep);
     let mut all: Vec<Suspect> = rests.map(|k| slip(rows, x, k)).collect();
-    all.extend(
-        rows.means(Sensor::Accelerometer)
-            .enumerate()
-            .map(|(k, (place, _))| pushed(place, 3 * k)),
-    );
+    // Without placements to spare any of them, or a part of it, would make the others agree.
+    if rows.spare_placements() > LEAST_SPARE {
+        let means = rows.means(Sensor::Accelerometer).enumerate();
+        all.extend(means.map(|(k, (place, _))| pushed(place, 3 * k)));
+    }
     let first = rows.first_turn_row();
     all.extend((0..rows.data.turns.len()).map(|k| Suspect {
         kind: Disturbance::BadTurn,

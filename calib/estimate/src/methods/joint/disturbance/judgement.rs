@@ -194,7 +194,7 @@ mod tests {
     use simulate::{Simulation, Spec};
 
     use super::*;
-    use crate::methods::joint::{JointFit, JointRequest, fit_joint};
+    use crate::methods::joint::{Disturbance, JointFit, JointRequest, fit_joint};
 
     fn fit(simulation: &Simulation) -> JointFit {
         let recording = simulation.run().unwrap().recording;
@@ -250,5 +250,21 @@ mod tests {
             .find(|l| l.kind == ComponentKind::AccelerometerWalk);
         // A walk through the whole recording would be 6e-4 m/s²/√s and more.
         assert!(walk.unwrap().size < 2e-4, "{:?}", fit.levels);
+    }
+
+    #[test]
+    fn no_placement_is_suspected_of_a_push_where_none_can_be_spared() {
+        let suspected = |placements: usize| {
+            let mut spec = Spec::hand_held(0);
+            spec.motion = simulate::Motion::HandHeld(simulate::HandHeld {
+                placements: Some(placements),
+                ..simulate::HandHeld::default()
+            });
+            let fit = fit(&Simulation::new(&spec).unwrap());
+            let all = suspects(&fit.plain_rows(), fit.parameters.values());
+            all.iter().any(|s| s.kind == Disturbance::DisturbedInterval)
+        };
+        // Nine parameters: without a placement of ten the nine others meet any misfit.
+        assert!(!suspected(10) && suspected(14));
     }
 }

@@ -19,7 +19,7 @@ use crate::methods::joint::noise::weights::{
 };
 use crate::methods::joint::result::left::Left;
 use crate::methods::joint::rows::{Linear, Rows};
-use crate::methods::small_sample::by_chance;
+use crate::methods::small_sample::{LEAST_SPARE, by_chance};
 
 /// A fit whose quieter three quarters are off by this much, as χ² per degree of freedom, does not
 /// know its noise: the model misses, or the noise is of another kind.
@@ -303,8 +303,12 @@ impl Analysis {
     /// believe neighbouring rests too little and those near the reference time too much. What differs between
     /// rests is then left to their scatter, and the walk to what is seen within them. A bias that does drift
     /// leaves the same misfit, but neighbouring rests agree: as scatter it would count as independent in every
-    /// rest, and the mean bias would pass for known far better than it is.
+    /// rest, and the mean bias would pass for known far better than it is. Without placements to spare neither is told from
+    /// the other, and the walk goes on.
     fn end_walk_with_rests(&mut self, rows: &Rows<'_>, taken: &Columns) {
+        if rows.spare_placements() < LEAST_SPARE {
+            return;
+        }
         let within = Component {
             kind: ComponentKind::AccelerometerWalk,
             covariance: walk_within_rests(rows, &self.white),

@@ -129,6 +129,17 @@ impl<'a> Rows<'a> {
         of_group
     }
 
+    /// Static intervals beyond those that the norm of specific force needs for the accelerometer's parameters, of which the
+    /// frame holds three.
+    pub(crate) fn spare_placements(&self) -> usize {
+        let biases = match self.layout.own_force_bias {
+            true => 3 * self.data.sources.len().saturating_sub(1),
+            false => 0,
+        };
+        let parameters = (self.layout.accelerometer + biases).saturating_sub(3);
+        self.data.rests.len().saturating_sub(parameters)
+    }
+
     /// First row of the turns.
     pub fn first_turn_row(&self) -> usize {
         self.count() - 2 * self.data.turns.len()
