@@ -307,6 +307,8 @@ fn case_085_one_axis_flipped() {
     let rows = spoilt(|_, row| row[4] = -row[4]);
     let run = calibrate(csv(&rows), &[]);
     run.ends(1).says(&["--flip gx"]);
+    let joint = calibrate(csv(&rows), &["--method", "joint"]);
+    joint.ends(1).says(&["x is flipped", "--flip gx"]);
     calibrate(csv(&rows), &["--flip", "gx"]).ends(0);
 }
 

@@ -10,7 +10,7 @@ const NORMAL: f64 = 1.959_963_985;
 pub const LEAST_SPARE: usize = 3;
 
 /// A residual that the noise makes by chance in more cases than this says nothing against the noise.
-const UNREMARKABLE: f64 = 0.05;
+pub const UNREMARKABLE: f64 = 0.05;
 
 /// Factor on a standard error that was estimated with `dof` degrees of freedom, so that 1.96 of it are a 95 %
 /// interval: `t₀.₉₇₅(dof)/1.96`; 1 without degrees of freedom.

@@ -1,8 +1,9 @@
 //! The minimum of a joint fit under some weights.
 
+use nalgebra::Vector3;
 use recording::Error;
 use recording::watch::{Stage, step};
-use sensor::Sensor;
+use sensor::{Base, Sensor};
 use solver::{Mask, Parameters};
 
 use super::approach::{Weighted, approach};
@@ -134,6 +135,16 @@ impl Run<'_> {
             let columns = rows.layout.columns(Sensor::Accelerometer, recording);
             for (column, value) in columns.into_iter().zip(p) {
                 parameters.values_mut()[column] = *value;
+            }
+        }
+        if rows.layout.gyroscope > 0 {
+            let mounted = Base {
+                t: self.start.axes,
+                bias: Vector3::zeros(),
+            };
+            let columns = rows.layout.columns(Sensor::Gyroscope, 0);
+            for (column, value) in columns.into_iter().zip(mounted.parameters()).take(9) {
+                parameters.values_mut()[column] = value;
             }
         }
         parameters

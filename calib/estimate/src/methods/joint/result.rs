@@ -17,9 +17,10 @@ use solver::Uncertainty;
 use super::fit::JointFit;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::noise::weights::{ComponentKind, NoiseLevel};
+use crate::methods::joint::result::left::Left;
 use crate::methods::joint::result::marginal::marginal;
 use crate::methods::joint::result::prediction::Prediction;
-use crate::methods::small_sample::widening;
+use crate::methods::small_sample::{LEAST_SPARE, UNREMARKABLE, by_chance, widening};
 use crate::methods::{Fitted, RawUnit};
 
 /// The kinds of rows.
@@ -91,7 +92,8 @@ impl JointFit {
                     ComponentKind::ForceOfOrientation,
                 ];
                 let spare = rests.saturating_sub(BASE_PARAMETERS - 3);
-                if found(&kinds) {
+                let known = spare >= LEAST_SPARE || self.white_noise_explains_force();
+                if found(&kinds) || !known {
                     widening(spare.max(1))
                 } else {
                     1.0
@@ -110,6 +112,17 @@ impl JointFit {
                 }
             }
         }
+    }
+
+    /// Whether white noise as it was measured within the static intervals makes what is left of the accelerometer's means.
+    ///
+    /// Where it does not, some other noise was found that does; without placements to spare, an effect that the model lacks
+    /// leaves as little and shows as little.
+    fn white_noise_explains_force(&self) -> bool {
+        let left = Left::of(&self.white_jacobian, &self.white_residuals);
+        let rows = 0..self.first_rows[0];
+        let square: f64 = rows.clone().map(|i| left.square(i)).sum();
+        by_chance(square, rows.map(|i| left.spare(i)).sum()) > UNREMARKABLE
     }
 
     /// Whether a shared parameter is one of the gyroscope's.

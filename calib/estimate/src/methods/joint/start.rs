@@ -1,6 +1,6 @@
 //! Where the joint fit starts: units, a first accelerometer, directions.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use recording::intervals::Segmentation;
 use recording::{Error, Recording};
 use sensor::{BASE_PARAMETERS, Base, Model};
@@ -30,6 +30,8 @@ pub struct Start {
     pub own_force_bias: bool,
     /// Parameters of the accelerometer's model near SI, for each recording.
     pub accelerometer: Vec<Vec<f64>>,
+    /// `T` of the gyroscope near SI at the start: the identity, or how the sensor is mounted.
+    pub axes: Matrix3<f64>,
     /// Steps that the solver may still take on the way to the last fit.
     pub steps: Steps,
 }
@@ -103,10 +105,11 @@ pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
             })
         })
         .collect();
-    let scale = if turns.is_empty() {
-        RawUnit::SI
+    let (scale, axes) = if turns.is_empty() {
+        (RawUnit::SI, Matrix3::identity())
     } else {
-        gyroscope_guess(&turns).unit
+        let guess = gyroscope_guess(&turns);
+        (guess.unit, guess.axes)
     };
     Ok(Start {
         own_force_bias: fit.own_bias,
@@ -116,6 +119,7 @@ pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
             ..scale
         },
         accelerometer,
+        axes,
         steps: Steps::default(),
     })
 }
