@@ -89,6 +89,8 @@ fn case_086_axes_of_the_gyroscope_turned_by_a_right_angle() {
     let run = calibrate(csv(&rows), &[]);
     run.says(&["axes"]);
     assert!(matches!(run.status, Some(0 | 1)), "{run:#?}");
+    let joint = calibrate(csv(&rows), &["--method", "joint"]);
+    joint.ends(0).says(&["axes are turned"]);
 }
 
 #[test]

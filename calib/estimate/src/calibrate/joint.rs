@@ -124,6 +124,7 @@ pub fn written_down(
             scale,
             request.gravity,
         ));
+        warnings.extend(checks::long_turns(recording, segmentation));
     }
     if let Some(rate) = &rate {
         failed_gates.extend(check_rate(fit, rate, warnings)?);
@@ -229,6 +230,7 @@ fn check_rate(
     };
     if !fit.chords.is_empty() {
         checks::gyroscope_is_determined(&evidence, warnings)?;
+        warnings.extend(checks::turned_axes(&evidence));
     }
     Ok(checks::gyroscope_gates(&evidence, fit.force_unit.is_si()))
 }
