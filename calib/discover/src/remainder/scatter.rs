@@ -84,7 +84,7 @@ pub(super) fn scatters(state: &State, levels: &[Level]) -> Vec<Scatter> {
 }
 
 /// A bias of its own for every chunk on one axis of a sensor (`m × n`), white-whitened.
-pub(super) fn biases_of(state: &State, sensor: Sensor, axis: usize) -> Mat<f64> {
+fn biases_of(state: &State, sensor: Sensor, axis: usize) -> Mat<f64> {
     let means = state.sensitivities.means.iter();
     let rows: Vec<usize> = means
         .filter(|m| m.sensor == sensor)

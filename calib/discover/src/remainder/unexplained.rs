@@ -9,7 +9,7 @@ use serde::Serialize;
 use crate::family::{Claim, Family};
 use crate::gap::channel::{Channel, Misfit, Sequence, channel_of};
 use crate::rank::{APART, Ranked, levels, rank_at};
-use crate::remainder::scatter::{biases_of, scatters};
+use crate::remainder::scatter::scatters;
 use crate::remainder::shape::{Shape, shapes};
 use crate::score::log_tail;
 use crate::search::few_turns::Turns;
@@ -74,8 +74,7 @@ pub fn unexplained(search: &mut Search, alpha: f64) -> Option<Unexplained> {
         let is_named = |t: &Trial| t.of.is_some_and(|of| is_covered(of, &search.names));
         let better = |t: &Trial| {
             let evidence = -t.log_p - (shaped.len() as f64).ln();
-            // Beside a bias that wanders names on other axes stay: they are weighed one by one.
-            t.wandering.is_none() && !is_named(t) && evidence > search.evidence + APART
+            !is_named(t) && evidence > search.evidence + APART
         };
         if shaped.iter().any(better) {
             let mut whole = rest_of(&search.base, alpha)?;
@@ -140,13 +139,7 @@ pub fn rest_of(state: &State, alpha: f64) -> Option<Unexplained> {
         shape: worst.words.clone(),
         period: worst.period,
         instead_of: Vec::new(),
-        columns: match worst.wandering {
-            Some((sensor, axis)) => Some(Shaped {
-                columns: biases_of(state, sensor, axis),
-                noise: state.noise,
-            }),
-            None => worst.columns.clone(),
-        },
+        columns: worst.columns.clone(),
         wandering: worst.wandering,
     })
 }
