@@ -311,3 +311,60 @@ fn a_validation_that_the_fit_has_seen_is_refused_by_path_and_by_content() {
     }
     assert_eq!(names(&folder), ["copy.csv", "hidden.csv", "link.csv"]);
 }
+
+#[test]
+fn units_of_one_type_share_a_name_and_keep_their_sizes() {
+    let (_dir, folder) = hidden();
+    let other = Spec::hand_held(5).with_effect(HIDDEN, 1.0);
+    let mut other = other.run().unwrap().recording;
+    std::fs::write(folder.join("other.csv"), to_csv(&mut other)).unwrap();
+    let args = ["discover", "hidden.csv", "other.csv", "--units"];
+    let run = stillpoint(&folder, &[&args[..], &["-o", "units.json"]].concat());
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    let said = stdout(&run).replace('\n', " ");
+    assert!(said.starts_with(&format!(
+        "The type lacks {HIDDEN}: all 2 units show it together"
+    )));
+    // Each has coefficients of its own.
+    assert!(said.contains("differs from unit to unit"), "{said}");
+    assert!(said.contains(&format!(
+        "stillpoint calibrate UNIT --method joint --effects {HIDDEN}"
+    )));
+    let text = std::fs::read_to_string(folder.join("units.json")).unwrap();
+    let found: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(found["schema"], "stillpoint.unit_findings/1");
+    let sizes = found["shared"][0]["sizes"].as_array().unwrap();
+    assert_eq!(sizes.len(), 2);
+    for size in sizes {
+        assert_eq!(size["parameters"].as_array().unwrap().len(), 9);
+        assert!(size["gap_before"].as_f64() > size["gap_after"].as_f64());
+    }
+    assert_eq!(found["shared"][0]["agreement"]["dof"], 9.0);
+}
+
+#[test]
+fn a_unit_that_is_given_twice_is_refused() {
+    let (_dir, folder) = hidden();
+    let text = std::fs::read_to_string(folder.join("hidden.csv")).unwrap();
+    std::fs::write(folder.join("copy.csv"), format!("# a copy\n{text}")).unwrap();
+    let run = stillpoint(&folder, &["discover", "hidden.csv", "copy.csv", "--units"]);
+    assert_eq!(run.status.code(), Some(2), "{}", stderr(&run));
+    assert!(
+        stderr(&run).contains("would count twice"),
+        "{}",
+        stderr(&run)
+    );
+    let one = stillpoint(&folder, &["discover", "hidden.csv", "--units"]);
+    assert_eq!(one.status.code(), Some(4), "{}", stderr(&one));
+}
+
+#[test]
+fn a_device_that_lacks_nothing_has_a_picture_of_what_the_models_leave() {
+    let (_dir, folder) = folder("clean", &Spec::hand_held(4));
+    let run = stillpoint(&folder, &["discover", "clean.csv", "--plots", "plots"]);
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    assert_eq!(
+        names(&folder.join("plots")),
+        ["remainder.png", "remainder.svg"]
+    );
+}

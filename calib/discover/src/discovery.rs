@@ -25,8 +25,10 @@ use super::propose::{Proposal, propose};
 use super::rank::Ranked;
 use super::remainder::unexplained::{Unexplained, rest_of};
 use super::remainder::weighed_again::weighed_again;
+use super::remainder::withdrawn::{
+    weigh_beside_shape, without_doubtful_steps, without_steps_of, without_weak,
+};
 use super::request::{Request, Session};
-use super::score::log_tail;
 use super::search::{Name, Search};
 use super::settle::{HeldShape, say_held, settle};
 use super::state::State;
@@ -61,8 +63,15 @@ pub fn discover<R: Borrow<Recording>>(
 }
 
 fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discovery, Error> {
-    let mut session = Session::new(recordings, request)?;
-    enough_rests(&session)?;
+    discover_in(&mut Session::new(recordings, request)?, request)
+}
+
+/// The same in a session, which knows its clocks and whether its biases flicker afterwards.
+pub(super) fn discover_in(
+    session: &mut Session<'_>,
+    request: &Request,
+) -> Result<Discovery, Error> {
+    enough_rests(session)?;
     let cuts = session.recordings.iter();
     let means: Vec<_> = cuts
         .map(|(r, choice)| static_means(r, &choice.segmentation))
@@ -72,36 +81,44 @@ fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discover
         let of = session.recordings.iter().map(|(recording, _)| *recording);
         of_one_device(of.zip(means), request.gravity)?;
     }
-    let base = State::fit(&session, super::Extension::default())?;
+    let base = State::fit(session, super::Extension::default())?;
     session.clocks = Some(base.fit.data.decided_clocks());
     refuse_unobservable(&base.fit)?;
-    enough_to_compare(&session, &base)?;
-    let mut faults = integrity(&session, &base);
+    enough_to_compare(session, &base)?;
+    let mut faults = integrity(session, &base);
     let quantised = faults.iter().any(|f| f.name == "quantisation");
     let alpha = request.half_alpha();
     let (mut search, mut rest) = if quantised {
         (Search::without_names(base), None)
     } else {
-        names_and_rest(&mut session, request, base)?
+        names_and_rest(session, request, base)?
     };
-    if rest.is_some() && without_weak(&session, &mut search, request)? {
+    if rest.is_some() && without_weak(session, &mut search, request)? {
         rest = rest_of(&search.last, alpha);
     }
+    if without_doubtful_steps(session, &mut search)? {
+        rest = rest_of(&search.last, alpha);
+    }
+    if let Some((sensor, _)) = rest.as_ref().and_then(|found| found.wandering) {
+        if without_steps_of(session, &mut search, sensor)? {
+            rest = rest_of(&search.last, alpha);
+        }
+    }
     if let Some(found) = rest.as_mut() {
-        weigh_beside_shape(&session, request, &mut search, found)?;
+        weigh_beside_shape(session, request, &mut search, found)?;
     }
     let late = (!quantised).then(|| late(&search.last, request)).flatten();
     if let Some((effect, late)) = late {
         let mut extension = search.last.extension.clone();
         extension.effects.push((effect, Some((0, late.delay))));
-        search.last = State::fit(&session, extension)?;
+        search.last = State::fit(session, extension)?;
     }
-    let held = settle(&session, &mut search.last);
+    let held = settle(session, &mut search.last);
     let proposed = match &rest {
-        Some(rest) => proposal(&session, request, &mut search, rest)?,
+        Some(rest) => proposal(session, request, &mut search, rest)?,
         None => None,
     };
-    let (mut calibration, held) = determined(&session, request, &mut search, held)?;
+    let (mut calibration, held) = determined(session, request, &mut search, held)?;
     say_held(&mut calibration, &held);
     calibration.warnings.extend(search.spent.clone());
     let named = |name: &&Name| matches!(name.claim, Claim::Effect(_));
@@ -131,8 +148,8 @@ fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discover
         (false, true) => Verdict::Unexplained,
         (true, true) => Verdict::NamedAndUnexplained,
     };
-    let cut = |k: usize| session.recordings.get(k).map(|(_, c)| &c.segmentation);
-    let inputs = recordings.iter().enumerate().map(|(k, r)| (*r, cut(k)));
+    let inputs = session.recordings.iter();
+    let inputs = inputs.map(|(r, choice)| (*r, Some(&choice.segmentation)));
     calibration.state_inputs(inputs, None);
     let findings = Findings {
         schema: FINDINGS_SCHEMA,
@@ -162,7 +179,7 @@ fn discover_all(recordings: &[&Recording], request: &Request) -> Result<Discover
     Ok(Discovery { findings, search })
 }
 
-fn calibration(
+pub(super) fn calibration(
     session: &Session<'_>,
     last: &State,
     request: &Request,
@@ -252,24 +269,6 @@ fn proposal(
     Ok(Some(proposed.written(rest.channel, parameters)))
 }
 
-/// Withdraws what is no longer evident beside the shape of what remains.
-fn weigh_beside_shape(
-    session: &Session<'_>,
-    request: &Request,
-    search: &mut Search,
-    found: &mut Unexplained,
-) -> Result<(), Error> {
-    let Some(shape) = &found.columns else {
-        return Ok(());
-    };
-    let Some(less) = weighed_again(search, request, &shape.columns, shape.noise) else {
-        return Ok(());
-    };
-    let withdrawn = search.withdraw_to(session, less)?;
-    found.instead_of.extend(withdrawn);
-    Ok(())
-}
-
 /// The final model with its misfits, in the fit and on blocks left out.
 struct Final<'a> {
     state: &'a State,
@@ -332,40 +331,6 @@ fn white(state: &State) -> [f64; 2] {
         density(source.and_then(|s| s.accelerometer.as_ref())),
         density(source.and_then(|s| s.gyroscope.as_ref())),
     ]
-}
-
-/// Withdraws the effects that are not evident against what remains unexplained: a rest of `g` times the noise
-/// makes all likelihood ratios `g²` times too large.
-fn without_weak(
-    session: &Session<'_>,
-    found: &mut Search,
-    request: &Request,
-) -> Result<bool, Error> {
-    let threshold = request.threshold();
-    let noise = found.last.noise;
-    let left = Sequence::of(&found.last, noise).misfits(&found.last);
-    let mut extension = found.last.extension.clone();
-    let before = found.names.len();
-    found.names.retain(|name| {
-        let Claim::Effect(effect) = name.claim else {
-            return true;
-        };
-        let parts = Sequence::of(&name.without, noise).of_column(name.predicted.col_as_slice(0));
-        let gap = gap_of(&left, channel_of(&parts)).max(1.0);
-        let ranked = &name.ranked;
-        let search_cost = -ranked.log_p - ranked.evidence;
-        let evident =
-            -log_tail(ranked.statistic / (gap * gap), ranked.dof) - search_cost > threshold;
-        if !evident {
-            extension.effects.retain(|(e, _)| e.name() != effect.name());
-        }
-        evident
-    });
-    if found.names.len() == before {
-        return Ok(false);
-    }
-    found.last = State::fit(session, extension)?;
-    Ok(true)
 }
 
 /// The effect of late stamps, where the moving accelerometer shows it.
@@ -437,7 +402,7 @@ fn adjusted(ranked: &Ranked) -> f64 {
     (-ranked.evidence).exp().min(1.0)
 }
 
-fn parameters_of(name: &str, calibration: &Calibration) -> Vec<EffectParameter> {
+pub(super) fn parameters_of(name: &str, calibration: &Calibration) -> Vec<EffectParameter> {
     let own = |effect: &&EffectValues| effect.name == name;
     calibration
         .effects

@@ -26,11 +26,12 @@ mod search;
 mod separation;
 mod settle;
 mod state;
+mod units;
 mod visible;
 
 pub use discovery::{Discovery, discover};
 pub use family::{Claim, Family, Hypothesis, families};
-pub use fault::integrity::{Integrity, disturbed, integrity};
+pub use fault::integrity::{Integrity, Size, disturbed, integrity};
 pub use fault::time_offset::{Delay, delay};
 pub use findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Validation, Verdict};
 pub use gap::channel::{Channel, Misfit, Sequence, channel_of};
@@ -42,6 +43,7 @@ pub use noise::projected::{Projected, Whitened};
 pub use pictures::{Covariate, Picture, Point, pictures};
 pub use propose::{Proposal, Proposed, propose};
 pub use rank::{Ranked, rank, shared};
+pub use remainder::by_interval::{Left, left_by_interval};
 pub use remainder::shape::{Shape, shapes};
 pub use remainder::unexplained::{Unexplained, unexplained};
 pub use request::{Request, Session};
@@ -51,3 +53,7 @@ pub use separation::{
     Aim, Conditions, Design, Information, Rival, Rivalry, SETTLED, Separated, ShownBy, separate,
 };
 pub use state::{Extension, State};
+pub use units::{
+    Agreement, OwnEffect, SharedEffect, UNITS_SCHEMA, UnitAlone, UnitFindings, UnitSize,
+    discover_units,
+};

@@ -96,18 +96,12 @@ fn of_effect(name: &Name, finding: &EffectFinding, last: &State) -> Vec<Picture>
             covariate: goes_with
                 .filter(|_| channel != Channel::Direction)
                 .map(|w| w.in_words(channel)),
-            points: match channel {
-                Channel::StaticNorm => of_modulus(without, &rows, goes_with),
-                Channel::StaticRate => of_rate(without, &rows, goes_with),
-                Channel::Direction => of_turns(without, &rows),
-                // The joint fit has no rows of it.
-                Channel::MovingForce => Vec::new(),
-            },
+            points: of_channel(without, &rows, channel, goes_with),
         })
         .collect()
 }
 
-fn residuals(state: &State) -> Mat<f64> {
+pub(crate) fn residuals(state: &State) -> Mat<f64> {
     let r = &state.fit.white_residuals;
     Mat::from_fn(r.len(), 1, |i, _| r[i])
 }
@@ -117,7 +111,7 @@ fn residuals(state: &State) -> Mat<f64> {
 ///
 /// Not under the noise of the model itself: where an effect is missing it is taken for a walk of the bias, and
 /// a large walk lets the residual go where it likes.
-fn left(state: &State, noise: BiasNoise, column: Mat<f64>) -> Mat<f64> {
+pub(crate) fn left(state: &State, noise: BiasNoise, column: Mat<f64>) -> Mat<f64> {
     let fit = &state.fit;
     let whitening = whitening_at(state, noise);
     let whole = whitening.finish_column(column.col_as_slice(0));
@@ -132,6 +126,26 @@ fn left(state: &State, noise: BiasNoise, column: Mat<f64>) -> Mat<f64> {
     }
     fit.whitening.white.restore(left.as_mut());
     left
+}
+
+/// The points of a channel, from what is left of its rows before, after, and of what is foretold.
+pub(crate) fn points(state: &State, rows: &[Mat<f64>; 3], channel: Channel) -> Vec<Point> {
+    of_channel(state, rows, channel, None)
+}
+
+fn of_channel(
+    state: &State,
+    rows: &[Mat<f64>; 3],
+    channel: Channel,
+    goes_with: Option<&GoesWith>,
+) -> Vec<Point> {
+    match channel {
+        Channel::StaticNorm => of_modulus(state, rows, goes_with),
+        Channel::StaticRate => of_rate(state, rows, goes_with),
+        Channel::Direction => of_turns(state, rows),
+        // The joint fit has no rows of it.
+        Channel::MovingForce => Vec::new(),
+    }
 }
 
 /// Of each chunk of a rest, `−uᵀ T r`: how far the modulus lies above gravity.

@@ -12,6 +12,7 @@ use recording::Error;
 use recording::watch::{Stage, step};
 use sensor::AnyEffect;
 
+use super::family::with_companions;
 use super::gap::channel::Channel;
 use super::noise::projected::Projected;
 use super::request::Session;
@@ -35,6 +36,22 @@ pub struct Extension {
 }
 
 impl Extension {
+    /// Takes an effect in, with the companions of the `catalogue` that come with it.
+    pub fn hold(
+        &mut self,
+        effect: &'static dyn AnyEffect,
+        shape: Held,
+        catalogue: &[&'static dyn AnyEffect],
+    ) {
+        self.effects.push((effect, shape));
+        for companion in with_companions(effect, catalogue).skip(1) {
+            let is_own = |(own, _): &(&dyn AnyEffect, Held)| own.name() == companion.name();
+            if !self.effects.iter().any(is_own) {
+                self.effects.push((companion, None));
+            }
+        }
+    }
+
     /// Whether both hold the same, in whatever order.
     pub fn is_same(&self, other: &Self) -> bool {
         let holds = |(effect, held): &(&'static dyn AnyEffect, Held)| {

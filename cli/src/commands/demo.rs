@@ -9,9 +9,8 @@ use calib::simulate::{Session, Spec};
 use gyroscope::GyroGSensitivity;
 use sensor::Effect;
 
-use super::discover::{PLOTS, json, look, page, plots, verdict};
+use super::discover::{json, look, page, plots, verdict};
 use crate::commands::shared::inputs::spinner;
-use crate::commands::shared::pictures::named;
 use crate::exit::Failure;
 use crate::output::{Filled, Folder, Output, Replace};
 use crate::show;
@@ -66,7 +65,7 @@ impl Files {
         request: &Request,
     ) -> Result<(), Failure> {
         let calibration = show::json(&discovery.findings.calibration)?;
-        let plots = named(PLOTS, plots(discovery));
+        let plots = plots(discovery);
         let recordings = [session.recording.clone()];
         let page = page(discovery, &recordings, request, &plots)?.html()?;
         let csv = calib::recording::to_csv(&mut session.recording);

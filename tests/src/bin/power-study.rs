@@ -124,7 +124,7 @@ fn print(row: Row, lines: &[Line], wrong: bool) {
             .push(&line.record);
     }
     println!(
-        "{:38} {:>5} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6}",
+        "{:38} {:>5} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6}",
         name_of(row),
         "n",
         "exact",
@@ -134,6 +134,7 @@ fn print(row: Row, lines: &[Line], wrong: bool) {
         "unexpl",
         "alone",
         "fault",
+        "formul",
         "claim",
         "cover",
         "gap10%",
@@ -150,13 +151,14 @@ fn print(row: Row, lines: &[Line], wrong: bool) {
         {
             let r = &line.record;
             println!(
-                "  {} {}: named {:?} ties {:?} faults {:?} unexplained {:?} {}",
+                "  {} {}: named {:?} ties {:?} faults {:?} unexplained {:?} proposed {:?} {}",
                 r.index,
                 r.kind,
                 r.named,
                 r.ties,
                 r.integrity,
                 r.unexplained,
+                r.proposed,
                 r.refused.as_deref().unwrap_or("")
             );
         }
@@ -166,7 +168,7 @@ fn print(row: Row, lines: &[Line], wrong: bool) {
 fn print_line(name: &str, s: &Summary) {
     let percent = |v: f64| format!("{:.1}", 100.0 * v);
     println!(
-        "  {:36} {:>5} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6.2}{}",
+        "  {:36} {:>5} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6.2}{}",
         name,
         s.sessions,
         percent(s.exact),
@@ -176,6 +178,7 @@ fn print_line(name: &str, s: &Summary) {
         percent(s.unexplained),
         percent(s.name_alone),
         percent(s.integrity),
+        percent(s.formula),
         percent(s.any_claim),
         percent(s.coverage),
         percent(s.gap_within_tenth),

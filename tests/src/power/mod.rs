@@ -1,5 +1,6 @@
 //! Does discovery find what is hidden, and nothing where nothing is?
 
+mod formulas;
 mod row;
 mod session;
 mod size;

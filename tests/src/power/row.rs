@@ -10,6 +10,7 @@ use rand_chacha::ChaCha8Rng;
 use sensor::{Axis, Sensor};
 use serde::{Deserialize, Serialize};
 
+use super::formulas;
 use crate::conditions::condition;
 
 /// The usual random walk of the biases of a consumer-grade device, m/s²/√s and rad/s/√s.
@@ -130,6 +131,8 @@ pub enum Row {
     Outside,
     /// Faults of the recording, lambda 60 where they have a size.
     Integrity,
+    /// Formulas that no effect has, lambda 150.
+    Formulas,
 }
 
 impl Row {
@@ -145,6 +148,7 @@ impl Row {
             Self::Pairs => &["pair"],
             Self::Outside => &OUTSIDE,
             Self::Integrity => &INTEGRITY,
+            Self::Formulas => &formulas::NAMES,
         }
     }
 
@@ -173,6 +177,7 @@ impl Row {
             Self::Integrity => 8,
             Self::Conditions => 9,
             Self::Newer60 => 10,
+            Self::Formulas => 11,
         }
     }
 
@@ -188,6 +193,7 @@ impl Row {
             Self::Pairs => 100,
             Self::Outside => 50 * OUTSIDE.len() as u64,
             Self::Integrity => 40 * INTEGRITY.len() as u64,
+            Self::Formulas => 20 * formulas::NAMES.len() as u64,
         }
     }
 
@@ -195,7 +201,7 @@ impl Row {
     pub fn lambda(self) -> f64 {
         match self {
             Self::Orientation30 => 30.0,
-            Self::Time150 | Self::Outside => 150.0,
+            Self::Time150 | Self::Outside | Self::Formulas => 150.0,
             _ => 60.0,
         }
     }
@@ -266,7 +272,9 @@ impl Job {
     /// What is to be named, and what the clean session needs for it to show.
     fn hide(&mut self, kind: &str) {
         self.hidden = match self.row {
-            Row::Clean | Row::Conditions | Row::Invisible | Row::Outside => Vec::new(),
+            Row::Clean | Row::Conditions | Row::Invisible | Row::Outside | Row::Formulas => {
+                Vec::new()
+            }
             Row::Pairs => self.pair(),
             // The stamps are closed up: nothing shows that samples are lost.
             Row::Integrity if kind.starts_with("lost") => vec!["outlying_turn".into()],
@@ -313,6 +321,7 @@ impl Job {
             }
             Row::Invisible => spec = spec.with_hidden(invisible(what, size)),
             Row::Outside => spec = spec.with_hidden(self.outside(what, size)),
+            Row::Formulas => spec = formulas::Hidden::named(what)?.put_into(spec, size)?,
             Row::Integrity => {
                 let fault = self.fault(what, size)?;
                 if let ("lost_neighbours", Fault::Lost { turn, length }) = (what, &fault) {

@@ -11,6 +11,7 @@ use calib::simulate::{Spec, Truth};
 use sensor::Role;
 use serde::{Deserialize, Serialize};
 
+use super::formulas;
 use super::row::{Job, Row};
 use super::size::noncentrality;
 
@@ -34,6 +35,12 @@ pub struct Record {
     pub ties: Vec<Vec<String>>,
     /// The faults of the recording that were named.
     pub integrity: Vec<String>,
+    /// The formula that was proposed.
+    #[serde(default)]
+    pub proposed: Option<String>,
+    /// Whether that, or one that could not be told from it, is the hidden one.
+    #[serde(default)]
+    pub is_formula: bool,
     /// What was left unexplained, in words.
     pub unexplained: Option<String>,
     /// `(estimate − truth)/σ` of the parameters of effects that were rightly named.
@@ -76,6 +83,12 @@ pub fn run(row: Row, index: u64) -> Result<Record, Error> {
     let findings = &discovery.findings;
     debug_assert!(findings.verdict != Verdict::Nothing || findings.effects.is_empty());
     record.unexplained = findings.unexplained.as_ref().map(|u| u.shape.clone());
+    if let Some(proposed) = &findings.proposed {
+        let hidden = formulas::Hidden::named(&job.kind);
+        record.is_formula =
+            hidden.is_some_and(|hidden| hidden.is(&proposed.equation, &proposed.alternatives));
+        record.proposed = Some(proposed.equation.clone());
+    }
     record.integrity = findings.integrity.iter().map(|i| i.name.into()).collect();
     record.integrity.sort();
     record.integrity.dedup();
@@ -186,6 +199,7 @@ fn scaled(job: &Job, record: &mut Record) -> Result<Spec, Error> {
             }
         };
         if let Some(with) = job.with(&what, size) {
+            spec.definitions.extend(with.definitions);
             spec.effects.extend(with.effects);
             spec.parameters.extend(with.parameters);
             spec.hidden.extend(with.hidden);

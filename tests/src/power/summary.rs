@@ -23,6 +23,8 @@ pub struct Summary {
     pub name_alone: f64,
     /// The fault of the recording named, and no effect beside it.
     pub integrity: f64,
+    /// The hidden formula proposed and nothing named beside it.
+    pub formula: f64,
     /// Any claim at all.
     pub any_claim: f64,
     /// Share of the 95 % intervals of parameters that cover.
@@ -111,6 +113,7 @@ pub fn summarise<'a>(records: impl Iterator<Item = &'a Record> + Clone) -> Summa
         integrity: share(&|r| {
             r.named.is_empty() && r.hidden.iter().all(|h| r.integrity.contains(h))
         }),
+        formula: share(&|r| r.is_formula && r.claims().is_empty()),
         any_claim: share(&|r| r.is_claimed()),
         coverage: covered as f64 / z.len().max(1) as f64,
         intervals: z.len(),

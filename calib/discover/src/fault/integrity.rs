@@ -38,6 +38,33 @@ pub struct Integrity {
     pub t1: f64,
     /// In words.
     pub detail: String,
+    /// How large it is, where that is measured: rad of a slip, a turn or, root mean square over the turns, of undersampled
+    /// motion; m/s² or rad/s of what a static interval is off by.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub size: Option<Size>,
+}
+
+/// How large a fault is.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Size {
+    /// In SI units.
+    pub value: f64,
+    /// `rad`, `rad/s` or `m/s^2`.
+    pub unit: &'static str,
+    /// How many times the noise of the readings the channel is off by where nothing is said of it; `None` of what is at one
+    /// place.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gap: Option<f64>,
+}
+
+impl Size {
+    fn at_one_place(value: f64, unit: &'static str) -> Option<Self> {
+        Some(Self {
+            value,
+            unit,
+            gap: None,
+        })
+    }
 }
 
 /// Saturation, coarse steps and lost samples of all recordings.
@@ -106,24 +133,29 @@ pub fn disturbed(state: &State, seen: &[Integrity]) -> Vec<Integrity> {
                     && fault.t0 < accused.span.to
                     && fault.t1 > accused.span.from
             });
-            let (name, detail) = match accused.kind {
+            let crept = size * accused.span.length();
+            let (name, size, detail) = match accused.kind {
                 Disturbance::MountSlip => (
                     "mount_slip",
+                    Size::at_one_place(crept, "rad"),
                     format!(
                         "the device crept by {:.3}° while it should have rested",
-                        (size * accused.span.length()).to_degrees()
+                        crept.to_degrees()
                     ),
                 ),
                 Disturbance::SuddenSlip => (
                     "mount_slip",
+                    Size::at_one_place(size, "rad"),
                     format!("the device moved at once by {:.3}°", size.to_degrees()),
                 ),
                 Disturbance::DisturbedInterval => (
                     "disturbed_interval",
+                    Size::at_one_place(size, "m/s^2"),
                     format!("the specific force is off by {:.1} mm/s²", 1e3 * size),
                 ),
                 Disturbance::RateExcursion => (
                     "disturbed_interval",
+                    Size::at_one_place(size, "rad/s"),
                     format!(
                         "the mean rate is off by {:.2} mrad/s ({:.0} °/h) here and not beside it",
                         1e3 * size,
@@ -132,10 +164,12 @@ pub fn disturbed(state: &State, seen: &[Integrity]) -> Vec<Integrity> {
                 ),
                 Disturbance::BadTurn if lost => (
                     "lost_samples",
+                    Size::at_one_place(size, "rad"),
                     format!("samples are lost: the turn misses gravity by {:.2}°", size.to_degrees()),
                 ),
                 Disturbance::BadTurn => (
                     "outlying_turn",
+                    Size::at_one_place(size, "rad"),
                     format!(
                         "turn {} is an outlier: it misses gravity by {:.2}°; the stamps show no missing sample",
                         accused.interval + 1,
@@ -150,6 +184,7 @@ pub fn disturbed(state: &State, seen: &[Integrity]) -> Vec<Integrity> {
                 t0: accused.span.from,
                 t1: accused.span.to,
                 detail,
+                size,
             }
         })
         .collect()
@@ -183,6 +218,11 @@ pub fn undersampled(state: &State) -> Vec<Integrity> {
             interval: None,
             t0: first.from,
             t1: last.to,
+            size: Some(Size {
+                value: found.rms,
+                unit: "rad",
+                gap: Some(over_the_readings(state, found.recording)),
+            }),
             detail: format!(
                 "the rate jumps between samples and {:.2} ({low:.2} to {high:.2}) of each jump is missing in the \
                  angle: {:.2}° rms per turn, most in turns {}. Place the device gently, sample faster, or filter before \
@@ -194,6 +234,24 @@ pub fn undersampled(state: &State) -> Vec<Integrity> {
         })
     });
     found.collect()
+}
+
+/// How many times what the noise of the readings makes of the turns of a recording they are expected to miss, with what is
+/// missing between samples.
+fn over_the_readings(state: &State, recording: usize) -> f64 {
+    let fit = &state.fit;
+    let noise = fit.rows().noise(fit.parameters.values());
+    let share = fit.data.sources[recording].clock.sampling.value;
+    let (mut whole, mut of_readings) = (0.0, 0.0);
+    for (k, turn) in fit.data.turns.iter().enumerate() {
+        if turn.recording == recording {
+            let row = fit.first_rows[1] + 2 * k;
+            let all = noise.variance[row] + noise.variance[row + 1];
+            whole += all;
+            of_readings += all - share * share * noise.by_share[k].trace();
+        }
+    }
+    (whole / of_readings).sqrt()
 }
 
 /// One sensor of one recording.
@@ -219,6 +277,7 @@ impl Looked<'_> {
             t0: span.from,
             t1: span.to,
             detail,
+            size: None,
         }
     }
 

@@ -19,7 +19,8 @@ pub struct Delay {
     pub statistic: f64,
     /// `ln p`, two-sided.
     pub log_p: f64,
-    /// Root of the residual sum of squares without over with a delay.
+    /// Root mean square of what the turns say of a delay, each by itself, over its scatter about the common one: 1 of punctual
+    /// stamps, the four coefficients counted.
     pub gap_before: f64,
     /// The same of turns that the estimate did not see.
     pub held_out_gap_before: f64,
@@ -32,7 +33,6 @@ pub struct Delay {
 struct Turn {
     a: Matrix4<f64>,
     b: Vector4<f64>,
-    square: f64,
 }
 
 /// Estimates the delay `d` from the turns: what the accelerometer reads besides gravity,
@@ -55,7 +55,6 @@ pub fn delay(state: &State) -> Option<Delay> {
             let mut sums = Turn {
                 a: Matrix4::zeros(),
                 b: Vector4::zeros(),
-                square: 0.0,
             };
             for truth in &turn.truth {
                 let (w, alpha) = (truth.angular_rate, truth.angular_acceleration);
@@ -67,7 +66,6 @@ pub fn delay(state: &State) -> Option<Delay> {
                     let x = Vector4::new(late[i], arm[(i, 0)], arm[(i, 1)], arm[(i, 2)]);
                     sums.a += x * x.transpose();
                     sums.b += x * y[i];
-                    sums.square += y[i] * y[i];
                 }
             }
             sums
@@ -91,13 +89,16 @@ fn of_turns(turns: &[Turn]) -> Option<Delay> {
     let t = estimate[0] / std;
     let law = StudentsT::new(0.0, 1.0, count - 4.0).ok()?;
     let p = 2.0 * law.sf(t.abs());
-    let square = |t: &Turn, x: &Vector4<f64>| t.square - 2.0 * t.b.dot(x) + x.dot(&(t.a * x));
+    // What a turn says of the delay alone, the arm taken out of it: the hand's translation is in all else that it reads.
+    let arm = a.fixed_view::<3, 3>(1, 1).try_inverse()? * a.fixed_view::<3, 1>(1, 0);
+    let own = Vector4::new(1.0, -arm[0], -arm[1], -arm[2]);
+    let square = |t: &Turn, x: &Vector4<f64>| own.dot(&(t.b - t.a * x)).powi(2);
     let without = |a: &Matrix4<f64>, b: &Vector4<f64>| {
         let arm = a.fixed_view::<3, 3>(1, 1).try_inverse()? * b.fixed_rows::<3>(1);
         Some(Vector4::new(0.0, arm[0], arm[1], arm[2]))
     };
     let all = |x: &Vector4<f64>| turns.iter().map(|t| square(t, x)).sum::<f64>();
-    let after = all(&estimate);
+    let after = all(&estimate) / (count - 4.0);
     let mut held = [0.0; 2];
     for turn in turns {
         let (a, b) = (a - turn.a, b - turn.b);
@@ -109,9 +110,9 @@ fn of_turns(turns: &[Turn]) -> Option<Delay> {
         std,
         statistic: t * t,
         log_p: p.max(f64::MIN_POSITIVE).ln(),
-        gap_before: (all(&without(&a, &b)?) / after).sqrt(),
-        held_out_gap_before: (held[0] / after).sqrt(),
-        held_out_gap_after: (held[1] / after).sqrt(),
+        gap_before: (all(&without(&a, &b)?) / (count - 3.0) / after).sqrt(),
+        held_out_gap_before: (held[0] / count / after).sqrt(),
+        held_out_gap_after: (held[1] / count / after).sqrt(),
     })
 }
 
@@ -138,6 +139,11 @@ mod tests {
         let late = found(8e-3);
         assert!((late.delay - 8e-3).abs() < 4.0 * late.std, "{late:?}");
         assert!(late.log_p < -9.0, "{late:?}");
+        // Turns that were not looked at are foretold by the others: by what is left of the gap.
+        assert!(
+            late.gap_before > 2.0 && late.held_out_gap_after < 1.5,
+            "{late:?}"
+        );
         let punctual = found(0.0);
         assert!(punctual.delay.abs() < 4.0 * punctual.std, "{punctual:?}");
         assert!(punctual.log_p > -7.0, "{punctual:?}");

@@ -253,6 +253,27 @@ impl Whitened {
         w
     }
 
+    /// The same with more columns (`q × k`, whitened) taken out, as if the model had them.
+    pub fn beside(&self, columns: &Mat<f64>) -> Self {
+        let qr = columns.qr();
+        let triangle = qr.thin_R();
+        let pivots = (0..triangle.nrows()).map(|k| 2.0 * triangle[(k, k)].abs().ln());
+        let basis = qr.compute_thin_Q();
+        let mut taken = Mat::zeros(self.z.nrows(), self.taken.ncols() + basis.ncols());
+        let (old, new) = taken.as_mut().split_at_col_mut(self.taken.ncols());
+        let (mut old, mut new) = (old, new);
+        old.copy_from(&self.taken);
+        new.copy_from(&basis);
+        let z = &self.z - &basis * (basis.transpose() * &self.z);
+        Self {
+            square: z.squared_norm_l2(),
+            z,
+            taken,
+            log_determinant: self.log_determinant + pivots.sum::<f64>(),
+            ..self.clone()
+        }
+    }
+
     /// `L⁻¹` of the rows of a recording that begin at `above`, in those columns that are not zero there.
     fn solve(&self, l: &Mat<f64>, above: usize, w: &mut Mat<f64>) {
         let q = l.nrows();

@@ -92,6 +92,7 @@ fn asked_of(spec: &Spec, channel: Channel) -> Option<Formula> {
         period: None,
         instead_of: Vec::new(),
         columns: None,
+        wandering: None,
     };
     propose(&session, &request, &state, &rest).map(|p| p.formula)
 }

@@ -58,11 +58,9 @@ pub(super) fn scatters(state: &State, levels: &[Level]) -> Vec<Scatter> {
             .filter_map(|memory| Some((memory, kernel_factor(&times, memory)?)))
             .collect();
         for axis in 0..3 {
-            let mut columns = Mat::zeros(state.rows(), means.len());
-            for (k, mean) in means.iter().enumerate() {
-                columns[(mean.row + axis, k)] = 1.0;
-            }
-            let columns = state.projected.columns(state.whitened(columns).as_ref());
+            let columns = state
+                .projected
+                .columns(biases_of(state, sensor, axis).as_ref());
             let mut best = (0.0, MEMORIES[0]);
             for level in levels.iter().filter(|l| l.of.is_none_or(|s| s == sensor)) {
                 let lost = 2.0 * (level.whitened.log_likelihood() - nothing);
@@ -83,6 +81,20 @@ pub(super) fn scatters(state: &State, levels: &[Level]) -> Vec<Scatter> {
         }
     }
     all
+}
+
+/// A bias of its own for every chunk on one axis of a sensor (`m × n`), white-whitened.
+fn biases_of(state: &State, sensor: Sensor, axis: usize) -> Mat<f64> {
+    let means = state.sensitivities.means.iter();
+    let rows: Vec<usize> = means
+        .filter(|m| m.sensor == sensor)
+        .map(|m| m.row)
+        .collect();
+    let mut columns = Mat::zeros(state.rows(), rows.len());
+    for (k, row) in rows.into_iter().enumerate() {
+        columns[(row + axis, k)] = 1.0;
+    }
+    state.whitened(columns)
 }
 
 /// `L` of `K = L Lᵀ`, for chunks of recordings at times since their start: no bias remembers another recording, and what

@@ -1,13 +1,13 @@
 //! What is left when everything of the catalogue has had its chance.
 
-use estimate::methods::joint::{BiasNoise, Chunk, Mean, SensorNoise};
+use estimate::methods::joint::{BiasNoise, Chunk, Mean, SensorNoise, orthonormal};
 use faer::Mat;
 use nalgebra::Vector3;
 use sensor::{Quantity, Sensor};
 use serde::Serialize;
 
 use crate::family::{Claim, Family};
-use crate::gap::channel::{Channel, Misfit, Sequence};
+use crate::gap::channel::{Channel, Misfit, Sequence, channel_of};
 use crate::rank::{APART, Ranked, levels, rank_at};
 use crate::remainder::scatter::scatters;
 use crate::remainder::shape::{Shape, shapes};
@@ -34,6 +34,9 @@ pub struct Unexplained {
     /// The columns of its shape, white-whitened (`m × k`), and the noise that it was found with.
     #[serde(skip)]
     pub columns: Option<Shaped>,
+    /// The sensor and the axis whose bias wanders, where that is what remains.
+    #[serde(skip)]
+    pub wandering: Option<(Sensor, usize)>,
 }
 
 /// The columns of a shape at the model that it was found beside.
@@ -54,6 +57,9 @@ struct Trial {
     channel: Option<Channel>,
     period: Option<f64>,
     columns: Option<Shaped>,
+    wandering: Option<(Sensor, usize)>,
+    /// What the shape adds to the rows, white-whitened (`m × 1`).
+    predicted: Option<Mat<f64>>,
 }
 
 /// Looks for a significant rest (family-wise chance `alpha`), and whether one shape explains the whole better than
@@ -102,13 +108,30 @@ pub fn rest_of(state: &State, alpha: f64) -> Option<Unexplained> {
     trials.extend(shapeless(state, &misfits)?);
     let count = trials.len() as f64;
     let worst = trials.iter().min_by(|a, b| a.log_p.total_cmp(&b.log_p))?;
-    let log_p = worst.log_p + count.ln();
-    if log_p > alpha.ln() {
+    let is_significant = |trial: &Trial| trial.log_p + count.ln() <= alpha.ln();
+    if !is_significant(worst) {
         return None;
     }
+    // Whatever goes with the placement looks like a wandering that is forgotten from one to the next: a shape that leaves no
+    // wandering says more.
+    let shapes = trials
+        .iter()
+        .filter(|trial| trial.columns.is_some() && is_significant(trial));
+    let likeliest = shapes.min_by(|a, b| a.log_p.total_cmp(&b.log_p));
+    let shape = likeliest.filter(|shape| {
+        worst.wandering.is_some()
+            && !(shape.columns.as_ref()).is_some_and(|shape| wanders_beside(state, shape, alpha))
+    });
+    let worst = shape.unwrap_or(worst);
+    let log_p = worst.log_p + count.ln();
     let excess = |k: usize| (misfits[k].chi2 - misfits[k].dof) / misfits[k].dof.max(1.0).sqrt();
     let most = (1..3).fold(0, |best, k| if excess(k) > excess(best) { k } else { best });
-    let channel = worst.channel.unwrap_or(Channel::ALL[most]);
+    // The channel that shows most of the shape, where there is one; else that with the most excess.
+    let shown = worst.predicted.as_ref().map(|predicted| {
+        let sequence = Sequence::of(state, state.noise);
+        channel_of(&sequence.of_column(predicted.col_as_slice(0)))
+    });
+    let channel = worst.channel.or(shown).unwrap_or(Channel::ALL[most]);
     Some(Unexplained {
         channel,
         size: misfits[channel as usize].gap(),
@@ -117,7 +140,22 @@ pub fn rest_of(state: &State, alpha: f64) -> Option<Unexplained> {
         period: worst.period,
         instead_of: Vec::new(),
         columns: worst.columns.clone(),
+        wandering: worst.wandering,
     })
+}
+
+/// Whether a bias wanders beside a shape.
+fn wanders_beside(state: &State, shape: &Shaped, alpha: f64) -> bool {
+    let mut levels = levels(&state.projected, state.noise, state.noise_given);
+    let columns = orthonormal(&state.projected.columns(shape.columns.as_ref()));
+    for level in &mut levels {
+        level.whitened = level.whitened.beside(&level.whitened.columns(&columns));
+    }
+    let found = scatters(state, &levels);
+    let count = found.len().max(1) as f64;
+    found
+        .iter()
+        .any(|scatter| scatter.log_p + count.ln() <= alpha.ln())
 }
 
 /// The tests that say what the rest looks like.
@@ -147,9 +185,11 @@ fn shaped(state: &State) -> Vec<Trial> {
             s.memory
         ),
         of: None,
-        channel: None,
+        channel: Some(channel_at_rest(s.sensor)),
         period: None,
         columns: None,
+        wandering: Some((s.sensor, s.axis)),
+        predicted: None,
     }));
     trials
 }
@@ -164,6 +204,8 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
         channel,
         period: None,
         columns: None,
+        wandering: None,
+        predicted: None,
     };
     // Where the rate jumps between samples, that is why turns scatter, by more than one share for all can say.
     let is_knocked = state.fit.data.misses_something_between_samples();
@@ -185,6 +227,8 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
             channel: Some(channel_at_rest(sensor)),
             period: None,
             columns: None,
+            wandering: None,
+            predicted: None,
         });
     }
     Some(trials)
@@ -206,6 +250,8 @@ fn of_shape(family: &Family, ranked: &Ranked) -> Trial {
         ),
         _ => format!("{of}: {}", family.claim.name()),
     };
+    let columns = family.columns_of(ranked.hypothesis);
+    let change = Mat::from_fn(columns.ncols(), 1, |i, _| ranked.score.change[i]);
     Trial {
         log_p: ranked.log_p + family.log_places,
         words,
@@ -216,6 +262,8 @@ fn of_shape(family: &Family, ranked: &Ranked) -> Trial {
             columns: family.columns_of(ranked.hypothesis).to_owned(),
             noise: ranked.noise,
         }),
+        wandering: None,
+        predicted: Some(columns * change),
     }
 }
 

@@ -198,9 +198,37 @@ struct Finder<'a> {
 }
 
 /// Everything that a model lacks, and the evidence for it, most evident first.
-struct Ranking {
-    families: Vec<Family>,
-    ranked: Vec<Ranked>,
+pub(crate) struct Ranking {
+    pub families: Vec<Family>,
+    pub ranked: Vec<Ranked>,
+}
+
+impl Ranking {
+    /// Beside the model of `state`: what is evident beyond `threshold` has to be so without the turns that speak for it most,
+    /// where knocks have spoiled turns, and a rotation has to be the earth's.
+    pub fn of(state: &State, catalogue: &[&'static dyn AnyEffect], threshold: f64) -> Self {
+        let families = families(state, catalogue);
+        let mut ranked = rank(&state.projected, &families, state.noise, state.noise_given);
+        for r in &mut ranked {
+            match as_the_earth(&families[r.family], r) {
+                Earth::No => r.evidence = f64::NEG_INFINITY,
+                Earth::Perhaps => r.only_a_tie = true,
+                Earth::Yes => {}
+            }
+        }
+        if let Some(turns) = Turns::knocked(state) {
+            for r in ranked.iter_mut().filter(|r| r.evidence > threshold) {
+                let family = &families[r.family];
+                match family.claim {
+                    Claim::Effect(_) => r.evidence = turns.evidence_without(state, family, r),
+                    Claim::Disturbed(_) => r.evidence = Turns::evidence_of_disturbance(r),
+                    Claim::Shape(..) => {}
+                }
+            }
+        }
+        ranked.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
+        Self { families, ranked }
+    }
 }
 
 impl Finder<'_> {
@@ -279,16 +307,7 @@ impl Finder<'_> {
         for h in held {
             match h.claim {
                 Claim::Effect(effect) => {
-                    extension.effects.push((effect, h.hypothesis.shape));
-                    for companion in with_companions(effect, self.catalogue).skip(1) {
-                        let there = extension
-                            .effects
-                            .iter()
-                            .any(|(e, _)| e.name() == companion.name());
-                        if !there {
-                            extension.effects.push((companion, None));
-                        }
-                    }
+                    extension.hold(effect, h.hypothesis.shape, self.catalogue);
                 }
                 Claim::Disturbed(kind) => {
                     extension
@@ -307,33 +326,9 @@ impl Finder<'_> {
         if let Some((_, ranking)) = rankings.iter().find(is_of) {
             return Rc::clone(ranking);
         }
-        let ranking = Rc::new(self.rank(state));
+        let ranking = Rc::new(Ranking::of(state, self.catalogue, self.threshold));
         rankings.push((state.extension.clone(), Rc::clone(&ranking)));
         ranking
-    }
-
-    fn rank(&self, state: &State) -> Ranking {
-        let families = families(state, self.catalogue);
-        let mut ranked = rank(&state.projected, &families, state.noise, state.noise_given);
-        for r in &mut ranked {
-            match as_the_earth(&families[r.family], r) {
-                Earth::No => r.evidence = f64::NEG_INFINITY,
-                Earth::Perhaps => r.only_a_tie = true,
-                Earth::Yes => {}
-            }
-        }
-        if let Some(turns) = Turns::knocked(state) {
-            for r in ranked.iter_mut().filter(|r| r.evidence > self.threshold) {
-                let family = &families[r.family];
-                match family.claim {
-                    Claim::Effect(_) => r.evidence = turns.evidence_without(state, family, r),
-                    Claim::Disturbed(_) => r.evidence = Turns::evidence_of_disturbance(r),
-                    Claim::Shape(..) => {}
-                }
-            }
-        }
-        ranked.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
-        Ranking { families, ranked }
     }
 
     /// The claim with the most evidence, where that is enough.

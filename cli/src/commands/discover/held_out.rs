@@ -37,6 +37,26 @@ pub fn refuse_same_data(
     })
 }
 
+/// Refuses two units with the samples of one.
+pub fn refuse_twins(recordings: &[Recording]) -> Result<(), Failure> {
+    for (k, one) in recordings.iter().enumerate() {
+        let same = |other: &&Recording| {
+            are_same(&one.accelerometer, &other.accelerometer)
+                || are_same(&one.gyroscope, &other.gyroscope)
+        };
+        if let Some(other) = recordings[..k].iter().find(same) {
+            return Err(Failure::new(
+                USAGE,
+                format!(
+                    "{} and {}: the same data, which would count twice; with --units each recording is another unit",
+                    other.name, one.name
+                ),
+            ));
+        }
+    }
+    Ok(())
+}
+
 fn are_same(one: &Option<Stream>, other: &Option<Stream>) -> bool {
     let pair = one.as_ref().zip(other.as_ref());
     pair.is_some_and(|(one, other)| one.values == other.values)

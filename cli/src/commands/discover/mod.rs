@@ -5,6 +5,7 @@ mod held_out;
 mod page;
 mod plots;
 mod tables;
+mod units;
 mod words;
 
 use std::path::PathBuf;
@@ -22,7 +23,7 @@ use crate::commands::calibrate::limits::{self, gate};
 use crate::commands::shared::inputs::{
     ClockArg, DetectorArgs, PlaceArgs, RecordingArgs, as_paths, own_effects, read, spinner,
 };
-use crate::commands::shared::pictures::{PictureArgs, named};
+use crate::commands::shared::pictures::PictureArgs;
 use crate::exit::{Failure, USAGE};
 use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;
@@ -47,6 +48,7 @@ Example:
   stillpoint discover morning/ --noise noise.json      noise of the biases known: drift is told from it sooner
   stillpoint discover morning/ --emit-effect gyro_swirl.rs    the proposed formula as the source of an effect
   stillpoint discover evening/ --effect-file mine.toml        is it an effect of my own?
+  stillpoint discover unit_1/ unit_2/ unit_3/ --units         what do sensors of this type share?
 
 An effect of one's own, mine.toml:
   [[definitions]]
@@ -73,6 +75,10 @@ pub struct Args {
     /// File that defines effects as expressions (TOML): they join the catalogue of this run
     #[arg(long, value_name = "FILE.toml")]
     effect_file: Vec<PathBuf>,
+    /// Each recording is that of another unit of one type: the evidence of all is added up, calibration, noise and the size
+    /// of what is named are each unit's own, and whether the sizes agree is said
+    #[arg(long, conflicts_with_all = ["validation", "emit_effect", "noise", "force_device", "report", "plots"])]
+    units: bool,
     /// Take recordings for those of one device even where their scale factors differ
     #[arg(long)]
     force_device: bool,
@@ -139,6 +145,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let read = recordings.iter().chain(&validation);
     show::warn_all(&read.flat_map(|r| r.warnings.clone()).collect::<Vec<_>>());
     held_out::refuse_same_data(validation.as_ref(), &recordings)?;
+    if args.units {
+        return of_units(args, &recordings, &request, output);
+    }
     let mut discovery = look(&recordings, validation.as_ref(), &request)?;
     limits::state(&mut discovery.findings.calibration, None);
     let findings = &discovery.findings;
@@ -151,7 +160,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         emit.write(findings)?;
     }
     if pictures.wanted() {
-        let plots = named(PLOTS, plots(&discovery));
+        let plots = plots(&discovery);
         pictures.write(&plots, &page(&discovery, &recordings, &request, &plots)?)?;
     }
     show::print(&if args.json {
@@ -160,6 +169,24 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         show::wrapped(&text(&discovery))
     })?;
     gate(&findings.calibration)
+}
+
+/// What several units of one type share.
+fn of_units(
+    args: &Args,
+    recordings: &[Recording],
+    request: &Request,
+    output: Option<Output>,
+) -> Result<(), Failure> {
+    let findings = units::look(recordings, request)?;
+    let json = show::json(&findings)?;
+    if let Some(output) = output {
+        output.write(json.as_bytes())?;
+    }
+    show::print(&match args.json {
+        true => json,
+        false => show::wrapped(&units::text(&findings)),
+    })
 }
 
 fn request(args: &Args) -> Result<Request, Failure> {

@@ -48,7 +48,8 @@ pub fn page(
         .warnings(&pages::notes(calibration))
         .provenance(provenance::rows(calibration))
         .section("The gap");
-    if let Some((_, gap)) = plots.first() {
+    let plot = |wanted: &str| plots.iter().find(|(name, _)| name == wanted);
+    if let Some((_, gap)) = plot("gap").or(plot("remainder")) {
         report = report.plot(gap);
     }
     if let Some(coverage) = &coverage {
@@ -64,6 +65,9 @@ pub fn page(
     report = named(report, discovery, plots);
     report = section(report, "Faults of the recording", tables::faults(findings));
     report = unexplained(report, findings);
+    if let (Some((_, left)), false) = (plot("remainder"), findings.effects.is_empty()) {
+        report = report.section("What the models leave").plot(left);
+    }
     report = section(
         report,
         "Where the base models disagree",

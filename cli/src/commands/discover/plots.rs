@@ -1,13 +1,16 @@
 //! The gap and the residuals before and after, as pictures.
 
-use calib::discover::{Channel, Discovery, Findings, Picture, Point, pictures};
+use calib::discover::{
+    Channel, Discovery, Findings, Left, Picture, Point, left_by_interval, pictures,
+};
 
 use super::tables::places;
-use crate::report::{Axis, Plot, Series};
+use crate::report::{self, Axis, Plot, Series};
 use crate::show;
 
 /// Names of the plots as files, at most.
-pub const PLOTS: [&str; 13] = [
+pub const PLOTS: [&str; 14] = [
+    "remainder",
     "gap",
     "residual-1",
     "residual-2",
@@ -36,17 +39,65 @@ const WIDE: f64 = 6.0;
 /// Letters of a place beside the axis.
 const LETTERS: usize = 18;
 
-/// The plots: the gap, then for every named effect its residuals; none where nothing is named.
-pub fn plots(discovery: &Discovery) -> Vec<Plot> {
+/// The plots by the names of their files: the gap, then for every named effect its residuals, and whatever the verdict what the
+/// models leave of every interval.
+pub fn plots(discovery: &Discovery) -> Vec<(String, report::Picture)> {
     let findings = &discovery.findings;
-    if findings.effects.is_empty() {
-        return Vec::new();
+    let mut all = Vec::new();
+    if !findings.effects.is_empty() {
+        let residuals = pictures(discovery);
+        all.push(gap(findings));
+        all.extend(residuals.iter().flat_map(residual_plots));
     }
-    let residuals = pictures(discovery);
-    std::iter::once(gap(findings))
-        .chain(residuals.iter().flat_map(residual_plots))
-        .take(PLOTS.len())
-        .collect()
+    let [remainder_name, names @ ..] = PLOTS;
+    let remainder = remainder(&left_by_interval(discovery), !findings.effects.is_empty());
+    let named = names
+        .into_iter()
+        .zip(all)
+        .map(|(name, plot)| (name.to_owned(), plot.into()));
+    let mut named: Vec<(String, report::Picture)> = named.collect();
+    named.extend(remainder.map(|plot| (remainder_name.to_owned(), plot.into())));
+    named
+}
+
+/// What the models leave of every interval, a panel for each channel; the base models beside it where something is named.
+fn remainder(all: &[Left], is_named: bool) -> Option<Plot> {
+    let axis = |left: &Left| {
+        let (measured, unit, _) = measured(left.channel);
+        Axis::linear(format!("{measured}, {unit}"))
+    };
+    let x = Axis::linear("static interval, or the one before the turn, over all recordings");
+    let title = "What the models leave, interval by interval, with 95 % of the white noise";
+    let mut plot = Plot::new(title, x, axis(all.first()?));
+    for (k, left) in all.iter().enumerate() {
+        if k > 0 {
+            plot = plot.panel(axis(left));
+        }
+        let (_, _, factor) = measured(left.channel);
+        let bars = |of: fn(&Point) -> f64| {
+            let bar = |(interval, p): &(usize, Point)| {
+                let (y, half) = (factor * of(p), 1.96 * factor * p.std);
+                // The axes of one interval side by side.
+                (
+                    *interval as f64 + 0.2 * (p.axis as f64),
+                    y,
+                    y - half,
+                    y + half,
+                )
+            };
+            left.points.iter().map(bar).collect::<Vec<_>>()
+        };
+        let name = |words: &'static str| if k == 0 { words } else { "" };
+        if is_named {
+            plot = plot.with(Series::bars(
+                name("base models"),
+                BEFORE,
+                bars(|p| p.before),
+            ));
+        }
+        plot = plot.with(Series::bars(name("final model"), AFTER, bars(|p| p.after)));
+    }
+    Some(plot)
 }
 
 /// The gap before and after everywhere it was measured.

@@ -155,14 +155,23 @@ pub fn disagreement(findings: &Findings) -> Rows<5> {
     (header, rows.collect())
 }
 
-/// Faults of the recordings.
-pub fn faults(findings: &Findings) -> Rows<5> {
-    let header = ["fault", "recording", "interval", "time, s", "what"];
+/// Faults of the recordings; which of several recordings stands before the interval.
+pub fn faults(findings: &Findings) -> Rows<4> {
+    let header = ["fault", "interval", "time, s", "what"];
+    let first = findings.integrity.first().map(|fault| &fault.recording);
+    let several = findings.calibration.provenance.inputs.len() > 1
+        || findings
+            .integrity
+            .iter()
+            .any(|f| Some(&f.recording) != first);
     let rows = findings.integrity.iter().map(|fault| {
+        let interval = fault.interval.map_or("all".into(), |k| k.to_string());
         [
             fault.name.into(),
-            show::name(&fault.recording),
-            fault.interval.map_or("all".into(), |k| k.to_string()),
+            match several {
+                true => format!("{}: {interval}", show::name(&fault.recording)),
+                false => interval,
+            },
             format!("{:.2} to {:.2}", fault.t0, fault.t1),
             fault.detail.clone(),
         ]
@@ -254,7 +263,7 @@ pub fn text(discovery: &Discovery) -> String {
         }
         let _ = writeln!(text, "{}\n\n{table}", proposed(proposal));
     }
-    push(&mut text, faults(findings), 5);
+    push(&mut text, faults(findings), 4);
     let _ = writeln!(text, "\n{}", words::bias_noise(findings));
     text.push_str(&clocks::text(&findings.calibration));
     push(&mut text, disagreement(findings), 1);

@@ -1,18 +1,27 @@
 //! Findings in sentences.
 
-use calib::discover::{Channel, EffectFinding, Findings, Proposal, Unexplained, Verdict};
+use calib::discover::{
+    Channel, EffectFinding, Findings, Integrity, Proposal, Size, Unexplained, Verdict,
+};
 
 /// The verdict in one sentence.
 pub fn verdict(findings: &Findings) -> String {
-    let mut parts = Vec::new();
+    let mut parts: Vec<(f64, String)> = Vec::new();
+    let gaps = findings.effects.iter().map(|e| e.gap_before);
+    let by_effects = gaps.fold(1.0, f64::max);
     if !findings.effects.is_empty() {
-        parts.push(named(&findings.effects));
+        parts.push((by_effects, named(&findings.effects)));
     }
     if !findings.integrity.is_empty() {
-        parts.push(faults(findings));
+        // What is at one place is told after what is everywhere.
+        let sizes = findings
+            .integrity
+            .iter()
+            .filter_map(|fault| fault.size?.gap);
+        parts.push((sizes.fold(by_effects, f64::max), faults(findings)));
     }
     if let Some(rest) = &findings.unexplained {
-        parts.push(unexplained(rest));
+        parts.push((rest.size, unexplained(rest)));
     }
     if findings.verdict == Verdict::Nothing {
         let hidden = match findings.not_observable.len() {
@@ -24,23 +33,13 @@ pub fn verdict(findings: &Findings) -> String {
             "Nothing is missing that could show here: the base models explain the data to within its noise{hidden}."
         );
     }
-    if findings
-        .unexplained
-        .as_ref()
-        .is_some_and(|rest| is_largest(rest, findings))
-    {
-        parts.rotate_right(1);
-    }
+    // The largest misfit comes first.
+    parts.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let parts: Vec<String> = parts.into_iter().map(|(_, words)| words).collect();
     let whole = parts.join("; ");
     let mut letters = whole.chars();
     let first = letters.next().map(|c| c.to_uppercase().to_string());
     format!("{}{}.", first.unwrap_or_default(), letters.as_str())
-}
-
-/// Whether what remains is further from the noise than all that was named.
-fn is_largest(rest: &Unexplained, findings: &Findings) -> bool {
-    let before = findings.effects.iter().map(|e| e.gap_before);
-    rest.size > before.fold(1.0, f64::max)
 }
 
 fn named(effects: &[EffectFinding]) -> String {
@@ -71,6 +70,12 @@ fn named(effects: &[EffectFinding]) -> String {
 
 /// `2.61 to 0.80 mm/s² rms, `: what the channel of an effect leaves before and after; nothing where that is not known.
 fn in_units(effect: &EffectFinding) -> String {
+    if let (Channel::MovingForce, [late]) = (effect.channel, effect.parameters.as_slice()) {
+        let error = late
+            .std
+            .map_or_else(String::new, |std| format!(" ± {:.2}", 1e3 * std));
+        return format!("stamps late by {:.2}{error} ms, ", 1e3 * late.value);
+    }
     let pair = effect.rms_before.zip(effect.rms_after);
     pair.map_or_else(String::new, |(before, after)| {
         let (factor, unit) = unit_of(effect.channel);
@@ -116,21 +121,50 @@ fn with_ties(effect: &EffectFinding) -> String {
 }
 
 fn faults(findings: &Findings) -> String {
-    let mut counts: Vec<(&str, usize)> = Vec::new();
+    let mut kinds: Vec<(&str, Vec<&Integrity>)> = Vec::new();
     for fault in &findings.integrity {
-        match counts.iter_mut().find(|(name, _)| *name == fault.name) {
-            Some((_, count)) => *count += 1,
-            None => counts.push((fault.name, 1)),
+        match kinds.iter_mut().find(|(name, _)| *name == fault.name) {
+            Some((_, all)) => all.push(fault),
+            None => kinds.push((fault.name, vec![fault])),
         }
     }
-    let words: Vec<String> = counts
-        .iter()
-        .map(|(name, count)| match count {
-            1 => (*name).to_owned(),
-            n => format!("{name} ({n} times)"),
-        })
-        .collect();
-    format!("the recording itself is at fault: {}", words.join(", "))
+    let words = kinds.iter().map(|(name, all)| {
+        let largest = all.iter().filter_map(|fault| fault.size);
+        let largest = largest.max_by(|a, b| a.value.total_cmp(&b.value));
+        let mut notes = Vec::new();
+        if all.len() > 1 {
+            notes.push(format!("{} times", all.len()));
+        }
+        notes.extend(largest.map(|size| match (size.gap, all.len()) {
+            (Some(gap), _) => format!(
+                "turns miss gravity by {} rms, {gap:.1} times what the noise of the readings makes of them",
+                of_fault(size)
+            ),
+            (None, 1) => of_fault(size),
+            (None, _) => format!("up to {}", of_fault(size)),
+        }));
+        match notes.as_slice() {
+            [] => (*name).to_owned(),
+            notes => format!("{name} ({})", notes.join(", ")),
+        }
+    });
+    format!(
+        "the recording itself is at fault: {}",
+        words.collect::<Vec<_>>().join(", ")
+    )
+}
+
+/// The size of a fault in the unit that people read it in.
+fn of_fault(size: Size) -> String {
+    let (factor, unit) = match size.unit {
+        "rad" => unit_of(Channel::Direction),
+        "rad/s" => unit_of(Channel::StaticRate),
+        _ => unit_of(Channel::StaticNorm),
+    };
+    let value = factor * size.value;
+    let decimals = (1.0 - value.log10().floor()).clamp(0.0, 4.0) as usize;
+    let space = if unit == "°" { "" } else { " " };
+    format!("{value:.decimals$}{space}{unit}")
 }
 
 fn unexplained(rest: &Unexplained) -> String {
@@ -286,6 +320,17 @@ mod tests {
         assert_eq!(gaps(1.28, 0.96), ["1.28", "0.96"]);
         assert_eq!(gaps(1.0021, 1.0004), ["1.002", "1.000"]);
         assert_eq!(gaps(1.0, 1.0), ["1.00000", "1.00000"]);
+    }
+
+    #[test]
+    fn a_fault_is_said_in_the_unit_that_people_read() {
+        let size = |value, unit| Size {
+            value,
+            unit,
+            gap: None,
+        };
+        assert_eq!(of_fault(size(0.0187, "rad")), "1.1°");
+        assert_eq!(of_fault(size(0.0213, "m/s^2")), "21 mm/s²");
     }
 
     #[test]

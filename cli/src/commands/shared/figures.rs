@@ -31,8 +31,8 @@ pub fn of_calibration(recordings: &[&Recording], outcome: &Outcome) -> Result<Ve
 
 /// The figures in the report of `discover`.
 pub fn of_discovery(discovery: &Discovery) -> Vec<Figure> {
-    let plots = discover::plots(discovery).into_iter();
-    plots.map(|plot| drawn(&plot.into())).collect()
+    let plots = discover::plots(discovery);
+    plots.iter().map(|(_, picture)| drawn(picture)).collect()
 }
 
 fn drawn(picture: &Picture) -> Figure {

@@ -1,0 +1,160 @@
+//! Names that what remains explains, or outweighs, are withdrawn.
+
+use recording::Error;
+use sensor::{AnyEffect, Role, Sensor};
+
+use super::scatter::scatters;
+use super::unexplained::Unexplained;
+use super::weighed_again::weighed_again;
+use crate::family::Claim;
+use crate::gap::channel::{Sequence, channel_of};
+use crate::gap::held_out::gap_of;
+use crate::rank::{APART, levels};
+use crate::request::{Request, Session};
+use crate::score::log_tail;
+use crate::search::Search;
+use crate::state::State;
+
+/// Withdraws the effects that are not evident against what remains unexplained: a rest of `g` times the noise
+/// makes all likelihood ratios `g²` times too large.
+pub(crate) fn without_weak(
+    session: &Session<'_>,
+    found: &mut Search,
+    request: &Request,
+) -> Result<bool, Error> {
+    let threshold = request.threshold();
+    let noise = found.last.noise;
+    let left = Sequence::of(&found.last, noise).misfits(&found.last);
+    let mut extension = found.last.extension.clone();
+    let before = found.names.len();
+    found.names.retain(|name| {
+        let Claim::Effect(effect) = name.claim else {
+            return true;
+        };
+        let parts = Sequence::of(&name.without, noise).of_column(name.predicted.col_as_slice(0));
+        let gap = gap_of(&left, channel_of(&parts)).max(1.0);
+        let ranked = &name.ranked;
+        let search_cost = -ranked.log_p - ranked.evidence;
+        let evident =
+            -log_tail(ranked.statistic / (gap * gap), ranked.dof) - search_cost > threshold;
+        if !evident {
+            extension.effects.retain(|(e, _)| e.name() != effect.name());
+        }
+        evident
+    });
+    if found.names.len() == before {
+        return Ok(false);
+    }
+    found.last = State::fit(session, extension)?;
+    Ok(true)
+}
+
+/// Withdraws the steps that a bias which wanders explains as well: whether there were any.
+///
+/// A step moves and stays. Beside a random walk, which forgets nothing, a bias that comes back after some seconds can be fitted by
+/// a step wherever it stayed away for long.
+pub(crate) fn without_doubtful_steps(
+    session: &Session<'_>,
+    search: &mut Search,
+) -> Result<bool, Error> {
+    let mut less = search.last.extension.clone();
+    for name in &search.names {
+        let Claim::Effect(effect) = name.claim else {
+            continue;
+        };
+        if is_step(effect)
+            && wandering(&name.without, effect.sensor()) > name.ranked.evidence - APART
+        {
+            less.effects.retain(|(own, _)| own.name() != effect.name());
+        }
+    }
+    let are_doubtful = less.effects.len() < search.last.extension.effects.len();
+    if are_doubtful {
+        search.withdraw_to(session, less)?;
+    }
+    Ok(are_doubtful)
+}
+
+/// The evidence that the bias of an axis of a sensor wanders.
+fn wandering(state: &State, sensor: Sensor) -> f64 {
+    let found = scatters(
+        state,
+        &levels(&state.projected, state.noise, state.noise_given),
+    );
+    let search = (found.len().max(1) as f64).ln();
+    let own = found.iter().filter(|scatter| scatter.sensor == sensor);
+    own.map(|scatter| -scatter.log_p - search)
+        .fold(0.0, f64::max)
+}
+
+fn is_step(effect: &dyn AnyEffect) -> bool {
+    effect.params().iter().any(|p| p.role == Role::Instant)
+}
+
+/// Withdraws the steps of a sensor whose bias wanders beside them: whether there were any.
+pub(crate) fn without_steps_of(
+    session: &Session<'_>,
+    search: &mut Search,
+    sensor: Sensor,
+) -> Result<bool, Error> {
+    let wanders = |effect: &dyn AnyEffect| effect.sensor() == sensor && is_step(effect);
+    let mut less = search.last.extension.clone();
+    less.effects.retain(|(effect, _)| !wanders(*effect));
+    let there_are = less.effects.len() < search.last.extension.effects.len();
+    if there_are {
+        search.withdraw_to(session, less)?;
+    }
+    Ok(there_are)
+}
+
+/// Withdraws what is no longer evident beside the shape of what remains.
+pub(crate) fn weigh_beside_shape(
+    session: &Session<'_>,
+    request: &Request,
+    search: &mut Search,
+    found: &mut Unexplained,
+) -> Result<(), Error> {
+    let Some(shape) = &found.columns else {
+        return Ok(());
+    };
+    let Some(less) = weighed_again(search, request, &shape.columns, shape.noise) else {
+        return Ok(());
+    };
+    let withdrawn = search.withdraw_to(session, less)?;
+    found.instead_of.extend(withdrawn);
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_distr::StandardNormal;
+    use simulate::Spec;
+
+    use crate::{Request, discover};
+
+    /// A bias that wanders with a memory of 20 s and jumps once beside it: nobody can say that it moved and stayed.
+    #[test]
+    fn a_bias_that_jumps_and_wanders_has_no_step() {
+        let mut spec = Spec::hand_held(21);
+        spec.accelerometer.random_walk = 0.0;
+        let mut recording = spec.run().unwrap().recording;
+        let stream = recording.accelerometer.as_mut().unwrap();
+        let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(4);
+        let (first, last) = (stream.t[0], *stream.t.last().unwrap());
+        let (mut bias, mut before) = (0.0_f64, first);
+        for (t, value) in stream.t.iter().zip(&mut stream.values) {
+            let keeps = (-(t - before) / 20.0).exp();
+            let kick: f64 = random.sample(StandardNormal);
+            bias = keeps * bias + (1.0 - keeps * keeps).sqrt() * 4e-3 * kick;
+            before = *t;
+            value.z += bias + if *t > 0.5 * (first + last) { 8e-3 } else { 0.0 };
+        }
+        let findings = discover(&[recording], &Request::new(spec.gravity))
+            .unwrap()
+            .findings;
+        assert!(findings.unexplained.is_some(), "{:?}", findings.verdict);
+        let steps = findings.effects.iter().filter(|e| e.name == "accel_step");
+        assert_eq!(steps.count(), 0);
+    }
+}

@@ -1,0 +1,94 @@
+//! What was found of several units of one type.
+
+use estimate::calibration::EffectParameter;
+use serde::Serialize;
+
+use crate::findings::Verdict;
+use crate::gap::channel::Channel;
+
+/// The schema of the document.
+pub const UNITS_SCHEMA: &str = "stillpoint.unit_findings/1";
+
+/// What units of one type lack.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct UnitFindings {
+    /// [`UNITS_SCHEMA`].
+    pub schema: &'static str,
+    /// Effects that the units share: their type has them.
+    pub shared: Vec<SharedEffect>,
+    /// Effects of one unit alone.
+    pub own: Vec<OwnEffect>,
+    /// The units, and what each says alone.
+    pub units: Vec<UnitAlone>,
+}
+
+/// An effect that units share.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SharedEffect {
+    /// Its name in the catalogue.
+    pub name: String,
+    /// Chance of so much in all units together, by any effect of the catalogue.
+    pub adjusted_p_value: f64,
+    /// What all the units together cannot tell from it.
+    pub indistinguishable_from: Vec<String>,
+    /// Whether its sizes agree; `None` where they cannot be compared, as of a direction of the room.
+    pub agreement: Option<Agreement>,
+    /// Its size in every unit.
+    pub sizes: Vec<UnitSize>,
+}
+
+/// An effect of one unit.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OwnEffect {
+    /// Its name in the catalogue.
+    pub name: String,
+    /// Whether another unit would show it, had it as much of it.
+    pub others_would_show_it: bool,
+    /// Its size.
+    pub size: UnitSize,
+}
+
+/// An effect in one unit.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct UnitSize {
+    /// The unit's recording.
+    pub unit: String,
+    /// Chance of so much in this unit alone, in this one test; `None` where it cannot show the effect.
+    pub p_value: Option<f64>,
+    /// Its parameters; none where this unit does not determine them.
+    pub parameters: Vec<EffectParameter>,
+    /// The channel that the effect lives in.
+    pub channel: Channel,
+    /// `√(χ²/dof)` of the channel without it.
+    pub gap_before: f64,
+    /// With it.
+    pub gap_after: f64,
+}
+
+/// Whether the sizes of all units could be one: `Q = Σ (xᵢ − x̄)ᵀ Cᵢ⁻¹ (xᵢ − x̄)`, `x̄` their weighted mean.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Agreement {
+    /// `Q`.
+    pub chi2: f64,
+    /// `(n − 1) p` of `n` units and `p` parameters.
+    pub dof: f64,
+    /// Chance of so much where the sizes are one.
+    pub p_value: f64,
+    /// `x̄` with its standard errors: the size of the type, where the sizes agree.
+    pub mean: Vec<EffectParameter>,
+}
+
+/// What a unit says alone.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct UnitAlone {
+    /// Its recording.
+    pub recording: String,
+    /// The verdict of `discover` on it.
+    pub verdict: Verdict,
+    /// The effects that it names.
+    pub effects: Vec<String>,
+    /// The faults of its recording, by name.
+    pub integrity: Vec<String>,
+    /// What it leaves unexplained.
+    pub unexplained: Option<String>,
+}

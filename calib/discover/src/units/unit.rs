@@ -1,0 +1,130 @@
+//! One unit among several: its session, what it says alone, and its model.
+
+use estimate::calibration::EffectParameter;
+use estimate::methods::joint::BiasNoise;
+use recording::{Error, Recording};
+use sensor::AnyEffect;
+
+use super::findings::UnitAlone;
+use crate::discovery::{calibration, discover_in, parameters_of};
+use crate::findings::Findings;
+use crate::gap::channel::{Misfit, Sequence};
+use crate::request::{Request, Session};
+use crate::state::{Extension, State};
+
+/// A unit with its model.
+#[derive(Clone, Debug)]
+pub(super) struct Unit<'a> {
+    pub name: String,
+    session: Session<'a>,
+    alone: UnitAlone,
+    pub state: State,
+    /// How far beyond its noise the readings of this unit are, for reasons that nobody has found: likelihood ratios are too
+    /// large by its square.
+    pub excess: f64,
+}
+
+impl<'a> Unit<'a> {
+    /// Its base models with the faults of its own recording.
+    ///
+    /// # Errors
+    /// As [`discover`](crate::discover).
+    pub fn new(recording: &'a [&'a Recording; 1], request: &Request) -> Result<Self, Error> {
+        let mut session = Session::new(recording, request)?;
+        let [recording] = recording;
+        let discovery = discover_in(&mut session, request)?;
+        let faults = Extension {
+            disturbed: discovery.search.last.extension.disturbed.clone(),
+            ..Extension::default()
+        };
+        let state = State::fit(&session, faults)?;
+        let findings = &discovery.findings;
+        Ok(Self {
+            name: recording.name.clone(),
+            alone: alone(recording, findings),
+            excess: findings
+                .unexplained
+                .as_ref()
+                .map_or(1.0, |rest| rest.size.max(1.0)),
+            session,
+            state,
+        })
+    }
+
+    /// What it says alone.
+    pub fn alone(&self) -> UnitAlone {
+        self.alone.clone()
+    }
+
+    /// Takes an effect into the model; whether the recording determines it.
+    ///
+    /// # Errors
+    /// That it was cancelled.
+    pub fn take_in(
+        &mut self,
+        effect: &'static dyn AnyEffect,
+        shape: Option<(usize, f64)>,
+        request: &Request,
+        catalogue: &[&'static dyn AnyEffect],
+    ) -> Result<bool, Error> {
+        let mut extension = self.state.extension.clone();
+        extension.hold(effect, shape, catalogue);
+        let state = match State::fit(&self.session, extension) {
+            Ok(state) => state,
+            Err(Error::Cancelled) => return Err(Error::Cancelled),
+            // A claim that the data do not hold together with is none.
+            Err(_) => return Ok(false),
+        };
+        let is_determined = calibration(&self.session, &state, request).is_ok();
+        if is_determined {
+            self.state = state;
+        }
+        Ok(is_determined)
+    }
+
+    /// The unit without an effect in its model.
+    ///
+    /// # Errors
+    /// As the joint fit.
+    pub fn without(&self, effect: &'static dyn AnyEffect) -> Result<Self, Error> {
+        let mut unit = self.clone();
+        if self.state.has(effect.name()) {
+            let mut extension = self.state.extension.clone();
+            let is_other = |(own, _): &(&dyn AnyEffect, _)| own.name() != effect.name();
+            extension.effects.retain(is_other);
+            unit.state = State::fit(&self.session, extension)?;
+        }
+        Ok(unit)
+    }
+
+    /// The parameters of an effect of its model.
+    ///
+    /// # Errors
+    /// A calibration that the recording does not determine.
+    pub fn parameters(
+        &self,
+        effect: &'static dyn AnyEffect,
+        request: &Request,
+    ) -> Result<Vec<EffectParameter>, Error> {
+        let calibration = calibration(&self.session, &self.state, request)?;
+        Ok(parameters_of(effect.name(), &calibration))
+    }
+
+    /// What each channel misses.
+    pub fn misfits(&self, noise: BiasNoise) -> [Misfit; 3] {
+        Sequence::of(&self.state, noise).misfits(&self.state)
+    }
+}
+
+fn alone(recording: &Recording, findings: &Findings) -> UnitAlone {
+    let mut integrity: Vec<String> = findings.integrity.iter().map(|i| i.name.into()).collect();
+    integrity.sort();
+    integrity.dedup();
+    UnitAlone {
+        recording: recording.name.clone(),
+        verdict: findings.verdict,
+        effects: findings.effects.iter().map(|e| e.name.clone()).collect(),
+        integrity,
+        unexplained: findings.unexplained.as_ref().map(|u| u.shape.clone()),
+    }
+}

@@ -1,0 +1,213 @@
+//! `discover --units`: what several units of one type share.
+
+use std::fmt::Write as _;
+
+use calib::Recording;
+use calib::discover::{
+    Agreement, Request, SharedEffect, UnitAlone, UnitFindings, Verdict, discover_units,
+};
+use comfy_table::CellAlignment;
+
+use super::held_out::refuse_twins;
+use super::words::{chance, gaps};
+use crate::commands::shared::inputs::spinner;
+use crate::exit::Failure;
+use crate::show;
+
+/// Chance below which sizes are said to differ.
+const DIFFER: f64 = 0.01;
+
+/// Units whose sizes stand side by side; of more only what they have in common is printed.
+const BESIDE: usize = 5;
+
+/// Looks for what the units share.
+pub fn look(recordings: &[Recording], request: &Request) -> Result<UnitFindings, Failure> {
+    refuse_twins(recordings)?;
+    let spinner = spinner("looking for what the units share");
+    let findings = discover_units(recordings, request)?;
+    spinner.finish_and_clear();
+    Ok(findings)
+}
+
+/// The findings for people.
+pub fn text(findings: &UnitFindings) -> String {
+    let mut text = format!("{}\n", verdict(findings));
+    let mut units = show::table(&["unit", "alone it says"]);
+    for column in units.column_iter_mut() {
+        column.set_cell_alignment(CellAlignment::Left);
+    }
+    for unit in &findings.units {
+        units.add_row([label(&unit.recording), alone(unit)]);
+    }
+    let _ = writeln!(text, "\n{units}");
+    for effect in &findings.shared {
+        let _ = writeln!(text, "\n{}\n\n{}", in_each(effect), sizes(effect));
+    }
+    for line in next(findings) {
+        let _ = writeln!(text, "{line}");
+    }
+    text
+}
+
+/// A unit's recording by the last part of its path.
+fn label(recording: &str) -> String {
+    let last = std::path::Path::new(recording).file_name();
+    last.map_or_else(
+        || show::name(recording),
+        |last| show::path(std::path::Path::new(last)),
+    )
+}
+
+/// The verdict in sentences.
+pub fn verdict(findings: &UnitFindings) -> String {
+    let count = findings.units.len();
+    let mut sentences = Vec::new();
+    for effect in &findings.shared {
+        let ties = match effect.indistinguishable_from.as_slice() {
+            [] => String::new(),
+            ties => format!(" (or {})", ties.join(" or ")),
+        };
+        sentences.push(format!(
+            "The type lacks {}{ties}: {} show it together (p = {} over the whole catalogue). {}",
+            effect.name,
+            of_units(effect, count),
+            chance(effect.adjusted_p_value),
+            agreement(effect.agreement.as_ref()),
+        ));
+    }
+    for own in &findings.own {
+        let others = match own.others_would_show_it {
+            true => {
+                "others would show it, had they as much of it, and do not: it is that unit's, not the type's"
+            }
+            false => "no other recording would show as much of it: whether the type has it is open",
+        };
+        sentences.push(format!(
+            "{} alone shows {}; {others}.",
+            label(&own.size.unit),
+            own.name
+        ));
+    }
+    if sentences.is_empty() {
+        return format!(
+            "Nothing that the {count} units share is missing: the base models explain them to within their noise, but for \
+             what each says of its own recording."
+        );
+    }
+    sentences.join(" ")
+}
+
+fn of_units(effect: &SharedEffect, count: usize) -> String {
+    let showing = effect
+        .sizes
+        .iter()
+        .filter(|size| size.p_value.is_some())
+        .count();
+    match showing == count {
+        true => format!("all {count} units"),
+        false => format!("{showing} of {count} units (the others could not)"),
+    }
+}
+
+fn agreement(agreement: Option<&Agreement>) -> String {
+    let Some(found) = agreement else {
+        return "Its sizes belong to each recording and are not compared.".into();
+    };
+    let of = format!(
+        "chi² {:.1} of {:.0} degrees of freedom, p = {}",
+        found.chi2,
+        found.dof,
+        chance(found.p_value)
+    );
+    match found.p_value < DIFFER {
+        true => format!("Its size differs from unit to unit ({of}): every unit needs its own."),
+        false => format!("Its sizes agree ({of}): that of the type is below."),
+    }
+}
+
+fn alone(unit: &UnitAlone) -> String {
+    let mut parts = unit.effects.clone();
+    parts.extend(unit.integrity.iter().map(|fault| format!("fault: {fault}")));
+    parts.extend(
+        unit.unexplained
+            .iter()
+            .map(|rest| format!("unexplained: {rest}")),
+    );
+    match unit.verdict {
+        Verdict::Nothing => "nothing is missing".into(),
+        _ => parts.join("; "),
+    }
+}
+
+/// What an effect does in each unit.
+fn in_each(effect: &SharedEffect) -> String {
+    let mut table = show::table(&[&effect.name, "p, alone", "gap before", "after", "of the"]);
+    for size in &effect.sizes {
+        let [before, after] = gaps(size.gap_before, size.gap_after);
+        table.add_row([
+            label(&size.unit),
+            size.p_value.map_or_else(|| "not shown".into(), chance),
+            before,
+            after,
+            size.channel.words().into(),
+        ]);
+    }
+    table.to_string()
+}
+
+/// Its parameters, unit by unit where they are few, and what they have in common.
+fn sizes(effect: &SharedEffect) -> String {
+    let beside = effect.sizes.len() <= BESIDE;
+    let units = effect
+        .sizes
+        .iter()
+        .filter(|size| beside && !size.parameters.is_empty());
+    let units: Vec<_> = units.collect();
+    let mut header: Vec<String> = vec!["parameter".into()];
+    header.extend(units.iter().map(|size| label(&size.unit)));
+    let mean = effect.agreement.as_ref().map(|a| &a.mean);
+    header.extend(mean.map(|_| "weighted mean".to_owned()));
+    header.push("unit".into());
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
+    let mut table = show::table(&header);
+    let Some(first) = effect.sizes.iter().find(|size| !size.parameters.is_empty()) else {
+        return String::new();
+    };
+    let written = |p: &calib::calibration::EffectParameter| {
+        let std = p
+            .std
+            .map_or_else(String::new, |std| format!(" ± {std:.1e}"));
+        format!("{:.2e}{std}", p.value)
+    };
+    for (k, parameter) in first.parameters.iter().enumerate() {
+        let mut row = vec![parameter.name.clone()];
+        row.extend(
+            units
+                .iter()
+                .map(|s| s.parameters.get(k).map_or_else(String::new, written)),
+        );
+        if let Some(mean) = mean {
+            let own = mean.iter().find(|p| p.name == parameter.name);
+            row.push(own.map_or_else(String::new, written));
+        }
+        row.push(parameter.unit.clone());
+        table.add_row(row);
+    }
+    table.to_string()
+}
+
+/// What to do next.
+fn next(findings: &UnitFindings) -> Vec<String> {
+    if findings.shared.is_empty() {
+        return Vec::new();
+    }
+    let names: Vec<&str> = findings
+        .shared
+        .iter()
+        .map(|effect| effect.name.as_str())
+        .collect();
+    vec![format!(
+        "Calibrate every unit with it: `stillpoint calibrate UNIT --method joint --effects {} -o cal.json`.",
+        names.join(",")
+    )]
+}
