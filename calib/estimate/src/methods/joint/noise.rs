@@ -314,7 +314,8 @@ fn restless_long_run(parts: &[Vec<f64>], batch: usize, (white, long_run): (f64, 
     let whole = sum / f64::max(freedom, 1.0);
     let ratio = (of_batches(&restless, batch) / whole).sqrt();
     // Of all that the restless parts scatter by, quiet noise included: the test has no difference of two estimates in it.
-    if !(ratio < SOONER.min(1.0 - SOONER_ERRORS * error)) {
+    let sooner = ratio < SOONER.min(1.0 - SOONER_ERRORS * error);
+    if !sooner {
         return usual;
     }
     let beyond = of_batches(&restless, batch) - (white * long_run).powi(2);
