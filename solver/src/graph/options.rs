@@ -7,6 +7,7 @@ use std::time::Duration;
 use serde::{Deserialize, Serialize};
 
 use super::problem::{Block, Graph};
+use crate::constraints::ActiveConstraint;
 use crate::graph::elimination::Method;
 use crate::graph::uncertainty::null_space::NullVector;
 use crate::minimise::system::Evaluations;
@@ -90,7 +91,10 @@ pub struct GraphReport {
     pub relative_step: f64,
     /// How the linear equations were solved.
     pub method: Method,
-    /// Rank of the Jacobian there, as [`Products::rank`](super::Products::rank); `None` where it was not
+    /// The bounds that hold there, by the names of the coordinates, with their multipliers.
+    #[serde(default)]
+    pub active: Vec<ActiveConstraint>,
+    /// Rank of the Jacobian there, without what bounds hold, as [`Products::rank`](super::Products::rank); `None` where it was not
     /// looked for (see [`GraphOptions::rank`]; a run cancelled or out of time does not), and where more
     /// directions are free than are followed, 32.
     #[serde(default)]

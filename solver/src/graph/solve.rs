@@ -3,6 +3,8 @@
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
+use super::bounds::step::{BoundedStep, Model};
+use super::bounds::{Bounds, Held};
 use super::damping::Lambda;
 use super::options::{GraphOptions, GraphReport};
 use super::problem::Graph;
@@ -67,15 +69,18 @@ const SMALL_STEP: f64 = 1e-7;
 /// start that its blocks were given.
 ///
 /// # Errors
-/// A factor that reads a block that is not there or one twice, a start at which something is not
-/// finite, nothing free, a loss of estimated scale, and a factorisation that does not fit in memory.
+/// A factor that reads a block that is not there or one twice, a start outside its bounds or at which something
+/// is not finite, nothing free, a loss of estimated scale, and a factorisation that does not fit in memory.
 pub fn solve_graph(graph: &Graph<'_>, options: &GraphOptions) -> Result<GraphReport, Error> {
     graph.check()?;
     let structure = Arc::new(Structure::new(graph)?);
     let mut normal = Normal::default();
     let values = &graph.values;
+    let bounds = Bounds::new(graph, &structure);
+    bounds.check(graph, values)?;
     let equations = Equations::start(graph, &structure, options.threads, values, &mut normal)?;
     let mut run = Run::new(&equations, Factored::new(&structure)?, normal, options);
+    run.bounded = (!bounds.is_empty()).then(|| BoundedStep::new(bounds));
     let stop = run.descend();
     let stop = if options.last_digits && matches!(stop, Stop::Near | Stop::Ended) {
         run.last_steps();
@@ -114,6 +119,8 @@ struct Run<'a> {
     /// How often a step by the last factor may still be tried in vain: where steps fall slowly in
     /// directions that are hardly determined, it would be so again and again.
     tries: usize,
+    /// Where there are bounds.
+    bounded: Option<BoundedStep>,
     more: Vec<f64>,
     step: Vec<f64>,
 }
@@ -142,6 +149,7 @@ impl<'a> Run<'a> {
             foretold: false,
             factor_damping: f64::INFINITY,
             tries: TRIES,
+            bounded: None,
             more: vec![0.0; unknowns],
             step: vec![0.0; unknowns],
         };
@@ -169,14 +177,8 @@ impl<'a> Run<'a> {
         for (more, d) in self.more.iter_mut().zip(scale) {
             *more = lambda * d * d;
         }
-        for (p, g) in self.step.iter_mut().zip(&self.normal.gradient) {
-            *p = -g;
-        }
         self.factor_damping = f64::INFINITY;
-        if !self
-            .factored
-            .factor_and_solve(&self.normal.h, &self.more, &mut self.step)
-        {
+        if !self.minimum_of_model() {
             return false;
         }
         self.factor_damping = lambda;
@@ -184,11 +186,49 @@ impl<'a> Run<'a> {
         true
     }
 
+    /// The minimum of the model damped by `self.more`, within the bounds, into `self.step`.
+    fn minimum_of_model(&mut self) -> bool {
+        if let Some(bounded) = &mut self.bounded {
+            let model = Model {
+                structure: self.equations.structure,
+                normal: &self.normal,
+                more: &self.more,
+                values: &self.values,
+                scale: self.scaling.diagonal(),
+            };
+            return bounded.minimum(&model, &mut self.factored, &mut self.step);
+        }
+        for (p, g) in self.step.iter_mut().zip(&self.normal.gradient) {
+            *p = -g;
+        }
+        self.factored
+            .factor_and_solve(&self.normal.h, &self.more, &mut self.step)
+    }
+
+    /// Twice what the model promises, but for the damping: `−gᵀp`, less what bounds take up.
+    fn decrement(&self) -> f64 {
+        let pressed = self.bounded.as_ref().map_or(0.0, |b| b.pressed);
+        -dot(&self.normal.gradient, &self.step) - pressed
+    }
+
+    /// All stored values after the step at hand.
+    fn stepped(&self) -> Vec<f64> {
+        let mut next = self.equations.stepped(&self.values, &self.step);
+        if let Some(bounded) = &self.bounded {
+            bounded.bounds.cut(&mut next);
+        }
+        next
+    }
+
     /// Whether the offset is small by the factor at hand, that of the equations before the last step:
     /// where that did what the linearised problem said, they have hardly changed, and the last
     /// factorisation is spared. Leaves the step by this factor in `self.step`.
     fn is_near_by_last_factor(&mut self, near: f64) -> bool {
-        let alike = self.tries > 0 && self.foretold && self.factor_damping <= TELLING;
+        // Which bounds hold a new factorisation tells.
+        let alike = self.tries > 0
+            && self.foretold
+            && self.factor_damping <= TELLING
+            && self.bounded.is_none();
         if !alike || self.steepness() > SURE * near {
             return false;
         }
@@ -220,7 +260,7 @@ impl<'a> Run<'a> {
     /// Updates offset and relative step.
     fn judge_step(&mut self) {
         let scale = self.scaling.diagonal();
-        let decrement = -dot(&self.normal.gradient, &self.step);
+        let decrement = self.decrement();
         self.offset = if decrement > 0.0 {
             (decrement / self.normal.square).sqrt()
         } else {
@@ -307,10 +347,10 @@ impl<'a> Run<'a> {
     fn try_step(&mut self, lambda: f64) -> Option<f64> {
         let scale = self.scaling.diagonal();
         let length = scaled_norm(&self.step, scale);
-        let decrement = -dot(&self.normal.gradient, &self.step);
+        let decrement = self.decrement();
         // ‖r‖² less ‖r + J p‖², halved: with (H + λD²) p = −g no product by J is needed.
         let predicted = 0.5 * (decrement + lambda * length * length);
-        let next = self.equations.stepped(&self.values, &self.step);
+        let next = self.stepped();
         let before = self.normal.cost;
         let cost = match self.foretold {
             true => None,
@@ -353,7 +393,7 @@ impl<'a> Run<'a> {
 
     /// The step at hand, if the cost does not rise.
     fn take_if_lower(&mut self) {
-        let next = self.equations.stepped(&self.values, &self.step);
+        let next = self.stepped();
         self.evaluations.residuals += 1;
         let cost = self.equations.cost(&next);
         if cost <= self.normal.cost {
@@ -412,7 +452,7 @@ impl<'a> Run<'a> {
     fn last_step(&mut self, damping: f64) -> bool {
         let (offset, relative_step) = (self.offset, self.relative_step);
         let (cost, square) = (self.normal.cost, self.normal.square);
-        let next = self.equations.stepped(&self.values, &self.step);
+        let next = self.stepped();
         let before = std::mem::replace(&mut self.values, next);
         let length = relative_step * self.size();
         let better = self.linearize().is_ok()
@@ -422,7 +462,7 @@ impl<'a> Run<'a> {
         self.record(self.normal.cost, damping, length, better);
         if !better {
             self.values = before;
-            if offset > self.options.gradient_tolerance {
+            if offset > self.options.gradient_tolerance || self.bounded.is_some() {
                 // The point before was finite.
                 let _ = self.linearize();
             }
@@ -453,25 +493,46 @@ impl<'a> Run<'a> {
             .then_some(Termination::Cancelled)
     }
 
+    /// The unknowns that bounds hold.
+    fn held(&self) -> Option<Held> {
+        let unknowns = self.equations.structure.unknowns();
+        let bounds = &self.bounded.as_ref()?.bounds;
+        bounds.held(unknowns, &self.values, &self.normal.gradient)
+    }
+
     /// Rank, and what no factor determines, where that is asked for.
     fn determined(&mut self, ended: Termination) -> (Option<usize>, Vec<NullVector>) {
         let interrupted = matches!(ended, Termination::Cancelled | Termination::TimeLimit);
         if !self.options.rank || interrupted {
             return (None, Vec::new());
         }
-        let (equations, h) = (self.equations, &self.normal.h);
-        let units = equations.structure.units(h);
-        let unknowns = units.len();
+        let held = self.held();
+        let equations = self.equations;
+        let structure = equations.structure;
+        let mut left = Vec::new();
+        let h = match &held {
+            Some(held) => {
+                held.leave(structure, &self.normal.h, &mut left);
+                &left
+            }
+            None => &self.normal.h,
+        };
+        let local = null_space::Local {
+            equations,
+            values: &self.values,
+            h,
+            units: &structure.units(h),
+            held: held.as_ref(),
+        };
+        let unknowns = local.free();
         let most = FOLLOWED.min(unknowns);
-        let sought = null_space::seek(equations, &self.values, h, &units, &mut self.factored, most);
-        match sought {
+        match null_space::seek(&local, &mut self.factored, most) {
             Err(_) => (None, Vec::new()),
             Ok(None) => (Some(unknowns), Vec::new()),
             Ok(Some(null)) => {
                 let free = null.basis.len();
                 let rank = (free < most || most == unknowns).then(|| unknowns - free);
-                let structure = equations.structure;
-                let named = null_space::in_names(&null, equations.graph, structure, &units);
+                let named = null_space::in_names(&null, equations.graph, structure, local.units);
                 (rank, named)
             }
         }
@@ -486,7 +547,12 @@ impl<'a> Run<'a> {
             _ => Termination::Stalled,
         };
         let (rank, null_space) = self.determined(termination);
+        let active = self.bounded.as_ref().map_or_else(Vec::new, |bounded| {
+            let gradient = &self.normal.gradient;
+            (bounded.bounds).active(self.equations.graph, &self.values, gradient)
+        });
         GraphReport {
+            active,
             rank,
             null_space,
             first: GraphReport::first(self.equations.graph),
