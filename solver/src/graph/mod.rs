@@ -13,12 +13,16 @@ mod culprit;
 mod damping;
 mod display;
 mod elimination;
+mod ending;
 mod evaluate;
 mod factor;
+mod graduated;
 mod options;
 mod problem;
+mod ranges;
 mod reweight;
 mod solve;
+mod stage;
 mod uncertainty;
 mod variables;
 

@@ -35,6 +35,10 @@ pub struct GraphOptions {
     /// Whether to look at the end for what the factors do not determine: a factorisation more, and where
     /// there is something, the time of a few steps.
     pub rank: bool,
+    /// Whether robust losses start wide, as least squares, and narrow to their scales in at most 20 stages: for
+    /// starts far from the solution, as [`Options::graduated`](crate::Options::graduated). Where too few
+    /// residuals count at the start this happens by itself.
+    pub graduated: bool,
     /// Threads that evaluate factors; the result is the same to the last bit. 1 starts none.
     pub threads: usize,
     /// Longest time to spend; looked at before every step.
@@ -54,6 +58,7 @@ impl Default for GraphOptions {
             step_tolerance: 1e-15,
             last_digits: true,
             rank: true,
+            graduated: false,
             threads: 1,
             time_limit: None,
             cancel: None,

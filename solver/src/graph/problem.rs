@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::bounds::{self, Ranges};
 use super::factor::Factor;
+use super::ranges::{self, Ranges};
 use crate::error::Error;
 use crate::graph::variables::manifold::{AnyManifold, Manifold};
 use crate::loss::{Loss, LossScale};
@@ -297,7 +297,7 @@ impl<'a> Graph<'a> {
         }
         let name = variable.coordinate(coordinate);
         let key = (block.0, coordinate as u32);
-        bounds::keep(&mut self.ranges, key, name, [lower, upper])
+        ranges::keep(&mut self.ranges, key, name, [lower, upper])
     }
 
     /// Keeps every number of a plain block within the same bounds; see [`bound`](Self::bound).

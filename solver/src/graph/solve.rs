@@ -3,8 +3,8 @@
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
+use super::bounds::Bounds;
 use super::bounds::step::{BoundedStep, Model};
-use super::bounds::{Bounds, Held};
 use super::damping::Lambda;
 use super::options::{GraphOptions, GraphReport};
 use super::problem::Graph;
@@ -13,7 +13,6 @@ use crate::error::Error;
 use crate::graph::elimination::Factored;
 use crate::graph::elimination::normal::{Equations, Failure, Normal};
 use crate::graph::elimination::structure::Structure;
-use crate::graph::uncertainty::null_space::{self, NullVector};
 use crate::linear::vector::{dot, scaled_norm};
 use crate::minimise::scaling::Scaling;
 use crate::minimise::system::Evaluations;
@@ -37,7 +36,7 @@ const TELLING: f64 = 1e-3;
 const SURE: f64 = 0.5;
 
 /// Steps by a factor at hand that may be tried in vain.
-const TRIES: usize = 2;
+pub(super) const TRIES: usize = 2;
 
 /// Unknowns that a residual depends on: where they are more, [`Run::steepness`] says too much, and a
 /// factorisation that could be spared is done.
@@ -59,12 +58,6 @@ const RESOLVED: f64 = 4.0 * f64::EPSILON;
 /// A last step that shortens the tangential residual by less than this was too long or too short.
 const SLOW: f64 = 0.5;
 
-/// Most free directions that are followed at the end.
-const FOLLOWED: usize = 32;
-
-/// Relative step that counts as none.
-const SMALL_STEP: f64 = 1e-7;
-
 /// Minimises `½ Σ ‖r_f‖²` (or half the sum of the losses) over the free blocks of a graph, from the
 /// start that its blocks were given.
 ///
@@ -79,9 +72,13 @@ pub fn solve_graph(graph: &Graph<'_>, options: &GraphOptions) -> Result<GraphRep
     let bounds = Bounds::new(graph, &structure);
     bounds.check(graph, values)?;
     let equations = Equations::start(graph, &structure, options.threads, values, &mut normal)?;
-    let mut run = Run::new(&equations, Factored::new(&structure)?, normal, options);
+    let few = (equations.counted(values)).is_some_and(|counted| counted < structure.unknowns());
+    let mut run = Run::new(equations, Factored::new(&structure)?, normal, options);
     run.bounded = (!bounds.is_empty()).then(|| BoundedStep::new(bounds));
-    let stop = run.descend();
+    let stop = match options.graduated || few {
+        true => run.descend_graduated(),
+        false => run.descend(),
+    };
     let stop = if options.last_digits && matches!(stop, Stop::Near | Stop::Ended) {
         run.last_steps();
         Stop::Ended
@@ -93,52 +90,54 @@ pub fn solve_graph(graph: &Graph<'_>, options: &GraphOptions) -> Result<GraphRep
 
 /// Why a phase was left.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Stop {
+pub(super) enum Stop {
     Near,
     Ended,
     Limit(Termination),
 }
 
-struct Run<'a> {
-    equations: &'a Equations<'a>,
-    options: &'a GraphOptions,
-    factored: Factored,
-    normal: Normal,
-    values: Vec<f64>,
-    scaling: Scaling,
-    lambda: Lambda,
-    iterations: Vec<Iteration>,
-    evaluations: Evaluations,
-    deadline: Option<Moment>,
-    offset: f64,
-    relative_step: f64,
+/// A graph on its way down.
+pub(super) struct Run<'a> {
+    pub equations: Equations<'a>,
+    pub options: &'a GraphOptions,
+    pub factored: Factored,
+    pub normal: Normal,
+    pub values: Vec<f64>,
+    pub scaling: Scaling,
+    pub lambda: Lambda,
+    pub iterations: Vec<Iteration>,
+    pub evaluations: Evaluations,
+    pub deadline: Option<Moment>,
+    pub offset: f64,
+    pub relative_step: f64,
     /// Whether the last step did what the linearised problem said.
-    foretold: bool,
+    pub foretold: bool,
     /// Damping of the factor at hand; infinite where there is none.
-    factor_damping: f64,
+    pub factor_damping: f64,
     /// How often a step by the last factor may still be tried in vain: where steps fall slowly in
     /// directions that are hardly determined, it would be so again and again.
-    tries: usize,
+    pub tries: usize,
     /// Where there are bounds.
-    bounded: Option<BoundedStep>,
-    more: Vec<f64>,
-    step: Vec<f64>,
+    pub bounded: Option<BoundedStep>,
+    pub more: Vec<f64>,
+    pub step: Vec<f64>,
 }
 
 impl<'a> Run<'a> {
     fn new(
-        equations: &'a Equations<'a>,
+        equations: Equations<'a>,
         factored: Factored,
         normal: Normal,
         options: &'a GraphOptions,
     ) -> Self {
         let unknowns = equations.structure.unknowns();
+        let values = equations.graph.values.clone();
         let mut run = Self {
             equations,
             options,
             factored,
             normal,
-            values: equations.graph.values.clone(),
+            values,
             scaling: Scaling::new(unknowns),
             lambda: Lambda::new(options.damping, options.first_damping),
             iterations: Vec::new(),
@@ -158,7 +157,7 @@ impl<'a> Run<'a> {
         run
     }
 
-    fn linearize(&mut self) -> Result<(), Failure> {
+    pub fn linearize(&mut self) -> Result<(), Failure> {
         self.evaluations.jacobians += 1;
         self.equations.linearize(&self.values, &mut self.normal)?;
         self.update_scaling();
@@ -292,12 +291,21 @@ impl<'a> Run<'a> {
     }
 
     /// Damped steps until the offset is small.
-    fn descend(&mut self) -> Stop {
-        let near = if self.options.last_digits {
+    pub fn descend(&mut self) -> Stop {
+        self.descend_to(self.near())
+    }
+
+    /// Relative offset at which damped steps end.
+    fn near(&self) -> f64 {
+        if self.options.last_digits {
             NEAR.max(self.options.gradient_tolerance)
         } else {
             self.options.gradient_tolerance
-        };
+        }
+    }
+
+    /// Damped steps until the offset is so small.
+    pub fn descend_to(&mut self, near: f64) -> Stop {
         let mut flat = 0;
         loop {
             if let Some(limit) = self.limit() {
@@ -491,81 +499,5 @@ impl<'a> Run<'a> {
         let flag = self.options.cancel.as_ref();
         flag.is_some_and(|flag| flag.load(Ordering::Relaxed))
             .then_some(Termination::Cancelled)
-    }
-
-    /// The unknowns that bounds hold.
-    fn held(&self) -> Option<Held> {
-        let unknowns = self.equations.structure.unknowns();
-        let bounds = &self.bounded.as_ref()?.bounds;
-        bounds.held(unknowns, &self.values, &self.normal.gradient)
-    }
-
-    /// Rank, and what no factor determines, where that is asked for.
-    fn determined(&mut self, ended: Termination) -> (Option<usize>, Vec<NullVector>) {
-        let interrupted = matches!(ended, Termination::Cancelled | Termination::TimeLimit);
-        if !self.options.rank || interrupted {
-            return (None, Vec::new());
-        }
-        let held = self.held();
-        let equations = self.equations;
-        let structure = equations.structure;
-        let mut left = Vec::new();
-        let h = match &held {
-            Some(held) => {
-                held.leave(structure, &self.normal.h, &mut left);
-                &left
-            }
-            None => &self.normal.h,
-        };
-        let local = null_space::Local {
-            equations,
-            values: &self.values,
-            h,
-            units: &structure.units(h),
-            held: held.as_ref(),
-        };
-        let unknowns = local.free();
-        let most = FOLLOWED.min(unknowns);
-        match null_space::seek(&local, &mut self.factored, most) {
-            Err(_) => (None, Vec::new()),
-            Ok(None) => (Some(unknowns), Vec::new()),
-            Ok(Some(null)) => {
-                let free = null.basis.len();
-                let rank = (free < most || most == unknowns).then(|| unknowns - free);
-                let named = null_space::in_names(&null, equations.graph, structure, local.units);
-                (rank, named)
-            }
-        }
-    }
-
-    fn report(mut self, stop: Stop) -> GraphReport {
-        let termination = match stop {
-            Stop::Limit(Termination::Cancelled) => Termination::Cancelled,
-            _ if self.offset <= self.options.gradient_tolerance => Termination::Gradient,
-            Stop::Limit(limit) => limit,
-            _ if self.relative_step <= SMALL_STEP => Termination::Step,
-            _ => Termination::Stalled,
-        };
-        let (rank, null_space) = self.determined(termination);
-        let active = self.bounded.as_ref().map_or_else(Vec::new, |bounded| {
-            let gradient = &self.normal.gradient;
-            (bounded.bounds).active(self.equations.graph, &self.values, gradient)
-        });
-        GraphReport {
-            active,
-            rank,
-            null_space,
-            first: GraphReport::first(self.equations.graph),
-            values: self.values,
-            cost: self.normal.cost,
-            residuals: self.equations.rows(),
-            unknowns: self.equations.structure.unknowns(),
-            termination,
-            iterations: self.iterations,
-            evaluations: self.evaluations,
-            relative_offset: self.offset,
-            relative_step: self.relative_step,
-            method: self.factored.method(),
-        }
     }
 }

@@ -2,15 +2,10 @@
 
 pub(crate) mod step;
 
-use std::collections::BTreeMap;
-
 use super::elimination::structure::{NONE, Structure};
 use super::problem::{Block, Graph};
-use crate::constraints::{ActiveConstraint, Constraint};
+use crate::constraints::ActiveConstraint;
 use crate::error::Error;
-
-/// Lower and upper bounds by block and coordinate; infinite where there is none.
-pub(crate) type Ranges = BTreeMap<(u32, u32), (f64, f64)>;
 
 /// A bounded unknown.
 #[derive(Clone, Copy, Debug)]
@@ -191,32 +186,4 @@ impl Held {
         }
         sum
     }
-}
-
-/// Checks a range for a coordinate and keeps it; none where both ends are infinite.
-///
-/// # Errors
-/// Nothing between the ends, or an end that is not a number.
-pub(crate) fn keep(
-    ranges: &mut Ranges,
-    key: (u32, u32),
-    name: String,
-    [lower, upper]: [f64; 2],
-) -> Result<(), Error> {
-    let ordered = lower <= upper && lower < f64::INFINITY && upper > f64::NEG_INFINITY;
-    if !ordered {
-        let terms = vec![(name, 1.0)];
-        return Err(Constraint {
-            terms,
-            lower,
-            upper,
-        }
-        .empty());
-    }
-    if lower == f64::NEG_INFINITY && upper == f64::INFINITY {
-        ranges.remove(&key);
-    } else {
-        ranges.insert(key, (lower, upper));
-    }
-    Ok(())
 }

@@ -2,6 +2,7 @@
 
 pub(crate) mod null_space;
 pub(crate) mod profile;
+mod sandwich;
 
 use std::sync::Arc;
 
@@ -53,6 +54,9 @@ pub struct Products<'a> {
     /// Without what bounds hold.
     h: Vec<f64>,
     held: Option<Held>,
+    values: Vec<f64>,
+    /// Number of residuals.
+    residuals: usize,
     /// `‖J_k‖`, 1 where it is zero.
     units: Vec<f64>,
     null: NullSpace,
@@ -94,12 +98,15 @@ impl<'a> Products<'a> {
             held: held.as_ref(),
         };
         let null = null_space::find(&local, &mut factored)?;
+        let residuals = equations.rows();
         Ok(Self {
             graph,
             structure,
             factored: factored.into(),
             h,
             held,
+            values: values.to_vec(),
+            residuals,
             units,
             null,
         })
@@ -133,19 +140,24 @@ impl<'a> Products<'a> {
     /// unit variance. A block that is held or not there adds nothing.
     pub fn covariance(&self, blocks: &[Block]) -> Vec<Vec<f64>> {
         let places: Vec<usize> = blocks.iter().flat_map(|&b| self.places(b)).collect();
-        let n = self.unknowns();
         let mut rows = Vec::with_capacity(places.len());
         for batch in places.chunks(BATCH) {
-            let mut right = vec![0.0; n * batch.len()];
-            for (column, &place) in right.chunks_exact_mut(n).zip(batch) {
-                column[place] = 1.0;
-            }
-            self.apply(&mut right);
-            for column in right.chunks_exact(n) {
+            for column in self.columns(batch).chunks_exact(self.unknowns()) {
                 rows.push(places.iter().map(|&k| column[k]).collect());
             }
         }
         rows
+    }
+
+    /// Columns of `H⁺`, one after the other.
+    fn columns(&self, places: &[usize]) -> Vec<f64> {
+        let n = self.unknowns();
+        let mut columns = vec![0.0; n * places.len()];
+        for (column, &place) in columns.chunks_exact_mut(n).zip(places) {
+            column[place] = 1.0;
+        }
+        self.apply(&mut columns);
+        columns
     }
 
     /// Standard errors of the free coordinates of a block for residuals of unit variance.

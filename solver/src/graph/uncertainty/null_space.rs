@@ -251,8 +251,8 @@ fn ritz(local: &Local<'_>, basis: &[Vec<f64>]) -> (Vec<f64>, Vec<Vec<f64>>) {
     // What is finite was found to be so before.
     let _ = equations.visit(values, &mut |factor, r, jacobian| {
         let width = jacobian.len() / r.len().max(1);
-        if let Some(loss) = equations.graph.loss_of(factor) {
-            crate::graph::reweight::rewrite(loss, r, jacobian, width);
+        if let Some(loss) = equations.loss_of(factor) {
+            crate::graph::reweight::rewrite(&loss, r, jacobian, width);
         }
         let places: Vec<usize> = equations
             .graph
