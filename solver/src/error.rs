@@ -60,7 +60,7 @@ pub enum Error {
     },
     /// The start lies outside a constraint.
     #[error(
-        "constraint {constraint} is {value} at the start, outside {lower} to {upper}: see Constraints::project"
+        "constraint {constraint} is {value} at the start, outside {lower} to {upper}: see Constraints::project, or Graph::move_within_bounds"
     )]
     StartInfeasible {
         /// The constraint in words.

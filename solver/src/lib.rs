@@ -12,7 +12,7 @@
 //! | write one in a line | [`from_fn`], [`from_fn_numeric`], [`from_fn_with_jacobian`] |
 //! | take `abs`, `min`, `max`, `atan2` of a scalar | [`Elementary`] |
 //! | check its derivatives, first and second | [`check_derivatives`], of a loss [`check_loss`] |
-//! | hold parameters, bound, order or tie them | [`Mask`], [`Constraints`] |
+//! | hold parameters, bound, order or tie them | [`Mask`], [`Constraints`]; in graphs [`Graph::hold`], [`Graph::bound`] |
 //! | resist outliers, by rows, with a loss of one's own | [`Loss`], [`RowLoss`], [`LossFunction`] |
 //! | choose a variant, limit steps or time, cancel | [`Options`], [`Variant`] |
 //! | write a variant or a linear solver of one's own | [`OwnVariant`], [`LinearMethod`] |

@@ -22,7 +22,7 @@ use stillpoint_benches::graphs::bal::Bundle;
 use stillpoint_benches::graphs::cameras::ring;
 use stillpoint_benches::graphs::g2o::PoseGraph;
 use stillpoint_benches::graphs::groups::{OWN, SPARE, groups};
-use stillpoint_benches::graphs::walks::{planar, spatial};
+use stillpoint_benches::graphs::walks::{Loops, planar, spatial};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -122,10 +122,12 @@ fn make(folder: &Path, small: bool) -> Outcome<()> {
     }
     let poses: &[usize] = if small { &[300] } else { &[300, 3_000, 30_000] };
     for &count in poses {
-        let plane = folder.join(format!("plane-{count}.g2o"));
-        std::fs::write(plane, planar(count, 7).write())?;
-        let space = folder.join(format!("space-{count}.g2o"));
-        std::fs::write(space, spatial(count, 7).write())?;
+        for (name, loops) in [("", Loops::Anywhere), ("laps-", Loops::Laps)] {
+            let plane = folder.join(format!("{name}plane-{count}.g2o"));
+            std::fs::write(plane, planar(count, 7, loops).write())?;
+            let space = folder.join(format!("{name}space-{count}.g2o"));
+            std::fs::write(space, spatial(count, 7, loops).write())?;
+        }
     }
     Ok(())
 }
@@ -155,8 +157,14 @@ fn table() -> Outcome<()> {
         show(&format!("{count} cameras, own"), bundle.graph(true, true)?)?;
     }
     for count in [300, 3_000] {
-        show(&format!("plane {count}"), planar(count, 7).graph()?)?;
-        show(&format!("space {count}"), spatial(count, 7).graph()?)?;
+        show(
+            &format!("plane {count}"),
+            planar(count, 7, Loops::Anywhere).graph()?,
+        )?;
+        show(
+            &format!("space {count}"),
+            spatial(count, 7, Loops::Anywhere).graph()?,
+        )?;
     }
     for count in [2, 8, 32, 128] {
         shared(count, 2_000)?;

@@ -177,12 +177,13 @@ fn write_information(text: &mut String, root: &[f64], n: usize) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::walks::{planar, spatial};
+    use super::super::walks::{Loops, planar, spatial};
     use super::*;
 
     #[test]
     fn what_is_written_is_read() {
-        for graph in [planar(20, 3), spatial(20, 3)] {
+        let loops = Loops::Anywhere;
+        for graph in [planar(20, 3, loops), spatial(20, 3, loops)] {
             let read = PoseGraph::read(&graph.write()).unwrap();
             let costs = [&graph, &read].map(|g| {
                 let options = solver::GraphOptions::default();

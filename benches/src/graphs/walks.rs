@@ -11,15 +11,33 @@ use super::poses::{Edge, PlanarEdge};
 const WAY: f64 = 0.05;
 const TURN: f64 = 0.01;
 
-/// For every pose its partners: the one before, one of the last ten, and of every thirtieth pose one
-/// of all before.
-fn partners(rng: &mut ChaCha8Rng, k: usize) -> Vec<usize> {
+/// Poses of a lap of [`Loops::Laps`].
+const LAP: usize = 100;
+
+/// To which poses passed long before every twelfth pose has an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Loops {
+    /// Any of all before: whatever the order of elimination, one pose of nearly every such edge is left for
+    /// a dense matrix.
+    Anywhere,
+    /// One about a lap of 100 poses before, as by a vehicle on its rounds; one in a hundred of them any of all before.
+    Laps,
+}
+
+/// For every pose its partners: the one before, of most one of the last ten, and of every twelfth pose
+/// one passed long before.
+fn partners(rng: &mut ChaCha8Rng, k: usize, loops: Loops) -> Vec<usize> {
     let mut partners = vec![k - 1];
     if k > 10 && rng.random_range(0..100) < 92 {
         partners.push(k - rng.random_range(2..10));
     }
     if k > 30 && k.is_multiple_of(12) {
-        partners.push(rng.random_range(0..k - 10));
+        partners.push(match loops {
+            Loops::Laps if k >= LAP + 10 && !k.is_multiple_of(1_200) => {
+                k - LAP - rng.random_range(0..10)
+            }
+            _ => rng.random_range(0..k - 10),
+        });
     }
     partners
 }
@@ -30,7 +48,7 @@ fn noise(rng: &mut ChaCha8Rng, size: f64) -> f64 {
 }
 
 /// A walk of `count` poses in the plane.
-pub fn planar(count: usize, seed: u64) -> PoseGraph {
+pub fn planar(count: usize, seed: u64, loops: Loops) -> PoseGraph {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let rng = &mut rng;
     let mut truth = vec![[0.0; 3]];
@@ -40,7 +58,7 @@ pub fn planar(count: usize, seed: u64) -> PoseGraph {
         let before = truth[k - 1];
         let turn = noise(rng, 0.2);
         truth.push(after(before, [1.0, 0.0, turn]));
-        for partner in partners(rng, k) {
+        for partner in partners(rng, k, loops) {
             let (a, b) = (truth[partner], truth[k]);
             let (sine, cosine) = a[2].sin_cos();
             let (east, north) = (b[0] - a[0], b[1] - a[1]);
@@ -82,7 +100,7 @@ fn near_the_truth(start: &mut [[f64; 3]], truth: &[[f64; 3]]) {
 }
 
 /// A walk of `count` poses in space.
-pub fn spatial(count: usize, seed: u64) -> PoseGraph {
+pub fn spatial(count: usize, seed: u64, loops: Loops) -> PoseGraph {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let rng = &mut rng;
     let mut truth = vec![[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]];
@@ -91,7 +109,7 @@ pub fn spatial(count: usize, seed: u64) -> PoseGraph {
         let turn = [(); 3].map(|()| noise(rng, 0.15));
         let way = [1.0, noise(rng, 0.1), noise(rng, 0.1)];
         truth.push(moved(&truth[k - 1], &way, &turn));
-        for partner in partners(rng, k) {
+        for partner in partners(rng, k, loops) {
             let (a, b) = (&truth[partner], &truth[k]);
             let way = rotate_back(&a[3..], &[b[0] - a[0], b[1] - a[1], b[2] - a[2]]);
             let inverse = [a[3], -a[4], -a[5], -a[6]];

@@ -44,6 +44,13 @@ impl fmt::Display for GraphReport {
             if method.dense { "dense" } else { "sparse" },
             method.factor_entries
         )?;
+        for held in &self.active {
+            writeln!(
+                f,
+                "  {} = {} (multiplier {:.2e})",
+                held.constraint, held.value, held.multiplier
+            )?;
+        }
         for direction in &self.null_space {
             writeln!(f, "  no factor determines {}", direction.words)?;
         }

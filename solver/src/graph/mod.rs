@@ -6,18 +6,23 @@
 //! ```
 //! How a step is found: `normal` adds up `H = JᵀJ` and `g = Jᵀr` block by block; `eliminate` takes
 //! small blocks out one by one; `reduced` factors what is left: dense, sparse, or, of little fill, by
-//! `block_cholesky`.
+//! `block_cholesky`. Where numbers have bounds, `bounds` finds those that hold.
 
+mod bounds;
 mod culprit;
 mod damping;
 mod display;
 mod elimination;
+mod ending;
 mod evaluate;
 mod factor;
+mod graduated;
 mod options;
 mod problem;
+mod ranges;
 mod reweight;
 mod solve;
+mod stage;
 mod uncertainty;
 mod variables;
 

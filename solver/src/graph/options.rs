@@ -7,6 +7,7 @@ use std::time::Duration;
 use serde::{Deserialize, Serialize};
 
 use super::problem::{Block, Graph};
+use crate::constraints::ActiveConstraint;
 use crate::graph::elimination::Method;
 use crate::graph::uncertainty::null_space::NullVector;
 use crate::minimise::system::Evaluations;
@@ -34,6 +35,10 @@ pub struct GraphOptions {
     /// Whether to look at the end for what the factors do not determine: a factorisation more, and where
     /// there is something, the time of a few steps.
     pub rank: bool,
+    /// Whether robust losses start wide, as least squares, and narrow to their scales in at most 20 stages: for
+    /// starts far from the solution, as [`Options::graduated`](crate::Options::graduated). Where too few
+    /// residuals count at the start this happens by itself.
+    pub graduated: bool,
     /// Threads that evaluate factors; the result is the same to the last bit. 1 starts none.
     pub threads: usize,
     /// Longest time to spend; looked at before every step.
@@ -53,6 +58,7 @@ impl Default for GraphOptions {
             step_tolerance: 1e-15,
             last_digits: true,
             rank: true,
+            graduated: false,
             threads: 1,
             time_limit: None,
             cancel: None,
@@ -90,7 +96,10 @@ pub struct GraphReport {
     pub relative_step: f64,
     /// How the linear equations were solved.
     pub method: Method,
-    /// Rank of the Jacobian there, as [`Products::rank`](super::Products::rank); `None` where it was not
+    /// The bounds that hold there, by the names of the coordinates, with their multipliers.
+    #[serde(default)]
+    pub active: Vec<ActiveConstraint>,
+    /// Rank of the Jacobian there, without what bounds hold, as [`Products::rank`](super::Products::rank); `None` where it was not
     /// looked for (see [`GraphOptions::rank`]; a run cancelled or out of time does not), and where more
     /// directions are free than are followed, 32.
     #[serde(default)]

@@ -3,6 +3,8 @@
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
+use super::bounds::Bounds;
+use super::bounds::step::{BoundedStep, Model};
 use super::damping::Lambda;
 use super::options::{GraphOptions, GraphReport};
 use super::problem::Graph;
@@ -11,7 +13,6 @@ use crate::error::Error;
 use crate::graph::elimination::Factored;
 use crate::graph::elimination::normal::{Equations, Failure, Normal};
 use crate::graph::elimination::structure::Structure;
-use crate::graph::uncertainty::null_space::{self, NullVector};
 use crate::linear::vector::{dot, scaled_norm};
 use crate::minimise::scaling::Scaling;
 use crate::minimise::system::Evaluations;
@@ -35,7 +36,7 @@ const TELLING: f64 = 1e-3;
 const SURE: f64 = 0.5;
 
 /// Steps by a factor at hand that may be tried in vain.
-const TRIES: usize = 2;
+pub(super) const TRIES: usize = 2;
 
 /// Unknowns that a residual depends on: where they are more, [`Run::steepness`] says too much, and a
 /// factorisation that could be spared is done.
@@ -57,26 +58,27 @@ const RESOLVED: f64 = 4.0 * f64::EPSILON;
 /// A last step that shortens the tangential residual by less than this was too long or too short.
 const SLOW: f64 = 0.5;
 
-/// Most free directions that are followed at the end.
-const FOLLOWED: usize = 32;
-
-/// Relative step that counts as none.
-const SMALL_STEP: f64 = 1e-7;
-
 /// Minimises `½ Σ ‖r_f‖²` (or half the sum of the losses) over the free blocks of a graph, from the
 /// start that its blocks were given.
 ///
 /// # Errors
-/// A factor that reads a block that is not there or one twice, a start at which something is not
-/// finite, nothing free, a loss of estimated scale, and a factorisation that does not fit in memory.
+/// A factor that reads a block that is not there or one twice, a start outside its bounds or at which something
+/// is not finite, nothing free, a loss of estimated scale, and a factorisation that does not fit in memory.
 pub fn solve_graph(graph: &Graph<'_>, options: &GraphOptions) -> Result<GraphReport, Error> {
     graph.check()?;
     let structure = Arc::new(Structure::new(graph)?);
     let mut normal = Normal::default();
     let values = &graph.values;
+    let bounds = Bounds::new(graph, &structure);
+    bounds.check(graph, values)?;
     let equations = Equations::start(graph, &structure, options.threads, values, &mut normal)?;
-    let mut run = Run::new(&equations, Factored::new(&structure)?, normal, options);
-    let stop = run.descend();
+    let few = (equations.counted(values)).is_some_and(|counted| counted < structure.unknowns());
+    let mut run = Run::new(equations, Factored::new(&structure)?, normal, options);
+    run.bounded = (!bounds.is_empty()).then(|| BoundedStep::new(bounds));
+    let stop = match options.graduated || few {
+        true => run.descend_graduated(),
+        false => run.descend(),
+    };
     let stop = if options.last_digits && matches!(stop, Stop::Near | Stop::Ended) {
         run.last_steps();
         Stop::Ended
@@ -88,50 +90,54 @@ pub fn solve_graph(graph: &Graph<'_>, options: &GraphOptions) -> Result<GraphRep
 
 /// Why a phase was left.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Stop {
+pub(super) enum Stop {
     Near,
     Ended,
     Limit(Termination),
 }
 
-struct Run<'a> {
-    equations: &'a Equations<'a>,
-    options: &'a GraphOptions,
-    factored: Factored,
-    normal: Normal,
-    values: Vec<f64>,
-    scaling: Scaling,
-    lambda: Lambda,
-    iterations: Vec<Iteration>,
-    evaluations: Evaluations,
-    deadline: Option<Moment>,
-    offset: f64,
-    relative_step: f64,
+/// A graph on its way down.
+pub(super) struct Run<'a> {
+    pub equations: Equations<'a>,
+    pub options: &'a GraphOptions,
+    pub factored: Factored,
+    pub normal: Normal,
+    pub values: Vec<f64>,
+    pub scaling: Scaling,
+    pub lambda: Lambda,
+    pub iterations: Vec<Iteration>,
+    pub evaluations: Evaluations,
+    pub deadline: Option<Moment>,
+    pub offset: f64,
+    pub relative_step: f64,
     /// Whether the last step did what the linearised problem said.
-    foretold: bool,
+    pub foretold: bool,
     /// Damping of the factor at hand; infinite where there is none.
-    factor_damping: f64,
+    pub factor_damping: f64,
     /// How often a step by the last factor may still be tried in vain: where steps fall slowly in
     /// directions that are hardly determined, it would be so again and again.
-    tries: usize,
-    more: Vec<f64>,
-    step: Vec<f64>,
+    pub tries: usize,
+    /// Where there are bounds.
+    pub bounded: Option<BoundedStep>,
+    pub more: Vec<f64>,
+    pub step: Vec<f64>,
 }
 
 impl<'a> Run<'a> {
     fn new(
-        equations: &'a Equations<'a>,
+        equations: Equations<'a>,
         factored: Factored,
         normal: Normal,
         options: &'a GraphOptions,
     ) -> Self {
         let unknowns = equations.structure.unknowns();
+        let values = equations.graph.values.clone();
         let mut run = Self {
             equations,
             options,
             factored,
             normal,
-            values: equations.graph.values.clone(),
+            values,
             scaling: Scaling::new(unknowns),
             lambda: Lambda::new(options.damping, options.first_damping),
             iterations: Vec::new(),
@@ -142,6 +148,7 @@ impl<'a> Run<'a> {
             foretold: false,
             factor_damping: f64::INFINITY,
             tries: TRIES,
+            bounded: None,
             more: vec![0.0; unknowns],
             step: vec![0.0; unknowns],
         };
@@ -150,7 +157,7 @@ impl<'a> Run<'a> {
         run
     }
 
-    fn linearize(&mut self) -> Result<(), Failure> {
+    pub fn linearize(&mut self) -> Result<(), Failure> {
         self.evaluations.jacobians += 1;
         self.equations.linearize(&self.values, &mut self.normal)?;
         self.update_scaling();
@@ -169,14 +176,8 @@ impl<'a> Run<'a> {
         for (more, d) in self.more.iter_mut().zip(scale) {
             *more = lambda * d * d;
         }
-        for (p, g) in self.step.iter_mut().zip(&self.normal.gradient) {
-            *p = -g;
-        }
         self.factor_damping = f64::INFINITY;
-        if !self
-            .factored
-            .factor_and_solve(&self.normal.h, &self.more, &mut self.step)
-        {
+        if !self.minimum_of_model() {
             return false;
         }
         self.factor_damping = lambda;
@@ -184,11 +185,49 @@ impl<'a> Run<'a> {
         true
     }
 
+    /// The minimum of the model damped by `self.more`, within the bounds, into `self.step`.
+    fn minimum_of_model(&mut self) -> bool {
+        if let Some(bounded) = &mut self.bounded {
+            let model = Model {
+                structure: self.equations.structure,
+                normal: &self.normal,
+                more: &self.more,
+                values: &self.values,
+                scale: self.scaling.diagonal(),
+            };
+            return bounded.minimum(&model, &mut self.factored, &mut self.step);
+        }
+        for (p, g) in self.step.iter_mut().zip(&self.normal.gradient) {
+            *p = -g;
+        }
+        self.factored
+            .factor_and_solve(&self.normal.h, &self.more, &mut self.step)
+    }
+
+    /// Twice what the model promises, but for the damping: `−gᵀp`, less what bounds take up.
+    fn decrement(&self) -> f64 {
+        let pressed = self.bounded.as_ref().map_or(0.0, |b| b.pressed);
+        -dot(&self.normal.gradient, &self.step) - pressed
+    }
+
+    /// All stored values after the step at hand.
+    fn stepped(&self) -> Vec<f64> {
+        let mut next = self.equations.stepped(&self.values, &self.step);
+        if let Some(bounded) = &self.bounded {
+            bounded.bounds.cut(&mut next);
+        }
+        next
+    }
+
     /// Whether the offset is small by the factor at hand, that of the equations before the last step:
     /// where that did what the linearised problem said, they have hardly changed, and the last
     /// factorisation is spared. Leaves the step by this factor in `self.step`.
     fn is_near_by_last_factor(&mut self, near: f64) -> bool {
-        let alike = self.tries > 0 && self.foretold && self.factor_damping <= TELLING;
+        // Which bounds hold a new factorisation tells.
+        let alike = self.tries > 0
+            && self.foretold
+            && self.factor_damping <= TELLING
+            && self.bounded.is_none();
         if !alike || self.steepness() > SURE * near {
             return false;
         }
@@ -220,7 +259,7 @@ impl<'a> Run<'a> {
     /// Updates offset and relative step.
     fn judge_step(&mut self) {
         let scale = self.scaling.diagonal();
-        let decrement = -dot(&self.normal.gradient, &self.step);
+        let decrement = self.decrement();
         self.offset = if decrement > 0.0 {
             (decrement / self.normal.square).sqrt()
         } else {
@@ -252,12 +291,21 @@ impl<'a> Run<'a> {
     }
 
     /// Damped steps until the offset is small.
-    fn descend(&mut self) -> Stop {
-        let near = if self.options.last_digits {
+    pub fn descend(&mut self) -> Stop {
+        self.descend_to(self.near())
+    }
+
+    /// Relative offset at which damped steps end.
+    fn near(&self) -> f64 {
+        if self.options.last_digits {
             NEAR.max(self.options.gradient_tolerance)
         } else {
             self.options.gradient_tolerance
-        };
+        }
+    }
+
+    /// Damped steps until the offset is so small.
+    pub fn descend_to(&mut self, near: f64) -> Stop {
         let mut flat = 0;
         loop {
             if let Some(limit) = self.limit() {
@@ -307,10 +355,10 @@ impl<'a> Run<'a> {
     fn try_step(&mut self, lambda: f64) -> Option<f64> {
         let scale = self.scaling.diagonal();
         let length = scaled_norm(&self.step, scale);
-        let decrement = -dot(&self.normal.gradient, &self.step);
+        let decrement = self.decrement();
         // ‖r‖² less ‖r + J p‖², halved: with (H + λD²) p = −g no product by J is needed.
         let predicted = 0.5 * (decrement + lambda * length * length);
-        let next = self.equations.stepped(&self.values, &self.step);
+        let next = self.stepped();
         let before = self.normal.cost;
         let cost = match self.foretold {
             true => None,
@@ -353,7 +401,7 @@ impl<'a> Run<'a> {
 
     /// The step at hand, if the cost does not rise.
     fn take_if_lower(&mut self) {
-        let next = self.equations.stepped(&self.values, &self.step);
+        let next = self.stepped();
         self.evaluations.residuals += 1;
         let cost = self.equations.cost(&next);
         if cost <= self.normal.cost {
@@ -412,7 +460,7 @@ impl<'a> Run<'a> {
     fn last_step(&mut self, damping: f64) -> bool {
         let (offset, relative_step) = (self.offset, self.relative_step);
         let (cost, square) = (self.normal.cost, self.normal.square);
-        let next = self.equations.stepped(&self.values, &self.step);
+        let next = self.stepped();
         let before = std::mem::replace(&mut self.values, next);
         let length = relative_step * self.size();
         let better = self.linearize().is_ok()
@@ -422,7 +470,7 @@ impl<'a> Run<'a> {
         self.record(self.normal.cost, damping, length, better);
         if !better {
             self.values = before;
-            if offset > self.options.gradient_tolerance {
+            if offset > self.options.gradient_tolerance || self.bounded.is_some() {
                 // The point before was finite.
                 let _ = self.linearize();
             }
@@ -451,55 +499,5 @@ impl<'a> Run<'a> {
         let flag = self.options.cancel.as_ref();
         flag.is_some_and(|flag| flag.load(Ordering::Relaxed))
             .then_some(Termination::Cancelled)
-    }
-
-    /// Rank, and what no factor determines, where that is asked for.
-    fn determined(&mut self, ended: Termination) -> (Option<usize>, Vec<NullVector>) {
-        let interrupted = matches!(ended, Termination::Cancelled | Termination::TimeLimit);
-        if !self.options.rank || interrupted {
-            return (None, Vec::new());
-        }
-        let (equations, h) = (self.equations, &self.normal.h);
-        let units = equations.structure.units(h);
-        let unknowns = units.len();
-        let most = FOLLOWED.min(unknowns);
-        let sought = null_space::seek(equations, &self.values, h, &units, &mut self.factored, most);
-        match sought {
-            Err(_) => (None, Vec::new()),
-            Ok(None) => (Some(unknowns), Vec::new()),
-            Ok(Some(null)) => {
-                let free = null.basis.len();
-                let rank = (free < most || most == unknowns).then(|| unknowns - free);
-                let structure = equations.structure;
-                let named = null_space::in_names(&null, equations.graph, structure, &units);
-                (rank, named)
-            }
-        }
-    }
-
-    fn report(mut self, stop: Stop) -> GraphReport {
-        let termination = match stop {
-            Stop::Limit(Termination::Cancelled) => Termination::Cancelled,
-            _ if self.offset <= self.options.gradient_tolerance => Termination::Gradient,
-            Stop::Limit(limit) => limit,
-            _ if self.relative_step <= SMALL_STEP => Termination::Step,
-            _ => Termination::Stalled,
-        };
-        let (rank, null_space) = self.determined(termination);
-        GraphReport {
-            rank,
-            null_space,
-            first: GraphReport::first(self.equations.graph),
-            values: self.values,
-            cost: self.normal.cost,
-            residuals: self.equations.rows(),
-            unknowns: self.equations.structure.unknowns(),
-            termination,
-            iterations: self.iterations,
-            evaluations: self.evaluations,
-            relative_offset: self.offset,
-            relative_step: self.relative_step,
-            method: self.factored.method(),
-        }
     }
 }

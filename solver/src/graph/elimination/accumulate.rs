@@ -34,13 +34,13 @@ impl<'a> Sum<'a> {
 
     /// Adds the next factor, given its residuals and the free columns of its Jacobian.
     pub fn add(&mut self, factor: usize, residuals: &mut [f64], jacobian: &mut [f64]) {
-        let loss = self.equations.graph.loss_of(factor);
-        self.normal.cost += cost_of(loss, residuals);
+        let loss = self.equations.loss_of(factor);
+        self.normal.cost += cost_of(loss.as_ref(), residuals);
         let structure = self.equations.structure;
         let n = structure.free[factor] as usize;
         let width = jacobian.len() / residuals.len().max(1);
         if let Some(loss) = loss {
-            rewrite(loss, residuals, jacobian, width);
+            rewrite(&loss, residuals, jacobian, width);
         }
         self.normal.square += residuals.iter().map(|r| r * r).sum::<f64>();
         if n == 0 {

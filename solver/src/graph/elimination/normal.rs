@@ -6,6 +6,8 @@ use crate::error::Error;
 use crate::graph::evaluate::{Bases, Bench, gather};
 use crate::graph::problem::Graph;
 use crate::graph::reweight::cost_of;
+use crate::graph::stage::Stage;
+use crate::loss::Loss;
 
 /// Factors that a thread evaluates before what it found is added up.
 const PORTION: usize = 2048;
@@ -41,6 +43,8 @@ pub(crate) struct Equations<'a> {
     /// First residual of every factor, and their number.
     pub row: Vec<u32>,
     pub threads: usize,
+    /// What the losses are for the time being.
+    pub stage: Stage,
 }
 
 /// Shown a factor's number, its residuals and its Jacobian.
@@ -57,6 +61,17 @@ struct Found {
 }
 
 impl<'a> Equations<'a> {
+    /// Nothing counted yet; one thread, and the losses that are meant.
+    pub fn of(graph: &'a Graph<'a>, structure: &'a Structure) -> Self {
+        Self {
+            graph,
+            structure,
+            row: Vec::new(),
+            threads: 1,
+            stage: Stage::Meant,
+        }
+    }
+
     /// Forms the normal equations at a start, and counts the residuals on the way.
     ///
     /// # Errors
@@ -69,10 +84,8 @@ impl<'a> Equations<'a> {
         normal: &mut Normal,
     ) -> Result<Self, Error> {
         let mut equations = Self {
-            graph,
-            structure,
-            row: Vec::new(),
             threads: threads.max(1),
+            ..Self::of(graph, structure)
         };
         let free = structure.unknowns();
         let mut row = Vec::with_capacity(graph.factors.len() + 1);
@@ -108,6 +121,11 @@ impl<'a> Equations<'a> {
         row
     }
 
+    /// The loss of a factor, for the time being.
+    pub fn loss_of(&self, factor: usize) -> Option<Loss> {
+        Some(self.stage.of(*self.graph.loss_of(factor)?))
+    }
+
     /// Number of residuals.
     pub fn rows(&self) -> usize {
         self.row.last().map_or(0, |&r| r as usize)
@@ -129,7 +147,7 @@ impl<'a> Equations<'a> {
             if self.rows_of(factor) != Some(out.len()) {
                 return f64::INFINITY;
             }
-            sum += cost_of(self.graph.loss_of(factor), &out);
+            sum += cost_of(self.loss_of(factor).as_ref(), &out);
         }
         if sum.is_nan() { f64::INFINITY } else { sum }
     }

@@ -2,9 +2,11 @@
 
 pub(crate) mod null_space;
 pub(crate) mod profile;
+mod sandwich;
 
 use std::sync::Arc;
 
+use super::bounds::{Bounds, Held};
 use super::problem::{Block, Graph};
 use crate::error::Error;
 use crate::graph::elimination::Factored;
@@ -15,7 +17,8 @@ use crate::graph::uncertainty::null_space::{NullSpace, NullVector};
 /// Right sides solved for at once.
 const BATCH: usize = 32;
 
-/// A graph linearised at a point and factored, its free coordinates `n`, held ones left out.
+/// A graph linearised at a point and factored, its free coordinates `n`, held ones left out. A bound that
+/// holds there (the value lies on it, and the gradient presses it against it) leaves its coordinate no room: its covariance is zero.
 ///
 /// | symbol | meaning |
 /// |---|---|
@@ -48,7 +51,12 @@ pub struct Products<'a> {
     graph: &'a Graph<'a>,
     structure: Arc<Structure>,
     factored: std::cell::RefCell<Factored>,
+    /// Without what bounds hold.
     h: Vec<f64>,
+    held: Option<Held>,
+    values: Vec<f64>,
+    /// Number of residuals.
+    residuals: usize,
     /// `‖J_k‖`, 1 where it is zero.
     units: Vec<f64>,
     null: NullSpace,
@@ -72,27 +80,47 @@ impl<'a> Products<'a> {
         let structure = Arc::new(Structure::new(graph)?);
         let mut normal = Normal::default();
         let equations = Equations::start(graph, &structure, 1, values, &mut normal)?;
-        let units = structure.units(&normal.h);
+        let bounds = Bounds::new(graph, &structure);
+        let held = bounds.held(structure.unknowns(), values, &normal.gradient);
+        let mut h = normal.h;
+        if let Some(held) = &held {
+            let mut left = Vec::new();
+            held.leave(&structure, &h, &mut left);
+            h = left;
+        }
+        let units = structure.units(&h);
         let mut factored = Factored::new(&structure)?;
-        let null = null_space::find(&equations, values, &normal.h, &units, &mut factored)?;
+        let local = null_space::Local {
+            equations: &equations,
+            values,
+            h: &h,
+            units: &units,
+            held: held.as_ref(),
+        };
+        let null = null_space::find(&local, &mut factored)?;
+        let residuals = equations.rows();
         Ok(Self {
             graph,
             structure,
             factored: factored.into(),
-            h: normal.h,
+            h,
+            held,
+            values: values.to_vec(),
+            residuals,
             units,
             null,
         })
     }
 
-    /// Number of free coordinates, `n`.
+    /// Number of free coordinates, `n`, those that bounds hold included.
     pub fn unknowns(&self) -> usize {
         self.structure.unknowns()
     }
 
-    /// Rank of `J`: what the factors determine, judged as [`Uncertainty::rank`](crate::Uncertainty).
+    /// Rank of `J` without what bounds hold: what the factors determine, judged as [`Uncertainty::rank`](crate::Uncertainty).
     pub fn rank(&self) -> usize {
-        self.unknowns() - self.null.basis.len()
+        let held = self.held.as_ref().map_or(0, |held| held.count);
+        self.unknowns() - held - self.null.basis.len()
     }
 
     /// What no factor sees, direction by direction, each with a coordinate that no other has.
@@ -100,29 +128,36 @@ impl<'a> Products<'a> {
         null_space::in_names(&self.null, self.graph, &self.structure, &self.units)
     }
 
-    /// `ln det H`; where the rank is short, of its eigenvalues that are not zero.
+    /// `ln det H` of what no bound holds; where the rank is short, of its eigenvalues that are not zero.
     pub fn log_determinant(&self) -> f64 {
         let whole = self.factored.borrow().log_determinant();
-        whole - self.null.log_share(&self.units)
+        let held = self.held.as_ref();
+        let held = held.map_or(0.0, |held| held.log_diagonal(&self.structure, &self.h));
+        whole - held - self.null.log_share(&self.units)
     }
 
     /// `H⁺` among the free coordinates of some blocks, in their order: the covariance for residuals of
     /// unit variance. A block that is held or not there adds nothing.
     pub fn covariance(&self, blocks: &[Block]) -> Vec<Vec<f64>> {
         let places: Vec<usize> = blocks.iter().flat_map(|&b| self.places(b)).collect();
-        let n = self.unknowns();
         let mut rows = Vec::with_capacity(places.len());
         for batch in places.chunks(BATCH) {
-            let mut right = vec![0.0; n * batch.len()];
-            for (column, &place) in right.chunks_exact_mut(n).zip(batch) {
-                column[place] = 1.0;
-            }
-            self.apply(&mut right);
-            for column in right.chunks_exact(n) {
+            for column in self.columns(batch).chunks_exact(self.unknowns()) {
                 rows.push(places.iter().map(|&k| column[k]).collect());
             }
         }
         rows
+    }
+
+    /// Columns of `H⁺`, one after the other.
+    fn columns(&self, places: &[usize]) -> Vec<f64> {
+        let n = self.unknowns();
+        let mut columns = vec![0.0; n * places.len()];
+        for (column, &place) in columns.chunks_exact_mut(n).zip(places) {
+            column[place] = 1.0;
+        }
+        self.apply(&mut columns);
+        columns
     }
 
     /// Standard errors of the free coordinates of a block for residuals of unit variance.
@@ -165,6 +200,9 @@ impl<'a> Products<'a> {
     /// `P M⁻¹ P`, where `P` takes the null space out.
     fn apply(&self, columns: &mut [f64]) {
         let n = self.unknowns();
+        if let Some(held) = &self.held {
+            held.clear(columns);
+        }
         for column in columns.chunks_exact_mut(n) {
             column
                 .iter_mut()

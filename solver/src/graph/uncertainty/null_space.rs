@@ -4,6 +4,7 @@ use faer::Mat;
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
+use crate::graph::bounds::Held;
 use crate::graph::elimination::Factored;
 use crate::graph::elimination::normal::Equations;
 use crate::graph::elimination::structure::{NONE, Structure};
@@ -47,16 +48,39 @@ pub struct NullVector {
     pub components: Vec<(Block, usize, f64)>,
 }
 
-/// Finds the null space of `J D⁻¹`, `D` the `units`, and leaves `H + E D² Eᵀ` factored, `E` its pivots.
-pub(crate) fn find(
-    equations: &Equations<'_>,
-    values: &[f64],
-    h: &[f64],
-    units: &[f64],
-    factored: &mut Factored,
-) -> Result<NullSpace, Error> {
+/// A graph linearised: what its null space follows from.
+pub(crate) struct Local<'a> {
+    pub equations: &'a Equations<'a>,
+    pub values: &'a [f64],
+    /// `H`, without what bounds hold.
+    pub h: &'a [f64],
+    /// `‖J_k‖`, the diagonal of `D`.
+    pub units: &'a [f64],
+    /// What bounds hold.
+    pub held: Option<&'a Held>,
+}
+
+impl Local<'_> {
+    /// Number of unknowns that no bound holds.
+    pub fn free(&self) -> usize {
+        self.units.len() - self.held.map_or(0, |held| held.count)
+    }
+
+    /// Numbers between −1 and 1 that repeat, 0 for what is held.
+    fn random(&self, seed: u64) -> Vec<f64> {
+        let mut x = random(self.units.len(), seed);
+        if let Some(held) = self.held {
+            held.clear(&mut x);
+        }
+        x
+    }
+}
+
+/// Finds the null space of `J D⁻¹` and leaves `H + E D² Eᵀ` factored, `E` its pivots.
+pub(crate) fn find(local: &Local<'_>, factored: &mut Factored) -> Result<NullSpace, Error> {
+    let Local { h, units, .. } = *local;
     let n = units.len();
-    let Some(null) = seek(equations, values, h, units, factored, n)? else {
+    let Some(null) = seek(local, factored, local.free())? else {
         return Ok(NullSpace::default());
     };
     let mut spare = vec![0.0; n];
@@ -79,23 +103,21 @@ pub(crate) fn find(
     }
 }
 
-/// Finds up to `most` directions of the null space of `J D⁻¹`, `D` the `units`; `None`, and `H` factored,
-/// where `H` is far from singular.
+/// Finds up to `most` directions of the null space of `J D⁻¹`; `None`, and `H` factored, where `H` is far
+/// from singular.
 ///
 /// Directions of small singular values are found by inverse iteration on the normal equations, which
 /// resolve them to 1e-8; within their span the Jacobian itself tells them apart to 1e-15.
 pub(crate) fn seek(
-    equations: &Equations<'_>,
-    values: &[f64],
-    h: &[f64],
-    units: &[f64],
+    local: &Local<'_>,
     factored: &mut Factored,
     most: usize,
 ) -> Result<Option<NullSpace>, Error> {
+    let Local { h, units, .. } = *local;
     let n = units.len();
-    let most = most.min(n);
+    let most = most.min(local.free());
     let mut spare = vec![0.0; n];
-    if safely(h, units, factored) {
+    if safely(local, factored) {
         return Ok(None);
     }
     let mut damping = DAMPING;
@@ -110,11 +132,11 @@ pub(crate) fn seek(
             return Err(Error::TooLarge { unknowns: n });
         }
     }
-    let largest = largest_singular(equations.structure, h, units);
+    let largest = largest_singular(local);
     let mut count = FIRST.min(most);
     let null = loop {
-        let basis = inverse_iteration(h, units, factored, count);
-        let (singular, rotated) = ritz(equations, values, units, &basis);
+        let basis = inverse_iteration(local, factored, count);
+        let (singular, rotated) = ritz(local, &basis);
         let zero = |s: &&f64| **s <= RANK_TOLERANCE * largest;
         let null = singular.iter().filter(zero).count();
         if null < count || count == most {
@@ -135,13 +157,17 @@ pub(crate) fn seek(
 
 /// Whether the undamped equations are so far from singular that no singular value can be small:
 /// the inverse grows a random vector by the largest of `1 / s²`.
-fn safely(h: &[f64], units: &[f64], factored: &mut Factored) -> bool {
+fn safely(local: &Local<'_>, factored: &mut Factored) -> bool {
+    let Local { h, units, .. } = *local;
     let n = units.len();
     let mut vector = vec![0.0; n];
     if !factored.factor_and_solve(h, &vec![0.0; n], &mut vector) {
         return false;
     }
-    let mut x = random(n, 1);
+    if local.free() == 0 {
+        return true;
+    }
+    let mut x = local.random(1);
     let mut growth = 0.0f64;
     for _ in 0..3 {
         let length = norm(&x);
@@ -168,14 +194,10 @@ fn random(n: usize, seed: u64) -> Vec<f64> {
 }
 
 /// Orthonormal vectors in the span of the smallest singular directions.
-fn inverse_iteration(
-    h: &[f64],
-    units: &[f64],
-    factored: &mut Factored,
-    count: usize,
-) -> Vec<Vec<f64>> {
+fn inverse_iteration(local: &Local<'_>, factored: &mut Factored, count: usize) -> Vec<Vec<f64>> {
+    let Local { h, units, .. } = *local;
     let n = units.len();
-    let mut basis: Vec<Vec<f64>> = (0..count).map(|k| random(n, k as u64 + 1)).collect();
+    let mut basis: Vec<Vec<f64>> = (0..count).map(|k| local.random(k as u64 + 1)).collect();
     orthonormalise(&mut basis);
     for _ in 0..ROUNDS {
         let mut all: Vec<f64> = Vec::with_capacity(n * count);
@@ -216,20 +238,21 @@ fn orthonormalise(basis: &mut [Vec<f64>]) {
 }
 
 /// Singular values of `J D⁻¹ X`, descending, and `X` turned to their directions.
-fn ritz(
-    equations: &Equations<'_>,
-    values: &[f64],
-    units: &[f64],
-    basis: &[Vec<f64>],
-) -> (Vec<f64>, Vec<Vec<f64>>) {
+fn ritz(local: &Local<'_>, basis: &[Vec<f64>]) -> (Vec<f64>, Vec<Vec<f64>>) {
+    let Local {
+        equations,
+        values,
+        units,
+        ..
+    } = *local;
     let structure = equations.structure;
     let mut product = Mat::zeros(equations.rows(), basis.len());
     let mut row = 0;
     // What is finite was found to be so before.
     let _ = equations.visit(values, &mut |factor, r, jacobian| {
         let width = jacobian.len() / r.len().max(1);
-        if let Some(loss) = equations.graph.loss_of(factor) {
-            crate::graph::reweight::rewrite(loss, r, jacobian, width);
+        if let Some(loss) = equations.loss_of(factor) {
+            crate::graph::reweight::rewrite(&loss, r, jacobian, width);
         }
         let places: Vec<usize> = equations
             .graph
@@ -271,8 +294,10 @@ fn ritz(
 }
 
 /// `‖J D⁻¹‖`, by power iteration, to a tenth or so.
-fn largest_singular(structure: &Structure, h: &[f64], units: &[f64]) -> f64 {
-    let mut x = random(units.len(), 7);
+fn largest_singular(local: &Local<'_>) -> f64 {
+    let Local { h, units, .. } = *local;
+    let structure = local.equations.structure;
+    let mut x = local.random(7);
     let mut largest = 0.0;
     for _ in 0..20 {
         let length = norm(&x);

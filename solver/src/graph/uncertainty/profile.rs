@@ -11,7 +11,7 @@ use crate::uncertainty::profile::{ProfileInterval, crossing};
 /// The values of one coordinate of a block at which the cost, all others refitted, has risen by
 /// `½ z² s²` above the minimum, `s² = 2 cost / (m − rank)` (1 without spare residuals); see
 /// [`profile_interval`](crate::profile_interval). Of a curved block the values are steps from where the
-/// report ended.
+/// report ended. An interval that meets a bound ends there.
 ///
 /// `report` is the solution of `graph` under `options`; the graph is as before afterwards.
 ///
@@ -99,6 +99,11 @@ fn refitted(
     variable
         .manifold
         .retract(&report.values[own.clone()], &step, &mut graph.values[own]);
+    let number = variable.first + coordinate;
+    let range = graph.ranges.get(&(block.0, coordinate as u32));
+    if range.is_some_and(|&(lower, upper)| !(lower..=upper).contains(&graph.values[number])) {
+        return Ok((f64::INFINITY, None));
+    }
     match solve_graph(graph, options) {
         Ok(refit) => {
             let stopped = matches!(

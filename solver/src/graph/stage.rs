@@ -1,0 +1,43 @@
+//! What stands in place of robust losses for a while.
+
+use crate::loss::{Loss, LossScale};
+
+/// Most stages; each divides the scales by at least two.
+const STAGES: usize = 20;
+
+/// What stands in place of the losses of a graph for a while.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Stage {
+    /// Nothing does.
+    Meant,
+    /// The same with scales so many times as large.
+    Wide(f64),
+    /// Least absolute values, nearly: Huber's with a third of the scale.
+    Absolute,
+}
+
+impl Stage {
+    /// Ever narrower losses, from so many times their scales down to the scales.
+    pub fn narrowing(mut widening: f64) -> Vec<Self> {
+        let ratio = widening.powf(1.0 / STAGES as f64).max(2.0);
+        let mut stages = Vec::new();
+        while widening > 1.0 && widening.is_finite() {
+            stages.push(Self::Wide(widening));
+            widening /= ratio;
+        }
+        stages
+    }
+
+    /// What stands in place of a loss.
+    pub fn of(self, loss: Loss) -> Loss {
+        match (self, loss.scale()) {
+            (Self::Wide(widening), Some(LossScale::Given(scale))) => {
+                loss.with_scale(widening * scale)
+            }
+            (Self::Absolute, Some(LossScale::Given(scale))) => {
+                Loss::Huber(LossScale::Given(scale / 3.0))
+            }
+            _ => loss,
+        }
+    }
+}
