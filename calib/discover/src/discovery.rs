@@ -99,10 +99,10 @@ pub(super) fn discover_in(
     if without_doubtful_steps(session, &mut search)? {
         rest = rest_of(&search.last, alpha);
     }
-    if let Some((sensor, _)) = rest.as_ref().and_then(|found| found.wandering) {
-        if without_steps_of(session, &mut search, sensor)? {
-            rest = rest_of(&search.last, alpha);
-        }
+    if let Some((sensor, _)) = rest.as_ref().and_then(|found| found.wandering)
+        && without_steps_of(session, &mut search, sensor)?
+    {
+        rest = rest_of(&search.last, alpha);
     }
     if let Some(found) = rest.as_mut() {
         weigh_beside_shape(session, request, &mut search, found)?;
