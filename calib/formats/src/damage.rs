@@ -43,6 +43,84 @@ fn files() -> Vec<Vec<u8>> {
     ]
 }
 
+/// Variables of 200 rows: a time, an accelerometer in one matrix, a gyroscope in three vectors.
+fn apart() -> Vec<(&'static str, [usize; 2], Vec<f64>)> {
+    let column = |first: f64| (0..200).map(move |k| first + 0.01 * f64::from(k));
+    vec![
+        ("t", [1, 200], column(0.0).collect()),
+        (
+            "acc",
+            [200, 3],
+            column(1.0).chain(column(2.0)).chain(column(3.0)).collect(),
+        ),
+        ("gx", [200, 1], column(4.0).collect()),
+        ("gy", [200, 1], column(5.0).collect()),
+        ("gz", [200, 1], column(6.0).collect()),
+    ]
+}
+
+#[test]
+fn variables_with_a_time_of_their_own_are_joined() {
+    let content = read(&make::matrices_of(&apart())).unwrap().unwrap();
+    let found = |quantity| {
+        let mut streams = content.streams.iter();
+        streams.find(|stream| stream.quantity == quantity).unwrap()
+    };
+    let (accel, gyro) = (found(Quantity::SpecificForce), found(Quantity::AngularRate));
+    assert_eq!((accel.values.len(), gyro.values.len()), (200, 200));
+    assert_eq!(accel.stamps[7], 70_000_000);
+    let near = |a: [f64; 3], b: [f64; 3]| (0..3).all(|axis| (a[axis] - b[axis]).abs() < 1e-12);
+    assert!(
+        near(accel.values[7], [1.07, 2.07, 3.07]),
+        "{:?}",
+        accel.values[7]
+    );
+    assert!(
+        near(gyro.values[7], [4.07, 5.07, 6.07]),
+        "{:?}",
+        gyro.values[7]
+    );
+    // A row per quantity, as `[t; x; y; z]` is.
+    let lying: Vec<f64> = (0..200)
+        .flat_map(|k| [0.01 * f64::from(k), 1.0, 2.0, f64::from(k)])
+        .collect();
+    let content = read(&make::matrices_of(&[("acc", [4, 200], lying)]))
+        .unwrap()
+        .unwrap();
+    assert_eq!(content.streams[0].values[9], [1.0, 2.0, 9.0]);
+}
+
+#[test]
+fn matrices_without_a_time_are_asked_about() {
+    let apart: Vec<_> = apart()
+        .into_iter()
+        .filter(|(name, ..)| *name != "t")
+        .collect();
+    let content = read(&make::matrices_of(&apart)).unwrap().unwrap();
+    assert!(content.streams.is_empty());
+    assert!(
+        content.warnings[0].contains("`t`"),
+        "{:?}",
+        content.warnings
+    );
+}
+
+#[test]
+fn json_whose_only_accelerometer_lacks_gravity_is_refused() {
+    let row = |sensor: &str, at: u32| {
+        format!(
+            "{{\"sensor\":\"{sensor}\",\"time\":\"{at}\",\"x\":\"0\",\"y\":\"0\",\"z\":\"{at}\"}}"
+        )
+    };
+    let rows: Vec<String> = (1..9)
+        .flat_map(|at| [row("Accelerometer", at), row("Gyroscope", at)])
+        .collect();
+    let error = read(format!("[{}]", rows.join(",")).as_bytes())
+        .unwrap()
+        .unwrap_err();
+    assert!(error.to_string().contains("without gravity"), "{error}");
+}
+
 fn read(bytes: &[u8]) -> Option<Result<Content, Error>> {
     let limits = Limits {
         bytes: 16 << 20,

@@ -64,7 +64,7 @@ impl Format for SensorLoggerJson {
                 error.line()
             ));
         }
-        Ok(file.finish())
+        file.finish()
     }
 }
 
@@ -242,7 +242,7 @@ impl File {
         }
     }
 
-    fn finish(self) -> Content {
+    fn finish(self) -> Result<Content, Error> {
         let is = |key: &str, value: &str| self.settings.get(key).is_some_and(|set| set == value);
         let turned = is("platform", "ios") && !is("standardisation", "true");
         let mut content = self.recorder.finish();
@@ -251,7 +251,7 @@ impl File {
             .iter()
             .map(|(sensor, count)| format!("{sensor} ({count} entries)"))
             .collect();
-        crate::sensor_logger_json::choice::choose(&mut content, turned);
-        content
+        crate::sensor_logger_json::choice::choose(&mut content, turned)?;
+        Ok(content)
     }
 }

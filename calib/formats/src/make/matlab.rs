@@ -13,16 +13,28 @@ fn element(kind: u32, bytes: &[u8]) -> Vec<u8> {
 
 /// A MAT file with matrices of the columns t (s), x, y, z.
 pub fn mat(variables: &[(&str, &Rows)]) -> Vec<u8> {
+    let matrices: Vec<(&str, [usize; 2], Vec<f64>)> = variables
+        .iter()
+        .map(|(name, rows)| {
+            let mut numbers: Vec<f64> =
+                rows.iter().map(|(stamp, _)| *stamp as f64 * 1e-9).collect();
+            for axis in 0..3 {
+                numbers.extend(rows.iter().map(|(_, value)| value[axis]));
+            }
+            (*name, [rows.len(), 4], numbers)
+        })
+        .collect();
+    matrices_of(&matrices)
+}
+
+/// A MAT file with matrices of any shape: name, rows and columns, numbers column by column.
+pub fn matrices_of(variables: &[(&str, [usize; 2], Vec<f64>)]) -> Vec<u8> {
     let mut file = b"MATLAB 5.0 MAT-file, for a test".to_vec();
     file.resize(124, b' ');
     file[116..124].fill(0);
     file.extend(b"\0\x01IM");
-    for (name, rows) in variables {
-        let dims = [rows.len() as u32, 4].map(u32::to_le_bytes).concat();
-        let mut numbers: Vec<f64> = rows.iter().map(|(stamp, _)| *stamp as f64 * 1e-9).collect();
-        for axis in 0..3 {
-            numbers.extend(rows.iter().map(|(_, value)| value[axis]));
-        }
+    for (name, dims, numbers) in variables {
+        let dims = dims.map(|count| (count as u32).to_le_bytes()).concat();
         let bytes: Vec<u8> = numbers
             .iter()
             .flat_map(|number| number.to_le_bytes())

@@ -2,6 +2,7 @@
 
 mod body;
 mod element;
+mod loose;
 mod object_table;
 mod objects;
 mod value;
@@ -166,6 +167,6 @@ impl File {
                 objects.forget(&variable.value, later.map(|variable| &variable.value));
             }
         }
-        Ok(self.variables.finish())
+        self.variables.finish()
     }
 }

@@ -1,6 +1,7 @@
 //! The variables of a file: which are a sensor's, and their samples.
 
 use super::element::Raw;
+use super::loose::Loose;
 use super::objects::{Objects, TIMETABLE};
 use super::value::{Value, Variable};
 use crate::shown::shown;
@@ -17,6 +18,8 @@ pub(super) struct Variables {
     recorder: Recorder,
     /// Variables that are no sensor's, with what they are.
     others: Vec<String>,
+    /// Variables that are a sensor's once the time is known, which is one of them.
+    loose: Loose,
 }
 
 /// The quantity that a variable is named after.
@@ -67,6 +70,7 @@ impl Variables {
         Self {
             recorder: Recorder::new(wanted, limits),
             others: Vec::new(),
+            loose: Loose::default(),
         }
     }
 
@@ -92,7 +96,11 @@ impl Variables {
             (Value::Numbers { dims, real, .. }, _, _) => self.matrix(name, dims, *real)?,
             _ => false,
         };
-        if !read && may_be_sensor(name, value, class.as_deref()) {
+        let kept = match value {
+            Value::Numbers { dims, real, .. } if !read => self.loose.keep(name, dims, *real),
+            _ => false,
+        };
+        if !read && !kept && may_be_sensor(name, value, class.as_deref()) {
             self.recorder.content.unclear.push(name.clone());
         }
         let unread = class
@@ -184,10 +192,16 @@ impl Variables {
         Ok(true)
     }
 
-    /// A matrix with the columns t, x, y, z of the sensor that it is named after, or t and both sensors.
+    /// A matrix with the columns, or rows, t, x, y, z of the sensor that it is named after, or t and both sensors.
     fn matrix(&mut self, name: &str, dims: &[usize], numbers: Raw<'_>) -> Result<bool, Error> {
-        let [rows, columns] = *dims else {
+        let [height, width] = *dims else {
             return Ok(false);
+        };
+        let lies = width > height && matches!(height, 4 | 7);
+        let (rows, columns) = if lies {
+            (width, height)
+        } else {
+            (height, width)
         };
         if rows < 2 || numbers.len() != rows.saturating_mul(columns) {
             return Ok(false);
@@ -197,7 +211,10 @@ impl Variables {
             (7, _) => &[(Quantity::SpecificForce, 1), (Quantity::AngularRate, 4)],
             _ => return Ok(false),
         };
-        let at = |row: usize, column: usize| numbers.get(column * rows + row);
+        let at = |row: usize, column: usize| match lies {
+            true => numbers.get(row * columns + column),
+            false => numbers.get(column * rows + row),
+        };
         let increases = (1..rows).all(|row| at(row - 1, 0) < at(row, 0));
         if !increases {
             return Ok(false);
@@ -225,10 +242,36 @@ impl Variables {
     }
 
     /// What was found.
-    pub fn finish(mut self) -> Content {
+    ///
+    /// # Errors
+    /// More samples than the limit.
+    pub fn finish(mut self) -> Result<Content, Error> {
+        let content = &self.recorder.content;
+        if content.streams.is_empty() {
+            let loose = std::mem::take(&mut self.loose);
+            loose.join(&mut self.recorder)?;
+        } else {
+            let unread = self.loose.names();
+            let unread = unread.filter(|name| may_be_named(name));
+            self.recorder.content.unclear.extend(unread);
+        }
+        if self.recorder.content.streams.is_empty() {
+            self.recorder.content.warnings.push(ADVICE.to_owned());
+        }
         self.recorder.content.listed = self.others;
-        self.recorder.finish()
+        Ok(self.recorder.finish())
     }
+}
+
+/// What is read of a file that has no timetables.
+const ADVICE: &str = "read are matrices `acc` and `gyro` with the columns t, x, y, z, or `t`, `acc` and `gyro` apart, or `t`, `ax` to `gz`; save('FILE', '-struct', 'S') writes the fields of a structure S as variables";
+
+/// True for the name of an accelerometer or a gyroscope.
+fn may_be_named(name: &str) -> bool {
+    matches!(
+        quantity(name),
+        Some(Quantity::SpecificForce | Quantity::AngularRate)
+    )
 }
 
 /// How far a whole millisecond may be off, ns, as a date that went through a double of days: MATLAB Mobile's do. Half of

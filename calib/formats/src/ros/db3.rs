@@ -56,8 +56,12 @@ impl Format for Db3 {
             let mut names: Vec<&str> = tables.keys().map(String::as_str).collect();
             names.sort_unstable();
             let words = format!(
-                "an SQLite database without the tables `topics` and `messages` of a ROS 2 bag; it has {}",
-                names.join(", ")
+                "an SQLite database without the tables `topics` and `messages` of a ROS 2 bag; it has {}{}",
+                names.join(", "),
+                match tables.contains_key("Gyroscope") || tables.contains_key("Accelerometer") {
+                    true => "; of Sensor Logger, export Zip or JSON",
+                    false => "",
+                }
             );
             return Err(Error::refused(words));
         };

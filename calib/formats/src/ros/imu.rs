@@ -123,6 +123,11 @@ impl Topic {
                     let words = "a message in big-endian CDR (encapsulation 0x0000), which is not read; record on a little-endian machine";
                     return Err(Error::at(at, words));
                 }
+                // What zstd begins with.
+                Some([0x28, 0xb5, 0x2f, 0xfd]) => {
+                    let words = "a message that is compressed by itself (compression_mode: message), which is not read; `ros2 bag convert` writes them plain";
+                    return Err(Error::at(at, words));
+                }
                 Some([a, b, ..]) => {
                     let words = format!(
                         "a message of encapsulation 0x{a:02x}{b:02x}, where CDR (0x0001) is read"

@@ -1,6 +1,6 @@
 //! Which of Sensor Logger's accelerometers and gyroscopes is read.
 
-use crate::{Content, Quantity, Stream};
+use crate::{Content, Error, Quantity, Stream};
 
 /// With gravity, unprocessed before processed.
 const ACCEL: [&str; 2] = ["AccelerometerUncalibrated", "TotalAcceleration"];
@@ -9,7 +9,10 @@ const LINEAR: &str = "Accelerometer";
 const GRAVITY: &str = "Gravity";
 
 /// Keeps one stream of a sensor; `turned` for an accelerometer that reads -1 g on the axis that points up.
-pub(crate) fn choose(content: &mut Content, turned: bool) {
+///
+/// # Errors
+/// The only accelerometer is without gravity.
+pub(crate) fn choose(content: &mut Content, turned: bool) -> Result<(), Error> {
     let mut streams = std::mem::take(&mut content.streams);
     // Taken out, not copied: a recording is there once.
     let mut taken = |name: &str| {
@@ -39,8 +42,9 @@ pub(crate) fn choose(content: &mut Content, turned: bool) {
         }
         chosen.push(accel);
     } else if linear.is_some() {
-        let words = "Accelerometer of Sensor Logger is without gravity and left out; record with \"Total Acceleration\" or \"Accelerometer (Uncalibrated)\" switched on";
-        content.warnings.push(words.to_owned());
+        return Err(Error::refused(
+            "Accelerometer of Sensor Logger is without gravity, and calibration needs it; record again with \"Total Acceleration\" or \"Accelerometer (Uncalibrated)\" switched on, or add \"Gravity\"; --topic Gyroscope goes on with the gyroscope alone",
+        ));
     }
     chosen.extend(gyro);
     let taken: Vec<&str> = chosen.iter().map(|stream| stream.source.as_str()).collect();
@@ -49,6 +53,7 @@ pub(crate) fn choose(content: &mut Content, turned: bool) {
     let field = |stream: &Stream| stream.quantity == Quantity::MagneticField;
     chosen.extend(streams.into_iter().find(field));
     content.streams = chosen;
+    Ok(())
 }
 
 /// The accelerometer with gravity from what the system takes apart, at the stamps that both have.

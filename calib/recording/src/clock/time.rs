@@ -54,14 +54,25 @@ fn unit(
         let rate = step.map(|step| unit.per_second() / step);
         return match rate.filter(|rate| !POSSIBLE.contains(rate)) {
             None => Ok(unit),
-            Some(rate) => Err(in_file(
-                &table.name,
-                format!(
-                    "the file states {} for the time, in which the rate would be {} Hz; say the unit, as in --time-unit ms",
-                    unit.name(),
-                    figure(rate)
-                ),
-            )),
+            Some(rate) => {
+                // Another in which the rate is one of a sensor.
+                let step = step.unwrap_or(1.0);
+                let usual =
+                    |unit: &&TimeUnit| (10.0..=2000.0).contains(&(unit.per_second() / step));
+                let other = TimeUnit::ALL
+                    .iter()
+                    .find(usual)
+                    .unwrap_or(&TimeUnit::Seconds);
+                Err(in_file(
+                    &table.name,
+                    format!(
+                        "the file states {} for the time, in which the rate would be {} Hz; say the unit, as in --time-unit {}",
+                        unit.name(),
+                        figure(rate),
+                        other.name()
+                    ),
+                ))
+            }
         };
     }
     let Some(step) = step else {

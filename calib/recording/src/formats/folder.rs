@@ -6,7 +6,6 @@ use sensor::Sensor;
 use super::{Format, Source};
 use crate::Error;
 use crate::header::look::Look;
-use crate::header::parts::Part;
 use crate::recording::assemble::assemble;
 use crate::recording::{ReadOptions, Recording, thermometer};
 use crate::rows::table::Table;
@@ -38,17 +37,22 @@ impl Format for Folder {
     fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
         let files = super::files(source, self)?;
         let mut tables: Vec<Table> = Vec::new();
-        let sensors = sensors(&files)?;
-        if let [(entry, _)] = sensors[..] {
-            super::refuse_unused(&files, &[&entry.name])?;
+        let mut sensors = sensors(&files)?;
+        if let [(entry, sensor)] = sensors[..] {
+            let missing = match sensor {
+                Sensor::Gyroscope => Sensor::Accelerometer,
+                _ => Sensor::Gyroscope,
+            };
+            match super::by_content(&files, &[&entry.name], missing) {
+                Some(other) => sensors.push((other, missing)),
+                None => super::refuse_unused(&files, &[&entry.name])?,
+            }
         }
         for (entry, sensor) in sensors {
-            let part = Part {
-                only: Some(sensor),
-                ..Part::default()
-            };
+            let input = files.text(entry, options)?;
+            let part = super::part_of(input.look(), sensor);
             let origin = tables.first().and_then(|table| table.clock.origin);
-            tables.push(part.read(files.text(entry, options)?, origin, options)?);
+            tables.push(part.read(input, origin, options)?);
         }
         if tables.is_empty() {
             let words = format!(

@@ -12,6 +12,7 @@ mod robots;
 mod tables;
 mod tagged;
 mod texts;
+mod wide;
 
 use std::fmt;
 
@@ -19,10 +20,13 @@ use phones::{androsensor, phyphox, physics_toolbox, sensor_logger, sensorlog};
 use robots::{kalibr, px4_text, ros_text, serial, trackers};
 
 pub use file_formats::catches_panics;
+use sensor::Sensor;
 
 use crate::Error;
 use crate::header::look::Look;
-use crate::header::parts;
+use crate::header::names::role_of;
+use crate::header::parts::{self, Part};
+use crate::recording::options::Role;
 use crate::recording::{FieldUnit, ReadOptions, Recording, magnetometer};
 use crate::rows::table::Table;
 use crate::shown::shown;
@@ -77,6 +81,7 @@ pub static FORMATS: &[&dyn Format] = &[
     &tagged::GET_SENSOR_DATA,
     &tagged::GNSS_LOGGER,
     &tagged::VECTORNAV,
+    &wide::WIDE,
     &long::LONG,
     &serial::ADAFRUIT,
     &serial::SERIAL,
@@ -84,6 +89,60 @@ pub static FORMATS: &[&dyn Format] = &[
     &imu_tk::ImuTk,
     &csv::Csv,
 ];
+
+/// Tables whose names say less than their program means.
+static TEXTS: [&texts::TextFormat; 9] = [
+    &physics_toolbox::PHYSICS_TOOLBOX,
+    &sensorlog::SENSORLOG,
+    &androsensor::ANDROSENSOR,
+    &ros_text::ROSTOPIC,
+    &kalibr::KALIBR,
+    &px4_text::SENSOR_COMBINED,
+    &trackers::XSENS,
+    &trackers::SHIMMER,
+    &clock_text::TIME_OF_DAY,
+];
+
+/// How to read one sensor of a text: as its program means it, else by its names.
+pub(crate) fn part_of(look: &Look, sensor: Sensor) -> Part {
+    let mut parts = TEXTS.iter().filter_map(|text| (text.parts)(look)).flatten();
+    let known = parts.find(|part| part.may_hold(sensor));
+    known.unwrap_or_default().narrowed(sensor)
+}
+
+/// Which of accelerometer and gyroscope a text holds as its program means it; `None` for tables that are read by names.
+pub(crate) fn known_sensors(look: &Look) -> Option<[bool; 2]> {
+    let mut texts = TEXTS.iter().filter_map(|text| (text.parts)(look));
+    let parts = texts.find(|parts| parts.iter().any(|part| !part.columns.is_empty()))?;
+    let has = |sensor| parts.iter().any(|part: &Part| part.has(sensor));
+    Some([has(Sensor::Accelerometer), has(Sensor::Gyroscope)])
+}
+
+/// The one table among `files`, beside those `used`, that holds the sensor by its names.
+fn by_content<'a>(
+    files: &'a Files,
+    used: &[&str],
+    sensor: Sensor,
+) -> Option<&'a file_formats::Entry> {
+    let holds = |head: &[u8]| {
+        let look = Look::at(head);
+        let axes = [0, 1, 2].map(|axis| Role::axis(sensor, axis));
+        let names = look.first();
+        let named = |role: &Role| names.iter().any(|name| role_of(name, None) == Some(*role));
+        match known_sensors(&look) {
+            Some([accel, gyro]) => [accel, gyro][usize::from(sensor == Sensor::Gyroscope)],
+            None => axes.iter().all(named),
+        }
+    };
+    let heads = files.heads().into_iter();
+    let mut found = heads.filter(|(entry, head)| {
+        let name = entry.name.to_lowercase();
+        let other = OTHER_FILES.iter().any(|word| name.contains(word));
+        !other && !used.contains(&entry.name.as_str()) && holds(head)
+    });
+    let first = found.next()?;
+    found.next().is_none().then_some(first.0)
+}
 
 /// The format called `name`.
 ///
@@ -200,10 +259,14 @@ fn refuse_unused(files: &Files, used: &[&str]) -> Result<(), Error> {
     let Some((entry, _)) = files.heads().into_iter().find(is_table) else {
         return Ok(());
     };
+    let unpack = match files.is_archive() {
+        true => "unpack it and ",
+        false => "",
+    };
     Err(in_file(
         &files.name,
         format!(
-            "one sensor is missing, and {} is a table that is not used and may hold it; name the two files with --accel-file and --gyro-file, or the one there is by itself",
+            "one sensor is missing, and {} is a table that is not used and may hold it; {unpack}name the two files with --accel-file and --gyro-file, or the one there is by itself",
             shown(&entry.name)
         ),
     ))

@@ -29,7 +29,7 @@ pub(crate) static GNSS_LOGGER: TextFormat = TextFormat {
 /// VectorNav's ASCII output.
 pub(crate) static VECTORNAV: TextFormat = TextFormat {
     name: "vectornav",
-    about: "VectorNav's `$VNIMU,mag,accel,gyro,temp,pressure*checksum`; it has no stamps: --rate",
+    about: "VectorNav's `$VNIMU,mag,accel,gyro,temp,pressure*checksum`, `$VNYMR`, `$VNQMR`, `$VNMAR`; they have no stamps: --rate",
     parts: vectornav,
 };
 
@@ -131,31 +131,40 @@ fn gnss_logger(look: &Look) -> Option<Vec<Part>> {
     })
 }
 
-fn vectornav(look: &Look) -> Option<Vec<Part>> {
-    begins(look, &["$VNIMU,"]).then(|| {
-        let axes = |axis: usize| {
-            [
-                (Role::Accel(axis), (axis + 4).to_string()),
-                (Role::Gyro(axis), (axis + 7).to_string()),
-                (Role::Field(axis), (axis + 1).to_string()),
-            ]
-        };
-        vec![Part {
-            columns: (0..3)
-                .flat_map(axes)
-                .chain([(Role::Temperature, "10".to_owned())])
-                .collect(),
-            accel_unit: Some(AccelUnit::MetresPerSecondSquared),
-            gyro_unit: Some(GyroUnit::RadiansPerSecond),
-            field_unit: Some(FieldUnit::Gauss),
-            change: Some(|text| {
-                rewritten(text, |line, out| {
-                    if let Some(rest) = line.strip_prefix(b"$VNIMU,") {
-                        out.extend(rest.iter().take_while(|byte| **byte != b'*'));
-                    }
-                })
-            }),
-            ..Part::default()
-        }]
+/// What VectorNav's messages hold before the magnetometer, accelerometer and gyroscope: cells, and if a temperature follows.
+const VECTORNAV_MESSAGES: [(&str, usize, bool, Change); 4] = [
+    ("$VNIMU,", 0, true, |text| message(text, b"$VNIMU,")),
+    ("$VNMAR,", 0, false, |text| message(text, b"$VNMAR,")),
+    ("$VNYMR,", 3, false, |text| message(text, b"$VNYMR,")),
+    ("$VNQMR,", 4, false, |text| message(text, b"$VNQMR,")),
+];
+
+/// The cells of the messages that begin with `tag`, without their checksum.
+fn message(text: Box<dyn Read + Send>, tag: &'static [u8]) -> Box<dyn Read + Send> {
+    rewritten(text, move |line, out| {
+        if let Some(rest) = line.strip_prefix(tag) {
+            out.extend(rest.iter().take_while(|byte| **byte != b'*'));
+        }
     })
+}
+
+fn vectornav(look: &Look) -> Option<Vec<Part>> {
+    let mut messages = VECTORNAV_MESSAGES.into_iter();
+    let (_, before, thermometer, change) = messages.find(|(tag, ..)| begins(look, &[tag]))?;
+    let axes = |axis: usize| {
+        [
+            (Role::Accel(axis), (before + axis + 4).to_string()),
+            (Role::Gyro(axis), (before + axis + 7).to_string()),
+            (Role::Field(axis), (before + axis + 1).to_string()),
+        ]
+    };
+    let temperature = thermometer.then(|| (Role::Temperature, "10".to_owned()));
+    Some(vec![Part {
+        columns: (0..3).flat_map(axes).chain(temperature).collect(),
+        accel_unit: Some(AccelUnit::MetresPerSecondSquared),
+        gyro_unit: Some(GyroUnit::RadiansPerSecond),
+        field_unit: Some(FieldUnit::Gauss),
+        change: Some(change),
+        ..Part::default()
+    }])
 }

@@ -107,7 +107,8 @@ impl Dialect {
             match number::parse(cell, self.decimal_comma, &mut Dialects::default()) {
                 Ok(_) | Err(Fault::NotFinite) => numbers += 1,
                 Err(Fault::Missing) => {}
-                Err(_) if cell.first().is_some_and(u8::is_ascii_alphabetic) => {}
+                // A word, a date, `4 / 9`: but `0,5` among points is two cells in one.
+                Err(_) if !cell.iter().all(is_of_numbers) => {}
                 Err(_) => return false,
             }
         }
@@ -172,6 +173,14 @@ impl Dialect {
         }
         quote.map_or(Ok(()), Err)
     }
+}
+
+/// True for what numbers and the separators between them are written with.
+fn is_of_numbers(byte: &u8) -> bool {
+    matches!(
+        byte,
+        b'0'..=b'9' | b'+' | b'-' | b'.' | b',' | b';' | b' ' | b'\t' | b'e' | b'E' | b'"'
+    )
 }
 
 /// `cell` without blanks around it, then without one pair of quotes, then without blanks again.

@@ -10,17 +10,19 @@ pub(crate) mod preface;
 pub(crate) mod quotes;
 pub(crate) mod sniff;
 pub(crate) mod suggest;
+pub(crate) mod triads;
 pub(crate) mod unclear;
 pub(crate) mod unit_row;
 pub(crate) mod unnamed;
 
 use sensor::Sensor;
 
-use super::units::{Stated, looks_like_unit};
+use super::units::{Stated, TimeUnit, looks_like_unit};
 use crate::header::affine::Affine;
 use crate::header::by_unit::by_unit;
-use crate::header::names::{role_of, take_apart};
+use crate::header::names::{is_like_time, may_be_linear, role_of, take_apart};
 use crate::header::suggest::{nearest, suggestion};
+use crate::header::triads::Triad;
 use crate::recording::options::{ColumnMap, Role};
 use crate::recording::thermometer;
 use crate::shown::{shown, shown_list};
@@ -50,6 +52,8 @@ pub(crate) struct Layout {
     pub affine: Vec<(Role, Affine)>,
     /// What was told by the units in the names, in words.
     pub by_unit: Option<String>,
+    /// Columns that may be the time where none is called so for certain.
+    pub times: Vec<usize>,
 }
 
 impl Layout {
@@ -65,11 +69,17 @@ impl Layout {
         let mut roles = roles_by_map(&names, map)?;
         roles_by_name(&names, only, &mut roles)?;
         let by_unit = by_unit(&names, only, &mut roles);
+        of_the_one(&names, only, &mut roles);
+        let times = likely_times(&names, &roles);
+        if let [time] = times[..] {
+            roles.push((Role::Time, time));
+        }
         let mut layout = Self {
             width: names.len(),
             affine: affines(&names, map),
             names,
             by_unit,
+            times,
             ..Self::default()
         };
         layout.assign(&roles, map)?;
@@ -86,15 +96,25 @@ impl Layout {
                 .find(|(r, _)| *r == role)
                 .map(|&(_, column)| column)
         };
+        let is_sensor = |role: &Role| matches!(role, Role::Accel(_) | Role::Gyro(_));
+        let named = map.0.iter().any(|(role, _)| is_sensor(role));
         let triad = |axes: [Role; 3]| -> Result<Option<[usize; 3]>, String> {
             match axes.map(column) {
                 [Some(x), Some(y), Some(z)] => Ok(Some([x, y, z])),
                 [None, None, None] => Ok(None),
+                // Who names the other sensor's columns goes on without this one.
+                _ if named
+                    && !axes
+                        .iter()
+                        .any(|axis| map.0.iter().any(|(role, _)| role == axis)) =>
+                {
+                    Ok(None)
+                }
                 some => {
                     let missing: Vec<_> = (0..3).filter(|&i| some[i].is_none()).collect();
                     let missing: Vec<_> = missing.into_iter().map(|i| axes[i].name()).collect();
                     Err(format!(
-                        "no column for {}; {}",
+                        "no column for {}; export it too, or {}",
                         missing.join(" and "),
                         suggestion(&self.names)
                     ))
@@ -208,15 +228,37 @@ fn roles_by_name(
     roles: &mut Vec<(Role, usize)>,
 ) -> Result<(), String> {
     let given = roles.len();
+    // Of a part that one sensor is read from, missing numbers of the other leave no row out.
+    let whole = only.filter(|sensor| {
+        let mut axes = (0..3).map(|axis| Role::axis(*sensor, axis));
+        axes.all(|axis| roles.iter().any(|(role, _)| *role == axis))
+    });
+    let is_of_other = |role: &Role| match whole {
+        Some(Sensor::Accelerometer) => matches!(role, Role::Gyro(_)),
+        Some(Sensor::Gyroscope) => matches!(role, Role::Accel(_)),
+        _ => false,
+    };
     for (index, name) in names.iter().enumerate() {
         let said = roles[..given].iter().any(|(_, column)| *column == index);
-        let Some(role) = role_of(name, only).filter(|_| !said) else {
+        let Some(role) = role_of(name, only).filter(|role| !said && !is_of_other(role)) else {
             continue;
         };
         match roles.iter().position(|(r, _)| *r == role) {
             None => roles.push((role, index)),
             Some(at) if at < given => {}
-            Some(_) if matches!(role, Role::Time | Role::Field(_)) => {}
+            // Stamps in a unit that is known, rather than those in a zone of the earth.
+            Some(at) if role == Role::Time => {
+                if strange_unit(&names[roles[at].1]) && !strange_unit(name) {
+                    roles[at].1 = index;
+                }
+            }
+            Some(_) if matches!(role, Role::Field(_)) => {}
+            // Linear acceleration beside the accelerometer.
+            Some(at) if may_be_linear(&names[roles[at].1]) != may_be_linear(name) => {
+                if !may_be_linear(name) {
+                    roles[at].1 = index;
+                }
+            }
             Some(at) => {
                 let other = roles[at].1;
                 return Err(format!(
@@ -233,6 +275,40 @@ fn roles_by_name(
         }
     }
     Ok(())
+}
+
+/// True for a time whose name ends with something in brackets that is no unit.
+fn strange_unit(name: &str) -> bool {
+    let unit = take_apart(name).1;
+    unit.is_some_and(|unit| unit.parse::<TimeUnit>().is_err())
+}
+
+/// The columns of a table of one sensor whose names say nothing but the axis: `X_value`, `x-axis (g)`.
+fn of_the_one(names: &[String], only: Option<Sensor>, roles: &mut Vec<(Role, usize)>) {
+    let Some(sensor) = only else { return };
+    let axes = [0, 1, 2].map(|axis| Role::axis(sensor, axis));
+    if roles.iter().any(|(role, _)| axes.contains(role)) {
+        return;
+    }
+    let found = triads::triads(names);
+    let free = |triad: &&Triad| {
+        let taken = |at: &usize| roles.iter().any(|(_, column)| column == at);
+        !triad.is_of_another() && !triad.columns.iter().any(taken)
+    };
+    let found: Vec<&Triad> = found.iter().filter(free).collect();
+    if let [triad] = found[..] {
+        roles.extend(axes.into_iter().zip(triad.columns));
+    }
+}
+
+/// Columns without a role that may be the time, where none is called so.
+fn likely_times(names: &[String], roles: &[(Role, usize)]) -> Vec<usize> {
+    if roles.iter().any(|(role, _)| *role == Role::Time) {
+        return Vec::new();
+    }
+    let free = |at: &usize| roles.iter().all(|(_, column)| column != at);
+    let like = |at: &usize| is_like_time(&names[*at]);
+    (0..names.len()).filter(free).filter(like).collect()
 }
 
 /// Refuses one column for two roles.

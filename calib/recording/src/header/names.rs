@@ -41,6 +41,16 @@ const TIME: &[&str] = &[
     "timemsec",
     "timensec",
     "loggingtime",
+    "ms",
+    "us",
+    "zeit",
+    "tick",
+    "ticks",
+    "relativetime",
+    "unixtime",
+    "systemtime",
+    "tow",
+    "gpstow",
 ];
 /// Names of accelerometer columns without their axis.
 const ACCEL: &[&str] = &[
@@ -64,6 +74,10 @@ const ACCEL: &[&str] = &[
     "totalacceleration",
     "accelerometeruncalibrated",
     "abs",
+    "ac",
+    "accl",
+    "linacc",
+    "linaccel",
 ];
 /// Names of gyroscope columns without their axis.
 const GYRO: &[&str] = &[
@@ -87,6 +101,10 @@ const GYRO: &[&str] = &[
     "gyroraw",
     "ω",
     "gyroscopeuncalibrated",
+    "gy",
+    "angvel",
+    "angularvel",
+    "gyros",
 ];
 /// Names of magnetometer columns without their axis.
 const FIELD: &[&str] = &[
@@ -115,7 +133,36 @@ const TEMPERATURE: &[&str] = &[
     "celsius",
     "tempk",
     "tempf",
+    "tmp",
 ];
+
+/// Parts of the names of stamps that are called otherwise.
+const LIKE_TIME: [&str; 6] = ["time", "stamp", "tick", "millis", "micros", "clock"];
+/// Parts of names that hold such a part and are no stamps.
+const NO_TIME: [&str; 9] = [
+    "zone", "valid", "status", "sync", "flag", "out", "diff", "delta", "relative",
+];
+
+/// True for a name that has no role and holds a word of the time: `Time Startup`, `recv_stamp`.
+pub(crate) fn is_like_time(name: &str) -> bool {
+    let (word, _) = take_apart(name);
+    let has = |parts: &[&str]| parts.iter().any(|part| word.contains(part));
+    word.len() <= LONGEST && has(&LIKE_TIME) && !has(&NO_TIME)
+}
+
+/// True for the name of an accelerometer's column that may be without gravity: `Linear Acceleration X`.
+pub(crate) fn may_be_linear(name: &str) -> bool {
+    take_apart(name).0.starts_with("lin")
+}
+
+/// The sensor that a stem, without its axis and in small letters, is called after.
+pub(crate) fn sensor_of(stem: &str) -> Option<Sensor> {
+    match stem {
+        _ if ACCEL.contains(&stem) => Some(Sensor::Accelerometer),
+        _ if GYRO.contains(&stem) => Some(Sensor::Gyroscope),
+        _ => None,
+    }
+}
 
 /// Bytes of the longest name that may have a role: paths of topics take some tens.
 const LONGEST: usize = 200;
@@ -145,7 +192,8 @@ fn behind_underscores(name: &str) -> Option<(&str, &str)> {
     of_sensor.or_else(|| last.filter(|(_, unit)| units::is_unit(unit)))
 }
 
-fn compact(word: &str) -> String {
+/// A name without punctuation, in small letters.
+pub(crate) fn compact(word: &str) -> String {
     word.chars()
         .filter(|c| c.is_alphanumeric())
         .flat_map(char::to_lowercase)
@@ -178,14 +226,8 @@ fn role_of_word(name: &str, only: Option<Sensor>) -> Option<Role> {
     if TEMPERATURE.contains(&word.as_str()) {
         return Some(Role::Temperature);
     }
-    let axis = match word.chars().next_back()? {
-        'x' => 0,
-        'y' => 1,
-        'z' => 2,
-        _ => return None,
-    };
-    let stem = &word[..word.len() - 1];
     let unit = unit.unwrap_or_default();
+    let (axis, stem) = axis_and_stem(&word, unit)?;
     if ACCEL.contains(&stem) || (stem.is_empty() && unit.parse::<AccelUnit>().is_ok()) {
         Some(Role::Accel(axis))
     } else if GYRO.contains(&stem) || (stem.is_empty() && unit.parse::<GyroUnit>().is_ok()) {
@@ -197,4 +239,23 @@ fn role_of_word(name: &str, only: Option<Sensor>) -> Option<Role> {
     } else {
         None
     }
+}
+
+/// The axis in a name, and what is left of it: `accx`, `xacc`, and `acc` of `acc[0]`.
+fn axis_and_stem<'a>(word: &'a str, unit: &str) -> Option<(usize, &'a str)> {
+    let axis = |c: char| "xyz".find(c);
+    if let Some((at, last)) = word.char_indices().next_back()
+        && let Some(axis) = axis(last)
+    {
+        return Some((axis, &word[..at]));
+    }
+    if let Some(index) = ["0", "1", "2"].iter().position(|index| *index == unit)
+        && sensor_of(word).is_some()
+    {
+        return Some((index, word));
+    }
+    // Of `x` before a letter or two nobody knows what it means.
+    let first = word.chars().next().and_then(axis)?;
+    let stem = &word[1..];
+    (stem.len() > 2 && sensor_of(stem).is_some()).then_some((first, stem))
 }

@@ -67,6 +67,25 @@ impl Part {
         }
     }
 
+    /// True if the columns of this sensor are known in it.
+    pub fn has(&self, sensor: Sensor) -> bool {
+        let first = Role::axis(sensor, 0);
+        !self.is_field && self.columns.iter().any(|(role, _)| *role == first)
+    }
+
+    /// True if this sensor may be read from it, be it by names.
+    pub fn may_hold(&self, sensor: Sensor) -> bool {
+        self.has(sensor) || (self.columns.is_empty() && self.only.is_none())
+    }
+
+    /// The same, of which only this sensor is read.
+    pub fn narrowed(mut self, sensor: Sensor) -> Self {
+        self.only = Some(sensor);
+        let columns = std::mem::take(&mut self.columns);
+        self.columns = self.of_sensor(&ColumnMap(columns));
+        self
+    }
+
     /// Reads it from `input`; `origin` is the first stamp of the recording's other part. What the user said holds
     /// over what the format knows.
     pub fn read(

@@ -25,11 +25,15 @@ pub(crate) struct Preface<'a> {
     pub header: Option<&'a Kept>,
     /// The units below them.
     pub units: Option<&'a Kept>,
+    /// The last of what a program said before rows without names.
+    pub said: Option<&'a Kept>,
 }
 
 /// True for lines that are no rows: comments of the usual kinds.
 pub(crate) fn is_comment(line: &[u8]) -> bool {
-    line.starts_with(b"#") || line.starts_with(b"%") || line.starts_with(b"//")
+    // What terminals write: `=~=~=~ PuTTY log`, `--- Miniterm on COM3`.
+    let marks: [&[u8]; 5] = [b"#", b"%", b"//", b"=~=~", b"--- "];
+    marks.iter().any(|mark| line.starts_with(mark))
 }
 
 /// The line without the mark of a comment.
@@ -109,7 +113,14 @@ impl Finder<'_> {
             let as_wide = cells.len() == words(&header.bytes, self.dialect).len();
             (as_wide && unit_row::holds_units(&cells)).then_some(below)
         });
-        Preface { header, units }
+        let is_text = |k: &&Kept| !k.comment && !self.is_broken_row(k);
+        let nameless = row.is_some() && header.is_none();
+        let said = nameless.then(|| before.iter().rfind(is_text)).flatten();
+        Preface {
+            header,
+            units,
+            said,
+        }
     }
 
     /// The line that names the columns of `row`: the text line before it, or a comment with as many
@@ -124,7 +135,10 @@ impl Finder<'_> {
         if let Some(text) = before.iter().rfind(|k| !k.comment) {
             return match self.names_sensors(text) {
                 true => Some(text),
-                false => above(text).or_else(|| self.unnamed(before)),
+                false => above(text)
+                    .or_else(|| self.above_units(text, before))
+                    .or_else(|| self.unnamed(before))
+                    .filter(|header| self.may_name(header, width(row))),
             };
         }
         let comment = before.last()?;
@@ -135,6 +149,33 @@ impl Finder<'_> {
         let units = is_header && unit_row::holds_units(&words(bytes, self.dialect));
         let named = units.then(|| above(comment)).flatten();
         named.or(Some(comment).filter(|_| is_header))
+    }
+
+    /// The line above a row of units: its names are not understood, and are names all the same.
+    fn above_units<'k>(&self, units: &Kept, before: &'k [Kept]) -> Option<&'k Kept> {
+        let cells = words(&units.bytes, self.dialect);
+        if !unit_row::holds_units(&cells) {
+            return None;
+        }
+        let mut above = before
+            .iter()
+            .filter(|k| k.number < units.number && !k.comment);
+        above.rfind(|k| words(&k.bytes, self.dialect).len() == cells.len())
+    }
+
+    /// False for what a program says before its rows: one cell, and no names of `width` columns glued together.
+    fn may_name(&self, line: &Kept, width: usize) -> bool {
+        let cells = words(&line.bytes, self.dialect);
+        let separates = |c: char| matches!(c, ',' | ';' | '\t' | ' ' | '|');
+        let glued = || {
+            let text = decode(&line.bytes);
+            text.split(separates)
+                .filter(|word| !word.is_empty())
+                .count()
+        };
+        let one = cells.len() == 1 && width >= 3;
+        !one || glued().abs_diff(width) <= 1
+            || self.dialect.split(&line.bytes, &mut Vec::new()).is_err()
     }
 
     /// What to take for the header where no line as wide as the rows names sensors: the last text before

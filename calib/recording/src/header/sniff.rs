@@ -9,7 +9,7 @@ use super::preface::{
 use super::quotes::open_quote;
 use super::suggest::suggestion;
 use super::unit_row;
-use super::unnamed::{medians, two_triads, unnamed_roles};
+use super::unnamed::Unnamed;
 use crate::Error;
 use crate::header::{self, Layout};
 use crate::recording::options::ReadOptions;
@@ -75,6 +75,16 @@ pub(crate) fn is_table(head: &[u8]) -> bool {
     row.is_some_and(|row| cells(&row.bytes, dialect).len() >= 3)
 }
 
+/// Which of accelerometer and gyroscope `head`, the beginning of the text called `name`, holds by its names; both
+/// where it is asked about.
+pub(crate) fn sensors_in(name: &str, head: &[u8], options: &ReadOptions) -> [bool; 2] {
+    match Start::look(name, head, None, options) {
+        Ok(start) if start.undecided => [true, true],
+        Ok(start) => [start.layout.accel.is_some(), start.layout.gyro.is_some()],
+        Err(_) => [false, false],
+    }
+}
+
 impl Start {
     /// Looks at `head`, the beginning of the text called `name`; `only` is the one sensor in it, if
     /// that is known.
@@ -99,7 +109,7 @@ impl Start {
             options,
         };
         let preface = finder.preface(&kept, row);
-        let last = preface.units.or(preface.header);
+        let last = preface.units.or(preface.header).or(preface.said);
         let mut start = Self {
             dialect,
             layout: Layout::default(),
@@ -282,10 +292,11 @@ impl Start {
         let names: Vec<String> = (1..=width).map(|i| i.to_string()).collect();
         self.layout.width = width;
         let roles = if options.columns.0.is_empty() {
-            let told = unnamed_roles(width, only, &medians(rows, self.dialect));
+            let unnamed = Unnamed::of(rows, self.dialect);
+            let told = unnamed.roles(only);
             self.told_by_norm = told.is_some();
             self.undecided = matches!(width, 6..=8) && only.is_none();
-            let roles = told.or_else(|| self.undecided.then(|| two_triads(width)));
+            let roles = told.or_else(|| self.undecided.then(|| unnamed.two_triads()));
             let roles = roles.ok_or_else(|| {
                 refuse(format!(
                     "{width} columns without a header, and gravity does not tell which are which; {}",

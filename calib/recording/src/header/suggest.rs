@@ -2,11 +2,14 @@
 
 use sensor::Sensor;
 
+use super::names::{is_like_time, role_of};
+use super::triads::{Triad, triads};
 use crate::recording::options::Role;
 use crate::shown::shown;
 
-/// Names less like any spelling are not proposed.
-const LIKE: f64 = 0.6;
+/// What is said where nothing better is known.
+const BY_NUMBER: &str =
+    "say which is which by number or name, as in --columns 't=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7'";
 
 /// The name most like `wanted`, if one is.
 pub(crate) fn nearest<'a>(wanted: &str, names: &'a [String]) -> Option<&'a String> {
@@ -25,10 +28,13 @@ pub(crate) fn completed(
     unclear: &[String],
     missing: Sensor,
 ) -> Option<String> {
-    let mut taken = Vec::new();
-    let triad = match (unclear, one_stem(unclear, &["?"], 0.0, &mut taken)) {
-        (_, Some(triad)) => triad.map(|at| unclear[at].clone()).to_vec(),
-        ([_, _, _], None) => unclear.to_vec(),
+    let found = triads(unclear);
+    let named = found.iter().find(|t| t.sensor() == Some(missing));
+    let triad = match (named, found.iter().find(|t| !t.is_of_another()), unclear) {
+        (Some(triad), ..) | (None, Some(triad), _) => {
+            triad.columns.map(|at| unclear[at].clone()).to_vec()
+        }
+        (None, None, [_, _, _]) => unclear.to_vec(),
         _ => return None,
     };
     let called = |name: &String| {
@@ -46,90 +52,68 @@ pub(crate) fn completed(
     Some(asked(&entries))
 }
 
-/// A `--columns` line ready to paste, with the names most like the plain ones.
+/// A `--columns` line ready to paste, as far as words in the names tell what is what.
 pub(crate) fn suggestion(names: &[String]) -> String {
-    const TIMES: &[&str] = &["t", "time", "timestamp", "clock", "stamp"];
-    const ACCELS: &[&str] = &["a?", "acc_?", "accel_?", "a_?", "accelerometer ?", "?"];
-    const GYROS: &[&str] = &[
-        "g?",
-        "gyr_?",
-        "gyro_?",
-        "r_?",
-        "w_?",
-        "gyroscope ?",
-        "rate_?",
-    ];
-    let mut taken = Vec::new();
-    let time = most_like(names, TIMES, "", &mut taken);
-    let triad = |spellings, taken: &mut Vec<usize>| {
-        one_stem(names, spellings, LIKE, taken).map_or_else(
-            || ["x", "y", "z"].map(|axis| most_like(names, spellings, axis, taken)),
-            |columns| columns.map(|at| Some(entry(names, at))),
-        )
+    let found = triads(names);
+    let first = |sensor| found.iter().find(|t| t.sensor() == Some(sensor));
+    let accel = first(Sensor::Accelerometer);
+    // Of several the one that is called most like the accelerometer.
+    let gyros = found
+        .iter()
+        .filter(|t| t.sensor() == Some(Sensor::Gyroscope));
+    let gyro = gyros.reduce(|best, other| {
+        let like = |t: &Triad| accel.map_or(0, |a| a.likeness(t) + a.ending(t));
+        match like(other) > like(best) {
+            true => other,
+            false => best,
+        }
+    });
+    // Where one is known and one other may be a sensor's, it is the other.
+    let open: Vec<&Triad> = found
+        .iter()
+        .filter(|t| t.sensor().is_none() && !t.is_of_another())
+        .collect();
+    let other = match open[..] {
+        [one] => Some(one),
+        _ => None,
     };
-    let (accel, gyro) = (triad(ACCELS, &mut taken), triad(GYROS, &mut taken));
-    let mut entries: Vec<_> = time.iter().map(|column| format!("t={column}")).collect();
-    for (sensor, triad) in [("a", accel), ("g", gyro)] {
-        if let [Some(x), Some(y), Some(z)] = triad {
-            entries.push(format!("{sensor}x={x},{sensor}y={y},{sensor}z={z}"));
+    let (accel, gyro) = match (accel, gyro) {
+        (Some(accel), None) => (Some(accel), other),
+        (None, Some(gyro)) => (other, Some(gyro)),
+        both => both,
+    };
+    let mut entries: Vec<String> = time(names)
+        .map(|at| format!("t={}", entry(names, at)))
+        .into_iter()
+        .collect();
+    for (sensor, triad) in [(Sensor::Accelerometer, accel), (Sensor::Gyroscope, gyro)] {
+        for (axis, at) in triad.iter().flat_map(|t| t.columns).enumerate() {
+            let role = Role::axis(sensor, axis);
+            entries.push(format!("{}={}", role.name(), entry(names, at)));
         }
     }
-    if entries.len() < 2 {
-        return "say which is which by number or name, as in --columns 't=1,ax=2,ay=3,az=4'"
-            .to_owned();
+    match (accel, gyro) {
+        (None, None) => BY_NUMBER.to_owned(),
+        _ => asked(&entries),
     }
-    asked(&entries)
+}
+
+/// The column that is the time by its name, or most like it.
+fn time(names: &[String]) -> Option<usize> {
+    let is = |name: &String| role_of(name, None) == Some(Role::Time);
+    let exact = names.iter().position(is);
+    exact.or_else(|| names.iter().position(|name| is_like_time(name)))
 }
 
 fn asked(entries: &[String]) -> String {
     format!("say which is which: --columns '{}'", entries.join(","))
 }
 
-/// The free columns most like `spellings` of those that differ by their axis alone.
-fn one_stem(
-    names: &[String],
-    spellings: &[&str],
-    floor: f64,
-    taken: &mut Vec<usize>,
-) -> Option<[usize; 3]> {
-    let lower: Vec<String> = names.iter().map(|name| name.to_lowercase()).collect();
-    let free = |at: &usize| !taken.contains(at);
-    let triads = (0..names.len()).filter(free).flat_map(|at| {
-        let name = &lower[at];
-        let of_axis = |place: usize, axis: &str| {
-            let other = format!("{}{axis}{}", &name[..place], &name[place + 1..]);
-            (0..lower.len())
-                .filter(free)
-                .find(|other_at| lower[*other_at] == other)
-        };
-        name.match_indices('x')
-            .filter_map(|(place, _)| Some([at, of_axis(place, "y")?, of_axis(place, "z")?]))
-            .collect::<Vec<_>>()
-    });
-    let likeness = |[at, ..]: &[usize; 3]| likeness(&lower[*at], spellings, "x");
-    // Of several alike the first.
-    let best = triads.reduce(|best, other| match likeness(&other) > likeness(&best) {
-        true => other,
-        false => best,
-    })?;
-    if likeness(&best) < floor {
-        return None;
-    }
-    taken.extend(best);
-    Some(best)
-}
-
-/// How much a name in small letters is like the most alike of `spellings`, `?` being the axis.
-fn likeness(name: &str, spellings: &[&str], axis: &str) -> f64 {
-    let like = |s: &&str| strsim::jaro_winkler(&s.replace('?', axis), name);
-    spellings.iter().map(like).fold(0.0, f64::max)
-}
-
 /// What `--columns` calls a column.
-fn entry(names: &[String], at: usize) -> String {
+pub(crate) fn entry(names: &[String], at: usize) -> String {
     // A comma or quote in a name would end the entry, and of two of one name it would be the first; its number says
     // which.
-    let plain = !names[at].contains([',', '\'', '=']);
+    let plain = !names[at].contains([',', '\'', '=']) && !names[at].trim().is_empty();
     let alone = names.iter().filter(|name| **name == names[at]).count() == 1;
     match plain && alone {
         true => shown(&names[at]),
@@ -137,25 +121,43 @@ fn entry(names: &[String], at: usize) -> String {
     }
 }
 
-/// The column most like one of `spellings`, `?` being the axis, unless it is taken or unlike them all.
-fn most_like(
-    names: &[String],
-    spellings: &[&str],
-    axis: &str,
-    taken: &mut Vec<usize>,
-) -> Option<String> {
-    let likeness = |name: &str| likeness(&name.to_lowercase(), spellings, axis);
-    // `acc_x`, `AccX [g]`, `ax_raw`, but not `zeit`.
-    let ends = |word: &str| !word.is_empty() && word.ends_with(axis);
-    let fits = |name: &String| {
-        let name = name.to_lowercase();
-        name.split(|c: char| !c.is_alphanumeric()).any(ends)
-    };
-    let free = (0..names.len()).filter(|i| !taken.contains(i) && fits(&names[*i]));
-    let best = free.max_by(|&a, &b| likeness(&names[a]).total_cmp(&likeness(&names[b])))?;
-    if likeness(&names[best]) < LIKE {
-        return None;
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(names: &[&str]) -> String {
+        let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
+        suggestion(&names)
     }
-    taken.push(best);
-    Some(entry(names, best))
+
+    #[test]
+    fn a_suggestion_gives_each_sensor_what_is_called_after_it() {
+        let names = [
+            "id",
+            "timestamp",
+            "ang_vel_x",
+            "ang_vel_y",
+            "ang_vel_z",
+            "lin_acc_x",
+            "lin_acc_y",
+            "lin_acc_z",
+        ];
+        assert!(of(&names).ends_with(
+            "'t=timestamp,ax=lin_acc_x,ay=lin_acc_y,az=lin_acc_z,gx=ang_vel_x,gy=ang_vel_y,gz=ang_vel_z'"
+        ));
+        // Two devices: the gyroscope of the one whose accelerometer is taken.
+        let names = [
+            "t", "l_acc_x", "l_acc_y", "l_acc_z", "r_gyr_x", "r_gyr_y", "r_gyr_z", "l_gyr_x",
+            "l_gyr_y", "l_gyr_z",
+        ];
+        assert!(of(&names).contains("gx=l_gyr_x"), "{}", of(&names));
+        // Temperature and status are no time, and an accelerometer that lacks an axis is none.
+        let names = ["Tmp", "ax", "ay", "gx", "gy", "gz"];
+        assert!(
+            of(&names).ends_with("'gx=gx,gy=gy,gz=gz'"),
+            "{}",
+            of(&names)
+        );
+        assert_eq!(of(&["1", "2", "3", "4", "5", "6", "7"]), BY_NUMBER);
+    }
 }

@@ -5,8 +5,10 @@ use std::collections::HashMap;
 use sensor::Sensor;
 
 use super::names::take_apart;
-use super::suggest::{completed, suggestion};
+use super::suggest::{completed, entry, suggestion};
+use super::triads::triads;
 use crate::Error;
+use crate::recording::options::Role;
 use crate::rows::table::Table;
 use crate::shown::shown_list;
 use crate::source::place::in_file;
@@ -63,7 +65,10 @@ pub(crate) fn refuse(tables: &[Table]) -> Result<(), Error> {
     let accel = tables.iter().any(|table| !table.accel.t.is_empty());
     let gyro = tables.iter().any(|table| !table.gyro.t.is_empty());
     if accel && gyro {
-        return Ok(());
+        return refuse_others(tables);
+    }
+    if !accel {
+        refuse_without_gravity(tables)?;
     }
     let mut files: HashMap<&str, Vec<&Table>> = HashMap::new();
     for table in tables {
@@ -82,6 +87,16 @@ pub(crate) fn refuse(tables: &[Table]) -> Result<(), Error> {
                 true => Sensor::Gyroscope,
                 false => Sensor::Accelerometer,
             };
+            if !accel && !gyro {
+                return Err(in_file(
+                    file,
+                    format!(
+                        "no accelerometer and no gyroscope by name, but the columns {} change and are not used; {}",
+                        shown_list(unclear.iter()),
+                        suggestion(&tables[0].names)
+                    ),
+                ));
+            }
             // Parts of a text have its columns under other numbers.
             let alone = tables.len() == 1;
             let completed = completed(&tables[0].roles, &tables[0].names, &unclear, missing);
@@ -98,6 +113,63 @@ pub(crate) fn refuse(tables: &[Table]) -> Result<(), Error> {
         }
     }
     Ok(())
+}
+
+/// Refuses tables of both sensors that hold another of a kind: a second device, or a filtered copy.
+fn refuse_others(tables: &[Table]) -> Result<(), Error> {
+    for table in tables.iter().filter(|table| table.by_names) {
+        let found = triads(&table.unclear);
+        for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+            let Some(other) = found.iter().find(|triad| triad.is_another_of(sensor)) else {
+                continue;
+            };
+            let others = other.columns.iter().map(|&at| &table.unclear[at]);
+            let called = |name: &String| {
+                let at = table.names.iter().position(|other| other == name);
+                at.map_or_else(|| name.clone(), |at| entry(&table.names, at))
+            };
+            let is_read = |role: &Role| !matches!(role, Role::Field(_));
+            let taken = table.roles.iter().filter(|(role, _)| is_read(role));
+            let taken: Vec<String> = taken
+                .map(|(role, name)| format!("{}={}", role.name(), called(name)))
+                .collect();
+            return Err(in_file(
+                &table.name,
+                format!(
+                    "more than one {}: {} are there as well; say which are meant, as in --columns '{}'",
+                    sensor.name(),
+                    shown_list(others),
+                    taken.join(",")
+                ),
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses tables whose only accelerometer has lost its gravity, as phones write it beside the rate.
+fn refuse_without_gravity(tables: &[Table]) -> Result<(), Error> {
+    for table in tables {
+        let found = triads(&table.unclear);
+        let Some(linear) = found.iter().find(|triad| is_without_gravity(&triad.stem)) else {
+            continue;
+        };
+        let columns = linear.columns.iter().map(|&at| &table.unclear[at]);
+        return Err(in_file(
+            &table.name,
+            format!(
+                "{} are acceleration without gravity, and calibration needs it; record the accelerometer with gravity (\"total\", \"raw\", \"uncalibrated\" or \"with g\"), or name only the gyroscope's columns with --columns to go on without it",
+                shown_list(columns)
+            ),
+        ));
+    }
+    Ok(())
+}
+
+/// True for the stem of an accelerometer's columns of which the system has taken gravity.
+fn is_without_gravity(stem: &str) -> bool {
+    const WITHOUT: [&str; 6] = ["user", "linear", "free", "without", "ohne", "sans"];
+    stem.contains("acc") && WITHOUT.iter().any(|word| stem.contains(word))
 }
 
 #[cfg(test)]

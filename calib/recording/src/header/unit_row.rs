@@ -15,14 +15,23 @@ fn bare(cell: &str) -> &str {
 
 /// True for what stands in place of the unit of a column without one.
 fn is_blank(cell: &str) -> bool {
-    matches!(bare(cell), "" | "-" | "--" | "1" | "none" | "n/a")
+    matches!(bare(cell), "" | "-" | "--" | "1") || is_unitless(cell)
+}
+
+/// True for words that stand for the unit of what has none.
+fn is_unitless(cell: &str) -> bool {
+    matches!(
+        bare(cell).to_lowercase().as_str(),
+        "no_units" | "no units" | "unitless" | "local_flux" | "n/a" | "none"
+    )
 }
 
 /// True if half or more of what the cells hold is a unit, of any quantity.
 pub(crate) fn holds_units(cells: &[String]) -> bool {
     let filled = cells.iter().filter(|cell| !is_blank(cell)).count();
     let units = cells.iter().filter(|cell| is_unit(bare(cell))).count();
-    units >= 1 && 2 * units >= filled
+    let unitless = cells.iter().filter(|cell| is_unitless(cell)).count();
+    units + unitless >= 1 && 2 * units >= filled
 }
 
 /// Units that `layout` states, with those of `cells` below its names; an option says more than either.

@@ -45,6 +45,11 @@ pub(crate) fn assemble(
         let words = "--rate was given: time stamps are ignored".to_owned();
         recording.warnings.push(words);
     }
+    // Who says which columns are what knows what is left. Before magnetometers and thermometers are taken out: theirs
+    // may be all that is understood.
+    if options.columns.0.is_empty() {
+        unclear::refuse(&tables)?;
+    }
     recording.magnetometer = Magnetometer::taken(&mut tables);
     thermometer::join(&mut tables)?;
     let unused: Vec<String> = tables
@@ -55,10 +60,6 @@ pub(crate) fn assemble(
         0 => String::new(),
         _ => format!(" (columns not used: `{}`)", unused.join("`, `")),
     };
-    // Who says which columns are what knows what is left.
-    if options.columns.0.is_empty() {
-        unclear::refuse(&tables)?;
-    }
     let gyro = tables.iter().find(|table| !table.gyro.t.is_empty());
     let gyro = gyro.map(|table| {
         let strange = table.strange[1].clone();

@@ -34,7 +34,6 @@ pub use write::{field_names, stream_to_csv, to_csv, to_parquet};
 
 use crate::Error;
 use crate::formats::{self, Source};
-use crate::header::parts::Part;
 use crate::rows::table::Table;
 use crate::shown::shown_path;
 use crate::source::Input;
@@ -158,11 +157,9 @@ fn pair(
     let mut tables: Vec<Table> = Vec::new();
     for &(path, sensor) in files {
         let origin = tables.first().and_then(|table| table.clock.origin);
-        let part = Part {
-            only: Some(sensor),
-            ..Part::default()
-        };
-        tables.push(part.read(Input::open(path, options)?, origin, options)?);
+        let input = Input::open(path, options)?;
+        let part = formats::part_of(input.look(), sensor);
+        tables.push(part.read(input, origin, options)?);
     }
     assemble::assemble(name, tables, options)
 }

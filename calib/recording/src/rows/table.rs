@@ -6,11 +6,13 @@ use crate::Error;
 use crate::clock::Clock;
 use crate::header::affine;
 use crate::header::sniff::Start;
-use crate::header::suggest::suggestion;
+use crate::header::suggest::{entry, suggestion};
+use crate::header::unnamed::with_temperature;
 use crate::recording::memory;
 use crate::recording::options::{ReadOptions, Role};
 use crate::recording::samples::Samples;
 use crate::rows::Rows;
+use crate::shown::shown_list;
 use crate::source::Input;
 use crate::source::batches::Batches;
 use crate::source::on_disk::Unchanged;
@@ -44,6 +46,8 @@ pub(crate) struct Table {
     pub unclear: Vec<String>,
     /// Names of all columns.
     pub names: Vec<String>,
+    /// What is what was told by them, not by a format or the user.
+    pub by_names: bool,
     /// Which column each role is read from, by name or number.
     pub roles: Vec<(Role, String)>,
     /// It has a time column.
@@ -67,10 +71,7 @@ impl Table {
     ) -> Result<Self, Error> {
         let start = Start::look(&input.name, &input.head, only, options)?;
         if start.layout.time.is_none() && options.rate.is_none() {
-            return Err(Error::Usage(format!(
-                "{}: no time column; say the sampling rate in Hz, as in --rate 100, or name the column with --columns t=…",
-                input.name
-            )));
+            return Err(no_time(&input.name, &start));
         }
         let mut table = Self {
             name: input.name.clone(),
@@ -79,6 +80,7 @@ impl Table {
             unused: start.layout.unused(),
             unclear: start.unclear.clone(),
             names: start.layout.names.clone(),
+            by_names: options.columns.0.is_empty(),
             roles: start.layout.roles(),
             has_time: start.layout.time.is_some(),
             plain_time: start
@@ -123,6 +125,23 @@ impl Table {
     }
 }
 
+/// What is said of a text without stamps, with the columns that may be some.
+fn no_time(name: &str, start: &Start) -> Error {
+    let names = &start.layout.names;
+    let likely = start.layout.times.iter().map(|&at| &names[at]);
+    let column = match start.layout.times.first() {
+        None => "name the column with --columns t=…".to_owned(),
+        Some(&first) => format!(
+            "name the column, which may be {}, as in --columns 't={}'",
+            shown_list(likely),
+            entry(names, first)
+        ),
+    };
+    Error::Usage(format!(
+        "{name}: no time column; say the sampling rate in Hz, as in --rate 100, or {column}"
+    ))
+}
+
 /// About how many rows a text of `size` bytes has that begins with `head`. Of one that is compressed fewer.
 fn rows_in(head: &[u8], size: u64) -> u64 {
     let lines = memchr::memchr_iter(b'\n', head).count() as u64;
@@ -135,6 +154,15 @@ fn rows_in(head: &[u8], size: u64) -> u64 {
 impl Table {
     /// Tells the two sensors of a text without a header apart.
     fn decide_roles(&mut self, start: &Start) -> Result<(), Error> {
+        if start.layout.width == 8
+            && let Some(slow) = self.slow_column()
+        {
+            let words = format!(
+                "8 columns without a header, of which {slow} hardly changes beside the others: a temperature? Say which is which, as in {}",
+                with_temperature(slow)
+            );
+            return Err(at_line(&self.name, start.after + 1, words));
+        }
         let triads = [&self.accel.values[..], &self.gyro.values[..]];
         let by_rests = rests::accelerometer(triads);
         let by_norm = start.told_by_norm.then_some(0);
@@ -178,6 +206,32 @@ impl Table {
         );
         self.warnings.push(words);
         Ok(())
+    }
+
+    /// The column, numbered from 1, of eight without names that is no axis: it keeps within a small part of the range of
+    /// those beside it, or far from zero, as a temperature does.
+    fn slow_column(&self) -> Option<usize> {
+        const SMALL: f64 = 0.02;
+        const FAR: f64 = 2.0;
+        for (samples, first) in [(&self.accel, 2), (&self.gyro, 5)] {
+            let of_axis = |axis: usize| {
+                let column = || samples.values.iter().map(move |value| value[axis]);
+                let (low, high) = (
+                    column().fold(f64::MAX, f64::min),
+                    column().fold(f64::MIN, f64::max),
+                );
+                (high - low, low.abs().min(high.abs()), low * high > 0.0)
+            };
+            let axes = [0, 1, 2].map(of_axis);
+            let largest = axes.iter().map(|(range, ..)| *range).fold(0.0, f64::max);
+            let is_slow = |(range, level, one_sided): &(f64, f64, bool)| {
+                *range < SMALL * largest || (*one_sided && *level > FAR * range)
+            };
+            if let Some(axis) = axes.iter().position(is_slow) {
+                return Some(first + axis);
+            }
+        }
+        None
     }
 
     /// True for readings of an accelerometer or a gyroscope.

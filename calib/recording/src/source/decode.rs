@@ -77,8 +77,22 @@ const SIGNATURES: &[Signature] = &[
         "download the file itself",
     ),
     (b"<?xml", "an XML file", EXPORT),
+    (
+        b"header:",
+        "what `ros2 topic echo` prints",
+        "record it as a table, `ros2 topic echo --csv TOPIC > imu.csv`, or as a bag",
+    ),
+    (
+        b"FMT, 128,",
+        "an ArduPilot log that was made a text",
+        "name the .BIN that it was made of",
+    ),
     // The last one, which an array of them is refused as.
-    (b"{", "a JSON file", EXPORT),
+    (
+        b"{",
+        "a JSON file",
+        "export the accelerometer and gyroscope as CSV with the header t,ax,ay,az,gx,gy,gz, as `pandas.read_json(FILE).to_csv(OUT)` does of an array of rows",
+    ),
 ];
 
 /// True for a MAT file of level 4, which has no signature: type, rows, columns, imaginary part, length of a name that ends
@@ -168,6 +182,10 @@ pub(crate) fn text(name: &str, unpacked: Unpacked) -> (Box<dyn Read + Send>, Vec
 pub(crate) fn refuse_other_formats(name: &str, head: &[u8]) -> Result<(), Error> {
     if is_mat4(head) {
         let words = "this is a MATLAB file of version 4; save it again in MATLAB with `save -v7`";
+        return Err(in_file(name, words));
+    }
+    if head.get(257..262) == Some(b"ustar") {
+        let words = "this is a tar archive; unpack it first: tar -xf FILE, and name the folder";
         return Err(in_file(name, words));
     }
     let known = SIGNATURES

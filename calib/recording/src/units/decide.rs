@@ -148,7 +148,7 @@ pub(crate) fn gyro_unit(
     }
     let stated = said.stated;
     let by_turns = accel.and_then(|accel| turn_unit(accel, stream));
-    if let (Some(stated), Some(told)) = (stated.filter(|unit| *unit != GyroUnit::Counts), by_turns)
+    if let (Some(stated), Some(told)) = (stated.filter(|unit| unit.is_told()), by_turns)
         && stated != told
     {
         return Err(in_file(

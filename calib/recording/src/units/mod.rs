@@ -68,6 +68,8 @@ unit! {
         MilliG = "mg" | "milli-g",
         /// Centimetres per second squared.
         Gal = "cm/s^2" | "cm/s2" | "cm/s²" | "gal",
+        /// Feet per second squared.
+        FeetPerSecondSquared = "ft/s^2" | "ft/s2" | "ft/s²" | "ft/s/s" | "fps2",
         /// Raw counts: kept as they are.
         Counts = "counts" | "lsb" | "raw" | "adc",
     }
@@ -77,11 +79,17 @@ unit! {
     /// Unit of a gyroscope.
     GyroUnit {
         /// Radians per second.
-        RadiansPerSecond = "rad/s" | "rads" | "rads^-1" | "rads-1" | "rad.s-1" | "rad*s^-1" | "rads⁻¹",
+        RadiansPerSecond = "rad/s" | "rads" | "rads^-1" | "rads-1" | "rad.s-1" | "rad*s^-1" | "rads⁻¹" | "radps",
+        /// Thousandths of radians per second.
+        MilliRadiansPerSecond = "mrad/s" | "mradps",
         /// Degrees per second.
-        DegreesPerSecond = "deg/s" | "°/s" | "dps" | "degs" | "degs^-1" | "degs-1" | "º/s",
+        DegreesPerSecond = "deg/s" | "°/s" | "dps" | "degs" | "degs^-1" | "degs-1" | "º/s" | "d/s" | "degps",
         /// Thousandths of degrees per second.
         MilliDegreesPerSecond = "mdeg/s" | "mdps" | "m°/s",
+        /// Degrees per hour.
+        DegreesPerHour = "deg/h" | "°/h" | "deg/hr" | "dph",
+        /// Turns per minute.
+        TurnsPerMinute = "rpm" | "rev/min" | "r/min",
         /// Raw counts: kept as they are.
         Counts = "counts" | "lsb" | "raw" | "adc",
     }
@@ -190,17 +198,30 @@ impl AccelUnit {
             Self::G => STANDARD_GRAVITY,
             Self::MilliG => STANDARD_GRAVITY / 1e3,
             Self::Gal => 0.01,
+            // The international foot, 0.3048 m by definition.
+            Self::FeetPerSecondSquared => 0.3048,
         }
     }
 }
 
 impl GyroUnit {
+    /// True for the units that the turns between rests tell apart.
+    pub(crate) fn is_told(self) -> bool {
+        matches!(
+            self,
+            Self::RadiansPerSecond | Self::DegreesPerSecond | Self::MilliDegreesPerSecond
+        )
+    }
+
     /// rad/s per unit; 1 for counts.
     pub fn scale(self) -> f64 {
         match self {
             Self::RadiansPerSecond | Self::Counts => 1.0,
             Self::DegreesPerSecond => 1f64.to_radians(),
+            Self::MilliRadiansPerSecond => 1e-3,
             Self::MilliDegreesPerSecond => 1e-3f64.to_radians(),
+            Self::DegreesPerHour => 1f64.to_radians() / 3600.0,
+            Self::TurnsPerMinute => std::f64::consts::TAU / 60.0,
         }
     }
 }

@@ -36,6 +36,7 @@ pub(crate) fn check(
         return Err(of_another_level(name, samples, &change));
     }
     let sixteen_bits = are_integers(samples.values.iter());
+    let unsigned = !sixteen_bits && are_unsigned(samples.values.iter());
     let ranges = ranges(&samples.values);
     for (axis, (low, high)) in ranges.into_iter().enumerate() {
         let called = format!("{} {}", sensor.name(), ["x", "y", "z"][axis]);
@@ -59,8 +60,8 @@ pub(crate) fn check(
                 format!("{called} never exceeds {peak:e}: wrong unit?"),
             ));
         }
-        if sixteen_bits {
-            refuse_overflow(name, &called, samples, axis)?;
+        if sixteen_bits || unsigned {
+            refuse_overflow(name, &called, samples, axis, unsigned)?;
         }
         if !is_full_scale(sensor, peak, sixteen_bits) {
             continue;
@@ -163,18 +164,28 @@ fn of_another_level(name: &str, samples: &Samples, change: &LevelChange) -> Erro
     )
 }
 
-fn refuse_overflow(name: &str, called: &str, samples: &Samples, axis: usize) -> Result<(), Error> {
+fn refuse_overflow(
+    name: &str,
+    called: &str,
+    samples: &Samples,
+    axis: usize,
+    unsigned: bool,
+) -> Result<(), Error> {
     let jump = |w: &[Vector3<f64>]| (w[1][axis] - w[0][axis]).abs() > OVERFLOW;
     let Some(at) = samples.values.windows(2).position(jump) else {
         return Ok(());
     };
     let (from, to) = (samples.values[at][axis], samples.values[at + 1][axis]);
+    let why = match unsigned {
+        false => "a 16-bit overflow; record with a larger range",
+        true => {
+            "16 bits without their sign, in which -1 is 65535; print them as int16_t, or subtract 65536 from those above 32767"
+        }
+    };
     Err(at_line(
         name,
         samples.line(at + 1),
-        format!(
-            "{called} jumps from {from} to {to}: a 16-bit overflow; record with a larger range"
-        ),
+        format!("{called} jumps from {from} to {to}: {why}"),
     ))
 }
 
@@ -212,6 +223,14 @@ fn is_full_scale(sensor: Sensor, peak: f64, integers: bool) -> bool {
         // Ranges of magnetometers are as many as there are sensors.
         Sensor::Magnetometer => false,
     }
+}
+
+/// True if every value is a whole number that 16 bits without a sign can hold.
+fn are_unsigned<'a>(mut values: impl Iterator<Item = &'a Vector3<f64>>) -> bool {
+    values.all(|value| {
+        let fits = |v: &f64| v.fract() == 0.0 && (0.0..=65_535.0).contains(v);
+        value.iter().all(fits)
+    })
 }
 
 /// True if every value is a whole number that 16 bits with a sign can hold.

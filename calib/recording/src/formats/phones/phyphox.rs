@@ -12,7 +12,7 @@ use crate::recording::{ReadOptions, Recording};
 use crate::rows::table::Table;
 use crate::source::files::Files;
 use crate::source::place::in_file;
-use crate::units::{AccelUnit, GyroUnit};
+use crate::units::{GyroUnit, is_of_sensor};
 
 /// An export of the app phyphox, in any of its dialects and languages.
 #[derive(Debug)]
@@ -48,9 +48,7 @@ impl Format for Phyphox {
         let Source::Files(files) = source else {
             return false;
         };
-        let is_meta =
-            |name: &str| name.ends_with("meta/device.csv") || name.ends_with("meta/time.csv");
-        files.entries().iter().any(|entry| is_meta(&entry.name)) || !tables(files).is_empty()
+        is_export(files) || !tables(files).is_empty()
     }
 
     fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
@@ -86,9 +84,8 @@ impl Format for Phyphox {
             let (Some(entry), Holds::Sensor(sensor)) = (files.entry(name), holds) else {
                 continue;
             };
+            // Units as the names state them: experiments of one's own may have others.
             let part = Part {
-                accel_unit: Some(AccelUnit::MetresPerSecondSquared),
-                gyro_unit: Some(GyroUnit::RadiansPerSecond),
                 padded: true,
                 ..Part::of(*sensor, columns.each_ref().map(String::as_str))
             };
@@ -110,11 +107,18 @@ impl Format for Phyphox {
     }
 }
 
+/// True for files that phyphox has written beside the tables.
+fn is_export(files: &Files) -> bool {
+    let is_meta = |name: &str| name.ends_with("meta/device.csv") || name.ends_with("meta/time.csv");
+    files.entries().iter().any(|entry| is_meta(&entry.name))
+}
+
 /// The tables of sensors in `files`, by the units and axes that phyphox writes in every language.
 fn tables(files: &Files) -> Vec<Found> {
+    let own = is_export(files);
     let heads = files.heads().into_iter();
     let tables = heads.filter_map(|(entry, head)| {
-        let (holds, columns) = holds(&Look::at(&head).first())?;
+        let (holds, columns) = holds(&Look::at(&head).first(), own)?;
         let name = entry.name.clone();
         Some(Found {
             name,
@@ -125,8 +129,9 @@ fn tables(files: &Files) -> Vec<Found> {
     tables.collect()
 }
 
-/// The sensor of a table with a time and three axes in one unit, and where they are, numbered from 1.
-fn holds(names: &[String]) -> Option<(Holds, [String; 4])> {
+/// The sensor of a table with a time and three axes in one unit, and where they are, numbered from 1. Experiments of
+/// one's `own` may have other units than phyphox itself.
+fn holds(names: &[String], own: bool) -> Option<(Holds, [String; 4])> {
     let apart: Vec<(String, &str)> = names
         .iter()
         .filter_map(|name| {
@@ -145,7 +150,8 @@ fn holds(names: &[String]) -> Option<(Holds, [String; 4])> {
     let time = apart.iter().position(|(_, unit)| *unit == "s")?;
     let (stem, unit) = apart.iter().find_map(|(word, unit)| {
         let stem = word.strip_suffix('x')?;
-        matches!(*unit, "m/s^2" | "m/s²" | "rad/s").then_some((stem, *unit))
+        let usual = matches!(*unit, "m/s^2" | "m/s²" | "rad/s");
+        (usual || (own && is_of_sensor(unit))).then_some((stem, *unit))
     })?;
     let [x, y, z] = [
         find('x', stem, unit)?,
@@ -153,7 +159,7 @@ fn holds(names: &[String]) -> Option<(Holds, [String; 4])> {
         find('z', stem, unit)?,
     ];
     let holds = match unit {
-        "rad/s" => Holds::Sensor(Sensor::Gyroscope),
+        _ if unit.parse::<GyroUnit>().is_ok() => Holds::Sensor(Sensor::Gyroscope),
         _ if stem.contains("linear") || stem.contains("withoutg") => Holds::Linear,
         _ => Holds::Sensor(Sensor::Accelerometer),
     };

@@ -19,9 +19,14 @@ const GYRO: [&str; 3] = ["wx", "wy", "wz"];
 const FIELD: [&str; 3] = ["Bx", "By", "Bz"];
 
 fn parts(look: &Look) -> Option<Vec<Part>> {
-    let names = look.header(|names| names.iter().any(|name| ACCEL.contains(&name.as_str())))?;
+    let is_header = |names: &[String]| {
+        let has = |wanted: &str| names.iter().any(|name| name == wanted);
+        // `time,wx,wy,wz` alone is what any program may write, and is read by its names.
+        ACCEL.iter().any(|name| has(name))
+    };
+    let names = look.header(is_header)?;
     let column = |name: &str| numbered(&names, name);
-    let mut columns = vec![(Role::Time, column("time")?)];
+    let mut columns = vec![(Role::Time, column("time").or_else(|| column("Time"))?)];
     for axis in 0..3 {
         columns.extend(column(ACCEL[axis]).map(|column| (Role::Accel(axis), column)));
         columns.extend(column(GYRO[axis]).map(|column| (Role::Gyro(axis), column)));

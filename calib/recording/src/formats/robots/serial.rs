@@ -5,7 +5,7 @@ use std::io::Read;
 use crate::clock::time_of_day::TimeOfDay;
 use crate::formats::clock_text::split;
 use crate::formats::texts::TextFormat;
-use crate::header::look::Look;
+use crate::header::look::{Look, cells};
 use crate::header::names::role_of;
 use crate::header::parts::Part;
 use crate::recording::options::Role;
@@ -46,7 +46,7 @@ fn numbers(line: &str) -> Option<Numbers<'_>> {
         Some((stamp, rest)) if line.contains("->") => (Some(stamp), rest),
         _ => (None, line),
     };
-    let separates = |c: char| matches!(c, ',' | ';' | ' ' | '\t' | ':' | '=');
+    let separates = |c: char| matches!(c, ',' | ';' | ' ' | '\t' | ':' | '=' | '|');
     let mut pairs = Vec::new();
     let mut name = "";
     for word in rest.split(separates).filter(|word| !word.is_empty()) {
@@ -61,9 +61,22 @@ fn numbers(line: &str) -> Option<Numbers<'_>> {
     (pairs.len() >= 3 && is_named).then_some(Numbers { stamp, pairs })
 }
 
+/// True for a table with names above its rows, one of whose cells is a word.
+fn has_header(look: &Look) -> bool {
+    let names = look.first();
+    let is_word = |name: &String| name.starts_with(char::is_alphabetic);
+    let as_wide = |line: &&str| cells(line).len() == names.len() && numbers(line).is_some();
+    names.len() > 3
+        && names.iter().all(is_word)
+        && 2 * look.lines().filter(as_wide).count() > look.lines().count()
+}
+
 fn labelled(look: &Look) -> Option<Vec<Part>> {
     let rows: Vec<Numbers> = look.lines().filter_map(numbers).collect();
     let first = rows.first()?;
+    if has_header(look) && numbers(&look.first().join(",")).is_none() {
+        return None;
+    }
     // Rows that are called by turns differently are of several sensors.
     let alike = rows
         .iter()
@@ -134,18 +147,19 @@ fn rows_of_numbers(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
     })
 }
 
-/// The three numbers of `Acceleration X: 1, Y: 2, Z: 3 m/s^2`.
-fn triad<'a>(line: &'a str, quantity: &str) -> Option<[&'a str; 3]> {
-    let mut numbers = line
-        .trim()
-        .strip_prefix(quantity)?
+/// The three numbers of `Acceleration X: 1, Y: 2, Z: 3 m/s^2`, called one of `quantity`.
+fn triad<'a>(line: &'a str, quantity: [&str; 2]) -> Option<[&'a str; 3]> {
+    let line = line.trim();
+    let mut numbers = quantity
+        .iter()
+        .find_map(|quantity| line.strip_prefix(quantity))?
         .split([' ', ',', ':'])
         .filter(|word| word.parse::<f64>().is_ok_and(f64::is_finite));
     Some([numbers.next()?, numbers.next()?, numbers.next()?])
 }
 
-const ACCELERATION: &str = "Acceleration X:";
-const ROTATION: &str = "Rotation X:";
+const ACCELERATION: [&str; 2] = ["Acceleration X:", "Accel X:"];
+const ROTATION: [&str; 2] = ["Rotation X:", "Gyro X:"];
 
 fn blocks(look: &Look) -> Option<Vec<Part>> {
     let has = |quantity| look.lines().any(|line| triad(line, quantity).is_some());
@@ -181,6 +195,36 @@ fn rows_of_blocks(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn blocks_of_both_kinds_of_words_are_one_row() {
+        for block in [
+            "Acceleration X: 1.00, Y: 2.00, Z: 3.00 m/s^2\nRotation X: 4.00, Y: 5.00, Z: 6.00 rad/s\n",
+            "\t\tAccel X: 1.00 \tY: 2.00 \tZ: 3.00 m/s^2 \n\t\tGyro X: 4.00 \tY: 5.00 \tZ: 6.00 radians/s \n",
+        ] {
+            assert!(blocks(&Look::at(block.as_bytes())).is_some(), "{block}");
+            let mut rows = String::new();
+            let text = Box::new(std::io::Cursor::new(block.to_owned()));
+            rows_of_blocks(text).read_to_string(&mut rows).unwrap();
+            assert_eq!(rows.trim(), "1.00,2.00,3.00,4.00,5.00,6.00");
+        }
+    }
+
+    #[test]
+    fn a_table_with_a_word_in_its_rows_is_no_serial_log() {
+        let table = "device,t,ax,ay,az\ndev1,0.00,1,2,3\ndev1,0.01,1,2,3\ndev1,0.02,1,2,3\n";
+        assert!(labelled(&Look::at(table.as_bytes())).is_none());
+        let log = "ax:1,ay:2,az:3,gx:4\nax:1,ay:2,az:3,gx:4\nax:1,ay:2,az:3,gx:4\n";
+        assert!(labelled(&Look::at(log.as_bytes())).is_some());
+    }
+
+    #[test]
+    fn bars_and_equals_signs_separate() {
+        let found =
+            numbers("AcX = -500 | AcY = 280 | AcZ = 16000 | Tmp = 25.35 | GyX = 3").unwrap();
+        let names: Vec<&str> = found.names().collect();
+        assert_eq!(names, ["AcX", "AcY", "AcZ", "Tmp", "GyX"]);
+    }
 
     #[test]
     fn numbers_are_found_behind_names_labels_and_times() {
