@@ -83,7 +83,7 @@ fn row_80_a_row_of_units_that_contradicts_is_refused_or_overruled() {
     let text = |units: &str| file(&format!("{HEADER}\n{units}"), &rows(200));
     for units in [
         "s,m/s^2,g,m/s^2,rad/s,rad/s,rad/s",
-        "s,ft/s^2,ft/s^2,ft/s^2,rad/s,rad/s,rad/s",
+        "s,yd/s^2,yd/s^2,yd/s^2,rad/s,rad/s,rad/s",
         "s,rad/s,m/s^2,m/s^2,rad/s,rad/s,rad/s",
     ] {
         refused(text(units), "2", &["a row of units", "--accel-unit"]);
@@ -95,7 +95,7 @@ fn row_80_a_row_of_units_that_contradicts_is_refused_or_overruled() {
     let overruled = "s,g,g,g,rad/s,rad/s,rad/s";
     let words = ["--accel-unit m/s^2 is used", "says g"];
     assert_same_samples(&warned_with(text(overruled), &options, &words), 200);
-    let unknown = "s,ft/s^2,ft/s^2,ft/s^2,rad/s,rad/s,rad/s";
+    let unknown = "s,yd/s^2,yd/s^2,yd/s^2,rad/s,rad/s,rad/s";
     let recording = read(text(unknown), &options).unwrap();
     assert_eq!(recording.warnings, Vec::<String>::new());
 }
