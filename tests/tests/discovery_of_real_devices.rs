@@ -3,8 +3,10 @@
 
 use calib::Recording;
 use calib::discover::{Discovery, Request, Verdict, discover};
+use calib::recording::ReadOptions;
 use calib::simulate::{Fault, Session, Spec};
 use nalgebra::Vector3;
+use stillpoint_tests::needed_data::needed;
 
 const DEGREE_PER_HOUR: f64 = std::f64::consts::PI / 180.0 / 3600.0;
 
@@ -116,4 +118,20 @@ fn two_recordings_make_no_step_between_them() {
         "{:?}",
         claims(&discovery)
     );
+}
+
+#[test]
+fn a_drift_that_was_evident_beside_a_withdrawn_step_only_is_withdrawn_too() {
+    let Some(path) = needed("real/snu_2.csv.gz") else {
+        return;
+    };
+    let recording = Recording::read(&path, &ReadOptions::default()).unwrap();
+    let discovery = discover(&[recording], &Request::new(9.79871)).unwrap();
+    // The rate's z mean goes 9.7, 11.4, 9.1 mrad/s over the recording and comes back; its g-sensitivity in x is -3e-5 to -4e-5.
+    assert_eq!(
+        claims(&discovery),
+        ["gyro_g_sensitivity", "undersampled_motion 0"]
+    );
+    let xx = &discovery.findings.effects[0].parameters[0];
+    assert!((-4.5e-5..-2e-5).contains(&xx.value), "{xx:?}");
 }

@@ -26,7 +26,8 @@ use super::rank::Ranked;
 use super::remainder::unexplained::{Unexplained, rest_of};
 use super::remainder::weighed_again::weighed_again;
 use super::remainder::withdrawn::{
-    weigh_beside_shape, without_doubtful_steps, without_steps_of, without_weak,
+    weigh_beside_shape, without_doubtful_steps, without_steps_of, without_undetermined,
+    without_weak,
 };
 use super::request::{Request, Session};
 use super::search::{Name, Search};
@@ -102,6 +103,9 @@ pub(super) fn discover_in(
     if let Some((sensor, _)) = rest.as_ref().and_then(|found| found.wandering)
         && without_steps_of(session, &mut search, sensor)?
     {
+        rest = rest_of(&search.last, alpha);
+    }
+    if without_undetermined(session, &mut search)? {
         rest = rest_of(&search.last, alpha);
     }
     if let Some(found) = rest.as_mut() {

@@ -1,5 +1,6 @@
 //! Names that what remains explains, or outweighs, are withdrawn.
 
+use nalgebra::{DMatrix, DVector};
 use recording::Error;
 use sensor::{AnyEffect, Role, Sensor};
 
@@ -14,6 +15,9 @@ use crate::request::{Request, Session};
 use crate::score::log_tail;
 use crate::search::Search;
 use crate::state::State;
+
+/// Coefficients that chance makes so large in more cases than this say nothing.
+const BY_CHANCE: f64 = 0.05;
 
 /// Withdraws the effects that are not evident against what remains unexplained: a rest of `g` times the noise
 /// makes all likelihood ratios `g²` times too large.
@@ -100,6 +104,54 @@ pub(crate) fn without_steps_of(
     let wanders = |effect: &dyn AnyEffect| effect.sensor() == sensor && is_step(effect);
     let mut less = search.last.extension.clone();
     less.effects.retain(|(effect, _)| !wanders(*effect));
+    let there_are = less.effects.len() < search.last.extension.effects.len();
+    if there_are {
+        search.withdraw_to(session, less)?;
+    }
+    Ok(there_are)
+}
+
+/// Withdraws the effects that the last fit cannot tell from none: whether there were any.
+///
+/// A name is evident beside those that the search had then. Where one of them has been withdrawn since, or a larger walk leaves its
+/// coefficients within chance of zero, `βᵀ C⁻¹ β` of `C` their covariance in the last fit, the device need not have it.
+pub(crate) fn without_undetermined(
+    session: &Session<'_>,
+    search: &mut Search,
+) -> Result<bool, Error> {
+    let known = search.last.fit.shared_uncertainty();
+    let values = &search.last.fit.parameters;
+    let by_chance_alone = |effect: &dyn AnyEffect| {
+        let of = |p: &sensor::Param| format!("{}.{}", effect.name(), p.name);
+        let coefficients = effect.params().iter();
+        let coefficients = coefficients.filter(|p| p.role == Role::Coefficient);
+        let places: Option<Vec<(usize, f64)>> = coefficients
+            .map(|p| {
+                let place = known.names.iter().position(|name| *name == of(p))?;
+                Some((place, values.get(&of(p))?))
+            })
+            .collect();
+        let Some(places) = places.filter(|places| !places.is_empty()) else {
+            return false;
+        };
+        let n = places.len();
+        let covariance = DMatrix::from_fn(n, n, |i, k| known.covariance[places[i].0][places[k].0]);
+        let beta = DVector::from_fn(n, |i, _| places[i].1);
+        covariance.cholesky().is_some_and(|factor| {
+            log_tail(beta.dot(&factor.solve(&beta)), n as f64) > BY_CHANCE.ln()
+        })
+    };
+    let mut less = search.last.extension.clone();
+    let is_named = |own: &dyn AnyEffect| {
+        let names = search.names.iter();
+        let mut named = names.filter_map(|name| match name.claim {
+            Claim::Effect(effect) => Some(effect.name()),
+            _ => None,
+        });
+        named.any(|name| name == own.name())
+    };
+    less.effects
+        .retain(|(effect, _)| !(is_named(*effect) && by_chance_alone(*effect)));
     let there_are = less.effects.len() < search.last.extension.effects.len();
     if there_are {
         search.withdraw_to(session, less)?;
