@@ -105,8 +105,13 @@ pub(super) fn discover_in(
     {
         rest = rest_of(&search.last, alpha);
     }
-    if without_undetermined(session, &mut search)? {
-        rest = rest_of(&search.last, alpha);
+    let mut fewer = search.clone();
+    if without_undetermined(session, &mut fewer)? {
+        let left = rest_of(&fewer.last, alpha);
+        // What nothing would explain without it is not by chance.
+        if rest.is_some() || left.is_none() {
+            (search, rest) = (fewer, left);
+        }
     }
     if let Some(found) = rest.as_mut() {
         weigh_beside_shape(session, request, &mut search, found)?;

@@ -74,14 +74,13 @@ pub struct SourceClock {
     pub sampling: Share,
 }
 
-/// What a fit decided of the clock of one recording, and of its noise.
+/// What a fit decided of the clock of one recording.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DecidedClock {
     clock: SourceClock,
     base: usize,
     timing: f64,
     floor: f64,
-    noise_shares: [f64; 2],
 }
 
 impl DecidedClock {
@@ -205,19 +204,18 @@ impl Data {
         own.map_or(0, |turn| turn.base)
     }
 
-    /// What was decided of the clocks and the noise of all recordings.
+    /// What was decided of the clocks of all recordings.
     pub fn decided_clocks(&self) -> Vec<DecidedClock> {
         let of = |k: usize| DecidedClock {
             clock: self.sources[k].clock,
             base: self.base(k),
             timing: self.sources[k].timing,
             floor: self.sources[k].floor,
-            noise_shares: self.sources[k].noise_shares,
         };
         (0..self.sources.len()).map(of).collect()
     }
 
-    /// Lets the turns go by the clocks, and the rows by the noise, that were decided before.
+    /// Lets the turns go by the clocks that were decided before.
     pub(crate) fn go_by(&mut self, decided: &[DecidedClock]) {
         for (k, decided) in decided.iter().enumerate().take(self.sources.len()) {
             self.set_clock(k, decided.base, decided.clock.share);
@@ -225,8 +223,6 @@ impl Data {
             self.sources[k].timing = decided.timing;
             self.sources[k].floor = decided.floor;
         }
-        let shares: Vec<[f64; 2]> = decided.iter().map(|d| d.noise_shares).collect();
-        self.lower_noise(&shares);
     }
 
     /// Lets the turns of a recording go by the clock `base` and a share of the scatter about it.

@@ -62,7 +62,9 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
         point = Some(known(&mut data, point.as_ref())?);
     }
     let mut point = point.or(first);
-    if request.clocks.is_none() && data.is_coloured() {
+    // A search for what noise does not explain keeps to what the readings show of it: rests of a device that sways differ by
+    // more than a smaller noise.
+    if request.disturbances && data.is_coloured() {
         let run = Run {
             request,
             data: &data,

@@ -73,11 +73,7 @@ impl Run<'_> {
         } else {
             let known = self.known(&rows, x);
             let all: Vec<&Suspect> = known.iter().collect();
-            if self.data.moves_at_rest() {
-                analysis.allow_scatter_of_turns(&rows);
-            } else {
-                analysis.allow_scatter_of_gross_turns(&rows, &all);
-            }
+            analysis.allow_scatter_of_gross_turns(&rows, &all);
             (self.measured(&analysis, &all), known)
         };
         Weights {
