@@ -14,7 +14,7 @@ use crate::rank::{APART, levels};
 use crate::request::{Request, Session};
 use crate::score::log_tail;
 use crate::search::Search;
-use crate::state::State;
+use crate::state::{Extension, State};
 
 /// Coefficients that chance makes so large in more cases than this say nothing.
 const BY_CHANCE: f64 = 0.05;
@@ -72,11 +72,16 @@ pub(crate) fn without_doubtful_steps(
             less.effects.retain(|(own, _)| own.name() != effect.name());
         }
     }
-    let are_doubtful = less.effects.len() < search.last.extension.effects.len();
-    if are_doubtful {
+    withdraw(session, search, less)
+}
+
+/// Goes on with fewer effects, where `less` has fewer; whether it has.
+fn withdraw(session: &Session<'_>, search: &mut Search, less: Extension) -> Result<bool, Error> {
+    let has_fewer = less.effects.len() < search.last.extension.effects.len();
+    if has_fewer {
         search.withdraw_to(session, less)?;
     }
-    Ok(are_doubtful)
+    Ok(has_fewer)
 }
 
 /// The evidence that the bias of an axis of a sensor wanders.
@@ -104,11 +109,7 @@ pub(crate) fn without_steps_of(
     let wanders = |effect: &dyn AnyEffect| effect.sensor() == sensor && is_step(effect);
     let mut less = search.last.extension.clone();
     less.effects.retain(|(effect, _)| !wanders(*effect));
-    let there_are = less.effects.len() < search.last.extension.effects.len();
-    if there_are {
-        search.withdraw_to(session, less)?;
-    }
-    Ok(there_are)
+    withdraw(session, search, less)
 }
 
 /// Withdraws the effects that the last fit cannot tell from none: whether there were any.
@@ -152,11 +153,7 @@ pub(crate) fn without_undetermined(
     };
     less.effects
         .retain(|(effect, _)| !(is_named(*effect) && by_chance_alone(*effect)));
-    let there_are = less.effects.len() < search.last.extension.effects.len();
-    if there_are {
-        search.withdraw_to(session, less)?;
-    }
-    Ok(there_are)
+    withdraw(session, search, less)
 }
 
 /// Withdraws what is no longer evident beside the shape of what remains.

@@ -6,11 +6,11 @@
 
 use recording::Error;
 use sensor::Sensor;
-use statrs::distribution::{ContinuousCDF, Gamma};
 
 use crate::methods::joint::data::Data;
 use crate::methods::joint::minimum::{Point, Run};
 use crate::methods::joint::result::left::Left;
+use crate::methods::small_sample::by_chance;
 
 /// Noise makes what is left of the means so small in fewer cases than this.
 const UNLIKELY: f64 = 1e-3;
@@ -84,7 +84,7 @@ impl Run<'_> {
 
 /// The share of the variance that a sum of squares with so many degrees of freedom shows; 1 where chance may have made it.
 fn share((square, freedom): (f64, f64)) -> f64 {
-    let below = Gamma::new(0.5 * freedom, 0.5).map_or(1.0, |law| law.cdf(square));
+    let below = 1.0 - by_chance(square, freedom);
     if freedom >= LEAST_FREEDOM && square > 0.0 && below < UNLIKELY {
         square / freedom
     } else {
