@@ -93,7 +93,7 @@ fn what_comes_back_is_as_good_on_the_recording() {
     std::fs::write(path.join("spec.toml"), spec).unwrap();
     for call in [
         &["simulate", "spec.toml", "-o", "run"][..],
-        &["calibrate", "run", "-o", "cal.json"],
+        &["calibrate", "run", "--method", "stepwise", "-o", "cal.json"],
         &["export", "cal.json", "--to", "imu_tk", "-o", "tk"],
         &["import", "tk", "-o", "tk.json"],
         &[

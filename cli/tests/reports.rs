@@ -296,7 +296,17 @@ fn what_the_page_says_of_a_touched_device_mends_the_calibration() {
         let page = std::fs::read_to_string(dir.path().join("cal.html")).unwrap();
         (output, page.replace("</span>", "").replace("<span>", ""))
     };
+    // The joint method finds it itself.
     let (output, page) = calibrate(&[]);
+    let said = stderr(&output);
+    let touched = "something touched or pushed the device";
+    assert!(
+        said.contains("static interval 8 (") && said.contains(touched),
+        "{said}"
+    );
+    assert!(page.contains("is not in this calibration"), "{said}");
+    let stepwise = |more: &[&str]| calibrate(&[&["--method", "stepwise"], more].concat());
+    let (output, page) = stepwise(&[]);
     // The turns on either side are sound.
     let said = stderr(&output);
     assert!(
@@ -305,7 +315,7 @@ fn what_the_page_says_of_a_touched_device_mends_the_calibration() {
     );
     let next = page.split("--leave-out ").nth(1).expect("the option");
     let instant = next.split(' ').next().unwrap();
-    let (output, page) = calibrate(&["--leave-out", instant]);
+    let (output, page) = stepwise(&["--leave-out", instant]);
     assert!(output.status.success(), "{}", stderr(&output));
     assert!(
         page.contains("The model explains the recording"),

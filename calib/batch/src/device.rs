@@ -128,11 +128,12 @@ fn with_own(request: &Request, own: &DeviceOptions) -> Result<Request, Error> {
     }
     request.method = match own.method.as_deref() {
         None => request.method,
+        Some("auto") => Method::Auto,
         Some("stepwise") => Method::Stepwise,
         Some("joint") => Method::Joint,
         Some(other) => {
             return Err(Error::Usage(format!(
-                "method `{other}`: stepwise or joint expected"
+                "method `{other}`: auto, stepwise or joint expected"
             )));
         }
     };

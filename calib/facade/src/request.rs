@@ -15,8 +15,10 @@ use crate::{Catalogue, Error, Recording, Watch};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Method {
-    /// Accelerometer first, then the gyroscope by propagated gravity (Liu et al. 2021).
+    /// Joint; stepwise where a recording has no accelerometer, or where what is asked for is the stepwise method's alone.
     #[default]
+    Auto,
+    /// Accelerometer first, then the gyroscope by propagated gravity (Liu et al. 2021).
     Stepwise,
     /// Both sensors in one problem weighted by the recording's own noise.
     Joint,
@@ -150,6 +152,7 @@ impl Request {
         };
         Ok(CalibRequest {
             method: match self.method {
+                Method::Auto => calib::calibrate::Method::Auto,
                 Method::Joint => calib::calibrate::Method::Joint,
                 Method::Stepwise | Method::SixPosition { .. } => calib::calibrate::Method::Stepwise,
             },

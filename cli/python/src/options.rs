@@ -47,13 +47,15 @@ impl Options<'_> {
         let word = Word(py);
         Ok(Request {
             method: match self.method.as_str() {
+                "auto" => Method::Auto,
                 "stepwise" => Method::Stepwise,
                 "joint" => Method::Joint,
                 "six-position" => Method::SixPosition {
                     first_order: self.first_order,
                 },
                 other => {
-                    return Err(word.wrong("method", other, "stepwise, joint or six-position"));
+                    let known = "auto, stepwise, joint or six-position";
+                    return Err(word.wrong("method", other, known));
                 }
             },
             gravity: self.gravity,

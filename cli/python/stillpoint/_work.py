@@ -18,7 +18,7 @@ _Recordings = Union[Recording, Sequence[Recording]]
 _Progress = Optional[Callable[[str, int], object]]
 
 _DEFAULTS: dict[str, Any] = {
-    "method": "stepwise",
+    "method": "auto",
     "first_order": False,
     "gravity": None,
     "latitude": None,
@@ -66,7 +66,7 @@ def _all(recordings: _Recordings) -> list[Recording]:
 def calibrate(
     recordings: _Recordings,
     *,
-    method: "Literal['stepwise', 'joint', 'six-position']" = "stepwise",
+    method: "Literal['auto', 'stepwise', 'joint', 'six-position']" = "auto",
     gravity: Optional[float] = None,
     latitude: Optional[float] = None,
     altitude: Optional[float] = None,
@@ -79,7 +79,8 @@ def calibrate(
 
     Args:
         recordings: one or several; they share scale factors and misalignments.
-        method: ``stepwise`` as published (Liu et al. 2021), ``joint``, ``six-position``.
+        method: ``auto`` (joint; stepwise where a recording has no accelerometer), ``stepwise`` as published
+            (Liu et al. 2021), ``joint``, ``six-position``.
         gravity: local gravity, m/s²; that of the place where it is None, else 9.80665 with errors that cover the earth.
         latitude: ° north.
         altitude: m above sea level.

@@ -69,7 +69,7 @@ pub struct Args {
     #[command(flatten)]
     recordings: RecordingArgs,
     /// How to calibrate
-    #[arg(long, value_enum, default_value_t = Method::Stepwise)]
+    #[arg(long, value_enum, default_value_t = Method::Auto)]
     method: Method,
     /// With `--method six-position`: correct by `I - M` as published, not by the inverse of `I + M`
     #[arg(long)]
@@ -147,6 +147,8 @@ pub struct Args {
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Method {
+    /// Joint; stepwise where a recording has no accelerometer, or where an option is the stepwise method's alone
+    Auto,
     /// Accelerometer first, then the gyroscope by propagated gravity (Liu et al. 2021)
     Stepwise,
     /// Both sensors in one problem weighted by the recording's own noise
@@ -433,6 +435,7 @@ fn request(args: &Args) -> Result<Request, Failure> {
     };
     Ok(Request {
         method: match args.method {
+            Method::Auto => calib::calibrate::Method::Auto,
             Method::Joint => calib::calibrate::Method::Joint,
             Method::Stepwise | Method::SixPosition => calib::calibrate::Method::Stepwise,
         },

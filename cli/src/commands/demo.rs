@@ -3,8 +3,9 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use calib::calibrate::{Outcome, Request as CalibrationRequest, calibrate};
+use calib::calibrate::{Method, Outcome, Request as CalibrationRequest, calibrate};
 use calib::discover::{Discovery, Request};
+use calib::recording::averages::root_mean_square;
 use calib::simulate::{Session, Spec};
 use gyroscope::GyroGSensitivity;
 use sensor::Effect;
@@ -96,6 +97,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let recordings = [session.recording.clone()];
     progress.set_message("calibrating");
     let request = CalibrationRequest {
+        method: Method::Joint,
         gravity,
         ..CalibrationRequest::default()
     };
@@ -126,14 +128,14 @@ fn simulated(session: &Session, outcome: &Outcome) -> String {
         "A simulated device, held by hand in {rests} placements: {samples} samples of both sensors, consumer grade.\n\
          It has an effect that the analysis is not told of.\n\n"
     );
-    if let (Some(accelerometer), Some(gyroscope)) = (&outcome.accelerometer, &outcome.gyroscope) {
+    if let Some(fit) = &outcome.joint {
         let _ = writeln!(
             text,
             "calibrate: gravity's norm holds to {:.2} mm/s² rms; its direction is predicted through a turn\n\
              to {:.4}° rms (raw: {:.2}°).",
-            1e3 * accelerometer.first.rms(),
-            gyroscope.rms().to_degrees(),
-            gyroscope.rms_before().to_degrees()
+            1e3 * root_mean_square(&fit.moduli),
+            root_mean_square(&fit.chords).to_degrees(),
+            root_mean_square(&fit.chords_before).to_degrees()
         );
     }
     text

@@ -60,7 +60,7 @@ impl Record {
     /// What became of it by one method.
     pub fn by(&self, method: Method) -> &Outcome {
         match method {
-            Method::Joint => &self.joint,
+            Method::Auto | Method::Joint => &self.joint,
             Method::Stepwise => &self.stepwise,
         }
     }

@@ -15,11 +15,15 @@ use crate::calibration::{
     WITH_WALKS, in_symmetric_frame,
 };
 use crate::methods::earth::{self, on_the_earth, vertical_rate, vertical_rate_at};
-use crate::methods::joint::{Channel, Disturbance, JointFit, JointRequest, fit_joint};
+use crate::methods::joint::{Accused, Channel, Disturbance, JointFit, JointRequest, fit_joint};
 use crate::methods::{Choice, Fitted};
 
 /// A latitude whose vertical part of the earth's rotation is off by so many standard errors is doubted.
 const REFUTED: f64 = 4.0;
+
+/// A placement off by so much, m/s², though nothing shook it, was not touched: the sensor lies otherwise in its case, or
+/// something lifts it.
+const APART: f64 = 0.1;
 
 /// A rest whose absence moves a parameter by so many of its standard errors is named.
 const INFLUENTIAL: f64 = 4.0;
@@ -129,6 +133,7 @@ pub fn written_down(
     if let Some(rate) = &rate {
         failed_gates.extend(check_rate(fit, rate, warnings)?);
     }
+    failed_gates.extend(placements_apart(fit));
     warnings.extend(of_the_unit(&fit.force_unit));
     if rate.is_some() {
         warnings.extend(of_the_gyro_unit(&fit.rate_unit, fit.force_unit.is_si()));
@@ -233,6 +238,32 @@ fn check_rate(
         warnings.extend(checks::turned_axes(&evidence));
     }
     Ok(checks::gyroscope_gates(&evidence, fit.force_unit.is_si()))
+}
+
+/// The placements whose force no touch explains: nothing shook, and they are off by more than [`APART`].
+fn placements_apart(fit: &JointFit) -> Option<String> {
+    let apart =
+        |a: &&Accused| a.kind == Disturbance::DisturbedInterval && !a.shook && a.size > APART;
+    let all: Vec<String> = fit
+        .accused
+        .iter()
+        .filter(apart)
+        .map(|a| {
+            let name = &fit.data.sources[a.recording].name;
+            format!(
+                "{name}: static interval {} by {:.2} m/s²",
+                a.interval + 1,
+                a.size
+            )
+        })
+        .collect();
+    (!all.is_empty()).then(|| {
+        format!(
+            "placements disagree with the others though nothing shook there ({}): did the sensor slip in its case? The \
+             calibration is without them; fix the sensor and record again",
+            all.join(", ")
+        )
+    })
 }
 
 /// Names what was disturbed, with interval and times.

@@ -73,6 +73,8 @@ pub enum GyroBias {
 /// How to calibrate.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Method {
+    /// What [`Request::usual_method`] says.
+    Auto,
     /// Accelerometer first, then the gyroscope by propagated gravity, as published.
     #[default]
     Stepwise,
@@ -130,6 +132,36 @@ pub struct Request {
     pub static_means: Vec<Vector3<f64>>,
 }
 
+impl Request {
+    /// The method where nobody names one: joint, whose stated errors hold under more conditions; stepwise where a recording
+    /// has no accelerometer or where what is asked for is the stepwise method's alone (integrator, bias of a turn, an
+    /// assumed step, means from a table).
+    pub fn usual_method<R: Borrow<Recording>>(&self, recordings: &[R]) -> Method {
+        let without_force = |r: &R| r.borrow().accelerometer.is_none();
+        let as_published = self.integrator != Integrator::default()
+            || self.gyro_bias != GyroBias::default()
+            || self.nominal_step.is_some()
+            || !self.static_means.is_empty();
+        if as_published || recordings.iter().any(without_force) {
+            Method::Stepwise
+        } else {
+            Method::Joint
+        }
+    }
+
+    /// The same with a method that is no longer open.
+    fn decided<R: Borrow<Recording>>(&self, recordings: &[R]) -> Self {
+        let method = match self.method {
+            Method::Auto => self.usual_method(recordings),
+            named => named,
+        };
+        Self {
+            method,
+            ..self.clone()
+        }
+    }
+}
+
 impl Default for Request {
     fn default() -> Self {
         Self {
@@ -182,7 +214,8 @@ pub fn calibrate<R: Borrow<Recording>>(
 ) -> Result<Outcome, Error> {
     let recordings: Vec<&Recording> = recordings.iter().map(R::borrow).collect();
     let gyro_recordings: Vec<&Recording> = gyro_recordings.iter().map(R::borrow).collect();
-    calibrate_all(&recordings, &gyro_recordings, request)
+    let request = request.decided(&recordings);
+    calibrate_all(&recordings, &gyro_recordings, &request)
 }
 
 fn calibrate_all(
@@ -348,7 +381,9 @@ impl Parts<'_> {
         let (recordings, others) = (self.recordings, self.gyro_recordings);
         match self.request.method {
             Method::Joint => joint::calibrate(recordings, others, choices, self.request, warnings),
-            Method::Stepwise => stepwise(recordings, others, choices, self.request, warnings),
+            Method::Auto | Method::Stepwise => {
+                stepwise(recordings, others, choices, self.request, warnings)
+            }
         }
     }
 

@@ -30,7 +30,29 @@ pub fn blamed<T>(
     });
     match (fault, outcome) {
         (Some(fault), _) => Err(Error::NotConverged(fault)),
-        (None, outcome) => outcome,
+        (None, outcome) => outcome.map_err(|error| suspected(effects, error)),
+    }
+}
+
+/// The error of a fit with the effects of a user named, whose formulas may be the reason.
+fn suspected(effects: &[&'static dyn AnyEffect], error: Error) -> Error {
+    let own = effects
+        .iter()
+        .filter(|effect| effect.definition().is_some());
+    let own: Vec<&str> = own.map(|effect| effect.name()).collect();
+    if own.is_empty() {
+        return error;
+    }
+    let with = |reason: String| {
+        let own = own.join(", ");
+        format!(
+            "{reason}. The model holds {own}: if a calibration without it works, its formula is the reason"
+        )
+    };
+    match error {
+        Error::NotEnough(reason) => Error::NotEnough(with(reason)),
+        Error::NotConverged(reason) => Error::NotConverged(with(reason)),
+        other => other,
     }
 }
 

@@ -247,6 +247,7 @@ impl Options {
     /// Of a request and the multipliers that were chosen.
     pub fn of(request: &Request, multipliers: Vec<f64>) -> Self {
         let method = match request.method {
+            Method::Auto => "auto",
             Method::Stepwise => "stepwise",
             Method::Joint => "joint",
         };

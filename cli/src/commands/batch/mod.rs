@@ -69,7 +69,7 @@ pub struct Args {
     #[arg(long, value_name = "SECONDS", default_value_t = 600.0)]
     budget: f64,
     /// How to calibrate
-    #[arg(long, value_enum, default_value_t = options::BatchMethod::Stepwise)]
+    #[arg(long, value_enum, default_value_t = options::BatchMethod::Auto)]
     method: options::BatchMethod,
     /// Effects to fit on top of the base models
     #[arg(long, value_name = "A,B", value_delimiter = ',')]

@@ -13,6 +13,8 @@ use crate::exit::{Failure, USAGE};
 /// The methods that a batch knows.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum BatchMethod {
+    /// Joint; stepwise where a recording has no accelerometer
+    Auto,
     /// Accelerometer first, then the gyroscope by propagated gravity
     Stepwise,
     /// Both sensors in one problem weighted by the recording's own noise
@@ -46,6 +48,7 @@ pub fn of(args: &Args) -> Result<Options, Failure> {
     }
     let request = Request {
         method: match args.method {
+            BatchMethod::Auto => Method::Auto,
             BatchMethod::Stepwise => Method::Stepwise,
             BatchMethod::Joint => Method::Joint,
         },

@@ -88,10 +88,8 @@ impl Run<'_> {
             of_place,
             white_residuals,
             white_jacobian,
-            accused: weights
-                .accused
-                .iter()
-                .map(|s| self.in_words(s))
+            accused: self
+                .in_words(&weights.accused, &x[point.plain..])
                 .chain(broken)
                 .collect(),
             shown: weights.shown,
@@ -122,13 +120,28 @@ impl Run<'_> {
                 recording,
                 interval,
                 span,
+                size: 0.0,
+                shook: true,
                 detail:
                     "it broke a rest: what remains of it beyond the touch counts as part of a turn"
                         .into(),
             })
     }
 
-    fn in_words(&self, suspect: &Suspect) -> Accused {
+    /// What was disturbed, with the fitted sizes of the disturbances one after the other.
+    fn in_words<'b>(
+        &'b self,
+        suspects: &'b [Suspect],
+        sizes: &'b [f64],
+    ) -> impl Iterator<Item = Accused> + 'b {
+        suspects.iter().scan(sizes, |left, suspect| {
+            let (own, others) = left.split_at_checked(suspect.columns.len())?;
+            *left = others;
+            Some(self.one_in_words(suspect, own))
+        })
+    }
+
+    fn one_in_words(&self, suspect: &Suspect, fitted: &[f64]) -> Accused {
         let (recording, interval, span) = match suspect.kind {
             Disturbance::BadTurn => {
                 let turn = &self.data.turns[suspect.place];
@@ -145,12 +158,31 @@ impl Run<'_> {
                 (rest.recording, rest.interval, span)
             }
         };
+        let norm = fitted.iter().take(3).map(|v| v * v).sum::<f64>().sqrt();
+        let seen = suspect.detail.clone();
+        let (size, detail) = match suspect.kind {
+            Disturbance::MountSlip => {
+                let angle = norm * span.length();
+                let (all, slope) = (angle.to_degrees(), norm * self.request.gravity);
+                let detail =
+                    format!("{all:.2}° in all, a slope of up to {slope:.3} m/s³ in the force");
+                (angle, detail)
+            }
+            Disturbance::SuddenSlip => (norm, format!("{:.2}° at once", norm.to_degrees())),
+            Disturbance::DisturbedInterval if seen.is_empty() => {
+                (norm, format!("off by {:.0} mm/s²", 1e3 * norm))
+            }
+            Disturbance::DisturbedInterval => (norm, seen),
+            Disturbance::BadTurn | Disturbance::RateExcursion => (0.0, seen),
+        };
         Accused {
             kind: suspect.kind,
             recording,
             interval,
             span,
-            detail: suspect.detail.clone(),
+            size,
+            shook: !suspect.detail.is_empty(),
+            detail,
         }
     }
 }

@@ -89,6 +89,10 @@ pub struct Accused {
     pub interval: usize,
     /// When.
     pub span: Span,
+    /// Its fitted size: of a push in m/s², of a creep in rad, else 0.
+    pub size: f64,
+    /// Whether the readings shook there.
+    pub shook: bool,
     /// In words.
     pub detail: String,
 }

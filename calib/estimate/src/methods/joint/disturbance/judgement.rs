@@ -15,6 +15,9 @@ use crate::methods::joint::request::Known;
 use crate::methods::joint::result::analysis::{Analysis, walks};
 use crate::methods::joint::rows::Rows;
 
+/// So many disturbances may be the whole of a misfit by noise alone.
+const FEW: usize = 2;
+
 impl Run<'_> {
     /// White noise at the start, and the walks where they are given.
     pub(crate) fn first_weights(&self) -> Weights {
@@ -122,16 +125,24 @@ impl Run<'_> {
         candidates.extend(touched);
         let most = given.len() + (MOST_DISTURBED * self.data.rests.len() as f64).ceil() as usize;
         let all = |places: &[usize]| places.iter().map(|&k| &candidates[k]).collect::<Vec<_>>();
-        let patterns = at.allow_patterns(&all(&given), analysis, shown);
-        let mut misfit = analysis.allow_scatter_where_misfit(rows, &all(&given)) || patterns;
+        let columns = analysis.columns(&candidates);
+        let mut found = given.clone();
+        if analysis.is_missed(rows, &all(&given)) {
+            // One rest or two that are far off pull on all of the others where these are few.
+            let trial = analysis.trial(&candidates, &columns, &[]);
+            let few = trial.accuse(&given, given.len() + FEW);
+            found = few
+                .filter(|few| !analysis.is_missed(rows, &all(few)))
+                .unwrap_or(found);
+        }
+        let patterns = at.allow_patterns(&all(&found), analysis, shown);
+        let mut misfit = analysis.allow_scatter_where_misfit(rows, &all(&found)) || patterns;
         if self.data.misses_something_between_samples() || self.data.moves_at_rest() {
             // What falls between samples altogether shows in none of them, and a device that sways begins a turn where it sways
             // to: turns scatter by more than their samples say.
             analysis.allow_scatter_of_turns(rows);
             misfit = true;
         }
-        let columns = analysis.columns(&candidates);
-        let mut found = given.clone();
         if !misfit {
             let trial = analysis.trial(&candidates, &columns, &[]);
             found = trial.accuse(&given, most).unwrap_or(given.clone());

@@ -89,19 +89,33 @@ impl Analysis {
     /// quarters of them are off by far more than the noise; whether any are.
     pub fn allow_scatter_where_misfit(&mut self, rows: &Rows<'_>, known: &[&Suspect]) -> bool {
         let before = self.components.len();
-        let own = self.orientation.iter().map(|(_, own)| own);
-        let own = own.chain(&self.carried);
-        let taken = own.fold(self.with(known), |taken, own| taken.beside(own));
-        let left = Left::of(&taken, &self.residuals);
-        for (kind, groups) in groups(rows) {
-            if left.quieter_ratio(&groups) > MISFIT {
-                self.allow(rows, kind, &groups);
-                if kind == ComponentKind::ForceScatter {
-                    self.end_walk_with_rests(rows, &taken);
-                }
+        let taken = self.taken(known);
+        for (kind, groups) in self.missed(rows, &taken) {
+            self.allow(rows, kind, &groups);
+            if kind == ComponentKind::ForceScatter {
+                self.end_walk_with_rests(rows, &taken);
             }
         }
         self.components.len() > before
+    }
+
+    /// Whether the quieter three quarters of rests or turns are off by far more than the noise.
+    pub fn is_missed(&self, rows: &Rows<'_>, known: &[&Suspect]) -> bool {
+        !self.missed(rows, &self.taken(known)).is_empty()
+    }
+
+    /// The kinds of rows of which the quieter three quarters are off by far more than the noise.
+    fn missed(&self, rows: &Rows<'_>, taken: &Columns) -> Vec<(ComponentKind, Vec<Vec<usize>>)> {
+        let left = Left::of(taken, &self.residuals);
+        let is_off = |(_, groups): &(_, Vec<Vec<usize>>)| left.quieter_ratio(groups) > MISFIT;
+        groups(rows).into_iter().filter(is_off).collect()
+    }
+
+    /// The Jacobian beside disturbances, patterns of the orientation and what is carried.
+    fn taken(&self, known: &[&Suspect]) -> Columns {
+        let own = self.orientation.iter().map(|(_, own)| own);
+        let own = own.chain(&self.carried);
+        own.fold(self.with(known), |taken, own| taken.beside(own))
     }
 
     /// Adds scatter of the turns to what the noise may have.
