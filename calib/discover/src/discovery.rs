@@ -21,7 +21,7 @@ use super::flicker::names_and_rest;
 use super::gap::channel::{Channel, Misfit, Sequence, channel_of};
 use super::gap::held_out::{gap_of, held_out};
 use super::gap::localise::disagreements;
-use super::propose::{Proposal, propose};
+use super::propose::{Proposal, Proposed, instead_of_names, propose};
 use super::rank::Ranked;
 use super::remainder::unexplained::{Unexplained, rest_of};
 use super::remainder::weighed_again::weighed_again;
@@ -45,6 +45,8 @@ pub struct Discovery {
     pub findings: Findings,
     /// The models.
     pub search: Search,
+    /// The last of them with the proposed formula, where there is one.
+    pub with_formula: Option<State>,
 }
 
 /// Finds what the base models lack.
@@ -94,6 +96,11 @@ pub(super) fn discover_in(
     } else {
         names_and_rest(session, request, base)?
     };
+    let instead = instead_of_names(session, request, &search).map(|(formula, mut whole)| {
+        whole.instead_of = search.withdraw_all();
+        rest = Some(whole);
+        formula
+    });
     if rest.is_some() && without_weak(session, &mut search, request)? {
         rest = rest_of(&search.last, alpha);
     }
@@ -124,9 +131,10 @@ pub(super) fn discover_in(
     }
     let held = settle(session, &mut search.last);
     let proposed = match &rest {
-        Some(rest) => proposal(session, request, &mut search, rest)?,
+        Some(rest) => proposal(session, request, &mut search, rest, instead)?,
         None => None,
     };
+    let (proposed, with_formula) = proposed.unzip();
     let (mut calibration, held) = determined(session, request, &mut search, held)?;
     say_held(&mut calibration, &held);
     calibration.warnings.extend(search.spent.clone());
@@ -185,7 +193,11 @@ pub(super) fn discover_in(
         white: white(&search.last),
         calibration,
     };
-    Ok(Discovery { findings, search })
+    Ok(Discovery {
+        findings,
+        search,
+        with_formula,
+    })
 }
 
 pub(super) fn calibration(
@@ -250,15 +262,17 @@ fn determined(
     }
 }
 
-/// A formula for what remains, with its coefficients; names that it explains are withdrawn, and the formula is then
+/// A formula for what remains, or that is `known` to explain it, with its coefficients; names that it explains are withdrawn, and the formula is then
 /// looked for without them.
 fn proposal(
     session: &Session<'_>,
     request: &Request,
     search: &mut Search,
     rest: &Unexplained,
-) -> Result<Option<Proposal>, Error> {
-    let Some(mut proposed) = propose(session, request, &search.last, rest) else {
+    known: Option<Proposed>,
+) -> Result<Option<(Proposal, State)>, Error> {
+    let found = known.or_else(|| propose(session, request, &search.last, rest));
+    let Some(mut proposed) = found else {
         return Ok(None);
     };
     let family = effect_family(&search.base, proposed.effect, &[]);
@@ -275,7 +289,8 @@ fn proposal(
         return Ok(None);
     };
     let parameters = parameters_of(proposed.effect.name(), &calibration);
-    Ok(Some(proposed.written(rest.channel, parameters)))
+    let state = proposed.state.clone();
+    Ok(Some((proposed.written(rest.channel, parameters), state)))
 }
 
 /// The final model with its misfits, in the fit and on blocks left out.

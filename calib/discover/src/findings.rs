@@ -104,6 +104,9 @@ pub struct Validation {
     pub gap_before: f64,
     /// With everything named.
     pub gap_after: f64,
+    /// With the proposed formula too, in the channel that it is judged by.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gap_with_formula: Option<f64>,
     /// Degrees of freedom of the channel: of a complete model `gap_after²` is 1 within `±2 √(2/dof)`.
     pub dof: f64,
 }

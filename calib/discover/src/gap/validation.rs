@@ -22,8 +22,8 @@ use crate::state::{Extension, State};
 const STEPS: usize = 3;
 
 /// The gap of the calibrations that `discovery` has made, without and with everything named, on another
-/// recording of the device: in every channel that something named lives in, in all channels where
-/// nothing is named.
+/// recording of the device: in every channel that something named or proposed lives in, in all channels where
+/// nothing is.
 ///
 /// The calibration is held; the recording's directions and biases are free. What is missed is expected to
 /// have the covariance `I + k_a² C_a + k_g² C_g + J_s Σ J_sᵀ`: white noise, noise, and the errors of the calibration.
@@ -41,7 +41,13 @@ pub fn validate(
     let before = missed(&session, &search.base, noise)?;
     let after = missed(&session, &search.last, noise)?;
     let named = &discovery.findings.effects;
-    let shows = |c: Channel| named.iter().any(|effect| effect.channel == c);
+    let proposed = discovery.findings.proposed.as_ref();
+    let with_formula = match &discovery.with_formula {
+        Some(model) => Some(missed(&session, model, model.noise)?),
+        None => None,
+    };
+    let is_proposed = |c: Channel| proposed.is_some_and(|p| p.channel == c);
+    let shows = |c: Channel| is_proposed(c) || named.iter().any(|effect| effect.channel == c);
     // Late stamps show in none of these channels.
     let none = !Channel::ALL.into_iter().any(shows);
     Ok(Channel::ALL
@@ -54,6 +60,9 @@ pub fn validate(
             channel,
             gap_before: before.gap(),
             gap_after: after.gap(),
+            gap_with_formula: with_formula
+                .filter(|_| is_proposed(channel))
+                .map(|with| with[channel as usize].gap()),
             dof: after.dof,
         })
         .collect())

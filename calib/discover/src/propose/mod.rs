@@ -8,24 +8,26 @@
 mod alternatives;
 mod dictionary;
 mod group_lasso;
+mod instead;
 mod screen;
 mod stability;
 mod terms;
 
 use alternatives::alternatives;
-use dictionary::dictionary;
+use dictionary::{Product, dictionary};
 use estimate::calibration::EffectParameter;
-use screen::screen;
+pub use instead::instead_of_names;
+use screen::{Screened, screen};
 use sensor::{AnyEffect, Formula, Sensor};
 use serde::Serialize;
-use stability::stability;
+use stability::{alike, stability};
 use statrs::function::factorial::ln_binomial;
 use terms::terms;
 
 use super::family::effect_family;
 use super::gap::channel::{Channel, Misfit};
 use super::gap::held_out::held_out;
-use super::rank::{Ranked, rank};
+use super::rank::{APART, Ranked, rank};
 use super::remainder::unexplained::Unexplained;
 use super::request::{Request, Session};
 use super::state::State;
@@ -116,21 +118,21 @@ pub fn propose(
     last: &State,
     rest: &Unexplained,
 ) -> Option<Proposed> {
-    let products = dictionary(last);
-    let screened = screen(last, &products)?;
+    propose_of(session, request, last, rest, &dictionary(last))
+}
+
+/// The same among some products.
+fn propose_of(
+    session: &Session<'_>,
+    request: &Request,
+    last: &State,
+    rest: &Unexplained,
+    products: &[Product],
+) -> Option<Proposed> {
+    let screened = screen(last, products)?;
     let frequencies = stability(last, &screened.whitened, &screened.bases, screened.floor);
-    let mut stable: Vec<(usize, f64)> = screened
-        .products
-        .iter()
-        .copied()
-        .zip(frequencies)
-        .filter(|(_, frequency)| *frequency >= STABLE)
-        .collect();
-    // They come most evident first: that one gives the sensor.
-    let sensor = products[stable.first()?.0].sensor;
-    stable.retain(|(k, _)| products[*k].sensor == sensor);
-    stable.truncate(MOST_PRODUCTS);
-    let chosen: Vec<_> = stable.iter().map(|(k, f)| (&products[*k], *f)).collect();
+    let chosen = chosen(&screened, products, &frequencies);
+    let sensor = chosen.first()?.0.sensor;
     let found = terms(&screened.whitened, &chosen)?;
     let formula = Formula::new(sensor, found.terms.clone());
     let effect = formula.effect(name_of(sensor)).ok()?;
@@ -153,6 +155,34 @@ pub fn propose(
         gaps,
         alternatives: alternatives(&screened.whitened, &found, &kept),
     })
+}
+
+/// The stable products of one sensor, most evident first, with their frequencies: of those that are alike one, the simplest
+/// that is no less likely than the best by [`APART`].
+fn chosen<'a>(
+    screened: &Screened,
+    products: &'a [Product],
+    frequencies: &[f64],
+) -> Vec<(&'a Product, f64)> {
+    let product = |place: usize| &products[screened.products[place]];
+    let mut stable: Vec<usize> = (0..frequencies.len())
+        .filter(|&place| frequencies[place] >= STABLE)
+        .collect();
+    let mut chosen = Vec::new();
+    while let (Some(&best), true) = (stable.first(), chosen.len() < MOST_PRODUCTS) {
+        let sensor = product(best).sensor;
+        let (alike, others): (Vec<usize>, Vec<usize>) = stable
+            .iter()
+            .partition(|&&place| alike(&screened.bases[best], &screened.bases[place]));
+        let likely = |place: &usize| screened.log_p(*place) < screened.log_p(best) + APART;
+        let likely = alike.into_iter().filter(likely);
+        let simplest = likely.min_by_key(|&place| product(place).degree());
+        let taken = simplest.unwrap_or(best);
+        chosen.push((product(taken), frequencies[taken]));
+        stable = others;
+        stable.retain(|&place| product(place).sensor == sensor);
+    }
+    chosen
 }
 
 /// The name of a proposed effect.

@@ -33,6 +33,13 @@ pub struct Screened {
     pub floor: f64,
 }
 
+impl Screened {
+    /// `ln p` of one of the products.
+    pub fn log_p(&self, place: usize) -> f64 {
+        log_p(&self.bases[place], &self.whitened)
+    }
+}
+
 /// The products with the best score of their own.
 pub fn screen(state: &State, products: &[Product]) -> Option<Screened> {
     let mut levels = levels(&state.projected, state.noise, state.noise_given);

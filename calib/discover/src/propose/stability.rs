@@ -1,4 +1,4 @@
-//! How often a group is selected when half of the intervals speak.
+//! How often a group, or one much like it, is selected when half of the intervals speak.
 
 use std::ops::Range;
 
@@ -19,20 +19,28 @@ const PAIRS: u64 = 25;
 /// Groups that a half may select: few, so that chance seldom selects the same again.
 const MOST: usize = 3;
 
+/// Groups that share more than this (`ρ²`) stand for each other: halves that select the one speak for the other.
+const ALIKE: f64 = 0.5;
+
+/// Share of the halves that must select anything at all.
+const SPEAK: f64 = 0.5;
+
 /// `λ` from one step of the path to the next.
 const STEP: f64 = 0.8;
 
 /// Added to precisions, which are at most 1: rows of a half may depend on each other.
 const RIDGE: f64 = 1e-9;
 
-/// For every group the share of the halves that select it.
+/// For every group the share of the halves that select it or one like it, of those that select any: a half in which nothing
+/// rises above the noise says nothing for or against. 0 where fewer than [`SPEAK`] select any.
 ///
 /// `bases` (`q × p_g`) are orthonormal, whitened. A half of the rests speaks through its rows, given all others:
 /// with `B = N L⁻ᵀ` (`m × q`) and its rows `B_I`, through `B_I z ~ N(B_I W β, B_I B_Iᵀ)`. A group is selected where it is
 /// among the first [`MOST`] on the path of falling `λ`, no lower than `floor`.
 ///
 /// Source: Meinshausen and Bühlmann, Stability selection, 2010; halves in complementary pairs as of Shah and
-/// Samworth, Variable selection with error control, 2013.
+/// Samworth, Variable selection with error control, 2013; votes by clusters as of Faletto and Bien, Cluster stability
+/// selection, 2022.
 pub fn stability(state: &State, whitened: &Whitened, bases: &[Mat<f64>], floor: f64) -> Vec<f64> {
     let halves = Halves::new(state, whitened, bases);
     let rests = state.fit.data.rests.len();
@@ -45,10 +53,23 @@ pub fn stability(state: &State, whitened: &Whitened, bases: &[Mat<f64>], floor: 
             [halves.selected(one, floor), halves.selected(other, floor)]
         })
         .collect();
-    let count = |g: &usize| selected.iter().filter(|s| s.contains(g)).count();
+    let speak = selected.iter().filter(|own| !own.is_empty()).count();
+    if (speak as f64) < SPEAK * selected.len() as f64 {
+        return vec![0.0; bases.len()];
+    }
+    let votes = |g: usize| {
+        let for_it = |own: &&Vec<usize>| own.iter().any(|&s| s == g || alike(&bases[s], &bases[g]));
+        selected.iter().filter(for_it).count()
+    };
     (0..bases.len())
-        .map(|g| count(&g) as f64 / selected.len().max(1) as f64)
+        .map(|g| votes(g) as f64 / speak.max(1) as f64)
         .collect()
+}
+
+/// Whether two spaces of orthonormal columns (`q × p`) share most of what the smaller one holds.
+pub fn alike(one: &Mat<f64>, other: &Mat<f64>) -> bool {
+    let rank = one.ncols().min(other.ncols()).max(1) as f64;
+    (one.transpose() * other).squared_norm_l2() > ALIKE * rank
 }
 
 struct Halves<'a> {

@@ -4,7 +4,16 @@ use sensor::Axis;
 use simulate::{Hidden, Periodic, Spec};
 
 use super::*;
-use crate::{Extension, Verdict, discover};
+use crate::{Extension, Verdict, discover, validate};
+
+/// A force of third order in a rate, most of which a linear one explains as well.
+const CUBE: &str = r#"
+[[definitions]]
+name = "gyro_cube"
+sensor = "gyroscope"
+z = "k * fx^3"
+parameters = [{ name = "k", unit = "rad/s/(m/s^2)^3", typical = 2.5e-7 }]
+"#;
 
 /// Specific force along two axes leaks into the rate about the third.
 const SWIRL: &str = r#"
@@ -74,8 +83,36 @@ fn a_product_of_two_forces_in_a_rate_is_proposed_and_named_once_it_is_in_the_cat
 }
 
 #[test]
+fn a_formula_is_tried_on_the_validation_recording() {
+    let (recording, request) = session_with(1, SWIRL);
+    let found = discover(&[recording], &request).unwrap();
+    let with_it = |seed: u64| validate(&session_with(seed, SWIRL).0, &request, &found).unwrap();
+    // Of a device that has it, and of one that does not.
+    let has = &with_it(1)[0];
+    assert!(
+        has.gap_with_formula.unwrap() < has.gap_after - 0.05,
+        "{has:?}"
+    );
+    let without = Spec::hand_held(1).run().unwrap().recording;
+    let lacks = &validate(&without, &request, &found).unwrap()[0];
+    assert!(
+        lacks.gap_with_formula.unwrap() > lacks.gap_after + 0.05,
+        "{lacks:?}"
+    );
+}
+
+#[test]
 fn a_product_of_third_order_in_a_specific_force_is_proposed() {
     is_found(1, BEND, "A_z += z_fx_fy2 * fx * fy^2");
+}
+
+#[test]
+fn a_force_of_third_order_is_no_g_sensitivity() {
+    is_found(1, CUBE, "W_z += z_fx3 * fx^3");
+    let (recording, request) = session_with(1, CUBE);
+    let findings = discover(&[recording], &request).unwrap().findings;
+    let instead_of = findings.unexplained.unwrap().instead_of;
+    assert_eq!(instead_of, ["gyro_g_sensitivity"]);
 }
 
 /// What would be proposed were the whole disagreement of a channel unexplained.

@@ -78,10 +78,7 @@ pub fn unexplained(search: &mut Search, alpha: f64) -> Option<Unexplained> {
         };
         if shaped.iter().any(better) {
             let mut whole = rest_of(&search.base, alpha)?;
-            whole.instead_of = search.names.iter().map(|n| n.claim.name().into()).collect();
-            search.names.clear();
-            search.evidence = 0.0;
-            search.last = search.base.clone();
+            whole.instead_of = search.withdraw_all();
             return Some(whole);
         }
     }

@@ -120,6 +120,14 @@ impl Search {
 }
 
 impl Search {
+    /// The base models, without any name: the names that go.
+    pub fn withdraw_all(&mut self) -> Vec<String> {
+        self.last = self.base.clone();
+        self.evidence = 0.0;
+        let names = std::mem::take(&mut self.names).into_iter();
+        names.map(|name| name.claim.name().into()).collect()
+    }
+
     /// The model with less in it: the names that go.
     ///
     /// # Errors

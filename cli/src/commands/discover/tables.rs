@@ -201,6 +201,18 @@ pub fn validated(findings: &Findings) -> Vec<String> {
         let spread = 2.0 * (2.0 / v.dof.max(1.0)).sqrt();
         let (name, channel) = (show::name(&v.recording), v.channel.words());
         let explained = |gap: f64| gap.powi(2) <= 1.0 + spread;
+        if let Some(with) = v.gap_with_formula {
+            let [without, with_it] = words::gaps(v.gap_after, with);
+            let says = match (explained(with), with > SHRUNK * v.gap_after) {
+                (true, _) if explained(v.gap_after) => "that recording cannot confirm it",
+                (true, _) => "it is confirmed there",
+                (false, true) => "it is not confirmed there",
+                (false, false) => "it holds there too, but something is left",
+            };
+            return format!(
+                "On {name} the gap of the {channel} is {without} without and {with_it} with the proposed formula: {says}."
+            );
+        }
         if !findings.effects.is_empty() && explained(v.gap_before) && explained(v.gap_after) {
             format!(
                 "On {name} the {channel} is explained to the noise without what was named for it too: that \

@@ -1,0 +1,59 @@
+//! A formula that explains the whole better than the names do.
+
+use estimate::methods::joint::orthonormal;
+use faer::Mat;
+
+use super::dictionary::{Product, dictionary};
+use super::{Proposed, propose_of};
+use crate::family::{Claim, families};
+use crate::rank::APART;
+use crate::remainder::unexplained::{Unexplained, rest_of};
+use crate::request::{Request, Session};
+use crate::search::Search;
+use crate::state::State;
+
+/// A product of which an effect of the catalogue leaves less than this share (`1 − ρ²`) is that effect's, no formula.
+const OWN: f64 = 0.05;
+
+/// Looks for a formula beside the base models, with what these leave; `None` where it is not likelier than the named effects by
+/// [`APART`].
+pub fn instead_of_names(
+    session: &Session<'_>,
+    request: &Request,
+    search: &Search,
+) -> Option<(Proposed, Unexplained)> {
+    let is_effect = |claim: Claim| matches!(claim, Claim::Effect(_));
+    let effects_only = search.names.iter().all(|name| is_effect(name.claim));
+    if search.names.is_empty() || !effects_only {
+        return None;
+    }
+    let whole = rest_of(&search.base, request.half_alpha())?;
+    let products = not_of_the_catalogue(&search.base, request);
+    let found = propose_of(session, request, &search.base, &whole, &products)?;
+    (found.ranked.evidence > search.evidence + APART).then_some((found, whole))
+}
+
+/// The dictionary without what effects of the catalogue hold.
+fn not_of_the_catalogue(base: &State, request: &Request) -> Vec<Product> {
+    let mut spans: Vec<Mat<f64>> = Vec::new();
+    for family in families(base, &request.candidates()) {
+        let own = family.hypotheses.iter().enumerate();
+        for (k, hypothesis) in own.filter(|_| matches!(family.claim, Claim::Effect(_))) {
+            if hypothesis.shape.is_none() {
+                spans.push(orthonormal(&base.projected.columns(family.columns_of(k))));
+            }
+        }
+    }
+    let is_within = |column: &Mat<f64>| {
+        let held = |span: &Mat<f64>| (span.transpose() * column).squared_norm_l2();
+        spans.iter().any(|span| held(span) > 1.0 - OWN)
+    };
+    let is_own = |product: &Product| {
+        let mut columns =
+            (0..product.columns.ncols()).map(|k| product.columns.as_ref().subcols(k, 1).to_owned());
+        columns.all(|column| is_within(&column))
+    };
+    let mut products = dictionary(base);
+    products.retain(|product| !is_own(product));
+    products
+}
