@@ -277,6 +277,27 @@ pub fn error(std: Option<f64>) -> String {
     }
 }
 
+/// A smaller chance says nothing about a device: no model is so sure.
+const SMALLEST: f64 = 1e-15;
+
+/// A chance: `3e-11`, `0.004`.
+pub fn chance(p: f64) -> String {
+    if p < SMALLEST {
+        "< 1e-15".into()
+    } else if p < 1e-3 {
+        format!("{p:.0e}")
+    } else {
+        format!("{p:.3}")
+    }
+}
+
+/// The same as a probability: `p = 0.004`, `p < 1e-15`.
+pub fn probability(p: f64) -> String {
+    let chance = chance(p);
+    let sign = if chance.starts_with('<') { "" } else { "= " };
+    format!("p {sign}{chance}")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -319,5 +340,15 @@ mod tests {
         assert!(shortened(&names).chars().count() <= MESSAGE + QUOTED + 1);
         assert!(shortened(&format!("it's {long}")).chars().count() < 300);
         assert_eq!(shortened("short"), "short");
+    }
+
+    #[test]
+    fn a_chance_has_one_figure_where_it_is_small_and_never_reads_zero() {
+        assert_eq!(chance(0.0), "< 1e-15");
+        assert_eq!(chance(3e-238), "< 1e-15");
+        assert_eq!(probability(0.0), "p < 1e-15");
+        assert_eq!(probability(0.0042), "p = 0.004");
+        assert_eq!(chance(3.2e-11), "3e-11");
+        assert_eq!(chance(0.0042), "0.004");
     }
 }

@@ -9,6 +9,8 @@ use calib::truth::supposed;
 use nalgebra::Vector3;
 use sensor::Sensor;
 
+use crate::show;
+
 /// Time for a quarter or a full turn, s: what a bias adds to the heading grows with it.
 const TURN_TIME: f64 = 3.0;
 
@@ -29,12 +31,12 @@ pub fn text(fit: &JointFit) -> String {
         let left = Remainder::of(&misfit);
         let _ = writeln!(
             text,
-            "{}: {:.2} times the measured noise ({} rms, {:.0} degrees of freedom, p = {:.2})",
+            "{}: {:.2} times the measured noise ({} rms, {:.0} degrees of freedom, {})",
             left.what(),
             misfit.ratio(),
             left.in_words(left.rms),
             left.degrees_of_freedom,
-            left.p_value
+            show::probability(left.p_value)
         );
     }
     for level in fit.levels.iter().filter(|l| l.size > 0.0) {

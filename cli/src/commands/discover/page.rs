@@ -210,7 +210,7 @@ fn unexplained(report: Report, findings: &Findings) -> Report {
         rest.shape,
         rest.size,
         rest.channel.words(),
-        super::words::chance(rest.p_value)
+        show::chance(rest.p_value)
     ));
     let Some(proposal) = &findings.proposed else {
         return report;

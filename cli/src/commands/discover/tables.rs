@@ -6,7 +6,7 @@ use calib::calibration::EffectParameter;
 use calib::discover::{Discovery, EffectFinding, Findings, Proposal, Validation};
 use comfy_table::CellAlignment;
 
-use super::words::{self, chance, next_recordings, proposed, verdict};
+use super::words::{self, next_recordings, proposed, verdict};
 use crate::commands::calibrate::clocks;
 use crate::show;
 
@@ -105,8 +105,8 @@ pub fn evidence(findings: &Findings) -> Rows<5> {
             e.name.clone(),
             format!("{:.1}", e.statistic),
             format!("{:.0}", e.dof),
-            chance(e.p_value),
-            chance(e.adjusted_p_value),
+            show::chance(e.p_value),
+            show::chance(e.adjusted_p_value),
         ]
     };
     (header, findings.effects.iter().map(row).collect())
@@ -125,7 +125,7 @@ pub fn ranking(findings: &Findings) -> Rows<4> {
             claim.name.clone(),
             format!("{:.1}", claim.statistic),
             format!("{:.0}", claim.dof),
-            chance(claim.adjusted_p_value),
+            show::chance(claim.adjusted_p_value),
         ]
     });
     (header, rows.collect())

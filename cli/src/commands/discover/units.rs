@@ -9,7 +9,7 @@ use calib::discover::{
 use comfy_table::CellAlignment;
 
 use super::held_out::refuse_twins;
-use super::words::{chance, gaps};
+use super::words::gaps;
 use crate::commands::shared::inputs::spinner;
 use crate::exit::Failure;
 use crate::show;
@@ -68,10 +68,10 @@ pub fn verdict(findings: &UnitFindings) -> String {
             ties => format!(" (or {})", ties.join(" or ")),
         };
         sentences.push(format!(
-            "The type lacks {}{ties}: {} show it together (p = {} over the whole catalogue). {}",
+            "The type lacks {}{ties}: {} show it together ({} over the whole catalogue). {}",
             effect.name,
             of_units(effect, count),
-            chance(effect.adjusted_p_value),
+            show::probability(effect.adjusted_p_value),
             agreement(effect.agreement.as_ref()),
         ));
     }
@@ -114,10 +114,10 @@ fn agreement(agreement: Option<&Agreement>) -> String {
         return "Its sizes belong to each recording and are not compared.".into();
     };
     let of = format!(
-        "chi² {:.1} of {:.0} degrees of freedom, p = {}",
+        "chi² {:.1} of {:.0} degrees of freedom, {}",
         found.chi2,
         found.dof,
-        chance(found.p_value)
+        show::probability(found.p_value)
     );
     match found.p_value < DIFFER {
         true => format!("Its size differs from unit to unit ({of}): every unit needs its own."),
@@ -146,7 +146,8 @@ fn in_each(effect: &SharedEffect) -> String {
         let [before, after] = gaps(size.gap_before, size.gap_after);
         table.add_row([
             label(&size.unit),
-            size.p_value.map_or_else(|| "not shown".into(), chance),
+            size.p_value
+                .map_or_else(|| "not shown".into(), show::chance),
             before,
             after,
             size.channel.words().into(),

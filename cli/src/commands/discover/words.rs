@@ -4,6 +4,8 @@ use calib::discover::{
     Channel, EffectFinding, Findings, Integrity, Proposal, Size, Unexplained, Verdict,
 };
 
+use crate::show;
+
 /// The verdict in one sentence.
 pub fn verdict(findings: &Findings) -> String {
     let mut parts: Vec<(f64, String)> = Vec::new();
@@ -175,9 +177,9 @@ fn unexplained(rest: &Unexplained) -> String {
         String::new()
     };
     format!(
-        "something remains that no effect of the catalogue explains: {} ({gap}p = {})",
+        "something remains that no effect of the catalogue explains: {} ({gap}{})",
         rest.shape,
-        chance(rest.p_value)
+        show::probability(rest.p_value)
     )
 }
 
@@ -188,12 +190,12 @@ pub fn proposed(proposal: &Proposal) -> String {
         all => format!("these recordings cannot tell it from {}", all.join(" or ")),
     };
     format!(
-        "Proposed: {} takes the gap of the {} on intervals left out from {} (p = {} among all formulas of \
+        "Proposed: {} takes the gap of the {} on intervals left out from {} ({} among all formulas of \
          as many terms; selected by {:.0} % of the halves of the recording). It is no name: {instead}.",
         proposal.equation,
         proposal.channel.words(),
         gaps(proposal.held_out_gap_before, proposal.held_out_gap_after).join(" to "),
-        chance(proposal.adjusted_p_value),
+        show::probability(proposal.adjusted_p_value),
         100.0 * proposal.stability
     )
 }
@@ -208,22 +210,12 @@ pub fn gaps(before: f64, after: f64) -> [String; 2] {
         .unwrap_or_else(|| written(5))
 }
 
-/// A smaller chance says nothing about a device: no model is so sure.
-const SMALLEST: f64 = 1e-15;
-
-/// A chance: `3e-11`, `0.004`.
-pub fn chance(p: f64) -> String {
-    if p < SMALLEST {
-        "< 1e-15".into()
-    } else if p < 1e-3 {
-        format!("{p:.0e}")
-    } else {
-        format!("{p:.3}")
-    }
-}
-
 /// What a recording must have for effects to show whose names contain one of the first.
-const TO_SHOW: [(&[&str], &str); 6] = [
+const TO_SHOW: [(&[&str], &str); 7] = [
+    (
+        &["_step"],
+        "two rests or more before the change and two after it, in one recording",
+    ),
     (
         &["temperature_rate", "thermal_hysteresis"],
         "a recording with a temperature column during which the device warms and cools",
@@ -280,8 +272,8 @@ pub fn next_recordings(findings: &Findings) -> Vec<String> {
     }
     if findings.proposed.is_some() {
         add(
-            "To see the proposed formula confirmed: another recording of the device, with the formula defined in a \
-             file given as --effect-file. It must be named there."
+            "To see the proposed formula confirmed: another recording of the device, given as --validation, or with the \
+             formula defined in a file given as --effect-file. The gap must close there, or the formula be named."
                 .into(),
         );
     }
@@ -331,13 +323,5 @@ mod tests {
         };
         assert_eq!(of_fault(size(0.0187, "rad")), "1.1°");
         assert_eq!(of_fault(size(0.0213, "m/s^2")), "21 mm/s²");
-    }
-
-    #[test]
-    fn a_chance_has_one_figure_where_it_is_small_and_never_reads_zero() {
-        assert_eq!(chance(0.0), "< 1e-15");
-        assert_eq!(chance(3e-238), "< 1e-15");
-        assert_eq!(chance(3.2e-11), "3e-11");
-        assert_eq!(chance(0.0042), "0.004");
     }
 }
