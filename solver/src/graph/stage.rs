@@ -3,7 +3,7 @@
 use crate::loss::{Loss, LossScale};
 
 /// By how much the scales of a stage are at least narrower than those of the one before, as in the dense solver: of 500
-/// starts with 30 % of outliers on one side 469 and 470 (Tukey, Geman–McClure) so lead to the right minimum, by
+/// starts with 30 % of outliers on one side 469 and 472 (Tukey, Geman–McClure) so lead to the right minimum, by
 /// halves 463 and 441.
 const NARROWER: f64 = 10.0;
 
