@@ -34,7 +34,11 @@ const SCALE_FOUND: f64 = 1e-9;
 /// Most saddles left on one way down.
 const ESCAPES: usize = 4;
 
-/// Most stages of a graduated loss; each divides its scale by at least two.
+/// By how much the scale of a stage of a graduated loss is at least narrower than that of the one before, and most
+/// stages. Large: small stages follow the minimum to where outliers on one side have drawn it, large ones leave it
+/// behind. Of 500 starts with 30 % of outliers on one side 493 and 490 (Tukey, Geman–McClure) so lead to the right
+/// minimum, by halves 477 and 453 with twice the Jacobians.
+const NARROWER: f64 = 10.0;
 const STAGES: usize = 20;
 
 /// Scale of the first stage after a fit of least absolute values, in robust standard deviations.
@@ -272,7 +276,7 @@ impl RobustFit<'_> {
         point: &mut Point,
         mut factor: f64,
     ) -> (Termination, Verdict) {
-        let ratio = factor.powf(1.0 / STAGES as f64).max(2.0);
+        let ratio = factor.powf(1.0 / STAGES as f64).max(NARROWER);
         while factor > 1.0 && factor.is_finite() {
             let mut wide = losses.clone();
             estimate(&mut wide, &self.system.residuals(&point.z));

@@ -135,7 +135,8 @@ pub struct Report {
     pub row_loss_scales: Vec<Option<f64>>,
     /// Why the solver stopped.
     pub termination: Termination,
-    /// The steps.
+    /// The steps tried. The last ones, judged by the gradient, are not among them: [`evaluations`](Self::evaluations)
+    /// counts those too, so that it may have more Jacobians than there are steps.
     pub iterations: Vec<Iteration>,
     /// Number of Jacobian evaluations.
     pub jacobian_evaluations: usize,

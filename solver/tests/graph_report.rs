@@ -4,7 +4,7 @@
 
 use stillpoint_solver::{
     Error, Euclidean, Graph, GraphOptions, Loss, LossFunction, LossScale, Mask, Options,
-    Parameters, Residual, Rotation, Scalar, from_fn, lit, solve, solve_graph,
+    Parameters, Residual, Rotation, Scalar, Termination, from_fn, lit, solve, solve_graph,
 };
 
 /// `b − a − d` of plain blocks of two numbers.
@@ -53,6 +53,16 @@ fn a_graph_that_floats_says_which_blocks_in_words_and_in_fields() {
     assert_eq!((report.rank, report.null_space.len()), (Some(4), 0));
     assert!(report.undetermined().is_empty());
     assert!(!report.to_string().contains("no factor determines"));
+}
+
+#[test]
+fn a_graph_that_fits_exactly_says_that_its_residuals_are_zero() {
+    let mut graph = chain(3);
+    let first = graph.block("p0").unwrap();
+    graph.hold(first);
+    let report = solve_graph(&graph, &GraphOptions::default()).unwrap();
+    assert_eq!(report.termination, Termination::Zero, "{report}");
+    assert!(!report.to_string().contains("relative offset"), "{report}");
 }
 
 #[test]

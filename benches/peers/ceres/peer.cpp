@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <fstream>
@@ -166,6 +167,8 @@ int main(int argc, char** argv) {
   options.gradient_tolerance = 1e-300;
   options.parameter_tolerance = 1e-300;
   options.logging_type = ceres::SILENT;
+  // The first damping is its inverse; 1e4 unless said.
+  if (const char* radius = std::getenv("CERES_RADIUS")) options.initial_trust_region_radius = std::atof(radius);
   std::vector<double> x;
   std::clock_t begin = 0;
   ceres::Solver::Summary summary;

@@ -10,6 +10,10 @@
 //! factorisation, the damped solutions, the residuals of the steps tried). Its time is that of whole
 //! fits, from the start to the result as the solver hands it over, divided by the Jacobians taken.
 
+/// Where their files are: in the folder that `STILLPOINT_DATA` names.
+#[path = "../../../tests/src/needed_data.rs"]
+pub mod needed_data;
+
 /// NIST's problems, as the tests of the workspace read them.
 #[path = "../../../tests/src/problems/nist/mod.rs"]
 pub mod nist;

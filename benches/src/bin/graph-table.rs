@@ -5,7 +5,7 @@
 //! … --bin graph-table -- make FOLDER [small]                                    files to compare on
 //! … --bin graph-table -- bal FILE auto|analytic fixed|free                      one line
 //! … --bin graph-table -- bal FILE auto fixed|free turned                         one line, cameras step by turns
-//! … --bin graph-table -- g2o FILE                                               one line
+//! … --bin graph-table -- g2o FILE [DAMPING]                                     one line, from another first damping
 //! … --bin graph-table -- shared NUMBERS BLOCKS                                  one line
 //! ```
 //! A line: cost at the start and the end (½ ‖r‖²), steps, seconds of the processor from the problem in
@@ -17,11 +17,11 @@ use std::path::Path;
 use std::time::Duration;
 
 use rustix::time::{ClockId, clock_gettime};
-use solver::{Euclidean, Graph, GraphOptions, GraphReport, RotationVector, solve_graph};
+use solver::{Euclidean, Factor, Graph, GraphOptions, GraphReport, RotationVector, solve_graph};
 use stillpoint_benches::graphs::bal::Bundle;
 use stillpoint_benches::graphs::cameras::ring;
 use stillpoint_benches::graphs::g2o::PoseGraph;
-use stillpoint_benches::graphs::groups::{OWN, SPARE, groups};
+use stillpoint_benches::graphs::groups::{OWN, SPARE, groups, rows};
 use stillpoint_benches::graphs::walks::{Loops, planar, spatial};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
@@ -36,16 +36,25 @@ fn main() -> Outcome<()> {
         ["bal", file, jacobian, gauge] => {
             let bundle = Bundle::read(&std::fs::read_to_string(file)?)?;
             let (analytic, fixed) = (jacobian == "analytic", gauge == "fixed");
-            line(|| Ok(bundle.graph(analytic, fixed)?))
+            line(|| Ok(bundle.graph(analytic, fixed)?), &options())
         }
         ["bal", file, "auto", gauge, "turned"] => {
             let bundle = Bundle::read(&std::fs::read_to_string(file)?)?;
             let camera = (RotationVector, Euclidean(6));
-            line(|| Ok(bundle.graph_on(camera, false, gauge == "fixed")?))
+            let build = || Ok(bundle.graph_on(camera, false, gauge == "fixed")?);
+            line(build, &options())
         }
         ["g2o", file] => {
             let poses = PoseGraph::read(&std::fs::read_to_string(file)?)?;
-            line(|| Ok(poses.graph()?))
+            line(|| Ok(poses.graph()?), &options())
+        }
+        ["g2o", file, damping] => {
+            let poses = PoseGraph::read(&std::fs::read_to_string(file)?)?;
+            let options = GraphOptions {
+                first_damping: damping.parse()?,
+                ..options()
+            };
+            line(|| Ok(poses.graph()?), &options)
         }
         ["shared", numbers, blocks] => shared(numbers.parse()?, blocks.parse()?),
         _ => Err("see the first lines of graph-table.rs".into()),
@@ -81,10 +90,10 @@ fn options() -> GraphOptions {
     }
 }
 
-fn line(build: impl Fn() -> Outcome<Graph<'static>>) -> Outcome<()> {
+fn line(build: impl Fn() -> Outcome<Graph<'static>>, options: &GraphOptions) -> Outcome<()> {
     let clock = Clock::start();
     let graph = build()?;
-    let report = solve_graph(&graph, &options())?;
+    let report = solve_graph(&graph, options)?;
     print(&graph, &report, clock.seconds());
     Ok(())
 }
@@ -172,8 +181,8 @@ fn table() -> Outcome<()> {
     Ok(())
 }
 
-/// Time per Jacobian of a problem with shared numbers, beside the multiplications that a triangular
-/// factorisation of its rows takes by the elimination of the blocks: `rows · s²` each.
+/// Time per Jacobian of a problem with shared numbers, and of that what the evaluation of the rows takes, beside the
+/// multiplications that a triangular factorisation of its rows takes by the elimination of the blocks: `rows · s²` each.
 fn shared(numbers: usize, blocks: usize) -> Outcome<()> {
     let graph = groups(numbers, blocks, 7)?;
     let mut best = f64::INFINITY;
@@ -184,15 +193,36 @@ fn shared(numbers: usize, blocks: usize) -> Outcome<()> {
         jacobians = report.evaluations.jacobians;
         best = best.min(clock.seconds() / jacobians as f64);
     }
+    let rows = evaluation_seconds(numbers, blocks);
     let dense = dense_seconds(numbers, blocks);
+    let micros = |seconds: f64| 1e6 * seconds / blocks as f64;
     println!(
-        "shared {numbers:4} blocks {blocks:6}: {:8.3} µs a block and Jacobian ({jacobians} of them), dense QR of the \
-         rows {:8.3} µs, ratio {:.2}",
-        1e6 * best / blocks as f64,
-        1e6 * dense / blocks as f64,
-        best / dense
+        "shared {numbers:4} blocks {blocks:6}: {:8.3} µs a block and Jacobian ({jacobians} of them; {:.3} to evaluate the \
+         rows), dense QR of the rows {:8.3} µs, ratio {:.2} ({:.2} without evaluations)",
+        micros(best),
+        micros(rows),
+        micros(dense),
+        best / dense,
+        (best - rows) / dense
     );
     Ok(())
+}
+
+/// Seconds of one evaluation of all rows and their Jacobian, without anything done with them.
+fn evaluation_seconds(numbers: usize, blocks: usize) -> f64 {
+    let factors = rows(numbers, blocks, 7);
+    let x = vec![0.1; numbers + OWN];
+    let (mut residuals, mut jacobian) = (Vec::new(), Vec::new());
+    let mut best = f64::INFINITY;
+    for _ in 0..5 {
+        let clock = Clock::start();
+        for factor in &factors {
+            factor.linearize(&x, &mut residuals, &mut jacobian);
+            std::hint::black_box(&jacobian);
+        }
+        best = best.min(clock.seconds());
+    }
+    best
 }
 
 /// Seconds of a dense QR factorisation of the rows that the blocks leave to the shared numbers.

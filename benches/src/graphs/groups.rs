@@ -12,7 +12,8 @@ pub const SPARE: usize = 4;
 
 /// Slightly nonlinear rows in the shared numbers and those of one block, with an own Jacobian:
 /// `r = A x + 0.1 sin(A x) − b`.
-struct Rows {
+#[derive(Debug)]
+pub struct Rows {
     width: usize,
     a: Vec<f64>,
     b: Vec<f64>,
@@ -51,19 +52,27 @@ impl Factor for Rows {
 /// # Errors
 /// None: the start is finite.
 pub fn groups(shared: usize, blocks: usize, seed: u64) -> Result<Graph<'static>, Error> {
-    let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let mut graph = Graph::new();
     let common = graph.add("shared", Euclidean(shared), &vec![0.0; shared])?;
-    let width = shared + OWN;
-    for k in 0..blocks {
+    for (k, rows) in rows(shared, blocks, seed).into_iter().enumerate() {
         let own = graph.add(format!("b{k}"), Euclidean(OWN), &[0.0; OWN])?;
-        let rows = OWN + SPARE;
-        let scale = 1.0 / (width as f64).sqrt();
-        let a = (0..rows * width)
-            .map(|_| scale * rng.random_range(-1.0..1.0))
-            .collect();
-        let b = (0..rows).map(|_| rng.random_range(-1.0..1.0)).collect();
-        graph.add_factor(&[common, own], Rows { width, a, b });
+        graph.add_factor(&[common, own], rows);
     }
     Ok(graph)
+}
+
+/// The rows of all blocks.
+pub fn rows(shared: usize, blocks: usize, seed: u64) -> Vec<Rows> {
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let width = shared + OWN;
+    let scale = 1.0 / (width as f64).sqrt();
+    let rows = OWN + SPARE;
+    (0..blocks)
+        .map(|_| {
+            let a = (0..rows * width).map(|_| scale * rng.random_range(-1.0..1.0));
+            let a = a.collect();
+            let b = (0..rows).map(|_| rng.random_range(-1.0..1.0)).collect();
+            Rows { width, a, b }
+        })
+        .collect()
 }

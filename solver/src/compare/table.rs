@@ -43,7 +43,8 @@ pub struct ComparedRun {
     pub reason: String,
 }
 
-/// The fits of a comparison.
+/// The fits of a comparison. `Display` shows every run and then the [`summary`](Self::summary);
+/// [`to_csv`](Self::to_csv) and `serde` (JSON) have every run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Table {
     /// Start by start, variant by variant.

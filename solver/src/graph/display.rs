@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::options::GraphReport;
+use crate::report::Termination;
 
 impl fmt::Display for GraphReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -22,11 +23,11 @@ impl fmt::Display for GraphReport {
         }
         writeln!(
             f,
-            "{} steps tried; evaluations: r {}, J {}; relative offset {:.1e}",
+            "{} steps tried; evaluations: r {}, J {}{}",
             self.iterations.len(),
             count.residuals,
             count.jacobians,
-            self.relative_offset
+            self.what_is_left()
         )?;
         if !self.termination.converged() && self.relative_offset.is_finite() {
             writeln!(
@@ -61,5 +62,16 @@ impl fmt::Display for GraphReport {
             )?;
         }
         Ok(())
+    }
+}
+
+impl GraphReport {
+    /// The offset, where it is more than rounding.
+    fn what_is_left(&self) -> String {
+        match self.termination {
+            Termination::Zero => String::new(),
+            Termination::Step => format!("; relative step {:.1e}", self.relative_step),
+            _ => format!("; relative offset {:.1e}", self.relative_offset),
+        }
     }
 }

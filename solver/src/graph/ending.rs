@@ -9,7 +9,7 @@ use crate::report::Termination;
 /// Most free directions that are followed at the end.
 const FOLLOWED: usize = 32;
 
-/// Relative step that counts as none.
+/// Relative step that counts as none: what is left is rounding.
 const SMALL_STEP: f64 = 1e-7;
 
 impl Run<'_> {
@@ -19,6 +19,11 @@ impl Run<'_> {
         let unknowns = self.equations.structure.unknowns() - held;
         let counted = self.equations.counted(&self.values);
         counted.is_some_and(|counted| counted < unknowns)
+    }
+
+    /// Whether the residuals are no larger than what rounding of the values makes of them, as in the dense solver.
+    fn is_zero(&self) -> bool {
+        self.normal.square.sqrt() <= f64::EPSILON * self.size()
     }
 
     /// The unknowns that bounds hold.
@@ -70,6 +75,7 @@ impl Run<'_> {
         let termination = match stop {
             Stop::Limit(Termination::Cancelled) => Termination::Cancelled,
             _ if self.is_weightless() => Termination::Weightless,
+            _ if self.is_zero() => Termination::Zero,
             _ if self.offset <= self.options.gradient_tolerance => Termination::Gradient,
             Stop::Limit(limit) => limit,
             _ if self.relative_step <= SMALL_STEP => Termination::Step,

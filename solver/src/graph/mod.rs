@@ -17,6 +17,7 @@ mod ending;
 mod evaluate;
 mod factor;
 mod graduated;
+mod last_steps;
 mod options;
 mod problem;
 mod ranges;

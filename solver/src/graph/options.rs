@@ -18,7 +18,7 @@ use crate::report::{Iteration, Termination};
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(default)]
 pub struct GraphOptions {
-    /// How the damping moves.
+    /// How the damping moves; Nielsen's falls by a hundred where the cost fell as promised, to a tenth.
     pub damping: Damping,
     /// The first damping, relative to the squared column norms.
     pub first_damping: f64,
@@ -83,11 +83,12 @@ pub struct GraphReport {
     pub unknowns: usize,
     /// Why the solver stopped.
     pub termination: Termination,
-    /// The steps.
+    /// The steps tried.
     pub iterations: Vec<Iteration>,
     /// Number of all evaluations of the graph.
     pub evaluations: Evaluations,
-    /// `‖P r‖ / ‖r‖`, where `P` projects on the columns of the Jacobian; without
+    /// `‖P r‖ / ‖r‖`, where `P` projects on the columns of the Jacobian: nothing but rounding where the residuals
+    /// are zero; without
     /// [`GraphOptions::last_digits`] perhaps, if it is small, by the factor of the step before.
     pub relative_offset: f64,
     /// Length of the Gauss–Newton step that is left, relative to the values, both scaled by the

@@ -25,11 +25,8 @@ const NEAR: f64 = 1e-5;
 /// How near to 1 the last gain ratio is if the next step is linearised before its cost is known.
 const FORETOLD: f64 = 0.25;
 
-/// Damping of the last steps: what is not determined stays where it is.
-const LAST: f64 = 1e-11;
-
 /// Damping up to which the damped step tells the offset.
-const TELLING: f64 = 1e-3;
+pub(super) const TELLING: f64 = 1e-3;
 
 /// Share of the offset sought that a step by the factor at hand has to stay below: the offset that
 /// it tells is not exact.
@@ -42,21 +39,8 @@ pub(super) const TRIES: usize = 2;
 /// factorisation that could be spared is done.
 const TOUCHED: f64 = 12.0;
 
-/// Most last steps, and the largest damping of one.
-const MOST_LAST: usize = 100;
-const MOST_DAMPING: f64 = 1e4;
-
 /// Falls of the cost in a row, each below rounding, after which it counts as flat.
 const FLAT_STEPS: usize = 3;
-
-/// Relative rise of the cost that rounding may explain.
-const ROUNDING: f64 = 1e-9;
-
-/// Relative offset per `√m` below which it is rounding.
-const RESOLVED: f64 = 4.0 * f64::EPSILON;
-
-/// A last step that shortens the tangential residual by less than this was too long or too short.
-const SLOW: f64 = 0.5;
 
 /// Minimises `½ Σ ‖r_f‖²` (or half the sum of the losses) over the free blocks of a graph, from the
 /// start that its blocks were given.
@@ -171,7 +155,7 @@ impl<'a> Run<'a> {
 
     /// The damped step into `self.step`; `false` where the equations are not positive definite.
     /// Updates offset and relative step.
-    fn solve(&mut self, lambda: f64) -> bool {
+    pub(super) fn solve(&mut self, lambda: f64) -> bool {
         let scale = self.scaling.diagonal();
         for (more, d) in self.more.iter_mut().zip(scale) {
             *more = lambda * d * d;
@@ -211,7 +195,7 @@ impl<'a> Run<'a> {
     }
 
     /// All stored values after the step at hand.
-    fn stepped(&self) -> Vec<f64> {
+    pub(super) fn stepped(&self) -> Vec<f64> {
         let mut next = self.equations.stepped(&self.values, &self.step);
         if let Some(bounded) = &self.bounded {
             bounded.bounds.cut(&mut next);
@@ -271,7 +255,7 @@ impl<'a> Run<'a> {
     }
 
     /// `‖D x‖`, where a coordinate of a curved block counts as 1.
-    fn size(&self) -> f64 {
+    pub(super) fn size(&self) -> f64 {
         let structure = self.equations.structure;
         let scale = self.scaling.diagonal();
         let mut sum = 0.0;
@@ -410,77 +394,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Steps while they shorten the tangential part of the residual: undamped, and damped where those
-    /// go too far.
-    fn last_steps(&mut self) {
-        let mut damping = LAST;
-        while !self.solve(damping) {
-            damping *= 100.0;
-            if damping > 1.0 {
-                return;
-            }
-        }
-        let least = damping;
-        let rounding = RESOLVED * (self.equations.rows() as f64).sqrt();
-        for _ in 0..MOST_LAST {
-            if self.offset <= rounding
-                || self.relative_step <= 2.0 * f64::EPSILON
-                || self.limit().is_some()
-            {
-                break;
-            }
-            let (offset, step) = (self.offset, self.step.clone());
-            if self.last_step(damping) {
-                let slow = self.offset > SLOW * offset;
-                if slow && dot(&step, &self.step) < 0.0 {
-                    damping = (4.0 * damping).max(TELLING);
-                } else if slow && damping > least {
-                    damping = (0.25 * damping).max(least);
-                } else {
-                    continue;
-                }
-                if !self.solve(damping) {
-                    break;
-                }
-                continue;
-            }
-            // At a minimum of large residuals undamped steps go back and forth.
-            let unknown = self.offset > self.options.gradient_tolerance;
-            damping = (4.0 * damping).max(self.lambda.value).max(TELLING);
-            if !unknown || damping > MOST_DAMPING || !self.solve(damping) {
-                break;
-            }
-        }
-        if damping > least && !self.solve(least) {
-            self.offset = f64::INFINITY;
-        }
-    }
-
-    /// One of the last steps; `false`, and back where it was, if it shortened nothing.
-    fn last_step(&mut self, damping: f64) -> bool {
-        let (offset, relative_step) = (self.offset, self.relative_step);
-        let (cost, square) = (self.normal.cost, self.normal.square);
-        let next = self.stepped();
-        let before = std::mem::replace(&mut self.values, next);
-        let length = relative_step * self.size();
-        let better = self.linearize().is_ok()
-            && self.normal.cost <= cost * (1.0 + ROUNDING)
-            && self.solve(damping)
-            && self.offset * self.normal.square.sqrt() < offset * square.sqrt();
-        self.record(self.normal.cost, damping, length, better);
-        if !better {
-            self.values = before;
-            if offset > self.options.gradient_tolerance || self.bounded.is_some() {
-                // The point before was finite.
-                let _ = self.linearize();
-            }
-            self.normal.cost = cost;
-            (self.offset, self.relative_step) = (offset, relative_step);
-        }
-        better
-    }
-
-    fn record(&mut self, cost: f64, lambda: f64, step: f64, accepted: bool) {
+    pub(super) fn record(&mut self, cost: f64, lambda: f64, step: f64, accepted: bool) {
         self.iterations.push(Iteration {
             cost,
             lambda,
@@ -489,7 +403,7 @@ impl<'a> Run<'a> {
         });
     }
 
-    fn limit(&self) -> Option<Termination> {
+    pub(super) fn limit(&self) -> Option<Termination> {
         if self.iterations.len() >= self.options.max_iterations {
             return Some(Termination::IterationLimit);
         }

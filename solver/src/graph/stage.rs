@@ -2,7 +2,12 @@
 
 use crate::loss::{Loss, LossScale};
 
-/// Most stages; each divides the scales by at least two.
+/// By how much the scales of a stage are at least narrower than those of the one before, as in the dense solver: of 500
+/// starts with 30 % of outliers on one side 469 and 472 (Tukey, Geman–McClure) so lead to the right minimum, by
+/// halves 463 and 441.
+const NARROWER: f64 = 10.0;
+
+/// Most stages.
 const STAGES: usize = 20;
 
 /// What stands in place of the losses of a graph for a while.
@@ -19,7 +24,7 @@ pub(crate) enum Stage {
 impl Stage {
     /// Ever narrower losses, from so many times their scales down to the scales.
     pub fn narrowing(mut widening: f64) -> Vec<Self> {
-        let ratio = widening.powf(1.0 / STAGES as f64).max(2.0);
+        let ratio = widening.powf(1.0 / STAGES as f64).max(NARROWER);
         let mut stages = Vec::new();
         while widening > 1.0 && widening.is_finite() {
             stages.push(Self::Wide(widening));

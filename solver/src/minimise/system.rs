@@ -161,10 +161,11 @@ pub(crate) fn culprit(
     })
 }
 
-/// How often the problem was evaluated.
+/// How often the problem was evaluated, the last steps to double precision included, of which a trace of the
+/// iterations says nothing where they are judged by the gradient.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Evaluations {
-    /// Residuals alone.
+    /// Residuals alone; where a step is sure to be taken they come with the Jacobian.
     pub residuals: usize,
     /// Residuals with their Jacobian.
     pub jacobians: usize,

@@ -2,8 +2,9 @@
 //! least of rounds in which the solvers take turns, which leaves out what else the machine does.
 //!
 //! ```text
-//! cargo run --release --bin table -- [ROUNDS [START]]
+//! STILLPOINT_DATA=FOLDER cargo run --release --bin table -- [ROUNDS [START]]
 //! ```
+//! `FOLDER/nist` holds NIST's `.dat` files.
 
 use std::time::Instant;
 

@@ -1,5 +1,6 @@
 //! Bounds on the numbers of plain blocks: which there are, which hold, and what they leave of `H`.
 
+mod of_blocks;
 pub(crate) mod step;
 
 use super::elimination::structure::{NONE, Structure};

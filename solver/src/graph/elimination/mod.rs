@@ -8,6 +8,7 @@ pub(crate) mod neighbours;
 pub(crate) mod normal;
 pub(crate) mod order;
 pub(crate) mod outer;
+pub(crate) mod panel;
 pub(crate) mod product;
 pub(crate) mod reduced;
 pub(crate) mod structure;

@@ -151,6 +151,7 @@ pub(crate) fn add_gradient(
     first: usize,
 ) {
     match gradient.len() {
+        2 => gradient_of::<2>(gradient, jacobian, residuals, width, first),
         3 => gradient_of::<3>(gradient, jacobian, residuals, width, first),
         6 => gradient_of::<6>(gradient, jacobian, residuals, width, first),
         9 => gradient_of::<9>(gradient, jacobian, residuals, width, first),
