@@ -24,9 +24,10 @@ use super::data::Mean;
 const BATCH: f64 = 1.0;
 const BATCHES: f64 = 6.0;
 
-/// Long-run over white standard deviation above which the noise is coloured: two standard errors where the
-/// stretches last three minutes in all.
+/// Long-run over white standard deviation above which the noise is coloured, and how many standard errors of the ratio it has to
+/// be above one: both are the same where the stretches last three minutes in all.
 const COLOURED: f64 = 1.12;
+const COLOURED_ERRORS: f64 = 2.0;
 
 /// The same of noise that averages out sooner than white noise, as a hand's tremor and a machine's hum do over their
 /// periods, and how many standard errors of the ratio it has to be below one.
@@ -156,7 +157,8 @@ impl SensorNoise {
         };
         let of = |axis: usize| {
             let parts = parts(stream, rests, axis);
-            white(&parts).map_or(1.0, |white| long_run(&parts, batch, white))
+            let quiet = quiet(&parts);
+            white(&quiet).map_or(1.0, |white| long_run(&quiet, batch, white))
         };
         [0, 1, 2].map(of).iter().sum::<f64>() / 3.0
     }
@@ -210,14 +212,16 @@ struct Axis {
 impl Axis {
     /// `least` is the smallest step of the whole recording: readings that never change at rest show none.
     fn measure(parts: &[Vec<f64>], batch: usize, window: usize, least: f64) -> Option<Self> {
-        let mut white = white(parts)?;
+        // What restless parts shake by says nothing of the noise of the others.
+        let quiet = quiet(parts);
+        let mut white = white(&quiet)?;
         let frozen = white <= FLOOR && least.is_finite() && least > FROZEN * FLOOR;
         let step = if frozen { least } else { smallest_step(parts) };
         let coarse = step > DITHERED * white;
         if coarse {
             white = rounding::spread(parts, step).max(FLOOR);
         }
-        let mut long_run = long_run(parts, batch, white);
+        let mut long_run = long_run(&quiet, batch, white);
         if coarse {
             // Coarse steps hide how means spread.
             long_run = long_run.max(1.0);
@@ -232,7 +236,7 @@ impl Axis {
             } else {
                 0.0
             },
-            freedom: freedom(parts, window),
+            freedom: freedom(&quiet, window),
         })
     }
 }
@@ -259,18 +263,30 @@ fn parts(stream: &Stream, rests: &[Range<usize>], axis: usize) -> Vec<Vec<f64>> 
         .collect()
 }
 
-/// Standard deviation of a sample in the quiet stretches.
-fn white(parts: &[Vec<f64>]) -> Option<f64> {
+/// The quiet among the stretches.
+fn quiet(parts: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let scatters: Vec<(f64, f64)> = parts.iter().map(|p| scatter(p)).collect();
     let variances: Vec<f64> = scatters.iter().map(|(s, dof)| s / dof).collect();
-    let degrees = median(scatters.iter().map(|(_, dof)| *dof))?;
+    let degrees = median(scatters.iter().map(|(_, dof)| *dof)).unwrap_or(1.0);
     let factor = QUIET.max(1.0 + QUIET_ERRORS * (2.0 / degrees).sqrt());
-    let quiet = factor * quantile(&variances, QUIETEST)?;
-    let pooled = pool(scatters.iter().zip(&variances), quiet);
-    Some(pooled.sqrt().max(FLOOR))
+    let most = factor * quantile(&variances, QUIETEST).unwrap_or(0.0);
+    let own = parts.iter().zip(&variances);
+    own.filter(|(_, variance)| **variance <= most)
+        .map(|(part, _)| part.clone())
+        .collect()
 }
 
-/// Standard deviation of long means over that of white noise; 1 between [`SOONER`] and [`COLOURED`].
+/// Standard deviation of a sample in these stretches.
+fn white(quiet: &[Vec<f64>]) -> Option<f64> {
+    let scatters: Vec<(f64, f64)> = quiet.iter().map(|p| scatter(p)).collect();
+    let (sum, dof) = scatters
+        .iter()
+        .fold((0.0, 0.0), |(s, d), (sum, dof)| (s + sum, d + dof));
+    (dof > 0.0).then(|| f64::max((sum / dof).sqrt(), FLOOR))
+}
+
+/// Standard deviation of long means over that of white noise; 1 where it is surely neither below [`SOONER`] nor above
+/// [`COLOURED`].
 ///
 /// Means over a time `T` of noise that resembles itself for a time `τ` fall short of the density at low frequency by a share
 /// `τ/T`, those over `T/2` by twice that: what both say of means without end is `2 S(T) − S(T/2)`, `S` the variance
@@ -278,9 +294,9 @@ fn white(parts: &[Vec<f64>]) -> Option<f64> {
 fn long_run(parts: &[Vec<f64>], batch: usize, white: f64) -> f64 {
     let whole = of_batches(parts, batch);
     let ratio = whole.sqrt() / white;
-    if ratio <= COLOURED {
-        let degrees = parts.iter().map(|p| (p.len() / batch).saturating_sub(1));
-        let error = 1.0 / (2.0 * degrees.sum::<usize>().max(1) as f64).sqrt();
+    let degrees = parts.iter().map(|p| (p.len() / batch).saturating_sub(1));
+    let error = 1.0 / (2.0 * degrees.sum::<usize>().max(1) as f64).sqrt();
+    if ratio <= COLOURED.max(1.0 + COLOURED_ERRORS * error) {
         let sooner = ratio < SOONER.min(1.0 - SOONER_ERRORS * error) && white > FLOOR;
         return if sooner {
             ratio.max(LEAST_LONG_RUN)
@@ -507,13 +523,18 @@ mod tests {
     fn where_half_of_the_placements_vibrate_the_noise_is_that_of_the_others() {
         // Of this session the placement of median variance vibrates.
         let mut spec = Spec::hand_held(2);
-        spec.vibration = Some(simulate::Vibration {
-            rms: 0.05,
-            ..simulate::Vibration::default()
-        });
-        let noise = at_placements(&spec);
-        // 0.02 m/s² a sample.
-        assert!(noise.white.max() < 0.022, "{}", noise.white);
+        for rms in [0.05, 0.4] {
+            spec.vibration = Some(simulate::Vibration {
+                rms,
+                ..simulate::Vibration::default()
+            });
+            let noise = at_placements(&spec);
+            // 0.02 m/s² a sample, white.
+            assert!(noise.white.max() < 0.022, "{}", noise.white);
+            assert_eq!(noise.long_run, Vector3::repeat(1.0));
+            // It was .05. A thousand windows tell it to a tenth.
+            assert!(noise.freedom.min() > 0.7, "{}", noise.freedom);
+        }
     }
 
     #[test]
