@@ -222,7 +222,7 @@ fn slip(rows: &Rows<'_>, x: &[f64], k: usize) -> Suspect {
         ) {
             slopes.extend(creep_slopes(
                 &mean,
-                &noise.variance_in_sum(),
+                &(noise.variance_in_sum() + noise.restless(&mean)),
                 &u,
                 rows.gravity,
             ));

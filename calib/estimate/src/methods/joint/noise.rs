@@ -174,14 +174,18 @@ impl SensorNoise {
     /// The same of a mean whose own samples may scatter more than the quiet ones, as on a table that vibrates: what they
     /// scatter by beyond them is added then, axis by axis.
     pub fn variance_of(&self, mean: &Mean) -> Vector3<f64> {
-        let usual = self.variance_of_mean(mean.count);
+        self.variance_of_mean(mean.count) + self.restless(mean) / mean.count as f64
+    }
+
+    /// What the samples of a restless mean scatter by beyond the quiet ones, as it counts in a long sum; 0 of a quiet one (3).
+    pub fn restless(&self, mean: &Mean) -> Vector3<f64> {
         Vector3::from_fn(|i, _| {
             let quiet = self.white[i].powi(2);
             let beyond = mean.variance[i] - quiet;
             if beyond > (RESTLESS - 1.0) * quiet {
-                usual[i] + beyond * self.restless_long_run[i].powi(2) / mean.count as f64
+                beyond * self.restless_long_run[i].powi(2)
             } else {
-                usual[i]
+                0.0
             }
         })
     }
