@@ -36,8 +36,8 @@ const ESCAPES: usize = 4;
 
 /// By how much the scale of a stage of a graduated loss is at least narrower than that of the one before, and most
 /// stages. Large: small stages follow the minimum to where outliers on one side have drawn it, large ones leave it
-/// behind. Of 500 starts with 30 % of outliers on one side 493 and 490 (Tukey, Geman–McClure) so lead to the right
-/// minimum, by halves 477 and 453 with twice the Jacobians.
+/// behind. Of the 500 starts with 30 % of outliers on one side that it was chosen on, 493 and 490 (Tukey, Geman–McClure) so
+/// lead to the right minimum, by halves 477 and 453 with twice the Jacobians.
 const NARROWER: f64 = 10.0;
 const STAGES: usize = 20;
 
