@@ -4,7 +4,8 @@ use std::io::{BufReader, Read, Seek, SeekFrom};
 
 use parquet::file::metadata::ColumnChunkMetaData;
 
-use super::thrift::{BINARY, Field, I32, LIST, STRUCTURE, Thrift};
+use super::layout::{ELEMENT, FILE, PAGE};
+use super::thrift::{Field, I32, LIST, STRUCTURE, Shape, Thrift};
 use crate::container::{Store, Stored};
 use crate::shown::shown;
 use crate::{Error, Limits};
@@ -13,8 +14,6 @@ use crate::{Error, Limits};
 const DEPTH: usize = 64;
 /// Bytes behind the metadata: its length and the mark.
 const TAIL: u64 = 8;
-/// Types of the fields of an element of the schema, by number.
-const ELEMENT: [u8; 10] = [I32, I32, I32, BINARY, I32, I32, I32, I32, I32, STRUCTURE];
 /// The field with the number of children.
 const CHILDREN: i64 = 5;
 /// The field of the metadata with the schema.
@@ -25,11 +24,12 @@ fn damaged(what: &str) -> Error {
 }
 
 /// Refuses a schema with more children than it has elements, or deeper than any recording's: the parser would make room
-/// for the former, and call itself for the latter.
+/// for the former, and call itself for the latter. Refuses metadata with values of another type than is read: the parser
+/// would take what follows for the number of things to pass over.
 ///
 /// # Errors
 /// Damage.
-pub(super) fn check_schema(file: &mut dyn Stored) -> Result<(), Error> {
+pub(super) fn check_metadata(file: &mut dyn Stored) -> Result<(), Error> {
     let length = file.seek(SeekFrom::End(0))?;
     let Some(tail) = length.checked_sub(TAIL) else {
         return Ok(());
@@ -49,7 +49,8 @@ pub(super) fn check_schema(file: &mut dyn Stored) -> Result<(), Error> {
     while let Some(field) = thrift.field(before).map_err(broken)? {
         before = field.number;
         if field.number != SCHEMA {
-            thrift.pass(field.kind).map_err(broken)?;
+            let shape = Shape::of(FILE, field.number);
+            thrift.pass_as(field.kind, shape).map_err(broken)?;
             continue;
         }
         let (kind, count) = thrift.list().map_err(broken)?;
@@ -88,14 +89,11 @@ fn children(thrift: &mut Thrift<impl Read>) -> std::io::Result<u64> {
     let (mut before, mut children) = (0, 0);
     while let Some(Field { number, kind }) = thrift.field(before)? {
         before = number;
-        let at = usize::try_from(number - 1).unwrap_or(usize::MAX);
-        // The parser does not look at the types, and would go on at another byte.
-        if ELEMENT.get(at).is_some_and(|known| *known != kind) {
-            return Err(std::io::ErrorKind::InvalidData.into());
-        }
         match number {
-            CHILDREN => children = u64::try_from(thrift.number()?).unwrap_or(u64::MAX),
-            _ => thrift.pass(kind)?,
+            CHILDREN if kind == I32 => {
+                children = u64::try_from(thrift.number()?).unwrap_or(u64::MAX);
+            }
+            _ => thrift.pass_as(kind, Shape::of(ELEMENT, number))?,
         }
     }
     Ok(children)
@@ -144,8 +142,7 @@ fn sizes(thrift: &mut Thrift<impl Read>) -> std::io::Result<[u64; 2]> {
                     return Err(damaged.into());
                 }
             }
-            (1..=3, kind) if kind != I32 => return Err(damaged.into()),
-            _ => thrift.pass(kind)?,
+            _ => thrift.pass_as(kind, Shape::of(PAGE, number))?,
         }
     }
     let [Some(unpacked), Some(packed)] = sizes else {
