@@ -1,13 +1,14 @@
-//! Files of tables: Parquet, HDF5 with MATLAB 7.3, Excel workbooks.
+//! Files of tables: JSON, Parquet, HDF5 with MATLAB 7.3, Excel workbooks.
 //!
 //! Their columns have names and no meaning, as those of a text. So a table is read as the comma-separated text that it
-//! would be, and one reader of texts knows names, units and sensors. Every reader is a feature of the build.
+//! would be, and one reader of texts knows names, units and sensors. Every reader but that of JSON is a feature
+//! of the build.
 
 #[cfg(feature = "hdf5")]
 mod hdf5;
+mod json;
 #[cfg(feature = "parquet")]
 mod parquet;
-#[cfg(any(feature = "hdf5", feature = "parquet", feature = "xlsx"))]
 mod rows;
 mod stream;
 #[cfg(feature = "xlsx")]
@@ -73,6 +74,14 @@ macro_rules! reader {
 
 /// Every format of tables, those among them that this build does not read.
 pub static TABULAR: &[Tabular] = &[
+    Tabular {
+        name: "json",
+        about: "JSON: a record per line or in an array, or lists that are columns; names within each other are joined by points",
+        called: "a JSON file",
+        begins: json::begins,
+        instead: "convert it to CSV",
+        reader: Some(&json::Json),
+    },
     Tabular {
         name: "parquet",
         about: "a Parquet file with the columns of a CSV (feature `parquet` of the build)",

@@ -106,13 +106,22 @@ fn unit(
             Ok(unit)
         }
         [] if table.plain_time => Ok(TimeUnit::Seconds),
-        _ => Err(in_file(
-            &table.name,
-            format!(
-                "the usual step between stamps is {}: say the unit, as in --time-unit ms",
-                figure(step)
-            ),
-        )),
+        _ => {
+            // Days since 1900, or since the year 0.
+            let is_days = table
+                .clock
+                .origin
+                .is_some_and(|first| (10_000..1_000_000).contains(&first))
+                && plausible(&TimeUnit::Days);
+            Err(in_file(
+                &table.name,
+                format!(
+                    "the usual step between stamps is {}: say the unit, as in --time-unit {}",
+                    figure(step),
+                    if is_days { "d" } else { "ms" }
+                ),
+            ))
+        }
     }
 }
 
