@@ -108,11 +108,10 @@ fn unit(
         [] if table.plain_time => Ok(TimeUnit::Seconds),
         _ => {
             // Days since 1900, or since the year 0.
-            let is_days = table
-                .clock
-                .origin
-                .is_some_and(|first| (10_000..1_000_000).contains(&first))
-                && plausible(&TimeUnit::Days);
+            let samples = [&table.accel, &table.gyro];
+            let first = samples.into_iter().find_map(|samples| samples.t.first());
+            let is_days =
+                first.is_some_and(|first| (1e4..1e6).contains(first)) && plausible(&TimeUnit::Days);
             Err(in_file(
                 &table.name,
                 format!(

@@ -223,7 +223,14 @@ fn before_axis(name: &str) -> Option<(String, &str)> {
     let is_axis = matches!(axis, "x" | "y" | "z" | "X" | "Y" | "Z");
     let (word, unit) = behind_underscores(rest).filter(|_| is_axis)?;
     let word = compact(word);
-    let is_sensor = sensor_of(&word).is_some() && units::is_of_sensor(unit);
+    // `gyro_raw_x` says nothing of its unit.
+    let is_unit = unit
+        .parse()
+        .is_ok_and(|unit: AccelUnit| unit != AccelUnit::Counts)
+        || unit
+            .parse()
+            .is_ok_and(|unit: GyroUnit| unit != GyroUnit::Counts);
+    let is_sensor = sensor_of(&word).is_some() && is_unit;
     is_sensor.then(|| (word + &axis.to_lowercase(), unit))
 }
 

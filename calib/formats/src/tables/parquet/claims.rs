@@ -118,7 +118,16 @@ pub(super) fn check_pages(
     file.seek(SeekFrom::Start(start))?;
     while left > 0 {
         let mut thrift = Thrift::new(&mut file);
-        let [unpacked, packed] = sizes(&mut thrift).map_err(|_| damaged(&what))?;
+        let header = page(&mut thrift).map_err(|_| damaged(&what))?;
+        let [unpacked, packed] = header.sizes;
+        if header
+            .encoding
+            .is_some_and(|encoding| DELTA_TEXTS.contains(&encoding))
+        {
+            return Err(Error::refused(format!(
+                "{what} holds texts as differences, which are not read; write them as they are (in pyarrow: no `column_encoding`)"
+            )));
+        }
         limits.check_unpacked(&what, packed, unpacked)?;
         let length = thrift.taken.saturating_add(packed);
         left = left.checked_sub(length).ok_or_else(|| damaged(&what))?;
@@ -129,10 +138,22 @@ pub(super) fn check_pages(
     Ok(())
 }
 
-/// The sizes in the header of a page: unpacked and packed, fields 2 and 3.
-fn sizes(thrift: &mut Thrift<impl Read>) -> std::io::Result<[u64; 2]> {
+/// The header of a page, as far as it is looked at.
+struct Page {
+    /// Bytes, unpacked and packed.
+    sizes: [u64; 2],
+    /// How its values are written.
+    encoding: Option<i32>,
+}
+
+/// Texts without the beginnings that they share, and behind all of their lengths: the parser makes room for as many as
+/// the page says.
+const DELTA_TEXTS: [i32; 2] = [6, 7];
+
+/// The header of a page: sizes in fields 2 and 3, the encoding in field 2 of the fifth, or 4 of the eighth.
+fn page(thrift: &mut Thrift<impl Read>) -> std::io::Result<Page> {
     let damaged = std::io::ErrorKind::InvalidData;
-    let (mut before, mut sizes) = (0, [None; 2]);
+    let (mut before, mut sizes, mut encoding) = (0, [None; 2], None);
     while let Some(Field { number, kind }) = thrift.field(before)? {
         before = number;
         match (number, kind) {
@@ -142,11 +163,33 @@ fn sizes(thrift: &mut Thrift<impl Read>) -> std::io::Result<[u64; 2]> {
                     return Err(damaged.into());
                 }
             }
+            (5 | 8, STRUCTURE) => {
+                let Shape::Structure(fields) = Shape::of(PAGE, number) else {
+                    return Err(damaged.into());
+                };
+                let wanted = if number == 5 { 2 } else { 4 };
+                let mut before = 0;
+                while let Some(Field { number, kind }) = thrift.field(before)? {
+                    before = number;
+                    match (number == wanted, kind) {
+                        (true, I32) => {
+                            // The parser keeps 32 bits, and of two the last.
+                            if encoding.replace(thrift.number()? as i32).is_some() {
+                                return Err(damaged.into());
+                            }
+                        }
+                        _ => thrift.pass_as(kind, Shape::of(fields, number))?,
+                    }
+                }
+            }
             _ => thrift.pass_as(kind, Shape::of(PAGE, number))?,
         }
     }
     let [Some(unpacked), Some(packed)] = sizes else {
         return Err(damaged.into());
     };
-    Ok([unpacked, packed])
+    Ok(Page {
+        sizes: [unpacked, packed],
+        encoding,
+    })
 }
