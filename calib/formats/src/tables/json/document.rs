@@ -42,8 +42,11 @@ enum Content<'a> {
     /// Lists of numbers, the names of their columns, and the step between them, ms.
     Rows(&'a [Value], Vec<String>, Option<f64>),
     /// Columns by name, all of one length.
-    Columns(Vec<(&'a str, &'a [Value])>),
+    Columns(Columns<'a>),
 }
+
+/// Lists by name.
+type Columns<'a> = Vec<(&'a str, &'a [Value])>;
 
 impl Document {
     /// The object in `store`; none where there is another beginning, or more than one.
@@ -97,7 +100,7 @@ fn look<'a>(at: &str, members: &'a Map<String, Value>, depth: usize, tables: &mu
         false => format!("{at}/{name}"),
     };
     // By length: sensors may have columns of their own.
-    let mut columns: Vec<(usize, Vec<(&str, &[Value])>)> = Vec::new();
+    let mut columns: Vec<(usize, Columns<'_>)> = Vec::new();
     for (name, value) in members {
         match value {
             Value::Object(inner) if depth > 0 => look(&within(name), inner, depth - 1, tables),
