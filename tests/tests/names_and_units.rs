@@ -201,13 +201,6 @@ fn rows_of_both_sensors_by_turns_are_told_apart_by_their_labels() {
 }
 
 #[test]
-fn an_array_of_objects_is_called_json() {
-    let text = b"[\n {\"t\": 0, \"ax\": 1},\n {\"t\": 1, \"ax\": 1}]".to_vec();
-    let words = read("r.json", text).unwrap_err().to_string();
-    assert!(words.contains("a JSON file"), "{words}");
-}
-
-#[test]
 fn a_matlab_file_of_version_4_is_named() {
     let mut file = [0u32, 100, 4, 0, 4].map(u32::to_le_bytes).concat();
     file.extend(b"acc\0");

@@ -30,7 +30,9 @@ impl Format for SensorLoggerJson {
         let mut text = head.iter().filter(|byte| !byte.is_ascii_whitespace());
         text.next() == Some(&b'[')
             && text.next() == Some(&b'{')
-            && memchr::memmem::find(head, b"\"sensor\"").is_some()
+            && [b"\"sensor\"".as_slice(), b"\"time\""]
+                .iter()
+                .all(|name| memchr::memmem::find(head, name).is_some())
     }
 
     fn read(

@@ -1,4 +1,4 @@
-//! One binary for all targets: the environment variable `TARGET` names the one to run.
+//! One binary for the targets of texts, one for those of files: the environment variable `TARGET` names the one to run.
 #![no_main]
 
 use std::collections::BTreeSet;
@@ -8,7 +8,19 @@ use std::sync::{Mutex, OnceLock};
 
 use libfuzzer_sys::fuzz_target;
 use peak_alloc::PeakAlloc;
-use stillpoint_tests::fuzz::{TARGETS, Target};
+#[cfg(feature = "texts")]
+use stillpoint_tests::fuzz::{Target, targets};
+
+#[cfg(not(feature = "texts"))]
+#[path = "../../src/fuzz/files.rs"]
+mod files;
+#[cfg(not(feature = "texts"))]
+use files::{FILES, Target};
+
+#[cfg(not(feature = "texts"))]
+fn targets() -> impl Iterator<Item = Target> {
+    FILES.into_iter()
+}
 
 /// Counts what an execution takes, also where it was only asked for.
 #[global_allocator]
@@ -25,10 +37,10 @@ static PANICS: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
 
 fn named() -> Target {
     let name = std::env::var("TARGET").unwrap_or_default();
-    let found = TARGETS.into_iter().find(|(known, _)| *known == name);
+    let found = targets().find(|(known, _)| *known == name);
     pass_panics_of_others();
     found.unwrap_or_else(|| {
-        let known: Vec<_> = TARGETS.iter().map(|(name, _)| *name).collect();
+        let known: Vec<_> = targets().map(|(name, _)| name).collect();
         panic!("TARGET={name}: one of {} expected", known.join(", "))
     })
 }

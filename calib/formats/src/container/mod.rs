@@ -4,7 +4,7 @@ mod directory;
 mod entry;
 
 use std::fs::File;
-use std::io::{Cursor, Read, Seek};
+use std::io::{Cursor, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -238,6 +238,22 @@ impl Container {
                 format.text(store, &entry.name, self.limits)
             }
             _ => Err(Error::refused("an entry without its archive")),
+        }
+    }
+
+    /// Writes the content of an entry to `out`, on this thread.
+    ///
+    /// # Errors
+    /// As [`Container::open`], damage, and what `out` fails with.
+    pub fn write(&self, entry: &Entry, out: &mut dyn Write) -> Result<(), Error> {
+        match (&entry.place, &self.archive, self.tabular) {
+            (Place::Table, Some(store), Some(format)) => {
+                format.write(store, &entry.name, self.limits, out)
+            }
+            _ => {
+                std::io::copy(&mut self.open(entry)?, out)?;
+                Ok(())
+            }
         }
     }
 

@@ -68,18 +68,15 @@ impl Loose {
         self.0.into_iter().map(|kept| kept.name)
     }
 
-    /// The streams that they make together; none without a time that goes up and is as long.
+    /// The streams that they make together; none without a time that goes up and is as long. What has become a stream is
+    /// let go of before the next.
     ///
     /// # Errors
     /// More samples than the limit.
-    pub fn join(self, recorder: &mut Recorder) -> Result<(), Error> {
-        let goes_up = |kept: &&Kept| kept.columns[0].windows(2).all(|pair| pair[0] < pair[1]);
-        let time = self
-            .0
-            .iter()
-            .filter(|kept| is_time(&kept.name))
-            .find(goes_up);
-        let Some(time) = time.map(|kept| &kept.columns[0]) else {
+    pub fn join(mut self, recorder: &mut Recorder) -> Result<(), Error> {
+        let goes_up = |kept: &Kept| kept.columns[0].windows(2).all(|pair| pair[0] < pair[1]);
+        let is_clock = |kept: &Kept| is_time(&kept.name) && goes_up(kept);
+        let Some(at) = self.0.iter().position(is_clock) else {
             // Without one nobody can tell: what is called like a sensor is asked about.
             let sensors = self.0.iter().filter(|kept| kept.columns.len() == 3);
             recorder
@@ -88,34 +85,27 @@ impl Loose {
                 .extend(sensors.map(|kept| kept.name.clone()));
             return Ok(());
         };
+        let time = self.0.remove(at).columns.remove(0);
+        self.0
+            .retain(|kept| kept.columns.iter().all(|c| c.len() == time.len()));
         for wanted in [Quantity::SpecificForce, Quantity::AngularRate] {
-            let as_long = |kept: &&Kept| kept.columns.iter().all(|c| c.len() == time.len());
-            let mut whole = self
-                .0
-                .iter()
-                .filter(as_long)
-                .filter(|kept| kept.columns.len() == 3 && quantity(&kept.name) == Some(wanted));
-            let of_axis = |letter: usize| {
-                let mut all = self.0.iter().filter(as_long);
-                all.find(|kept| axis(&kept.name) == Some((wanted, letter)))
-            };
-            let (name, columns) = match (whole.next(), whole.next()) {
-                (Some(one), None) => (one.name.clone(), one.columns.iter().collect::<Vec<_>>()),
-                // Of several nobody knows which.
-                (Some(one), Some(other)) => {
-                    let both = [&one.name, &other.name].map(String::clone);
-                    recorder.content.unclear.extend(both);
-                    continue;
-                }
-                (None, _) => {
-                    let axes: Option<Vec<&Kept>> = (0..3).map(of_axis).collect();
-                    let Some(axes) = axes else { continue };
-                    let names: Vec<&str> = axes.iter().map(|kept| kept.name.as_str()).collect();
-                    (
-                        names.join(", "),
-                        axes.iter().map(|kept| &kept.columns[0]).collect(),
-                    )
-                }
+            let is_whole =
+                |kept: &Kept| kept.columns.len() == 3 && quantity(&kept.name) == Some(wanted);
+            let (whole, others): (Vec<Kept>, Vec<Kept>) =
+                std::mem::take(&mut self.0).into_iter().partition(is_whole);
+            self.0 = others;
+            // Of several nobody knows which.
+            if whole.len() > 1 {
+                let names = whole.into_iter().map(|kept| kept.name);
+                recorder.content.unclear.extend(names);
+                continue;
+            }
+            let is_axis = |kept: &Kept| axis(&kept.name).is_some_and(|(of, _)| of == wanted);
+            let (axes, others) = std::mem::take(&mut self.0).into_iter().partition(is_axis);
+            self.0 = others;
+            let taken = whole.into_iter().next().or_else(|| triad(axes));
+            let Some(Kept { name, columns }) = taken else {
+                continue;
             };
             let Some(stream) = recorder.stream(&name, 0, wanted) else {
                 continue;
@@ -129,6 +119,19 @@ impl Loose {
         }
         Ok(())
     }
+}
+
+/// The columns of the three axes as one variable; the first of several for an axis.
+fn triad(mut axes: Vec<Kept>) -> Option<Kept> {
+    let mut of_axis = |letter: usize| {
+        let is_it = |kept: &Kept| axis(&kept.name).is_some_and(|(_, axis)| axis == letter);
+        let at = axes.iter().position(is_it)?;
+        Some(axes.remove(at))
+    };
+    let three = [of_axis(0)?, of_axis(1)?, of_axis(2)?];
+    let name = three.each_ref().map(|kept| kept.name.as_str()).join(", ");
+    let columns = three.into_iter().flat_map(|kept| kept.columns).collect();
+    Some(Kept { name, columns })
 }
 
 fn is_time(name: &str) -> bool {

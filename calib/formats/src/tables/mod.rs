@@ -1,13 +1,14 @@
-//! Files of tables: Parquet, HDF5 with MATLAB 7.3, Excel workbooks.
+//! Files of tables: JSON, Parquet, HDF5 with MATLAB 7.3, Excel workbooks.
 //!
 //! Their columns have names and no meaning, as those of a text. So a table is read as the comma-separated text that it
-//! would be, and one reader of texts knows names, units and sensors. Every reader is a feature of the build.
+//! would be, and one reader of texts knows names, units and sensors. Every reader but that of JSON is a feature
+//! of the build.
 
 #[cfg(feature = "hdf5")]
 mod hdf5;
+mod json;
 #[cfg(feature = "parquet")]
 mod parquet;
-#[cfg(any(feature = "hdf5", feature = "parquet", feature = "xlsx"))]
 mod rows;
 mod stream;
 #[cfg(feature = "xlsx")]
@@ -30,8 +31,8 @@ pub struct Tabular {
     pub about: &'static str,
     /// What it is called in a sentence.
     pub called: &'static str,
-    /// First bytes, any of them.
-    begins: &'static [&'static [u8]],
+    /// True for the first bytes of such a file.
+    begins: fn(&[u8]) -> bool,
     /// What to do where it is not read.
     instead: &'static str,
     reader: Option<&'static dyn Reader>,
@@ -74,10 +75,18 @@ macro_rules! reader {
 /// Every format of tables, those among them that this build does not read.
 pub static TABULAR: &[Tabular] = &[
     Tabular {
+        name: "json",
+        about: "JSON: a record per line or in an array, or lists that are columns; names within each other are joined by points",
+        called: "a JSON file",
+        begins: json::begins,
+        instead: "convert it to CSV",
+        reader: Some(&json::Json),
+    },
+    Tabular {
         name: "parquet",
         about: "a Parquet file with the columns of a CSV (feature `parquet` of the build)",
         called: "a Parquet file",
-        begins: &[b"PAR1"],
+        begins: |head| head.starts_with(b"PAR1"),
         instead: "convert it to CSV, as in `pandas.read_parquet(FILE).to_csv(OUT)`",
         reader: reader!("parquet", parquet::Parquet),
     },
@@ -85,7 +94,9 @@ pub static TABULAR: &[Tabular] = &[
         name: "hdf5",
         about: "an HDF5 or MATLAB 7.3 file: datasets called as the columns of a CSV (feature `hdf5` of the build)",
         called: "an HDF5 or MATLAB 7.3 file",
-        begins: &[b"\x89HDF\r\n\x1a\n", b"MATLAB 7.3 MAT-file"],
+        begins: |head| {
+            head.starts_with(b"\x89HDF\r\n\x1a\n") || head.starts_with(b"MATLAB 7.3 MAT-file")
+        },
         instead: "save it in MATLAB with `save -v7`, or export its columns as CSV",
         reader: reader!("hdf5", hdf5::Hdf5),
     },
@@ -94,7 +105,7 @@ pub static TABULAR: &[Tabular] = &[
         name: "xlsx",
         about: "an Excel workbook, a table per sheet (feature `xlsx` of the build)",
         called: "an Excel workbook",
-        begins: &[],
+        begins: |_| false,
         instead: "save the sheet as CSV and name that file",
         reader: reader!("xlsx", xlsx::Xlsx),
     },
@@ -108,8 +119,7 @@ impl Tabular {
 
     /// The format of a file that begins with `head`.
     pub fn recognise(head: &[u8]) -> Option<&'static Self> {
-        let begins = |format: &&Self| format.begins.iter().any(|magic| head.starts_with(magic));
-        TABULAR.iter().find(begins)
+        TABULAR.iter().find(|format| (format.begins)(head))
     }
 
     /// True if this build reads it.
@@ -136,15 +146,28 @@ impl Tabular {
         guarded(|| reader.tables(store, limits))
     }
 
-    /// The text of the table called `name`.
-    pub(crate) fn text(
+    /// Writes the table called `name` as text.
+    pub(crate) fn write(
         &self,
         store: &Store,
         name: &str,
         limits: Limits,
+        out: &mut dyn Write,
+    ) -> Result<(), Error> {
+        let reader = self.reader()?;
+        guarded(|| reader.write(store, name, limits, out))
+    }
+
+    /// The same text while it is read.
+    pub(crate) fn text(
+        &'static self,
+        store: &Store,
+        name: &str,
+        limits: Limits,
     ) -> Result<Box<dyn Read + Send>, Error> {
-        let (reader, store, name) = (self.reader()?, store.clone(), name.to_owned());
-        stream::text(move |out| guarded(|| reader.write(&store, &name, limits, out)))
+        self.reader()?;
+        let (format, store, name) = (self, store.clone(), name.to_owned());
+        stream::text(move |out| format.write(&store, &name, limits, out))
     }
 }
 

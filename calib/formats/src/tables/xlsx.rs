@@ -6,7 +6,7 @@ use calamine::{
     Cell as Found, DataRef, Reader as _, SheetType, SheetVisible, Xlsx as Workbook, XlsxError,
 };
 
-use super::rows::Cell;
+use super::rows::{self, Cell};
 use super::{Listed, Reader};
 use crate::container::{Container, Store, Stored};
 use crate::shown::shown;
@@ -49,7 +49,7 @@ impl Reader for Xlsx {
         &self,
         store: &Store,
         name: &str,
-        _limits: Limits,
+        limits: Limits,
         out: &mut dyn Write,
     ) -> Result<(), Error> {
         let mut workbook = open(store)?;
@@ -65,6 +65,9 @@ impl Reader for Xlsx {
             out,
         };
         while let Some(cell) = cells.next_cell().map_err(damaged)? {
+            // Rows beyond those of Excel are damage, and told so.
+            let rows = u64::from(cell.get_position().0) + 1;
+            rows::check(rows.min(u64::from(ROWS)), limits.rows)?;
             sheet.add(&cell)?;
         }
         sheet.end_line()

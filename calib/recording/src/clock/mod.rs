@@ -226,7 +226,10 @@ fn unmistakable(text: &str) -> Option<jiff::Timestamp> {
         }
         _ => text,
     };
-    const PATTERNS: [&str; 3] = [
+    // Points stand between day, month and year in this order only.
+    const PATTERNS: [&str; 5] = [
+        "%d.%m.%Y %H:%M:%S%.f",
+        "%Y/%m/%d %H:%M:%S%.f",
         "%d-%b-%Y %H:%M:%S%.f",
         "%Y-%m-%d %H:%M:%S%.f",
         "%Y-%m-%dT%H:%M:%S%.f%z",

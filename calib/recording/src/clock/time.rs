@@ -106,13 +106,21 @@ fn unit(
             Ok(unit)
         }
         [] if table.plain_time => Ok(TimeUnit::Seconds),
-        _ => Err(in_file(
-            &table.name,
-            format!(
-                "the usual step between stamps is {}: say the unit, as in --time-unit ms",
-                figure(step)
-            ),
-        )),
+        _ => {
+            // Days since 1900, or since the year 0.
+            let samples = [&table.accel, &table.gyro];
+            let first = samples.into_iter().find_map(|samples| samples.t.first());
+            let is_days =
+                first.is_some_and(|first| (1e4..1e6).contains(first)) && plausible(&TimeUnit::Days);
+            Err(in_file(
+                &table.name,
+                format!(
+                    "the usual step between stamps is {}: say the unit, as in --time-unit {}",
+                    figure(step),
+                    if is_days { "d" } else { "ms" }
+                ),
+            ))
+        }
     }
 }
 

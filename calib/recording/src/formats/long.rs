@@ -6,8 +6,9 @@ use sensor::Sensor;
 
 use super::texts::TextFormat;
 use crate::header::look::{Look, cells};
-use crate::header::names::{role_of, take_apart};
+use crate::header::names::{is_like_time, role_of, take_apart};
 use crate::header::parts::{Change, Part};
+use crate::header::triads::{Triad, triads};
 use crate::recording::options::Role;
 use crate::source::rewrite::rewritten;
 
@@ -62,8 +63,20 @@ fn columns(look: &Look, row: &str, label: usize) -> Option<[String; 4]> {
     let time = named(&|name| role_of(name, None) == Some(Role::Time));
     let axis =
         |axis| named(&|name| role_of(name, Some(Sensor::Gyroscope)) == Some(Role::Gyro(axis)));
-    let found = match (axis(0), axis(1), axis(2), time) {
-        (Some(x), Some(y), Some(z), Some(t)) => [t, x, y, z],
+    let by_names = axis(0).zip(axis(1)).zip(axis(2));
+    // Three columns that differ by their axis alone, as `3DOF_x`.
+    let triads: Vec<Triad> = triads(&names)
+        .into_iter()
+        .filter(|triad| triad.columns.iter().all(|at| free.contains(at)))
+        .collect();
+    let only = || match &triads[..] {
+        [triad] => Some(triad.columns),
+        _ => None,
+    };
+    let axes = by_names.map(|((x, y), z)| [x, y, z]).or_else(only);
+    let time = time.or_else(|| named(&|name| axes.is_some() && is_like_time(name)));
+    let found = match (axes, time) {
+        (Some([x, y, z]), Some(t)) => [t, x, y, z],
         _ => {
             let t = time.or_else(|| free.first().copied())?;
             free.retain(|at| *at != t);

@@ -1,8 +1,10 @@
 //! The formats that recordings come in: one file and one line in [`FORMATS`] each.
 
+mod brackets;
 mod bundle;
 mod clock_text;
 mod csv;
+mod date_and_time;
 mod folder;
 mod imu_tk;
 mod long;
@@ -55,6 +57,7 @@ pub trait Format: fmt::Debug + Sync {
 
 /// Every format.
 pub static FORMATS: &[&dyn Format] = &[
+    &tables::Tables("json"),
     &tables::Tables("parquet"),
     &tables::Tables("hdf5"),
     &tables::Tables("xlsx"),
@@ -86,12 +89,14 @@ pub static FORMATS: &[&dyn Format] = &[
     &serial::ADAFRUIT,
     &serial::SERIAL,
     &clock_text::TIME_OF_DAY,
+    &brackets::BRACKETS,
+    &date_and_time::DATE_AND_TIME,
     &imu_tk::ImuTk,
     &csv::Csv,
 ];
 
 /// Tables whose names say less than their program means.
-static TEXTS: [&texts::TextFormat; 9] = [
+static TEXTS: [&texts::TextFormat; 11] = [
     &physics_toolbox::PHYSICS_TOOLBOX,
     &sensorlog::SENSORLOG,
     &androsensor::ANDROSENSOR,
@@ -101,6 +106,8 @@ static TEXTS: [&texts::TextFormat; 9] = [
     &trackers::XSENS,
     &trackers::SHIMMER,
     &clock_text::TIME_OF_DAY,
+    &brackets::BRACKETS,
+    &date_and_time::DATE_AND_TIME,
 ];
 
 /// How to read one sensor of a text: as its program means it, else by its names.

@@ -26,7 +26,7 @@ pub(crate) struct Dialect {
 pub(crate) type Cell = std::ops::Range<usize>;
 
 /// Every dialect, the likelier first: a tie is decided in this order.
-const DIALECTS: [Dialect; 7] = [
+const DIALECTS: [Dialect; 8] = [
     Dialect {
         separator: Separator::Byte(b';'),
         decimal_comma: false,
@@ -53,6 +53,11 @@ const DIALECTS: [Dialect; 7] = [
     },
     Dialect {
         separator: Separator::Blanks,
+        decimal_comma: true,
+    },
+    // Cells in quotes.
+    Dialect {
+        separator: Separator::Byte(b','),
         decimal_comma: true,
     },
 ];

@@ -8,6 +8,7 @@ pub(crate) mod names;
 pub(crate) mod parts;
 pub(crate) mod preface;
 pub(crate) mod quotes;
+mod row_shape;
 pub(crate) mod sniff;
 pub(crate) mod suggest;
 pub(crate) mod triads;
@@ -308,7 +309,10 @@ fn likely_times(names: &[String], roles: &[(Role, usize)]) -> Vec<usize> {
     }
     let free = |at: &usize| roles.iter().all(|(_, column)| column != at);
     let like = |at: &usize| is_like_time(&names[*at]);
-    (0..names.len()).filter(free).filter(like).collect()
+    let mut times: Vec<usize> = (0..names.len()).filter(free).filter(like).collect();
+    // Ticks and counters have units that nobody states.
+    times.sort_by_key(|&at| !names[at].to_lowercase().contains("time"));
+    times
 }
 
 /// Refuses one column for two roles.

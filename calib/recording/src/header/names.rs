@@ -51,6 +51,19 @@ const TIME: &[&str] = &[
     "systemtime",
     "tow",
     "gpstow",
+    "zeitstempel",
+    "uhrzeit",
+    "temps",
+    "tiempo",
+    "tempo",
+    "tijd",
+    "tid",
+    "czas",
+    "время",
+    "时间",
+    "時間",
+    "時刻",
+    "datenum",
 ];
 /// Names of accelerometer columns without their axis.
 const ACCEL: &[&str] = &[
@@ -169,7 +182,10 @@ const LONGEST: usize = 200;
 
 /// A column name taken apart: what it calls, and the unit in brackets or behind an underscore.
 pub(crate) fn take_apart(name: &str) -> (String, Option<&str>) {
-    let (word, unit) = match name.find(['(', '[', '{']) {
+    if let Some((word, unit)) = before_axis(name.trim()) {
+        return (word, Some(unit));
+    }
+    let (word, unit) = match last_bracket(name) {
         Some(at) => {
             let unit = name[at + 1..].trim_end().trim_end_matches([')', ']', '}']);
             (&name[..at], Some(unit))
@@ -177,6 +193,45 @@ pub(crate) fn take_apart(name: &str) -> (String, Option<&str>) {
         None => behind_underscores(name.trim()).map_or((name, None), |(w, unit)| (w, Some(unit))),
     };
     (compact(word), unit)
+}
+
+/// Where the brackets at the end of a name begin: `accel(0):X[g]`. None of brackets that more of the name follows.
+fn last_bracket(name: &str) -> Option<usize> {
+    let (mut depth, mut begin, mut end) = (0_usize, None, None);
+    for (at, c) in name.char_indices() {
+        match c {
+            '(' | '[' | '{' => {
+                if depth == 0 {
+                    (begin, end) = (Some(at), None);
+                }
+                depth += 1;
+            }
+            ')' | ']' | '}' => {
+                depth = depth.saturating_sub(1);
+                end = (depth == 0).then_some(at).or(end);
+            }
+            _ => {}
+        }
+    }
+    let behind = end.map_or("", |at| &name[at..]);
+    begin.filter(|_| !behind.contains(char::is_alphanumeric))
+}
+
+/// A name whose unit stands before its axis: `accel_g.x`, `gyro_dps_y`.
+fn before_axis(name: &str) -> Option<(String, &str)> {
+    let (rest, axis) = name.rsplit_once(['.', '_'])?;
+    let is_axis = matches!(axis, "x" | "y" | "z" | "X" | "Y" | "Z");
+    let (word, unit) = behind_underscores(rest).filter(|_| is_axis)?;
+    let word = compact(word);
+    // `gyro_raw_x` says nothing of its unit.
+    let is_unit = unit
+        .parse()
+        .is_ok_and(|unit: AccelUnit| unit != AccelUnit::Counts)
+        || unit
+            .parse()
+            .is_ok_and(|unit: GyroUnit| unit != GyroUnit::Counts);
+    let is_sensor = sensor_of(&word).is_some() && is_unit;
+    is_sensor.then(|| (word + &axis.to_lowercase(), unit))
 }
 
 /// A name and the unit behind an underscore; one of a sensor may have underscores itself: `gyro_x_deg_per_sec`.

@@ -4,9 +4,10 @@ use sensor::Sensor;
 
 use super::dialect::{Cell, Dialect, Separator};
 use super::preface::{
-    Finder, Kept, Preface, cells, decode, is_comment, is_row, without_comment_mark, words,
+    Finder, Kept, Preface, cells, decode, is_comment, without_comment_mark, words,
 };
 use super::quotes::open_quote;
+use super::row_shape::{ends_empty, first_row, only_integers, rows_are_numbered, usual_width};
 use super::suggest::suggestion;
 use super::unit_row;
 use super::unnamed::Unnamed;
@@ -256,6 +257,10 @@ impl Start {
         if names.len() == width + 1 && names.last().is_some_and(String::is_empty) {
             names.pop();
         }
+        if width == names.len() + 1 && rows_are_numbered(rows, self.dialect) {
+            // R names its rows, and gives the names none.
+            names.insert(0, String::new());
+        }
         if width != names.len() && !(width == names.len() + 1 && ends_empty(rows, self.dialect)) {
             let doubled = width > names.len() && width <= 2 * names.len();
             if self.dialect.separator == Separator::Byte(b',') && doubled && only_integers(rows) {
@@ -365,43 +370,4 @@ fn dialect_of(kept: &[Kept]) -> Dialect {
         .map(|k| k.bytes.as_slice())
         .collect();
     Dialect::of(&lines)
-}
-
-/// The first row that is as wide as most are: a line of a preface may hold numbers too.
-fn first_row(kept: &[Kept], dialect: Dialect) -> Option<usize> {
-    let rows = kept
-        .iter()
-        .filter(|k| !k.comment && is_row(&k.bytes, dialect));
-    let rows: Vec<&Kept> = rows.collect();
-    let width = usual_width(&rows, dialect)?;
-    let first = rows
-        .iter()
-        .find(|k| cells(&k.bytes, dialect).len() == width)?;
-    kept.iter().position(|k| k.number == first.number)
-}
-
-/// The number of cells that most rows have.
-pub(crate) fn usual_width(rows: &[&Kept], dialect: Dialect) -> Option<usize> {
-    let mut widths: Vec<usize> = rows
-        .iter()
-        .map(|row| cells(&row.bytes, dialect).len())
-        .collect();
-    widths.sort_unstable();
-    widths
-        .chunk_by(|a, b| a == b)
-        .max_by_key(|run| run.len())
-        .and_then(|run| run.first().copied())
-}
-
-/// True if the rows end with a separator, which makes an empty last cell.
-fn ends_empty(rows: &[&Kept], dialect: Dialect) -> bool {
-    rows.iter().all(|row| {
-        cells(&row.bytes, dialect)
-            .last()
-            .is_some_and(|cell| cell.is_empty())
-    })
-}
-
-fn only_integers(rows: &[&Kept]) -> bool {
-    rows.iter().all(|row| !row.bytes.contains(&b'.'))
 }

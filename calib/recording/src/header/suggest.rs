@@ -2,14 +2,22 @@
 
 use sensor::Sensor;
 
-use super::names::{is_like_time, role_of};
+use super::names::{is_like_time, role_of, take_apart};
 use super::triads::{Triad, triads};
 use crate::recording::options::Role;
 use crate::shown::shown;
+use crate::units::TimeUnit;
 
-/// What is said where nothing better is known.
-const BY_NUMBER: &str =
-    "say which is which by number or name, as in --columns 't=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7'";
+/// What is said of a table of `width` columns where nothing better is known.
+fn by_number(width: usize) -> &'static str {
+    match width {
+        0..4 => "say which is which: --columns t=..,ax=.. takes names and numbers of columns",
+        4..7 => "say which is which by number or name, as in --columns 't=1,ax=2,ay=3,az=4'",
+        _ => {
+            "say which is which by number or name, as in --columns 't=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7'"
+        }
+    }
+}
 
 /// The name most like `wanted`, if one is.
 pub(crate) fn nearest<'a>(wanted: &str, names: &'a [String]) -> Option<&'a String> {
@@ -93,7 +101,7 @@ pub(crate) fn suggestion(names: &[String]) -> String {
         }
     }
     match (accel, gyro) {
-        (None, None) => BY_NUMBER.to_owned(),
+        (None, None) => by_number(names.len()).to_owned(),
         _ => asked(&entries),
     }
 }
@@ -102,7 +110,14 @@ pub(crate) fn suggestion(names: &[String]) -> String {
 fn time(names: &[String]) -> Option<usize> {
     let is = |name: &String| role_of(name, None) == Some(Role::Time);
     let exact = names.iter().position(is);
-    exact.or_else(|| names.iter().position(|name| is_like_time(name)))
+    let in_time = |name: &String| {
+        let unit = take_apart(name).1;
+        unit.is_some_and(|unit| unit.parse::<TimeUnit>().is_ok())
+    };
+    let like = || names.iter().position(|name| is_like_time(name));
+    exact
+        .or_else(like)
+        .or_else(|| names.iter().position(in_time))
 }
 
 fn asked(entries: &[String]) -> String {
@@ -158,6 +173,7 @@ mod tests {
             "{}",
             of(&names)
         );
-        assert_eq!(of(&["1", "2", "3", "4", "5", "6", "7"]), BY_NUMBER);
+        assert_eq!(of(&["1", "2", "3", "4", "5", "6", "7"]), by_number(7));
+        assert!(!of(&["sensor", "t", "x", "y", "z"]).contains("gy="));
     }
 }

@@ -14,11 +14,39 @@ pub(crate) struct Triad {
 }
 
 /// Words of gyroscopes in several languages, as parts of a stem.
-const GYRO: [&str; 10] = [
-    "gyr", "omega", "angularv", "angularr", "angvel", "angrate", "rotat", "rate", "dreh", "giro",
+const GYRO: [&str; 17] = [
+    "gyr",
+    "omega",
+    "angularv",
+    "angularr",
+    "angvel",
+    "angrate",
+    "rotat",
+    "rate",
+    "dreh",
+    "giro",
+    "angul",
+    "angol",
+    "hoeks",
+    "vinkel",
+    "zyro",
+    "угл",
+    "角速度",
 ];
 /// Words of accelerometers.
-const ACCEL: [&str; 6] = ["acc", "beschl", "force", "acel", "accel", "kraft"];
+const ACCEL: [&str; 11] = [
+    "acc",
+    "beschl",
+    "force",
+    "acel",
+    "accel",
+    "kraft",
+    "accél",
+    "versnel",
+    "przysp",
+    "ускор",
+    "加速度",
+];
 /// Words of what is worked out from them, or of neither.
 const OTHERS: [&str; 33] = [
     "gravit", "user", "free", "ohne", "without", "sans", "mag", "quat", "orient", "euler", "angle",
@@ -55,16 +83,23 @@ const QUALIFIERS: [&str; 25] = [
     "back",
 ];
 
-/// Every three columns that differ by x y z, or by 0 1 2 or 1 2 3, in one place of their names.
+/// Words of rates, in the names of which axes are called roll, pitch and yaw: without one they are angles.
+const RATES: [&str; 4] = ["rate", "vel", "speed", "gyr"];
+
+/// Every three columns that differ by x y z, by 0 1 2 or 1 2 3, or by roll pitch yaw, in one place of their names.
 pub(crate) fn triads(names: &[String]) -> Vec<Triad> {
     let lower: Vec<String> = names.iter().map(|name| name.to_lowercase()).collect();
     let mut taken = vec![false; lower.len()];
     let mut found = Vec::new();
-    for axes in [["x", "y", "z"], ["0", "1", "2"], ["1", "2", "3"]] {
+    const TURNS: [&str; 3] = ["roll", "pitch", "yaw"];
+    for axes in [["x", "y", "z"], ["0", "1", "2"], ["1", "2", "3"], TURNS] {
         for at in 0..lower.len() {
             let Some((columns, stem)) = triad(&lower, &taken, at, axes) else {
                 continue;
             };
+            if axes == TURNS && !RATES.iter().any(|word| stem.contains(word)) {
+                continue;
+            }
             for column in columns {
                 taken[column] = true;
             }
@@ -88,7 +123,7 @@ fn triad(
     let name = &names[at];
     let mut places = name.match_indices(axes[0]);
     places.find_map(|(place, _)| {
-        let (before, after) = (&name[..place], &name[place + 1..]);
+        let (before, after) = (&name[..place], &name[place + axes[0].len()..]);
         let find = |axis: &str| {
             let is_it = |other: &String| {
                 other
@@ -99,7 +134,12 @@ fn triad(
             (0..names.len()).find(|other| !taken[*other] && is_it(&names[*other]))
         };
         let (y, z) = (find(axes[1])?, find(axes[2])?);
-        (y != at && z != at).then(|| ([at, y, z], format!("{before}{after}")))
+        let stem = || match after.is_empty() && before.ends_with(char::is_alphanumeric) {
+            // Of `imu1_gx` the `g` is no unit.
+            true => before.replace('_', " "),
+            false => format!("{before}{after}"),
+        };
+        (y != at && z != at).then(|| ([at, y, z], stem()))
     })
 }
 
@@ -211,6 +251,11 @@ mod tests {
         ];
         assert_eq!(of(&names), [([0, 1, 2], None), ([3, 4, 5], None)]);
         assert!(of(&["ax", "ay", "Tmp", "FreeAcc_X"]).is_empty());
+        assert_eq!(
+            of(&["Roll Rate", "Pitch Rate", "Yaw Rate"]),
+            [([0, 1, 2], gyro)]
+        );
+        assert!(of(&["roll", "pitch", "yaw"]).is_empty());
     }
 
     #[test]

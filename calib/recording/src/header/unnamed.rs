@@ -4,7 +4,7 @@ use sensor::Sensor;
 
 use super::dialect::{Cell, Dialect};
 use super::preface::{Kept, cells};
-use super::sniff::usual_width;
+use super::row_shape::usual_width;
 use crate::averages::median;
 use crate::recording::options::Role;
 use crate::rows::number::{self, Dialects};

@@ -108,6 +108,10 @@ impl Rows<'_> {
         if columns.iter().all(|&column| self.cells[column].is_empty()) {
             return Ok(None);
         }
+        // Of a row that one sensor wrote the other's numbers are left out, not the row.
+        if self.options.na_drop && columns.iter().all(|&column| self.is_missing(line, column)) {
+            return Ok(None);
+        }
         Ok(Some(Vector3::new(
             self.number(line, x)?,
             self.number(line, y)?,
@@ -122,6 +126,16 @@ impl Rows<'_> {
             Ok(_) => Err(self.fault(line, column, Fault::Absurd)),
             Err(fault) => Err(self.fault(line, column, fault)),
         }
+    }
+
+    fn is_missing(&self, line: Line<'_>, column: usize) -> bool {
+        let cell = &line.bytes[self.cells[column].clone()];
+        let read = number::parse(
+            cell,
+            self.start.dialect.decimal_comma,
+            &mut number::Dialects::default(),
+        );
+        matches!(read, Err(Fault::Missing | Fault::NotFinite))
     }
 
     fn fault(&self, line: Line<'_>, column: usize, fault: Fault) -> Trouble {

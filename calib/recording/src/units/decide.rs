@@ -1,7 +1,7 @@
 //! Units that nobody stated, told from the samples.
 
 use super::rests::{rest_throughout, rests, sphere};
-use super::turn_unit::turn_unit;
+use super::turn_unit::{turn_unit, wrong_by};
 use crate::Error;
 use crate::order_statistic::nth_smallest;
 use crate::recording::Stream;
@@ -26,6 +26,8 @@ const ENOUGH_OF_A_REST: usize = 1000;
 
 /// Gravity in g, in m/s², and in anything that is kept as counts.
 const KNOWN: [std::ops::Range<f64>; 3] = [0.8..1.25, 7.5..12.5, 100.0..f64::INFINITY];
+/// The median length is no shorter where gravity is in the readings, m/s²: a bias of half of it takes no more off.
+const LEAST: f64 = 4.0;
 /// Samples looked at.
 const LOOKED_AT: usize = 360_000;
 
@@ -96,7 +98,7 @@ pub(crate) fn accel_unit(
             _ => {}
         }
     }
-    if unit != AccelUnit::Counts && norm * unit.scale() < 2.0 && stream.len() >= values::ENOUGH {
+    if unit != AccelUnit::Counts && norm * unit.scale() < LEAST && stream.len() >= values::ENOUGH {
         return Err(in_file(
             name,
             format!(
@@ -158,6 +160,18 @@ pub(crate) fn gyro_unit(
                 stated.name(),
                 told.name(),
                 told.name()
+            ),
+        ));
+    }
+    if let (Some(stated), Some(accel), None) =
+        (stated.filter(|unit| unit.is_told()), accel, by_turns)
+        && let Some(factor) = wrong_by(accel, stream, stated)
+    {
+        return Err(in_file(
+            name,
+            format!(
+                "the file states {} for the gyroscope, but its turns went about {factor:.2} times as far by what the accelerometer saw: the unit is another, or that of the time; say which, as in --time-unit us, --gyro-unit counts, or --columns t=NAME for another clock",
+                stated.name()
             ),
         ));
     }

@@ -54,6 +54,12 @@ unit! {
         Microseconds = "us" | "µs" | "micros",
         /// Nanoseconds.
         Nanoseconds = "ns" | "nanos",
+        /// Minutes.
+        Minutes = "min" | "mins" | "minutes",
+        /// Hours.
+        Hours = "h" | "hr" | "hours",
+        /// Days, as spreadsheets and MATLAB count them.
+        Days = "d" | "days",
     }
 }
 
@@ -141,9 +147,10 @@ pub(crate) fn looks_like_unit(text: &str) -> bool {
     text.contains(['/', '^', '²']) || is_rate || text.ends_with("s2")
 }
 
-/// True if `text` spells a unit of any of the quantities.
+/// True if `text` spells a unit of any of the quantities; minutes, hours and days only in brackets: `acc_min` is another.
 pub(crate) fn is_unit(text: &str) -> bool {
-    text.parse::<TimeUnit>().is_ok()
+    text.parse::<TimeUnit>()
+        .is_ok_and(|unit| unit.per_second() >= 1.0)
         || text.parse::<AccelUnit>().is_ok()
         || text.parse::<GyroUnit>().is_ok()
         || text.parse::<TemperatureUnit>().is_ok()
@@ -186,6 +193,9 @@ impl TimeUnit {
             Self::TenthMilliseconds => 1e4,
             Self::Microseconds => 1e6,
             Self::Nanoseconds => 1e9,
+            Self::Minutes => 1.0 / 60.0,
+            Self::Hours => 1.0 / 3_600.0,
+            Self::Days => 1.0 / 86_400.0,
         }
     }
 }

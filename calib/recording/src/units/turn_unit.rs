@@ -24,37 +24,63 @@ const TURNS: usize = 60;
 /// The right unit predicts gravity to this, rad, and the others miss it by three times as much.
 const WITHIN: f64 = 0.2;
 
+/// Factors between a stated unit, or the time's, and the right one that are looked for.
+const FACTORS: std::ops::RangeInclusive<i32> = -24..=24;
+/// A stated unit is wrong where it misses gravity by as much, rad.
+const MISSED: f64 = 0.6;
+/// No sensor's own scale is off by as much.
+const OWN: std::ops::Range<f64> = 0.6..1.7;
+
 /// The unit in which the turns of `gyro` are those that `accel` saw; `None` where they do not tell. The scale of
 /// `accel` plays no part.
 pub(crate) fn turn_unit(accel: &Stream, gyro: &Stream) -> Option<GyroUnit> {
+    let scales = UNITS.map(GyroUnit::scale);
+    let usual = misses(accel, gyro, &scales)?.into_iter().zip(UNITS);
+    let mut medians: Vec<(f64, GyroUnit)> = usual.collect();
+    medians.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let (best, unit) = medians[0];
+    (best < WITHIN && medians[1].0 > 3.0 * best.max(0.05)).then_some(unit)
+}
+
+/// How many times as far as in `unit` the turns of `gyro` went by what `accel` saw, where that is so many times that
+/// the unit is wrong, or the time's; `None` where it may be right.
+pub(crate) fn wrong_by(accel: &Stream, gyro: &Stream, unit: GyroUnit) -> Option<f64> {
+    let missed = *misses(accel, gyro, &[unit.scale()])?.first()?;
+    if missed < MISSED {
+        return None;
+    }
+    // A quarter of a factor of two apart.
+    let factors: Vec<f64> = FACTORS.map(|k| f64::from(k) / 4.0).map(f64::exp2).collect();
+    let scales: Vec<f64> = factors.iter().map(|factor| factor * unit.scale()).collect();
+    let all = misses(accel, gyro, &scales)?.into_iter().zip(factors);
+    let (least, factor) = all.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    (least < 2.0 * WITHIN && !OWN.contains(&factor)).then_some(factor)
+}
+
+/// By how much the turns of `gyro` usually miss the gravity that `accel` saw, rad, at each scale; `None` of too few.
+fn misses(accel: &Stream, gyro: &Stream, scales: &[f64]) -> Option<Vec<f64>> {
     let count = gyro.len().min(LOOKED_AT);
     let matched: Option<Vec<Vector3<f64>>> = gyro.t[..count].iter().map(|&t| accel.at(t)).collect();
     let rests = rests(&matched?, &gyro.values[..count]);
     let means: Vec<Vector3<f64>> = rests.iter().map(|rest| rest.means[0]).collect();
     let centre = sphere(&means).map_or(Vector3::zeros(), |(centre, _)| centre);
-    let mut errors: [Vec<f64>; 3] = Default::default();
+    let mut errors: Vec<Vec<f64>> = vec![Vec::new(); scales.len()];
+    let mut turns = 0;
     for pair in rests.windows(2) {
         let [up, then] = [0, 1].map(|k| (pair[k].means[0] - centre).normalize());
         let (from, to) = (pair[0].to, pair[1].from);
         let time = gyro.t[to] - gyro.t[from - 1];
-        if up.angle(&then) < TILT || time > LONGEST || errors[0].len() == TURNS {
+        if up.angle(&then) < TILT || time > LONGEST || turns == TURNS {
             continue;
         }
-        for (unit, errors) in UNITS.iter().zip(&mut errors) {
-            let turned = turn(gyro, from - 1..to + 1, &pair[0].means[1], unit.scale()) * up;
+        turns += 1;
+        for (scale, errors) in scales.iter().zip(&mut errors) {
+            let turned = turn(gyro, from - 1..to + 1, &pair[0].means[1], *scale) * up;
             errors.push(turned.angle(&then));
         }
     }
-    if errors[0].len() < 3 {
-        return None;
-    }
-    let usual = errors.into_iter().map(median).zip(UNITS);
-    let mut medians: Vec<(f64, GyroUnit)> = usual
-        .filter_map(|(error, unit)| Some((error?, unit)))
-        .collect();
-    medians.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (best, unit) = medians[0];
-    (best < WITHIN && medians[1].0 > 3.0 * best.max(0.05)).then_some(unit)
+    let medians: Option<Vec<f64>> = errors.into_iter().map(median).collect();
+    medians.filter(|_| turns >= 3)
 }
 
 /// How a direction that stands still turns in the frame of a device that turns at `scale (gyro - bias)`.
@@ -104,6 +130,12 @@ mod tests {
                 }
             }
             assert_eq!(turn_unit(&accel, &gyro), Some(unit));
+            assert_eq!(wrong_by(&accel, &gyro, unit), None);
+            // Ticks of 0.22 µs read as microseconds.
+            gyro.t.iter_mut().for_each(|t| *t *= 4.5);
+            accel.t.clone_from(&gyro.t);
+            // Turns that are all alike are as well so many more whole ones: the factor is not looked at.
+            assert!(wrong_by(&accel, &gyro, unit).is_some());
         }
     }
 }

@@ -9,8 +9,10 @@ use std::io::Write;
 use std::sync::Arc;
 
 use hdf5_reader::error::Error as Hdf5Error;
+use hdf5_reader::filters::FILTER_SCALEOFFSET;
+use hdf5_reader::filters::scaleoffset::decompress_with_limit;
 use hdf5_reader::storage::FileStorage;
-use hdf5_reader::{Hdf5File, OpenOptions};
+use hdf5_reader::{FilterRegistry, Hdf5File, OpenOptions};
 
 use self::found::Found;
 use super::{Listed, Reader};
@@ -67,6 +69,24 @@ fn damaged(error: Hdf5Error) -> Error {
     Error::refused(format!("the HDF5 file cannot be read: {error}"))
 }
 
+/// The filters of the parser, which makes room for fill values of the scale-offset filter as large as the file says.
+/// "HDF5 File Format Specification", version 3.0, IV.A.2.l: its fifth parameter is the size of a number.
+fn filters(most: usize) -> FilterRegistry {
+    let mut filters = FilterRegistry::new();
+    filters.register(
+        FILTER_SCALEOFFSET,
+        Box::new(move |filter, data, _| {
+            match filter.client_data.get(4).is_some_and(|size| *size <= 8) {
+                true => decompress_with_limit(data, &filter.client_data, most),
+                false => Err(Hdf5Error::FilterError(
+                    "scale-offset of numbers of more than 8 bytes".to_owned(),
+                )),
+            }
+        }),
+    );
+    filters
+}
+
 fn open(store: &Store, limits: Limits) -> Result<Hdf5File, Error> {
     // Memory grows with what there is: what was never written is read as well, as fill values.
     let most = store.length()?.saturating_mul(limits.ratio).max(ALWAYS);
@@ -74,6 +94,7 @@ fn open(store: &Store, limits: Limits) -> Result<Hdf5File, Error> {
     let most = most.min(hdf5_reader::DEFAULT_MAX_CHUNK_BYTES);
     let options = OpenOptions::default()
         .with_chunk_cache_bytes(CACHE)
+        .with_filter_registry(filters(most))
         .with_max_chunk_bytes(most)
         .with_max_read_bytes(most);
     match store {

@@ -4,7 +4,8 @@ use std::io::{BufReader, Read, Seek, SeekFrom};
 
 use parquet::file::metadata::ColumnChunkMetaData;
 
-use super::thrift::{BINARY, Field, I32, LIST, STRUCTURE, Thrift};
+use super::layout::{ELEMENT, FILE, PAGE};
+use super::thrift::{Field, I32, LIST, STRUCTURE, Shape, Thrift};
 use crate::container::{Store, Stored};
 use crate::shown::shown;
 use crate::{Error, Limits};
@@ -13,8 +14,6 @@ use crate::{Error, Limits};
 const DEPTH: usize = 64;
 /// Bytes behind the metadata: its length and the mark.
 const TAIL: u64 = 8;
-/// Types of the fields of an element of the schema, by number.
-const ELEMENT: [u8; 10] = [I32, I32, I32, BINARY, I32, I32, I32, I32, I32, STRUCTURE];
 /// The field with the number of children.
 const CHILDREN: i64 = 5;
 /// The field of the metadata with the schema.
@@ -25,11 +24,12 @@ fn damaged(what: &str) -> Error {
 }
 
 /// Refuses a schema with more children than it has elements, or deeper than any recording's: the parser would make room
-/// for the former, and call itself for the latter.
+/// for the former, and call itself for the latter. Refuses metadata with values of another type than is read: the parser
+/// would take what follows for the number of things to pass over.
 ///
 /// # Errors
 /// Damage.
-pub(super) fn check_schema(file: &mut dyn Stored) -> Result<(), Error> {
+pub(super) fn check_metadata(file: &mut dyn Stored) -> Result<(), Error> {
     let length = file.seek(SeekFrom::End(0))?;
     let Some(tail) = length.checked_sub(TAIL) else {
         return Ok(());
@@ -49,7 +49,8 @@ pub(super) fn check_schema(file: &mut dyn Stored) -> Result<(), Error> {
     while let Some(field) = thrift.field(before).map_err(broken)? {
         before = field.number;
         if field.number != SCHEMA {
-            thrift.pass(field.kind).map_err(broken)?;
+            let shape = Shape::of(FILE, field.number);
+            thrift.pass_as(field.kind, shape).map_err(broken)?;
             continue;
         }
         let (kind, count) = thrift.list().map_err(broken)?;
@@ -88,14 +89,11 @@ fn children(thrift: &mut Thrift<impl Read>) -> std::io::Result<u64> {
     let (mut before, mut children) = (0, 0);
     while let Some(Field { number, kind }) = thrift.field(before)? {
         before = number;
-        let at = usize::try_from(number - 1).unwrap_or(usize::MAX);
-        // The parser does not look at the types, and would go on at another byte.
-        if ELEMENT.get(at).is_some_and(|known| *known != kind) {
-            return Err(std::io::ErrorKind::InvalidData.into());
-        }
         match number {
-            CHILDREN => children = u64::try_from(thrift.number()?).unwrap_or(u64::MAX),
-            _ => thrift.pass(kind)?,
+            CHILDREN if kind == I32 => {
+                children = u64::try_from(thrift.number()?).unwrap_or(u64::MAX);
+            }
+            _ => thrift.pass_as(kind, Shape::of(ELEMENT, number))?,
         }
     }
     Ok(children)
@@ -120,7 +118,16 @@ pub(super) fn check_pages(
     file.seek(SeekFrom::Start(start))?;
     while left > 0 {
         let mut thrift = Thrift::new(&mut file);
-        let [unpacked, packed] = sizes(&mut thrift).map_err(|_| damaged(&what))?;
+        let header = page(&mut thrift).map_err(|_| damaged(&what))?;
+        let [unpacked, packed] = header.sizes;
+        if header
+            .encoding
+            .is_some_and(|encoding| DELTA_TEXTS.contains(&encoding))
+        {
+            return Err(Error::refused(format!(
+                "{what} holds texts as differences, which are not read; write them as they are (in pyarrow: no `column_encoding`)"
+            )));
+        }
         limits.check_unpacked(&what, packed, unpacked)?;
         let length = thrift.taken.saturating_add(packed);
         left = left.checked_sub(length).ok_or_else(|| damaged(&what))?;
@@ -131,10 +138,22 @@ pub(super) fn check_pages(
     Ok(())
 }
 
-/// The sizes in the header of a page: unpacked and packed, fields 2 and 3.
-fn sizes(thrift: &mut Thrift<impl Read>) -> std::io::Result<[u64; 2]> {
+/// The header of a page, as far as it is looked at.
+struct Page {
+    /// Bytes, unpacked and packed.
+    sizes: [u64; 2],
+    /// How its values are written.
+    encoding: Option<i32>,
+}
+
+/// Texts without the beginnings that they share, and behind all of their lengths: the parser makes room for as many as
+/// the page says.
+const DELTA_TEXTS: [i32; 2] = [6, 7];
+
+/// The header of a page: sizes in fields 2 and 3, the encoding in field 2 of the fifth, or 4 of the eighth.
+fn page(thrift: &mut Thrift<impl Read>) -> std::io::Result<Page> {
     let damaged = std::io::ErrorKind::InvalidData;
-    let (mut before, mut sizes) = (0, [None; 2]);
+    let (mut before, mut sizes, mut encoding) = (0, [None; 2], None);
     while let Some(Field { number, kind }) = thrift.field(before)? {
         before = number;
         match (number, kind) {
@@ -144,12 +163,33 @@ fn sizes(thrift: &mut Thrift<impl Read>) -> std::io::Result<[u64; 2]> {
                     return Err(damaged.into());
                 }
             }
-            (1..=3, kind) if kind != I32 => return Err(damaged.into()),
-            _ => thrift.pass(kind)?,
+            (5 | 8, STRUCTURE) => {
+                let Shape::Structure(fields) = Shape::of(PAGE, number) else {
+                    return Err(damaged.into());
+                };
+                let wanted = if number == 5 { 2 } else { 4 };
+                let mut before = 0;
+                while let Some(Field { number, kind }) = thrift.field(before)? {
+                    before = number;
+                    match (number == wanted, kind) {
+                        (true, I32) => {
+                            // The parser keeps 32 bits, and of two the last.
+                            if encoding.replace(thrift.number()? as i32).is_some() {
+                                return Err(damaged.into());
+                            }
+                        }
+                        _ => thrift.pass_as(kind, Shape::of(fields, number))?,
+                    }
+                }
+            }
+            _ => thrift.pass_as(kind, Shape::of(PAGE, number))?,
         }
     }
     let [Some(unpacked), Some(packed)] = sizes else {
         return Err(damaged.into());
     };
-    Ok([unpacked, packed])
+    Ok(Page {
+        sizes: [unpacked, packed],
+        encoding,
+    })
 }

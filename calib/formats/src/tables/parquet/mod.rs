@@ -1,6 +1,7 @@
 //! Parquet: columns in row groups, <https://parquet.apache.org/docs/file-format/>.
 
 mod claims;
+mod layout;
 mod thrift;
 
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
@@ -96,7 +97,7 @@ fn damaged(error: ParquetError) -> Error {
 }
 
 fn open(store: &Store) -> Result<SerializedFileReader<Chunks>, Error> {
-    claims::check_schema(&mut *store.open()?)?;
+    claims::check_metadata(&mut *store.open()?)?;
     let chunks = Chunks {
         store: store.clone(),
         length: store.length()?,

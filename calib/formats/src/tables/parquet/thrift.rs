@@ -10,10 +10,10 @@ pub(super) const LIST: u8 = 9;
 pub(super) const STRUCTURE: u8 = 12;
 const TRUE: u8 = 1;
 const FALSE: u8 = 2;
-const BYTE: u8 = 3;
-const I16: u8 = 4;
-const I64: u8 = 6;
-const DOUBLE: u8 = 7;
+pub(super) const BYTE: u8 = 3;
+pub(super) const I16: u8 = 4;
+pub(super) const I64: u8 = 6;
+pub(super) const DOUBLE: u8 = 7;
 const SET: u8 = 10;
 const MAP: u8 = 11;
 
@@ -32,6 +32,29 @@ pub(super) struct Thrift<R> {
 pub(super) struct Field {
     pub number: i64,
     pub kind: u8,
+}
+
+/// What a value is read as.
+#[derive(Debug)]
+pub(super) enum Shape {
+    /// Of this type.
+    Plain(u8),
+    /// True or false.
+    Truth,
+    /// Elements of one shape.
+    List(&'static Shape),
+    /// Fields, by their numbers from 1; others are not read.
+    Structure(&'static [Shape]),
+    /// Anything, as it is passed over.
+    Unread,
+}
+
+impl Shape {
+    /// That of the field with this number.
+    pub fn of(fields: &'static [Self], number: i64) -> &'static Self {
+        let at = usize::try_from(number.saturating_sub(1)).ok();
+        at.and_then(|at| fields.get(at)).unwrap_or(&Self::Unread)
+    }
 }
 
 fn damaged() -> io::Error {
@@ -78,6 +101,10 @@ impl<R: Read> Thrift<R> {
             0 => self.number()?,
             step => before.saturating_add(i64::from(step)),
         };
+        // Numbers of fields have 16 bits; a parser that cuts longer ones takes the field for another.
+        if i16::try_from(number).is_err() {
+            return Err(damaged());
+        }
         let kind = head & 0xf;
         Ok(Some(Field { number, kind }))
     }
@@ -95,6 +122,28 @@ impl<R: Read> Thrift<R> {
     /// Passes the value of a field of this type.
     pub fn pass(&mut self, kind: u8) -> io::Result<()> {
         self.pass_within(kind, DEPTH)
+    }
+
+    /// Passes a value of this type, which is read as `shape`.
+    pub fn pass_as(&mut self, kind: u8, shape: &'static Shape) -> io::Result<()> {
+        match (shape, kind) {
+            (Shape::Unread, _) => self.pass(kind),
+            (Shape::Plain(known), _) if *known == kind => self.pass(kind),
+            (Shape::Truth, TRUE | FALSE) => Ok(()),
+            (Shape::List(shape), LIST) => {
+                let (kind, count) = self.list()?;
+                (0..count).try_for_each(|_| self.pass_as(kind, shape))
+            }
+            (Shape::Structure(fields), STRUCTURE) => {
+                let mut before = 0;
+                while let Some(Field { number, kind }) = self.field(before)? {
+                    before = number;
+                    self.pass_as(kind, Shape::of(fields, number))?;
+                }
+                Ok(())
+            }
+            _ => Err(damaged()),
+        }
     }
 
     fn pass_within(&mut self, kind: u8, depth: usize) -> io::Result<()> {
@@ -161,6 +210,19 @@ mod tests {
         thrift.pass(STRUCTURE).unwrap();
         assert_eq!(thrift.field(3).unwrap(), field(20, LIST));
         assert!(thrift.pass(LIST).is_err());
+    }
+
+    #[test]
+    fn a_list_of_other_elements_than_are_read_is_damage() {
+        const NUMBERS: Shape = Shape::List(&Shape::Structure(&[Shape::Plain(I32)]));
+        let pass = |bytes: &[u8]| Thrift::new(bytes).pass_as(LIST, &NUMBERS).is_ok();
+        assert!(pass(&[0x1c, 0x15, 5, 0]));
+        assert!(pass(&[0]));
+        // Two numbers instead of two structures; a structure whose number is a text.
+        assert!(!pass(&[0x25, 5, 0]));
+        assert!(!pass(&[0x1c, 0x18, 0, 0]));
+        // A field of which nothing is known.
+        assert!(pass(&[0x1c, 0x28, 1, b'a', 0]));
     }
 
     #[test]

@@ -1,0 +1,84 @@
+//! JSON: a record per line or in an array, lists that are columns, and documents with such in them.
+
+mod document;
+mod flat;
+mod records;
+
+use std::io::Write;
+
+use self::document::Document;
+use self::flat::{Columns, Row};
+use self::records::Records;
+use super::rows;
+use super::{Listed, Reader};
+use crate::container::Store;
+use crate::shown::shown;
+use crate::{Error, Limits};
+
+/// JSON of records or columns.
+#[derive(Debug)]
+pub(super) struct Json;
+
+/// True for what begins as JSON with something in it: a log's line may begin with a bracket too.
+pub(super) fn begins(head: &[u8]) -> bool {
+    let head = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head);
+    let mut marks = head.iter().filter(|byte| !byte.is_ascii_whitespace());
+    match (marks.next(), marks.next()) {
+        (Some(b'{'), Some(b'"')) => true,
+        (Some(b'['), Some(b'{')) => true,
+        (Some(b'['), Some(b'[')) => !matches!(marks.next(), None | Some(b'[')),
+        _ => false,
+    }
+}
+
+impl Reader for Json {
+    fn tables(&self, store: &Store, limits: Limits) -> Result<Listed, Error> {
+        if let Some(document) = Document::open(store)? {
+            let names: Vec<String> = document.tables().map(|table| table.name.clone()).collect();
+            return match names.len() {
+                0 => Err(Error::refused(format!(
+                    "JSON without a list of records or of numbers; it holds {}",
+                    document.listed()
+                ))),
+                _ => Ok(Listed {
+                    names,
+                    warnings: Vec::new(),
+                }),
+            };
+        }
+        let mut columns = Columns::default();
+        let cut = Records::of(store)?.each(limits, &mut |row| columns.add(&row))?;
+        Ok(Listed {
+            names: vec![String::new()],
+            warnings: cut.into_iter().collect(),
+        })
+    }
+
+    fn write(
+        &self,
+        store: &Store,
+        name: &str,
+        limits: Limits,
+        out: &mut dyn Write,
+    ) -> Result<(), Error> {
+        let mut columns = Columns::default();
+        let mut line = String::new();
+        if let Some(document) = Document::open(store)? {
+            let table = document.tables().find(|table| table.name == name);
+            let table =
+                table.ok_or_else(|| Error::refused(format!("no list `{}`", shown(name))))?;
+            rows::check(table.length() as u64, limits.rows)?;
+            (0..table.length()).try_for_each(|at| columns.add(&table.row(at)?))?;
+            columns.write_names(out)?;
+            return (0..table.length())
+                .try_for_each(|at| columns.write(table.row(at)?, out, &mut line));
+        }
+        Records::of(store)?.each(limits, &mut |row| columns.add(&row))?;
+        columns.write_names(out)?;
+        let mut write = |row: Row| columns.write(row, out, &mut line);
+        Records::of(store)?.each(limits, &mut write).map(drop)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,60 @@
+//! What the rows at the beginning of a text have in common.
+
+use super::dialect::Dialect;
+use super::preface::{Kept, cells, is_row};
+
+/// The first row that is as wide as most are: a line of a preface may hold numbers too.
+pub(super) fn first_row(kept: &[Kept], dialect: Dialect) -> Option<usize> {
+    let rows = kept
+        .iter()
+        .filter(|k| !k.comment && is_row(&k.bytes, dialect));
+    let rows: Vec<&Kept> = rows.collect();
+    let width = usual_width(&rows, dialect)?;
+    let first = rows
+        .iter()
+        .find(|k| cells(&k.bytes, dialect).len() == width)?;
+    kept.iter().position(|k| k.number == first.number)
+}
+
+/// The number of cells that most rows have.
+pub(super) fn usual_width(rows: &[&Kept], dialect: Dialect) -> Option<usize> {
+    let mut widths: Vec<usize> = rows
+        .iter()
+        .map(|row| cells(&row.bytes, dialect).len())
+        .collect();
+    widths.sort_unstable();
+    widths
+        .chunk_by(|a, b| a == b)
+        .max_by_key(|run| run.len())
+        .and_then(|run| run.first().copied())
+}
+
+/// True if the first cells count the rows from 1, in quotes or not.
+pub(super) fn rows_are_numbered(rows: &[&Kept], dialect: Dialect) -> bool {
+    let first = |row: &Kept| {
+        let cell = cells(&row.bytes, dialect).first()?.clone();
+        std::str::from_utf8(&row.bytes[cell])
+            .ok()?
+            .parse::<usize>()
+            .ok()
+    };
+    rows.len() > 1
+        && rows
+            .iter()
+            .enumerate()
+            .all(|(at, row)| first(row) == Some(at + 1))
+}
+
+/// True if the rows end with a separator, which makes an empty last cell.
+pub(super) fn ends_empty(rows: &[&Kept], dialect: Dialect) -> bool {
+    rows.iter().all(|row| {
+        cells(&row.bytes, dialect)
+            .last()
+            .is_some_and(|cell| cell.is_empty())
+    })
+}
+
+/// True if no row has a decimal point.
+pub(super) fn only_integers(rows: &[&Kept]) -> bool {
+    rows.iter().all(|row| !row.bytes.contains(&b'.'))
+}

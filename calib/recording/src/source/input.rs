@@ -1,0 +1,186 @@
+//! A text that is about to be read: its beginning, what follows, and where it comes from.
+
+use std::io::{self, Cursor, Read};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
+
+use file_formats::Entry;
+
+use super::Source;
+use super::batches::is_too_long;
+use super::decode;
+use super::files::Files;
+use super::lines::{end_of_line, lines};
+use super::on_disk::Unchanged;
+use super::place::in_file;
+use crate::Error;
+use crate::header::look::Look;
+use crate::header::preface::is_comment;
+use crate::recording::options::ReadOptions;
+
+/// Bytes of a text that are looked at before it is read, comments at its beginning not counted.
+const HEAD: u64 = 64 << 10;
+/// No comments are longer.
+const LONGEST_PREFACE: usize = 64 << 20;
+
+/// Where a text comes from, to open it once more.
+#[derive(Clone, Debug)]
+pub(super) enum Origin {
+    Path(PathBuf),
+    Entry(Files, Entry),
+    Memory(Arc<[u8]>),
+    Stream,
+}
+
+/// A text that is about to be read.
+pub struct Input {
+    /// The name in messages.
+    pub(crate) name: String,
+    /// Its beginning.
+    pub(crate) head: Vec<u8>,
+    /// What follows the beginning.
+    pub(crate) rest: Box<dyn Read + Send>,
+    /// What was noticed on the way.
+    pub(crate) warnings: Vec<String>,
+    /// The file as it was when it was opened.
+    pub(crate) unchanged: Option<Unchanged>,
+    origin: Origin,
+    /// The first lines of `head`, once a format has asked: every other one asks too.
+    look: OnceLock<Look>,
+}
+
+impl std::fmt::Debug for Input {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Input")
+            .field("name", &self.name)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Input {
+    /// Opens the text at `path`, as [`Source::open`] does.
+    pub(crate) fn open(path: &Path, options: &ReadOptions) -> Result<Self, Error> {
+        Source::open(path, options)?.into_text()
+    }
+
+    /// The same text from its beginning.
+    ///
+    /// # Errors
+    /// Text that went by, as that of standard input.
+    pub(crate) fn again(&self, options: &ReadOptions) -> Result<Self, Error> {
+        match &self.origin {
+            Origin::Path(path) => Self::open(path, options),
+            Origin::Entry(files, entry) => files.text(entry, options),
+            Origin::Memory(bytes) => {
+                Source::of_bytes(&self.name, bytes.clone(), options)?.into_text()
+            }
+            Origin::Stream => Err(in_file(
+                &self.name,
+                "its sensors have clocks of their own, so that it is read twice; save it to a file and name that",
+            )),
+        }
+    }
+
+    pub(super) fn new(
+        name: String,
+        unpacked: decode::Unpacked,
+        origin: Origin,
+    ) -> Result<Self, Error> {
+        let (mut reader, warnings) = decode::text(&name, unpacked);
+        let mut head = take_head(&name, &mut reader)?;
+        decode::refuse_other_formats(&name, &head)?;
+        take_preface(&name, &mut reader, &mut head)?;
+        Ok(Self {
+            name,
+            head,
+            rest: reader,
+            warnings,
+            unchanged: None,
+            origin,
+            look: OnceLock::new(),
+        })
+    }
+
+    /// The first lines.
+    pub(crate) fn look(&self) -> &Look {
+        self.look.get_or_init(|| Look::at(&self.head))
+    }
+
+    /// The text as `change` turns it into another with the same lines.
+    pub(crate) fn changed(
+        mut self,
+        change: impl FnOnce(Box<dyn Read + Send>) -> Box<dyn Read + Send>,
+    ) -> Result<Self, Error> {
+        let head = std::mem::take(&mut self.head);
+        let whole = Box::new(
+            Cursor::new(head).chain(std::mem::replace(&mut self.rest, Box::new(io::empty()))),
+        );
+        self.rest = change(whole);
+        self.head = take_head(&self.name, &mut self.rest)?;
+        take_preface(&self.name, &mut self.rest, &mut self.head)?;
+        self.look = OnceLock::new();
+        Ok(self)
+    }
+
+    /// The whole text.
+    pub(crate) fn into_reader(self) -> Box<dyn Read + Send> {
+        Box::new(Cursor::new(self.head).chain(self.rest))
+    }
+
+    /// Content decides; an extension that says otherwise is worth a word.
+    pub(super) fn warn_of_extension(&mut self, path: &Path) {
+        const BINARY: [&str; 9] = [
+            "mat", "bag", "mcap", "db3", "xlsx", "xls", "ulg", "bin", "parquet",
+        ];
+        let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+        if let Some(extension) = extension.filter(|e| BINARY.contains(&e.as_str())) {
+            self.warnings.push(format!(
+                "{}: text in spite of its name, .{extension}",
+                self.name
+            ));
+        }
+    }
+}
+
+/// Up to `HEAD` bytes from the front of `reader`.
+pub(crate) fn take_head(name: &str, reader: &mut dyn Read) -> Result<Vec<u8>, Error> {
+    let mut head = Vec::new();
+    let read = reader.take(HEAD).read_to_end(&mut head);
+    read.map_err(|error| in_file(name, format!("reading stopped: {error}")))?;
+    Ok(head)
+}
+
+/// Reads on while `head` holds nothing but comments and the text goes on.
+fn take_preface(name: &str, reader: &mut dyn Read, head: &mut Vec<u8>) -> Result<(), Error> {
+    // Up to here there are nothing but whole lines of comment.
+    let mut comments = 0;
+    let mut length = head.len() as u64;
+    while length == HEAD {
+        for line in lines(head, comments) {
+            let end = end_of_line(&head[line.end..]);
+            if end == 0 || !is_skipped(&head[line.clone()]) {
+                break;
+            }
+            comments = line.end + end;
+        }
+        let behind = head.len() - comments;
+        let is_text = |line: std::ops::Range<usize>| !is_skipped(&head[line]);
+        let met = lines(head, comments).next().is_some_and(is_text);
+        if met && behind >= HEAD as usize || is_too_long(behind) {
+            break;
+        }
+        if head.len() > LONGEST_PREFACE {
+            let words = "64 MiB of comments and no row: delete them, or is this no recording?";
+            return Err(in_file(name, words));
+        }
+        let more = take_head(name, reader)?;
+        length = more.len() as u64;
+        head.extend(more);
+    }
+    Ok(())
+}
+
+/// True for lines that are neither names nor rows.
+fn is_skipped(line: &[u8]) -> bool {
+    is_comment(line) || line.trim_ascii().is_empty()
+}
