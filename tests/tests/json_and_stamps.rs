@@ -177,12 +177,7 @@ fn quoted_decimal_commas_and_rows_named_by_r_are_read() {
     let samples = Samples::of_session();
     let quoted = |t: f64, f, w| {
         let row = format!("{t},{},{}", triad(f), triad(w));
-        format!(
-            "\"{}\"",
-            row.replace(',', "\";\"")
-                .replace('.', ",")
-                .replace(';', ",")
-        )
+        format!("\"{}\"", row.replace(',', "\";\"").replace(['.', ';'], ","))
     };
     let header = "\"t\",\"ax\",\"ay\",\"az\",\"gx\",\"gy\",\"gz\"\n";
     let text = format!("{header}{}", rows(&samples, "\n", quoted));

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::io::Write;
 
-use crate::{Error, Limits};
+use crate::Error;
 
 /// A cell before it is written.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +15,7 @@ pub(super) enum Cell {
     /// The same beyond 2⁶³.
     Unsigned(u64),
     /// A number of 32 bits, written in as few digits as tell it from its neighbours.
+    #[cfg(any(feature = "parquet", feature = "hdf5"))]
     Single(f32),
     /// A number of 64 bits, written in the same way.
     Double(f64),
@@ -31,6 +32,7 @@ impl Cell {
             Self::Whole(number) => write!(row, "{number}"),
             Self::Unsigned(number) => write!(row, "{number}"),
             // With an exponent where there would be many zeros.
+            #[cfg(any(feature = "parquet", feature = "hdf5"))]
             Self::Single(number) => write!(row, "{number:?}"),
             Self::Double(number) => write!(row, "{number:?}"),
             Self::Text(words) => {
@@ -94,11 +96,12 @@ pub(super) fn check(rows: u64, limit: u64) -> Result<(), Error> {
 }
 
 /// Refuses more cells than a file of `length` bytes holds of readings, however well it is packed: their text takes time.
+#[cfg(any(feature = "parquet", feature = "hdf5"))]
 pub(super) fn check_cells(
     rows: u64,
     columns: usize,
     length: u64,
-    limits: Limits,
+    limits: crate::Limits,
 ) -> Result<(), Error> {
     /// As many may always be there.
     const ALWAYS: u64 = 1 << 20;
@@ -122,6 +125,11 @@ mod tests {
             Cell::Double(number).write(&mut row);
             assert_eq!(row.parse::<f64>(), Ok(number));
         }
+    }
+
+    #[cfg(any(feature = "parquet", feature = "hdf5"))]
+    #[test]
+    fn numbers_of_32_bits_have_no_more_digits_than_tell_them_apart() {
         let mut row = String::new();
         Cell::Single(0.1).write(&mut row);
         assert_eq!(row, "0.1");
