@@ -120,13 +120,22 @@ fn stamps_in_brackets_and_in_two_columns_are_read() {
     };
     let header = "ax\tay\taz\tgx\tgy\tgz\n";
     let split = "Datum;Uhrzeit;ax;ay;az;gx;gy;gz\n";
-    for text in [
-        rows(&samples, "\n", bracketed),
-        rows(&samples, "\n", dated),
-        format!("{header}{}", rows(&samples, "\n", timed)),
-        format!("{split}{}", rows(&samples, "\n", apart)),
+    let usual = ReadOptions::default();
+    let apart = format!("{split}{}", rows(&samples, "\n", apart));
+    // Day or month first is not guessed.
+    let words = read("r.log", &apart, &usual).unwrap_err().to_string();
+    assert!(words.contains("--time-format"), "{words}");
+    let day_first = ReadOptions {
+        time_format: Some("%d.%m.%Y %H:%M:%S%.f".to_owned()),
+        ..ReadOptions::default()
+    };
+    for (text, how) in [
+        (rows(&samples, "\n", bracketed), &usual),
+        (rows(&samples, "\n", dated), &usual),
+        (format!("{header}{}", rows(&samples, "\n", timed)), &usual),
+        (apart, &day_first),
     ] {
-        let found = read("r.log", &text, &ReadOptions::default());
+        let found = read("r.log", &text, how);
         same(
             &found.unwrap_or_else(|error| panic!("{error}\n{}", &text[..200])),
             &samples,

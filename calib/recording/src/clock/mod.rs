@@ -226,9 +226,7 @@ fn unmistakable(text: &str) -> Option<jiff::Timestamp> {
         }
         _ => text,
     };
-    // Points stand between day, month and year in this order only.
-    const PATTERNS: [&str; 5] = [
-        "%d.%m.%Y %H:%M:%S%.f",
+    const PATTERNS: [&str; 4] = [
         "%Y/%m/%d %H:%M:%S%.f",
         "%d-%b-%Y %H:%M:%S%.f",
         "%Y-%m-%d %H:%M:%S%.f",
