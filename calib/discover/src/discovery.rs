@@ -262,8 +262,8 @@ fn determined(
     }
 }
 
-/// A formula for what remains, or that is `known` to explain it, with its coefficients; names that it explains are withdrawn, and the formula is then
-/// looked for without them.
+/// A formula for what remains, or that is `known` to explain it, with its coefficients; names that it explains are
+/// withdrawn, and the formula is then looked for without them.
 fn proposal(
     session: &Session<'_>,
     request: &Request,

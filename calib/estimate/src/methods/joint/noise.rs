@@ -268,7 +268,7 @@ fn parts(stream: &Stream, rests: &[Range<usize>], axis: usize) -> Vec<Vec<f64>> 
 }
 
 /// The quiet among the stretches.
-fn quiet(parts: &[Vec<f64>]) -> Vec<Vec<f64>> {
+fn quiet(parts: &[Vec<f64>]) -> Vec<&[f64]> {
     let scatters: Vec<(f64, f64)> = parts.iter().map(|p| scatter(p)).collect();
     let variances: Vec<f64> = scatters.iter().map(|(s, dof)| s / dof).collect();
     let degrees = median(scatters.iter().map(|(_, dof)| *dof)).unwrap_or(1.0);
@@ -276,17 +276,28 @@ fn quiet(parts: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let most = factor * quantile(&variances, QUIETEST).unwrap_or(0.0);
     let own = parts.iter().zip(&variances);
     own.filter(|(_, variance)| **variance <= most)
-        .map(|(part, _)| part.clone())
+        .map(|(part, _)| part.as_slice())
         .collect()
 }
 
 /// Standard deviation of a sample in these stretches.
-fn white(quiet: &[Vec<f64>]) -> Option<f64> {
-    let scatters: Vec<(f64, f64)> = quiet.iter().map(|p| scatter(p)).collect();
-    let (sum, dof) = scatters
-        .iter()
-        .fold((0.0, 0.0), |(s, d), (sum, dof)| (s + sum, d + dof));
+fn white(quiet: &[&[f64]]) -> Option<f64> {
+    let (sum, dof) = scatter_within(quiet);
     (dof > 0.0).then(|| f64::max((sum / dof).sqrt(), FLOOR))
+}
+
+/// Sum of squares about the means of the stretches, and its degrees of freedom.
+fn scatter_within(parts: &[&[f64]]) -> (f64, f64) {
+    let own = parts.iter().map(|part| scatter(part));
+    own.fold((0.0, 0.0), |(sum, freedom), (own, of_own)| {
+        (sum + own, freedom + of_own)
+    })
+}
+
+/// Standard error of the ratio of a standard deviation by the means of batches to one that is known.
+fn error_of_ratio(parts: &[&[f64]], batch: usize) -> f64 {
+    let batches = parts.iter().map(|p| (p.len() / batch).saturating_sub(1));
+    1.0 / (2.0 * batches.sum::<usize>().max(1) as f64).sqrt()
 }
 
 /// Standard deviation of long means over that of white noise; 1 where it is surely neither below [`SOONER`] nor above
@@ -295,11 +306,10 @@ fn white(quiet: &[Vec<f64>]) -> Option<f64> {
 /// Means over a time `T` of noise that resembles itself for a time `τ` fall short of the density at low frequency by a share
 /// `τ/T`, those over `T/2` by twice that: what both say of means without end is `2 S(T) − S(T/2)`, `S` the variance
 /// of a batch times its length.
-fn long_run(parts: &[Vec<f64>], batch: usize, white: f64) -> f64 {
+fn long_run(parts: &[&[f64]], batch: usize, white: f64) -> f64 {
     let whole = of_batches(parts, batch);
     let ratio = whole.sqrt() / white;
-    let degrees = parts.iter().map(|p| (p.len() / batch).saturating_sub(1));
-    let error = 1.0 / (2.0 * degrees.sum::<usize>().max(1) as f64).sqrt();
+    let error = error_of_ratio(parts, batch);
     if ratio <= COLOURED.max(1.0 + COLOURED_ERRORS * error) {
         let sooner = ratio < SOONER.min(1.0 - SOONER_ERRORS * error) && white > FLOOR;
         return if sooner {
@@ -318,19 +328,14 @@ fn long_run(parts: &[Vec<f64>], batch: usize, white: f64) -> f64 {
 /// quiet ones unless it is surely below [`SOONER`].
 fn restless_long_run(parts: &[Vec<f64>], batch: usize, (white, long_run): (f64, f64)) -> f64 {
     let usual = long_run.max(1.0);
-    let shakes = |part: &&Vec<f64>| {
+    let shakes = |part: &&[f64]| {
         let (sum, freedom) = scatter(part);
         sum / freedom > RESTLESS * white * white
     };
-    let restless: Vec<Vec<f64>> = parts.iter().filter(shakes).cloned().collect();
-    let (sum, freedom) = restless
-        .iter()
-        .map(|part| scatter(part))
-        .fold((0.0, 0.0), |(sum, freedom), (own, of_own)| {
-            (sum + own, freedom + of_own)
-        });
-    let batches = restless.iter().map(|p| (p.len() / batch).saturating_sub(1));
-    let error = 1.0 / (2.0 * batches.sum::<usize>().max(1) as f64).sqrt();
+    let all = parts.iter().map(Vec::as_slice);
+    let restless: Vec<&[f64]> = all.filter(shakes).collect();
+    let (sum, freedom) = scatter_within(&restless);
+    let error = error_of_ratio(&restless, batch);
     let whole = sum / f64::max(freedom, 1.0);
     let ratio = (of_batches(&restless, batch) / whole).sqrt();
     // Of all that the restless parts scatter by, quiet noise included: the test has no difference of two estimates in it.
@@ -345,7 +350,7 @@ fn restless_long_run(parts: &[Vec<f64>], batch: usize, (white, long_run): (f64, 
 }
 
 /// Variance of the means of batches times their length, those of touched stretches apart; 0 of none.
-fn of_batches(parts: &[Vec<f64>], batch: usize) -> f64 {
+fn of_batches(parts: &[&[f64]], batch: usize) -> f64 {
     let batch = batch.max(1);
     let spreads: Vec<(f64, f64)> = parts
         .iter()
@@ -365,7 +370,7 @@ fn of_batches(parts: &[Vec<f64>], batch: usize) -> f64 {
 /// Share of the samples that are independent, by how the variances of windows of `window` samples spread: with
 /// `ν` degrees of freedom their cube root spreads by `√(2/9ν)` of its middle (Wilson and Hilferty 1931).
 /// The lower half decides, as touches lie in the upper.
-fn freedom(parts: &[Vec<f64>], window: usize) -> f64 {
+fn freedom(parts: &[&[f64]], window: usize) -> f64 {
     let mut roots: Vec<f64> = parts
         .iter()
         .flat_map(|part| part.chunks_exact(window))

@@ -1,11 +1,9 @@
 //! One JSON object, and the lists in it that are tables.
 
-use std::io::Read;
-
 use serde_json::{Deserializer, Map, Value};
 
 use super::flat::{Row, flatten};
-use super::records::{Budgeted, damaged};
+use super::records::{Budgeted, damaged, first_byte};
 use crate::Error;
 use crate::container::Store;
 use crate::shown::shown;
@@ -54,10 +52,7 @@ impl Document {
     /// # Errors
     /// Damage of a file that holds one object.
     pub fn open(store: &Store) -> Result<Option<Self>, Error> {
-        let (mut reader, _) = Budgeted::open(store)?;
-        let mut first = [b' '];
-        while first[0].is_ascii_whitespace() && reader.read(&mut first)? > 0 {}
-        if first[0] != b'{' {
+        if first_byte(store)? != b'{' {
             return Ok(None);
         }
         let (reader, left) = Budgeted::open(store)?;

@@ -40,6 +40,17 @@ impl Budgeted {
     }
 }
 
+/// The first byte of the text in `store` that is no blank; a blank where there is none.
+///
+/// # Errors
+/// What the system fails with.
+pub(super) fn first_byte(store: &Store) -> Result<u8, Error> {
+    let (mut begin, _) = Budgeted::open(store)?;
+    let mut byte = [b' '];
+    while byte[0].is_ascii_whitespace() && begin.read(&mut byte)? > 0 {}
+    Ok(byte[0])
+}
+
 impl Read for Budgeted {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         if self.left.get() == 0 {
@@ -75,14 +86,12 @@ impl Records {
     /// # Errors
     /// What the system fails with.
     pub fn of(store: &Store) -> Result<Self, Error> {
-        let (mut begin, _) = Budgeted::open(store)?;
-        let mut byte = [b' '];
-        while byte[0].is_ascii_whitespace() && begin.read(&mut byte)? > 0 {}
+        let is_array = first_byte(store)? == b'[';
         let (reader, left) = Budgeted::open(store)?;
         Ok(Self {
             reader,
             left,
-            is_array: byte[0] == b'[',
+            is_array,
         })
     }
 

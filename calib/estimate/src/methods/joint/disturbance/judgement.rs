@@ -127,7 +127,8 @@ impl Run<'_> {
         let all = |places: &[usize]| places.iter().map(|&k| &candidates[k]).collect::<Vec<_>>();
         let columns = analysis.columns(&candidates);
         let mut found = given.clone();
-        if analysis.is_missed(rows, &all(&given)) {
+        let is_missed = analysis.is_missed(rows, &all(&given));
+        if is_missed {
             // One rest or two that are far off pull on all of the others where these are few.
             let trial = analysis.trial(&candidates, &columns, &[]);
             let few = trial.accuse(&given, given.len() + FEW);
@@ -136,7 +137,11 @@ impl Run<'_> {
                 .unwrap_or(found);
         }
         let patterns = at.allow_patterns(&all(&found), analysis, shown);
-        let mut misfit = analysis.allow_scatter_where_misfit(rows, &all(&found)) || patterns;
+        // Where nothing was missed and nothing was added there is no scatter to allow.
+        let mut misfit = patterns;
+        if is_missed || patterns {
+            misfit |= analysis.allow_scatter_where_misfit(rows, &all(&found));
+        }
         if self.data.misses_something_between_samples() || self.data.moves_at_rest() {
             // What falls between samples altogether shows in none of them, and a device that sways begins a turn where it sways
             // to: turns scatter by more than their samples say.
