@@ -44,7 +44,7 @@ impl Fault {
             Self::Hexadecimal => "hexadecimal; export in decimal notation",
             Self::Absurd => "no sensor and no clock reads that; wrong column, or wrong unit?",
             Self::Date => {
-                "not an ISO 8601 date (2026-11-21T03:04:05.123Z); say the pattern, as in --time-format '%m/%d/%Y %H:%M:%S%.f'"
+                "not an ISO 8601 date (2026-11-21T03:04:05.123Z); say the pattern, as in --time-format '%d.%m.%Y %H:%M:%S%.f'"
             }
             Self::OtherDate => "not of the pattern in --time-format",
             Self::Text => "not a number; --skip-bad-rows N leaves up to N such rows out",
