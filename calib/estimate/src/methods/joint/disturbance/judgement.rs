@@ -202,9 +202,10 @@ impl Run<'_> {
     /// shaking is how the recording is: the rows are believed by their own noise then. Nor where the device sways, as in a
     /// hand, which trembles now more and now less.
     fn touched(&self, rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
-        if self.data.shakes_throughout().is_some() {
+        if self.data.shakes_throughout().is_some() || self.data.shaken.is_empty() {
             return Vec::new();
         }
+        let rotations = rows.rotations(x);
         self.data
             .shaken
             .iter()
@@ -212,7 +213,7 @@ impl Run<'_> {
                 let recording = self.data.rests[self.data.chunks[*chunk].rest].recording;
                 !self.data.sources[recording].moves_at_rest()
             })
-            .filter_map(|(chunk, shake)| pushed_chunk(rows, x, *chunk, shake))
+            .filter_map(|(chunk, shake)| pushed_chunk(rows, x, (*chunk, shake), &rotations))
             .collect()
     }
 }
