@@ -15,16 +15,15 @@ use crate::state::State;
 /// A product of which an effect of the catalogue leaves less than this share (`1 − ρ²`) is that effect's, no formula.
 const OWN: f64 = 0.05;
 
-/// Looks for a formula beside the base models, with what these leave; `None` where it is not likelier than the named effects by
-/// [`APART`].
+/// Looks for a formula beside the base models, with what these leave; `None` where it is not likelier than the named effects,
+/// and what they leave of single intervals and turns, by [`APART`].
 pub fn instead_of_names(
     session: &Session<'_>,
     request: &Request,
     search: &Search,
 ) -> Option<(Proposed, Unexplained)> {
     let is_effect = |claim: Claim| matches!(claim, Claim::Effect(_));
-    let effects_only = search.names.iter().all(|name| is_effect(name.claim));
-    if search.names.is_empty() || !effects_only {
+    if !search.names.iter().any(|name| is_effect(name.claim)) {
         return None;
     }
     let whole = rest_of(&search.base, request.half_alpha())?;
