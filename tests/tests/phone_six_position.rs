@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use calib::intervals::{Detector, Moments};
-use calib::methods::six_position::{EarthRate, Face, Placement, Six, SixPosition, placements};
+use calib::methods::six_position::{EarthRotation, Face, Placement, Six, SixPosition, placements};
 use calib::recording::Stream;
 use nalgebra::{Matrix3, Matrix3x6, Vector3};
 use stillpoint_tests::phone;
@@ -62,7 +62,7 @@ fn the_authors_sample_ranges_give_their_matrix_bias_and_gyroscope_part_to_1e_9()
         assert!((gyroscope.bias[k] - author("b")).abs() < 1e-9);
     }
     // The scale factor errors of -0.25 to -0.73 are within three standard errors of zero.
-    assert_eq!(gyroscope.earth_rate(), EarthRate::Hidden);
+    assert_eq!(gyroscope.earth_rotation(), EarthRotation::Hidden);
     for (error, std) in gyroscope
         .scale_error
         .iter()

@@ -14,8 +14,8 @@ use sensor::{AnyEffect, Model, Nature, Sensor};
 
 use super::enough::{enough_rests, enough_to_compare};
 use super::family::{Claim, effect_family, is_late};
+use super::fault::delay::{Delay, delay};
 use super::fault::integrity::{disturbed, integrity, undersampled};
-use super::fault::time_offset::{Delay, delay};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
 use super::flicker::names_and_rest;
 use super::gap::channel::{Channel, Misfit, Sequence, channel_of};

@@ -31,8 +31,8 @@ mod visible;
 
 pub use discovery::{Discovery, discover};
 pub use family::{Claim, Family, Hypothesis, families};
+pub use fault::delay::{Delay, delay};
 pub use fault::integrity::{Integrity, Size, disturbed, integrity};
-pub use fault::time_offset::{Delay, delay};
 pub use findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Validation, Verdict};
 pub use gap::channel::{Channel, Misfit, Sequence, channel_of};
 pub use gap::held_out::{gap_of, held_out};
