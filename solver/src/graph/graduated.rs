@@ -4,7 +4,7 @@ use super::damping::Lambda;
 use super::evaluate::gather;
 use super::solve::{Run, Stop, TRIES};
 use super::stage::Stage;
-use crate::graph::elimination::normal::Equations;
+use crate::graph::elimination::equations::Equations;
 use crate::loss::LossScale;
 use crate::loss::robust::robust_sigma;
 

@@ -11,7 +11,7 @@ use super::problem::Graph;
 use crate::clock::{Moment, after};
 use crate::error::Error;
 use crate::graph::elimination::Factored;
-use crate::graph::elimination::normal::{Equations, Failure, Normal};
+use crate::graph::elimination::equations::{Equations, Failure, Normal};
 use crate::graph::elimination::structure::Structure;
 use crate::linear::vector::{dot, scaled_norm};
 use crate::minimise::scaling::Scaling;

@@ -4,11 +4,11 @@ use std::fmt::Write as _;
 
 use nalgebra::Vector3;
 
+use super::formula::{Formula, Term};
 use crate::axis::Axis;
 use crate::covariate::Covariate;
 use crate::definition::DefinitionError;
 use crate::effect::AnyEffect;
-use crate::formula::{Formula, Term};
 use crate::kinematics::{Kinematics, REFERENCE_TEMPERATURE, Sensor, Since};
 
 /// The source file of an effect called `name` that is `formula`.
