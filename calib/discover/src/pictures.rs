@@ -9,7 +9,8 @@ use sensor::{AnyEffect, Kinematics, Quantity, Sensor};
 use super::discovery::Discovery;
 use super::family::Claim;
 use super::findings::EffectFinding;
-use super::gap::channel::{Channel, whitening_at};
+use super::gap::channel::Channel;
+use super::gap::sequence::whitening_at;
 use super::search::Name;
 use super::state::State;
 

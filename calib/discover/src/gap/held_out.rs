@@ -4,7 +4,8 @@ use estimate::methods::joint::BiasNoise;
 use faer::Mat;
 use nalgebra::DMatrix;
 
-use crate::gap::channel::{Channel, Misfit};
+use crate::gap::channel::Channel;
+use crate::gap::sequence::Misfit;
 use crate::state::State;
 
 /// Blocks that the rests are dealt into.

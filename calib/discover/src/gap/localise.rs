@@ -7,7 +7,8 @@ use nalgebra::{DMatrix, Vector3};
 use sensor::Sensor;
 use serde::Serialize;
 
-use crate::gap::channel::{Channel, Sequence};
+use crate::gap::channel::Channel;
+use crate::gap::sequence::Sequence;
 use crate::score::{log_tail, score};
 use crate::state::State;
 

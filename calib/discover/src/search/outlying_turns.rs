@@ -4,8 +4,8 @@ use estimate::methods::joint::{Column, Disturbance, Suspect};
 use nalgebra::{DMatrix, DVector};
 use recording::averages::median;
 
-use super::Held;
 use super::few_turns::KNOCKED;
+use super::held::Held;
 use crate::family::{Claim, Hypothesis};
 use crate::state::State;
 

@@ -7,9 +7,12 @@ use recording::{Error, Recording};
 use sensor::{BASE_PARAMETERS, Sensor};
 
 use super::assemble::{effect_values, of_the_gyro_unit, of_the_unit, triad};
+use super::cut::cut;
 use super::left_out::left_out;
+use super::outcome::Outcome;
+use super::request::{Frame, Request};
 use super::same_device::of_one_device;
-use super::{Frame, Outcome, Request, checks, clocks, cut};
+use super::{checks, clocks};
 use crate::calibration::{
     BiasTime, Calibration, Provenance, RecordingBias, RecordingClock, Remainder, SCHEMA, Triad,
     WITH_WALKS, in_symmetric_frame,

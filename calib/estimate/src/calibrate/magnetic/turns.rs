@@ -5,7 +5,7 @@ use recording::intervals::Turn;
 use sensor::attitude::Attitude;
 use sensor::{Base, Sensor};
 
-use super::collect::{Collected, Source};
+use super::source::{Collected, Source};
 use crate::methods::magnetic::{HeadingChange, Placement};
 
 impl Source<'_> {

@@ -5,7 +5,7 @@ use recording::Recording;
 use recording::intervals::{Segmentation, Turn};
 use sensor::Model;
 
-use super::{GyroBias, Request};
+use crate::calibrate::request::{GyroBias, Request};
 use crate::methods::{AccelerometerFit, GyroscopeData, RawUnit, gyroscope_guess};
 use crate::residuals::{StaticMean, TurnData};
 use crate::truth::{Models, Sensing, Truth};
