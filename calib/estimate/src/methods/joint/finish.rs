@@ -4,7 +4,7 @@ use recording::Error;
 use solver::Termination;
 
 use super::approach::{Weighted, approach};
-use super::budget::Steps;
+use super::data::budget::Steps;
 use super::disturbance::{Disturbance, Suspect};
 use super::fit::JointFit;
 use super::graph::solve_rows;

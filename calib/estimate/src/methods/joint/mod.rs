@@ -19,7 +19,6 @@
 
 mod approach;
 mod blocks;
-mod budget;
 mod clock;
 mod data;
 mod disturbance;
@@ -40,10 +39,10 @@ pub use blocks::column::Column;
 pub use blocks::columns::{Columns, Part};
 pub use blocks::covariance::Covariance;
 pub use blocks::groups::RowGroups;
-pub use budget::{MOST_IN_A_SEARCH, MOST_STATIC_INTERVALS, within_budget};
 pub use clock::sampling::Share;
 pub use clock::undersampled::Undersampled;
 pub use clock::{ClockMode, ClockState, DecidedClock, SourceClock, TurnClock};
+pub use data::budget::{MOST_IN_A_SEARCH, MOST_STATIC_INTERVALS, within_budget};
 pub use data::{Chunk, Data, LostTurn, Mean, Rest, Source, TurnSamples};
 pub use disturbance::{Disturbance, Suspect, excursions, suspects};
 pub use fit::JointFit;

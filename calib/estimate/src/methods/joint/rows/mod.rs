@@ -6,6 +6,7 @@ pub(crate) mod earth;
 pub(crate) mod error_columns;
 pub(crate) mod knowledge;
 pub(crate) mod layout;
+mod rounding;
 pub(crate) mod sensitivity;
 pub(crate) mod slopes;
 pub(crate) mod turn;
