@@ -2,11 +2,11 @@
 
 use std::io::Read;
 
-use super::texts::TextFormat;
+use super::text_format::TextFormat;
 use crate::header::look::{Look, cells};
 use crate::header::names::role_of;
-use crate::header::parts::Part;
 use crate::recording::options::Role;
+use crate::rows::parts::Part;
 use crate::source::rewrite::rewritten;
 
 /// A table whose stamp is in two columns.

@@ -1,11 +1,13 @@
-//! Texts whose columns, units, signs or clocks their names do not say: a table and a line in [`TEXTS`] each.
+//! Texts whose columns, units, signs or clocks their names do not say: a table and a line in the registry each.
 
-use super::{Format, Source};
 use crate::Error;
+use crate::formats::format::{Format, text};
 use crate::header::look::Look;
-use crate::header::parts::{self, Part};
 use crate::recording::assemble::assemble;
-use crate::recording::{ReadOptions, Recording};
+use crate::recording::content::Recording;
+use crate::recording::options::ReadOptions;
+use crate::rows::parts::{self, Part};
+use crate::source::Source;
 
 /// A text that is known by its first lines.
 #[derive(Debug)]
@@ -32,7 +34,7 @@ impl Format for TextFormat {
     }
 
     fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
-        let input = super::text(source, self)?;
+        let input = text(source, self)?;
         let name = input.name.clone();
         let mut parts = (self.parts)(input.look()).unwrap_or_default();
         if !options.columns.0.is_empty() || parts.is_empty() {

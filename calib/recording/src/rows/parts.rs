@@ -5,10 +5,10 @@ use std::io::Read;
 use sensor::Sensor;
 
 use crate::Error;
-use crate::recording::magnetometer::FieldUnit;
 use crate::recording::options::{ColumnMap, ReadOptions, Role};
 use crate::rows::table::Table;
 use crate::source::Input;
+use crate::units::field::FieldUnit;
 use crate::units::{AccelUnit, GyroUnit, TimeUnit};
 
 /// A change of a text that keeps its lines, so that messages name them rightly.

@@ -2,10 +2,10 @@
 
 use std::io::Read;
 
-use super::texts::TextFormat;
+use super::text_format::TextFormat;
 use crate::clock::time_of_day::{TimeOfDay, seconds};
 use crate::header::look::Look;
-use crate::header::parts::Part;
+use crate::rows::parts::Part;
 use crate::source::rewrite::rewritten;
 use crate::units::TimeUnit;
 

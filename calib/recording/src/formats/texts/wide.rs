@@ -2,11 +2,11 @@
 
 use sensor::Sensor;
 
-use super::texts::TextFormat;
+use super::text_format::TextFormat;
 use crate::header::look::Look;
 use crate::header::names::role_of;
-use crate::header::parts::Part;
 use crate::recording::options::Role;
+use crate::rows::parts::Part;
 
 /// A table of which a row is no instant: the shorter sensor ends before the other does.
 pub(crate) static WIDE: TextFormat = TextFormat {

@@ -4,12 +4,12 @@ use std::io::Read;
 
 use sensor::Sensor;
 
-use super::texts::TextFormat;
+use super::text_format::TextFormat;
 use crate::header::look::{Look, cells};
 use crate::header::names::{is_like_time, role_of, take_apart};
-use crate::header::parts::{Change, Part};
 use crate::header::triads::{Triad, triads};
 use crate::recording::options::Role;
+use crate::rows::parts::{Change, Part};
 use crate::source::rewrite::rewritten;
 
 /// Rows of both sensors by turns.

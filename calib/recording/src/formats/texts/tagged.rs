@@ -4,12 +4,12 @@ use std::io::Read;
 
 use sensor::Sensor;
 
-use super::texts::TextFormat;
+use super::text_format::TextFormat;
 use crate::header::look::Look;
-use crate::header::parts::{Change, Part};
-use crate::recording::FieldUnit;
 use crate::recording::options::Role;
+use crate::rows::parts::{Change, Part};
 use crate::source::rewrite::rewritten;
+use crate::units::field::FieldUnit;
 use crate::units::{AccelUnit, GyroUnit, TimeUnit};
 
 /// GetSensorData of the indoor positioning competitions: `ACCE;AppTimestamp;SensorTimestamp;x;y;z;accuracy`.

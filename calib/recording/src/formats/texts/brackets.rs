@@ -2,12 +2,12 @@
 
 use std::io::Read;
 
-use super::texts::TextFormat;
+use super::text_format::TextFormat;
 use crate::clock::time_of_day::{TimeOfDay, seconds};
 use crate::header::look::Look;
 use crate::header::names::role_of;
-use crate::header::parts::Part;
 use crate::recording::options::Role;
+use crate::rows::parts::Part;
 use crate::source::rewrite::rewritten;
 
 /// A log whose rows begin with a number, a date or a time of day in brackets.
