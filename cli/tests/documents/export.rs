@@ -1,6 +1,7 @@
-//! `export` and `import` as a person calls them; every line of the README's table of targets.
+//! `export` and `import` as a person calls them; every line of the manual's table of targets.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+#[path = "../common/mod.rs"]
 mod common;
 
 use common::{files, folder, json, status, stderr, stdout, stillpoint};
@@ -30,8 +31,8 @@ fn calibrated() -> (tempfile::TempDir, std::path::PathBuf) {
 
 #[test]
 fn every_line_of_the_table_of_targets_runs() {
-    let readme = include_str!("../../README.md");
-    let lines: Vec<&str> = readme
+    let chapter = include_str!("../../manual/files.md");
+    let lines: Vec<&str> = chapter
         .lines()
         .filter(|line| line.starts_with('|') && line.contains("`stillpoint export "))
         .collect();

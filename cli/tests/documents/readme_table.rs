@@ -6,7 +6,7 @@ use std::process::Command;
 
 use stillpoint_tests::layouts::{Samples, layouts};
 
-const README: &str = include_str!("../../README.md");
+const README: &str = include_str!("../../../README.md");
 
 /// The name and the command of every line of the table.
 fn lines() -> Vec<(&'static str, &'static str)> {

@@ -1,6 +1,7 @@
 //! Names from outside stay text: in reports, pictures, JSON and on the terminal.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+#[path = "../common/mod.rs"]
 mod common;
 
 use std::path::Path;
@@ -54,7 +55,7 @@ const OURS: [&str; 37] = [
 ];
 
 /// The one script that a page runs.
-const SCRIPT: &str = include_str!("../templates/report.js");
+const SCRIPT: &str = include_str!("../../templates/report.js");
 
 /// True for characters that a terminal or a reader's eye may obey.
 fn is_obeyed(c: char) -> bool {

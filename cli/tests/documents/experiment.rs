@@ -1,8 +1,9 @@
 //! The commands of the phone experiment, on simulated recordings and on the phone's where at hand.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+#[path = "../common/mod.rs"]
 mod common;
-#[path = "../../tests/src/needed_data.rs"]
+#[path = "../../../tests/src/needed_data.rs"]
 mod needed_data;
 
 use std::fmt::Write as _;

@@ -1,6 +1,7 @@
 //! What a report says, where it goes, and recordings that a command must refuse or mark.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+#[path = "../common/mod.rs"]
 mod common;
 
 use std::fmt::Write as _;
