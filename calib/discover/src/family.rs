@@ -280,7 +280,7 @@ fn disturbance_families(state: &State) -> Vec<Family> {
         let suspects: Vec<_> = state
             .suspects()
             .iter()
-            .filter(|s| s.kind == kind && !state.is_accused(kind, s.place))
+            .filter(|s| s.kind == kind && !state.is_flagged(kind, s.place))
             .collect();
         let mut hypotheses = Vec::new();
         let mut first = 0;

@@ -92,7 +92,7 @@ impl State {
     }
 
     /// Whether a disturbance is in the model already.
-    pub fn is_accused(&self, kind: Disturbance, place: usize) -> bool {
+    pub fn is_flagged(&self, kind: Disturbance, place: usize) -> bool {
         self.extension
             .disturbed
             .iter()
@@ -115,7 +115,7 @@ impl State {
         let mut next = self.fit.parameters.values().len() - self.fit.disturbance_columns.len();
         let suspects = self.suspects().iter();
         suspects
-            .filter(|s| self.is_accused(s.kind, s.place))
+            .filter(|s| self.is_flagged(s.kind, s.place))
             .map(move |s| {
                 let own = next..next + s.columns.len();
                 next = own.end;

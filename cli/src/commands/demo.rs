@@ -134,7 +134,7 @@ fn simulated(session: &Session, outcome: &Outcome) -> String {
             text,
             "calibrate: gravity's norm holds to {:.2} mm/s² rms; its direction is predicted through a turn\n\
              to {:.4}° rms (raw: {:.2}°).",
-            1e3 * root_mean_square(&fit.moduli),
+            1e3 * root_mean_square(&fit.norms),
             root_mean_square(&fit.chords).to_degrees(),
             root_mean_square(&fit.chords_before).to_degrees()
         );

@@ -9,7 +9,7 @@ use rand::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 use stillpoint_tests::coverage::Row;
 
-/// The nine parameters of gravity's modulus and, for those in `T`, row and column.
+/// The nine parameters of gravity's norm and, for those in `T`, row and column.
 const NINE: [(&str, Option<(usize, usize)>); 9] = [
     ("accel.s_x", Some((0, 0))),
     ("accel.s_y", Some((1, 1))),

@@ -77,7 +77,7 @@ fn a_clock_that_starts_elsewhere_gives_the_same_calibration() {
 #[test]
 fn axes_renamed_in_a_circle_give_the_same_corrected_readings() {
     // Reading (y, z, x) in place of (x, y, z); the triangular frame then is another one, turned by no
-    // more than the misalignments, which a modulus does not see.
+    // more than the misalignments, which a norm does not see.
     let circle = Matrix3::new(0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0);
     let session = Row::Consumer.spec(8).run().unwrap();
     let renamed = with(&session.recording, |t| t, |v| circle * v);

@@ -352,15 +352,15 @@ fn faults_are_in_the_data_and_in_the_truth() {
         .map(|w| correct(&session, Sensor::Gyroscope, w))
         .sum();
     assert!((sum.norm() * 0.01 - 2e-3).abs() < 1e-9);
-    let modulus = |k: usize| {
+    let norm = |k: usize| {
         let forces = at_rest(&session, Sensor::Accelerometer, &rests[k]);
         let corrected = forces
             .iter()
             .map(|f| correct(&session, Sensor::Accelerometer, f).norm());
         corrected.map(|f| (f - 9.80665).abs()).fold(0.0, f64::max)
     };
-    // A slip keeps the modulus up to the centripetal part; a touch and a push do not.
-    assert!(modulus(3) < 1e-4 && modulus(5) > 1e-3 && modulus(7) > 1e-4 && modulus(8) < 1e-13);
+    // A slip keeps the norm up to the centripetal part; a touch and a push do not.
+    assert!(norm(3) < 1e-4 && norm(5) > 1e-3 && norm(7) > 1e-4 && norm(8) < 1e-13);
     for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
         let (t, _) = samples(&session, sensor);
         let gaps = t

@@ -139,7 +139,7 @@ mod tests {
         let late = found(8e-3);
         assert!((late.delay - 8e-3).abs() < 4.0 * late.std, "{late:?}");
         assert!(late.log_p < -9.0, "{late:?}");
-        // Turns that were not looked at are foretold by the others: by what is left of the gap.
+        // Turns that were not looked at are predicted by the others: by what is left of the gap.
         assert!(
             late.gap_before > 2.0 && late.held_out_gap_after < 1.5,
             "{late:?}"

@@ -6,7 +6,7 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Channel {
-    /// Modulus of the specific force at rest.
+    /// Norm of the specific force at rest.
     StaticNorm,
     /// Mean rate at rest.
     StaticRate,
@@ -23,7 +23,7 @@ impl Channel {
     /// In words.
     pub fn words(self) -> &'static str {
         match self {
-            Self::StaticNorm => "modulus of specific force at rest",
+            Self::StaticNorm => "norm of specific force at rest",
             Self::StaticRate => "rate at rest",
             Self::Direction => "gravity direction through turns",
             Self::MovingForce => "specific force while turning",

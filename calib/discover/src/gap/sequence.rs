@@ -46,7 +46,7 @@ impl Sequence {
     ///
     /// Rows are in the order force, rate, turns, and a Cholesky factor mixes a row with those before it
     /// only: what the parameters leave of the first rows, of the first two kinds, and of all, differ by
-    /// sums of squares that are independent. That of the rows of force is the modulus, the direction of a rest
+    /// sums of squares that are independent. That of the rows of force is the norm, the direction of a rest
     /// being free there.
     pub fn of(state: &State, noise: BiasNoise) -> Self {
         let fit = &state.fit;

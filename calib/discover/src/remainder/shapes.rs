@@ -123,7 +123,7 @@ fn on_every_axis(factors: &[f64], out: &mut Vec<Vector3<f64>>) {
 
 fn fine_orientation<'a>(sensor: Sensor) -> Vec<Way<'a>> {
     match sensor {
-        // Only what is along gravity is seen well at rest: the modulus.
+        // Only what is along gravity is seen well at rest: the norm.
         Sensor::Accelerometer => vec![(
             16,
             Box::new(|i: &Instant<'_>, out: &mut Vec<Vector3<f64>>| {

@@ -280,7 +280,7 @@ fn slopes(state: &State, sensor: Sensor, noise: BiasNoise) -> (f64, f64) {
         let rest = &data.rests[chunk.rest];
         state
             .fit
-            .accused
+            .flagged
             .iter()
             .any(|a| a.recording == rest.recording && a.interval == rest.interval)
     };

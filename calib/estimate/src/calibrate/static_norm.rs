@@ -79,7 +79,7 @@ impl StaticNorms {
     fn push(&mut self, base: &Base<f64>, rest: &Moments, coloured: f64, at: (usize, f64)) {
         let force = base.correct(&rest.mean);
         let u = force.normalize();
-        let sigma = coloured * noise::of_modulus(rest, base, &u);
+        let sigma = coloured * noise::of_norm(rest, base, &u);
         self.sigma.push(sigma.max(LEAST_NOISE));
         self.along.push(base.t.transpose() * u);
         self.means.push(rest.mean);

@@ -48,7 +48,7 @@ pub struct Spec {
     pub stamp: Stamp,
     /// Whether samples are averages over their window or values at an instant.
     pub sampling: Sampling,
-    /// Modulus of gravity, m/s².
+    /// Norm of gravity, m/s².
     pub gravity: f64,
     /// Latitude, degrees north: switches the earth's rotation on.
     pub latitude: Option<f64>,
