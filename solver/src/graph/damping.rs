@@ -12,21 +12,28 @@ const MOST: f64 = 1e20;
 const ALIKE: f64 = 0.1;
 const FALL: f64 = 0.01;
 
+/// The damping up to the first step that fails: next to none. A start from which the linearised problem is good then takes
+/// the steps of Gauss and Newton, and one that is not pays for one more solution.
+const NEXT_TO_NONE: f64 = 1e-8;
+
 /// The damping `λ` of `H + λ D²`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lambda {
     pub value: f64,
     rule: Damping,
     rise: f64,
+    /// What the damping begins at once a step has failed, until then.
+    first: Option<f64>,
 }
 
 impl Lambda {
-    /// Begins at `first`.
+    /// Begins at `first` once a step has failed.
     pub fn new(rule: Damping, first: f64) -> Self {
         Self {
-            value: first,
+            value: first.min(NEXT_TO_NONE),
             rule,
             rise: 2.0,
+            first: Some(first),
         }
     }
 
@@ -45,6 +52,10 @@ impl Lambda {
 
     /// After a step not taken.
     pub fn rejected(&mut self) {
+        if let Some(first) = self.first.take().filter(|first| *first > self.value) {
+            self.value = first;
+            return;
+        }
         self.value *= match self.rule {
             Damping::Marquardt => 10.0,
             Damping::Nielsen => {

@@ -20,7 +20,8 @@ use crate::report::{Iteration, Termination};
 pub struct GraphOptions {
     /// How the damping moves; Nielsen's falls by a hundred where the cost fell as promised, to a tenth.
     pub damping: Damping,
-    /// The first damping, relative to the squared column norms.
+    /// The damping once a step has failed, relative to the squared column norms; the steps before are those of Gauss and
+    /// Newton, with `1e-8` at most.
     pub first_damping: f64,
     /// Most steps tried.
     pub max_iterations: usize,

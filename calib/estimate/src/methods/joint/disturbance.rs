@@ -7,7 +7,7 @@ pub(crate) mod shake;
 pub(crate) mod trial;
 pub(crate) mod trim;
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use sensor::Sensor;
 use serde::Serialize;
 
@@ -61,7 +61,8 @@ pub fn suspects(rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
         !rows.data.sources[recording].moves_at_rest()
     };
     let rests = (0..rows.data.rests.len()).filter(may_creep);
-    let mut all: Vec<Suspect> = rests.map(|k| slip(rows, x, k)).collect();
+    let rotations = rows.rotations(x);
+    let mut all: Vec<Suspect> = rests.map(|k| slip(rows, x, k, &rotations)).collect();
     // Without placements to spare any of them, or a part of it, would make the others agree.
     if rows.spare_placements() > LEAST_SPARE {
         let means = rows.means(Sensor::Accelerometer).enumerate();
@@ -83,6 +84,7 @@ pub fn suspects(rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
 /// long one.
 pub fn excursions(rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
     let mut all: Vec<Suspect> = Vec::new();
+    let rotations = rows.rotations(x);
     for (rest, own) in rows.data.rests.iter().enumerate() {
         let mut columns = vec![Column::default(); 3];
         for (k, (place, _)) in rows.means(Sensor::Gyroscope).enumerate() {
@@ -96,7 +98,7 @@ pub fn excursions(rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
         all.push(plain(Disturbance::RateExcursion, rest, columns));
         let inner = own.chunks.clone().skip(1);
         all.extend(inner.map(|chunk| {
-            let columns = sudden(rows, x, rest, chunk);
+            let columns = sudden(rows, x, (rest, chunk), &rotations);
             plain(Disturbance::SuddenSlip, chunk, columns)
         }));
     }
@@ -116,7 +118,12 @@ fn plain(kind: Disturbance, place: usize, columns: Vec<Column>) -> Suspect {
 
 /// A rotation by `δ` (rad, body frame) before chunk `chunk` of rest `k`: `u` becomes `u + u × δ`. What comes after, the
 /// turn that begins there among it, sees the new direction.
-fn sudden(rows: &Rows<'_>, x: &[f64], k: usize, chunk: usize) -> Vec<Column> {
+fn sudden(
+    rows: &Rows<'_>,
+    x: &[f64],
+    (k, chunk): (usize, usize),
+    rotations: &[Matrix3<f64>],
+) -> Vec<Column> {
     let u = rows.direction(x, k);
     let rest = &rows.data.rests[k];
     let mut columns = vec![Column::default(); 3];
@@ -131,7 +138,7 @@ fn sudden(rows: &Rows<'_>, x: &[f64], k: usize, chunk: usize) -> Vec<Column> {
         }
         for (place, turn) in rows.data.turns.iter().enumerate() {
             if turn.from == k {
-                let q = rows.rotation(x, turn);
+                let q = rotations[place];
                 let shift = rows.charts[k + 1].across.transpose() * (q * -moved);
                 let row = rows.first_turn_row() + 2 * place;
                 column.set(row, shift[0]);
@@ -158,14 +165,19 @@ fn pushed(chunk: usize, row: usize) -> Suspect {
 }
 
 /// A chunk that was seen to shake: any force, and a creep of its rest.
-pub fn pushed_chunk(rows: &Rows<'_>, x: &[f64], chunk: usize, shake: &Shake) -> Option<Suspect> {
+pub fn pushed_chunk(
+    rows: &Rows<'_>,
+    x: &[f64],
+    (chunk, shake): (usize, &Shake),
+    rotations: &[Matrix3<f64>],
+) -> Option<Suspect> {
     let place = rows
         .means(Sensor::Accelerometer)
         .position(|(place, _)| place == chunk)?;
     let mut suspect = pushed(chunk, 3 * place);
-    suspect
-        .columns
-        .extend(slip(rows, x, rows.data.chunks[chunk].rest).columns);
+    let rest = rows.data.chunks[chunk].rest;
+    let creep = slip(rows, x, rest, rotations);
+    suspect.columns.extend(creep.columns);
     suspect.detail = format!(
         "shakes at t = {:.2} s, {:.1} times as much as usual",
         shake.time, shake.ratio
@@ -176,7 +188,7 @@ pub fn pushed_chunk(rows: &Rows<'_>, x: &[f64], chunk: usize, shake: &Shake) -> 
 /// A creep at the constant rate `ω` (rad/s, body frame) through rest `k`: `u̇ = u × ω`. Its gyroscope reads `ω`,
 /// its chunks see gravity move, the turns beside it start and end half the angle away from its
 /// mean direction.
-fn slip(rows: &Rows<'_>, x: &[f64], k: usize) -> Suspect {
+fn slip(rows: &Rows<'_>, x: &[f64], k: usize, rotations: &[Matrix3<f64>]) -> Suspect {
     let rest = &rows.data.rests[k];
     let u = rows.direction(x, k);
     let (middle, half) = (
@@ -203,7 +215,7 @@ fn slip(rows: &Rows<'_>, x: &[f64], k: usize) -> Suspect {
                 rows.charts[k].across.transpose() * (moved * -half)
             } else if turn.from == k {
                 // It is at u + half·u̇ when the turn begins; the model carries u.
-                let q = rows.rotation(x, turn);
+                let q = rotations[place];
                 rows.charts[k + 1].across.transpose() * (q * (moved * -half))
             } else {
                 continue;

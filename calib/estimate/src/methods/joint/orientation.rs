@@ -21,6 +21,9 @@ const CHANCE: f64 = 2e-3;
 /// Fewer spare numbers than this beside a pattern and its parameters show nothing.
 const LEAST_SPARE: usize = 3;
 
+/// What is left of the norm is a misfit where chance leaves so much in fewer recordings than this share.
+const UNLIKELY: f64 = 1e-3;
+
 /// Degrees of freedom that the measured noise counts for, and how likely what remains has to be by it alone.
 const KNOWN: f64 = 30.0;
 const UNREMARKABLE: f64 = 0.1;
@@ -113,6 +116,24 @@ impl StaticNumbers {
         (best.p_value < CHANCE / patterns.len() as f64).then_some(best)
     }
 
+    /// What the parameters leave, root of the mean square per degree of freedom; nothing where chance explains it.
+    pub fn misfit(&self) -> f64 {
+        let few = self.rows.len() < LEAST_SPARE;
+        let Some(base) = (!few)
+            .then(|| self.walking(0.0))
+            .flatten()
+            .map(|walk| walk.base)
+        else {
+            return 0.0;
+        };
+        let spare = self.rows.len().saturating_sub(base.rank) as f64;
+        if spare < 1.0 || by_chance(base.square, spare) > UNLIKELY {
+            return 0.0;
+        }
+        let variance = self.sigma.norm_squared() / self.rows.len() as f64;
+        (variance * base.square / spare).sqrt()
+    }
+
     /// What unit coefficients of a pattern would do to the numbers (`n × q`).
     pub fn columns(&self, pattern: Pattern) -> DMatrix<f64> {
         let per_axis = if pattern == Pattern::Force { 9 } else { 3 };
@@ -128,16 +149,18 @@ impl StaticNumbers {
 
     /// What the parameters leave under every walk that is tried.
     fn walks(&self) -> Vec<Walking> {
+        let walk = self.walk();
+        let all = WALKS.iter().filter_map(|size| self.walking(walk * size));
+        all.collect()
+    }
+
+    /// What the parameters leave under a walk of so much variance per second.
+    fn walking(&self, walk: f64) -> Option<Walking> {
+        let filter = WalkFilter::new(&self.rows, &self.sigma, walk)?;
         let groups = RowGroups::new(self.rows.iter().map(|(at, _)| at.recording).collect());
         let residuals = DMatrix::from_column_slice(self.rows.len(), 1, self.residuals.as_slice());
         let (residuals, jacobian) = (self.scaled(&residuals), self.scaled(&self.jacobian));
-        let walk = self.walk();
-        let filters = WALKS.iter();
-        let filters =
-            filters.filter_map(|size| WalkFilter::new(&self.rows, &self.sigma, walk * size));
-        filters
-            .map(|filter| Walking::new(filter, &groups, &residuals, &jacobian))
-            .collect()
+        Some(Walking::new(filter, &groups, &residuals, &jacobian))
     }
 
     /// Numbers in standard deviations.

@@ -1,6 +1,7 @@
 //! Tests of everything that may have been disturbed, one against the data or against others.
 
 use faer::Mat;
+use nalgebra::{DMatrix, DVector, Dyn, SymmetricEigen};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use crate::methods::joint::blocks::basis::{Basis, stacked};
@@ -193,8 +194,32 @@ impl<'a> Trial<'a> {
         Some((own, moved))
     }
 
-    /// `inside` are the columns' parts in the space of all that is fitted, group by group.
+    /// How far a suspect is off, the others among the accused fitted beside it: the length of its parameters.
+    pub fn size(&self, suspect: usize, accused: &[usize]) -> Option<f64> {
+        let others: Vec<usize> = accused.iter().copied().filter(|&k| k != suspect).collect();
+        let known = self.with(&others);
+        let groups = 0..self.columns.parts().len();
+        let inside: Vec<Mat<f64>> = groups.map(|group| self.inside(group, &known)).collect();
+        let score = self.score(suspect, &known, &inside)?;
+        let seen = score.seen();
+        let along = |(value, vector, b): (f64, DVector<f64>, f64)| vector * (b / value);
+        Some(seen.map(along).sum::<DVector<f64>>().norm())
+    }
+
+    /// Statistic and p-value of a suspect.
     fn test(&self, suspect: usize, known: &Known, inside: &[Mat<f64>]) -> Option<(f64, f64)> {
+        let score = self.score(suspect, known, inside)?;
+        let (mut statistic, mut dof) = (0.0, 0);
+        for (value, _, b) in score.seen() {
+            statistic += b * b / value;
+            dof += 1;
+        }
+        let law = ChiSquared::new(f64::from(dof)).ok()?;
+        Some((statistic, law.sf(statistic)))
+    }
+
+    /// `inside` are the columns' parts in the space of all that is fitted, group by group.
+    fn score(&self, suspect: usize, known: &Known, inside: &[Mat<f64>]) -> Option<Score> {
         let q = self.first[suspect + 1] - self.first[suspect];
         let (group, place) = self.place(self.first[suspect])?;
         let part = &self.columns.parts()[group];
@@ -209,8 +234,8 @@ impl<'a> Trial<'a> {
             moved -= &shared * of_rest;
             taken += &shared * shared.transpose();
         }
-        let mut a = nalgebra::DMatrix::from_fn(q, q, |i, k| gram[(i, k)] - taken[(i, k)]);
-        let mut b = nalgebra::DVector::from_fn(q, |i, _| moved[(i, 0)]);
+        let mut a = DMatrix::from_fn(q, q, |i, k| gram[(i, k)] - taken[(i, k)]);
+        let mut b = DVector::from_fn(q, |i, _| moved[(i, 0)]);
         let before = (0..q).map(|k| gram[(k, k)]).fold(0.0, f64::max);
         for (by, s) in &self.suspects[suspect].slopes {
             for i in 0..q {
@@ -221,14 +246,29 @@ impl<'a> Trial<'a> {
             }
         }
         let eigen = a.symmetric_eigen();
-        let (mut statistic, mut dof) = (0.0, 0);
-        for (k, value) in eigen.eigenvalues.iter().enumerate() {
-            if *value > UNSEEN * before.max(eigen.eigenvalues.max()) {
-                statistic += eigen.eigenvectors.column(k).dot(&b).powi(2) / value;
-                dof += 1;
-            }
-        }
-        let law = ChiSquared::new(f64::from(dof)).ok()?;
-        Some((statistic, law.sf(statistic)))
+        let least = UNSEEN * before.max(eigen.eigenvalues.max());
+        Some(Score { eigen, b, least })
+    }
+}
+
+/// `A` of a suspect by its eigenvalues, and `b`.
+struct Score {
+    eigen: SymmetricEigen<f64, Dyn>,
+    b: DVector<f64>,
+    /// Eigenvalues up to this are nothing.
+    least: f64,
+}
+
+impl Score {
+    /// Eigenvalue, eigenvector and the part of `b` along it, wherever the rows see one.
+    fn seen(&self) -> impl Iterator<Item = (f64, DVector<f64>, f64)> {
+        let values = self.eigen.eigenvalues.iter().enumerate();
+        values
+            .filter(|(_, value)| **value > self.least)
+            .map(|(k, value)| {
+                let vector = self.eigen.eigenvectors.column(k).into_owned();
+                let b = vector.dot(&self.b);
+                (*value, vector, b)
+            })
     }
 }

@@ -11,9 +11,6 @@ use crate::methods::joint::orientation::{Pattern, Shown, StaticNumbers};
 use crate::methods::joint::result::analysis::Analysis;
 use crate::methods::joint::rows::{Linear, Rows};
 
-/// A static interval stands out that is off by so many times what the norm of the others misses.
-const STANDS_OUT: f64 = 7.0;
-
 /// A linearised problem.
 pub struct At<'a> {
     /// The rows.
@@ -55,31 +52,10 @@ impl At<'_> {
         any
     }
 
-    /// What the norm of specific force misses at the static intervals that nothing disturbed, rms, m/s²; nothing where that
-    /// was not shown to depend on the orientation.
-    pub fn misfit_of_norm(&self, disturbed: &[&Suspect], shown: &[(Sensor, Shown)]) -> f64 {
-        let sensor = Sensor::Accelerometer;
-        if shown.iter().all(|(known, _)| *known != sensor) {
-            return 0.0;
-        }
-        let residuals = self.numbers(sensor, disturbed).residuals;
-        (residuals.norm_squared() / residuals.len().max(1) as f64).sqrt()
-    }
-
-    /// Whether the force of a suspect is off by far more than a `misfit` that all static intervals share.
-    ///
-    /// A pattern of the orientation follows the error that the model misses no further than its shape goes: of hysteresis,
-    /// an axis whose force hardly changed may lie on either side. An interval that this leaves over was not pushed.
-    pub fn stands_out(&self, suspect: &Suspect, misfit: f64) -> bool {
-        if suspect.kind != Disturbance::DisturbedInterval {
-            return true;
-        }
-        let mut means = self.rows.means(Sensor::Accelerometer);
-        let Some(k) = means.position(|(place, _)| place == suspect.place) else {
-            return true;
-        };
-        let off = Vector3::from_column_slice(&self.linear.residuals[3 * k..3 * k + 3]);
-        off.norm() > STANDS_OUT * misfit
+    /// What the norm of specific force misses at the static intervals that nothing disturbed, m/s²; nothing where chance
+    /// explains it.
+    pub fn misfit_of_norm(&self, disturbed: &[&Suspect]) -> f64 {
+        self.numbers(Sensor::Accelerometer, disturbed).misfit()
     }
 
     /// The norm of specific force, or the rate, of every static interval that nothing disturbed.

@@ -68,6 +68,12 @@ impl Rows<'_> {
         rotation(self.coning(turn), &self.rates(turn, &p), &turn.lengths)
     }
 
+    /// The rotation over every turn.
+    pub fn rotations(&self, x: &[f64]) -> Vec<Matrix3<f64>> {
+        let turns = self.data.turns.iter();
+        turns.map(|turn| self.rotation(x, turn)).collect()
+    }
+
     /// The corrected rates of a turn, rad/s.
     pub(crate) fn rates(&self, turn: &TurnSamples, p: &[f64]) -> Vec<Vector3<f64>> {
         if self.gyroscope.effects().is_empty() {
