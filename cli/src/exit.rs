@@ -4,7 +4,7 @@ use calib::Error;
 use calib::message::{Place, advice};
 use serde_json::{Value, json};
 
-use crate::show;
+use crate::quoted::{path as shown_path, printable, shortened};
 
 /// Done, but a quality gate failed.
 pub const GATE: u8 = 1;
@@ -81,7 +81,7 @@ impl Failure {
 
     /// The document that `--json` prints: kind, status, message, place and next step.
     pub fn document(&self) -> Value {
-        let message = show::shortened(&self.message);
+        let message = shortened(&self.message);
         if self.code == 0 {
             return json!({"nothing_to_do": message});
         }
@@ -119,7 +119,7 @@ impl Failure {
 
 /// Whether the call has this as an argument.
 fn was_given(word: &str) -> bool {
-    std::env::args_os().any(|arg| show::printable(&arg.to_string_lossy()) == word)
+    std::env::args_os().any(|arg| printable(&arg.to_string_lossy()) == word)
 }
 
 impl From<Error> for Failure {
@@ -133,7 +133,7 @@ impl From<Error> for Failure {
             _ => INPUT,
         };
         let file = match &error {
-            Error::Io { path, .. } | Error::Output { path, .. } => Some(show::path(path)),
+            Error::Io { path, .. } | Error::Output { path, .. } => Some(shown_path(path)),
             _ => None,
         };
         Self {

@@ -11,6 +11,7 @@ mod interrupt;
 pub mod manual;
 mod output;
 mod pages;
+mod quoted;
 mod read_args;
 mod report;
 mod show;

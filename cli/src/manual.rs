@@ -1,4 +1,4 @@
-//! The manual. Every `console` block is run by `cli/tests/manual.rs`.
+//! The manual. Every `console` block is run by `cli/tests/documents/manual.rs`.
 
 #[doc = include_str!("../manual/method.md")]
 pub mod method {}
@@ -8,6 +8,9 @@ pub mod experiment {}
 
 #[doc = include_str!("../manual/calibration_file.md")]
 pub mod calibration_file {}
+
+#[doc = include_str!("../manual/files.md")]
+pub mod files {}
 
 #[doc = include_str!("../manual/simulation.md")]
 pub mod simulation {}

@@ -116,7 +116,7 @@ pub enum Na {
 impl From<ReadArgs> for ReadOptions {
     fn from(args: ReadArgs) -> Self {
         Self {
-            format: args.format,
+            format: args.format.map(|format| format.name()),
             columns: args.columns.unwrap_or_default(),
             skip_bad_rows: args.skip_bad_rows,
             na_drop: args.na == Na::Drop,

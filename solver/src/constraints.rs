@@ -3,8 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
-use crate::feasible::{Polytope, nearest};
-use crate::parameters::{Mask, Parameters};
+use crate::parameters::Parameters;
 
 /// Bounds and linear constraints `lower ≤ Σ cₖ xₖ ≤ upper`.
 ///
@@ -97,24 +96,6 @@ impl Constraints {
             }
         }
         self
-    }
-
-    /// Moves the free parameters to the nearest point that meets all constraints; distances count
-    /// relative to the size of each parameter (absolutely below 1).
-    ///
-    /// # Errors
-    /// A name that no parameter has, and constraints that contradict each other.
-    pub fn project(&self, parameters: &mut Parameters, mask: &Mask) -> Result<(), Error> {
-        let Some(polytope) = Polytope::new(self, parameters, mask)? else {
-            return Ok(());
-        };
-        let free = mask.free_indices();
-        let z: Vec<f64> = free.iter().map(|&k| parameters.values()[k]).collect();
-        let nearest = nearest(&polytope, &z)?;
-        for (&k, value) in free.iter().zip(nearest) {
-            parameters.values_mut()[k] = value;
-        }
-        Ok(())
     }
 }
 

@@ -1,6 +1,6 @@
 //! What can be wrong with a problem.
 
-use crate::report::Termination;
+use crate::report::termination::Termination;
 
 /// A problem that cannot be solved as it stands. A fit that stopped early is not an error: see
 /// [`Termination`](crate::Termination).

@@ -1,13 +1,14 @@
 //! Robust losses.
 
 pub(crate) mod check;
+mod places;
 pub(crate) mod robust;
 pub(crate) mod sandwich;
 
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
-use crate::loss::check::places;
+use crate::loss::places::places;
 
 /// How near `ρ(0)` and `ρ′(0)` of a loss of one's own are to 0 and 1.
 const SHAPE: f64 = 1e-6;

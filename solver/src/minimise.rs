@@ -6,6 +6,7 @@ pub(crate) mod iterate;
 pub(crate) mod newton;
 pub(crate) mod point;
 pub(crate) mod scaling;
+pub(crate) mod stop;
 pub(crate) mod system;
 pub(crate) mod vanishing;
 
@@ -16,8 +17,9 @@ use crate::loss::robust::{Losses, Robust, robust_sigma};
 use crate::loss::{Loss, LossScale};
 use crate::minimise::ending::{escape, is_flat_all_around, is_zero, termination};
 use crate::minimise::finish::{Verdict, polish};
-use crate::minimise::iterate::{Run, Stop, Watch};
+use crate::minimise::iterate::{Run, Watch};
 use crate::minimise::point::{NotFinite, Point};
+use crate::minimise::stop::Stop;
 use crate::minimise::system::{Counted, Evaluations, System};
 use crate::options::{Options, Variant};
 use crate::report::{Iteration, Termination};

@@ -10,7 +10,7 @@ pub struct HeldOut {
     /// The recording.
     pub recording: String,
     /// `|f| − g` at rest, m/s².
-    pub modulus: Contest,
+    pub norm: Contest,
     /// The direction of gravity after the turns, degrees.
     pub direction: Contest,
 }
@@ -69,7 +69,7 @@ pub fn leave_one_out(recordings: &[Recording], gravity: f64) -> Result<Vec<HeldO
         let joint = left(&seen, recording, Method::Joint, gravity)?;
         Ok(HeldOut {
             recording: recording.name.clone(),
-            modulus: Contest::of(&stepwise.rests, &joint.rests),
+            norm: Contest::of(&stepwise.rests, &joint.rests),
             direction: Contest::of(&stepwise.turns, &joint.turns),
         })
     };

@@ -27,7 +27,7 @@ pub enum Error {
     },
     /// Parts that do not make a whole.
     #[error("{} of the parts cannot be merged", .0.len())]
-    Parts(Vec<crate::Fault>),
+    Parts(Vec<crate::fault::Fault>),
     /// Too few devices for what was asked.
     #[error("{found} devices with {parameters} parameters in common; at least {needed} needed")]
     TooFew {

@@ -13,6 +13,7 @@
 
 mod device;
 mod error;
+mod fault;
 mod hash;
 mod manifest;
 mod merge;
@@ -20,15 +21,18 @@ mod part;
 mod population;
 mod record;
 mod run;
+mod shard;
 pub mod statistics;
 mod store;
 
 pub use device::Options;
 pub use error::Error;
-pub use manifest::{Device, DeviceOptions, Manifest, Shard};
-pub use merge::{Fault, Merged, merge, to_csv};
+pub use fault::Fault;
+pub use manifest::{Device, DeviceOptions, Manifest};
+pub use merge::{Merged, merge, to_csv};
 pub use part::{PartHeader, part_name, part_text, timings_name};
 pub use population::{Session, fit_prior, prior_of};
 pub use record::{Finding, Misfit, Parameter, Record, Status, Timing};
 pub use run::{Plan, Progress, run};
+pub use shard::Shard;
 pub use store::Store;

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use crate::error::Error;
-use crate::manifest::Shard;
+use crate::fault::Fault;
 use crate::part::{Part, PartHeader, read_part};
 use crate::record::Record;
+use crate::shard::Shard;
 
 /// All devices of a run, in the order of its manifest.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,38 +15,6 @@ pub struct Merged {
     pub manifest_sha256: String,
     /// The records.
     pub records: Vec<Record>,
-}
-
-/// Why a part cannot be merged.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Fault {
-    /// No part, a half-written one, a damaged one.
-    Unreadable {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong.
-        what: String,
-    },
-    /// Of another run: other devices, options, version or number of shards.
-    Foreign {
-        /// The file.
-        path: PathBuf,
-        /// Its hash.
-        found: String,
-        /// That of most parts.
-        expected: String,
-    },
-    /// No file is of this shard.
-    Missing {
-        /// The shard.
-        shard: Shard,
-    },
-    /// Devices that a complete part should have.
-    Lacks {
-        /// Its place in the manifest.
-        index: usize,
-    },
 }
 
 /// Joins the parts in `paths`; a folder stands for the parts in it. A shard that is there twice with the same bytes counts once.

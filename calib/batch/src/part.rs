@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use crate::hash;
-use crate::manifest::Shard;
 use crate::record::Record;
+use crate::shard::Shard;
 
 /// Schema of a part file.
 const SCHEMA: &str = "stillpoint.batch-part/1";

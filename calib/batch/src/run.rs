@@ -13,8 +13,9 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::device::{Computed, Options, empty, refused};
 use crate::error::Error;
-use crate::manifest::{Device, Manifest, Shard};
+use crate::manifest::{Device, Manifest};
 use crate::record::{Record, Status, Timing};
+use crate::shard::Shard;
 use crate::store::Store;
 
 /// What to run.

@@ -14,13 +14,14 @@ use sensor::{AnyEffect, Model, Nature, Sensor};
 
 use super::enough::{enough_rests, enough_to_compare};
 use super::family::{Claim, effect_family, is_late};
+use super::fault::delay::{Delay, delay};
 use super::fault::integrity::{disturbed, integrity, undersampled};
-use super::fault::time_offset::{Delay, delay};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
 use super::flicker::names_and_rest;
-use super::gap::channel::{Channel, Misfit, Sequence, channel_of};
+use super::gap::channel::Channel;
 use super::gap::held_out::{gap_of, held_out};
 use super::gap::localise::disagreements;
+use super::gap::sequence::{Misfit, Sequence, channel_of};
 use super::propose::{Proposal, Proposed, instead_of_names, propose};
 use super::rank::Ranked;
 use super::remainder::unexplained::{Unexplained, rest_of};

@@ -4,6 +4,7 @@ use estimate::methods::joint::{Column, Disturbance, effect_columns, step_columns
 use faer::{Mat, MatRef};
 use sensor::{AnyEffect, Nature, Param, Role, Sensor};
 
+use super::extension::with_companions;
 use super::remainder::shape::Shape;
 use super::state::State;
 
@@ -146,16 +147,6 @@ pub fn tried(p: &Param) -> &[f64] {
     }
 }
 
-/// The effects that come with `effect`, itself first.
-pub fn with_companions<'a>(
-    effect: &'static dyn AnyEffect,
-    catalogue: &'a [&'static dyn AnyEffect],
-) -> impl Iterator<Item = &'static dyn AnyEffect> + 'a {
-    let companion = effect.companion();
-    let companion = companion.and_then(|with| catalogue.iter().find(|e| e.name() == with));
-    std::iter::once(effect).chain(companion.copied())
-}
-
 /// Everything that the model of `state` lacks and its recordings could show.
 pub fn families(state: &State, catalogue: &[&'static dyn AnyEffect]) -> Vec<Family> {
     let mut all: Vec<Family> = catalogue
@@ -289,7 +280,7 @@ fn disturbance_families(state: &State) -> Vec<Family> {
         let suspects: Vec<_> = state
             .suspects()
             .iter()
-            .filter(|s| s.kind == kind && !state.is_accused(kind, s.place))
+            .filter(|s| s.kind == kind && !state.is_flagged(kind, s.place))
             .collect();
         let mut hypotheses = Vec::new();
         let mut first = 0;

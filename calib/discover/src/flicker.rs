@@ -3,10 +3,11 @@
 use estimate::methods::joint::BiasNoise;
 use recording::Error;
 
+use super::extension::Extension;
 use super::remainder::unexplained::{Unexplained, unexplained};
 use super::request::{Request, Session};
 use super::search::{Search, search};
-use super::state::{Extension, State};
+use super::state::State;
 
 /// Axes that flicker at least where the biases do, and by how much each makes the data likelier (log). In eleven clean
 /// sessions with 1 mm/s² and 15 °/h of which a walk left something, the third axis gained 3.6 and more; in some thirty with

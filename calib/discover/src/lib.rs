@@ -10,6 +10,7 @@
 
 mod discovery;
 mod enough;
+mod extension;
 mod family;
 mod fault;
 mod findings;
@@ -30,13 +31,15 @@ mod units;
 mod visible;
 
 pub use discovery::{Discovery, discover};
+pub use extension::Extension;
 pub use family::{Claim, Family, Hypothesis, families};
+pub use fault::delay::{Delay, delay};
 pub use fault::integrity::{Integrity, Size, disturbed, integrity};
-pub use fault::time_offset::{Delay, delay};
 pub use findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Validation, Verdict};
-pub use gap::channel::{Channel, Misfit, Sequence, channel_of};
+pub use gap::channel::Channel;
 pub use gap::held_out::{gap_of, held_out};
 pub use gap::localise::{Disagreement, disagreements};
+pub use gap::sequence::{Misfit, Sequence, channel_of};
 pub use gap::validation::validate;
 pub use noise::noise_file::{GivenNoise, noise_in};
 pub use noise::projected::{Projected, Whitened};
@@ -44,7 +47,8 @@ pub use pictures::{Covariate, Picture, Point, pictures};
 pub use propose::{Proposal, Proposed, propose};
 pub use rank::{Ranked, rank, shared};
 pub use remainder::by_interval::{Left, left_by_interval};
-pub use remainder::shape::{Shape, shapes};
+pub use remainder::shape::Shape;
+pub use remainder::shapes::shapes;
 pub use remainder::unexplained::{Unexplained, unexplained};
 pub use request::{Request, Session};
 pub use score::{Score, log_tail, score};
@@ -52,7 +56,7 @@ pub use search::{Name, Search, Tie, search};
 pub use separation::{
     Aim, Conditions, Design, Information, Rival, Rivalry, SETTLED, Separated, ShownBy, separate,
 };
-pub use state::{Extension, State};
+pub use state::State;
 pub use units::{
     Agreement, OwnEffect, SharedEffect, UNITS_SCHEMA, UnitAlone, UnitFindings, UnitSize,
     discover_units,

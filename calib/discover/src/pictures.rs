@@ -9,7 +9,8 @@ use sensor::{AnyEffect, Kinematics, Quantity, Sensor};
 use super::discovery::Discovery;
 use super::family::Claim;
 use super::findings::EffectFinding;
-use super::gap::channel::{Channel, whitening_at};
+use super::gap::channel::Channel;
+use super::gap::sequence::whitening_at;
 use super::search::Name;
 use super::state::State;
 
@@ -22,7 +23,7 @@ pub struct Picture {
     pub channel: Channel,
     /// What the error of the effect goes with; `None` where no single number at a rest tells.
     pub covariate: Option<Covariate>,
-    /// The points: one per chunk of a rest of the modulus, three of the rate, two per turn of the direction.
+    /// The points: one per chunk of a rest of the norm, three of the rate, two per turn of the direction.
     pub points: Vec<Point>,
 }
 
@@ -35,19 +36,19 @@ pub struct Covariate {
     pub unit: &'static str,
 }
 
-/// One residual, *measured − foretold*, in m/s² (modulus of specific force), rad/s (rate) or rad (direction).
+/// One residual, *measured − predicted*, in m/s² (norm of specific force), rad/s (rate) or rad (direction).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
     /// Place of the chunk, or of the turn, among all.
     pub place: usize,
-    /// The axis of a rate, or the coordinate of a direction; 0 of a modulus.
+    /// The axis of a rate, or the coordinate of a direction; 0 of a norm.
     pub axis: usize,
     /// Without the effect in the model.
     pub before: f64,
     /// With it and everything else named.
     pub after: f64,
     /// What the effect adds that the other parameters cannot take up.
-    pub foretold: f64,
+    pub predicted: f64,
     /// Standard deviation of the white noise.
     pub std: f64,
     /// The covariate, in its unit.
@@ -128,7 +129,7 @@ pub(crate) fn left(state: &State, noise: BiasNoise, column: Mat<f64>) -> Mat<f64
     left
 }
 
-/// The points of a channel, from what is left of its rows before, after, and of what is foretold.
+/// The points of a channel, from what is left of its rows before, after, and of what is predicted.
 pub(crate) fn points(state: &State, rows: &[Mat<f64>; 3], channel: Channel) -> Vec<Point> {
     of_channel(state, rows, channel, None)
 }
@@ -140,7 +141,7 @@ fn of_channel(
     goes_with: Option<&GoesWith>,
 ) -> Vec<Point> {
     match channel {
-        Channel::StaticNorm => of_modulus(state, rows, goes_with),
+        Channel::StaticNorm => of_norm(state, rows, goes_with),
         Channel::StaticRate => of_rate(state, rows, goes_with),
         Channel::Direction => of_turns(state, rows),
         // The joint fit has no rows of it.
@@ -148,21 +149,21 @@ fn of_channel(
     }
 }
 
-/// Of each chunk of a rest, `−uᵀ T r`: how far the modulus lies above gravity.
-fn of_modulus(state: &State, rows: &[Mat<f64>; 3], goes_with: Option<&GoesWith>) -> Vec<Point> {
+/// Of each chunk of a rest, `−uᵀ T r`: how far the norm lies above gravity.
+fn of_norm(state: &State, rows: &[Mat<f64>; 3], goes_with: Option<&GoesWith>) -> Vec<Point> {
     let means = state.sensitivities.means.iter();
     means
         .filter(|mean| mean.sensor == Sensor::Accelerometer)
         .map(|mean| {
             let u = mean.truth.specific_force.normalize();
             let along = -(corrected(&mean.by_error).transpose() * u);
-            let [before, after, foretold] = each(rows, mean.row, &along);
+            let [before, after, predicted] = each(rows, mean.row, &along);
             Point {
                 place: mean.chunk,
                 axis: 0,
                 before,
                 after,
-                foretold,
+                predicted,
                 std: std_along(state, mean.row, &along),
                 covariate: goes_with.map(|w| w.at(&mean.truth, w.axis)),
             }
@@ -179,13 +180,13 @@ fn of_rate(state: &State, rows: &[Mat<f64>; 3], goes_with: Option<&GoesWith>) ->
             let t = corrected(&mean.by_error);
             (0..3).map(move |axis| {
                 let along = -t.row(axis).transpose();
-                let [before, after, foretold] = each(rows, mean.row, &along);
+                let [before, after, predicted] = each(rows, mean.row, &along);
                 Point {
                     place: mean.chunk,
                     axis,
                     before,
                     after,
-                    foretold,
+                    predicted,
                     std: std_along(state, mean.row, &along),
                     covariate: goes_with.map(|w| w.at(&mean.truth, axis)),
                 }
@@ -201,13 +202,13 @@ fn of_turns(state: &State, rows: &[Mat<f64>; 3]) -> Vec<Point> {
         .flat_map(|turn| {
             (0..2).map(|axis| {
                 let row = turn.row + axis;
-                let [before, after, foretold] = [0, 1, 2].map(|k| -rows[k][(row, 0)]);
+                let [before, after, predicted] = [0, 1, 2].map(|k| -rows[k][(row, 0)]);
                 Point {
                     place: turn.turn,
                     axis,
                     before,
                     after,
-                    foretold,
+                    predicted,
                     std: state.fit.whitening.white.std(row),
                     covariate: None,
                 }
@@ -380,7 +381,7 @@ mod tests {
     }
 
     #[test]
-    fn points_lie_on_what_the_effect_foretells_before_and_on_zero_after() {
+    fn points_lie_on_what_the_effect_predicts_before_and_on_zero_after() {
         for (effect, size, channel) in [
             ("gyro_g_sensitivity", 1.0, Channel::StaticRate),
             ("accel_cross_axis", 3.0, Channel::StaticNorm),
@@ -392,9 +393,9 @@ mod tests {
             let picture = all.iter().find(|p| p.channel == channel).unwrap();
             assert_eq!(picture.effect, effect);
             assert!(picture.covariate.is_some());
-            let product: f64 = picture.points.iter().map(|p| p.foretold * p.before).sum();
-            let square: f64 = picture.points.iter().map(|p| p.foretold.powi(2)).sum();
-            // The slope of before on foretold: noise moves it by the square root of the statistic.
+            let product: f64 = picture.points.iter().map(|p| p.predicted * p.before).sum();
+            let square: f64 = picture.points.iter().map(|p| p.predicted.powi(2)).sum();
+            // The slope of before on predicted: noise moves it by the square root of the statistic.
             let slope = product / square;
             assert!((slope - 1.0).abs() < 0.1, "{effect}: {slope}");
             let before = over_noise(&picture.points, |p| p.before);

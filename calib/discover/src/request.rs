@@ -12,7 +12,7 @@ use recording::intervals::Detector;
 use recording::{Error, Recording};
 use sensor::{AnyEffect, Nature, Quantity, Role};
 
-use super::state::Extension;
+use super::extension::Extension;
 
 /// How to look for what is missing.
 #[derive(Clone, Debug)]

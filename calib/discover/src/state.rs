@@ -10,9 +10,8 @@ use estimate::methods::joint::{
 use faer::{Mat, MatMut};
 use recording::Error;
 use recording::watch::{Stage, step};
-use sensor::AnyEffect;
 
-use super::family::with_companions;
+use super::extension::Extension;
 use super::gap::channel::Channel;
 use super::noise::projected::Projected;
 use super::request::Session;
@@ -20,54 +19,6 @@ use super::score::log_tail;
 
 /// Means of static intervals on either side that a step of a bias needs.
 const BESIDE_A_STEP: usize = 3;
-
-/// The parameter that shapes an effect (`tau`, `t0`), by its place, and its value, which the fit holds.
-pub type Held = Option<(usize, f64)>;
-
-/// What the model holds besides the base models.
-#[derive(Clone, Debug, Default)]
-pub struct Extension {
-    /// Effects, with what shapes them.
-    pub effects: Vec<(&'static dyn AnyEffect, Held)>,
-    /// Disturbances with their place: parameters of their own.
-    pub disturbed: Vec<Known>,
-    /// Whether time constants are fitted, from their values on, and not held there.
-    pub settles: bool,
-}
-
-impl Extension {
-    /// Takes an effect in, with the companions of the `catalogue` that come with it.
-    pub fn hold(
-        &mut self,
-        effect: &'static dyn AnyEffect,
-        shape: Held,
-        catalogue: &[&'static dyn AnyEffect],
-    ) {
-        self.effects.push((effect, shape));
-        for companion in with_companions(effect, catalogue).skip(1) {
-            let is_own = |(own, _): &(&dyn AnyEffect, Held)| own.name() == companion.name();
-            if !self.effects.iter().any(is_own) {
-                self.effects.push((companion, None));
-            }
-        }
-    }
-
-    /// Whether both hold the same, in whatever order.
-    pub fn is_same(&self, other: &Self) -> bool {
-        let holds = |(effect, held): &(&'static dyn AnyEffect, Held)| {
-            let mut others = other.effects.iter();
-            others.any(|(e, h)| e.name() == effect.name() && h == held)
-        };
-        self.settles == other.settles
-            && self.effects.len() == other.effects.len()
-            && self.disturbed.len() == other.disturbed.len()
-            && self.effects.iter().all(holds)
-            && self
-                .disturbed
-                .iter()
-                .all(|known| other.disturbed.contains(known))
-    }
-}
 
 /// One model, fitted.
 #[derive(Clone, Debug)]
@@ -141,7 +92,7 @@ impl State {
     }
 
     /// Whether a disturbance is in the model already.
-    pub fn is_accused(&self, kind: Disturbance, place: usize) -> bool {
+    pub fn is_flagged(&self, kind: Disturbance, place: usize) -> bool {
         self.extension
             .disturbed
             .iter()
@@ -164,7 +115,7 @@ impl State {
         let mut next = self.fit.parameters.values().len() - self.fit.disturbance_columns.len();
         let suspects = self.suspects().iter();
         suspects
-            .filter(|s| self.is_accused(s.kind, s.place))
+            .filter(|s| self.is_flagged(s.kind, s.place))
             .map(move |s| {
                 let own = next..next + s.columns.len();
                 next = own.end;

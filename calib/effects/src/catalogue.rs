@@ -27,7 +27,12 @@ pub fn effect_named(name: &str) -> Option<&'static dyn AnyEffect> {
 
 /// The effect that is the rotation of the earth.
 pub fn earth_rotation() -> &'static dyn AnyEffect {
-    &gyroscope::effects::EarthRate
+    gyroscope::EARTH_ROTATION
+}
+
+/// The effect that is the sensitivity of the rate to specific force.
+pub fn force_sensitivity() -> &'static dyn AnyEffect {
+    gyroscope::FORCE_SENSITIVITY
 }
 
 /// Whether the effect of that name is the rotation of the earth.

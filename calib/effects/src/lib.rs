@@ -7,6 +7,6 @@ pub mod covariates;
 pub mod effect_file;
 
 pub use catalogue::{
-    catalogue, catalogue_of, earth_rotation, effect_named, is_earth_rotation, looks_at_temperature,
-    looks_at_vibration, looks_at_warming,
+    catalogue, catalogue_of, earth_rotation, effect_named, force_sensitivity, is_earth_rotation,
+    looks_at_temperature, looks_at_vibration, looks_at_warming,
 };

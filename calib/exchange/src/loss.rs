@@ -2,12 +2,13 @@
 
 use std::fmt;
 
+use calib::effects::force_sensitivity;
 use nalgebra::{Matrix3, Vector3};
 use sensor::{Base, Kinematics, Model, Sensor};
 use serde::Serialize;
 
 use crate::kept::Kept;
-use crate::source::{G_SENSITIVITY, Source, diagonal};
+use crate::source::{Source, diagonal};
 
 /// A size below this is rounding.
 const ROUNDING: f64 = 1e-12;
@@ -148,7 +149,7 @@ fn of_effects(source: &Source<'_>, kept: &Kept) -> Vec<Loss> {
     }
     let gravity = source.calibration.gravity;
     for values in &source.calibration.effects {
-        if values.name == G_SENSITIVITY && kept.g_sensitivity {
+        if values.name == force_sensitivity().name() && kept.g_sensitivity {
             continue;
         }
         let Ok(effect) = values.effect() else {

@@ -2,14 +2,11 @@
 
 use calib::Calibration;
 use calib::calibration::TriadUnits;
-use gyroscope::GyroGSensitivity;
+use calib::effects::force_sensitivity;
 use nalgebra::{Matrix3, Vector3};
-use sensor::{Base, Effect, Sensor};
+use sensor::{Base, Sensor};
 
 use crate::error::Error;
-
-/// The effect that some targets hold: `w = T (W − b) − G f`.
-pub(crate) const G_SENSITIVITY: &str = GyroGSensitivity::NAME;
 
 /// A calibration ready to be written.
 #[derive(Clone, Debug)]
@@ -31,7 +28,8 @@ impl<'a> Source<'a> {
     pub fn new(calibration: &'a Calibration) -> Self {
         let base = |sensor| calibration.triad(sensor).map(|triad| triad.base());
         let own = calibration.effects.iter();
-        let own = own.filter(|e| e.name == G_SENSITIVITY && e.parameters.len() == 9);
+        let name = force_sensitivity().name();
+        let own = own.filter(|e| e.name == name && e.parameters.len() == 9);
         let matrix = |e: &calib::calibration::EffectValues| {
             Matrix3::from_fn(|i, j| e.parameters[3 * i + j].value)
         };

@@ -26,6 +26,7 @@ mod registry;
 mod ros;
 mod sensor_logger_json;
 mod shown;
+mod store;
 mod stream;
 mod tables;
 mod ulog;

@@ -30,6 +30,14 @@ impl Default for Limits {
 const ALWAYS: u64 = 1 << 20;
 
 impl Limits {
+    /// What is said of more than [`Limits::entries`].
+    pub(crate) fn too_many_entries(&self) -> Error {
+        Error::refused(format!(
+            "more than {} entries, as no recording has; name the file itself",
+            self.entries
+        ))
+    }
+
     /// Refuses `large` bytes that `small` compressed ones unpack to.
     ///
     /// # Errors

@@ -19,7 +19,7 @@ const COLUMNS: [&[u8]; 7] = [b"t", b"ax", b"ay", b"az", b"gx", b"gy", b"gz"];
 /// Bytes in which the header must be found, comments included.
 const HEAD: u64 = 1 << 16;
 
-/// The modulus of gravity in m/s², give or take a poor sensor's errors: other units are not ours to
+/// The norm of gravity in m/s², give or take a poor sensor's errors: other units are not ours to
 /// guess.
 const GRAVITY: std::ops::Range<f64> = 7.0..13.0;
 

@@ -40,7 +40,7 @@ pub fn force_row(u: &Vector3<f64>) -> ForceRow {
     })
 }
 
-/// `Σ h hᵀ` of placements whose moduli have unit noise.
+/// `Σ h hᵀ` of placements whose norms have unit noise.
 pub fn force_information<'a>(
     directions: impl IntoIterator<Item = &'a Vector3<f64>>,
 ) -> ForceMatrix {

@@ -36,4 +36,5 @@ pub use shown::figure;
 pub use source::{Input, batches, cut, pipeline};
 pub use text_file::read_text;
 pub use toml_place::explain_toml;
+pub use units::field::FieldUnit;
 pub use units::{AccelUnit, GyroUnit, TemperatureUnit, TimeUnit};

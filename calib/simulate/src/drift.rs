@@ -3,8 +3,6 @@
 use nalgebra::Vector3;
 use sensor::Sensor;
 
-use super::samples::Sample;
-
 /// Means of the drift over the placements, collected while the samples go by.
 #[derive(Clone, Debug)]
 pub(crate) struct DriftMeans {
@@ -24,14 +22,14 @@ impl DriftMeans {
         }
     }
 
-    /// Adds the next sample of `sensor`.
-    pub fn add(&mut self, sensor: Sensor, sample: &Sample) {
+    /// Adds the drift in the next sample of `sensor`, taken at `true_time`, s.
+    pub fn add(&mut self, sensor: Sensor, true_time: f64, drift: &Vector3<f64>) {
         let which = sensor as usize;
         while let Some(&(start, end)) = self.rests.get(self.at[which]) {
-            if sample.true_time < end {
-                if sample.true_time >= start {
+            if true_time < end {
+                if true_time >= start {
                     let (sum, count) = &mut self.sums[which][self.at[which]];
-                    *sum += sample.drift;
+                    *sum += drift;
                     *count += 1.0;
                 }
                 return;

@@ -8,14 +8,7 @@ use solver::Parameters;
 
 use super::device::Device;
 use super::random::{Purpose, Random};
-use super::spec::Spec;
-
-/// Effects by name; each with its parameters by name, or with `size`, a multiple of the effect's
-/// typical size at which coefficients not named are drawn.
-pub type Effects = BTreeMap<String, BTreeMap<String, f64>>;
-
-/// The key that sets the size of what is drawn at random.
-pub const SIZE: &str = "size";
+use super::spec::{SIZE, Spec};
 
 /// One sensor of the device that `spec` asks for, with random errors where it says nothing. `end` is
 /// the length of the recording, s.

@@ -21,6 +21,7 @@ mod noise;
 mod random;
 mod samples;
 mod sampling;
+mod session;
 mod simulation;
 mod spec;
 mod surroundings;
@@ -28,7 +29,6 @@ mod truth;
 mod world;
 mod write;
 
-pub use self::effects::{Effects, SIZE};
 pub use device::Grade;
 pub use gyroscope::EARTH_RATE;
 pub use hidden::{
@@ -38,8 +38,9 @@ pub use motion::{Cart, HandHeld, Planned, PlannedLeg, PlannedStep, SixPosition, 
 pub use noise::{Distribution, Noise, Spikes};
 pub use samples::{Sample, Samples};
 pub use sampling::{Between, Clock, Resampled, Sampling, Stamp};
-pub use simulation::{MOST_SAMPLES, Session, Simulation};
-pub use spec::{EXAMPLE, Motion, SensorSpec, Spec};
+pub use session::{MOST_SAMPLES, Session};
+pub use simulation::Simulation;
+pub use spec::{EXAMPLE, Effects, Motion, SIZE, SensorSpec, Spec};
 pub use surroundings::{Fault, MagneticField, Temperature, Unsteady, Vibration};
 pub use truth::{StaticInterval, TRUTH_SCHEMA, Truth};
 pub use write::{FILES, Files};

@@ -5,8 +5,8 @@ use sensor::Sensor;
 
 use super::noise::NoiseSource;
 use super::random::{Purpose, Random};
-use super::sampling::{Clock, ClockChange, Readout, Resampler, Sampling, Tick, Ticks};
-use super::simulation::Simulation;
+use super::sampling::{Clock, Readout, Resampler, Sampling, Tick, Ticks};
+use super::simulation::{Simulation, clock_changes};
 use super::surroundings::Fault;
 
 /// One sample as the device gives it.
@@ -115,15 +115,6 @@ impl Iterator for Samples<'_> {
             });
         }
     }
-}
-
-/// Where the clock of the device changes.
-pub(super) fn clock_changes(faults: &[Fault]) -> Vec<ClockChange> {
-    let change = |fault: &Fault| match *fault {
-        Fault::ClockChange { start, rate_error } => Some(ClockChange { start, rate_error }),
-        _ => None,
-    };
-    faults.iter().filter_map(change).collect()
 }
 
 /// From the truth in a window to a number.

@@ -3,8 +3,7 @@
 use std::ops::Range;
 
 use nalgebra::Vector3;
-use recording::watch::{Stage, step};
-use recording::{Error, Magnetometer, Recording, Stream, Temperature};
+use recording::{Error, Temperature};
 use sensor::{Kinematics, Sensor};
 use solver::Parameters;
 
@@ -14,27 +13,11 @@ use super::effects::draw_device;
 use super::hidden::{HiddenTruth, Placed};
 use super::motion::{Motion, Rest, Segment};
 use super::random::{Purpose, Random};
-use super::samples::{Samples, clock_changes};
 use super::sampling::{ClockChange, ZERO_COUNT};
 use super::spec::Spec;
 use super::surroundings::Fault;
 use super::truth::{StaticInterval, TRUTH_SCHEMA, Truth};
 use super::world::{Delays, World};
-
-/// Most samples of a sensor that are kept in memory: 32 bytes each.
-pub const MOST_SAMPLES: f64 = 5e7;
-
-/// Samples between two looks at whether the work is to end.
-const BETWEEN_STEPS: usize = 1 << 15;
-
-/// A simulated recording and the truth behind it.
-#[derive(Clone, Debug)]
-pub struct Session {
-    /// What the device recorded.
-    pub recording: Recording,
-    /// What the estimator is not told.
-    pub truth: Truth,
-}
 
 /// A drawn device on a planned motion. Its samples can be had as often as wanted and are the same
 /// every time.
@@ -114,11 +97,6 @@ impl Simulation {
             .collect()
     }
 
-    /// The samples of one sensor, made while they are asked for.
-    pub fn samples(&self, sensor: Sensor) -> Samples<'_> {
-        Samples::new(self, sensor)
-    }
-
     /// The thermometer's readings; `None` without a thermometer.
     pub fn thermometer(&self) -> Option<Temperature> {
         let temperature = self.spec.temperature.as_ref()?;
@@ -135,59 +113,6 @@ impl Simulation {
             })
             .unzip();
         Some(Temperature { t, celsius })
-    }
-
-    /// Runs it to its end, in memory.
-    ///
-    /// # Errors
-    /// [`Error::Usage`] where it has more than [`MOST_SAMPLES`]: [`Simulation::samples`] and
-    /// [`Simulation::write`] need no memory.
-    pub fn run(&self) -> Result<Session, Error> {
-        for sensor in Sensor::ALL.into_iter().filter(|&sensor| self.has(sensor)) {
-            let rate = self
-                .spec
-                .sensor(sensor)
-                .clock
-                .rate
-                .unwrap_or(self.spec.rate);
-            let samples = self.duration() * rate;
-            if samples > MOST_SAMPLES {
-                let message = format!("{samples:.0} samples do not go into memory: write them");
-                return Err(Error::Usage(message));
-            }
-        }
-        let mut drift = self.drift_means();
-        let mut stream = |sensor: Sensor| {
-            let mut stream = Stream::default();
-            for sample in self.samples(sensor) {
-                if stream.len() % BETWEEN_STEPS == 0 {
-                    step(Stage::Simulating)?;
-                }
-                drift.add(sensor, &sample);
-                stream.t.push(sample.t);
-                stream.values.push(sample.value);
-            }
-            Ok::<_, Error>(Some(stream))
-        };
-        let accelerometer = stream(Sensor::Accelerometer)?;
-        let gyroscope = stream(Sensor::Gyroscope)?;
-        let magnetometer = match self.has(Sensor::Magnetometer) {
-            true => stream(Sensor::Magnetometer)?.map(Magnetometer::in_microtesla),
-            false => None,
-        };
-        let recording = Recording {
-            name: format!("simulated, seed {}", self.spec.seed),
-            accelerometer,
-            gyroscope,
-            magnetometer,
-            temperature: self.thermometer(),
-            warnings: Vec::new(),
-            ..Recording::default()
-        };
-        Ok(Session {
-            recording,
-            truth: self.truth(&drift),
-        })
     }
 
     /// What the device does, and what surrounds it, at time `t`, s.
@@ -335,4 +260,13 @@ fn lost_spans(spec: &Spec, motion: &Motion) -> Vec<Range<f64>> {
         _ => None,
     };
     spec.faults.iter().filter_map(span).collect()
+}
+
+/// Where the clock of the device changes.
+pub(super) fn clock_changes(faults: &[Fault]) -> Vec<ClockChange> {
+    let change = |fault: &Fault| match *fault {
+        Fault::ClockChange { start, rate_error } => Some(ClockChange { start, rate_error }),
+        _ => None,
+    };
+    faults.iter().filter_map(change).collect()
 }

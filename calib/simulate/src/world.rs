@@ -14,7 +14,7 @@ use super::surroundings::{PlacedField, Temperature};
 pub(crate) struct World {
     /// Motion of the sensor.
     pub motion: Motion,
-    /// Modulus of gravity, m/s².
+    /// Norm of gravity, m/s².
     pub gravity: f64,
     /// Temperature; constant where there is none.
     pub temperature: Option<Temperature>,

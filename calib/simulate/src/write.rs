@@ -34,7 +34,7 @@ impl Files<'_> {
         };
         header(out, columns, temperature.as_ref())?;
         for sample in self.simulation.samples(sensor) {
-            self.drift.add(sensor, &sample);
+            self.drift.add(sensor, sample.true_time, &sample.drift);
             row(out, sample.t, sample.value.as_slice(), temperature.as_ref())?;
         }
         Ok(())

@@ -1,6 +1,6 @@
 //! The procedure behind the authors' table of cart runs, with all its constants.
 //!
-//! Gravity is subtracted on one axis, samples in motion are picked by a filtered modulus, and the
+//! Gravity is subtracted on one axis, samples in motion are picked by a filtered norm, and the
 //! rest is summed twice over just those samples as if they were `1/rate` apart. It knows no
 //! attitude; [`reckon`](super::reckon) does better. It is here because the published numbers come
 //! from it.
@@ -18,11 +18,11 @@ pub struct Procedure {
     pub gravity: f64,
     /// The axis that points up: 0, 1, 2 for x, y, z.
     pub vertical: usize,
-    /// A sample is in motion where the filtered modulus exceeds this, m/s².
+    /// A sample is in motion where the filtered norm exceeds this, m/s².
     pub level: f64,
-    /// Cutoff of the high-pass filter of the modulus, Hz.
+    /// Cutoff of the high-pass filter of the norm, Hz.
     pub high_pass: f64,
-    /// Cutoff of the low-pass filter of the rectified modulus, Hz.
+    /// Cutoff of the low-pass filter of the rectified norm, Hz.
     pub low_pass: f64,
     /// Samples per second, assumed.
     pub rate: f64,
@@ -45,12 +45,12 @@ impl Procedure {
     /// The samples taken to be in motion: `| |a| high-passed | low-passed > level`, with `a` the
     /// corrected samples less gravity.
     pub fn moving(&self, corrected: &Stream) -> Vec<usize> {
-        let modulus: Vec<f64> = corrected
+        let norm: Vec<f64> = corrected
             .values
             .iter()
             .map(|a| self.without_gravity(a).norm())
             .collect();
-        let high = FirstOrder::high_pass(self.high_pass, self.rate).both_ways(&modulus);
+        let high = FirstOrder::high_pass(self.high_pass, self.rate).both_ways(&norm);
         let rectified: Vec<f64> = high.iter().map(|v| v.abs()).collect();
         let low = FirstOrder::low_pass(self.low_pass, self.rate).both_ways(&rectified);
         (0..low.len()).filter(|&k| low[k] > self.level).collect()

@@ -33,7 +33,7 @@ pub struct Track {
     pub position: Vec<Vector3<f64>>,
     /// The axis that points up (unit).
     pub up: Vector3<f64>,
-    /// Modulus of the specific force in the rest before, m/s².
+    /// Norm of the specific force in the rest before, m/s².
     pub gravity: f64,
     /// Velocity at the end before any correction, m/s.
     pub end_velocity: Vector3<f64>,
@@ -59,7 +59,7 @@ impl Track {
 /// corrected recording.
 ///
 /// The first attitude and the bias of the gyroscope are those of the rest before the motion, and so
-/// is the modulus of gravity: an accelerometer's error along the vertical then cancels. Attitude by
+/// is the norm of gravity: an accelerometer's error along the vertical then cancels. Attitude by
 /// the exponential map on mean rates, velocity and position by the trapezoidal rule, all with the
 /// stamps' own steps. An ending other than [`Ending::Free`] needs a rest after the motion and is
 /// left out where there is none; [`Mode::Level`] never turns, so that of [`Ending::Attitude`] only

@@ -1,57 +1,26 @@
 //! `allan`: Allan deviation, noise terms, and how long to rest before a calibration.
 
+mod args;
 mod source;
 
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
+
+pub use args::Args;
 
 use calib::intervals::Span;
 use calib::noise::{AtRest, CurvePoint, NoiseSummary, NoiseTerm, SensorNoise, TermValue};
 use sensor::Sensor;
 use source::{Source, listed, moved};
 
-use crate::commands::shared::inputs::numbers;
-use crate::commands::shared::pictures::{PictureArgs, named};
+use crate::commands::shared::pictures::named;
 use crate::exit::{Failure, USAGE};
-use crate::output::{Output, Replace};
-use crate::read_args::ReadArgs;
+use crate::output::Output;
 use crate::report::{Axis, Figure, Level, Picture, Plot, Report, ReportTable, Series};
 use crate::show;
 
 /// Names of the plots.
 const PLOTS: [&str; 2] = ["allan-gyroscope", "allan-accelerometer"];
-
-/// Overlapping Allan deviation of a recording at rest, the five noise terms with their intervals,
-/// and the initial static time they advise.
-///
-/// Only a rest has an Allan deviation: where the device moved, the longest rest is taken (with a
-/// warning), and a recording without a rest of a minute is refused. A plain CSV is read as a stream: a
-/// day at 200 Hz takes hardly more memory than a minute.
-#[derive(Debug, clap::Args)]
-#[command(after_help = "\
-Example:
-  stillpoint allan overnight.csv -o noise.json --report noise.html")]
-pub struct Args {
-    /// File or folder; `-` reads standard input
-    #[arg(value_name = "RECORDING")]
-    recording: PathBuf,
-    /// Analyse this stretch, s; motion in it is then not looked for [default: all of it, or the
-    /// longest rest]
-    #[arg(long, value_name = "T0,T1", value_parser = numbers::<2>, allow_hyphen_values = true)]
-    rest: Option<[f64; 2]>,
-    /// Write the noise terms and the curves here (JSON, SI units)
-    #[arg(short, value_name = "FILE")]
-    output: Option<PathBuf>,
-    #[command(flatten)]
-    replace: Replace,
-    /// Print JSON instead of tables
-    #[arg(long)]
-    json: bool,
-    #[command(flatten)]
-    pictures: PictureArgs,
-    #[command(flatten)]
-    read: ReadArgs,
-}
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {

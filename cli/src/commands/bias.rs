@@ -1,6 +1,7 @@
 //! `bias`: biases estimated again, everything else kept.
 
 mod page;
+mod updates;
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -132,34 +133,9 @@ fn text(new: &Calibration, stretches: &[Stretch]) -> String {
         );
     }
     let mut table = show::table(&["bias", "before", "now", "change", "std error", "rests"]);
-    for row in updates(new) {
+    for row in updates::updates(new) {
         table.add_row(row);
     }
     let _ = writeln!(text, "{table}");
     text
-}
-
-/// A row for each bias that was estimated again: name, before, now, change, standard error, rests.
-fn updates(new: &Calibration) -> Vec<[String; 6]> {
-    let mut rows = Vec::new();
-    for update in &new.history {
-        let triad = if update.sensor == "gyro" {
-            &new.gyroscope
-        } else {
-            &new.accelerometer
-        };
-        for (k, axis) in ["x", "y", "z"].iter().enumerate() {
-            let std = triad.as_ref().and_then(|t| t.bias_std[k]);
-            let (before, now) = (update.bias_before[k], update.bias[k]);
-            rows.push([
-                format!("{}.b_{axis}", update.sensor),
-                show::value(before, std),
-                show::value(now, std),
-                show::value(now - before, std),
-                show::error(std),
-                update.rests.to_string(),
-            ]);
-        }
-    }
-    rows
 }

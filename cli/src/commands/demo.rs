@@ -5,10 +5,9 @@ use std::path::{Path, PathBuf};
 
 use calib::calibrate::{Method, Outcome, Request as CalibrationRequest, calibrate};
 use calib::discover::{Discovery, Request};
+use calib::effects::force_sensitivity;
 use calib::recording::averages::root_mean_square;
 use calib::simulate::{Session, Spec};
-use gyroscope::GyroGSensitivity;
-use sensor::Effect;
 
 use super::discover::{json, look, page, plots, verdict};
 use crate::commands::shared::inputs::spinner;
@@ -19,8 +18,10 @@ use crate::show;
 /// The demonstration is the same for everybody.
 const SEED: u64 = 20_240_229;
 
-/// The effect that the simulated device has beyond its base models. Nothing but the simulation is told.
-const HIDDEN_EFFECT: &str = GyroGSensitivity::NAME;
+/// Name of the effect that the simulated device has beyond its base models. Nothing but the simulation is told.
+fn hidden_effect() -> &'static str {
+    force_sensitivity().name()
+}
 
 /// Simulates a hand-held session of a device with a hidden effect, calibrates it, discovers the effect and
 /// shows truth beside estimate.
@@ -91,7 +92,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     args.replace.end_if_all_exist()?;
     let progress = spinner("simulating");
     let mut session = Spec::hand_held(SEED)
-        .with_effect(HIDDEN_EFFECT, 1.0)
+        .with_effect(hidden_effect(), 1.0)
         .run()?;
     let gravity = session.truth.spec.gravity;
     let recordings = [session.recording.clone()];
@@ -133,7 +134,7 @@ fn simulated(session: &Session, outcome: &Outcome) -> String {
             text,
             "calibrate: gravity's norm holds to {:.2} mm/s² rms; its direction is predicted through a turn\n\
              to {:.4}° rms (raw: {:.2}°).",
-            1e3 * root_mean_square(&fit.moduli),
+            1e3 * root_mean_square(&fit.norms),
             root_mean_square(&fit.chords).to_degrees(),
             root_mean_square(&fit.chords_before).to_degrees()
         );
@@ -179,7 +180,8 @@ fn compared(session: &Session, discovery: &Discovery) -> String {
         ]);
     }
     format!(
-        "\nHidden was {HIDDEN_EFFECT}. Truth beside the estimates of the model with what was named:\n\n{table}\n\
-         {within} of {count} estimates lie within 1.96 standard errors of the truth.\n"
+        "\nHidden was {}. Truth beside the estimates of the model with what was named:\n\n{table}\n\
+         {within} of {count} estimates lie within 1.96 standard errors of the truth.\n",
+        hidden_effect()
     )
 }

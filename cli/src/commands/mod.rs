@@ -21,7 +21,6 @@ mod segment;
 pub mod shared;
 mod simulate;
 
-pub use calibrate::tables;
 use clap::Subcommand;
 
 use crate::exit::Failure;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::refused;
+use super::refusal::refused;
 use crate::exit::Failure;
 use crate::interrupt;
 

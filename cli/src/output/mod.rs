@@ -7,15 +7,17 @@
 mod folder;
 mod identity;
 mod partial;
+mod refusal;
 
 use std::fs::Metadata;
-use std::io::{BufWriter, ErrorKind, Write};
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::Args;
 
-use crate::exit::{Failure, OUTPUT, USAGE};
+use self::refusal::{not_written, refused};
+use crate::exit::{Failure, USAGE};
 use crate::show;
 pub use folder::Folder;
 pub use identity::is_same_file;
@@ -199,24 +201,4 @@ fn in_the_way(path: &Path, target: &Path) -> Result<Option<Metadata>, Failure> {
         }
         Err(_) => Ok(None),
     }
-}
-
-fn refused(path: &Path, why: &str) -> Failure {
-    Failure::new(OUTPUT, format!("{}: {why}", show::path(path)))
-}
-
-/// The system's reason, and what can be done about it.
-fn not_written(path: &Path, error: &std::io::Error) -> Failure {
-    let advice = match error.kind() {
-        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => "make room, or write to another disk",
-        ErrorKind::FileTooLarge => "raise the limit on file sizes (ulimit -f)",
-        ErrorKind::NotFound => "make the folder first",
-        ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => {
-            "choose a folder that can be written to"
-        }
-        // Network file systems fail now and then, and some cannot rename over a file.
-        _ => "try again, or choose a folder on another file system",
-    };
-    let why = format!("cannot be written: {error}; {advice}");
-    Failure::new(OUTPUT, format!("{}: {why}", show::path(path)))
 }

@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 
 use tempfile::NamedTempFile;
 
-use super::{not_written, refused};
+use super::refusal::{not_written, refused};
 use crate::exit::{Failure, USAGE};
 use crate::interrupt;
 use crate::show;

@@ -7,8 +7,10 @@ use sensor::Sensor;
 use super::coverage::{self, Coverage};
 use super::session::Session;
 use super::{noise, parameters, provenance, quantiles, residuals, verdict};
+use crate::commands::calibrate::tables::{
+    PARAMETERS, field, field_unit, over_noise, parameters as rows,
+};
 use crate::commands::calibrate::{left_out, limits};
-use crate::commands::tables::{PARAMETERS, field, field_unit, over_noise, parameters as rows};
 use crate::exit::Failure;
 use crate::report::{Picture, Report, ReportTable};
 use crate::show;

@@ -6,8 +6,6 @@ use crate::report::{Picture, Placed, Sphere};
 
 use super::session::Session;
 
-/// A component above this is named, of a unit vector: edges have .71 of two, corners .58 of three.
-const NAMED: f64 = 0.36;
 /// Faces of a device.
 const FACES: usize = 6;
 /// Parameters of an accelerometer.
@@ -63,13 +61,6 @@ pub fn picture(session: &Session<'_>, coverage: &Coverage) -> Picture {
             missing: missing.map(|w| (w.up, w.axes.clone())).collect(),
         },
     )
-}
-
-/// `+x −y` for a direction between the two axes.
-pub fn words(at: &[f64; 3]) -> String {
-    let names = [["+x", "−x"], ["+y", "−y"], ["+z", "−z"]];
-    let part = |k: usize| (at[k].abs() > NAMED).then(|| names[k][usize::from(at[k] < 0.0)]);
-    (0..3).filter_map(part).collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]

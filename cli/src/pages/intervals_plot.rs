@@ -52,8 +52,8 @@ pub fn intervals_plot(
 fn ranges(stream: &Stream) -> Vec<(f64, f64, f64)> {
     let length = stream.len().div_ceil(STRETCHES).max(1);
     let range = |(t, values): (&[f64], &[Vector3<f64>])| {
-        let moduli = values.iter().map(Vector3::norm);
-        let (low, high) = moduli.fold((f64::INFINITY, 0.0_f64), |(l, h), v| (l.min(v), h.max(v)));
+        let norms = values.iter().map(Vector3::norm);
+        let (low, high) = norms.fold((f64::INFINITY, 0.0_f64), |(l, h), v| (l.min(v), h.max(v)));
         (0.5 * (t[0] + t[t.len() - 1]), low, high)
     };
     stream

@@ -8,6 +8,7 @@
 
 pub mod calibration;
 pub mod coverage;
+mod direction;
 mod disturbed;
 pub mod evaluation;
 mod intervals_plot;

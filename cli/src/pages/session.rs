@@ -4,7 +4,7 @@ use calib::calibration::{RecordingBias, Triad};
 use calib::intervals::{Segmentation, StaticInterval, Turn};
 use calib::{Calibration, Misfit, Misfits, Recording, misfits};
 
-use super::coverage;
+use super::direction;
 use crate::report::ReportTable;
 use crate::show;
 
@@ -187,7 +187,7 @@ impl<'a> Session<'a> {
                 format!("static {}", rest.key),
                 format!("{:.2}", rest.span.0),
                 format!("{:.2}", rest.span.1),
-                rest.up.as_ref().map_or(String::new(), coverage::words),
+                rest.up.as_ref().map_or(String::new(), direction::words),
                 number(rest.raw),
                 number(rest.left),
                 rest.std.map_or(String::new(), |v| format!("{v:.3}")),

@@ -42,6 +42,12 @@ pub use gyro_thermal_hysteresis::GyroThermalHysteresis;
 pub use gyro_vibration_rectification::GyroVibrationRectification;
 pub use gyro_warmup::GyroWarmup;
 
+/// The rotation of the earth, for those who know a latitude.
+pub static EARTH_ROTATION: &dyn AnyEffect = &EarthRate;
+
+/// The sensitivity to specific force, a matrix that formats of other programs hold too: `ω = T (W − b) − G f`.
+pub static FORCE_SENSITIVITY: &dyn AnyEffect = &GyroGSensitivity;
+
 /// The registry: feeds the command line, the documentation, the registry tests and discovery.
 pub static EFFECTS: &[&dyn AnyEffect] = &[
     &GyroGSensitivity,

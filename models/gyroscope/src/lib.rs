@@ -5,7 +5,7 @@
 
 pub mod effects;
 
-pub use effects::{EARTH_RATE, EFFECTS, GyroGSensitivity};
+pub use effects::{EARTH_RATE, EARTH_ROTATION, EFFECTS, FORCE_SENSITIVITY, GyroGSensitivity};
 use sensor::{Model, Sensor};
 
 /// The base model of a gyroscope.

@@ -1,25 +1,16 @@
 //! An error effect: an additive error in SI units at the true signal.
 
+mod any_effect;
+mod needs;
+
 use nalgebra::{Matrix3, Vector3};
 use solver::{Jet, Jet2, Scalar, lit};
 
-use crate::definition::Definition;
 use crate::kinematics::{Kinematics, Sensor};
 use crate::param::Param;
-use crate::quantity::{Quantity, observed_needs};
-
-/// What an effect is, for those who have to treat it apart.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Nature {
-    /// An error of the sensor.
-    #[default]
-    SensorError,
-    /// Samples are older than their stamps say. The effect is that to first order; a simulator reads the motion earlier
-    /// instead.
-    Delay,
-    /// The rotation of the earth, which a gyroscope rightly measures: corrected readings keep it, and a latitude gives it.
-    EarthRotation,
-}
+use crate::quantity::Quantity;
+pub use any_effect::{AnyEffect, ModelScalar, Nature};
+pub use needs::{observed_needs, silent_at_rest};
 
 /// An error that a sensor adds to the true signal: `raw = base⁻¹(truth + Σ effect(truth))`.
 ///
@@ -54,53 +45,6 @@ pub trait Effect: Send + Sync + 'static {
     /// The error at `truth`, in the unit of the sensor's signal, for parameters `p` in the order
     /// of `PARAMS`.
     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D>;
-}
-
-/// An [`Effect`] behind a pointer; derived for every effect.
-pub trait AnyEffect: Send + Sync {
-    /// Unique name in snake case.
-    fn name(&self) -> &'static str;
-    /// The sensor that has it.
-    fn sensor(&self) -> Sensor;
-    /// The equation as users read it.
-    fn equation(&self) -> &'static str;
-    /// Names, units and nominal values.
-    fn params(&self) -> &[Param];
-    /// Size of a coefficient in a consumer-grade device.
-    fn typical(&self) -> f64;
-    /// Whether the error is `F p` with an `F` that does not depend on the sensor's own signal.
-    fn is_linear(&self) -> bool {
-        false
-    }
-    /// What it looks at in the truth.
-    fn needs(&self) -> Vec<Quantity>;
-    /// What it is.
-    fn nature(&self) -> Nature {
-        Nature::SensorError
-    }
-    /// The effect of lower order that comes with it.
-    fn companion(&self) -> Option<&'static str> {
-        None
-    }
-    /// The coefficient that is nothing by convention.
-    fn reference(&self) -> Option<&'static str> {
-        None
-    }
-    /// Size of the parameter in place `k`: its own where it has one, otherwise that of the effect.
-    fn typical_of(&self, k: usize) -> f64 {
-        let own = self.params().get(k).and_then(|p| p.typical);
-        own.unwrap_or_else(|| self.typical())
-    }
-    /// The text that defines it; `None` for what is compiled.
-    fn definition(&self) -> Option<&Definition> {
-        None
-    }
-    /// [`Effect::error`] for values.
-    fn error_f64(&self, truth: &Kinematics<f64>, p: &[f64]) -> Vector3<f64>;
-    /// [`Effect::error`] with first derivatives.
-    fn error_jet(&self, truth: &Kinematics<Jet>, p: &[Jet]) -> Vector3<Jet>;
-    /// [`Effect::error`] with second derivatives.
-    fn error_jet2(&self, truth: &Kinematics<Jet2>, p: &[Jet2]) -> Vector3<Jet2>;
 }
 
 impl<E: Effect> AnyEffect for E {
@@ -142,45 +86,6 @@ impl<E: Effect> AnyEffect for E {
     }
     fn error_jet2(&self, truth: &Kinematics<Jet2>, p: &[Jet2]) -> Vector3<Jet2> {
         self.error(truth, p)
-    }
-}
-
-impl std::fmt::Debug for dyn AnyEffect {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-/// The scalars that pass through an effect behind a pointer: `f64`, [`Jet`] and [`Jet2`].
-///
-/// Models and residuals are generic over this; an effect author never meets it.
-pub trait ModelScalar: Scalar {
-    /// Order of the highest derivative it carries.
-    const ORDER: usize;
-
-    /// [`Effect::error`] of a pointed-to effect.
-    fn error(effect: &dyn AnyEffect, truth: &Kinematics<Self>, p: &[Self]) -> Vector3<Self>;
-}
-
-impl ModelScalar for f64 {
-    const ORDER: usize = 0;
-
-    fn error(effect: &dyn AnyEffect, truth: &Kinematics<f64>, p: &[f64]) -> Vector3<f64> {
-        effect.error_f64(truth, p)
-    }
-}
-impl ModelScalar for Jet {
-    const ORDER: usize = 1;
-
-    fn error(effect: &dyn AnyEffect, truth: &Kinematics<Jet>, p: &[Jet]) -> Vector3<Jet> {
-        effect.error_jet(truth, p)
-    }
-}
-impl ModelScalar for Jet2 {
-    const ORDER: usize = 2;
-
-    fn error(effect: &dyn AnyEffect, truth: &Kinematics<Jet2>, p: &[Jet2]) -> Vector3<Jet2> {
-        effect.error_jet2(truth, p)
     }
 }
 

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 use solver::scalar::{derivatives, variable};
 use solver::{Jet, lit};
 
-use crate::base::inverse;
+use crate::base::{Base, inverse};
 use crate::effect::ModelScalar;
 use crate::kinematics::Kinematics;
 use crate::model::Model;
@@ -18,11 +18,30 @@ const NEWTON_STEPS: usize = 20;
 /// A step below this share of the signal is rounding.
 const SMALL: f64 = 1e-15;
 
+impl Model {
+    /// The corrected reading of `raw`: the signal `s` with `s + Σ effect(s) = T (raw − b)`.
+    ///
+    /// `rest` holds what else is known of the instant (the other sensor's signal, time,
+    /// temperature); its value of this sensor's own signal is not used.
+    pub fn correct<D: ModelScalar>(
+        &self,
+        raw: &Vector3<D>,
+        rest: &Kinematics<D>,
+        p: &[D],
+    ) -> Vector3<D> {
+        let base = Base::from_parameters(p).correct(raw);
+        if self.effects().is_empty() {
+            return base;
+        }
+        signal_behind(self, &base, rest, p)
+    }
+}
+
 /// The signal `s` with `s + Σ effect(s) = target`, with its derivatives.
 ///
 /// `H = (I + ∂effect/∂s)⁻¹` at the solution is enough for the derivatives too: in
 /// `s ← s − H (s + effect(s) − target)` every step makes one more order of them right.
-pub(crate) fn signal_behind<D: ModelScalar>(
+fn signal_behind<D: ModelScalar>(
     model: &Model,
     target: &Vector3<D>,
     rest: &Kinematics<D>,

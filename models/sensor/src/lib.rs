@@ -10,13 +10,10 @@
 pub mod attitude;
 mod axis;
 mod base;
-mod budget;
 mod covariate;
 mod definition;
 mod effect;
-mod emit;
 pub mod expression;
-mod formula;
 mod invert;
 mod kinematics;
 mod model;
@@ -26,11 +23,14 @@ mod quantity;
 pub use axis::Axis;
 pub use base::{BASE_PARAMETERS, Base, PLACES, base_names, inverse};
 pub use covariate::Covariate;
-pub use definition::{DefinedParam, Definition, DefinitionError, fault_of, grant_steps};
-pub use effect::{AnyEffect, Effect, ModelScalar, Nature, mat3, off_diagonal};
-pub use emit::emit_effect;
-pub use formula::{Factor, Formula, Term};
+pub use definition::{
+    DefinedParam, Definition, DefinitionError, Factor, Formula, Term, emit_effect, fault_of,
+    grant_steps,
+};
+pub use effect::{
+    AnyEffect, Effect, ModelScalar, Nature, mat3, observed_needs, off_diagonal, silent_at_rest,
+};
 pub use kinematics::{Kinematics, REFERENCE_TEMPERATURE, Sensor, Since};
 pub use model::Model;
 pub use param::{Param, Role, params};
-pub use quantity::{Quantity, observed_needs, silent_at_rest};
+pub use quantity::Quantity;

@@ -5,7 +5,6 @@ use solver::Parameters;
 
 use crate::base::{BASE_PARAMETERS, Base, base_names};
 use crate::effect::{AnyEffect, ModelScalar};
-use crate::invert::signal_behind;
 use crate::kinematics::{Kinematics, Sensor};
 
 /// A base model plus effects.
@@ -79,22 +78,5 @@ impl Model {
     pub fn distort<D: ModelScalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Option<Vector3<D>> {
         let signal = truth.signal(self.sensor) + self.error(truth, p);
         Base::from_parameters(p).distort(&signal)
-    }
-
-    /// The corrected reading of `raw`: the signal `s` with `s + Σ effect(s) = T (raw − b)`.
-    ///
-    /// `rest` holds what else is known of the instant (the other sensor's signal, time,
-    /// temperature); its value of this sensor's own signal is not used.
-    pub fn correct<D: ModelScalar>(
-        &self,
-        raw: &Vector3<D>,
-        rest: &Kinematics<D>,
-        p: &[D],
-    ) -> Vector3<D> {
-        let base = Base::from_parameters(p).correct(raw);
-        if self.effects.is_empty() {
-            return base;
-        }
-        signal_behind(self, &base, rest, p)
     }
 }

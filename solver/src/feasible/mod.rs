@@ -4,6 +4,7 @@ pub(crate) mod cone_program;
 
 mod face;
 mod least_distance;
+mod minimum;
 mod model;
 mod multipliers;
 mod polytope;
@@ -13,4 +14,3 @@ mod quadratic_program;
 pub(crate) use face::Face;
 pub(crate) use model::Model;
 pub(crate) use polytope::{Active, Polytope, Side};
-pub(crate) use projection::nearest;

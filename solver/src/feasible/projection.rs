@@ -3,8 +3,30 @@
 use faer::Mat;
 
 use super::{Model, Polytope};
+use crate::constraints::Constraints;
 use crate::error::Error;
 use crate::linear::vector::add;
+use crate::parameters::{Mask, Parameters};
+
+impl Constraints {
+    /// Moves the free parameters to the nearest point that meets all constraints; distances count
+    /// relative to the size of each parameter (absolutely below 1).
+    ///
+    /// # Errors
+    /// A name that no parameter has, and constraints that contradict each other.
+    pub fn project(&self, parameters: &mut Parameters, mask: &Mask) -> Result<(), Error> {
+        let Some(polytope) = Polytope::new(self, parameters, mask)? else {
+            return Ok(());
+        };
+        let free = mask.free_indices();
+        let z: Vec<f64> = free.iter().map(|&k| parameters.values()[k]).collect();
+        let nearest = nearest(&polytope, &z)?;
+        for (&k, value) in free.iter().zip(nearest) {
+            parameters.values_mut()[k] = value;
+        }
+        Ok(())
+    }
+}
 
 /// The point of the set with the least `Σ ((zₖ' − zₖ) / max(1, |zₖ|))²`.
 pub(crate) fn nearest(polytope: &Polytope, z: &[f64]) -> Result<Vec<f64>, Error> {

@@ -2,7 +2,7 @@
 
 use super::evaluate::gather;
 use super::factor::{At, Part, Work};
-use crate::graph::elimination::normal::Equations;
+use crate::graph::elimination::equations::Equations;
 
 impl Equations<'_> {
     /// The name of the first coordinate by which a derivative is not finite, each asked for alone:

@@ -2,7 +2,7 @@
 
 use super::factor::{At, Part, Work};
 use super::problem::Graph;
-use crate::graph::elimination::normal::{Equations, Failure};
+use crate::graph::elimination::equations::{Equations, Failure};
 use crate::graph::elimination::structure::NONE;
 
 /// Tangent bases of the blocks that need one.

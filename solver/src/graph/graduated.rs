@@ -4,7 +4,7 @@ use super::damping::Lambda;
 use super::evaluate::gather;
 use super::solve::{Run, Stop, TRIES};
 use super::stage::Stage;
-use crate::graph::elimination::normal::Equations;
+use crate::graph::elimination::equations::Equations;
 use crate::loss::LossScale;
 use crate::loss::robust::robust_sigma;
 
@@ -111,7 +111,7 @@ impl Run<'_> {
     fn under(&mut self, stage: Stage) -> bool {
         self.equations.stage = stage;
         self.lambda = Lambda::new(self.options.damping, self.options.first_damping);
-        self.foretold = false;
+        self.as_predicted = false;
         self.factor_damping = f64::INFINITY;
         self.tries = TRIES;
         (self.offset, self.relative_step) = (f64::INFINITY, f64::INFINITY);

@@ -11,7 +11,7 @@ use super::problem::Graph;
 use crate::clock::{Moment, after};
 use crate::error::Error;
 use crate::graph::elimination::Factored;
-use crate::graph::elimination::normal::{Equations, Failure, Normal};
+use crate::graph::elimination::equations::{Equations, Failure, Normal};
 use crate::graph::elimination::structure::Structure;
 use crate::linear::vector::{dot, scaled_norm};
 use crate::minimise::scaling::Scaling;
@@ -23,7 +23,7 @@ use crate::report::{Iteration, Termination};
 const NEAR: f64 = 1e-5;
 
 /// How near to 1 the last gain ratio is if the next step is linearised before its cost is known.
-const FORETOLD: f64 = 0.25;
+const PREDICTED: f64 = 0.25;
 
 /// Damping up to which the damped step tells the offset.
 pub(super) const TELLING: f64 = 1e-3;
@@ -95,7 +95,7 @@ pub(super) struct Run<'a> {
     pub offset: f64,
     pub relative_step: f64,
     /// Whether the last step did what the linearised problem said.
-    pub foretold: bool,
+    pub as_predicted: bool,
     /// Damping of the factor at hand; infinite where there is none.
     pub factor_damping: f64,
     /// How often a step by the last factor may still be tried in vain: where steps fall slowly in
@@ -129,7 +129,7 @@ impl<'a> Run<'a> {
             deadline: options.time_limit.and_then(after),
             offset: f64::INFINITY,
             relative_step: f64::INFINITY,
-            foretold: false,
+            as_predicted: false,
             factor_damping: f64::INFINITY,
             tries: TRIES,
             bounded: None,
@@ -209,7 +209,7 @@ impl<'a> Run<'a> {
     fn is_near_by_last_factor(&mut self, near: f64) -> bool {
         // Which bounds hold a new factorisation tells.
         let alike = self.tries > 0
-            && self.foretold
+            && self.as_predicted
             && self.factor_damping <= TELLING
             && self.bounded.is_none();
         if !alike || self.steepness() > SURE * near {
@@ -344,7 +344,7 @@ impl<'a> Run<'a> {
         let predicted = 0.5 * (decrement + lambda * length * length);
         let next = self.stepped();
         let before = self.normal.cost;
-        let cost = match self.foretold {
+        let cost = match self.as_predicted {
             true => None,
             false => {
                 self.evaluations.residuals += 1;
@@ -361,7 +361,7 @@ impl<'a> Run<'a> {
                 self.update_scaling();
                 self.record(tried, lambda, length, true);
                 let ratio = fall / predicted;
-                self.foretold = (ratio - 1.0).abs() < FORETOLD;
+                self.as_predicted = (ratio - 1.0).abs() < PREDICTED;
                 self.lambda.accepted(ratio);
                 return Some(fall);
             }
@@ -370,7 +370,7 @@ impl<'a> Run<'a> {
             let _ = self.linearize_at_step();
             self.normal.cost = before;
         }
-        self.foretold = false;
+        self.as_predicted = false;
         self.record(tried, lambda, length, false);
         self.lambda.rejected();
         None

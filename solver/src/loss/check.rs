@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::loss::LossFunction;
+use crate::loss::places::places;
 
 /// Relative step of a central difference of the fourth order: small enough that `exp(−s)` passes far outside.
 const STEP: f64 = 6.055_454_452_393_343e-6;
@@ -22,12 +23,6 @@ pub struct LossMismatch {
     /// What it should be: 0 and 1 of `ρ(0)` and `ρ′(0)`, the central difference elsewhere, and 0 for a
     /// slope below 0.
     pub expected: f64,
-}
-
-/// Where a loss of one's own is looked at: from far inside to far outside, off the places where losses
-/// are usually put together.
-pub(crate) fn places() -> impl Iterator<Item = f64> {
-    (-12..=18).map(|k| 1.1 * 10f64.powf(f64::from(k) / 3.0))
 }
 
 /// Compares `ρ′` and `ρ″` of a loss with central differences of `ρ` and `ρ′`, at `s` from 1e-4 to 1e6,

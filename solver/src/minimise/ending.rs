@@ -3,8 +3,8 @@
 use crate::linear::Factor;
 use crate::linear::vector::{add, dot, norm, scaled_norm};
 use crate::minimise::finish::Verdict;
-use crate::minimise::iterate::Stop;
 use crate::minimise::point::{NotFinite, Point};
+use crate::minimise::stop::Stop;
 use crate::minimise::system::System;
 use crate::options::Options;
 use crate::report::Termination;

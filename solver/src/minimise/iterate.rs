@@ -14,6 +14,7 @@ use crate::minimise::ending::is_zero;
 use crate::minimise::newton;
 use crate::minimise::point::{NotFinite, Point};
 use crate::minimise::scaling::Scaling;
+use crate::minimise::stop::Stop;
 use crate::minimise::system::System;
 use crate::options::{Options, Variant};
 use crate::report::Iteration;
@@ -31,29 +32,6 @@ const SLOW: usize = 30;
 
 /// Falls of the cost in a row, each below rounding, after which it counts as flat.
 const FLAT_STEPS: usize = 3;
-
-/// Why the loop was left.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Stop {
-    /// The residual is nearly orthogonal to the columns of the Jacobian.
-    Near,
-    /// The step no longer changes the parameters.
-    Step,
-    /// The cost no longer falls.
-    Flat,
-    /// The step limit.
-    IterationLimit,
-    /// The time limit.
-    TimeLimit,
-    /// The user.
-    Cancelled,
-    /// The residuals are zero, to rounding.
-    Zero,
-    /// No step leads down.
-    Stalled,
-    /// Every step leads to where the problem is not finite.
-    NotFinite(NotFinite),
-}
 
 /// Called after every step tried.
 pub(crate) type Watch<'a> = &'a mut dyn FnMut(&Iteration, &[f64]) -> ControlFlow<()>;

@@ -40,7 +40,7 @@ fn table() -> Result<Vec<HeldOut>, calib::Error> {
 fn print(rows: &[HeldOut]) {
     println!("held out                what             stepwise     joint   joint - stepwise");
     for row in rows {
-        line(&row.recording, "|f| - g, mm/s\u{b2}", &row.modulus, 1e3);
+        line(&row.recording, "|f| - g, mm/s\u{b2}", &row.norm, 1e3);
         line(&row.recording, "direction, \u{b0}", &row.direction, 1.0);
     }
 }

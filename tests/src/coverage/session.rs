@@ -260,7 +260,7 @@ fn named(fit: &JointFit, session: &Session) -> Vec<String> {
     let rests = &session.truth.static_intervals;
     let before = |t: f64| rests.iter().rposition(|r| r.start <= t).unwrap_or(0);
     let mut names: Vec<String> = fit
-        .accused
+        .flagged
         .iter()
         .map(|a| {
             let kind = match a.kind {

@@ -6,7 +6,7 @@ use calib::recording::Stream;
 use file_formats::make::{Packing, zip};
 use nalgebra::Vector3;
 
-use super::{EPOCH, G, Layout, Samples};
+use super::layout::{EPOCH, G, Layout, Samples};
 
 /// phyphox in one of its dialects.
 fn phyphox(stream: &Stream, names: [&str; 4], separator: char, mark: char) -> Vec<u8> {

@@ -2,7 +2,7 @@
 
 use file_formats::make::{self, ImuRow, Packer, Rows};
 
-use super::{EPOCH, Layout, Samples};
+use super::layout::{EPOCH, Layout, Samples};
 
 fn file(name: &'static str, path: &'static str, bytes: Vec<u8>) -> Layout {
     Layout::new(name, vec![(path.to_owned(), bytes)], &[path])

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use nalgebra::Vector3;
 
-use super::{G, Layout, Samples};
+use super::layout::{G, Layout, Samples};
 
 /// Counts per m/s² and per rad/s.
 const COUNTS: [f64; 2] = [16384.0 / G, 65.5 * 180.0 / std::f64::consts::PI];

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use nalgebra::Vector3;
 
-use super::{EPOCH, G, Layout, Samples};
+use super::layout::{EPOCH, G, Layout, Samples};
 
 fn nanoseconds(t: f64) -> u64 {
     EPOCH * 1_000_000_000 + (t * 1e9).round() as u64

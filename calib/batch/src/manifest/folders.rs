@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{Device, DeviceOptions};
+use super::device::{Device, DeviceOptions};
 use crate::error::Error;
 use crate::hash::members;
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Map, Value};
 
-use super::{Device, DeviceOptions};
+use super::device::{Device, DeviceOptions};
 use crate::error::Error;
 
 /// Keys of a line that are no options.

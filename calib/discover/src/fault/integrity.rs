@@ -1,6 +1,6 @@
 //! Faults of the recording itself, found without a model.
 
-use estimate::methods::joint::{Accused, Disturbance, SensorNoise};
+use estimate::methods::joint::{Disturbance, Flagged, SensorNoise};
 use nalgebra::Vector3;
 use recording::intervals::{Rails, Segmentation, Span};
 use recording::{Recording, Stream};
@@ -113,28 +113,28 @@ pub fn disturbed(state: &State, seen: &[Integrity]) -> Vec<Integrity> {
     let sizes = state.disturbed_sizes();
     let found = state
         .fit
-        .accused
+        .flagged
         .iter()
         .take(state.extension.disturbed.len());
     // A rate that is off in an interval is off up to the turns beside it, which see it as a creep.
-    let is_excursion = |of: &Accused| {
-        let all = state.fit.accused.iter();
+    let is_excursion = |of: &Flagged| {
+        let all = state.fit.flagged.iter();
         let mut excursions = all.filter(|a| a.kind == Disturbance::RateExcursion);
         excursions.any(|a| (a.recording, a.interval) == (of.recording, of.interval))
     };
     found
         .zip(sizes)
-        .filter(|(accused, _)| accused.kind != Disturbance::MountSlip || !is_excursion(accused))
-        .map(|(accused, size)| {
-            let recording = &state.fit.data.sources[accused.recording].name;
+        .filter(|(flagged, _)| flagged.kind != Disturbance::MountSlip || !is_excursion(flagged))
+        .map(|(flagged, size)| {
+            let recording = &state.fit.data.sources[flagged.recording].name;
             let lost = seen.iter().any(|fault| {
                 fault.name == "lost_samples"
                     && fault.recording == *recording
-                    && fault.t0 < accused.span.to
-                    && fault.t1 > accused.span.from
+                    && fault.t0 < flagged.span.to
+                    && fault.t1 > flagged.span.from
             });
-            let crept = size * accused.span.length();
-            let (name, size, detail) = match accused.kind {
+            let crept = size * flagged.span.length();
+            let (name, size, detail) = match flagged.kind {
                 Disturbance::MountSlip => (
                     "mount_slip",
                     Size::at_one_place(crept, "rad"),
@@ -172,7 +172,7 @@ pub fn disturbed(state: &State, seen: &[Integrity]) -> Vec<Integrity> {
                     Size::at_one_place(size, "rad"),
                     format!(
                         "turn {} is an outlier: it misses gravity by {:.2}°; the stamps show no missing sample",
-                        accused.interval + 1,
+                        flagged.interval + 1,
                         size.to_degrees()
                     ),
                 ),
@@ -180,9 +180,9 @@ pub fn disturbed(state: &State, seen: &[Integrity]) -> Vec<Integrity> {
             Integrity {
                 name,
                 recording: recording.clone(),
-                interval: Some(accused.interval + 1),
-                t0: accused.span.from,
-                t1: accused.span.to,
+                interval: Some(flagged.interval + 1),
+                t0: flagged.span.from,
+                t1: flagged.span.to,
                 detail,
                 size,
             }

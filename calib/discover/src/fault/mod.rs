@@ -1,4 +1,4 @@
 //! Faults of the recording itself.
 
+pub(super) mod delay;
 pub(super) mod integrity;
-pub(super) mod time_offset;

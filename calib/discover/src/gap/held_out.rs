@@ -4,7 +4,8 @@ use estimate::methods::joint::BiasNoise;
 use faer::Mat;
 use nalgebra::DMatrix;
 
-use crate::gap::channel::{Channel, Misfit};
+use crate::gap::channel::Channel;
+use crate::gap::sequence::Misfit;
 use crate::state::State;
 
 /// Blocks that the rests are dealt into.
@@ -13,7 +14,7 @@ const BLOCKS: usize = 8;
 /// Eigenvalues below this share of the largest are directions that the rest of the data say nothing of.
 const UNSEEN: f64 = 1e-8;
 
-/// What each channel of a block misses when the rest of the data foretell it, summed over all blocks.
+/// What each channel of a block misses when the rest of the data predict it, summed over all blocks.
 ///
 /// With `P = N (Nᵀ V N)⁻¹ Nᵀ` a block `B` that is left out is missed by `(P_BB)⁺ (P r)_B`, of covariance
 /// `(P_BB)⁺`: no refit is needed. The errors of the parameters that the other blocks give are in it, and
@@ -34,13 +35,13 @@ pub fn held_out(state: &State, noise: BiasNoise) -> Option<[Misfit; 3]> {
         let direction: Vec<usize> = force.iter().copied().chain(end).collect();
         let seen = whitened.columns(&state.projected.units(&block));
         let (precision, pr) = (seen.transpose() * &seen, seen.transpose() * &whitened.z);
-        let modulus = missed(&precision, &pr, &force);
+        let norm = missed(&precision, &pr, &force);
         let with_force = missed(&precision, &pr, &direction);
-        sums[0].add(modulus);
+        sums[0].add(norm);
         sums[1].add(missed(&precision, &pr, &of(rate, turns)));
         sums[2].add(Misfit {
-            chi2: (with_force.chi2 - modulus.chi2).max(0.0),
-            dof: with_force.dof - modulus.dof,
+            chi2: (with_force.chi2 - norm.chi2).max(0.0),
+            dof: with_force.dof - norm.dof,
         });
     }
     Some(sums)

@@ -7,7 +7,8 @@ use nalgebra::{DMatrix, Vector3};
 use sensor::Sensor;
 use serde::Serialize;
 
-use crate::gap::channel::{Channel, Sequence};
+use crate::gap::channel::Channel;
+use crate::gap::sequence::Sequence;
 use crate::score::{log_tail, score};
 use crate::state::State;
 
@@ -22,7 +23,7 @@ const INTERVALS: usize = 3;
 pub struct Disagreement {
     /// The channel.
     pub channel: Channel,
-    /// The intervals that are missed most when the others foretell them.
+    /// The intervals that are missed most when the others predict them.
     #[serde(rename = "where")]
     pub place: String,
     /// What it goes with best.
@@ -52,7 +53,7 @@ pub fn disagreements(state: &State, noise: BiasNoise) -> Vec<Disagreement> {
     all
 }
 
-/// The intervals with the largest deleted residuals, `χ²` of their rows when all others foretell them.
+/// The intervals with the largest deleted residuals, `χ²` of their rows when all others predict them.
 fn worst_intervals(state: &State, channel: Channel) -> String {
     let rows = state.rows();
     let [rate, turns] = state.fit.first_rows;
@@ -108,11 +109,11 @@ const COVARIATES: [Covariate; 11] = [
     ("specific force squared", |i| {
         i.truth.specific_force.map(|f| f * f)
     }),
-    ("modulus of specific force per axis", |i| {
+    ("size of specific force per axis", |i| {
         i.truth.specific_force.abs()
     }),
     ("rate squared", |i| i.truth.angular_rate.map(|w| w * w)),
-    ("modulus of rate per axis", |i| i.truth.angular_rate.abs()),
+    ("size of rate per axis", |i| i.truth.angular_rate.abs()),
     ("direction of the last turn", |i| i.truth.last_change),
     ("vibration", |i| i.truth.vibration),
     ("derivative of the temperature", |i| {

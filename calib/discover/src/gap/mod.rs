@@ -3,4 +3,5 @@
 pub(super) mod channel;
 pub(super) mod held_out;
 pub(super) mod localise;
+pub(super) mod sequence;
 pub(super) mod validation;

@@ -12,10 +12,12 @@ use recording::{Error, Recording};
 use sensor::{AnyEffect, Role};
 
 use crate::discovery::Discovery;
+use crate::extension::Extension;
 use crate::findings::Validation;
-use crate::gap::channel::{Channel, Misfit, Sequence, whitening_at};
+use crate::gap::channel::Channel;
+use crate::gap::sequence::{Misfit, Sequence, whitening_at};
 use crate::request::{Request, Session};
-use crate::state::{Extension, State};
+use crate::state::State;
 
 /// Gauss–Newton steps of directions and biases: the problem is all but linear in them, and the first is
 /// taken at the recording's own fit.

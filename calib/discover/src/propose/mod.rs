@@ -25,8 +25,9 @@ use statrs::function::factorial::ln_binomial;
 use terms::terms;
 
 use super::family::effect_family;
-use super::gap::channel::{Channel, Misfit};
+use super::gap::channel::Channel;
 use super::gap::held_out::held_out;
+use super::gap::sequence::Misfit;
 use super::rank::{APART, Ranked, rank};
 use super::remainder::unexplained::Unexplained;
 use super::request::{Request, Session};

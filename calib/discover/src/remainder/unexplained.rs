@@ -7,10 +7,12 @@ use sensor::{Quantity, Sensor};
 use serde::Serialize;
 
 use crate::family::{Claim, Family};
-use crate::gap::channel::{Channel, Misfit, Sequence, channel_of};
+use crate::gap::channel::Channel;
+use crate::gap::sequence::{Misfit, Sequence, channel_of};
 use crate::rank::{APART, Ranked, levels, rank_at};
 use crate::remainder::scatter::scatters;
-use crate::remainder::shape::{Shape, shapes};
+use crate::remainder::shape::Shape;
+use crate::remainder::shapes::shapes;
 use crate::score::log_tail;
 use crate::search::few_turns::Turns;
 use crate::search::{Name, Search};
@@ -278,7 +280,7 @@ fn slopes(state: &State, sensor: Sensor, noise: BiasNoise) -> (f64, f64) {
         let rest = &data.rests[chunk.rest];
         state
             .fit
-            .accused
+            .flagged
             .iter()
             .any(|a| a.recording == rest.recording && a.interval == rest.interval)
     };

@@ -3,11 +3,12 @@
 use estimate::methods::joint::{BiasNoise, Known};
 use faer::Mat;
 
+use crate::extension::Extension;
 use crate::family::{Claim, Family, beside, families};
 use crate::request::Request;
 use crate::score::{log_tail, score};
 use crate::search::Search;
-use crate::state::{Extension, State};
+use crate::state::State;
 
 /// What the model holds, by the family that it was taken from.
 struct Item {

@@ -7,14 +7,15 @@ use sensor::{AnyEffect, Role, Sensor};
 use super::scatter::scatters;
 use super::unexplained::Unexplained;
 use super::weighed_again::weighed_again;
+use crate::extension::Extension;
 use crate::family::Claim;
-use crate::gap::channel::{Sequence, channel_of};
 use crate::gap::held_out::gap_of;
+use crate::gap::sequence::{Sequence, channel_of};
 use crate::rank::{APART, levels};
 use crate::request::{Request, Session};
 use crate::score::log_tail;
 use crate::search::Search;
-use crate::state::{Extension, State};
+use crate::state::State;
 
 /// Coefficients that chance makes so large in more cases than this say nothing.
 const BY_CHANCE: f64 = 0.05;

@@ -1,6 +1,7 @@
 //! Naming what is missing, one thing after the other, until the rest is noise.
 
 pub(crate) mod few_turns;
+mod held;
 mod outlying_turns;
 mod pairs;
 mod review;
@@ -16,11 +17,14 @@ use recording::Error;
 use sensor::{AnyEffect, Nature};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use crate::family::{Claim, Family, Hypothesis, families, is_late, with_companions};
+use self::held::Held;
+use crate::extension::Extension;
+use crate::extension::with_companions;
+use crate::family::{Claim, Family, Hypothesis, families, is_late};
 use crate::rank::{Ranked, rank};
 use crate::request::{Request, Session};
 use crate::separation::Rivalry;
-use crate::state::{Extension, State};
+use crate::state::State;
 
 /// Names at most; a device that seems to lack more is not understood.
 const MOST_NAMES: usize = 6;
@@ -150,23 +154,6 @@ impl Search {
         self.names.retain(stays);
         self.last = State::fit(session, less)?;
         Ok(gone)
-    }
-}
-
-/// A claim in the model, with the way in which it holds.
-#[derive(Clone, Debug)]
-struct Held {
-    claim: Claim,
-    hypothesis: Hypothesis,
-    /// When it was found.
-    evidence: f64,
-}
-
-impl Held {
-    /// Whether this is a known disturbance.
-    fn is(&self, known: &Known) -> bool {
-        matches!(self.claim, Claim::Disturbed(kind) if kind == known.kind)
-            && self.hypothesis.place == Some(known.place)
     }
 }
 

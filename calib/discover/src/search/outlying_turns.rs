@@ -4,8 +4,8 @@ use estimate::methods::joint::{Column, Disturbance, Suspect};
 use nalgebra::{DMatrix, DVector};
 use recording::averages::median;
 
-use super::Held;
 use super::few_turns::KNOCKED;
+use super::held::Held;
 use crate::family::{Claim, Hypothesis};
 use crate::state::State;
 
@@ -58,7 +58,7 @@ pub(super) fn outlying_turns(state: &State) -> Vec<Held> {
         .collect()
 }
 
-/// What turns miss when all rows but those taken out foretell them: `P = N Nᵀ` and `y = P r` of their rows.
+/// What turns miss when all rows but those taken out predict them: `P = N Nᵀ` and `y = P r` of their rows.
 struct Turns {
     precision: DMatrix<f64>,
     y: DVector<f64>,
@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn two_neighbours_that_are_off_do_not_hide_each_other_nor_accuse_a_third() {
+    fn two_neighbours_that_are_off_do_not_hide_each_other_nor_flag_a_third() {
         let mut y = vec![0.5; 20];
         (y[6], y[8]) = (300.0, 200.0);
         let turns = turns(&y);

@@ -2,7 +2,8 @@
 
 use faer::Mat;
 
-use super::{Finder, Held, PAIRED};
+use super::held::Held;
+use super::{Finder, PAIRED};
 use crate::family::{Claim, beside};
 use crate::rank::{APART, Ranked};
 use crate::score::{log_tail, score};

@@ -4,8 +4,10 @@ use estimate::methods::joint::Known;
 use faer::Mat;
 use recording::Error;
 
-use super::{Finder, Held, MOST_NAMES, Name, Tie, held};
-use crate::family::{Claim, Family, with_companions};
+use super::held::Held;
+use super::{Finder, MOST_NAMES, Name, Tie, held};
+use crate::extension::with_companions;
+use crate::family::{Claim, Family};
 use crate::rank::{APART, Ranked, shared};
 use crate::separation::Rivalry;
 use crate::state::State;

@@ -8,8 +8,9 @@ use simulate::{Grade, Motion, Planned, PlannedStep, Sampling, SensorSpec, Spec, 
 
 use super::information::Information;
 use super::rivalry::Rivalry;
+use crate::extension::Extension;
 use crate::request::{Request, Session};
-use crate::state::{Extension, State};
+use crate::state::State;
 
 /// Half of what temperature rises and falls by, K.
 const SWING: f64 = 8.0;

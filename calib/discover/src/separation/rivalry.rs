@@ -7,7 +7,8 @@ use sensor::{AnyEffect, Quantity, Role};
 use serde::{Deserialize, Serialize};
 
 use super::information::Information;
-use crate::family::{Claim, Family, beside, coefficients, with_companions};
+use crate::extension::with_companions;
+use crate::family::{Claim, Family, beside, coefficients};
 use crate::rank::Ranked;
 use crate::state::State;
 

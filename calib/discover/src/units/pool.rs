@@ -5,7 +5,8 @@ use sensor::{AnyEffect, Role};
 
 use super::unit::Unit;
 use crate::family::{Claim, effect_family};
-use crate::gap::channel::{Channel, Misfit, Sequence, channel_of};
+use crate::gap::channel::Channel;
+use crate::gap::sequence::{Misfit, Sequence, channel_of};
 use crate::rank::{APART, Ranked};
 use crate::score::log_tail;
 use crate::search::Ranking;

@@ -7,10 +7,11 @@ use sensor::AnyEffect;
 
 use super::findings::UnitAlone;
 use crate::discovery::{calibration, discover_in, parameters_of};
+use crate::extension::Extension;
 use crate::findings::Findings;
-use crate::gap::channel::{Misfit, Sequence};
+use crate::gap::sequence::{Misfit, Sequence};
 use crate::request::{Request, Session};
-use crate::state::{Extension, State};
+use crate::state::State;
 
 /// A unit with its model.
 #[derive(Clone, Debug)]

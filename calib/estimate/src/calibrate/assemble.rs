@@ -6,9 +6,10 @@ use recording::{Error, Recording};
 use sensor::{BASE_PARAMETERS, Base, Model, PLACES, Sensor, base_names};
 
 use super::left_out::left_out_by_norms;
+use super::request::{Frame, Request};
 use super::rest_bias::rest_bias;
-use super::static_norm::StaticNorms;
-use super::{Frame, Request, checks, noise};
+use super::static_norm::{StaticNorms, per_degree_of_freedom};
+use super::{checks, noise};
 use crate::calibration::{
     Calibration, EffectParameter, EffectValues, Outside, Provenance, RecordingBias, Remainder,
     SCHEMA, Triad, WITHOUT_WALKS, effect_named,
@@ -366,11 +367,6 @@ pub(super) fn effect_values<'a>(
                 .then_some(Outside(*effect)),
         }
     })
-}
-
-pub(super) fn per_degree_of_freedom(sum: f64, rows: usize, rank: usize) -> Option<f64> {
-    let spare = rows.checked_sub(rank)?;
-    (spare > 0 && sum.is_finite()).then(|| sum / spare as f64)
 }
 
 /// What the accelerometer's readings turned out to be, if not m/s².

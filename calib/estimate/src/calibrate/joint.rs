@@ -7,15 +7,18 @@ use recording::{Error, Recording};
 use sensor::{BASE_PARAMETERS, Sensor};
 
 use super::assemble::{effect_values, of_the_gyro_unit, of_the_unit, triad};
+use super::cut::cut;
 use super::left_out::left_out;
+use super::outcome::Outcome;
+use super::request::{Frame, Request};
 use super::same_device::of_one_device;
-use super::{Frame, Outcome, Request, checks, clocks, cut};
+use super::{checks, clocks};
 use crate::calibration::{
     BiasTime, Calibration, Provenance, RecordingBias, RecordingClock, Remainder, SCHEMA, Triad,
     WITH_WALKS, in_symmetric_frame,
 };
 use crate::methods::earth::{self, on_the_earth, vertical_rate, vertical_rate_at};
-use crate::methods::joint::{Accused, Channel, Disturbance, JointFit, JointRequest, fit_joint};
+use crate::methods::joint::{Channel, Disturbance, Flagged, JointFit, JointRequest, fit_joint};
 use crate::methods::{Choice, Fitted};
 
 /// A latitude whose vertical part of the earth's rotation is off by so many standard errors is doubted.
@@ -243,9 +246,9 @@ fn check_rate(
 /// The placements whose force no touch explains: nothing shook, and they are off by more than [`APART`].
 fn placements_apart(fit: &JointFit) -> Option<String> {
     let apart =
-        |a: &&Accused| a.kind == Disturbance::DisturbedInterval && !a.shook && a.size > APART;
+        |a: &&Flagged| a.kind == Disturbance::DisturbedInterval && !a.shook && a.size > APART;
     let all: Vec<String> = fit
-        .accused
+        .flagged
         .iter()
         .filter(apart)
         .map(|a| {
@@ -307,8 +310,8 @@ fn disturbances(fit: &JointFit, warnings: &mut Vec<String>) {
             ));
         }
     }
-    for accused in &fit.accused {
-        let (what, done) = match accused.kind {
+    for flagged in &fit.flagged {
+        let (what, done) = match flagged.kind {
             Disturbance::MountSlip | Disturbance::SuddenSlip => (
                 "static interval",
                 "the device crept while it should have rested (mount_slip); its creep is fitted",
@@ -326,14 +329,14 @@ fn disturbances(fit: &JointFit, warnings: &mut Vec<String>) {
                 "gravity is missed by far more than the noise; the turn is not used",
             ),
         };
-        let detail = if accused.detail.is_empty() { "" } else { ": " };
+        let detail = if flagged.detail.is_empty() { "" } else { ": " };
         warnings.push(format!(
             "{}: {what} {} (t = {:.2} to {:.2} s): {done}{detail}{}",
-            name(accused.recording),
-            accused.interval + 1,
-            accused.span.from,
-            accused.span.to,
-            accused.detail
+            name(flagged.recording),
+            flagged.interval + 1,
+            flagged.span.from,
+            flagged.span.to,
+            flagged.detail
         ));
     }
 }

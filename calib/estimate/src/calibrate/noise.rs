@@ -24,7 +24,7 @@ pub(super) fn long_run(stream: Option<&Stream>, segmentation: &Segmentation) -> 
 
 /// Standard deviation of a rest's mean along direction `u` of corrected specific force, m/s², from
 /// the white noise within the rest.
-pub(super) fn of_modulus(rest: &Moments, base: &Base<f64>, u: &Vector3<f64>) -> f64 {
+pub(super) fn of_norm(rest: &Moments, base: &Base<f64>, u: &Vector3<f64>) -> f64 {
     let carried = base.t.transpose() * u;
     (carried.dot(&(rest.covariance * carried)) / rest.count as f64)
         .max(0.0)

@@ -79,7 +79,7 @@ impl StaticNorms {
     fn push(&mut self, base: &Base<f64>, rest: &Moments, coloured: f64, at: (usize, f64)) {
         let force = base.correct(&rest.mean);
         let u = force.normalize();
-        let sigma = coloured * noise::of_modulus(rest, base, &u);
+        let sigma = coloured * noise::of_norm(rest, base, &u);
         self.sigma.push(sigma.max(LEAST_NOISE));
         self.along.push(base.t.transpose() * u);
         self.means.push(rest.mean);
@@ -92,7 +92,7 @@ impl StaticNorms {
     pub fn reduced_chi2(&self) -> Option<f64> {
         let rows = self.residuals.iter().zip(&self.sigma);
         let sum: f64 = rows.map(|(r, sigma)| (r / sigma).powi(2)).sum();
-        super::assemble::per_degree_of_freedom(sum, self.residuals.len(), self.rank)
+        per_degree_of_freedom(sum, self.residuals.len(), self.rank)
     }
 
     /// Every interval.
@@ -148,4 +148,10 @@ impl StaticNorms {
         };
         numbers.settled().shown(&Pattern::OF_NORM)
     }
+}
+
+/// `Σ` over the rows that no parameter takes; `None` where none is left.
+pub(super) fn per_degree_of_freedom(sum: f64, rows: usize, rank: usize) -> Option<f64> {
+    let spare = rows.checked_sub(rank)?;
+    (spare > 0 && sum.is_finite()).then(|| sum / spare as f64)
 }

@@ -132,7 +132,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_symmetric_factor_is_symmetric_and_keeps_every_modulus() {
+    fn the_symmetric_factor_is_symmetric_and_keeps_every_norm() {
         let x = [1.01, 0.98, 1.02, 0.01, -0.02, 0.0, 0.015, 0.0, 0.0];
         let mut turned = Vec::new();
         Residual::<f64>::residuals(&ToSymmetric, &x, &mut turned);

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::Calibration;
-use crate::calibrate::{Frame, GyroBias, Instant, Method, Request};
+use crate::calibrate::request::{Frame, GyroBias, Instant, Method, Request};
 use crate::methods::joint::ClockMode;
 use crate::residuals::Integrator;
 

@@ -138,7 +138,7 @@ pub struct Triad {
     /// For which time the bias holds, and how much it moved; of the last recording where each has its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bias_time: Option<BiasTime>,
-    /// Root mean square of the residuals: m/s² of gravity's modulus, or degrees of its direction.
+    /// Root mean square of the residuals: m/s² of gravity's norm, or degrees of its direction.
     pub residual_rms: f64,
     /// Residual over what the noise within the intervals allows, squared, per degree of freedom.
     pub reduced_chi2: Option<f64>,

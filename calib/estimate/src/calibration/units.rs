@@ -5,7 +5,7 @@ use sensor::Sensor;
 
 use super::Calibration;
 
-/// Corrected specific force whose median modulus lies within these multiples of gravity is in the
+/// Corrected specific force whose median norm lies within these multiples of gravity is in the
 /// right unit: most of any recording is rest or gentle motion.
 const PLAUSIBLE: std::ops::Range<f64> = 0.6..1.6;
 
@@ -13,7 +13,7 @@ const PLAUSIBLE: std::ops::Range<f64> = 0.6..1.6;
 /// readings in SI units, or the reverse, or of another device altogether.
 ///
 /// # Errors
-/// [`Error::Input`] with both moduli.
+/// [`Error::Input`] with both norms.
 pub fn check_units(calibration: &Calibration, recording: &Recording) -> Result<(), Error> {
     let (Some(stream), Some(triad)) = (
         &recording.accelerometer,
@@ -22,16 +22,16 @@ pub fn check_units(calibration: &Calibration, recording: &Recording) -> Result<(
         return Ok(());
     };
     let base = triad.base();
-    let mut moduli: Vec<f64> = stream
+    let mut norms: Vec<f64> = stream
         .values
         .iter()
         .map(|raw| base.correct(raw).norm())
         .collect();
-    let middle = moduli.len() / 2;
-    if moduli.is_empty() {
+    let middle = norms.len() / 2;
+    if norms.is_empty() {
         return Ok(());
     }
-    let median = *moduli.select_nth_unstable_by(middle, f64::total_cmp).1;
+    let median = *norms.select_nth_unstable_by(middle, f64::total_cmp).1;
     if PLAUSIBLE.contains(&(median / calibration.gravity)) {
         return Ok(());
     }

@@ -22,7 +22,7 @@ pub struct Evaluation {
     pub modulus_rms: Option<f64>,
     /// Number of sound turns.
     pub turns: usize,
-    /// Root mean square angle between the direction of gravity that the gyroscope foretells and the
+    /// Root mean square angle between the direction of gravity that the gyroscope predicts and the
     /// one that the accelerometer shows after each turn, degrees; what is left of the rate in the
     /// rests beside the turn is taken off as bias.
     pub direction_rms: Option<f64>,
@@ -43,14 +43,14 @@ pub struct Misfit {
     pub index: usize,
     /// When.
     pub span: Span,
-    /// `|f| − g`, m/s², or the angle by which the foretold direction of gravity misses, degrees.
+    /// `|f| − g`, m/s², or the angle by which the predicted direction of gravity misses, degrees.
     pub value: f64,
 }
 
 /// The misfit of every rest and of every sound turn.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Misfits {
-    /// Of gravity's modulus, m/s².
+    /// Of gravity's norm, m/s².
     pub rests: Vec<Misfit>,
     /// Of its direction, degrees.
     pub turns: Vec<Misfit>,
@@ -106,7 +106,7 @@ pub fn misfits(
     };
     let spans: Vec<_> = segmentation.statics.iter().map(|rest| rest.span).collect();
     let rests = Segmentation::from_spans(&corrected, &spans, segmentation.multiplier);
-    let modulus = |(index, rest): (usize, &StaticInterval)| {
+    let norm = |(index, rest): (usize, &StaticInterval)| {
         Some(Misfit {
             index,
             span: rest.span,
@@ -122,12 +122,7 @@ pub fn misfits(
     };
     let sound = segmentation.turns.iter().filter(|t| t.fault.is_none());
     Ok(Misfits {
-        rests: rests
-            .statics
-            .iter()
-            .enumerate()
-            .filter_map(modulus)
-            .collect(),
+        rests: rests.statics.iter().enumerate().filter_map(norm).collect(),
         turns: sound.filter_map(direction).collect(),
         fields: field::fields(&corrected, &rests),
         rates: rests
@@ -148,6 +143,6 @@ fn angle(rate: &Stream, rests: &Segmentation, turn: &Turn) -> Option<f64> {
     let values = &rate.values[turn.samples.clone()];
     let t = &rate.t[turn.samples.clone()];
     let attitude = attitude_of(Integrator::Exponential, t, |k| values[k] - bias);
-    let foretold = attitude.into_body(&before.accelerometer?.mean);
-    Some(foretold.angle(&after.accelerometer?.mean).to_degrees())
+    let predicted = attitude.into_body(&before.accelerometer?.mean);
+    Some(predicted.angle(&after.accelerometer?.mean).to_degrees())
 }

@@ -8,8 +8,8 @@ use sensor::BASE_PARAMETERS;
 
 use crate::residuals::StaticMean;
 
-/// Static readings whose median modulus lies within this fraction of gravity are m/s².
-const SI_MODULUS: f64 = 0.5;
+/// Static readings whose median norm lies within this fraction of gravity are m/s².
+const SI_NORM: f64 = 0.5;
 
 /// The affine map that brings readings near SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,10 +71,10 @@ impl RawUnit {
 /// The unit of an accelerometer from its static means, by the sphere they lie on; `None` where they
 /// lie on no sphere.
 pub fn accelerometer_unit(means: &[Vector3<f64>], gravity: f64) -> Option<RawUnit> {
-    let mut moduli: Vec<f64> = means.iter().map(|m| m.norm() / gravity).collect();
-    moduli.sort_by(f64::total_cmp);
-    let middle = moduli.get(moduli.len() / 2)?;
-    if (middle - 1.0).abs() < SI_MODULUS {
+    let mut norms: Vec<f64> = means.iter().map(|m| m.norm() / gravity).collect();
+    norms.sort_by(f64::total_cmp);
+    let middle = norms.get(norms.len() / 2)?;
+    if (middle - 1.0).abs() < SI_NORM {
         return Some(RawUnit::SI);
     }
     let (zero, radius) = sphere(means)?;

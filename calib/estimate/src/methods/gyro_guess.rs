@@ -9,8 +9,8 @@ use super::first_guess::RawUnit;
 use crate::kernel::TurnProblem;
 use crate::residuals::{Integrator, PropagatedGravity, TurnData};
 
-/// Turns foretold this well, rms of the chord, need no other unit or axes.
-const FORETOLD: f64 = 0.5;
+/// Turns predicted this well, rms of the chord, need no other unit or axes.
+const PREDICTED: f64 = 0.5;
 
 /// Smallest and largest angle of the longest turn that a first guess of the scale reaches for, rad.
 const TURN_ANGLES: (f64, f64) = (0.3, 60.0);
@@ -51,7 +51,7 @@ pub fn gyroscope_guess(turns: &[TurnData]) -> GyroGuess {
     let longest = turns.iter().map(travel).fold(0.0, f64::max);
     let model = Model::base(Sensor::Gyroscope);
     let all = plain(&model, turns);
-    if longest <= 0.0 || misfit(&all, 1.0, &named) < FORETOLD {
+    if longest <= 0.0 || misfit(&all, 1.0, &named) < PREDICTED {
         return guess(1.0, named);
     }
     let all_axes = signed_permutations();
@@ -59,14 +59,14 @@ pub fn gyroscope_guess(turns: &[TurnData]) -> GyroGuess {
     let in_si = (TURN_ANGLES.0..TURN_ANGLES.1).contains(&longest);
     let tried = all_axes.iter().filter(|_| in_si);
     let mounted = least(tried.map(|axes| (misfit(&all, 1.0, axes), *axes)));
-    if let Some((_, axes)) = mounted.filter(|(value, _)| *value < FORETOLD) {
+    if let Some((_, axes)) = mounted.filter(|(value, _)| *value < PREDICTED) {
         return guess(1.0, axes);
     }
     let fine = scales(longest, SCALE_STEP);
     let thin: Vec<TurnData> = turns.iter().take(FEW_TURNS).map(thinned).collect();
     let few = plain(&model, &thin);
     let scaled = least(promising(&few, &fine).map(|s| (misfit(&all, s, &named), s)));
-    if let Some((_, scale)) = scaled.filter(|(value, _)| *value < FORETOLD) {
+    if let Some((_, scale)) = scaled.filter(|(value, _)| *value < PREDICTED) {
         return guess(scale, named);
     }
     let coarse = scales(longest, COARSE_STEP);

@@ -2,7 +2,7 @@
 
 pub mod earth;
 mod ending;
-mod first_guess;
+pub(crate) mod first_guess;
 mod fitted;
 mod gyro_guess;
 mod gyroscope;

@@ -113,7 +113,7 @@ pub fn update_gyroscope(
     )
 }
 
-/// Fits the accelerometer's bias alone to the modulus of gravity over the rests.
+/// Fits the accelerometer's bias alone to the norm of gravity over the rests.
 ///
 /// # Errors
 /// Fewer than four rests, orientations that do not tell the axes apart, a calibration without

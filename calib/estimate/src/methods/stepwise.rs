@@ -63,7 +63,7 @@ impl AccelerometerFit {
     }
 }
 
-/// Runs both steps. Step 1 frees the nine parameters that gravity's modulus knows, from a perfect
+/// Runs both steps. Step 1 frees the nine parameters that gravity's norm knows, from a perfect
 /// sensor; step 2 holds its biases and frees all of `T`, again from a perfect sensor. The Jacobian
 /// of step 2 has rank 6, so its steps are of minimum norm.
 ///

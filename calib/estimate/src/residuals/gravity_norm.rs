@@ -1,4 +1,4 @@
-//! The modulus of static specific force.
+//! The norm of static specific force.
 
 use sensor::{Model, ModelScalar};
 use solver::{Residual, lit};

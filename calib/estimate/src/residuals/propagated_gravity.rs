@@ -24,7 +24,7 @@ pub struct TurnData {
 }
 
 impl TurnData {
-    /// The direction after the turn as the gyroscope foretells it from the one before.
+    /// The direction after the turn as the gyroscope predicts it from the one before.
     pub fn propagated<D: ModelScalar>(
         &self,
         model: &Model,

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 use sensor::{AnyEffect, Base, Kinematics, Model, Sensor};
 
 use crate::calibration::Calibration;
-use crate::methods::RawUnit;
+use crate::methods::first_guess::RawUnit;
 
 /// One sensor's model.
 #[derive(Clone, Debug)]

@@ -8,12 +8,13 @@ pub use kalibr::kalibr;
 
 use calib::Calibration;
 use calib::calibrate::STANDARD_GRAVITY;
-use calib::calibration::{EffectParameter, EffectValues, Provenance, SCHEMA, Triad, effect_named};
+use calib::calibration::{EffectParameter, EffectValues, Provenance, SCHEMA, Triad};
+use calib::effects::force_sensitivity;
 use calib::gravity::GravitySource;
 use nalgebra::Matrix3;
 use sensor::{Base, Sensor};
 
-use crate::source::{G_SENSITIVITY, rows};
+use crate::source::rows;
 
 /// A calibration without errors, of another tool.
 fn calibration(
@@ -73,7 +74,8 @@ fn triad(sensor: Sensor, base: &Base<f64>) -> Triad {
 }
 
 fn of_g_sensitivity(g: &Matrix3<f64>) -> EffectValues {
-    let params = effect_named(G_SENSITIVITY).map_or(&[][..], |effect| effect.params());
+    let effect = force_sensitivity();
+    let params = effect.params();
     let parameters = params
         .iter()
         .zip(rows(g))
@@ -84,7 +86,7 @@ fn of_g_sensitivity(g: &Matrix3<f64>) -> EffectValues {
             unit: param.unit.into(),
         });
     EffectValues {
-        name: G_SENSITIVITY.into(),
+        name: effect.name().into(),
         definition: None,
         parameters: parameters.collect(),
         outside: None,

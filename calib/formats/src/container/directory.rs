@@ -2,7 +2,6 @@
 
 use std::io::{Read, Seek, SeekFrom};
 
-use super::too_many;
 use crate::shown::shown;
 use crate::{Error, Limits};
 
@@ -19,7 +18,7 @@ const ELSEWHERE: u64 = 0xffff_ffff;
 
 /// An entry as the directory describes it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Packed {
+pub(crate) struct Packed {
     /// Byte at which its local header begins.
     pub at: u64,
     /// Size in the archive, bytes.
@@ -61,7 +60,7 @@ pub(super) fn directory(
     let length = archive.seek(SeekFrom::End(0))?;
     let end = find_end(archive, length)?;
     if end.entries > limits.entries as u64 {
-        return Err(too_many(limits));
+        return Err(limits.too_many_entries());
     }
     if end.at > length || end.size > length - end.at {
         return Err(truncated(length));

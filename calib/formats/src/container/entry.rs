@@ -7,13 +7,14 @@ use flate2::bufread::DeflateDecoder;
 
 use super::directory::Packed;
 use crate::Error;
+use crate::store::Stored;
 
 const LOCAL: &[u8] = b"PK\x03\x04";
 const LOCAL_SIZE: usize = 30;
 
 /// The bytes of the entry that `packed` describes.
 pub(super) fn unpacked(
-    mut archive: Box<dyn super::Stored>,
+    mut archive: Box<dyn Stored>,
     packed: &Packed,
 ) -> Result<Box<dyn Read + Send>, Error> {
     archive.seek(SeekFrom::Start(packed.at))?;

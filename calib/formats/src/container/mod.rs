@@ -1,17 +1,18 @@
 //! Files by name: a folder, a zip archive that is never unpacked to the disk, or a file of tables.
 
+pub(crate) mod archive;
 mod directory;
 mod entry;
 
 use std::fs::File;
-use std::io::{Cursor, Read, Seek, Write};
+use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use directory::directory;
-use entry::unpacked;
+use archive::Archive;
+use directory::Packed;
 
-use crate::shown::shown;
+use crate::store::Store;
 use crate::tables::Tabular;
 use crate::{Error, Limits};
 
@@ -32,45 +33,17 @@ pub struct Entry {
 #[derive(Clone, Debug)]
 enum Place {
     File(PathBuf),
-    Packed(directory::Packed),
+    Packed(Packed),
     Table,
-}
-
-/// Where an archive's bytes are, or those of a file of tables.
-#[derive(Clone, Debug)]
-pub(crate) enum Store {
-    File(PathBuf),
-    Memory(Arc<[u8]>),
-}
-
-pub(crate) trait Stored: Read + Seek + Send {}
-impl<T: Read + Seek + Send> Stored for T {}
-
-impl Store {
-    pub fn open(&self) -> Result<Box<dyn Stored>, Error> {
-        Ok(match self {
-            Self::File(path) => Box::new(File::open(path)?),
-            Self::Memory(bytes) => Box::new(Cursor::new(bytes.clone())),
-        })
-    }
-
-    /// Bytes in it.
-    #[cfg(any(feature = "parquet", feature = "hdf5"))]
-    pub fn length(&self) -> Result<u64, Error> {
-        Ok(match self {
-            Self::File(path) => path.metadata()?.len(),
-            Self::Memory(bytes) => bytes.len() as u64,
-        })
-    }
 }
 
 /// Files by name, in the order of their names.
 #[derive(Clone, Debug)]
 pub struct Container {
     entries: Vec<Entry>,
-    archive: Option<Store>,
-    /// The format of tables, of which each is an entry.
-    tabular: Option<&'static Tabular>,
+    archive: Option<Archive>,
+    /// The format of tables, of which each is an entry, and the file.
+    tabular: Option<(&'static Tabular, Store)>,
     limits: Limits,
     /// What was left out, in words.
     pub warnings: Vec<String>,
@@ -113,11 +86,11 @@ impl Container {
                     place: Place::File(path),
                 });
                 if entries.len() > limits.entries {
-                    return Err(too_many(limits));
+                    return Err(limits.too_many_entries());
                 }
             }
         }
-        Ok(Self::new(entries, None, limits, Vec::new()))
+        Ok(Self::new(entries, limits, Vec::new()))
     }
 
     /// The entries of the zip archive at `path`.
@@ -125,7 +98,7 @@ impl Container {
     /// # Errors
     /// A damaged directory with the byte, encryption, or an archive beyond the limits.
     pub fn zip(path: &Path, limits: Limits) -> Result<Self, Error> {
-        Self::of_store(Store::File(path.to_owned()), limits)
+        Self::of_archive(Store::File(path.to_owned()), limits)
     }
 
     /// The entries of a zip archive in memory.
@@ -133,7 +106,7 @@ impl Container {
     /// # Errors
     /// As [`Container::zip`].
     pub fn zip_in_memory(bytes: impl Into<Arc<[u8]>>, limits: Limits) -> Result<Self, Error> {
-        Self::of_store(Store::Memory(bytes.into()), limits)
+        Self::of_archive(Store::Memory(bytes.into()), limits)
     }
 
     /// The tables of the file at `path`, texts of comma-separated cells.
@@ -165,42 +138,31 @@ impl Container {
         };
         let entries = listed.names.into_iter().map(entry).collect();
         Ok(Self {
-            tabular: Some(format),
-            ..Self::new(entries, Some(store), limits, listed.warnings)
+            tabular: Some((format, store)),
+            ..Self::new(entries, limits, listed.warnings)
         })
     }
 
-    pub(crate) fn of_store(archive: Store, limits: Limits) -> Result<Self, Error> {
-        let packed = directory(&mut archive.open()?, limits)?;
-        let mut warnings = Vec::new();
-        let mut entries = Vec::new();
-        for (name, packed) in packed {
-            if is_outside(&name) {
-                warnings.push(format!(
-                    "entry `{}` lies outside of the archive and is left out",
-                    shown(&name)
-                ));
-                continue;
-            }
-            entries.push(Entry {
-                name,
-                size: packed.size,
-                place: Place::Packed(packed),
-            });
-        }
-        Ok(Self::new(entries, Some(archive), limits, warnings))
+    fn of_archive(store: Store, limits: Limits) -> Result<Self, Error> {
+        let archive = Archive::open(store, limits)?;
+        let entry = |(name, packed): &(String, Packed)| Entry {
+            name: name.clone(),
+            size: packed.size,
+            place: Place::Packed(*packed),
+        };
+        let entries = archive.entries.iter().map(entry).collect();
+        let warnings = archive.warnings.clone();
+        Ok(Self {
+            archive: Some(archive),
+            ..Self::new(entries, limits, warnings)
+        })
     }
 
-    fn new(
-        mut entries: Vec<Entry>,
-        archive: Option<Store>,
-        limits: Limits,
-        warnings: Vec<String>,
-    ) -> Self {
+    fn new(mut entries: Vec<Entry>, limits: Limits, warnings: Vec<String>) -> Self {
         entries.sort_by(|a, b| a.name.cmp(&b.name));
         Self {
             entries,
-            archive,
+            archive: None,
             tabular: None,
             limits,
             warnings,
@@ -214,12 +176,12 @@ impl Container {
 
     /// True for an archive.
     pub fn is_archive(&self) -> bool {
-        self.archive.is_some() && self.tabular.is_none()
+        self.archive.is_some()
     }
 
     /// The format of tables that it is.
     pub fn tabular(&self) -> Option<&'static Tabular> {
-        self.tabular
+        self.tabular.as_ref().map(|(format, _)| *format)
     }
 
     /// The content of an entry. Reading fails where it is damaged.
@@ -227,14 +189,10 @@ impl Container {
     /// # Errors
     /// A file that cannot be opened, or a way of packing that is not known.
     pub fn open(&self, entry: &Entry) -> Result<Box<dyn Read + Send>, Error> {
-        match (&entry.place, &self.archive) {
-            (Place::File(path), _) => Ok(Box::new(File::open(path)?)),
-            (Place::Packed(packed), Some(archive)) => {
-                self.limits
-                    .check_unpacked(&entry.name, packed.packed_size, packed.size)?;
-                unpacked(archive.open()?, packed)
-            }
-            (Place::Table, Some(store)) if let Some(format) = self.tabular => {
+        match (&entry.place, &self.archive, &self.tabular) {
+            (Place::File(path), ..) => Ok(Box::new(File::open(path)?)),
+            (Place::Packed(packed), Some(archive), _) => archive.content(&entry.name, packed),
+            (Place::Table, _, Some((format, store))) => {
                 format.text(store, &entry.name, self.limits)
             }
             _ => Err(Error::refused("an entry without its archive")),
@@ -246,8 +204,8 @@ impl Container {
     /// # Errors
     /// As [`Container::open`], damage, and what `out` fails with.
     pub fn write(&self, entry: &Entry, out: &mut dyn Write) -> Result<(), Error> {
-        match (&entry.place, &self.archive, self.tabular) {
-            (Place::Table, Some(store), Some(format)) => {
+        match (&entry.place, &self.tabular) {
+            (Place::Table, Some((format, store))) => {
                 format.write(store, &entry.name, self.limits, out)
             }
             _ => {
@@ -264,19 +222,6 @@ impl Container {
             Place::Packed(_) | Place::Table => None,
         }
     }
-}
-
-/// True for names that lead out of the place where an archive is unpacked.
-fn is_outside(name: &str) -> bool {
-    let is_drive = name.as_bytes().get(1) == Some(&b':');
-    name.starts_with(['/', '\\']) || is_drive || name.split(['/', '\\']).any(|part| part == "..")
-}
-
-fn too_many(limits: Limits) -> Error {
-    Error::refused(format!(
-        "more than {} entries, as no recording has; name the file itself",
-        limits.entries
-    ))
 }
 
 #[cfg(test)]

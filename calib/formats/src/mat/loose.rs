@@ -1,7 +1,7 @@
 //! Variables of a recording whose time is one of them: `t`, `acc` (N × 3) and `gyro`, or `t` and `ax` to `gz`.
 
 use super::element::Raw;
-use super::variables::quantity;
+use super::named_after::quantity;
 use crate::stream::Recorder;
 use crate::{Error, Quantity};
 

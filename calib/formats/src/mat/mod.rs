@@ -3,6 +3,7 @@
 mod body;
 mod element;
 mod loose;
+mod named_after;
 mod object_table;
 mod objects;
 mod value;
@@ -20,7 +21,7 @@ use crate::bytes::Bytes;
 use crate::format::Format;
 use crate::{Content, Error, Limits, Wanted};
 #[cfg(feature = "hdf5")]
-pub(crate) use variables::quantity;
+pub(crate) use named_after::quantity;
 
 /// MAT files with an accelerometer and a gyroscope.
 #[derive(Debug)]
@@ -128,7 +129,7 @@ impl File {
             )));
         }
         if body.at == self.subsystem {
-            let of_sensors = |one: &&Variable<'_>| variables::quantity(&one.name).is_some();
+            let of_sensors = |one: &&Variable<'_>| named_after::quantity(&one.name).is_some();
             let wanted = self.references.iter().filter(of_sensors);
             let wanted: Vec<&Value<'_>> = wanted.map(|one| &one.value).collect();
             let objects = Objects::read(&mut body, &wanted)?;

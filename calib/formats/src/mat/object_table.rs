@@ -1,9 +1,11 @@
 //! The table of a file's objects: which cell holds the value of which property.
 
 use super::element::{Element, MATRIX};
-use super::objects::TIMETABLE;
 use super::value::Value;
 use crate::Error;
+
+/// The property that holds what a timetable consists of.
+pub(super) const TIMETABLE: &str = "any";
 
 /// Bytes of the table before its names.
 const HEADER: usize = 40;

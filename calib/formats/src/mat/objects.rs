@@ -7,14 +7,12 @@
 
 use super::body::Body;
 use super::element::{Element, MATRIX, Raw, U32};
-use super::object_table::Table;
+use super::object_table::{TIMETABLE, Table};
 use super::value::{CELL, OPAQUE, STRUCTURE, Value};
 use crate::Error;
 
 /// Bytes of the stream before its first element.
 const STREAM_HEADER: u64 = 8;
-/// The property that holds what a timetable consists of.
-pub(super) const TIMETABLE: &str = "any";
 
 /// The objects of a file.
 #[derive(Debug)]

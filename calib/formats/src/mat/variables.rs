@@ -2,7 +2,9 @@
 
 use super::element::Raw;
 use super::loose::Loose;
-use super::objects::{Objects, TIMETABLE};
+use super::named_after::quantity;
+use super::object_table::TIMETABLE;
+use super::objects::Objects;
 use super::value::{Value, Variable};
 use crate::shown::shown;
 use crate::stream::Recorder;
@@ -20,21 +22,6 @@ pub(super) struct Variables {
     others: Vec<String>,
     /// Variables that are a sensor's once the time is known, which is one of them.
     loose: Loose,
-}
-
-/// The quantity that a variable is named after.
-pub(crate) fn quantity(name: &str) -> Option<Quantity> {
-    let name = name.to_lowercase();
-    let has = |words: &[&str]| words.iter().any(|word| name.contains(word));
-    if has(&["acc"]) {
-        Some(Quantity::SpecificForce)
-    } else if has(&["angularvel", "angular_vel", "gyr", "omega"]) {
-        Some(Quantity::AngularRate)
-    } else if has(&["mag"]) {
-        Some(Quantity::MagneticField)
-    } else {
-        None
-    }
 }
 
 /// Words in the names of variables that are of neither sensor.

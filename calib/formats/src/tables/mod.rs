@@ -9,17 +9,18 @@ mod hdf5;
 mod json;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod reader;
 mod rows;
 mod stream;
 #[cfg(feature = "xlsx")]
 mod xlsx;
 
 use std::cell::Cell;
-use std::fmt;
 use std::io::{Read, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use crate::container::Store;
+use self::reader::{Listed, Reader};
+use crate::store::Store;
 use crate::{Error, Limits};
 
 /// A format of tables.
@@ -36,30 +37,6 @@ pub struct Tabular {
     /// What to do where it is not read.
     instead: &'static str,
     reader: Option<&'static dyn Reader>,
-}
-
-/// What reads a format of tables.
-pub(crate) trait Reader: fmt::Debug + Sync {
-    /// The tables in the file.
-    fn tables(&self, store: &Store, limits: Limits) -> Result<Listed, Error>;
-
-    /// Writes the table called `name` as comma-separated text, its names first.
-    fn write(
-        &self,
-        store: &Store,
-        name: &str,
-        limits: Limits,
-        out: &mut dyn Write,
-    ) -> Result<(), Error>;
-}
-
-/// The tables of a file.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Listed {
-    /// Their names; empty of the only one.
-    pub names: Vec<String>,
-    /// What was left out, in words.
-    pub warnings: Vec<String>,
 }
 
 macro_rules! reader {

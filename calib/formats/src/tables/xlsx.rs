@@ -6,10 +6,11 @@ use calamine::{
     Cell as Found, DataRef, Reader as _, SheetType, SheetVisible, Xlsx as Workbook, XlsxError,
 };
 
+use super::reader::{Listed, Reader};
 use super::rows::{self, Cell};
-use super::{Listed, Reader};
-use crate::container::{Container, Store, Stored};
+use crate::container::archive::Archive;
 use crate::shown::shown;
+use crate::store::{Store, Stored};
 use crate::{Error, Limits};
 
 /// `.xlsx` workbooks.
@@ -86,28 +87,27 @@ fn open(store: &Store) -> Result<Workbook<Box<dyn Stored>>, Error> {
 
 /// Unpacks what the parser holds in memory, so that no entry is longer than it says.
 fn check(store: &Store, limits: Limits) -> Result<(), Error> {
-    let archive = Container::of_store(store.clone(), limits)?;
-    for entry in archive.entries() {
-        let name = entry.name.to_ascii_lowercase();
-        let is_sheet = name.starts_with("xl/worksheets/sheet");
-        let mut content = archive.open(entry)?;
+    let archive = Archive::open(store.clone(), limits)?;
+    for (name, packed) in &archive.entries {
+        let is_sheet = name.to_ascii_lowercase().starts_with("xl/worksheets/sheet");
+        let mut content = archive.content(name, packed)?;
         if is_sheet {
             continue;
         }
         let mut words = Words::default();
         let unpacked = io::copy(&mut (&mut content).take(HELD), &mut words);
         let unpacked =
-            unpacked.map_err(|error| Error::refused(format!("{}: {error}", shown(&entry.name))))?;
+            unpacked.map_err(|error| Error::refused(format!("{}: {error}", shown(name))))?;
         if unpacked == HELD {
             return Err(Error::refused(format!(
                 "{} unpacks to more than {HELD} bytes; save the sheet as CSV",
-                shown(&entry.name)
+                shown(name)
             )));
         }
         if words.most > unpacked.max(MANY) {
             return Err(Error::refused(format!(
                 "{} announces {} words in {unpacked} bytes: the workbook is damaged",
-                shown(&entry.name),
+                shown(name),
                 words.most
             )));
         }

@@ -8,7 +8,6 @@ pub(crate) mod time_of_day;
 
 use crate::recording::options::ReadOptions;
 use crate::rows::number::{self, Dialects, Fault, LATEST};
-use crate::rows::plain::Stamps;
 
 /// Stamps from here on are epochs: the first is subtracted as an integer, because a double holds
 /// nanoseconds since 1970 only to 256 ns.
@@ -22,6 +21,17 @@ pub(crate) const MODULI: [f64; 5] = [
     4_294.967_296,
     4_294_967.296,
 ];
+
+/// How stamps are read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stamps {
+    /// Not at all: rows are counted.
+    Counted,
+    /// As numbers.
+    Numbers,
+    /// As time since this stamp.
+    Since(i64),
+}
 
 /// Reads the stamps of one file, in the file's unit.
 #[derive(Clone, Debug, Default)]

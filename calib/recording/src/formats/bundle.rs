@@ -3,19 +3,24 @@
 use file_formats::Entry;
 use sensor::Sensor;
 
-use super::{Format, Source, recognise};
+use super::format::{Format, Recognise};
 use crate::Error;
 use crate::header::sniff::sensors_in;
 use crate::recording::assemble::assemble;
-use crate::recording::{ReadOptions, Recording};
+use crate::recording::content::Recording;
+use crate::recording::options::ReadOptions;
 use crate::rows::table::Table;
 use crate::shown::shown;
+use crate::source::Source;
 use crate::source::files::Files;
 use crate::source::place::in_file;
 
 /// One file of a container that is a recording of its own, as of a bag of ROS 2.
 #[derive(Debug)]
-pub(crate) struct Bundle;
+pub(crate) struct Bundle {
+    /// Finds out how the one file is read.
+    pub recognise: Recognise,
+}
 
 /// An entry that is a recording, and which sensors are in it, as far as its beginning tells.
 struct Found<'a> {
@@ -38,7 +43,7 @@ impl Format for Bundle {
     }
 
     fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
-        let files = super::files(source, self)?;
+        let files = crate::formats::format::files(source, self)?;
         let entry = match &options.entry {
             Some(name) => files.entry(name).ok_or_else(|| {
                 let words = format!("no entry `{}`; found {}", shown(name), files.listed());
@@ -53,12 +58,12 @@ impl Format for Bundle {
             }
         };
         let source = files.source(entry, options)?;
-        let format = recognise(&source)
+        let format = (self.recognise)(&source)
             .ok_or_else(|| in_file(&files.called(entry), "of no known format"))?;
         let mut recording = format.read(source, options)?;
         let whole = recording.accelerometer.is_some() && recording.gyroscope.is_some();
         if !whole && options.entry.is_none() && options.columns.0.is_empty() {
-            super::refuse_unused(&files, &[&entry.name])?;
+            crate::formats::beside::refuse_unused(&files, &[&entry.name])?;
         }
         recording.description.format = format.name();
         recording.warnings.extend(files.warnings());
@@ -72,7 +77,7 @@ fn recordings<'a>(files: &'a Files, options: &ReadOptions) -> Vec<Found<'a>> {
         let source = files.source(entry, options).ok()?;
         let (known, sensors) = match &source {
             Source::Text(input) => {
-                let known = super::known_sensors(input.look());
+                let known = crate::formats::known_texts::known_sensors(input.look());
                 let by_names = || sensors_in(&input.name, &input.head, options);
                 (known.is_some(), known.unwrap_or_else(by_names))
             }
@@ -113,11 +118,11 @@ fn read_pair(
     let mut tables: Vec<Table> = Vec::new();
     for (entry, sensor) in pair {
         let input = files.text(entry, options)?;
-        let part = super::part_of(input.look(), sensor);
+        let part = crate::formats::known_texts::part_of(input.look(), sensor);
         let origin = tables.first().and_then(|table| table.clock.origin);
         tables.push(part.read(input, origin, options)?);
     }
-    super::add_magnetometer(files, &mut tables, None, options);
+    crate::formats::beside::add_magnetometer(files, &mut tables, None, options);
     let mut recording = assemble(files.name.clone(), tables, options)?;
     recording.warnings.extend(files.warnings());
     Ok(recording)

@@ -1,10 +1,12 @@
 //! Text with a header: plain CSV and its relatives.
 
-use super::{Format, Source, text};
+use super::format::{Format, text};
 use crate::Error;
+use crate::header::names::sensor_of_file;
 use crate::recording::assemble::assemble;
-use crate::recording::{ReadOptions, Recording, hint};
+use crate::recording::{ReadOptions, Recording};
 use crate::rows::table::Table;
+use crate::source::Source;
 
 /// `t,ax,ay,az,gx,gy,gz[,temp]` by name, in any order, with any separator; one sensor alone will do.
 #[derive(Debug)]
@@ -25,7 +27,7 @@ impl Format for Csv {
 
     fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
         let input = text(source, self)?;
-        let (name, only) = (input.name.clone(), hint(&input.name));
+        let (name, only) = (input.name.clone(), sensor_of_file(&input.name));
         assemble(
             name,
             vec![Table::read(input, only, None, options)?],

@@ -3,12 +3,13 @@
 use file_formats::Entry;
 use sensor::Sensor;
 
-use super::{Format, Source};
 use crate::Error;
+use crate::formats::format::Format;
 use crate::header::look::Look;
 use crate::recording::assemble::assemble;
 use crate::recording::{ReadOptions, Recording, thermometer};
 use crate::rows::table::Table;
+use crate::source::Source;
 use crate::source::files::Files;
 use crate::source::place::in_file;
 
@@ -35,7 +36,7 @@ impl Format for Folder {
     }
 
     fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
-        let files = super::files(source, self)?;
+        let files = crate::formats::format::files(source, self)?;
         let mut tables: Vec<Table> = Vec::new();
         let mut sensors = sensors(&files)?;
         if let [(entry, sensor)] = sensors[..] {
@@ -43,14 +44,14 @@ impl Format for Folder {
                 Sensor::Gyroscope => Sensor::Accelerometer,
                 _ => Sensor::Gyroscope,
             };
-            match super::by_content(&files, &[&entry.name], missing) {
+            match crate::formats::beside::by_content(&files, &[&entry.name], missing) {
                 Some(other) => sensors.push((other, missing)),
-                None => super::refuse_unused(&files, &[&entry.name])?,
+                None => crate::formats::beside::refuse_unused(&files, &[&entry.name])?,
             }
         }
         for (entry, sensor) in sensors {
             let input = files.text(entry, options)?;
-            let part = super::part_of(input.look(), sensor);
+            let part = crate::formats::known_texts::part_of(input.look(), sensor);
             let origin = tables.first().and_then(|table| table.clock.origin);
             tables.push(part.read(input, origin, options)?);
         }
@@ -61,7 +62,7 @@ impl Format for Folder {
             );
             return Err(in_file(&files.name, words));
         }
-        super::add_magnetometer(&files, &mut tables, None, options);
+        crate::formats::beside::add_magnetometer(&files, &mut tables, None, options);
         add_thermometer(&files, &mut tables, options)?;
         let mut recording = assemble(files.name.clone(), tables, options)?;
         recording.warnings.extend(files.warnings());

@@ -1,11 +1,13 @@
 //! Text without a header: rows of numbers, as imu_tk writes them.
 
-use super::{Format, Source, text};
+use super::format::{Format, text};
 use crate::Error;
+use crate::header::names::sensor_of_file;
 use crate::header::sniff::starts_with_numbers;
 use crate::recording::assemble::assemble;
-use crate::recording::{ReadOptions, Recording, hint};
+use crate::recording::{ReadOptions, Recording};
 use crate::rows::table::Table;
+use crate::source::Source;
 
 /// `t x y z` of one sensor, or seven columns that gravity tells apart.
 #[derive(Debug)]
@@ -26,7 +28,7 @@ impl Format for ImuTk {
 
     fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
         let input = text(source, self)?;
-        let (name, only) = (input.name.clone(), hint(&input.name));
+        let (name, only) = (input.name.clone(), sensor_of_file(&input.name));
         assemble(
             name,
             vec![Table::read(input, only, None, options)?],

@@ -6,14 +6,15 @@ use file_formats::{Content, Quantity, Stream, Wanted};
 use nalgebra::Vector3;
 use sensor::Sensor;
 
-use super::{Format, Source};
 use crate::Error;
+use crate::formats::format::Format;
 use crate::recording::assemble::assemble;
 use crate::recording::options::Role;
 use crate::recording::samples::{Pushed, Samples};
 use crate::recording::{Magnetometer, ReadOptions, Recording};
 use crate::rows::table::Table;
 use crate::shown::{shown, shown_list};
+use crate::source::Source;
 use crate::source::files::limits;
 use crate::source::place::in_file;
 use crate::units::{AccelUnit, GyroUnit, TimeUnit};
@@ -45,7 +46,7 @@ impl Format for Measured {
 
     fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
         let Source::Binary(mut binary) = source else {
-            return Err(super::mismatch(
+            return Err(crate::formats::format::mismatch(
                 source.name(),
                 self,
                 "a file of that format",

@@ -2,40 +2,51 @@
 
 use file_formats::Tabular;
 
-use super::{Format, Source, recognise};
+use super::format::{Format, Recognise};
 use crate::Error;
-use crate::recording::{ReadOptions, Recording};
+use crate::recording::content::Recording;
+use crate::recording::options::ReadOptions;
+use crate::source::Source;
 use crate::source::place::in_file;
 
 /// The format of tables that is called so.
 #[derive(Debug)]
-pub(crate) struct Tables(pub &'static str);
+pub(crate) struct Tables {
+    /// The name of the format.
+    pub name: &'static str,
+    /// Finds out how the texts in it are read.
+    pub recognise: Recognise,
+}
 
 /// Formats of texts and folders that say nothing that the format of the file does not.
 const PLAIN: [&str; 4] = ["csv", "imu_tk", "folder", "bundle"];
 
 impl Format for Tables {
     fn name(&self) -> &'static str {
-        self.0
+        self.name
     }
 
     fn about(&self) -> &'static str {
-        Tabular::by_name(self.0).map_or("", |format| format.about)
+        Tabular::by_name(self.name).map_or("", |format| format.about)
     }
 
     fn recognises(&self, source: &Source) -> bool {
-        matches!(source, Source::Tables(format, _) if format.name == self.0)
+        matches!(source, Source::Tables(format, _) if format.name == self.name)
     }
 
     fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
         let source = match source {
-            Source::Tables(format, inner) if format.name == self.0 => *inner,
+            Source::Tables(format, inner) if format.name == self.name => *inner,
             other => {
                 let expected = "a file of that format";
-                return Err(super::mismatch(other.name(), self, expected));
+                return Err(crate::formats::format::mismatch(
+                    other.name(),
+                    self,
+                    expected,
+                ));
             }
         };
-        let format = recognise(&source);
+        let format = (self.recognise)(&source);
         let format = format.ok_or_else(|| in_file(source.name(), "of no known format"))?;
         let mut recording = format.read(source, options)?;
         let described = &mut recording.description.format;
@@ -43,7 +54,7 @@ impl Format for Tables {
             *described = format.name();
         }
         if PLAIN.contains(described) {
-            *described = self.0;
+            *described = self.name;
         }
         Ok(recording)
     }

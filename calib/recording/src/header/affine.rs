@@ -1,8 +1,5 @@
 //! Columns with a scale, an offset or the other sign: `temp=raw*0.00294+36.53`, `ax=-acc_x`.
 
-use crate::recording::options::Role;
-use crate::rows::table::Table;
-
 /// What is made of a cell: `scale cell + offset`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Affine {
@@ -51,33 +48,6 @@ pub(crate) fn take_apart(column: &str) -> Option<(&str, Affine)> {
             offset: 0.0,
         });
     (!plain && !name.trim().is_empty()).then(|| (name.trim(), affine))
-}
-
-/// Makes of the columns what the user asked for.
-pub(crate) fn apply(table: &mut Table, affines: &[(Role, Affine)]) {
-    for (role, Affine { scale, offset }) in affines {
-        let change = |value: &mut f64| *value = scale * *value + offset;
-        match *role {
-            Role::Accel(axis) => table
-                .accel
-                .values
-                .iter_mut()
-                .for_each(|value| change(&mut value[axis])),
-            Role::Gyro(axis) => table
-                .gyro
-                .values
-                .iter_mut()
-                .for_each(|value| change(&mut value[axis])),
-            Role::Field(axis) => table
-                .magnetometer
-                .values
-                .iter_mut()
-                .for_each(|value| change(&mut value[axis])),
-            Role::Temperature => table.temperature.iter_mut().for_each(change),
-            // Stamps have --time-unit.
-            Role::Time => {}
-        }
-    }
 }
 
 #[cfg(test)]

@@ -5,7 +5,6 @@ pub(crate) mod by_unit;
 pub(crate) mod dialect;
 pub(crate) mod look;
 pub(crate) mod names;
-pub(crate) mod parts;
 pub(crate) mod preface;
 pub(crate) mod quotes;
 mod row_shape;
@@ -25,7 +24,6 @@ use crate::header::names::{is_like_time, may_be_linear, role_of, take_apart};
 use crate::header::suggest::{nearest, suggestion};
 use crate::header::triads::Triad;
 use crate::recording::options::{ColumnMap, Role};
-use crate::recording::thermometer;
 use crate::shown::{shown, shown_list};
 
 /// Which column of a table is what.
@@ -131,7 +129,7 @@ impl Layout {
             [Some(x), Some(y), Some(z)] => Some([x, y, z]),
             _ => None,
         };
-        if thermometer::is_only(map) || self.has_sensor() {
+        if map.is_of_a_thermometer() || self.has_sensor() {
             return Ok(());
         }
         Err(format!(

@@ -314,3 +314,13 @@ fn axis_and_stem<'a>(word: &'a str, unit: &str) -> Option<(usize, &'a str)> {
     let stem = &word[1..];
     (stem.len() > 2 && sensor_of(stem).is_some()).then_some((first, stem))
 }
+
+/// The sensor that a file is named after, so that columns called x, y, z mean something.
+pub(crate) fn sensor_of_file(name: &str) -> Option<Sensor> {
+    let stem = name.rsplit(['/', '\\']).next()?.to_lowercase();
+    match (stem.starts_with("acc"), stem.starts_with("gyr")) {
+        (true, false) => Some(Sensor::Accelerometer),
+        (false, true) => Some(Sensor::Gyroscope),
+        _ => None,
+    }
+}

@@ -2,7 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::{FIRST_ROW, Finding, OfSensor};
+use super::finding::Finding;
+use super::of_sensor::{FIRST_ROW, OfSensor};
 
 /// So many equal readings in a row at an extreme are no peak.
 const RUN: usize = 3;

@@ -5,7 +5,8 @@ use std::ops::Range;
 use nalgebra::Vector3;
 use sensor::Sensor;
 
-use super::{Finding, OfSensor, least_beside_zero, least_step};
+use super::finding::Finding;
+use super::of_sensor::{OfSensor, least_beside_zero, least_step};
 use crate::recording::Stream;
 
 /// Share of zeros in static intervals that a working sensor of any noise does not give.

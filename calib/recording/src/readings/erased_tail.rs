@@ -2,7 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::{FIRST_ROW, Finding};
+use super::finding::Finding;
+use super::of_sensor::FIRST_ROW;
 use crate::averages::median;
 use crate::recording::{Recording, Stream};
 

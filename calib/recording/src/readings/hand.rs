@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::Finding;
+use super::finding::Finding;
 use crate::averages::median;
 use crate::recording::{Recording, Stream};
 

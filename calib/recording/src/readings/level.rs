@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::averages::median;
 
-/// Windows whose mean modulus is looked at, at most.
+/// Windows whose mean norm is looked at, at most.
 const WINDOWS: usize = 2000;
 
 /// Shortest window, samples.
@@ -14,7 +14,7 @@ const SHORTEST: usize = 50;
 const SIDE: usize = 5;
 const PART: usize = 20;
 
-/// Moduli of one level lie within this share of their median: a hand does not add more on average.
+/// Norms of one level lie within this share of their median: a hand does not add more on average.
 const WITHIN: f64 = 0.25;
 
 /// Share of the windows that lie there, on the side that has a level, and that leave it on the other.
@@ -24,18 +24,18 @@ const OFF_LEVEL: f64 = 0.9;
 /// Levels that differ by less than this factor may be of one unit.
 const FACTOR: f64 = 1.5;
 
-/// Where the modulus of a sensor's readings changes its level for good.
+/// Where the norm of a sensor's readings changes its level for good.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct LevelChange {
     /// The first sample of the new level.
     pub at: usize,
-    /// Median modulus before it.
+    /// Median norm before it.
     pub before: f64,
-    /// Median modulus from it on.
+    /// Median norm from it on.
     pub after: f64,
 }
 
-/// The change of level of an accelerometer, whose modulus is about that of gravity throughout; `None`
+/// The change of level of an accelerometer, whose norm is about that of gravity throughout; `None`
 /// where there is none or where neither side has a level.
 pub(crate) fn level_change(values: &[Vector3<f64>]) -> Option<LevelChange> {
     let length = (values.len() / WINDOWS).max(SHORTEST);

@@ -1,6 +1,7 @@
 //! Steps of the readings that are wider than the noise.
 
-use super::{Finding, OfSensor, least_step};
+use super::finding::Finding;
+use super::of_sensor::{OfSensor, least_step};
 
 /// Steps wider than so many standard deviations of the readings no longer average out.
 pub const COARSE: f64 = 1.7;

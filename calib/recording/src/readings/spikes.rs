@@ -3,7 +3,8 @@
 use nalgebra::Vector3;
 use sensor::Sensor;
 
-use super::{FIRST_ROW, Finding, least_beside_zero, least_step};
+use super::finding::Finding;
+use super::of_sensor::{FIRST_ROW, least_beside_zero, least_step};
 use crate::averages::median;
 use crate::order_statistic::nth_smallest;
 use crate::recording::{Recording, Stream};

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
-use super::least_step;
+use super::of_sensor::least_step;
 
 /// Shortest run of equal values that is looked at, samples.
 const RUN: usize = 100;

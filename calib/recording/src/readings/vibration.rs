@@ -1,6 +1,7 @@
 //! Static intervals that are far noisier than the others.
 
-use super::{Finding, OfSensor};
+use super::finding::Finding;
+use super::of_sensor::OfSensor;
 
 /// An interval is noisier where its spread is so many times that of the quiet quarter.
 const RATIO: f64 = 1.6;

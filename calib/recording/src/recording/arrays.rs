@@ -4,7 +4,6 @@ use nalgebra::Vector3;
 use sensor::Sensor;
 
 use super::assemble::assemble;
-use super::magnetometer::FieldUnit;
 use super::options::ReadOptions;
 use super::samples::{Pushed, Samples};
 use super::{Recording, Role};
@@ -12,6 +11,7 @@ use crate::Error;
 use crate::rows::table::Table;
 use crate::shown::figure;
 use crate::source::place::{at_column, at_line};
+use crate::units::field::FieldUnit;
 
 /// Largest reading and stamp that are numbers of a sensor.
 const LARGEST: f64 = 1e15;

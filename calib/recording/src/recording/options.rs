@@ -5,15 +5,14 @@ use std::str::FromStr;
 use sensor::Sensor;
 
 use crate::Error;
-use crate::formats::Format;
 use crate::shown::figure;
 use crate::units::{AccelUnit, GyroUnit, TimeUnit};
 
 /// How to read a recording. The default reads every well-formed file and guesses nothing silently.
 #[derive(Clone, Debug)]
 pub struct ReadOptions {
-    /// The format; recognised from the content when `None`.
-    pub format: Option<&'static dyn Format>,
+    /// Name of the format ([`formats::by_name`](crate::formats::by_name)); recognised from the content when `None`.
+    pub format: Option<&'static str>,
     /// Which column is which quantity, over what the header says.
     pub columns: ColumnMap,
     /// Broken rows that are left out with a warning before the file is refused.
@@ -146,6 +145,14 @@ impl Role {
 /// Columns by role, as the user wrote them: `t=timestamp,ax=acc_x` or by number from 1, `t=1,ax=2`.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ColumnMap(pub Vec<(Role, String)>);
+
+impl ColumnMap {
+    /// True if it names the columns of a thermometer and no others.
+    pub(crate) fn is_of_a_thermometer(&self) -> bool {
+        let names = |wanted: Role| self.0.iter().any(|(role, _)| *role == wanted);
+        self.0.len() == 2 && names(Role::Time) && names(Role::Temperature)
+    }
+}
 
 impl FromStr for ColumnMap {
     type Err = String;

@@ -21,12 +21,6 @@ pub(crate) fn columns(look: &Look) -> Option<ColumnMap> {
     columns.collect::<Option<_>>().map(ColumnMap)
 }
 
-/// True if `map` names the columns of a thermometer and no others.
-pub(crate) fn is_only(map: &ColumnMap) -> bool {
-    let names = |wanted: Role| map.0.iter().any(|(role, _)| *role == wanted);
-    map.0.len() == 2 && names(Role::Time) && names(Role::Temperature)
-}
-
 /// Gives the temperature of a table without sensors to the first one with.
 ///
 /// # Errors

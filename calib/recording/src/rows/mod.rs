@@ -3,7 +3,9 @@
 pub(crate) mod number;
 #[cfg(test)]
 pub(crate) mod oracle;
+pub(crate) mod parts;
 pub mod plain;
+mod read;
 pub(crate) mod sort;
 pub(crate) mod table;
 

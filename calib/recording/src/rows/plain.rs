@@ -9,6 +9,7 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::number::{LARGEST, LATEST};
+pub use crate::clock::Stamps;
 use crate::clock::since;
 use crate::header::Layout;
 use crate::header::dialect::{Dialect, Separator};
@@ -27,17 +28,6 @@ pub const GYRO: usize = 4;
 pub const TEMPERATURE: usize = 7;
 /// First place of the magnetometer.
 pub const FIELD: usize = 8;
-
-/// How stamps are read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stamps {
-    /// Not at all: rows are counted.
-    Counted,
-    /// As numbers.
-    Numbers,
-    /// As time since this stamp.
-    Since(i64),
-}
 
 /// What is read from a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,7 +7,7 @@ use encoding_rs_io::DecodeReaderBytesBuilder;
 use super::bounded::Bounded;
 use super::place::in_file;
 use crate::Error;
-use crate::source::take_head;
+use crate::source::head::take_head;
 
 /// A format that is recognised but not read: first bytes, name, what to do.
 type Signature = (&'static [u8], &'static str, &'static str);

@@ -10,7 +10,6 @@ use super::place::in_file;
 use crate::Error;
 use crate::recording::options::ReadOptions;
 use crate::shown::shown;
-use crate::source::{Input, Source};
 
 /// Entries whose beginnings are looked at.
 const LOOKED_AT: usize = 500;
@@ -125,16 +124,6 @@ impl Files {
     pub(crate) fn open(&self, entry: &Entry) -> Result<Box<dyn Read + Send>, Error> {
         let opened = self.container.open(entry);
         opened.map_err(|error| in_file(&self.called(entry), error.to_string()))
-    }
-
-    /// The entry as a recording of its own.
-    pub(crate) fn source(&self, entry: &Entry, options: &ReadOptions) -> Result<Source, Error> {
-        Source::of_entry(self, entry, options)
-    }
-
-    /// The text in an entry.
-    pub(crate) fn text(&self, entry: &Entry, options: &ReadOptions) -> Result<Input, Error> {
-        self.source(entry, options)?.into_text()
     }
 
     /// The names of the entries, for messages.

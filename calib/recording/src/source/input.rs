@@ -6,20 +6,17 @@ use std::sync::{Arc, OnceLock};
 
 use file_formats::Entry;
 
-use super::Source;
 use super::batches::is_too_long;
 use super::decode;
 use super::files::Files;
+use super::head::{HEAD, take_head};
 use super::lines::{end_of_line, lines};
 use super::on_disk::Unchanged;
 use super::place::in_file;
 use crate::Error;
 use crate::header::look::Look;
 use crate::header::preface::is_comment;
-use crate::recording::options::ReadOptions;
 
-/// Bytes of a text that are looked at before it is read, comments at its beginning not counted.
-const HEAD: u64 = 64 << 10;
 /// No comments are longer.
 const LONGEST_PREFACE: usize = 64 << 20;
 
@@ -44,7 +41,7 @@ pub struct Input {
     pub(crate) warnings: Vec<String>,
     /// The file as it was when it was opened.
     pub(crate) unchanged: Option<Unchanged>,
-    origin: Origin,
+    pub(super) origin: Origin,
     /// The first lines of `head`, once a format has asked: every other one asks too.
     look: OnceLock<Look>,
 }
@@ -58,29 +55,6 @@ impl std::fmt::Debug for Input {
 }
 
 impl Input {
-    /// Opens the text at `path`, as [`Source::open`] does.
-    pub(crate) fn open(path: &Path, options: &ReadOptions) -> Result<Self, Error> {
-        Source::open(path, options)?.into_text()
-    }
-
-    /// The same text from its beginning.
-    ///
-    /// # Errors
-    /// Text that went by, as that of standard input.
-    pub(crate) fn again(&self, options: &ReadOptions) -> Result<Self, Error> {
-        match &self.origin {
-            Origin::Path(path) => Self::open(path, options),
-            Origin::Entry(files, entry) => files.text(entry, options),
-            Origin::Memory(bytes) => {
-                Source::of_bytes(&self.name, bytes.clone(), options)?.into_text()
-            }
-            Origin::Stream => Err(in_file(
-                &self.name,
-                "its sensors have clocks of their own, so that it is read twice; save it to a file and name that",
-            )),
-        }
-    }
-
     pub(super) fn new(
         name: String,
         unpacked: decode::Unpacked,
@@ -140,14 +114,6 @@ impl Input {
             ));
         }
     }
-}
-
-/// Up to `HEAD` bytes from the front of `reader`.
-pub(crate) fn take_head(name: &str, reader: &mut dyn Read) -> Result<Vec<u8>, Error> {
-    let mut head = Vec::new();
-    let read = reader.take(HEAD).read_to_end(&mut head);
-    read.map_err(|error| in_file(name, format!("reading stopped: {error}")))?;
-    Ok(head)
 }
 
 /// Reads on while `head` holds nothing but comments and the text goes on.

@@ -1,13 +1,14 @@
 //! Units of the columns: as stated in the header or by the user, or told from the size of gravity.
 
 pub(crate) mod decide;
+pub(crate) mod field;
 pub(crate) mod rests;
 pub(crate) mod turn_unit;
 pub(crate) mod values;
 
 use std::str::FromStr;
 
-use crate::recording::magnetometer::FieldUnit;
+use self::field::FieldUnit;
 
 /// Standard acceleration of free fall, m/s² (exact by definition, 3rd CGPM, 1901).
 pub(crate) const STANDARD_GRAVITY: f64 = 9.80665;

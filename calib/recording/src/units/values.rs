@@ -153,7 +153,7 @@ fn of_another_level(name: &str, samples: &Samples, change: &LevelChange) -> Erro
         name,
         samples.line(change.at),
         format!(
-            "the accelerometer's modulus is {:.3} up to here and {:.3} from here on: {}; split the file here, or record again",
+            "the accelerometer's norm is {:.3} up to here and {:.3} from here on: {}; split the file here, or record again",
             change.before,
             change.after,
             why.map_or(

@@ -29,7 +29,7 @@ pub(crate) struct Placement {
 pub(crate) struct Surroundings<'a> {
     /// Seed of the simulation.
     pub seed: u64,
-    /// Modulus of gravity, m/s².
+    /// Norm of gravity, m/s².
     pub gravity: f64,
     /// Table that vibrates.
     pub vibration: Option<&'a Vibration>,

@@ -4,8 +4,10 @@ mod check;
 pub(crate) mod complaint;
 mod names;
 mod parse;
+mod wanted;
 
 pub use parse::EXAMPLE;
+pub use wanted::{Effects, SIZE};
 
 use std::collections::BTreeMap;
 
@@ -16,17 +18,14 @@ use effects::{
     looks_at_warming,
 };
 use gyroscope::EARTH_RATE;
-use recording::Error;
 use sensor::{AnyEffect, Definition, Sensor};
 use serde::{Deserialize, Serialize};
 
 use crate::device::Grade;
-use crate::effects::{Effects, SIZE};
 use crate::hidden::Hidden;
 use crate::motion::{Cart, HandHeld, Path, Planned, SixPosition, Still, Surroundings, Walking};
 use crate::noise::{Distribution, Noise, Spikes};
 use crate::sampling::{Clock, Readout, Resampled, Sampling, Stamp};
-use crate::simulation::{Session, Simulation};
 use crate::surroundings::{Fault, MagneticField, Temperature, Unsteady, Vibration};
 
 /// A simulation in full. The default is a hand-held session of a consumer-grade device.
@@ -49,7 +48,7 @@ pub struct Spec {
     pub stamp: Stamp,
     /// Whether samples are averages over their window or values at an instant.
     pub sampling: Sampling,
-    /// Modulus of gravity, m/s².
+    /// Norm of gravity, m/s².
     pub gravity: f64,
     /// Latitude, degrees north: switches the earth's rotation on.
     pub latitude: Option<f64>,
@@ -277,14 +276,6 @@ impl Spec {
             sensor.instability = 0.0;
         }
         self
-    }
-
-    /// Plans, draws and runs it.
-    ///
-    /// # Errors
-    /// [`Error::Usage`] where the spec contradicts itself, or is too long for the memory.
-    pub fn run(&self) -> Result<Session, Error> {
-        Simulation::new(self)?.run()
     }
 
     /// Gravity as it is, not as the estimator is told, m/s².

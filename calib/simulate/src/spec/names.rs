@@ -6,7 +6,7 @@ use sensor::{AnyEffect, Param, Role, Sensor, base_names};
 
 use super::Spec;
 use super::complaint::{Complaint, number};
-use crate::effects::SIZE;
+use super::wanted::SIZE;
 
 /// Largest number that makes sense anywhere in a spec.
 const HUGE: f64 = 1e9;

@@ -4,7 +4,7 @@ use calib::Recording;
 use calib::intervals::Span;
 use calib::noise::{RecordingCurves, Stillness, curves_of_long_csv};
 
-use super::Args;
+use super::args::Args;
 use crate::commands::shared::inputs::{read, spinner};
 use crate::exit::{Failure, NOT_ENOUGH};
 use crate::show;

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use batch::{merge, to_csv};
 
-use super::{failure, page, tables};
+use super::failure::failure;
+use super::{page, tables};
 use crate::commands::shared::inputs::as_paths;
 use crate::exit::Failure;
 use crate::output::{Output, Replace};

@@ -1,109 +1,28 @@
 //! `batch`: many devices, in shards that can be killed, resumed and merged.
 
+mod args;
+mod failure;
 mod merge;
 mod options;
 mod page;
 mod prior;
 mod tables;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Duration;
 
+use args::Action;
+pub use args::Args;
 use batch::{
-    Error, Fault, Manifest, PartHeader, Plan, Record, Shard, Status, Store, Timing, part_name,
-    part_text, run, timings_name,
+    Manifest, PartHeader, Plan, Record, Status, Store, Timing, part_name, part_text, run,
+    timings_name,
 };
-use clap::Subcommand;
+use failure::failure;
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::commands::calibrate::limits::LimitArgs;
-use crate::commands::shared::inputs::{ClockArg, DetectorArgs, PlaceArgs};
-use crate::exit::{Failure, GATE, INPUT, OUTPUT, USAGE};
+use crate::exit::{Failure, GATE, OUTPUT, USAGE};
 use crate::output::{Output, Replace};
-use crate::read_args::ReadArgs;
 use crate::show;
-
-/// Calibrates many devices: a folder or a file each, or a line each of a manifest. What is wrong with one device stops no other.
-///
-/// In OUT every device has `devices/ID/cal.json`; each shard writes a part with a line of JSON per device. The same inputs,
-/// options and version give the same bytes, however often a shard is killed and run again.
-#[derive(Debug, clap::Args)]
-#[command(
-    args_conflicts_with_subcommands = true,
-    subcommand_negates_reqs = true,
-    after_help = "\
-A manifest has a line per device (CSV with a header, JSON lines, or TOML with [[device]]); paths are
-relative to it. Its columns are id, inputs, lot, station, time, gravity, latitude, method, effects,
-multiplier, min_static, rate, accel_unit, gyro_unit; only `inputs` is required:
-  id,inputs,lot,gravity,method
-  A7,A7/morning.csv;A7/evening.csv,L12,9.8055,joint
-
-Example:
-  stillpoint batch devices/ -o out --limits limits.toml   every folder and file in devices/
-  stillpoint batch manifest.csv -o out --shard 3/8 --resume
-  stillpoint batch merge out -o all --jsonl --csv --report
-  stillpoint batch prior out -o prior.json                what the type has in common
-
-Exit status 1 where a device failed. The crate's documentation has the commands for many machines
-(HyperQueue, GNU parallel)."
-)]
-pub struct Args {
-    #[command(subcommand)]
-    action: Option<Action>,
-    /// Folders whose sub-folders and files are a device each, or manifest files
-    #[arg(value_name = "MANIFEST|DIR", required = true)]
-    inputs: Vec<PathBuf>,
-    /// Write results into this folder
-    #[arg(short, value_name = "OUT", required = true)]
-    output: Option<PathBuf>,
-    /// Keep devices that are complete and made from the same inputs, options and version
-    #[arg(long)]
-    resume: bool,
-    /// Calibrate the K-th of N parts of the devices only
-    #[arg(long, value_name = "K/N", default_value = "1/1")]
-    shard: Shard,
-    /// Devices at a time [default: one per core]
-    #[arg(long, value_name = "N")]
-    jobs: Option<usize>,
-    /// Longest time for a device, s; then it has failed, and the others go on
-    #[arg(long, value_name = "SECONDS", default_value_t = 600.0)]
-    budget: f64,
-    /// How to calibrate
-    #[arg(long, value_enum, default_value_t = options::BatchMethod::Auto)]
-    method: options::BatchMethod,
-    /// Effects to fit on top of the base models
-    #[arg(long, value_name = "A,B", value_delimiter = ',')]
-    effects: Vec<String>,
-    /// Look for what the model of each device lacks; its cal.json is then that of the final model
-    #[arg(long)]
-    discover: bool,
-    /// What the type has in common, from `batch prior`
-    #[arg(long, value_name = "FILE.json")]
-    prior: Option<PathBuf>,
-    /// By which clock the turns are integrated
-    #[arg(long, value_enum, default_value_t = ClockArg::Auto)]
-    clock: ClockArg,
-    /// Replace an existing part
-    #[arg(long, conflicts_with = "resume")]
-    force: bool,
-    /// Print the records as JSON instead of a table
-    #[arg(long)]
-    json: bool,
-    #[command(flatten)]
-    limits: LimitArgs,
-    #[command(flatten)]
-    place: PlaceArgs,
-    #[command(flatten)]
-    detector: DetectorArgs,
-    #[command(flatten)]
-    read: ReadArgs,
-}
-
-#[derive(Debug, Subcommand)]
-enum Action {
-    Merge(merge::Args),
-    Prior(prior::Args),
-}
 
 /// Runs the command.
 pub fn run_command(args: &Args) -> Result<(), Failure> {
@@ -234,54 +153,4 @@ fn calibrated(plan: &Plan, store: &Store) -> Result<Vec<(Record, Timing)>, Failu
     });
     bar.finish_and_clear();
     found.map_err(failure)
-}
-
-/// A batch's error in words.
-fn failure(error: Error) -> Failure {
-    let code = match &error {
-        Error::Output { .. } => OUTPUT,
-        Error::TooFew { .. } => crate::exit::NOT_ENOUGH,
-        _ => INPUT,
-    };
-    match &error {
-        Error::Parts(faults) => {
-            let lines: Vec<String> = faults.iter().map(fault).collect();
-            let lines = match lines.is_empty() {
-                true => "no part of a batch; name its output folder or its part files".to_owned(),
-                false => lines.join("\n  "),
-            };
-            Failure::new(code, format!("the parts make no whole:\n  {lines}"))
-        }
-        other => Failure::new(code, other.to_string()),
-    }
-}
-
-/// What is wrong with a part, and what to do.
-fn fault(fault: &Fault) -> String {
-    match fault {
-        Fault::Unreadable { path, what } => {
-            format!(
-                "{}: {what}; run its shard again with --resume",
-                show::path(path)
-            )
-        }
-        Fault::Foreign {
-            path,
-            found,
-            expected,
-        } => {
-            format!(
-                "{}: of another run ({found}; {expected} expected)",
-                show::path(path)
-            )
-        }
-        Fault::Missing { shard } => {
-            format!(
-                "part {}/{} is missing; run it with --shard {}/{} --resume",
-                shard.k, shard.n, shard.k, shard.n
-            )
-        }
-        Fault::Lacks { index } => format!("device {} of the manifest is in no part", index + 1),
-        _ => "a part cannot be merged".to_owned(),
-    }
 }

@@ -5,21 +5,9 @@ use calib::calibrate::{Method, Request};
 use calib::calibration::{catalogue, effect_named};
 use calib::discover;
 use calib::prior::Prior;
-use clap::ValueEnum;
 
-use super::Args;
+use super::args::{Args, BatchMethod};
 use crate::exit::{Failure, USAGE};
-
-/// The methods that a batch knows.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum BatchMethod {
-    /// Joint; stepwise where a recording has no accelerometer
-    Auto,
-    /// Accelerometer first, then the gyroscope by propagated gravity
-    Stepwise,
-    /// Both sensors in one problem weighted by the recording's own noise
-    Joint,
-}
 
 /// What every device is calibrated by.
 pub fn of(args: &Args) -> Result<Options, Failure> {

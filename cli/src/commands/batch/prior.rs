@@ -7,7 +7,7 @@ use calib::Calibration;
 use calib::calibration::load;
 use calib::prior::Prior;
 
-use super::failure;
+use super::failure::failure;
 use crate::commands::calibrate::limits::number;
 use crate::commands::shared::inputs::as_paths;
 use crate::exit::{Failure, INPUT};

@@ -3,7 +3,7 @@
 use calib::calibration::Calibration;
 use calib::methods::online_bias::Stretch;
 
-use super::updates;
+use super::updates::updates;
 use crate::pages::provenance;
 use crate::report::{Axis, Picture, Plot, Report, ReportTable, Series};
 use crate::show;

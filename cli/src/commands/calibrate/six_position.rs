@@ -6,7 +6,7 @@ use calib::gravity::Gravity;
 use calib::intervals::Detector;
 use calib::limits::Limits;
 use calib::methods::six_position::{
-    EarthRate, Face, GyroscopePart, SixPosition, Solved, calibrate,
+    EarthRotation, Face, GyroscopePart, SixPosition, Solved, calibrate,
 };
 use calib::{Calibration, Recording};
 use nalgebra::Vector3;
@@ -229,13 +229,15 @@ fn rates(part: &GyroscopePart) -> ([&'static str; 5], Vec<[String; 5]>) {
 
 /// What the gyroscope's part is worth.
 fn verdict(part: &GyroscopePart) -> &'static str {
-    match part.earth_rate() {
-        EarthRate::Seen => "the earth's rate stands out on every axis: S is a scale factor error",
-        EarthRate::Hidden => {
+    match part.earth_rotation() {
+        EarthRotation::Seen => {
+            "the earth's rate stands out on every axis: S is a scale factor error"
+        }
+        EarthRotation::Hidden => {
             "S means nothing here: the bias wanders by more than the earth's rate between placements; \
              only the bias goes into the calibration"
         }
-        EarthRate::Absent => {
+        EarthRotation::Absent => {
             "S means nothing here: beyond ±0.1 the readings do not follow the earth's rate as assumed \
              (near -1 not at all); the published formula leaves out the sine of the latitude; only the \
              bias goes into the calibration"

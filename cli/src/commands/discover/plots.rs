@@ -174,7 +174,7 @@ fn residual_plots(picture: &Picture) -> Vec<Plot> {
         .with(diagonal(&picture.points, factor)),
         &picture.points,
         factor,
-        |p| Some(factor * p.foretold),
+        |p| Some(factor * p.predicted),
     );
     let mut plots = vec![predicted];
     if let Some(covariate) = &picture.covariate {
@@ -203,7 +203,7 @@ fn measured(channel: Channel) -> (&'static str, &'static str, f64) {
 }
 
 fn diagonal(points: &[Point], factor: f64) -> Series {
-    let values = points.iter().map(|p| factor * p.foretold);
+    let values = points.iter().map(|p| factor * p.predicted);
     let (low, high) = values.fold((0.0_f64, 0.0_f64), |(l, h), v| (l.min(v), h.max(v)));
     Series::dashed("as predicted", GREY, vec![(low, low), (high, high)])
 }

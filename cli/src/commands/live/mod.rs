@@ -1,5 +1,6 @@
 //! `live`: a guided session.
 
+mod args;
 mod events;
 mod ordinary;
 mod screen;
@@ -9,6 +10,7 @@ mod words;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+pub use args::Args;
 use calib::calibrate::Request;
 use events::Events;
 use live::{Aim, Batch, Event, Instruction, Opening, Session, Source, View, open};
@@ -16,68 +18,9 @@ use screen::Screen;
 use web::Web;
 
 use super::convert::command_line;
-use crate::commands::shared::inputs::PlaceArgs;
 use crate::exit::{Failure, USAGE};
-use crate::output::{Folder, Replace};
-use crate::read_args::ReadArgs;
+use crate::output::Folder;
 use crate::show;
-
-/// Guides through a recording while it is made, and calibrates it.
-///
-/// Says when the device lies still for long enough, where to turn it next, what is wrong (in the hand, shaken, too fast,
-/// paused) and how well the parameters are known so far. What comes is written as it comes.
-#[derive(Debug, clap::Args)]
-#[command(after_help = "\
-phyphox: open an experiment with Accelerometer and Gyroscope (+, Add simple
-experiment; not Linear acceleration), then ⋮, Allow remote access. The address
-is shown below. Serial ports: a line for each sample, in any layout that
-`calibrate` reads.
-
-Example:
-  stillpoint live http://192.168.0.12:8080 --gravity 9.8055 -o cal.json
-  stillpoint live 192.168.0.12:8080 --web      the same, with a page to look at
-  stillpoint live /dev/ttyUSB0 --baud 115200 -- --method joint
-  logger | stillpoint live - --out session/")]
-pub struct Args {
-    /// Address of phyphox's remote access, serial port, file that grows, or `-` for standard input
-    source: String,
-    /// Show the session as a page on 127.0.0.1
-    #[arg(long)]
-    web: bool,
-    /// Folder for what comes, new or empty [default: live-1, or the next number that is free]
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
-    /// Write the calibration here
-    #[arg(short, value_name = "FILE")]
-    output: Option<PathBuf>,
-    /// Placements to aim at
-    #[arg(long, value_name = "N", default_value_t = 12, value_parser = clap::value_parser!(u16).range(9..=60))]
-    placements: u16,
-    /// How long each placement lies still, s
-    #[arg(long, value_name = "SECONDS", default_value_t = 5.0)]
-    hold: f64,
-    /// Speed of a serial port, bits per second
-    #[arg(long, value_name = "BAUD", default_value_t = 115_200)]
-    baud: u32,
-    /// Time between two requests, s
-    #[arg(long, value_name = "SECONDS", default_value_t = 0.25)]
-    poll: f64,
-    /// Write instructions and events here as they come, a JSON document a line
-    #[arg(long, value_name = "FILE")]
-    events: Option<PathBuf>,
-    /// Print the calibration as JSON instead of tables
-    #[arg(long)]
-    json: bool,
-    #[command(flatten)]
-    replace: Replace,
-    #[command(flatten)]
-    place: PlaceArgs,
-    #[command(flatten)]
-    read: ReadArgs,
-    /// Options of `calibrate` for the recording, after `--`
-    #[arg(last = true, value_name = "CALIBRATE OPTIONS")]
-    calibrate: Vec<String>,
-}
 
 /// A phone that has not answered for so long is given up.
 const PATIENCE: Duration = Duration::from_secs(180);

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use clap::Parser;
 
-use super::Args;
+use super::args::Args;
 use crate::commands::calibrate;
 use crate::exit::{Failure, USAGE};
 use crate::show;

@@ -10,7 +10,7 @@ use plan::{
 };
 use serde_json::Value;
 
-use super::Args;
+use super::args::Args;
 use super::rivals::Rivals;
 use crate::commands::shared::inputs::read as read_recording;
 use crate::exit::{Failure, INPUT};

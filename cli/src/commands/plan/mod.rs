@@ -1,5 +1,6 @@
 //! `plan`: which placements and turns to record, and what each buys.
 
+mod args;
 mod known;
 mod rivals;
 mod sheet;
@@ -7,120 +8,17 @@ mod tables;
 
 use std::path::{Path, PathBuf};
 
+pub use args::Args;
+use args::By;
 use calib::discover::{Aim, Design};
-use clap::ValueEnum;
 use known::Input;
 use nalgebra::Vector3;
-use plan::{
-    Criterion, Efficiency, ForceMatrix, Noise, Pace, Plan, Protocol, REQUIREMENT, Timing, Words,
-    finest,
-};
+use plan::{Criterion, Efficiency, ForceMatrix, Plan, REQUIREMENT, finest};
 use serde_json::{Value, json};
 
-use crate::commands::shared::inputs::DetectorArgs;
-use crate::exit::{Failure, USAGE};
-use crate::output::{Output, Replace};
-use crate::read_args::ReadArgs;
+use crate::exit::Failure;
+use crate::output::Output;
 use crate::show;
-
-/// Placements of a plan from nothing, and most that can be asked for.
-const PLACEMENTS: std::ops::RangeInclusive<usize> = 6..=60;
-
-/// Says which placements and turns to record: in words, in pictures, with the standard errors that they buy.
-///
-/// Without an input it plans a whole session. With a recording or a calibration it plans what to record next. With findings that
-/// list effects which the recording cannot tell apart it plans the recording that does, and says which it cannot.
-#[derive(Debug, clap::Args)]
-#[command(after_help = "\
-Example:
-  stillpoint plan --placements 12 --report plan.html
-  stillpoint plan phone.csv                what is still missing
-  stillpoint plan cal.json --next 4        what four more placements buy
-  stillpoint plan findings.json            what tells tied effects apart")]
-pub struct Args {
-    /// Recording, calibration or findings to go on from
-    #[arg(value_name = "CAL|RECORDING|FINDINGS")]
-    input: Option<PathBuf>,
-    /// Placements of the session
-    #[arg(long, value_name = "N", conflicts_with_all = ["next", "input"])]
-    placements: Option<usize>,
-    /// Placements to add to the input [default: as many as are missing, at least 3]
-    #[arg(long, value_name = "K", requires = "input")]
-    next: Option<usize>,
-    /// Placements by name
-    #[arg(long, value_enum, default_value_t = Named::Optimal, conflicts_with = "input")]
-    protocol: Named,
-    /// What the placements are best for; both efficiencies are printed
-    #[arg(long, value_enum, default_value_t = By::Reading, conflicts_with_all = ["input", "protocol"])]
-    criterion: By,
-    /// Plan for the accelerometer only: no turns
-    #[arg(long)]
-    accelerometer_only: bool,
-    /// Say what to do for the dependence on temperature; with findings: the device may be warmed
-    #[arg(long)]
-    temperature: bool,
-    /// Call the sides by the sensor's axes, not by those of a phone
-    #[arg(long)]
-    axes: bool,
-    /// Each rest, s
-    #[arg(long, value_name = "S", default_value_t = 6.0)]
-    rest: f64,
-    /// Mean speed of the turns, °/s; their peak is about twice that
-    #[arg(long, value_name = "DEG/S", default_value_t = 90.0)]
-    speed: f64,
-    /// Noise of a placement beyond white noise, mm/s²: what your calibrations leave
-    #[arg(long, value_name = "MM/S²", default_value_t = 0.0)]
-    misfit: f64,
-    /// Local gravity, m/s²
-    #[arg(long, value_name = "M/S²", default_value_t = calib::calibrate::STANDARD_GRAVITY)]
-    gravity: f64,
-    /// Write the plan as JSON
-    #[arg(short, value_name = "FILE")]
-    output: Option<PathBuf>,
-    /// Write a page with a picture of every placement (HTML, to print)
-    #[arg(long, value_name = "FILE")]
-    report: Option<PathBuf>,
-    #[command(flatten)]
-    replace: Replace,
-    /// Print the plan as JSON instead of tables
-    #[arg(long)]
-    json: bool,
-    #[command(flatten)]
-    detector: DetectorArgs,
-    #[command(flatten)]
-    read: ReadArgs,
-}
-
-/// Placements by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Named {
-    /// The best for their number
-    Optimal,
-    /// Six faces, twelve edges, eight corners
-    FacesEdgesCorners,
-    /// imu_tk's 36 to 50
-    #[value(name = "imu_tk")]
-    ImuTk,
-}
-
-/// What placements are best for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum By {
-    /// Error of a corrected reading, of what is easy to hold
-    Reading,
-    /// Volume of the confidence ellipsoid (D-optimality), tilts in steps of 5°
-    Volume,
-}
-
-impl Named {
-    fn protocol(self) -> Protocol {
-        match self {
-            Self::Optimal => Protocol::Optimal,
-            Self::FacesEdgesCorners => Protocol::FacesEdgesCorners,
-            Self::ImuTk => Protocol::ImuTk,
-        }
-    }
-}
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
@@ -199,63 +97,6 @@ fn placements(args: &Args, input: Option<&Input>) -> Vec<Vector3<f64>> {
                 By::Volume => finest(count, &ForceMatrix::zeros(), Criterion::Volume),
             }
         }
-    }
-}
-
-impl Args {
-    fn check(&self) -> Result<(), Failure> {
-        let refuse = |what: String| Err(Failure::new(USAGE, what));
-        if let Some(count) = self.placements.filter(|n| !PLACEMENTS.contains(n)) {
-            return refuse(format!(
-                "--placements {count}: {} to {} expected",
-                PLACEMENTS.start(),
-                PLACEMENTS.end()
-            ));
-        }
-        if self.next.is_some_and(|k| k == 0 || k > *PLACEMENTS.end()) {
-            return refuse(format!("--next: 1 to {} expected", PLACEMENTS.end()));
-        }
-        let positive = [
-            ("--rest", self.rest, 1.0..=3600.0),
-            ("--speed", self.speed, 1.0..=2000.0),
-            ("--misfit", self.misfit, 0.0..=1000.0),
-        ];
-        for (name, value, range) in positive {
-            if !range.contains(&value) {
-                return refuse(format!(
-                    "{name} {value}: {} to {} expected",
-                    range.start(),
-                    range.end()
-                ));
-            }
-        }
-        Ok(())
-    }
-
-    fn noise(&self) -> Noise {
-        let rate = Noise::default().rate;
-        Noise {
-            // Turns that tell nothing leave the accelerometer alone.
-            rate: if self.accelerometer_only { 1e3 } else { rate },
-            placement: 1e-3 * self.misfit,
-            gravity: self.gravity,
-            ..Noise::default()
-        }
-    }
-
-    fn timing(&self) -> Timing {
-        Timing {
-            rest: self.rest,
-            pace: Pace {
-                rate: self.speed.to_radians(),
-                ..Pace::default()
-            },
-            ..Timing::default()
-        }
-    }
-
-    fn words(&self) -> Words {
-        if self.axes { Words::Axes } else { Words::Phone }
     }
 }
 

@@ -6,7 +6,7 @@ use plan::Timing;
 use serde::Serialize;
 use serde_json::Value;
 
-use super::Args;
+use super::args::Args;
 use crate::commands::shared::inputs::spinner;
 use crate::exit::{Failure, INPUT};
 

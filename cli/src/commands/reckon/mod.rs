@@ -103,7 +103,7 @@ enum ProcedureArg {
 #[derive(Clone, Debug, clap::Args)]
 #[command(next_help_heading = "The published procedure")]
 struct PublishedArgs {
-    /// Level above which the filtered modulus counts as motion, m/s², for each recording in turn
+    /// Level above which the filtered norm counts as motion, m/s², for each recording in turn
     #[arg(long, value_name = "M/S²", value_delimiter = ',')]
     level: Vec<f64>,
     /// Axis that gravity is taken off, for each recording in turn [default: z]

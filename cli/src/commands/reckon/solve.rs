@@ -110,7 +110,7 @@ pub(super) struct Outcome {
     pub error: Option<[f64; 3]>,
     /// Horizontal distance less the true one, m.
     pub distance_error: Option<f64>,
-    /// Modulus of the specific force in the rest before, m/s².
+    /// Norm of the specific force in the rest before, m/s².
     pub gravity: Option<f64>,
     /// Velocity at the end before any correction, m/s.
     pub end_velocity: Option<[f64; 3]>,

@@ -2,7 +2,7 @@
 
 use super::{Bound, Bounds, Held};
 use crate::graph::elimination::Factored;
-use crate::graph::elimination::normal::Normal;
+use crate::graph::elimination::equations::Normal;
 use crate::graph::elimination::structure::Structure;
 
 /// Rounds without progress after which bounds are exchanged one by one.

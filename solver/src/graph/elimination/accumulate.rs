@@ -2,13 +2,10 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
-use super::normal::{Equations, Normal};
+use super::equations::{Equations, Normal};
 use super::outer::{Panel, Places, add_gradient, add_outer, add_two_rows};
-use super::structure::{NONE, Structure, pair};
+use super::structure::{FIRST, NONE, Structure, pair};
 use crate::graph::reweight::{cost_of, rewrite};
-
-/// Marks the first factor that adds to a slot: it writes what others add to.
-pub(crate) const FIRST: u32 = 1 << 31;
 
 /// Normal equations being added up.
 pub(crate) struct Sum<'a> {

@@ -363,7 +363,7 @@ impl Solution<'_> {
 mod tests {
     use std::sync::Arc;
 
-    use super::super::normal::{Equations, Normal};
+    use super::super::equations::{Equations, Normal};
     use super::super::structure::{Pattern, Structure};
     use crate::graph::elimination::Factored;
     use crate::graph::{Euclidean, Graph};

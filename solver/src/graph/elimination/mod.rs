@@ -3,6 +3,7 @@
 pub(crate) mod accumulate;
 pub(crate) mod block_cholesky;
 pub(crate) mod blocks;
+pub(crate) mod equations;
 pub(crate) mod fill;
 pub(crate) mod neighbours;
 pub(crate) mod normal;

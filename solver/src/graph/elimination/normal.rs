@@ -1,51 +1,15 @@
 //! The normal equations `H = JᵀJ`, `g = Jᵀr` of a graph at a point.
 
 use super::accumulate::Sum;
+use super::equations::{Equations, Failure, Normal};
 use super::structure::Structure;
 use crate::error::Error;
 use crate::graph::evaluate::{Bases, Bench, gather};
 use crate::graph::problem::Graph;
 use crate::graph::reweight::cost_of;
-use crate::graph::stage::Stage;
-use crate::loss::Loss;
 
 /// Factors that a thread evaluates before what it found is added up.
 const PORTION: usize = 2048;
-
-/// `H` by slots, `g` by unknowns, cost and residuals.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Normal {
-    /// Blocks of `H`, see [`Structure`], column after column each.
-    pub h: Vec<f64>,
-    /// `Jᵀ r`, the gradient of the cost.
-    pub gradient: Vec<f64>,
-    /// `½ ‖r‖²` or half the sum of the losses.
-    pub cost: f64,
-    /// `‖r‖²` as the losses weigh it.
-    pub square: f64,
-}
-
-/// Where an evaluation failed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Failure {
-    /// A residual is not finite: factor, row within it, value.
-    Residual(usize, usize, f64),
-    /// A derivative is not finite: factor, row and column within it.
-    Derivative(usize, usize, usize),
-    /// Another number of residuals or derivatives: factor, found, expected.
-    Length(usize, usize, usize),
-}
-
-/// A graph with its pattern.
-pub(crate) struct Equations<'a> {
-    pub graph: &'a Graph<'a>,
-    pub structure: &'a Structure,
-    /// First residual of every factor, and their number.
-    pub row: Vec<u32>,
-    pub threads: usize,
-    /// What the losses are for the time being.
-    pub stage: Stage,
-}
 
 /// Shown a factor's number, its residuals and its Jacobian.
 pub(crate) type See<'a> = &'a mut dyn FnMut(usize, &mut [f64], &mut [f64]);
@@ -61,17 +25,6 @@ struct Found {
 }
 
 impl<'a> Equations<'a> {
-    /// Nothing counted yet; one thread, and the losses that are meant.
-    pub fn of(graph: &'a Graph<'a>, structure: &'a Structure) -> Self {
-        Self {
-            graph,
-            structure,
-            row: Vec::new(),
-            threads: 1,
-            stage: Stage::Meant,
-        }
-    }
-
     /// Forms the normal equations at a start, and counts the residuals on the way.
     ///
     /// # Errors
@@ -119,22 +72,6 @@ impl<'a> Equations<'a> {
             row.push(rows);
         }
         row
-    }
-
-    /// The loss of a factor, for the time being.
-    pub fn loss_of(&self, factor: usize) -> Option<Loss> {
-        Some(self.stage.of(*self.graph.loss_of(factor)?))
-    }
-
-    /// Number of residuals.
-    pub fn rows(&self) -> usize {
-        self.row.last().map_or(0, |&r| r as usize)
-    }
-
-    /// Number of residuals of a factor, once they are counted.
-    pub(crate) fn rows_of(&self, factor: usize) -> Option<usize> {
-        let end = *self.row.get(factor + 1)?;
-        Some((end - self.row[factor]) as usize)
     }
 
     /// The cost at stored values; infinite where it is not finite.

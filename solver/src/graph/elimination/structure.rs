@@ -1,6 +1,5 @@
 //! The pattern of the normal equations: which blocks meet, in which order they are eliminated.
 
-use super::accumulate::FIRST;
 use super::fill::{Filled, filled};
 use super::order::fill_reducing;
 use crate::error::Error;
@@ -8,6 +7,9 @@ use crate::graph::problem::Graph;
 
 /// No position: a held block.
 pub(crate) const NONE: u32 = u32::MAX;
+
+/// Marks the first factor that adds to a slot: it writes what others add to.
+pub(crate) const FIRST: u32 = 1 << 31;
 
 /// Share of the unknowns from which blocks that do not meet are eliminated first.
 const MANY: f64 = 0.6;

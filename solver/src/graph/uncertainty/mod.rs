@@ -10,7 +10,7 @@ use super::bounds::{Bounds, Held};
 use super::problem::{Block, Graph};
 use crate::error::Error;
 use crate::graph::elimination::Factored;
-use crate::graph::elimination::normal::{Equations, Normal};
+use crate::graph::elimination::equations::{Equations, Normal};
 use crate::graph::elimination::structure::{NONE, Structure};
 use crate::graph::uncertainty::null_space::{NullSpace, NullVector};
 

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::error::Error;
 use crate::graph::bounds::Held;
 use crate::graph::elimination::Factored;
-use crate::graph::elimination::normal::Equations;
+use crate::graph::elimination::equations::Equations;
 use crate::graph::elimination::structure::{NONE, Structure};
 use crate::graph::problem::{Block, Graph};
 use crate::linear::vector::{add_to, dot, norm};

@@ -2,7 +2,7 @@
 
 use super::Products;
 use crate::error::Error;
-use crate::graph::elimination::normal::Equations;
+use crate::graph::elimination::equations::Equations;
 use crate::graph::elimination::structure::NONE;
 use crate::graph::problem::Block;
 use crate::graph::reweight::rewrite;

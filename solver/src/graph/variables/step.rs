@@ -1,7 +1,7 @@
 //! Steps of a graph's unknowns, and names for what went wrong.
 
 use crate::error::Error;
-use crate::graph::elimination::normal::{Equations, Failure};
+use crate::graph::elimination::equations::{Equations, Failure};
 use crate::graph::elimination::structure::Structure;
 use crate::minimise::scaling::unit_if_zero;
 

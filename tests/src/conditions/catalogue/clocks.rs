@@ -2,7 +2,7 @@
 
 use calib::simulate::{Between, Clock, Resampled, Sampling, Spec};
 
-use super::{Condition, by_hand, row};
+use super::condition::{Condition, by_hand, row};
 use crate::conditions::Kind;
 
 /// Noise of stamps and of the sampling, s; rounding, s.

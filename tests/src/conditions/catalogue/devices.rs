@@ -3,7 +3,7 @@
 use calib::simulate::Spec;
 use std::collections::BTreeMap;
 
-use super::{Condition, row};
+use super::condition::{Condition, row};
 use crate::conditions::Kind;
 
 /// Random walk of the biases of a consumer-grade device, m/s²/√s and rad/s/√s: over five minutes the

@@ -2,7 +2,7 @@
 
 use calib::simulate::{Fault, Simulation, Spec};
 
-use super::{Condition, row};
+use super::condition::{Condition, row};
 use crate::conditions::Kind;
 
 /// Begin and end of the placements as planned; nothing for a spec that contradicts itself, which the study

@@ -2,7 +2,7 @@
 
 use calib::simulate::{Spec, Unsteady, Vibration};
 
-use super::{Condition, by_hand, row};
+use super::condition::{Condition, by_hand, row};
 use crate::conditions::Kind;
 
 fn unsteady(spec: &mut Spec, change: impl FnOnce(&mut Unsteady)) {

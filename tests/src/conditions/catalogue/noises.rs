@@ -2,7 +2,7 @@
 
 use calib::simulate::{Distribution, SensorSpec, Spec, Spikes};
 
-use super::{Condition, row};
+use super::condition::{Condition, row};
 use crate::conditions::Kind;
 
 /// White noise of single samples at 100 Hz, m/s² and rad/s.

@@ -1,29 +1,21 @@
 //! Recordings to placements, and the turns between them.
 
+use recording::Recording;
 use recording::averages::median;
 use recording::intervals::{Moments, Segmentation};
-use recording::{Recording, Stream};
 use sensor::{Base, Sensor};
 
 use super::inertial::Inertial;
+use super::source::{Collected, Source};
 use super::turns::walk_of;
 use crate::calibrate::noise::long_run;
 use crate::calibration::Calibration;
 use crate::methods::joint::Channel;
-use crate::methods::magnetic::{HeadingChange, Placement, Rest};
+use crate::methods::magnetic::{Placement, Rest};
 use crate::truth::{Models, Truth};
 
 /// A mean is not better known than to this share of it, such as where coarse steps hide the noise.
 const LEAST_NOISE: f64 = 1e-5;
-
-/// What is measured, of all recordings.
-#[derive(Debug, Default)]
-pub struct Collected {
-    pub placements: Vec<Placement>,
-    pub changes: Vec<HeadingChange>,
-    /// Density of the walk of the gyroscope's bias, rad/s/√s.
-    pub walk: f64,
-}
 
 /// Placements and turns of the recordings with a magnetometer, its readings times `unit`.
 pub fn collect<'a>(
@@ -81,22 +73,6 @@ fn own_biases(models: &mut Models, calibration: &Calibration, recording: &str) {
             sensing.parameters[9..12].copy_from_slice(&own.bias);
         }
     }
-}
-
-/// One recording.
-pub(super) struct Source<'a> {
-    number: usize,
-    pub recording: &'a Recording,
-    pub segmentation: &'a Segmentation,
-    field: &'a Stream,
-    unit: f64,
-    pub truth: Truth<'a>,
-    pub models: Models,
-    pub inertial: &'a Inertial,
-    /// How much more the turns scatter than their noise, squared.
-    pub misfit: f64,
-    /// How much more means of the rate scatter than white noise of the same samples would.
-    pub colour: f64,
 }
 
 impl Source<'_> {

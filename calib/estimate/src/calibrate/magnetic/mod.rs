@@ -7,6 +7,7 @@
 mod collect;
 mod inertial;
 mod missing;
+mod source;
 mod turns;
 mod write;
 
@@ -14,7 +15,8 @@ use inertial::Inertial;
 use recording::{Error, FieldUnit, Recording};
 use sensor::{AnyEffect, Sensor};
 
-use super::{Outcome, Request};
+use super::outcome::Outcome;
+use super::request::{Method, Request};
 use crate::methods::magnetic::{MagneticRequest, fit_magnetometer};
 
 /// Strengths of a magnetic field that may be given, µT. The earth's is 22 to 67.
@@ -111,7 +113,7 @@ fn fitted(
             strength_given: request.field.is_some(),
             latitude: request.latitude,
             missing,
-            updates_others: request.method == super::Method::Joint,
+            updates_others: request.method == Method::Joint,
         },
     );
     Ok(())

@@ -5,7 +5,7 @@ use recording::intervals::Turn;
 use sensor::attitude::Attitude;
 use sensor::{Base, Sensor};
 
-use super::collect::{Collected, Source};
+use super::source::{Collected, Source};
 use crate::methods::magnetic::{HeadingChange, Placement};
 
 impl Source<'_> {
@@ -86,9 +86,9 @@ impl Source<'_> {
 /// vertical.
 fn turned(attitude: &Attitude<f64>, before: &Placement, after: &Placement) -> Option<f64> {
     let [from, to] = [before, after].map(Placement::reference);
-    let foretold = attitude.into_body(&before.up);
+    let predicted = attitude.into_body(&before.up);
     let axis = attitude.into_body(&from.column(0).into_owned());
-    let back = nalgebra::Rotation3::rotation_between(&foretold, &after.up)?;
+    let back = nalgebra::Rotation3::rotation_between(&predicted, &after.up)?;
     let axis = back * axis;
     let (x, y) = (to.column(0), to.column(1));
     // The other's x axis as seen from the carried one: counter-clockwise about up.

@@ -301,7 +301,7 @@ impl Fit {
         t * (raw - bias)
     }
 
-    /// Residuals of the modulus and their derivatives.
+    /// Residuals of the norm and their derivatives.
     fn rows<'a>(
         &'a self,
         raw: &'a [Vector3<f64>],

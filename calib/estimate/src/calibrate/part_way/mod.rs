@@ -1,7 +1,7 @@
 //! What changes part of the way through a recording: a bias, a scale factor, a sign, two columns, a clock, a turn.
 //!
 //! ```text
-//! static intervals ──► force (modulus of gravity) ──► directions ──► turns (gravity carried by the gyroscope)
+//! static intervals ──► force (norm of gravity) ──► directions ──► turns (gravity carried by the gyroscope)
 //!                 └──► rate (static means)
 //! ```
 //! Every hypothesis is a base with one thing changed from one static interval on. It is named where what it leaves is

@@ -4,12 +4,12 @@ use recording::Error;
 use solver::Termination;
 
 use super::approach::{Weighted, approach};
-use super::budget::Steps;
+use super::data::budget::Steps;
 use super::disturbance::{Disturbance, Suspect};
 use super::fit::JointFit;
 use super::graph::solve_rows;
 use super::minimum::{Point, Run};
-use super::request::Accused;
+use super::request::Flagged;
 use crate::methods::joint::blocks::basis::Basis;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::disturbance::belief::Weights;
@@ -76,7 +76,7 @@ impl Run<'_> {
                 self.request.gyroscope.clone(),
             ],
             chords: rows.chords(x),
-            moduli: rows.moduli(x),
+            norms: rows.norms(x),
             parameters,
             shared: rows.layout.shared(),
             first_rows: [rows.first_rate_row(), rows.first_turn_row()],
@@ -88,8 +88,8 @@ impl Run<'_> {
             of_place,
             white_residuals,
             white_jacobian,
-            accused: self
-                .in_words(&weights.accused, &x[point.plain..])
+            flagged: self
+                .in_words(&weights.flagged, &x[point.plain..])
                 .chain(broken)
                 .collect(),
             shown: weights.shown,
@@ -111,11 +111,11 @@ impl Run<'_> {
     }
 
     /// The touches that broke rests: nothing of them is in the means, and the turn carries on.
-    fn broken(&self) -> impl Iterator<Item = Accused> + '_ {
+    fn broken(&self) -> impl Iterator<Item = Flagged> + '_ {
         self.data
             .broken
             .iter()
-            .map(|&(recording, interval, span)| Accused {
+            .map(|&(recording, interval, span)| Flagged {
                 kind: Disturbance::DisturbedInterval,
                 recording,
                 interval,
@@ -133,7 +133,7 @@ impl Run<'_> {
         &'b self,
         suspects: &'b [Suspect],
         sizes: &'b [f64],
-    ) -> impl Iterator<Item = Accused> + 'b {
+    ) -> impl Iterator<Item = Flagged> + 'b {
         suspects.iter().scan(sizes, |left, suspect| {
             let (own, others) = left.split_at_checked(suspect.columns.len())?;
             *left = others;
@@ -141,7 +141,7 @@ impl Run<'_> {
         })
     }
 
-    fn one_in_words(&self, suspect: &Suspect, fitted: &[f64]) -> Accused {
+    fn one_in_words(&self, suspect: &Suspect, fitted: &[f64]) -> Flagged {
         let (recording, interval, span) = match suspect.kind {
             Disturbance::BadTurn => {
                 let turn = &self.data.turns[suspect.place];
@@ -175,7 +175,7 @@ impl Run<'_> {
             Disturbance::DisturbedInterval => (norm, seen),
             Disturbance::BadTurn | Disturbance::RateExcursion => (0.0, seen),
         };
-        Accused {
+        Flagged {
             kind: suspect.kind,
             recording,
             interval,

@@ -6,7 +6,7 @@ use solver::Parameters;
 
 use super::data::Data;
 use super::orientation::Shown;
-use super::request::Accused;
+use super::request::Flagged;
 use crate::methods::Ending;
 use crate::methods::RawUnit;
 use crate::methods::joint::blocks::column::Column;
@@ -61,7 +61,7 @@ pub struct JointFit {
     /// What the fit took: linearisations, times the samples of the turns.
     pub work: usize,
     /// What was found disturbed.
-    pub accused: Vec<Accused>,
+    pub flagged: Vec<Flagged>,
     /// What depends on the orientation at the static intervals and should not.
     pub shown: Vec<(Sensor, Shown)>,
     /// Whether the accelerometer has a bias of its own in every recording.
@@ -79,7 +79,7 @@ pub struct JointFit {
     /// Turns' misses, rad.
     pub chords: Vec<f64>,
     /// `|f| − g` of every rest, m/s².
-    pub moduli: Vec<f64>,
+    pub norms: Vec<f64>,
 }
 
 impl JointFit {

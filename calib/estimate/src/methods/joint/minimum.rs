@@ -115,10 +115,10 @@ impl Run<'_> {
     pub fn bend(&self, point: &Point, next: &Point, whitening: &Whitening) -> f64 {
         let (a, b) = (point.undisturbed(), next.undisturbed());
         let step = next.plain_values().iter().zip(point.plain_values());
-        let foretold = a
+        let predicted = a
             .jacobian
             .times(&step.map(|(b, a)| b - a).collect::<Vec<_>>());
-        let moved = b.residuals.iter().zip(&a.residuals).zip(foretold);
+        let moved = b.residuals.iter().zip(&a.residuals).zip(predicted);
         let bend: Vec<f64> = moved.map(|((b, a), by)| b - a - by).collect();
         let white = whitening.white.whiten(&bend);
         white.iter().map(|v| v * v).sum::<f64>().sqrt()

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! Parameters: both models, a bias per recording, and as nuisance the direction (2) of every static
-//! interval. Rows: mean readings of chunks of rests against what the model foretells there, and the
+//! interval. Rows: mean readings of chunks of rests against what the model predicts there, and the
 //! direction before each turn carried through it against the one after. Weights come from the
 //! recordings' own noise: white noise within the rests, carried through the turns, and random
 //! walk of the biases between all rows, its density by restricted likelihood. Because the directions
@@ -19,7 +19,6 @@
 
 mod approach;
 mod blocks;
-mod budget;
 mod clock;
 mod data;
 mod disturbance;
@@ -40,10 +39,10 @@ pub use blocks::column::Column;
 pub use blocks::columns::{Columns, Part};
 pub use blocks::covariance::Covariance;
 pub use blocks::groups::RowGroups;
-pub use budget::{MOST_IN_A_SEARCH, MOST_STATIC_INTERVALS, within_budget};
 pub use clock::sampling::Share;
 pub use clock::undersampled::Undersampled;
 pub use clock::{ClockMode, ClockState, DecidedClock, SourceClock, TurnClock};
+pub use data::budget::{MOST_IN_A_SEARCH, MOST_STATIC_INTERVALS, within_budget};
 pub use data::{Chunk, Data, LostTurn, Mean, Rest, Source, TurnSamples};
 pub use disturbance::{Disturbance, Suspect, excursions, suspects};
 pub use fit::JointFit;
@@ -55,7 +54,7 @@ pub use noise::weights::covariance_at;
 pub use noise::weights::{Component, ComponentKind, NoiseLevel, White, Whitening};
 pub use orientation::interval::Oriented;
 pub use orientation::{Pattern, Shown, StaticNumbers};
-pub use request::{Accused, JointRequest, Known};
+pub use request::{Flagged, JointRequest, Known};
 pub use result::Channel;
 pub use result::influence::Influence;
 pub use result::marginal::{columns, orthonormal, without};

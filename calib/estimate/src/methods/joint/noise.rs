@@ -7,6 +7,7 @@ pub(crate) mod likelihood;
 pub(crate) mod overstated;
 pub(crate) mod rounding;
 pub(crate) mod rows;
+pub(crate) mod scatter;
 pub(crate) mod walk_filter;
 pub(crate) mod walks;
 pub(crate) mod weights;
@@ -18,7 +19,8 @@ use recording::averages::{median, quantile};
 use recording::readings::DeadZone;
 use recording::{INSTANT, Stream};
 
-use super::data::Mean;
+use self::scatter::scatter;
+use super::data::mean::Mean;
 
 /// Longest batches whose means show noise that does not average out, s, and how many a stretch should have.
 const BATCH: f64 = 1.0;
@@ -387,13 +389,6 @@ fn freedom(parts: &[&[f64]], window: usize) -> f64 {
     } else {
         1.0
     }
-}
-
-/// Sum of squares about the mean, and its degrees of freedom.
-pub(crate) fn scatter(values: &[f64]) -> (f64, f64) {
-    let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
-    let sum = values.iter().map(|v| (v - mean).powi(2)).sum();
-    (sum, values.len().saturating_sub(1).max(1) as f64)
 }
 
 fn pool<'a>(parts: impl Iterator<Item = (&'a (f64, f64), &'a f64)>, most: f64) -> f64 {

@@ -80,7 +80,7 @@ pub struct Known {
 
 /// Something that was found disturbed and has parameters of its own since.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Accused {
+pub struct Flagged {
     /// What happened.
     pub kind: Disturbance,
     /// Place of the recording.

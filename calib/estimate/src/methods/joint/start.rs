@@ -6,8 +6,8 @@ use recording::{Error, Recording};
 use sensor::{BASE_PARAMETERS, Base, Model};
 
 use super::JointRequest;
-use super::budget::Steps;
 use super::data::Data;
+use super::data::budget::Steps;
 use crate::methods::joint::rows::chart::Chart;
 use crate::methods::{
     AccelerometerRequest, RawUnit, accelerometer_unit, fit_accelerometer, gyroscope_guess,

@@ -19,6 +19,7 @@
 mod disturbed;
 mod factors;
 mod fit;
+mod fitted;
 mod linear;
 mod placement;
 mod problem;
@@ -26,5 +27,6 @@ mod result;
 mod start;
 mod unevenness;
 
-pub use fit::{Field, Fitted, MagneticFit, MagneticRequest, OwnBias, fit_magnetometer};
+pub use fit::{MagneticRequest, fit_magnetometer};
+pub use fitted::{Field, Fitted, MagneticFit, OwnBias};
 pub use placement::{HeadingChange, Placement, Rest};

@@ -9,7 +9,7 @@ use solver::{Block, Products};
 
 use super::disturbed::readings_left;
 use super::factors::FIELD;
-use super::fit::{Field, Fitted, MagneticFit, OwnBias};
+use super::fitted::{Field, Fitted, MagneticFit, OwnBias};
 use super::placement::Placement;
 use super::problem::{Minimum, Problem};
 use super::start::Start;

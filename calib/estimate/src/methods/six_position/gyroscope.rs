@@ -14,7 +14,7 @@ const BELIEVABLE_SCALE_ERROR: f64 = 0.1;
 
 /// What the readings at rest show of the earth's rate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum EarthRate {
+pub enum EarthRotation {
     /// The bias wanders by more than it between placements.
     Hidden,
     /// It would stand out, but is not there as assumed on some axis: about `S = −1` where readings do
@@ -73,7 +73,7 @@ impl GyroscopePart {
 
     /// Whether the earth's rate stands out from the wandering of the bias (three standard errors of
     /// every scale factor below one), and whether it is there (every `|S|` below 0.1).
-    pub fn earth_rate(&self) -> EarthRate {
+    pub fn earth_rotation(&self) -> EarthRotation {
         // Comparisons are written so that NaN counts as hidden.
         let stands_out = self.scale_error_std.iter().all(|std| 3.0 * std < 1.0);
         let believable = self
@@ -81,9 +81,9 @@ impl GyroscopePart {
             .iter()
             .all(|s| s.abs() < BELIEVABLE_SCALE_ERROR);
         match (stands_out, believable) {
-            (false, _) => EarthRate::Hidden,
-            (true, false) => EarthRate::Absent,
-            (true, true) => EarthRate::Seen,
+            (false, _) => EarthRotation::Hidden,
+            (true, false) => EarthRotation::Absent,
+            (true, true) => EarthRotation::Seen,
         }
     }
 
@@ -130,10 +130,10 @@ mod tests {
         let part = GyroscopePart::solve(&means);
         assert!((part.bias - Vector3::new(1e-3, 0.0, -2e-3)).norm() < 1e-15);
         assert!(part.scale_error.norm() < 1e-9);
-        assert_eq!(part.earth_rate(), EarthRate::Seen);
+        assert_eq!(part.earth_rotation(), EarthRotation::Seen);
         means[(0, 2)] += 2e-4;
         let part = GyroscopePart::solve(&means);
-        assert_eq!(part.earth_rate(), EarthRate::Hidden);
+        assert_eq!(part.earth_rotation(), EarthRotation::Hidden);
     }
 
     /// However small the standard errors: without the earth's rate `S = −1`, with its opposite −2, and
@@ -148,7 +148,7 @@ mod tests {
             let part = GyroscopePart::solve(&showing(share));
             assert!((part.scale_error - Vector3::repeat(s)).norm() < 1e-9);
             assert!(part.scale_error_std.norm() < 1e-9);
-            assert_eq!(part.earth_rate(), EarthRate::Absent, "{share}");
+            assert_eq!(part.earth_rotation(), EarthRotation::Absent, "{share}");
         }
     }
 }

@@ -7,7 +7,7 @@
 mod gyroscope;
 mod placement;
 
-pub use gyroscope::{EarthRate, GyroscopePart};
+pub use gyroscope::{EarthRotation, GyroscopePart};
 pub use placement::{Face, Placement, Six, placements};
 
 use std::borrow::Borrow;

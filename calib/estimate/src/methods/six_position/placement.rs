@@ -81,7 +81,7 @@ pub struct Six {
 
 impl Six {
     /// Sorts placements, in any order, by the face that is up. Rests between faces are passed over;
-    /// of two on the same face the one with the modulus nearest to `gravity` counts, and a warning
+    /// of two on the same face the one with the norm nearest to `gravity` counts, and a warning
     /// names the other.
     ///
     /// # Errors

@@ -6,7 +6,7 @@ use hdf5_reader::error::{ByteOrder, Error as Hdf5Error};
 use hdf5_reader::{Datatype, H5Type, dtype_element_size};
 
 use super::super::rows::Cell;
-use super::WIDEST;
+use super::bounds::WIDEST;
 
 /// What an element of a dataset holds: a number, or those of a record.
 #[derive(Clone, Debug)]

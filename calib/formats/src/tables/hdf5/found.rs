@@ -8,7 +8,7 @@ use hdf5_reader::dataset::Dataset;
 use hdf5_reader::group::Group;
 
 use super::super::rows;
-use super::damaged;
+use super::bounds::damaged;
 use super::set::{Set, attribute};
 use crate::shown::shown;
 use crate::{Error, Limits};

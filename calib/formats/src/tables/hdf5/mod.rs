@@ -1,6 +1,7 @@
 //! HDF5, which MATLAB 7.3 files are too: vectors of one length in a group are the columns of a table, a matrix of three
 //! columns is a triad of them, records and other matrices are tables of their own.
 
+mod bounds;
 mod element;
 mod found;
 mod set;
@@ -14,19 +15,16 @@ use hdf5_reader::filters::scaleoffset::decompress_with_limit;
 use hdf5_reader::storage::FileStorage;
 use hdf5_reader::{FilterRegistry, Hdf5File, OpenOptions};
 
+use self::bounds::{FEWEST, damaged};
 use self::found::Found;
-use super::{Listed, Reader};
-use crate::container::Store;
+use super::reader::{Listed, Reader};
+use crate::store::Store;
 use crate::{Error, Limits};
 
 /// HDF5 files. Links to other files are not followed.
 #[derive(Debug)]
 pub(super) struct Hdf5;
 
-/// Fewer rows are settings, no readings.
-const FEWEST: u64 = 10;
-/// More columns are a picture.
-const WIDEST: u64 = 64;
 /// Bytes of chunks that are kept unpacked.
 const CACHE: usize = 64 << 20;
 /// Bytes that a read may always take.
@@ -63,10 +61,6 @@ impl Reader for Hdf5 {
         let table = table.ok_or_else(|| Error::refused("the file has changed"))?;
         table.write(out)
     }
-}
-
-fn damaged(error: Hdf5Error) -> Error {
-    Error::refused(format!("the HDF5 file cannot be read: {error}"))
 }
 
 /// The filters of the parser, which makes room for fill values of the scale-offset filter as large as the file says.

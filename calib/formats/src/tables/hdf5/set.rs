@@ -5,8 +5,8 @@ use hdf5_reader::dataset::{Dataset, SliceInfo, SliceInfoElem};
 use hdf5_reader::group::Group;
 
 use super::super::rows::{self, Cell};
+use super::bounds::{FEWEST, WIDEST};
 use super::element::{Element, numbers_in, width_of};
-use super::{FEWEST, WIDEST};
 use crate::Error;
 use crate::shown::shown;
 

@@ -5,8 +5,8 @@ use serde_json::{Deserializer, Map, Value};
 use super::flat::{Row, flatten};
 use super::records::{Budgeted, damaged, first_byte};
 use crate::Error;
-use crate::container::Store;
 use crate::shown::shown;
+use crate::store::Store;
 use crate::tables::rows::{Cell, with_unit};
 
 /// Fewer are settings, no readings.

@@ -9,10 +9,10 @@ use std::io::Write;
 use self::document::Document;
 use self::flat::{Columns, Row};
 use self::records::Records;
+use super::reader::{Listed, Reader};
 use super::rows;
-use super::{Listed, Reader};
-use crate::container::Store;
 use crate::shown::shown;
+use crate::store::Store;
 use crate::{Error, Limits};
 
 /// JSON of records or columns.

@@ -9,7 +9,7 @@ use serde::de::{Deserializer as _, SeqAccess, Visitor};
 use serde_json::{Deserializer, Value};
 
 use super::flat::{Row, flatten};
-use crate::container::{Store, Stored};
+use crate::store::{Store, Stored};
 use crate::tables::rows;
 use crate::{Error, Limits};
 

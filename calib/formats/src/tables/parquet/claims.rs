@@ -6,8 +6,8 @@ use parquet::file::metadata::ColumnChunkMetaData;
 
 use super::layout::{ELEMENT, FILE, PAGE};
 use super::thrift::{Field, I32, LIST, STRUCTURE, Shape, Thrift};
-use crate::container::{Store, Stored};
 use crate::shown::shown;
+use crate::store::{Store, Stored};
 use crate::{Error, Limits};
 
 /// Groups within groups of columns.

@@ -18,10 +18,10 @@ use parquet::file::reader::{ChunkReader, FileReader, Length, SerializedFileReade
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{ColumnDescriptor, Type as SchemaType};
 
+use super::reader::{Listed, Reader};
 use super::rows::{self, Cell};
-use super::{Listed, Reader};
-use crate::container::{Store, Stored};
 use crate::shown::shown;
+use crate::store::{Store, Stored};
 use crate::{Error, Limits};
 
 /// Parquet files of plain columns.

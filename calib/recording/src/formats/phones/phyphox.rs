@@ -3,13 +3,15 @@
 use sensor::Sensor;
 
 use crate::Error;
-use crate::formats::{Format, Source};
+use crate::formats::format::Format;
 use crate::header::look::Look;
 use crate::header::names::take_apart;
-use crate::header::parts::Part;
 use crate::recording::assemble::assemble;
-use crate::recording::{ReadOptions, Recording};
+use crate::recording::content::Recording;
+use crate::recording::options::ReadOptions;
+use crate::rows::parts::Part;
 use crate::rows::table::Table;
+use crate::source::Source;
 use crate::source::files::Files;
 use crate::source::place::in_file;
 use crate::units::{GyroUnit, is_of_sensor};
@@ -52,7 +54,7 @@ impl Format for Phyphox {
     }
 
     fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
-        let files = crate::formats::files(source, self)?;
+        let files = crate::formats::format::files(source, self)?;
         let found = tables(&files);
         let of = |wanted: Holds| found.iter().filter(move |table| table.holds == wanted);
         let accel: Vec<_> = of(Holds::Sensor(Sensor::Accelerometer)).collect();
@@ -72,7 +74,7 @@ impl Format for Phyphox {
         }
         if accel.is_empty() || gyro.is_empty() {
             let used: Vec<&str> = found.iter().map(|table| table.name.as_str()).collect();
-            crate::formats::refuse_unused(&files, &used)?;
+            crate::formats::beside::refuse_unused(&files, &used)?;
         }
         let mut read: Vec<Table> = Vec::new();
         for Found {
@@ -99,7 +101,7 @@ impl Format for Phyphox {
             );
             return Err(in_file(&files.name, words));
         }
-        crate::formats::add_magnetometer(&files, &mut read, None, options);
+        crate::formats::beside::add_magnetometer(&files, &mut read, None, options);
         let warnings = count_pauses(&files, &mut read);
         let mut recording = assemble(files.name.clone(), read, options)?;
         recording.warnings.extend(files.warnings().chain(warnings));

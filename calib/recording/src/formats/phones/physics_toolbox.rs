@@ -2,9 +2,9 @@
 
 use crate::formats::texts::TextFormat;
 use crate::header::look::{Look, numbered};
-use crate::header::parts::Part;
-use crate::recording::FieldUnit;
 use crate::recording::options::Role;
+use crate::rows::parts::Part;
+use crate::units::field::FieldUnit;
 use crate::units::{AccelUnit, GyroUnit};
 
 /// A table of the app Physics Toolbox.
@@ -37,7 +37,7 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
         accel_unit: Some(AccelUnit::G),
         gyro_unit: Some(GyroUnit::RadiansPerSecond),
         field_unit: Some(FieldUnit::Microtesla),
-        change: Some(crate::formats::clock_text::change),
+        change: Some(crate::formats::texts::clock_text::change),
         ..Part::default()
     }])
 }

@@ -4,15 +4,17 @@ use nalgebra::Vector3;
 use sensor::Sensor;
 
 use crate::Error;
-use crate::formats::{Format, Source};
+use crate::formats::format::Format;
 use crate::header::look::{Look, cells};
-use crate::header::parts::Part;
 use crate::recording::assemble::assemble;
 use crate::recording::samples::Samples;
-use crate::recording::{FieldUnit, ReadOptions, Recording};
+use crate::recording::{ReadOptions, Recording};
+use crate::rows::parts::Part;
 use crate::rows::table::Table;
+use crate::source::Source;
 use crate::source::files::Files;
 use crate::source::place::in_file;
+use crate::units::field::FieldUnit;
 
 /// An export of the app Sensor Logger as a folder or a zip archive.
 #[derive(Debug)]
@@ -46,7 +48,7 @@ impl Format for SensorLogger {
     }
 
     fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
-        let files = crate::formats::files(source, self)?;
+        let files = crate::formats::format::files(source, self)?;
         let settings = Settings::of(&files);
         let reader = Reader {
             files: &files,
@@ -84,10 +86,10 @@ impl Format for SensorLogger {
                         .any(|stem| name.ends_with(&format!("{stem}.csv")))
                 })
                 .collect();
-            crate::formats::refuse_unused(&files, &used)?;
+            crate::formats::beside::refuse_unused(&files, &used)?;
         }
         let microtesla = Some(FieldUnit::Microtesla);
-        crate::formats::add_magnetometer(&files, &mut tables, microtesla, options);
+        crate::formats::beside::add_magnetometer(&files, &mut tables, microtesla, options);
         let mut recording = assemble(files.name.clone(), tables, options)?;
         recording.warnings.extend(files.warnings());
         recording.warnings.push(format!(

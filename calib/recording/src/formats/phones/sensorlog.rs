@@ -5,8 +5,8 @@ use sensor::Sensor;
 use crate::formats::texts::TextFormat;
 use crate::header::look::{Look, numbered};
 use crate::header::names::take_apart;
-use crate::header::parts::Part;
-use crate::recording::FieldUnit;
+use crate::rows::parts::Part;
+use crate::units::field::FieldUnit;
 use crate::units::{AccelUnit, GyroUnit};
 
 /// A table of the app SensorLog.

@@ -2,8 +2,8 @@
 
 use crate::formats::texts::TextFormat;
 use crate::header::look::{Look, numbered};
-use crate::header::parts::Part;
 use crate::recording::options::Role;
+use crate::rows::parts::Part;
 use crate::units::{AccelUnit, GyroUnit, TimeUnit};
 
 /// The table that `kalibr_bagcreater` takes.

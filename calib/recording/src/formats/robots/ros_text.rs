@@ -4,8 +4,8 @@ use std::io::Read;
 
 use crate::formats::texts::TextFormat;
 use crate::header::look::{Look, numbered};
-use crate::header::parts::Part;
 use crate::recording::options::Role;
+use crate::rows::parts::Part;
 use crate::source::rewrite::rewritten;
 use crate::units::{AccelUnit, GyroUnit, TimeUnit};
 
@@ -31,7 +31,7 @@ const ACCELERATION: usize = 28;
 
 fn imu(
     columns: Vec<(Role, String)>,
-    change: Option<crate::header::parts::Change>,
+    change: Option<crate::rows::parts::Change>,
     unit: TimeUnit,
 ) -> Part {
     Part {

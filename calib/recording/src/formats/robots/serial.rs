@@ -3,12 +3,12 @@
 use std::io::Read;
 
 use crate::clock::time_of_day::TimeOfDay;
-use crate::formats::clock_text::split;
 use crate::formats::texts::TextFormat;
+use crate::formats::texts::clock_text::split;
 use crate::header::look::{Look, cells};
 use crate::header::names::role_of;
-use crate::header::parts::Part;
 use crate::recording::options::Role;
+use crate::rows::parts::Part;
 use crate::source::rewrite::rewritten;
 use crate::units::{AccelUnit, GyroUnit, TimeUnit};
 

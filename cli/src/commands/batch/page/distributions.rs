@@ -5,7 +5,7 @@ use batch::statistics::{median, spread};
 use calib::calibration::effect_named;
 use calib::limits::Limit;
 
-use super::values;
+use super::values::values;
 use crate::commands::calibrate::limits::number;
 use crate::exit::Failure;
 use crate::report::{Axis, Plot, Report, ReportTable, Series};

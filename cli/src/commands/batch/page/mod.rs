@@ -6,15 +6,13 @@ mod drifts;
 mod outliers;
 mod reasons;
 mod shared;
+mod values;
 
 use batch::Record;
 
 use super::tables::summary;
 use crate::exit::Failure;
 use crate::report::{Level, Report};
-
-/// Rows of a table of devices.
-const ROWS: usize = 30;
 
 /// The page.
 pub fn page(records: &[Record]) -> Result<Report, Failure> {
@@ -55,11 +53,4 @@ fn names(records: &[Record]) -> Vec<String> {
     }
     names.retain(|(_, count)| 2 * count > calibrated);
     names.into_iter().map(|(name, _)| name).collect()
-}
-
-fn values(records: &[Record], name: &str) -> Vec<f64> {
-    records
-        .iter()
-        .filter_map(|r| Some(r.parameter(name)?.0))
-        .collect()
 }

@@ -4,7 +4,7 @@ use batch::Record;
 use batch::statistics::outliers;
 use nalgebra::DVector;
 
-use super::ROWS;
+use super::values::ROWS;
 use crate::report::{Report, ReportTable};
 use crate::show;
 

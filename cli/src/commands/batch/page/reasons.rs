@@ -3,7 +3,7 @@
 use batch::Record;
 use batch::statistics::pareto;
 
-use super::ROWS;
+use super::values::ROWS;
 use crate::commands::batch::tables::short;
 use crate::exit::Failure;
 use crate::report::{Axis, Plot, Report, ReportTable, Series};

@@ -3,7 +3,7 @@
 use batch::statistics::{median, shared_effects, spread};
 use batch::{Record, Status};
 
-use super::{ROWS, values};
+use super::values::{ROWS, values};
 use crate::commands::batch::tables::short;
 use crate::commands::calibrate::limits::number;
 use crate::report::{Report, ReportTable};

@@ -13,7 +13,7 @@ pub(crate) struct Weights {
     /// Sizes of the components.
     pub levels: Vec<NoiseLevel>,
     /// The disturbances.
-    pub accused: Vec<Suspect>,
+    pub flagged: Vec<Suspect>,
     /// Kinds of noise beside the white one, as covariances of the rows.
     pub components: Vec<Component>,
     /// Whether the walk of the accelerometer's bias begins anew in every rest.
@@ -33,6 +33,6 @@ impl Weights {
     /// The columns of the disturbances.
     pub fn columns(&self) -> Vec<Column> {
         let of = |s: &Suspect| s.columns.clone();
-        self.accused.iter().flat_map(of).collect()
+        self.flagged.iter().flat_map(of).collect()
     }
 }

@@ -1,4 +1,4 @@
-//! How the rows are believed: levels of noise, and the disturbances that they accuse.
+//! How the rows are believed: levels of noise, and the disturbances that they flag.
 
 use sensor::Sensor;
 
@@ -48,7 +48,7 @@ impl Run<'_> {
             components,
             walk_ends_with_rests: false,
             levels,
-            accused: Vec::new(),
+            flagged: Vec::new(),
             shown: Vec::new(),
         }
     }
@@ -71,7 +71,7 @@ impl Run<'_> {
             analysis.carry(ComponentKind::CommonRounding, &columns);
         }
         let mut shown = Vec::new();
-        let (levels, accused) = if self.request.disturbances {
+        let (levels, flagged) = if self.request.disturbances {
             let at = At {
                 rows: &rows,
                 x,
@@ -79,7 +79,7 @@ impl Run<'_> {
                 free: &free,
                 earth,
             };
-            self.accuse(&at, &mut analysis, &mut shown)
+            self.flag(&at, &mut analysis, &mut shown)
         } else {
             let known = self.known(&rows, x);
             let all: Vec<&Suspect> = known.iter().collect();
@@ -93,7 +93,7 @@ impl Run<'_> {
             components: analysis.components,
             walk_ends_with_rests: analysis.walk_ends_with_rests,
             levels,
-            accused,
+            flagged,
             shown,
         }
     }
@@ -118,8 +118,8 @@ impl Run<'_> {
         all.chain(excursions(rows, x)).filter(is_known).collect()
     }
 
-    /// Levels of noise and disturbances: what was seen to shake, then what the rows accuse.
-    fn accuse(
+    /// Levels of noise and disturbances: what was seen to shake, then what the rows flag.
+    fn flag(
         &self,
         at: &At<'_>,
         analysis: &mut Analysis,
@@ -138,7 +138,7 @@ impl Run<'_> {
         if is_missed {
             // One rest or two that are far off pull on all of the others where these are few.
             let trial = analysis.trial(&candidates, &columns, &[]);
-            let few = trial.accuse(&given, given.len() + FEW);
+            let few = trial.flag(&given, given.len() + FEW);
             found = few
                 .filter(|few| !analysis.is_missed(rows, &all(few)))
                 .unwrap_or(found);
@@ -157,7 +157,7 @@ impl Run<'_> {
         }
         if !misfit {
             let trial = analysis.trial(&candidates, &columns, &[]);
-            found = trial.accuse(&given, most).unwrap_or(given.clone());
+            found = trial.flag(&given, most).unwrap_or(given.clone());
         }
         let mut levels = self.measured(analysis, &all(&found));
         for _ in 0..3 {
@@ -166,7 +166,7 @@ impl Run<'_> {
             doubtful.retain(|k| !given.contains(k));
             let mut kept = given.clone();
             kept.extend(trial.confirm(&found, &doubtful));
-            let next = trial.accuse(&kept, most).unwrap_or(kept);
+            let next = trial.flag(&kept, most).unwrap_or(kept);
             if next == found {
                 break;
             }
@@ -284,7 +284,7 @@ mod tests {
         assert!(walk.unwrap().size < 2e-4, "{:?}", fit.levels);
     }
 
-    /// Hysteresis of 1 mg that the model lacks, and the pushed intervals that a fit accuses.
+    /// Hysteresis of 1 mg that the model lacks, and the pushed intervals that a fit flags.
     fn pushed_beside_hysteresis(seed: u64, faults: &[Fault]) -> Vec<usize> {
         let mut spec = Spec::hand_held(seed);
         let sizes = [("x", 9.8e-3), ("y", -9.8e-3), ("z", 9.8e-3)];
@@ -292,8 +292,8 @@ mod tests {
         spec.effects.insert("accel_hysteresis".into(), sizes);
         spec.faults.extend_from_slice(faults);
         let fit = fit(&Simulation::new(&spec).unwrap());
-        let pushed = |a: &&crate::methods::joint::Accused| a.kind == Disturbance::DisturbedInterval;
-        let pushed = fit.accused.iter().filter(pushed);
+        let pushed = |a: &&crate::methods::joint::Flagged| a.kind == Disturbance::DisturbedInterval;
+        let pushed = fit.flagged.iter().filter(pushed);
         pushed.map(|a| a.interval).collect()
     }
 

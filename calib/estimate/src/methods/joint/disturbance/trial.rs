@@ -10,13 +10,13 @@ use crate::methods::joint::disturbance::Suspect;
 use crate::methods::joint::noise::weights::Whitening;
 use crate::methods::joint::result::marginal::orthonormal;
 
-/// Chance of any false accusation of a clean recording.
+/// Chance of that anything is flagged in a clean recording.
 const CHANCE: f64 = 0.001;
 
 /// Eigenvalues of the information below this share of what the columns had before projection are nothing.
 const UNSEEN: f64 = 1e-8;
 
-/// A suspect that the data accuse.
+/// A suspect that the data flag.
 #[derive(Clone, Copy, Debug)]
 pub struct Verdict {
     /// The suspect's place among the suspects.
@@ -84,9 +84,9 @@ impl<'a> Trial<'a> {
     }
 
     /// The disturbances that chance does not explain, one after the other from the worst on, given
-    /// those already `accused`; `None` where there are more than `most` (places among the suspects).
-    pub fn accuse(&self, accused: &[usize], most: usize) -> Option<Vec<usize>> {
-        let mut found = accused.to_vec();
+    /// those already `flagged`; `None` where there are more than `most` (places among the suspects).
+    pub fn flag(&self, flagged: &[usize], most: usize) -> Option<Vec<usize>> {
+        let mut found = flagged.to_vec();
         let level = self.level();
         loop {
             let worst = self
@@ -105,12 +105,12 @@ impl<'a> Trial<'a> {
         }
     }
 
-    /// Those of the doubtful among the accused whose own test, given the others, chance does not
+    /// Those of the doubtful among the flagged whose own test, given the others, chance does not
     /// explain.
-    pub fn confirm(&self, accused: &[usize], doubtful: &[usize]) -> Vec<usize> {
+    pub fn confirm(&self, flagged: &[usize], doubtful: &[usize]) -> Vec<usize> {
         let level = self.level();
         let holds = |k: usize| {
-            let others: Vec<usize> = accused.iter().copied().filter(|&o| o != k).collect();
+            let others: Vec<usize> = flagged.iter().copied().filter(|&o| o != k).collect();
             let own = self.verdicts(&others, std::iter::once(k));
             own.iter().any(|v| v.p_value < level)
         };

@@ -1,13 +1,6 @@
-//! What steps wider than the noise do to means, and to the gyroscope's bias.
+//! What steps wider than the noise do to means.
 
-use nalgebra::{Matrix2x3, Vector3};
-use sensor::Sensor;
-
-use crate::methods::joint::blocks::columns::Columns;
-use crate::methods::joint::data::TurnSamples;
-use crate::methods::joint::noise::scatter;
-use crate::methods::joint::rows::Rows;
-use crate::methods::joint::rows::turn::MARGIN;
+use super::scatter::scatter;
 
 /// Readings of one level spread by at most half a step, those that dither between two too: a variance of a quarter, and
 /// something for what the noise adds to a few.
@@ -75,75 +68,6 @@ fn noise(spread: f64) -> f64 {
         }
     }
     low
-}
-
-impl Rows<'_> {
-    /// What the rounding of the gyroscope's readings does to its means over the static intervals and to the turns, by
-    /// recording and axis (`m × 3 recordings`); `None` where the noise averages it out.
-    ///
-    /// The rate at rest is the bias every time: readings in steps wider than the noise are off by the same amount in
-    /// every interval, with the standard deviation `LSB/√12`, and intervals do not average it out. Nor do those samples
-    /// of a turn in which an axis reads what it reads at rest.
-    pub fn rounding_columns(&self, x: &[f64]) -> Option<Columns> {
-        let is_coarse = |source: &crate::methods::joint::data::Source| {
-            let noise = source.gyroscope.as_ref();
-            noise.is_some_and(|n| n.rounding.max() > 0.0)
-        };
-        if !self.data.sources.iter().any(is_coarse) {
-            return None;
-        }
-        let recordings = 0..self.data.sources.len();
-        let of_group = recordings.map(|k| vec![3 * k, 3 * k + 1, 3 * k + 2]);
-        let count = 3 * self.data.sources.len();
-        let mut columns = Columns::zeros(self.groups(), count, of_group.collect());
-        let mut levels = vec![Vector3::zeros(); self.data.sources.len()];
-        let mut row = self.first_rate_row();
-        for (_, chunk) in self.means(Sensor::Gyroscope) {
-            let recording = self.data.rests[chunk.rest].recording;
-            let own = self.data.sources[recording].gyroscope.zip(chunk.gyroscope);
-            if let Some((noise, mean)) = own {
-                levels[recording] = mean.value;
-                for axis in 0..3 {
-                    let size = -noise.rounding[axis].sqrt();
-                    columns.set(row + axis, 3 * recording + axis, size);
-                }
-            }
-            row += 3;
-        }
-        for turn in &self.data.turns {
-            let Some(noise) = &self.data.sources[turn.recording].gyroscope else {
-                continue;
-            };
-            let held = self.held(x, turn, &levels[turn.recording], &noise.step);
-            for axis in 0..3 {
-                let size = noise.rounding[axis].sqrt();
-                for i in 0..2 {
-                    columns.set(row + i, 3 * turn.recording + axis, size * held[(i, axis)]);
-                }
-            }
-            row += 2;
-        }
-        Some(columns)
-    }
-
-    /// What a shift of the samples that read what they read at rest does to the two rows of a turn.
-    fn held(
-        &self,
-        x: &[f64],
-        turn: &TurnSamples,
-        level: &Vector3<f64>,
-        step: &Vector3<f64>,
-    ) -> Matrix2x3<f64> {
-        let mut held = Matrix2x3::zeros();
-        for (reading, gain) in turn.readings[MARGIN..].iter().zip(self.gains(x, turn)) {
-            for axis in 0..3 {
-                if (reading[axis] - level[axis]).abs() < step[axis] {
-                    held.set_column(axis, &(held.column(axis) + gain.column(axis)));
-                }
-            }
-        }
-        held
-    }
 }
 
 #[cfg(test)]

@@ -191,7 +191,7 @@ impl ComponentKind {
     /// Whether it depends on the orientation: it enlarges the errors, and rows are weighted as without it.
     ///
     /// Weights that know of it would leave to it what belongs to scales and biases as well; a model that
-    /// misses an effect foretells other orientations best with the parameters that fit best.
+    /// misses an effect predicts other orientations best with the parameters that fit best.
     pub fn is_of_orientation(self) -> bool {
         matches!(self, Self::ForceOfOrientation | Self::RateOfOrientation)
     }

@@ -95,14 +95,14 @@ impl JointFit {
     /// lets it know, m/s².
     pub fn norm_rms(&self) -> f64 {
         let disturbed = |place: usize| {
-            self.accused.iter().any(|accused| {
+            self.flagged.iter().any(|flagged| {
                 let rest = &self.data.rests[place];
-                accused.kind == Disturbance::DisturbedInterval
-                    && (accused.recording, accused.interval) == (rest.recording, rest.interval)
+                flagged.kind == Disturbance::DisturbedInterval
+                    && (flagged.recording, flagged.interval) == (rest.recording, rest.interval)
             })
         };
-        let moduli = self.moduli.iter().enumerate();
-        let sound = moduli.filter(|(rest, _)| !disturbed(*rest));
+        let norms = self.norms.iter().enumerate();
+        let sound = norms.filter(|(rest, _)| !disturbed(*rest));
         rms(sound.map(|(rest, value)| (*value, self.norm_noise(rest))))
     }
 

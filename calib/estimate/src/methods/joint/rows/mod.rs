@@ -6,6 +6,7 @@ pub(crate) mod earth;
 pub(crate) mod error_columns;
 pub(crate) mod knowledge;
 pub(crate) mod layout;
+mod rounding;
 pub(crate) mod sensitivity;
 pub(crate) mod slopes;
 pub(crate) mod turn;
@@ -278,7 +279,7 @@ impl<'a> Rows<'a> {
         residuals
     }
 
-    /// `r = distort(g u) − mean` of one chunk: the reading that the model foretells at rest, less the one
+    /// `r = distort(g u) − mean` of one chunk: the reading that the model predicts at rest, less the one
     /// that was measured.
     fn mean_rows(
         &self,
@@ -362,10 +363,10 @@ impl<'a> Rows<'a> {
         let (carried, slopes) = self.carried(turn, &p);
         let across = self.charts[turn.from + 1].across.transpose();
         let before = self.direction(x, turn.from);
-        let foretold = carried.rotation * before;
-        let residual = across * (foretold - self.direction(x, turn.from + 1));
+        let predicted = carried.rotation * before;
+        let residual = across * (predicted - self.direction(x, turn.from + 1));
         // ∂(Rᵀ u) = (Rᵀ u) × δ
-        let by_rotation = across * foretold.cross_matrix();
+        let by_rotation = across * predicted.cross_matrix();
         let [from, to] = [turn.from, turn.from + 1].map(|rest| self.layout.direction(rest));
         let places = part.places(&columns);
         let [at_from, at_to] = [from, to].map(|first| part.places(&[first, first + 1]));

@@ -19,8 +19,8 @@ impl Rows<'_> {
     }
 
     pub(super) fn turn_residual(&self, x: &[f64], turn: &TurnSamples) -> Vector2<f64> {
-        let foretold = self.rotation(x, turn) * self.direction(x, turn.from);
-        let miss = foretold - self.direction(x, turn.from + 1);
+        let predicted = self.rotation(x, turn) * self.direction(x, turn.from);
+        let miss = predicted - self.direction(x, turn.from + 1);
         self.charts[turn.from + 1].across.transpose() * miss
     }
 
@@ -111,7 +111,7 @@ impl Rows<'_> {
     }
 
     /// `|f| − g` of every rest, m/s².
-    pub fn moduli(&self, x: &[f64]) -> Vec<f64> {
+    pub fn norms(&self, x: &[f64]) -> Vec<f64> {
         (0..self.data.rests.len())
             .filter_map(|k| Some(self.force(x, k)?.norm() - self.gravity))
             .collect()

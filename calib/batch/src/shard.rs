@@ -1,0 +1,40 @@
+//! A part of the work.
+
+use serde::{Deserialize, Serialize};
+
+/// The `k`-th of `n` parts of the work, `k` from 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Shard {
+    /// From 1.
+    pub k: usize,
+    /// Of how many.
+    pub n: usize,
+}
+
+impl Default for Shard {
+    fn default() -> Self {
+        Self { k: 1, n: 1 }
+    }
+}
+
+impl Shard {
+    /// Whether the device at this place of the manifest is in it. Neighbours go to different shards, so that long and short
+    /// recordings spread.
+    pub fn has(self, index: usize) -> bool {
+        index % self.n == self.k - 1
+    }
+}
+
+impl std::str::FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parts = text
+            .split_once('/')
+            .and_then(|(k, n)| Some((k.parse().ok()?, n.parse().ok()?)));
+        match parts {
+            Some((k, n)) if (1..=n).contains(&k) => Ok(Self { k, n }),
+            _ => Err(format!("`{text}`: K/N with K from 1 to N expected, as 3/8")),
+        }
+    }
+}

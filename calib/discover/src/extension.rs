@@ -1,0 +1,62 @@
+//! What a model holds besides the base models.
+
+use estimate::methods::joint::Known;
+use sensor::AnyEffect;
+
+/// The parameter that shapes an effect (`tau`, `t0`), by its place, and its value, which the fit holds.
+pub type Held = Option<(usize, f64)>;
+
+/// What the model holds besides the base models.
+#[derive(Clone, Debug, Default)]
+pub struct Extension {
+    /// Effects, with what shapes them.
+    pub effects: Vec<(&'static dyn AnyEffect, Held)>,
+    /// Disturbances with their place: parameters of their own.
+    pub disturbed: Vec<Known>,
+    /// Whether time constants are fitted, from their values on, and not held there.
+    pub settles: bool,
+}
+
+impl Extension {
+    /// Takes an effect in, with the companions of the `catalogue` that come with it.
+    pub fn hold(
+        &mut self,
+        effect: &'static dyn AnyEffect,
+        shape: Held,
+        catalogue: &[&'static dyn AnyEffect],
+    ) {
+        self.effects.push((effect, shape));
+        for companion in with_companions(effect, catalogue).skip(1) {
+            let is_own = |(own, _): &(&dyn AnyEffect, Held)| own.name() == companion.name();
+            if !self.effects.iter().any(is_own) {
+                self.effects.push((companion, None));
+            }
+        }
+    }
+
+    /// Whether both hold the same, in whatever order.
+    pub fn is_same(&self, other: &Self) -> bool {
+        let holds = |(effect, held): &(&'static dyn AnyEffect, Held)| {
+            let mut others = other.effects.iter();
+            others.any(|(e, h)| e.name() == effect.name() && h == held)
+        };
+        self.settles == other.settles
+            && self.effects.len() == other.effects.len()
+            && self.disturbed.len() == other.disturbed.len()
+            && self.effects.iter().all(holds)
+            && self
+                .disturbed
+                .iter()
+                .all(|known| other.disturbed.contains(known))
+    }
+}
+
+/// The effects that come with `effect`, itself first.
+pub fn with_companions<'a>(
+    effect: &'static dyn AnyEffect,
+    catalogue: &'a [&'static dyn AnyEffect],
+) -> impl Iterator<Item = &'static dyn AnyEffect> + 'a {
+    let companion = effect.companion();
+    let companion = companion.and_then(|with| catalogue.iter().find(|e| e.name() == with));
+    std::iter::once(effect).chain(companion.copied())
+}

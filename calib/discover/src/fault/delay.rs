@@ -1,0 +1,151 @@
+//! Accelerometer stamps that are late: only the moving accelerometer shows them.
+
+use nalgebra::{Matrix4, Vector3, Vector4};
+use statrs::distribution::{ContinuousCDF, StudentsT};
+
+use crate::state::State;
+
+/// Turns that a verdict needs beyond the four coefficients.
+const SPARE_TURNS: usize = 6;
+
+/// What the moving accelerometer says of a delay of its stamps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Delay {
+    /// Stamps are late by this, s.
+    pub delay: f64,
+    /// Standard error, s.
+    pub std: f64,
+    /// `t²` of the estimate.
+    pub statistic: f64,
+    /// `ln p`, two-sided.
+    pub log_p: f64,
+    /// Root mean square of what the turns say of a delay, each by itself, over its scatter about the common one: 1 of punctual
+    /// stamps, the four coefficients counted.
+    pub gap_before: f64,
+    /// The same of turns that the estimate did not see.
+    pub held_out_gap_before: f64,
+    /// With the delay of the other turns.
+    pub held_out_gap_after: f64,
+}
+
+/// Normal equations of one turn.
+#[derive(Clone, Copy, Debug)]
+struct Turn {
+    a: Matrix4<f64>,
+    b: Vector4<f64>,
+}
+
+/// Estimates the delay `d` from the turns: what the accelerometer reads besides gravity,
+///
+/// `f − g u = −d g (u × ω) + α × r + ω × (ω × r) + hand`,
+///
+/// `u` the direction of gravity that the gyroscope carries, `r` the arm from the centre of the rotation to the
+/// accelerometer, `hand` its translation: it is no white noise, but independent from turn to turn, so
+/// that the covariance is that of clusters (Liang & Zeger 1986), with `t` of as many degrees of freedom as there
+/// are turns less the four coefficients.
+///
+/// `None` with too few turns.
+pub fn delay(state: &State) -> Option<Delay> {
+    let gravity = state.fit.gravity;
+    let turns: Vec<Turn> = state
+        .sensitivities
+        .turns
+        .iter()
+        .map(|turn| {
+            let mut sums = Turn {
+                a: Matrix4::zeros(),
+                b: Vector4::zeros(),
+            };
+            for truth in &turn.truth {
+                let (w, alpha) = (truth.angular_rate, truth.angular_acceleration);
+                let g = truth.attitude.into_body(&Vector3::z()) * gravity;
+                let late = -g.cross(&w);
+                let arm = alpha.cross_matrix() + w.cross_matrix() * w.cross_matrix();
+                let y = truth.specific_force - g;
+                for i in 0..3 {
+                    let x = Vector4::new(late[i], arm[(i, 0)], arm[(i, 1)], arm[(i, 2)]);
+                    sums.a += x * x.transpose();
+                    sums.b += x * y[i];
+                }
+            }
+            sums
+        })
+        .collect();
+    (turns.len() >= 4 + SPARE_TURNS)
+        .then(|| of_turns(&turns))
+        .flatten()
+}
+
+fn of_turns(turns: &[Turn]) -> Option<Delay> {
+    let count = turns.len() as f64;
+    let a: Matrix4<f64> = turns.iter().map(|t| t.a).sum();
+    let b: Vector4<f64> = turns.iter().map(|t| t.b).sum();
+    let inverse = a.try_inverse()?;
+    let estimate = inverse * b;
+    let scores = turns.iter().map(|t| t.b - t.a * estimate);
+    let meat: Matrix4<f64> = scores.map(|s| s * s.transpose()).sum();
+    let covariance = inverse * meat * inverse * (count / (count - 4.0));
+    let std = covariance[(0, 0)].sqrt();
+    let t = estimate[0] / std;
+    let law = StudentsT::new(0.0, 1.0, count - 4.0).ok()?;
+    let p = 2.0 * law.sf(t.abs());
+    // What a turn says of the delay alone, the arm taken out of it: the hand's translation is in all else that it reads.
+    let arm = a.fixed_view::<3, 3>(1, 1).try_inverse()? * a.fixed_view::<3, 1>(1, 0);
+    let own = Vector4::new(1.0, -arm[0], -arm[1], -arm[2]);
+    let square = |t: &Turn, x: &Vector4<f64>| own.dot(&(t.b - t.a * x)).powi(2);
+    let without = |a: &Matrix4<f64>, b: &Vector4<f64>| {
+        let arm = a.fixed_view::<3, 3>(1, 1).try_inverse()? * b.fixed_rows::<3>(1);
+        Some(Vector4::new(0.0, arm[0], arm[1], arm[2]))
+    };
+    let all = |x: &Vector4<f64>| turns.iter().map(|t| square(t, x)).sum::<f64>();
+    let after = all(&estimate) / (count - 4.0);
+    let mut held = [0.0; 2];
+    for turn in turns {
+        let (a, b) = (a - turn.a, b - turn.b);
+        held[0] += square(turn, &without(&a, &b)?);
+        held[1] += square(turn, &(a.try_inverse()? * b));
+    }
+    Some(Delay {
+        delay: estimate[0],
+        std,
+        statistic: t * t,
+        log_p: p.max(f64::MIN_POSITIVE).ln(),
+        gap_before: (all(&without(&a, &b)?) / (count - 3.0) / after).sqrt(),
+        held_out_gap_before: (held[0] / count / after).sqrt(),
+        held_out_gap_after: (held[1] / count / after).sqrt(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use simulate::Spec;
+
+    use super::*;
+    use crate::{Extension, Request, Session};
+
+    fn found(late: f64) -> Delay {
+        let mut spec = Spec::hand_held(21);
+        if late > 0.0 {
+            let given = std::collections::BTreeMap::from([("d".to_owned(), late)]);
+            spec.effects.insert("time_offset".into(), given);
+        }
+        let recordings = [spec.run().unwrap().recording];
+        let session = Session::new(&recordings, &Request::new(spec.gravity)).unwrap();
+        delay(&State::fit(&session, Extension::default()).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn late_stamps_are_measured_and_punctual_ones_are_not_late() {
+        let late = found(8e-3);
+        assert!((late.delay - 8e-3).abs() < 4.0 * late.std, "{late:?}");
+        assert!(late.log_p < -9.0, "{late:?}");
+        // Turns that were not looked at are predicted by the others: by what is left of the gap.
+        assert!(
+            late.gap_before > 2.0 && late.held_out_gap_after < 1.5,
+            "{late:?}"
+        );
+        let punctual = found(0.0);
+        assert!(punctual.delay.abs() < 4.0 * punctual.std, "{punctual:?}");
+        assert!(punctual.log_p > -7.0, "{punctual:?}");
+    }
+}

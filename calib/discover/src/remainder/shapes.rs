@@ -1,0 +1,333 @@
+//! Shapes of a disagreement that no effect of the catalogue has.
+//!
+//! They tell what is left, in words: none is put into the model as if it were physics.
+
+use std::f64::consts::PI;
+
+use estimate::methods::joint::{Instant, Mean, Place, Sampling, error_columns};
+use nalgebra::Vector3;
+use sensor::Sensor;
+
+use super::shape::Shape;
+use crate::family::{Claim, Family, Hypothesis, beside};
+use crate::state::State;
+
+/// Cosines of time tried.
+const COSINES: usize = 6;
+
+/// Periods tried at most; a period shorter than two rests is not seen in their means.
+const PERIODS: usize = 80;
+
+/// Full periods that a recording must hold: of fewer, a walk looks the same.
+const LEAST_PERIODS: f64 = 2.0;
+
+/// Time constants of a relaxation after a turn, s.
+const RELAXATIONS: [f64; 3] = [1.0, 3.0, 10.0];
+
+/// Typical sizes of an unknown bias, m/s² and rad/s.
+const TYPICAL: [f64; 2] = [5e-3, 1e-4];
+
+/// All shapes for both sensors.
+pub fn shapes(state: &State) -> Vec<Family> {
+    let mut sensors = vec![Sensor::Accelerometer];
+    if state.fit.has_gyroscope() {
+        sensors.push(Sensor::Gyroscope);
+    }
+    let scene = Scene::of(state);
+    sensors
+        .into_iter()
+        .flat_map(|sensor| Shape::ALL.map(|shape| (shape, sensor)))
+        .filter(|(shape, sensor)| *shape != Shape::RateProducts || *sensor == Sensor::Gyroscope)
+        .map(|(shape, sensor)| family(state, &scene, shape, sensor))
+        .collect()
+}
+
+/// One way of a shape: a few error vectors at every instant.
+type Way<'a> = (
+    usize,
+    Box<dyn Fn(&Instant<'_>, &mut Vec<Vector3<f64>>) + 'a>,
+    Option<f64>,
+);
+
+fn family(state: &State, scene: &Scene<'_>, shape: Shape, sensor: Sensor) -> Family {
+    let typical = TYPICAL[usize::from(sensor == Sensor::Gyroscope)];
+    let mut hypotheses = Vec::new();
+    let mut parts = Vec::new();
+    let mut first = 0;
+    for (count, errors, value) in ways(scene, shape, sensor) {
+        let sampling = match shape {
+            Shape::SlowTime | Shape::Periodic | Shape::LastTurn => Sampling::Middle,
+            _ => Sampling::Every,
+        };
+        let mut columns = error_columns(
+            &state.sensitivities,
+            state.rows(),
+            (sensor, sampling),
+            count,
+            errors,
+        );
+        columns *= faer::Scale(typical);
+        parts.push(columns);
+        hypotheses.push(Hypothesis {
+            shape: value.map(|v| (0, v)),
+            place: None,
+            columns: first..first + count,
+        });
+        first += count;
+    }
+    Family {
+        claim: Claim::Shape(shape, sensor),
+        log_places: (hypotheses.len().max(1) as f64).ln(),
+        hypotheses,
+        columns: state.whitened(beside(&parts, state.rows())),
+        typical,
+        shape_dof: 0.0,
+    }
+}
+
+fn ways<'a>(scene: &'a Scene<'a>, shape: Shape, sensor: Sensor) -> Vec<Way<'a>> {
+    match shape {
+        Shape::FineOrientation => fine_orientation(sensor),
+        Shape::SlowTime => vec![(3 * COSINES, Box::new(|i, out| scene.cosines(i, out)), None)],
+        Shape::Periodic => scene.periods(),
+        Shape::Heading => vec![
+            (2, Box::new(horizontal), None),
+            (6, Box::new(heading), None),
+        ],
+        Shape::LastTurn => {
+            let mut ways: Vec<Way<'a>> =
+                vec![(9, Box::new(|i, out| scene.after_turn(i, None, out)), None)];
+            for tau in RELAXATIONS {
+                ways.push((
+                    3,
+                    Box::new(move |i, out| scene.relaxation(i, tau, out)),
+                    Some(tau),
+                ));
+            }
+            ways
+        }
+        Shape::RateProducts => vec![(9, Box::new(rate_products), None)],
+    }
+}
+
+/// Unit vectors times each of some factors: an error of any axis.
+fn on_every_axis(factors: &[f64], out: &mut Vec<Vector3<f64>>) {
+    for factor in factors {
+        for axis in 0..3 {
+            let mut e = Vector3::zeros();
+            e[axis] = *factor;
+            out.push(e);
+        }
+    }
+}
+
+fn fine_orientation<'a>(sensor: Sensor) -> Vec<Way<'a>> {
+    match sensor {
+        // Only what is along gravity is seen well at rest: the norm.
+        Sensor::Accelerometer => vec![(
+            16,
+            Box::new(|i: &Instant<'_>, out: &mut Vec<Vector3<f64>>| {
+                let u = i.truth.specific_force.normalize();
+                let values = harmonics(&u);
+                out.extend(values.iter().map(|y| u * *y));
+            }),
+            None,
+        )],
+        Sensor::Gyroscope | Sensor::Magnetometer => (0..3)
+            .map(|axis| -> Way<'a> {
+                (
+                    16,
+                    Box::new(move |i: &Instant<'_>, out: &mut Vec<Vector3<f64>>| {
+                        let u = i.truth.specific_force.normalize();
+                        out.extend(harmonics(&u).iter().map(|y| {
+                            let mut e = Vector3::zeros();
+                            e[axis] = *y;
+                            e
+                        }));
+                    }),
+                    None,
+                )
+            })
+            .collect(),
+    }
+}
+
+/// The real spherical harmonics of degree 3 (seven) and 4 (nine), not normalised.
+fn harmonics(u: &Vector3<f64>) -> [f64; 16] {
+    let (x, y, z) = (u.x, u.y, u.z);
+    let (xx, yy, zz) = (x * x, y * y, z * z);
+    [
+        y * (3.0 * xx - yy),
+        2.0 * x * y * z * 3.0,
+        y * (5.0 * zz - 1.0),
+        z * (5.0 * zz - 3.0),
+        x * (5.0 * zz - 1.0),
+        3.0 * (xx - yy) * z,
+        x * (xx - 3.0 * yy),
+        4.0 * x * y * (xx - yy),
+        3.0 * y * (3.0 * xx - yy) * z,
+        2.0 * x * y * (7.0 * zz - 1.0),
+        y * z * (7.0 * zz - 3.0),
+        35.0 / 8.0 * zz * zz - 30.0 / 8.0 * zz + 3.0 / 8.0,
+        x * z * (7.0 * zz - 3.0),
+        (xx - yy) * (7.0 * zz - 1.0),
+        3.0 * x * (xx - 3.0 * yy) * z,
+        xx * (xx - 3.0 * yy) - yy * (3.0 * xx - yy),
+    ]
+}
+
+/// The two horizontal axes of the world, seen from the body.
+fn horizontal(i: &Instant<'_>, out: &mut Vec<Vector3<f64>>) {
+    out.push(i.truth.attitude.into_body(&Vector3::x()));
+    out.push(i.truth.attitude.into_body(&Vector3::y()));
+}
+
+/// Cosine and sine of the heading on every axis.
+fn heading(i: &Instant<'_>, out: &mut Vec<Vector3<f64>>) {
+    let forward = i.truth.attitude.into_reference(&Vector3::x());
+    let angle = forward.y.atan2(forward.x);
+    on_every_axis(&[angle.cos(), angle.sin()], out);
+}
+
+fn rate_products(i: &Instant<'_>, out: &mut Vec<Vector3<f64>>) {
+    let w = i.truth.angular_rate;
+    on_every_axis(&[w.x * w.y, w.y * w.z, w.z * w.x], out);
+}
+
+/// What shapes ask for beyond one instant.
+struct Scene<'a> {
+    state: &'a State,
+    /// The rotation vector of the turn before every rest, rad; zero where there is none.
+    last_turn: Vec<Vector3<f64>>,
+    /// First and last time.
+    ends: (f64, f64),
+}
+
+impl<'a> Scene<'a> {
+    fn of(state: &'a State) -> Self {
+        let mut last_turn = vec![Vector3::zeros(); state.fit.data.rests.len()];
+        for turn in &state.sensitivities.turns {
+            let rotation: Vector3<f64> = turn
+                .truth
+                .iter()
+                .zip(&state.fit.data.turns[turn.turn].lengths)
+                .map(|(truth, length)| truth.angular_rate * *length)
+                .sum();
+            last_turn[state.fit.data.turns[turn.turn].from + 1] = rotation;
+        }
+        let times = state.sensitivities.means.iter().map(|m| m.truth.time);
+        let ends = times.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), t| {
+            (a.min(t), b.max(t))
+        });
+        Self {
+            state,
+            last_turn,
+            ends,
+        }
+    }
+
+    fn length(&self) -> f64 {
+        (self.ends.1 - self.ends.0).max(1.0)
+    }
+
+    fn cosines(&self, i: &Instant<'_>, out: &mut Vec<Vector3<f64>>) {
+        let phase = PI * (i.truth.time - self.ends.0) / self.length();
+        let factors: Vec<f64> = (1..=COSINES).map(|k| (k as f64 * phase).cos()).collect();
+        on_every_axis(&factors, out);
+    }
+
+    /// Frequencies from two periods to one per rest, two thirds of the resolution apart.
+    fn periods(&self) -> Vec<Way<'_>> {
+        let rests = self.state.fit.data.rests.len() as f64;
+        let (lowest, highest) = (LEAST_PERIODS / self.length(), rests / self.length());
+        let count = ((highest - lowest) * self.length() * 1.5) as usize;
+        (0..=count.min(PERIODS))
+            .map(|k| -> Way<'_> {
+                let f = lowest + (highest - lowest) * k as f64 / count.clamp(1, PERIODS) as f64;
+                (
+                    6,
+                    Box::new(move |i: &Instant<'_>, out: &mut Vec<Vector3<f64>>| {
+                        let damping = self.averaged(i, f);
+                        let phase = 2.0 * PI * f * i.truth.time;
+                        on_every_axis(&[damping * phase.cos(), damping * phase.sin()], out);
+                    }),
+                    Some(1.0 / f),
+                )
+            })
+            .collect()
+    }
+
+    /// What the mean over a chunk leaves of a cosine.
+    fn averaged(&self, i: &Instant<'_>, frequency: f64) -> f64 {
+        let x = PI * frequency * self.mean(i).map_or(0.0, |m| m.span.length());
+        if x.abs() < 1e-6 { 1.0 } else { x.sin() / x }
+    }
+
+    fn mean(&self, i: &Instant<'_>) -> Option<&Mean> {
+        let Place::Chunk(k) = i.place else {
+            return None;
+        };
+        let chunk = &self.state.fit.data.chunks[k];
+        chunk.gyroscope.as_ref().or(chunk.accelerometer.as_ref())
+    }
+
+    fn rest(&self, i: &Instant<'_>) -> Option<usize> {
+        match i.place {
+            Place::Chunk(k) => Some(self.state.fit.data.chunks[k].rest),
+            Place::Turn(_) => None,
+        }
+    }
+
+    /// The rotation vector of the last turn, on every axis.
+    fn after_turn(&self, i: &Instant<'_>, decay: Option<f64>, out: &mut Vec<Vector3<f64>>) {
+        let v = self
+            .rest(i)
+            .map_or_else(Vector3::zeros, |k| self.last_turn[k]);
+        let factor = decay.unwrap_or(1.0);
+        on_every_axis(&[factor * v.x, factor * v.y, factor * v.z], out);
+    }
+
+    /// The sign of the last turn about the own axis, decaying since its end.
+    fn relaxation(&self, i: &Instant<'_>, tau: f64, out: &mut Vec<Vector3<f64>>) {
+        let (mut v, mut decay) = (Vector3::zeros(), 0.0);
+        if let (Some(k), Some(mean)) = (self.rest(i), self.mean(i)) {
+            v = self.last_turn[k].map(|a| if a.abs() > 0.1 { a.signum() } else { 0.0 });
+            let since = mean.span.from - self.state.fit.data.rests[k].span.from;
+            let length = mean.span.length().max(1e-3);
+            decay = (-since / tau).exp() * (1.0 - (-length / tau).exp()) * tau / length;
+        }
+        for axis in 0..3 {
+            let mut e = Vector3::zeros();
+            e[axis] = v[axis] * decay;
+            out.push(e);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_harmonics_of_two_degrees_are_orthogonal_to_lower_ones() {
+        // Means over a fine grid of the sphere, by latitude (weighted) and longitude.
+        let (mut with_constant, mut with_linear) = ([0.0; 16], [0.0; 16]);
+        for a in 0..200 {
+            let z = -1.0 + (f64::from(a) + 0.5) / 100.0;
+            for b in 0..60 {
+                let phi = PI * f64::from(b) / 30.0;
+                let r = (1.0 - z * z).sqrt();
+                let u = Vector3::new(r * phi.cos(), r * phi.sin(), z);
+                for (k, y) in harmonics(&u).iter().enumerate() {
+                    with_constant[k] += y / 12_000.0;
+                    with_linear[k] += y * (u.x + u.y + u.z) / 12_000.0;
+                }
+            }
+        }
+        for k in 0..16 {
+            // The grid of 200 latitudes is good to 1e-4.
+            assert!(with_constant[k].abs() < 1e-3, "{k}");
+            assert!(with_linear[k].abs() < 1e-3, "{k}");
+        }
+    }
+}

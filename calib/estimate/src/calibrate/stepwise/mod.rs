@@ -1,0 +1,291 @@
+//! Accelerometer first, then the gyroscope.
+
+mod gyro_data;
+
+use nalgebra::Vector3;
+use recording::intervals::Segmentation;
+use recording::{Error, Recording};
+use sensor::{AnyEffect, Model, Quantity};
+
+use super::cut::cut;
+use super::outcome::Outcome;
+use super::request::Request;
+use super::{assemble, checks, same_device};
+use crate::calibration::{Calibration, RecordingClock};
+use crate::methods::joint::ClockMode;
+use crate::methods::{
+    AccelerometerFit, AccelerometerRequest, Choice, GyroscopeData, GyroscopeFit, GyroscopeRequest,
+    accelerometer_unit, fit_accelerometer, fit_gyroscope, static_means, static_means_by,
+};
+use crate::residuals::StaticMean;
+use crate::truth::{Models, Sensing, Truth};
+
+/// Fits at most after which the signs of changes of force are settled.
+const HISTORIES: usize = 4;
+
+/// Said where only the accelerometer is calibrated.
+pub(super) const NO_GYROSCOPE: &str =
+    "no gyroscope in the recording: only the accelerometer is calibrated";
+
+/// Accelerometer first, then the gyroscope.
+pub(super) fn stepwise(
+    recordings: &[&Recording],
+    gyro_recordings: &[&Recording],
+    choices: Vec<Choice>,
+    request: &Request,
+    mut warnings: Vec<String>,
+) -> Result<Outcome, Error> {
+    if request.static_means.is_empty() {
+        let cut = choices.iter().map(|c| &c.segmentation);
+        checks::refuse_unknowable(recordings.iter().copied().zip(cut), &request.effects)?;
+        checks::refuse_attitude(&request.effects)?;
+    }
+    let accelerometer = accelerometer(recordings, &choices, request, &mut warnings)?;
+    let separate = gyro_recordings
+        .iter()
+        .map(|recording| {
+            let choice = cut(recording, request, None)?;
+            warnings.extend(checks::of_the_detector(recording, &choice));
+            Ok((recording, choice.segmentation))
+        })
+        .collect::<Result<Vec<_>, Error>>()?;
+    let turning: Vec<(&Recording, &Segmentation)> = if separate.is_empty() {
+        recordings
+            .iter()
+            .copied()
+            .zip(choices.iter().map(|c| &c.segmentation))
+            .collect()
+    } else {
+        separate.iter().map(|(r, s)| (**r, s)).collect()
+    };
+    if !separate.is_empty() {
+        checks::refuse_unknowable(turning.iter().copied(), &request.effects)?;
+    }
+    let gyroscope = gyroscope(
+        &turning,
+        separate.is_empty(),
+        accelerometer.as_ref(),
+        request,
+        &mut warnings,
+    )?;
+    let even = request.clock == ClockMode::Even;
+    let clocks = turning
+        .iter()
+        .filter(|(recording, _)| recording.gyroscope.is_some());
+    let clocks = clocks
+        .map(|(recording, _)| RecordingClock::given(&recording.name, even))
+        .collect();
+    let mut calibration = assemble::calibration(assemble::Parts {
+        recordings,
+        turning: &turning,
+        choices: &choices,
+        accelerometer: accelerometer.as_ref(),
+        gyroscope: gyroscope.as_ref(),
+        request,
+        warnings,
+    })?;
+    calibration.carry_gravity(request.gravity_source);
+    Ok(Outcome {
+        calibration: Calibration {
+            clocks,
+            ..calibration
+        },
+        choices,
+        accelerometer,
+        gyroscope,
+        joint: None,
+    })
+}
+
+/// The accelerometer's fit; `None` where no recording has one.
+fn accelerometer(
+    recordings: &[&Recording],
+    choices: &[Choice],
+    request: &Request,
+    warnings: &mut Vec<String>,
+) -> Result<Option<AccelerometerFit>, Error> {
+    if request.static_means.is_empty() && recordings.iter().all(|r| r.accelerometer.is_none()) {
+        warnings
+            .push("no accelerometer in the recording: only the gyroscope's bias is found".into());
+        return Ok(None);
+    }
+    let mut names = Vec::new();
+    let mut means = Vec::new();
+    if request.static_means.is_empty() {
+        for (recording, choice) in recordings.iter().zip(choices) {
+            names.push(recording.name.clone());
+            means.push(static_means(recording, &choice.segmentation));
+        }
+    } else {
+        names.push("static means".into());
+        means.push(
+            request
+                .static_means
+                .iter()
+                .map(|m| checks::bare_mean(*m))
+                .collect(),
+        );
+    }
+    checks::enough_rests(recordings, choices, &means)?;
+    checks::not_in_one_plane(&means)?;
+    let model = accelerometer_model(request);
+    let raw: Vec<Vector3<f64>> = means.iter().flatten().map(|m| m.raw).collect();
+    let unit = accelerometer_unit(&raw, request.gravity);
+    if let Some(unit) = unit.filter(|_| !model.effects().is_empty()) {
+        if !request.static_means.is_empty() {
+            checks::force_is_all_they_need(model.effects())?;
+        } else {
+            let first = Sensing::first(model.clone(), unit);
+            means = known_means(recordings, choices, |_| first.clone());
+        }
+        checks::the_norm_tells_them(&model, &means, &unit, request.gravity)?;
+    }
+    let force_device = request.force_device;
+    let mut request = AccelerometerRequest {
+        recordings: means,
+        names,
+        model,
+        gravity: request.gravity,
+    };
+    if !force_device {
+        same_device::same_device(&request)?;
+    }
+    let mut fit = fit_accelerometer(&request)?;
+    if choices.len() == request.recordings.len()
+        && request.model.effects().iter().any(|e| looks_back(*e))
+    {
+        let shared = request.model.parameters().len();
+        for _ in 0..HISTORIES {
+            let by = |k: usize| Sensing::new(request.model.clone(), fit.fitted.local(shared, k));
+            let again = known_means(recordings, choices, by);
+            let same = again
+                .iter()
+                .flatten()
+                .zip(request.recordings.iter().flatten());
+            let same = same
+                .into_iter()
+                .all(|(a, b)| a.rest.last_change == b.rest.last_change);
+            request.recordings = again;
+            fit = fit_accelerometer(&request)?;
+            if same {
+                break;
+            }
+        }
+    }
+    checks::accelerometer_is_determined(&checks::ForceEvidence::of(&fit, &request), warnings)?;
+    Ok(Some(fit))
+}
+
+/// The gyroscope's fit; `None` where no recording has one or there is no gravity to carry.
+fn gyroscope(
+    turning: &[(&Recording, &Segmentation)],
+    same_recordings: bool,
+    accelerometer: Option<&AccelerometerFit>,
+    request: &Request,
+    warnings: &mut Vec<String>,
+) -> Result<Option<GyroscopeFit>, Error> {
+    let Some(accelerometer) = accelerometer else {
+        return Ok(None);
+    };
+    if turning.iter().all(|(r, _)| r.gyroscope.is_none()) {
+        if !turning.is_empty() {
+            warnings.push(NO_GYROSCOPE.into());
+        }
+        return Ok(None);
+    }
+    let model = gyroscope_model(request);
+    let mut sources = Vec::new();
+    for (k, (recording, segmentation)) in turning.iter().enumerate() {
+        if recording.gyroscope.is_none() || recording.accelerometer.is_none() {
+            warnings.push(format!(
+                "{}: a sensor is missing: the recording says nothing of the gyroscope",
+                recording.name
+            ));
+            continue;
+        }
+        let place = same_recordings.then_some(k);
+        sources.push(gyro_data::Source {
+            recording,
+            segmentation,
+            place,
+            accelerometer,
+            request,
+        });
+    }
+    let mut asked = GyroscopeRequest {
+        recordings: gyro_data::collect_all(&sources, &model, warnings),
+        model,
+        integrator: request.integrator,
+    };
+    let mut fit = fit_gyroscope(&asked)?;
+    if asked.model.effects().iter().any(|e| follows_the_fit(*e)) {
+        let shared = asked.model.parameters().len();
+        let p = fit.fitted.parameters.values()[..shared].to_vec();
+        let fitted = Sensing::new(asked.model.clone(), p);
+        asked.recordings = gyro_data::collect_by(&sources, &fitted);
+        fit = fit_gyroscope(&asked)?;
+    }
+    checks::gyroscope_is_determined(&checks::RateEvidence::of(&fit), warnings)?;
+    Ok(Some(fit))
+}
+
+/// Whether an effect looks at where the device came from: a change of force is told from none by the accelerometer's
+/// own fit.
+fn looks_back(effect: &dyn AnyEffect) -> bool {
+    let looks = [Quantity::LastChange, Quantity::Vibration];
+    effect.needs().iter().any(|need| looks.contains(need))
+}
+
+/// Whether what an effect looks at comes from the gyroscope's own fit.
+fn follows_the_fit(effect: &dyn AnyEffect) -> bool {
+    let from_rates = [Quantity::AngularAcceleration, Quantity::Attitude];
+    effect.needs().iter().any(|need| from_rates.contains(need))
+}
+
+/// The sound turns and the rests of a recording as the gyroscope's fit takes them, with the directions
+/// of gravity by `accelerometer`.
+pub fn gyroscope_data(
+    recording: &Recording,
+    segmentation: &Segmentation,
+    accelerometer: &AccelerometerFit,
+    request: &Request,
+) -> GyroscopeData {
+    let of = gyro_data::Source {
+        recording,
+        segmentation,
+        place: None,
+        accelerometer,
+        request,
+    };
+    let all = gyro_data::collect_all(&[of], &gyroscope_model(request), &mut Vec::new());
+    all.into_iter().next().unwrap_or_default()
+}
+
+/// The static means with what effects look at, by an accelerometer for each recording.
+fn known_means(
+    recordings: &[&Recording],
+    choices: &[Choice],
+    by: impl Fn(usize) -> Sensing,
+) -> Vec<Vec<StaticMean>> {
+    let of = |(k, (recording, choice)): (usize, (&&Recording, &Choice))| {
+        let models = Models {
+            accelerometer: Some(by(k)),
+            ..Models::default()
+        };
+        let truth = Truth::as_far_as_known(recording, Some(&choice.segmentation), models);
+        static_means_by(&truth, &choice.segmentation)
+    };
+    recordings.iter().zip(choices).enumerate().map(of).collect()
+}
+
+/// The accelerometer's base model with its effects.
+fn accelerometer_model(request: &Request) -> Model {
+    let effects = request.effects.iter();
+    effects.fold(accelerometer::model(), |model, effect| model.with(*effect))
+}
+
+/// The gyroscope's base model with its effects.
+fn gyroscope_model(request: &Request) -> Model {
+    let effects = request.effects.iter();
+    effects.fold(gyroscope::model(), |model, effect| model.with(*effect))
+}

@@ -1,0 +1,125 @@
+//! The files beside those that a format knows by name.
+
+use sensor::Sensor;
+
+use super::known_texts::known_sensors;
+use crate::Error;
+use crate::header::look::Look;
+use crate::header::names::role_of;
+use crate::header::sniff::is_table;
+use crate::recording::magnetometer;
+use crate::recording::options::{ReadOptions, Role};
+use crate::rows::parts;
+use crate::rows::table::Table;
+use crate::shown::shown;
+use crate::source::files::Files;
+use crate::source::place::in_file;
+use crate::units::field::FieldUnit;
+
+/// The one table among `files`, beside those `used`, that holds the sensor by its names.
+pub(super) fn by_content<'a>(
+    files: &'a Files,
+    used: &[&str],
+    sensor: Sensor,
+) -> Option<&'a file_formats::Entry> {
+    let holds = |head: &[u8]| {
+        let look = Look::at(head);
+        let axes = [0, 1, 2].map(|axis| Role::axis(sensor, axis));
+        let names = look.first();
+        let named = |role: &Role| names.iter().any(|name| role_of(name, None) == Some(*role));
+        match known_sensors(&look) {
+            Some([accel, gyro]) => [accel, gyro][usize::from(sensor == Sensor::Gyroscope)],
+            None => axes.iter().all(named),
+        }
+    };
+    let heads = files.heads().into_iter();
+    let mut found = heads.filter(|(entry, head)| {
+        let name = entry.name.to_lowercase();
+        let other = OTHER_FILES.iter().any(|word| name.contains(word));
+        !other && !used.contains(&entry.name.as_str()) && holds(head)
+    });
+    let first = found.next()?;
+    found.next().is_none().then_some(first.0)
+}
+
+/// Adds the magnetometer of an entry that is called so, unprocessed before processed. What is wrong with it is said.
+pub(super) fn add_magnetometer(
+    files: &Files,
+    tables: &mut Vec<Table>,
+    unit: Option<FieldUnit>,
+    options: &ReadOptions,
+) {
+    const NAMES: [&str; 4] = ["magnetometeruncalibrated", "magnetometer", "mag", "magn"];
+    let called = |entry: &&file_formats::Entry, wanted: &str| {
+        let name = entry.name.rsplit('/').next().unwrap_or_default();
+        name.to_lowercase().split('.').next() == Some(wanted)
+    };
+    let entries = || files.entries().iter();
+    let entry = NAMES
+        .iter()
+        .find_map(|name| entries().find(|entry| called(entry, name)));
+    let Some((entry, part)) = entry.and_then(|entry| {
+        let part = magnetometer::part(&Look::at(&files.head(entry)), unit)?;
+        Some((entry, part))
+    }) else {
+        return;
+    };
+    let origin = tables.first().and_then(|table| table.clock.origin);
+    let read = files.text(entry, options);
+    match read.and_then(|text| part.read(text, origin, options)) {
+        Ok(table) => tables.push(table),
+        Err(error) => parts::without_field(tables, &error),
+    }
+}
+
+/// Words in the names of files that hold neither sensor.
+const OTHER_FILES: [&str; 24] = [
+    "meta",
+    "annotation",
+    "magnet",
+    "linear",
+    "gravity",
+    "orient",
+    "location",
+    "gps",
+    "pressure",
+    "barometer",
+    "light",
+    "brightness",
+    "pedometer",
+    "microphone",
+    "sound",
+    "compass",
+    "battery",
+    "activity",
+    "heart",
+    "temperature",
+    "humidity",
+    "proximity",
+    "camera",
+    "noise",
+];
+
+/// Refuses files of which a sensor is missing and another table may hold it.
+pub(super) fn refuse_unused(files: &Files, used: &[&str]) -> Result<(), Error> {
+    let may_hold_a_sensor = |(entry, head): &(&file_formats::Entry, Vec<u8>)| {
+        let name = entry.name.to_lowercase();
+        let known = OTHER_FILES.iter().any(|word| name.contains(word))
+            || used.contains(&entry.name.as_str());
+        !known && is_table(head)
+    };
+    let Some((entry, _)) = files.heads().into_iter().find(may_hold_a_sensor) else {
+        return Ok(());
+    };
+    let unpack = match files.is_archive() {
+        true => "unpack it and ",
+        false => "",
+    };
+    Err(in_file(
+        &files.name,
+        format!(
+            "one sensor is missing, and {} is a table that is not used and may hold it; {unpack}name the two files with --accel-file and --gyro-file, or the one there is by itself",
+            shown(&entry.name)
+        ),
+    ))
+}

@@ -1,0 +1,53 @@
+//! What a format is.
+
+use std::fmt;
+
+use crate::Error;
+use crate::recording::content::Recording;
+use crate::recording::options::ReadOptions;
+use crate::source::files::Files;
+use crate::source::{Input, Source};
+
+/// A format of recordings.
+pub trait Format: fmt::Debug + Sync {
+    /// The name for `--format`.
+    fn name(&self) -> &'static str;
+
+    /// What it is, in a line.
+    fn about(&self) -> &'static str;
+
+    /// True if the content is of this format. The first format of [`FORMATS`] that says so reads it.
+    fn recognises(&self, source: &Source) -> bool;
+
+    /// Reads all of it.
+    ///
+    /// # Errors
+    /// [`Error::Input`] naming the place, what was found and what to do.
+    fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error>;
+}
+
+/// Finds the format of what is in a source.
+pub(crate) type Recognise = fn(&Source) -> Option<&'static dyn Format>;
+
+/// The text in `source`; anything else is refused by name of the format.
+pub(super) fn text(source: Source, format: &dyn Format) -> Result<Input, Error> {
+    match source.within() {
+        Source::Text(input) => Ok(input),
+        other => Err(mismatch(other.name(), format, "a file of text")),
+    }
+}
+
+/// The files in `source`; anything else is refused by name of the format.
+pub(super) fn files(source: Source, format: &dyn Format) -> Result<Files, Error> {
+    match source.within() {
+        Source::Files(files) => Ok(files),
+        other => Err(mismatch(other.name(), format, "a folder or an archive")),
+    }
+}
+
+pub(super) fn mismatch(name: &str, format: &dyn Format, expected: &str) -> Error {
+    Error::Usage(format!(
+        "{name}: --format {} reads {expected}, and this is none",
+        format.name()
+    ))
+}

@@ -1,0 +1,61 @@
+//! Rows that begin with a time of day, as `22:13:01:123,..` and `22:13:01.123 -> ..`.
+
+use std::io::Read;
+
+use super::text_format::TextFormat;
+use crate::clock::time_of_day::{TimeOfDay, seconds};
+use crate::header::look::Look;
+use crate::rows::parts::Part;
+use crate::source::rewrite::rewritten;
+use crate::units::TimeUnit;
+
+/// A table whose first column is a time of day.
+pub(crate) static TIME_OF_DAY: TextFormat = TextFormat {
+    name: "time_of_day",
+    about: "rows that begin with a time of day, `22:13:01:123,..`",
+    parts,
+};
+
+fn parts(look: &Look) -> Option<Vec<Part>> {
+    let rows = look.lines().filter(|line| split(line).is_some()).count();
+    (2 * rows > look.lines().count()).then(|| {
+        vec![Part {
+            time_unit: Some(TimeUnit::Seconds),
+            change: Some(change),
+            ..Part::default()
+        }]
+    })
+}
+
+/// A time of day at the beginning of a line, and what follows it and its separator.
+pub(crate) fn split(line: &str) -> Option<(&str, &str)> {
+    let is_clock = |c: char| c.is_ascii_digit() || matches!(c, ':' | '.');
+    let line = line.trim_start();
+    let end = line.find(|c| !is_clock(c))?;
+    let (time, rest) = line.split_at(end);
+    seconds(time)?;
+    let rest = rest.trim_start().trim_start_matches("->");
+    Some((time, rest.trim_start_matches([',', ';', '\t', ' '])))
+}
+
+/// The rows with seconds in place of times of day.
+pub(crate) fn change(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
+    let mut clock = TimeOfDay::default();
+    rewritten(text, move |line, out| {
+        let Ok(text) = std::str::from_utf8(line) else {
+            return out.extend_from_slice(line);
+        };
+        let stamp = split(text).and_then(|(time, rest)| Some((clock.read(time)?, rest)));
+        let Some((stamp, rest)) = stamp else {
+            return out.extend_from_slice(line);
+        };
+        let separator = if rest.contains(';') {
+            ';'
+        } else if rest.contains('\t') && !rest.contains(',') {
+            '\t'
+        } else {
+            ','
+        };
+        out.extend_from_slice(format!("{stamp:.6}{separator}{rest}").as_bytes());
+    })
+}

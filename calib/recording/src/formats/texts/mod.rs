@@ -1,0 +1,11 @@
+//! Texts of comma-separated and other cells that no single program writes.
+
+pub(crate) mod brackets;
+pub(crate) mod clock_text;
+pub(crate) mod date_and_time;
+pub(crate) mod long;
+pub(crate) mod tagged;
+mod text_format;
+pub(crate) mod wide;
+
+pub(crate) use text_format::TextFormat;

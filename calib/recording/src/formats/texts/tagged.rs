@@ -1,0 +1,170 @@
+//! Texts in which the first cell of a line says which sensor it is of.
+
+use std::io::Read;
+
+use sensor::Sensor;
+
+use super::text_format::TextFormat;
+use crate::header::look::Look;
+use crate::recording::options::Role;
+use crate::rows::parts::{Change, Part};
+use crate::source::rewrite::rewritten;
+use crate::units::field::FieldUnit;
+use crate::units::{AccelUnit, GyroUnit, TimeUnit};
+
+/// GetSensorData of the indoor positioning competitions: `ACCE;AppTimestamp;SensorTimestamp;x;y;z;accuracy`.
+pub(crate) static GET_SENSOR_DATA: TextFormat = TextFormat {
+    name: "get_sensor_data",
+    about: "a log of GetSensorData: lines `ACCE;..` and `GYRO;..`, stamped by the sensor",
+    parts: get_sensor_data,
+};
+
+/// GnssLogger of Google: `UncalAccel,utcTimeMillis,elapsedRealtimeNanos,x,y,z,..`.
+pub(crate) static GNSS_LOGGER: TextFormat = TextFormat {
+    name: "gnss_logger",
+    about: "a log of GnssLogger: lines `UncalAccel,..` and `UncalGyro,..`, stamped by elapsedRealtimeNanos",
+    parts: gnss_logger,
+};
+
+/// VectorNav's ASCII output.
+pub(crate) static VECTORNAV: TextFormat = TextFormat {
+    name: "vectornav",
+    about: "VectorNav's `$VNIMU,mag,accel,gyro,temp,pressure*checksum`, `$VNYMR`, `$VNQMR`, `$VNMAR`; they have no stamps: --rate",
+    parts: vectornav,
+};
+
+fn part(sensor: Sensor, change: Change, columns: [&str; 4], time_unit: TimeUnit) -> Part {
+    Part {
+        time_unit: Some(time_unit),
+        accel_unit: Some(AccelUnit::MetresPerSecondSquared),
+        gyro_unit: Some(GyroUnit::RadiansPerSecond),
+        change: Some(change),
+        ..Part::of(sensor, columns)
+    }
+}
+
+/// The lines that begin with one of `tags`, without it; the others are blank.
+fn only(text: Box<dyn Read + Send>, tag: &'static [u8]) -> Box<dyn Read + Send> {
+    rewritten(text, move |line, out| {
+        if let Some(rest) = line.strip_prefix(tag) {
+            out.extend_from_slice(rest);
+        }
+    })
+}
+
+fn begins(look: &Look, tags: &[&str]) -> bool {
+    look.lines()
+        .any(|line| tags.iter().any(|tag| line.starts_with(tag)))
+}
+
+fn get_sensor_data(look: &Look) -> Option<Vec<Part>> {
+    if !begins(look, &["ACCE;", "GYRO;", "% ACCE", "%ACCE"]) {
+        return None;
+    }
+    let columns = ["2", "3", "4", "5"];
+    let mut parts = vec![
+        part(
+            Sensor::Accelerometer,
+            |text| only(text, b"ACCE;"),
+            columns,
+            TimeUnit::Seconds,
+        ),
+        part(
+            Sensor::Gyroscope,
+            |text| only(text, b"GYRO;"),
+            columns,
+            TimeUnit::Seconds,
+        ),
+    ];
+    if begins(look, &["MAGN;"]) {
+        parts.push(Part {
+            time_unit: Some(TimeUnit::Seconds),
+            change: Some(|text| only(text, b"MAGN;")),
+            ..Part::of_field(columns, Some(FieldUnit::Microtesla))
+        });
+    }
+    Some(parts)
+}
+
+fn gnss_logger(look: &Look) -> Option<Vec<Part>> {
+    let columns = ["2", "3", "4", "5"];
+    let nanoseconds = TimeUnit::Nanoseconds;
+    if begins(look, &["UncalAccel,", "UncalGyro,", "# UncalAccel,"]) {
+        let mut parts = vec![
+            part(
+                Sensor::Accelerometer,
+                |text| only(text, b"UncalAccel,"),
+                columns,
+                nanoseconds,
+            ),
+            part(
+                Sensor::Gyroscope,
+                |text| only(text, b"UncalGyro,"),
+                columns,
+                nanoseconds,
+            ),
+        ];
+        if begins(look, &["UncalMag,"]) {
+            parts.push(Part {
+                time_unit: Some(nanoseconds),
+                change: Some(|text| only(text, b"UncalMag,")),
+                ..Part::of_field(columns, Some(FieldUnit::Microtesla))
+            });
+        }
+        return Some(parts);
+    }
+    begins(look, &["# Accel,", "Accel,"]).then(|| {
+        vec![
+            part(
+                Sensor::Accelerometer,
+                |text| only(text, b"Accel,"),
+                columns,
+                nanoseconds,
+            ),
+            part(
+                Sensor::Gyroscope,
+                |text| only(text, b"Gyro,"),
+                columns,
+                nanoseconds,
+            ),
+        ]
+    })
+}
+
+/// What VectorNav's messages hold before the magnetometer, accelerometer and gyroscope: cells, and if a temperature follows.
+const VECTORNAV_MESSAGES: [(&str, usize, bool, Change); 4] = [
+    ("$VNIMU,", 0, true, |text| message(text, b"$VNIMU,")),
+    ("$VNMAR,", 0, false, |text| message(text, b"$VNMAR,")),
+    ("$VNYMR,", 3, false, |text| message(text, b"$VNYMR,")),
+    ("$VNQMR,", 4, false, |text| message(text, b"$VNQMR,")),
+];
+
+/// The cells of the messages that begin with `tag`, without their checksum.
+fn message(text: Box<dyn Read + Send>, tag: &'static [u8]) -> Box<dyn Read + Send> {
+    rewritten(text, move |line, out| {
+        if let Some(rest) = line.strip_prefix(tag) {
+            out.extend(rest.iter().take_while(|byte| **byte != b'*'));
+        }
+    })
+}
+
+fn vectornav(look: &Look) -> Option<Vec<Part>> {
+    let mut messages = VECTORNAV_MESSAGES.into_iter();
+    let (_, before, thermometer, change) = messages.find(|(tag, ..)| begins(look, &[tag]))?;
+    let axes = |axis: usize| {
+        [
+            (Role::Accel(axis), (before + axis + 4).to_string()),
+            (Role::Gyro(axis), (before + axis + 7).to_string()),
+            (Role::Field(axis), (before + axis + 1).to_string()),
+        ]
+    };
+    let temperature = thermometer.then(|| (Role::Temperature, "10".to_owned()));
+    Some(vec![Part {
+        columns: (0..3).flat_map(axes).chain(temperature).collect(),
+        accel_unit: Some(AccelUnit::MetresPerSecondSquared),
+        gyro_unit: Some(GyroUnit::RadiansPerSecond),
+        field_unit: Some(FieldUnit::Gauss),
+        change: Some(change),
+        ..Part::default()
+    }])
+}

@@ -1,0 +1,55 @@
+//! One recording of one device.
+
+use sensor::Sensor;
+
+use super::description::Description;
+use super::magnetometer::Magnetometer;
+use super::stream::{Stream, Temperature};
+
+/// One recording of one device.
+#[derive(Clone, Debug, Default)]
+pub struct Recording {
+    /// Where it came from, as the user named it.
+    pub name: String,
+    /// Specific force, m/s² (or raw counts).
+    pub accelerometer: Option<Stream>,
+    /// Angular rate, rad/s (or raw counts).
+    pub gyroscope: Option<Stream>,
+    /// Temperature, °C.
+    pub temperature: Option<Temperature>,
+    /// Magnetic field, as the file has it.
+    pub magnetometer: Option<Magnetometer>,
+    /// What the reader noticed and went on with.
+    pub warnings: Vec<String>,
+    /// Where the samples come from.
+    pub description: Description,
+}
+
+impl Recording {
+    /// The readings of a sensor.
+    pub fn stream(&self, sensor: Sensor) -> Option<&Stream> {
+        match sensor {
+            Sensor::Accelerometer => self.accelerometer.as_ref(),
+            Sensor::Gyroscope => self.gyroscope.as_ref(),
+            Sensor::Magnetometer => self.magnetometer.as_ref().map(|field| &field.stream),
+        }
+    }
+
+    /// The readings of a sensor, to be changed.
+    pub fn stream_mut(&mut self, sensor: Sensor) -> Option<&mut Stream> {
+        match sensor {
+            Sensor::Accelerometer => self.accelerometer.as_mut(),
+            Sensor::Gyroscope => self.gyroscope.as_mut(),
+            Sensor::Magnetometer => self.magnetometer.as_mut().map(|field| &mut field.stream),
+        }
+    }
+
+    /// The earliest time stamp, s.
+    pub fn start(&self) -> f64 {
+        [&self.accelerometer, &self.gyroscope]
+            .into_iter()
+            .flatten()
+            .filter_map(|stream| stream.t.first().copied())
+            .fold(f64::INFINITY, f64::min)
+    }
+}

@@ -1,0 +1,98 @@
+//! From a file, a folder, bytes or a pair of files to a recording.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use sensor::Sensor;
+
+use super::assemble;
+use super::content::Recording;
+use super::options::ReadOptions;
+use crate::Error;
+use crate::formats;
+use crate::rows::table::Table;
+use crate::shown::shown_path;
+use crate::source::place::in_file;
+use crate::source::{Input, Source};
+
+impl Recording {
+    /// Reads the file or folder at `path`; `-` is standard input. The format is recognised from the
+    /// content unless `options` name it.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for content that is no recording, beginning with `file:line:column` as far as
+    /// they are known; [`Error::Io`] for a path that cannot be read; [`Error::Usage`] where an option
+    /// is missing (a rate for rows without stamps) or impossible.
+    pub fn read(path: &Path, options: &ReadOptions) -> Result<Self, Error> {
+        options.check()?;
+        Self::of_source(Source::open(path, options)?, options)
+    }
+
+    /// Reads a file that is in memory; `name` is what messages call it.
+    ///
+    /// # Errors
+    /// As [`Recording::read`].
+    ///
+    /// # Examples
+    /// ```
+    /// use stillpoint_recording::{Error, Recording};
+    ///
+    /// let text = "t,ax,ay,az\n0.00,0.1,0.2,9.8\n0.01,0.1,0.3,9.7\n";
+    /// let recording = Recording::from_bytes("session.csv", text.as_bytes(), &Default::default())?;
+    /// assert_eq!(recording.accelerometer.map(|stream| stream.len()), Some(2));
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn from_bytes(
+        name: &str,
+        bytes: impl Into<Arc<[u8]>>,
+        options: &ReadOptions,
+    ) -> Result<Self, Error> {
+        options.check()?;
+        Self::of_source(Source::of_bytes(name, bytes.into(), options)?, options)
+    }
+
+    fn of_source(source: Source, options: &ReadOptions) -> Result<Self, Error> {
+        let format = match options.format {
+            Some(name) => Some(formats::by_name(name).map_err(Error::Usage)?),
+            None => formats::recognise(&source),
+        };
+        let format = format.ok_or_else(|| in_file(source.name(), "of no known format"))?;
+        let mut recording = format.read(source, options)?;
+        let described = &mut recording.description.format;
+        if described.is_empty() {
+            *described = format.name();
+        }
+        Ok(recording)
+    }
+
+    /// Reads one file per sensor, both on one clock: `t x y z` without a header in any unit, or any
+    /// text that [`Recording::read`] reads.
+    ///
+    /// # Errors
+    /// As [`Recording::read`].
+    pub fn read_pair(accel: &Path, gyro: &Path, options: &ReadOptions) -> Result<Self, Error> {
+        options.check()?;
+        let name = format!("{} + {}", shown_path(accel), shown_path(gyro));
+        pair(
+            name,
+            &[(accel, Sensor::Accelerometer), (gyro, Sensor::Gyroscope)],
+            options,
+        )
+    }
+}
+
+/// A recording of one file per sensor.
+fn pair(
+    name: String,
+    files: &[(&Path, Sensor)],
+    options: &ReadOptions,
+) -> Result<Recording, Error> {
+    let mut tables: Vec<Table> = Vec::new();
+    for &(path, sensor) in files {
+        let origin = tables.first().and_then(|table| table.clock.origin);
+        let input = Input::open(path, options)?;
+        let part = formats::known_texts::part_of(input.look(), sensor);
+        tables.push(part.read(input, origin, options)?);
+    }
+    assemble::assemble(name, tables, options)
+}

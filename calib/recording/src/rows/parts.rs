@@ -1,0 +1,176 @@
+//! Which part of which text holds which sensor: what a format knows and the text does not say.
+
+use std::io::Read;
+
+use sensor::Sensor;
+
+use crate::Error;
+use crate::recording::options::{ColumnMap, ReadOptions, Role};
+use crate::rows::table::Table;
+use crate::source::Input;
+use crate::units::field::FieldUnit;
+use crate::units::{AccelUnit, GyroUnit, TimeUnit};
+
+/// A change of a text that keeps its lines, so that messages name them rightly.
+pub(crate) type Change = fn(Box<dyn Read + Send>) -> Box<dyn Read + Send>;
+
+/// One sensor's columns of a text, or both sensors'.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Part {
+    /// The one sensor that is read from it.
+    pub only: Option<Sensor>,
+    /// Which column is what, where the names do not say so.
+    pub columns: Vec<(Role, String)>,
+    /// Unit of the stamps.
+    pub time_unit: Option<TimeUnit>,
+    /// Unit of the accelerometer.
+    pub accel_unit: Option<AccelUnit>,
+    /// Unit of the gyroscope.
+    pub gyro_unit: Option<GyroUnit>,
+    /// It is a magnetometer's.
+    pub is_field: bool,
+    /// Unit of the magnetometer.
+    pub field_unit: Option<FieldUnit>,
+    /// The accelerometer reads -1 g on the axis that points up.
+    pub negated: bool,
+    /// Rows without numbers are padding.
+    pub padded: bool,
+    /// How the text becomes rows.
+    pub change: Option<Change>,
+    /// What the user should know of it.
+    pub remark: Option<String>,
+}
+
+impl Part {
+    /// The columns of one sensor: `t`, x, y and z as they are called or numbered.
+    pub fn of(sensor: Sensor, columns: [&str; 4]) -> Self {
+        let axis = |axis| Role::axis(sensor, axis);
+        let roles = [Role::Time, axis(0), axis(1), axis(2)];
+        let columns = columns.map(str::to_owned).into_iter();
+        Self {
+            only: Some(sensor),
+            columns: roles.into_iter().zip(columns).collect(),
+            ..Self::default()
+        }
+    }
+
+    /// The columns of a magnetometer: `t`, x, y and z.
+    pub fn of_field(columns: [&str; 4], unit: Option<FieldUnit>) -> Self {
+        let roles = [Role::Time, Role::Field(0), Role::Field(1), Role::Field(2)];
+        let columns = columns.map(str::to_owned).into_iter();
+        Self {
+            columns: roles.into_iter().zip(columns).collect(),
+            is_field: true,
+            field_unit: unit,
+            padded: true,
+            ..Self::default()
+        }
+    }
+
+    /// True if the columns of this sensor are known in it.
+    pub fn has(&self, sensor: Sensor) -> bool {
+        let first = Role::axis(sensor, 0);
+        !self.is_field && self.columns.iter().any(|(role, _)| *role == first)
+    }
+
+    /// True if this sensor may be read from it, be it by names.
+    pub fn may_hold(&self, sensor: Sensor) -> bool {
+        self.has(sensor) || (self.columns.is_empty() && self.only.is_none())
+    }
+
+    /// The same, of which only this sensor is read.
+    pub fn narrowed(mut self, sensor: Sensor) -> Self {
+        self.only = Some(sensor);
+        let columns = std::mem::take(&mut self.columns);
+        self.columns = self.of_sensor(&ColumnMap(columns));
+        self
+    }
+
+    /// Reads it from `input`; `origin` is the first stamp of the recording's other part. What the user said holds
+    /// over what the format knows.
+    pub fn read(
+        &self,
+        input: Input,
+        origin: Option<i64>,
+        options: &ReadOptions,
+    ) -> Result<Table, Error> {
+        let input = match self.change {
+            Some(change) => input.changed(change)?,
+            None => input,
+        };
+        let mut columns = self.of_sensor(&options.columns);
+        if columns.is_empty() {
+            columns.clone_from(&self.columns);
+        }
+        let options = ReadOptions {
+            columns: ColumnMap(columns),
+            na_drop: options.na_drop || self.padded,
+            ..options.clone()
+        };
+        let mut table = Table::read(input, self.only, origin, &options)?;
+        if let Some(sensor) = self.only {
+            table.keep_only(sensor)?;
+        }
+        if self.is_field {
+            (table.accel, table.gyro) = Default::default();
+            (table.temperature_t, table.temperature) = Default::default();
+            table
+                .roles
+                .retain(|(role, _)| matches!(role, Role::Time | Role::Field(_)));
+        }
+        let stated = &mut table.stated;
+        stated.time = self.time_unit.or(stated.time);
+        stated.accel = self.accel_unit.or(stated.accel);
+        stated.gyro = self.gyro_unit.or(stated.gyro);
+        stated.field = self.field_unit.or(stated.field);
+        table.negated = self.negated;
+        if let Some(remark) = &self.remark {
+            table.warnings.push(format!("{}: {remark}", table.name));
+        }
+        Ok(table)
+    }
+
+    /// What the user said of the columns of this part's sensor.
+    fn of_sensor(&self, map: &ColumnMap) -> Vec<(Role, String)> {
+        let concerns = |role: &Role| match (self.only, role) {
+            (None, _) if self.is_field => matches!(role, Role::Field(_)),
+            (None, _) | (_, Role::Time) => true,
+            (Some(_), Role::Field(_)) => false,
+            (Some(sensor), Role::Accel(_) | Role::Temperature) => sensor == Sensor::Accelerometer,
+            (Some(sensor), Role::Gyro(_)) => sensor == Sensor::Gyroscope,
+        };
+        let given = map.0.iter().filter(|(role, _)| concerns(role));
+        given.cloned().collect()
+    }
+}
+
+/// The tables of `parts` of one text.
+pub(crate) fn read(
+    input: Input,
+    parts: &[Part],
+    options: &ReadOptions,
+) -> Result<Vec<Table>, Error> {
+    let mut tables: Vec<Table> = Vec::new();
+    let mut input = Some(input);
+    for (k, part) in parts.iter().enumerate() {
+        let Some(this) = input.take() else { break };
+        if k + 1 < parts.len() {
+            input = Some(this.again(options)?);
+        }
+        let origin = tables.first().and_then(|table| table.clock.origin);
+        match part.read(this, origin, options) {
+            Err(error) if part.is_field => without_field(&mut tables, &error),
+            table => tables.push(table?),
+        }
+    }
+    Ok(tables)
+}
+
+/// Goes on without a magnetometer, and says why: no calibration uses it.
+pub(crate) fn without_field(tables: &mut [Table], error: &Error) {
+    if let Some(table) = tables.first_mut() {
+        table
+            .warnings
+            .push(format!("the magnetometer is left out: {error}"));
+    }
+}

@@ -1,0 +1,220 @@
+//! A text into its table.
+
+use sensor::Sensor;
+
+use crate::Error;
+use crate::clock::Clock;
+use crate::header::affine::Affine;
+use crate::header::sniff::Start;
+use crate::header::suggest::{entry, suggestion};
+use crate::header::unnamed::with_temperature;
+use crate::recording::memory;
+use crate::recording::options::{ReadOptions, Role};
+use crate::rows::Rows;
+use crate::rows::table::Table;
+use crate::shown::shown_list;
+use crate::source::Input;
+use crate::source::batches::Batches;
+use crate::source::on_disk::Unchanged;
+use crate::source::place::at_line;
+use crate::units::rests;
+
+impl Table {
+    /// Reads all of `input`; `only` is the one sensor in it, if that is known, and `origin` the
+    /// first stamp of the recording's other file.
+    pub fn read(
+        mut input: Input,
+        only: Option<Sensor>,
+        origin: Option<i64>,
+        options: &ReadOptions,
+    ) -> Result<Self, Error> {
+        let start = Start::look(&input.name, &input.head, only, options)?;
+        if start.layout.time.is_none() && options.rate.is_none() {
+            return Err(no_time(&input.name, &start));
+        }
+        let mut table = Self {
+            name: input.name.clone(),
+            stated: start.layout.stated,
+            strange: start.layout.strange.clone(),
+            unused: start.layout.unused(),
+            unclear: start.unclear.clone(),
+            names: start.layout.names.clone(),
+            by_names: options.columns.0.is_empty(),
+            roles: start.layout.roles(),
+            has_time: start.layout.time.is_some(),
+            plain_time: start
+                .layout
+                .time
+                .and_then(|i| start.layout.names.get(i))
+                .is_some_and(|n| n == "t"),
+            clock: Clock::new(origin, options),
+            warnings: std::mem::take(&mut input.warnings),
+            ..Self::default()
+        };
+        table.warnings.extend(
+            start
+                .warnings
+                .iter()
+                .map(|w| format!("{}: {w}", input.name)),
+        );
+        let unchanged = input.unchanged.take();
+        let sensors = [start.layout.accel, start.layout.gyro, start.layout.field];
+        let sensors = sensors.iter().flatten().count() as u64;
+        if let Some(size) = unchanged.as_ref().map(Unchanged::size) {
+            let rows = rows_in(&input.head, size).min(options.max_rows);
+            memory::room_to_read(&input.name, rows, sensors)?;
+        }
+        let batches = Batches::new(input.into_reader(), options.max_bytes);
+        Rows::new(&mut table, &start, options).read(batches)?;
+        unchanged.map_or(Ok(()), |file| file.check())?;
+        apply(&mut table, &start.layout.affine);
+        if start.undecided {
+            table.decide_roles(&start)?;
+        } else if start.told_by_norm && rests::at_one_reading(&table.accel.values) {
+            let names: Vec<String> = (1..=start.layout.width).map(|i| i.to_string()).collect();
+            let words = format!(
+                "{} columns without a header that rest at one reading in all attitudes, as a gyroscope does and no accelerometer; {}",
+                start.layout.width,
+                suggestion(&names)
+            );
+            return Err(at_line(&table.name, start.after + 1, words));
+        }
+        memory::room_to_work(&table.name, table.accel.t.len() + table.gyro.t.len())?;
+        Ok(table)
+    }
+
+    /// Tells the two sensors of a text without a header apart.
+    fn decide_roles(&mut self, start: &Start) -> Result<(), Error> {
+        if start.layout.width == 8
+            && let Some(slow) = self.slow_column()
+        {
+            let words = format!(
+                "8 columns without a header, of which {slow} hardly changes beside the others: a temperature? Say which is which, as in {}",
+                with_temperature(slow)
+            );
+            return Err(at_line(&self.name, start.after + 1, words));
+        }
+        let triads = [&self.accel.values[..], &self.gyro.values[..]];
+        let by_rests = rests::accelerometer(triads);
+        let by_norm = start.told_by_norm.then_some(0);
+        match by_rests.or(by_norm) {
+            Some(0) => {}
+            Some(_) => {
+                std::mem::swap(&mut self.accel, &mut self.gyro);
+                for (role, _) in &mut self.roles {
+                    *role = match *role {
+                        Role::Accel(axis) => Role::Gyro(axis),
+                        Role::Gyro(axis) => Role::Accel(axis),
+                        other => other,
+                    };
+                }
+            }
+            None => {
+                let names: Vec<String> = (1..=start.layout.width).map(|i| i.to_string()).collect();
+                let words = format!(
+                    "{} columns without a header, and neither gravity nor what changes between rests tells which are the accelerometer's; {}",
+                    start.layout.width,
+                    suggestion(&names)
+                );
+                return Err(at_line(&self.name, start.after + 1, words));
+            }
+        }
+        self.roles
+            .sort_by_key(|(_, column)| column.parse::<usize>().unwrap_or(0));
+        let taken: Vec<String> = self
+            .roles
+            .iter()
+            .map(|(role, column)| format!("{}={column}", role.name()))
+            .collect();
+        let why = match by_rests {
+            Some(_) => "; the accelerometer is the one whose mean turns from rest to rest",
+            None => "",
+        };
+        let words = format!(
+            "{}: no header; columns taken as {}{why}",
+            self.name,
+            taken.join(",")
+        );
+        self.warnings.push(words);
+        Ok(())
+    }
+
+    /// The column, numbered from 1, of eight without names that is no axis: it keeps within a small part of the range of
+    /// those beside it, or far from zero, as a temperature does.
+    fn slow_column(&self) -> Option<usize> {
+        const SMALL: f64 = 0.02;
+        const FAR: f64 = 2.0;
+        for (samples, first) in [(&self.accel, 2), (&self.gyro, 5)] {
+            let of_axis = |axis: usize| {
+                let column = || samples.values.iter().map(move |value| value[axis]);
+                let (low, high) = (
+                    column().fold(f64::MAX, f64::min),
+                    column().fold(f64::MIN, f64::max),
+                );
+                (high - low, low.abs().min(high.abs()), low * high > 0.0)
+            };
+            let axes = [0, 1, 2].map(of_axis);
+            let largest = axes.iter().map(|(range, ..)| *range).fold(0.0, f64::max);
+            let is_slow = |(range, level, one_sided): &(f64, f64, bool)| {
+                *range < SMALL * largest || (*one_sided && *level > FAR * range)
+            };
+            if let Some(axis) = axes.iter().position(is_slow) {
+                return Some(first + axis);
+            }
+        }
+        None
+    }
+}
+
+/// What is said of a text without stamps, with the columns that may be some.
+fn no_time(name: &str, start: &Start) -> Error {
+    let names = &start.layout.names;
+    let likely = start.layout.times.iter().map(|&at| &names[at]);
+    let column = match start.layout.times.first() {
+        None => "name the column with --columns t=…".to_owned(),
+        Some(&first) => format!(
+            "name the column, which may be {}, as in --columns 't={}'",
+            shown_list(likely),
+            entry(names, first)
+        ),
+    };
+    Error::Usage(format!(
+        "{name}: no time column; say the sampling rate in Hz, as in --rate 100, or {column}"
+    ))
+}
+
+/// About how many rows a text of `size` bytes has that begins with `head`. Of one that is compressed fewer.
+fn rows_in(head: &[u8], size: u64) -> u64 {
+    let lines = memchr::memchr_iter(b'\n', head).count() as u64;
+    match lines {
+        0 => 0,
+        _ => size / (head.len() as u64).div_ceil(lines),
+    }
+}
+
+/// Makes of the columns what the user asked for.
+fn apply(table: &mut Table, affines: &[(Role, Affine)]) {
+    for (role, Affine { scale, offset }) in affines {
+        let change = |value: &mut f64| *value = scale * *value + offset;
+        match *role {
+            Role::Accel(axis) => table
+                .accel
+                .values
+                .iter_mut()
+                .for_each(|value| change(&mut value[axis])),
+            Role::Gyro(axis) => table
+                .gyro
+                .values
+                .iter_mut()
+                .for_each(|value| change(&mut value[axis])),
+            Role::Field(axis) => table
+                .magnetometer
+                .values
+                .iter_mut()
+                .for_each(|value| change(&mut value[axis])),
+            Role::Temperature => table.temperature.iter_mut().for_each(change),
+            // Stamps have --time-unit.
+            Role::Time => {}
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! The arguments of `allan`.
+
+use std::path::PathBuf;
+
+use crate::commands::shared::inputs::numbers;
+use crate::commands::shared::pictures::PictureArgs;
+use crate::output::Replace;
+use crate::read_args::ReadArgs;
+
+/// Overlapping Allan deviation of a recording at rest, the five noise terms with their intervals,
+/// and the initial static time they advise.
+///
+/// Only a rest has an Allan deviation: where the device moved, the longest rest is taken (with a
+/// warning), and a recording without a rest of a minute is refused. A plain CSV is read as a stream: a
+/// day at 200 Hz takes hardly more memory than a minute.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "\
+Example:
+  stillpoint allan overnight.csv -o noise.json --report noise.html")]
+pub struct Args {
+    /// File or folder; `-` reads standard input
+    #[arg(value_name = "RECORDING")]
+    pub(super) recording: PathBuf,
+    /// Analyse this stretch, s; motion in it is then not looked for [default: all of it, or the
+    /// longest rest]
+    #[arg(long, value_name = "T0,T1", value_parser = numbers::<2>, allow_hyphen_values = true)]
+    pub(super) rest: Option<[f64; 2]>,
+    /// Write the noise terms and the curves here (JSON, SI units)
+    #[arg(short, value_name = "FILE")]
+    pub(super) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(super) replace: Replace,
+    /// Print JSON instead of tables
+    #[arg(long)]
+    pub(super) json: bool,
+    #[command(flatten)]
+    pub(super) pictures: PictureArgs,
+    #[command(flatten)]
+    pub(super) read: ReadArgs,
+}

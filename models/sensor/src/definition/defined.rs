@@ -1,0 +1,367 @@
+//! A definition that has been read: an effect like those that are compiled.
+
+use std::sync::{Mutex, PoisonError};
+
+use nalgebra::Vector3;
+use solver::{Jet, Jet2, Scalar};
+
+use super::budget::Budget;
+use super::{DefinedParam, Definition, DefinitionError};
+use crate::axis::Axis;
+use crate::covariate::Covariate;
+use crate::effect::AnyEffect;
+use crate::expression::Expression;
+use crate::kinematics::{Kinematics, Sensor};
+use crate::param::Param;
+use crate::quantity::Quantity;
+
+impl Definition {
+    /// The effect that it defines.
+    ///
+    /// It lives as long as the program, as those of the catalogue do; the same definition gives the
+    /// same effect.
+    ///
+    /// # Errors
+    /// [`DefinitionError`] with the entry: a name that is not snake case or taken twice, an expression
+    /// that cannot be read (with the column), a number that makes no sense, an effect that is not
+    /// silent at its nominal parameters.
+    pub fn effect(&self) -> Result<&'static dyn AnyEffect, DefinitionError> {
+        let mut defined = DEFINED.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = defined.iter().find(|known| known.definition == *self) {
+            return Ok(*known);
+        }
+        let new: &'static Defined = Box::leak(Box::new(self.read()?));
+        defined.push(new);
+        Ok(new)
+    }
+
+    fn read(&self) -> Result<Defined, DefinitionError> {
+        self.check_names()?;
+        let covariates: Vec<Covariate> = Covariate::all().collect();
+        let mut names: Vec<String> = covariates.iter().map(|c| c.name()).collect();
+        names.extend(self.parameters.iter().map(|p| p.name.clone()));
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let mut axes: [Option<Expression>; 3] = [None, None, None];
+        for axis in Axis::ALL {
+            let text = self.axis(axis);
+            if !text.trim().is_empty() {
+                let read = Expression::parse(text, &names)
+                    .map_err(|e| DefinitionError::new(axis.letter(), format!("`{text}`, {e}")))?;
+                axes[axis.index()] = Some(read);
+            }
+        }
+        if axes.iter().all(Option::is_none) {
+            let what = "no expression on any axis: write one of x, y, z";
+            return Err(DefinitionError::new("x", what));
+        }
+        let cost: u64 = axes.iter().flatten().map(Expression::cost).sum();
+        if cost > COSTLIEST {
+            let what = format!(
+                "the three expressions take {cost} steps, at most {COSTLIEST} may be: a function counts {} and an operation 1 \
+                 or 2; write it with fewer, or as a compiled effect",
+                crate::expression::CALL
+            );
+            let longest = Axis::ALL
+                .into_iter()
+                .max_by_key(|axis| axes[axis.index()].as_ref().map_or(0, Expression::cost));
+            let key = longest.map_or("x", Axis::letter);
+            return Err(DefinitionError::new(key, what));
+        }
+        let params: Vec<Param> = self.parameters.iter().map(parameter).collect();
+        let defined = Defined {
+            definition: self.clone(),
+            name: leak(&self.name),
+            equation: leak(&self.written_equation()),
+            params,
+            covariates,
+            axes,
+            budget: Budget::new(cost),
+        };
+        defined.check_silent()?;
+        Ok(defined)
+    }
+}
+
+fn leak(text: &str) -> &'static str {
+    Box::leak(text.to_owned().into_boxed_str())
+}
+
+fn parameter(p: &DefinedParam) -> Param {
+    Param::new(leak(&p.name), leak(&p.unit), p.nominal).sized(p.typical)
+}
+
+/// A definition that has been read.
+#[derive(Debug)]
+struct Defined {
+    definition: Definition,
+    name: &'static str,
+    equation: &'static str,
+    params: Vec<Param>,
+    covariates: Vec<Covariate>,
+    axes: [Option<Expression>; 3],
+    budget: Budget,
+}
+
+/// Every definition that was read, once.
+static DEFINED: Mutex<Vec<&'static Defined>> = Mutex::new(Vec::new());
+
+/// Steps that the expressions of an effect may take together: a second for a hundred thousand readings and a dozen
+/// evaluations of each with derivatives.
+const COSTLIEST: u64 = 160;
+
+/// The definition behind an effect; `None` for a compiled one.
+fn defined(effect: &dyn AnyEffect) -> Option<&'static Defined> {
+    let definition = effect.definition()?;
+    let defined = DEFINED.lock().unwrap_or_else(PoisonError::into_inner);
+    defined
+        .iter()
+        .copied()
+        .find(|known| known.definition == *definition)
+}
+
+/// Grants a defined effect as many steps as fits of `samples` readings need, from now on. Compiled effects are not
+/// counted.
+pub fn grant_steps(effect: &dyn AnyEffect, samples: usize) {
+    if let Some(defined) = defined(effect) {
+        defined.budget.grant(samples);
+    }
+}
+
+/// What went wrong with a defined effect since [`grant_steps`], in words: its steps are spent, or it was no number
+/// somewhere.
+pub fn fault_of(effect: &dyn AnyEffect) -> Option<String> {
+    defined(effect)?.budget.fault()
+}
+
+impl Defined {
+    fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
+        let count = self.covariates.len();
+        let variable = |k: usize| match self.covariates.get(k) {
+            Some(covariate) => covariate.value(truth),
+            None => p[k - count],
+        };
+        if !self.budget.spend::<D>() {
+            return Vector3::from_element(D::from(f64::NAN));
+        }
+        let error = Vector3::from_fn(|i, _| {
+            let axis = self.axes[i].as_ref();
+            axis.map_or_else(|| D::from(0.0), |axis| axis.eval(&variable))
+        });
+        if !error.iter().all(|e| e.re().is_finite()) {
+            let parameters: Vec<f64> = p.iter().map(|p| p.re()).collect();
+            self.budget.note_no_number(truth, &parameters);
+        }
+        error
+    }
+
+    /// Silent at the nominal parameters, and a number at the typical ones, in some motion or other.
+    fn check_silent(&self) -> Result<(), DefinitionError> {
+        let nominal: Vec<f64> = self.params.iter().map(|p| p.nominal).collect();
+        let sized = |p: &DefinedParam| match p.nominal {
+            0.0 => p.typical,
+            nominal => nominal,
+        };
+        let typical: Vec<f64> = self.definition.parameters.iter().map(sized).collect();
+        for truth in probes() {
+            let (off, on) = (self.error(&truth, &nominal), self.error(&truth, &typical));
+            for axis in Axis::ALL {
+                let (off, on) = (off[axis.index()], on[axis.index()]);
+                if off != 0.0 {
+                    let what = format!(
+                        "is {off} at the nominal parameters in some motion, must be 0: an effect is \
+                         silent in a perfect sensor"
+                    );
+                    return Err(DefinitionError::new(axis.letter(), what));
+                }
+                if !on.is_finite() {
+                    let what = format!("is {on} at the typical parameters in some motion");
+                    return Err(DefinitionError::new(axis.letter(), what));
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Rest and brisk motion, in both directions, at different temperatures.
+fn probes() -> [Kinematics<f64>; 3] {
+    let moving = |sign: f64| Kinematics {
+        time: 100.0 - 50.0 * sign,
+        temperature: 25.0 + 10.0 * sign,
+        angular_acceleration: Vector3::new(5.0, -7.0, 3.0) * sign,
+        last_change: Vector3::new(1.0, -1.0, 1.0) * sign,
+        vibration: Vector3::new(0.1, 0.2, 0.3),
+        ..Kinematics::new(
+            Vector3::new(6.0, -5.0, 4.0) * sign,
+            Vector3::new(-1.0, 2.0, 3.0) * sign,
+        )
+    };
+    [
+        Kinematics::at_rest(Vector3::new(0.0, 0.0, 9.8)),
+        moving(1.0),
+        moving(-1.0),
+    ]
+}
+
+impl AnyEffect for Defined {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+    fn sensor(&self) -> Sensor {
+        self.definition.sensor
+    }
+    fn equation(&self) -> &'static str {
+        self.equation
+    }
+    fn params(&self) -> &[Param] {
+        &self.params
+    }
+    fn typical(&self) -> f64 {
+        self.definition
+            .parameters
+            .first()
+            .map_or(0.0, |p| p.typical)
+    }
+    fn needs(&self) -> Vec<Quantity> {
+        let expressions = || self.axes.iter().flatten();
+        let used = self.covariates.iter().enumerate();
+        let used = used.filter(|(k, _)| expressions().any(|axis| axis.uses(*k)));
+        let mut needs: Vec<Quantity> = used.map(|(_, c)| Quantity::of(*c)).collect();
+        needs.sort();
+        needs.dedup();
+        needs
+    }
+    fn definition(&self) -> Option<&Definition> {
+        Some(&self.definition)
+    }
+    fn error_f64(&self, truth: &Kinematics<f64>, p: &[f64]) -> Vector3<f64> {
+        self.error(truth, p)
+    }
+    fn error_jet(&self, truth: &Kinematics<Jet>, p: &[Jet]) -> Vector3<Jet> {
+        self.error(truth, p)
+    }
+    fn error_jet2(&self, truth: &Kinematics<Jet2>, p: &[Jet2]) -> Vector3<Jet2> {
+        self.error(truth, p)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use solver::scalar::{derivatives, variable};
+
+    fn swirl() -> Definition {
+        Definition {
+            name: "gyro_swirl".into(),
+            x: "k * fy * wz^2".into(),
+            z: "c * exp(-t/tau)".into(),
+            parameters: vec![
+                DefinedParam::new("k", "s/m*s", 1e-4),
+                DefinedParam::new("c", "rad/s", 1e-3),
+                DefinedParam {
+                    nominal: 60.0,
+                    ..DefinedParam::new("tau", "s", 30.0)
+                },
+            ],
+            ..Definition::silent(Sensor::Gyroscope)
+        }
+    }
+
+    fn refused(change: impl FnOnce(&mut Definition)) -> String {
+        let mut definition = swirl();
+        change(&mut definition);
+        definition.effect().unwrap_err().to_string()
+    }
+
+    #[test]
+    fn a_defined_effect_is_what_its_expressions_say_over_every_scalar() {
+        let effect = swirl().effect().unwrap();
+        let truth = Kinematics {
+            time: 60.0,
+            ..Kinematics::new(Vector3::new(0.0, 2.0, 0.0), Vector3::new(0.0, 0.0, -3.0))
+        };
+        let e = effect.error_f64(&truth, &[0.1, 1.0, 60.0]);
+        assert!((e - Vector3::new(1.8, 0.0, (-1.0_f64).exp())).norm() < 1e-15);
+        let p = [0.1, 1.0, 60.0].map(solver::lit);
+        let mut jets: Kinematics<Jet> = truth.cast();
+        jets.angular_rate.z = variable(-3.0, 0);
+        // d/dw of k f w² is 2 k f w.
+        assert!((derivatives(&effect.error_jet(&jets, &p).x)[0] + 1.2).abs() < 1e-15);
+        assert_eq!(effect.params()[2].nominal, 60.0);
+        assert_eq!(effect.typical_of(1), 1e-3);
+        let written = "W_x += k * fy * wz^2, W_z += c * exp(-t/tau)";
+        assert_eq!(effect.equation(), written);
+    }
+
+    #[test]
+    fn the_same_definition_is_the_same_effect() {
+        let (one, two) = (swirl().effect().unwrap(), swirl().effect().unwrap());
+        assert!(std::ptr::addr_eq(one, two));
+        let mut other = swirl();
+        other.equation = "something".into();
+        assert!(!std::ptr::addr_eq(one, other.effect().unwrap()));
+    }
+
+    #[test]
+    fn a_costly_expression_is_refused_and_spent_steps_are_said() {
+        let nested = format!("k*{}fx{}", "sin(".repeat(40), ")".repeat(40));
+        let message = refused(|d| d.y = nested);
+        assert!(
+            message.starts_with("y: the three expressions take 6"),
+            "{message}"
+        );
+        let mut own = swirl();
+        own.name = "gyro_swirl_counted".into();
+        let effect = own.effect().unwrap();
+        let truth = Kinematics::at_rest(Vector3::new(0.0, 2.0, 0.0));
+        let p = [0.1, 1.0, 60.0];
+        grant_steps(effect, 1);
+        assert_eq!(fault_of(effect), None);
+        let evaluations = (0..1_000_000).take_while(|_| effect.error_f64(&truth, &p).x.is_finite());
+        assert!((1000..100_000).contains(&evaluations.count()));
+        assert!(fault_of(effect).unwrap().contains("more steps"));
+        grant_steps(effect, 1);
+        assert_eq!(fault_of(effect), None);
+    }
+
+    #[test]
+    fn where_an_expression_is_no_number_is_remembered() {
+        let mut own = swirl();
+        own.name = "gyro_swirl_rooted".into();
+        own.x = "k * sqrt(8.5 - fx)".into();
+        let effect = own.effect().unwrap();
+        grant_steps(effect, 100);
+        let at = |x: f64| {
+            effect.error_f64(
+                &Kinematics::at_rest(Vector3::new(x, 0.0, 0.0)),
+                &[0.1, 1.0, 60.0],
+            )
+        };
+        assert!(at(8.0).x.is_finite());
+        assert_eq!(fault_of(effect), None);
+        assert!(at(9.0).x.is_nan());
+        let fault = fault_of(effect).unwrap();
+        assert!(
+            fault.starts_with("is no number at a specific force of 9.000, 0.000"),
+            "{fault}"
+        );
+    }
+
+    #[test]
+    fn what_is_wrong_is_named_with_its_entry() {
+        let message = refused(|d| d.x = "k * fq".into());
+        let place = "x: `k * fq`, column 5: there is no `fq`: the variables are fx, fy";
+        assert!(message.starts_with(place), "{message}");
+        let message = refused(|d| d.y = "1 + k".into());
+        let silent = "y: is 1 at the nominal parameters";
+        assert!(message.starts_with(silent), "{message}");
+        let message = refused(|d| d.x = "k * sqrt(fy)".into());
+        assert!(message.starts_with("x: is NaN at"), "{message}");
+        assert!(refused(|d| d.name = "Swirl".into()).starts_with("name: `Swirl` found"));
+        assert!(refused(|d| d.parameters[1].name = "fx".into()).starts_with("parameters.1.name: "));
+        assert!(refused(|d| d.parameters[0].typical = 0.0).starts_with("parameters.0.typical: "));
+        assert!(refused(|d| d.parameters.clear()).starts_with("parameters: none found"));
+        let message = refused(|d| (d.x, d.z) = (String::new(), " ".into()));
+        assert!(message.starts_with("x: no expression"), "{message}");
+    }
+}

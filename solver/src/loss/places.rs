@@ -1,0 +1,7 @@
+//! Where a loss of one's own is looked at.
+
+/// Where a loss of one's own is looked at: from far inside to far outside, off the places where losses
+/// are usually put together.
+pub(crate) fn places() -> impl Iterator<Item = f64> {
+    (-12..=18).map(|k| 1.1 * 10f64.powf(f64::from(k) / 3.0))
+}

@@ -1,0 +1,48 @@
+//! The house is kept: rooms that can be overlooked, and a README that is read in one go.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use std::path::{Path, PathBuf};
+
+/// Files beside each other in a folder.
+const MOST_FILES: usize = 15;
+
+/// Lines of the README.
+const MOST_LINES: usize = 200;
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap()
+}
+
+/// The folders of code below `folder`, each with the number of its Rust files.
+fn rooms(folder: &Path, all: &mut Vec<(PathBuf, usize)>) {
+    let mut files = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_str().unwrap().to_owned();
+        if path.is_dir() && !["target", "corpus"].contains(&name.as_str()) {
+            rooms(&path, all);
+        } else if path.extension().is_some_and(|e| e == "rs") {
+            files += 1;
+        }
+    }
+    all.push((folder.to_owned(), files));
+}
+
+#[test]
+fn no_folder_but_those_of_effects_holds_more_than_fifteen_files() {
+    let mut all = Vec::new();
+    for part in ["solver", "models", "calib", "cli", "tests", "benches"] {
+        rooms(&root().join(part), &mut all);
+    }
+    assert!(all.len() > 100, "{} folders", all.len());
+    let is_of_effects = |path: &Path| path.ends_with("src/effects");
+    all.retain(|(path, files)| *files > MOST_FILES && !is_of_effects(path));
+    assert!(all.is_empty(), "{all:#?}");
+}
+
+#[test]
+fn the_readme_has_at_most_two_hundred_lines() {
+    let readme = std::fs::read_to_string(root().join("README.md")).unwrap();
+    let lines = readme.lines().count();
+    assert!(lines <= MOST_LINES, "{lines} lines");
+}
