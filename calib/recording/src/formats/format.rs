@@ -16,7 +16,7 @@ pub trait Format: fmt::Debug + Sync {
     /// What it is, in a line.
     fn about(&self) -> &'static str;
 
-    /// True if the content is of this format. The first format of [`FORMATS`] that says so reads it.
+    /// True if the content is of this format. The first format of [`FORMATS`](super::FORMATS) that says so reads it.
     fn recognises(&self, source: &Source) -> bool;
 
     /// Reads all of it.

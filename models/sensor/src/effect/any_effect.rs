@@ -21,7 +21,7 @@ pub enum Nature {
     EarthRotation,
 }
 
-/// An [`Effect`] behind a pointer; derived for every effect.
+/// An [`Effect`](super::Effect) behind a pointer; derived for every effect.
 pub trait AnyEffect: Send + Sync {
     /// Unique name in snake case.
     fn name(&self) -> &'static str;
