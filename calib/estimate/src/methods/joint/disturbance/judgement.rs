@@ -182,9 +182,9 @@ impl Run<'_> {
         let misfit = at.misfit_of_norm(&all(&found));
         if misfit > 0.0 && count > given.len() {
             let trial = analysis.trial(&candidates, &columns, &[]);
-            let (limit, accused) = (STANDS_OUT * misfit, found.clone());
+            let (limit, flagged) = (STANDS_OUT * misfit, found.clone());
             let is_push = |k: usize| candidates[k].kind == Disturbance::DisturbedInterval;
-            let stands_out = |k: usize| trial.size(k, &accused).is_none_or(|size| size > limit);
+            let stands_out = |k: usize| trial.size(k, &flagged).is_none_or(|size| size > limit);
             found.retain(|&k| given.contains(&k) || !is_push(k) || stands_out(k));
         }
         if found.len() < count {

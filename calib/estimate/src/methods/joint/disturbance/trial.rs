@@ -194,9 +194,9 @@ impl<'a> Trial<'a> {
         Some((own, moved))
     }
 
-    /// How far a suspect is off, the others among the accused fitted beside it: the length of its parameters.
-    pub fn size(&self, suspect: usize, accused: &[usize]) -> Option<f64> {
-        let others: Vec<usize> = accused.iter().copied().filter(|&k| k != suspect).collect();
+    /// How far a suspect is off, the others among the flagged fitted beside it: the length of its parameters.
+    pub fn size(&self, suspect: usize, flagged: &[usize]) -> Option<f64> {
+        let others: Vec<usize> = flagged.iter().copied().filter(|&k| k != suspect).collect();
         let known = self.with(&others);
         let groups = 0..self.columns.parts().len();
         let inside: Vec<Mat<f64>> = groups.map(|group| self.inside(group, &known)).collect();
