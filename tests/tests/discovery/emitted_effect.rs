@@ -78,7 +78,8 @@ fn instant() -> Kinematics<f64> {
 fn the_source_is_what_is_compiled_here() {
     for (name, formula, _) in cases() {
         let source = emit_effect(&formula, name).unwrap();
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/emitted/{name}.rs"));
+        let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join(format!("tests/discovery/emitted/{name}.rs"));
         if std::env::var_os("STILLPOINT_BLESS").is_some() {
             std::fs::write(&path, &source).unwrap();
         }
