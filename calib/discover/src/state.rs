@@ -104,8 +104,9 @@ impl State {
         self.suspects.get_or_init(|| {
             let rows = self.fit.plain_rows();
             let x = &self.fit.parameters.values()[..rows.layout.disturbance(0)];
-            let mut all = suspects(&rows, x);
-            all.extend(excursions(&rows, x));
+            let rotations = rows.rotations(x);
+            let mut all = suspects(&rows, x, &rotations);
+            all.extend(excursions(&rows, x, &rotations));
             all
         })
     }

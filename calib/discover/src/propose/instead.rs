@@ -5,7 +5,7 @@ use faer::Mat;
 
 use super::dictionary::{Product, dictionary};
 use super::{Proposed, propose_of};
-use crate::family::{Claim, families};
+use crate::family::families;
 use crate::rank::APART;
 use crate::remainder::unexplained::{Unexplained, rest_of};
 use crate::request::{Request, Session};
@@ -22,8 +22,8 @@ pub fn instead_of_names(
     request: &Request,
     search: &Search,
 ) -> Option<(Proposed, Unexplained)> {
-    let is_effect = |claim: Claim| matches!(claim, Claim::Effect(_));
-    if !search.names.iter().any(|name| is_effect(name.claim)) {
+    let mut claims = search.names.iter().map(|name| name.claim);
+    if !claims.any(|claim| claim.effect().is_some()) {
         return None;
     }
     let whole = rest_of(&search.base, request.half_alpha())?;
@@ -37,7 +37,7 @@ fn not_of_the_catalogue(base: &State, request: &Request) -> Vec<Product> {
     let mut spans: Vec<Mat<f64>> = Vec::new();
     for family in families(base, &request.candidates()) {
         let own = family.hypotheses.iter().enumerate();
-        for (k, hypothesis) in own.filter(|_| matches!(family.claim, Claim::Effect(_))) {
+        for (k, hypothesis) in own.filter(|_| family.claim.effect().is_some()) {
             if hypothesis.shape.is_none() {
                 spans.push(orthonormal(&base.projected.columns(family.columns_of(k))));
             }

@@ -53,16 +53,15 @@ pub struct Suspect {
     pub slopes: Vec<(Vec<f64>, f64)>,
 }
 
-/// Everything that may have been disturbed at the parameters `x`.
-pub fn suspects(rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
+/// Everything that may have been disturbed at the parameters `x`, where the turns have these rotations.
+pub fn suspects(rows: &Rows<'_>, x: &[f64], rotations: &[Matrix3<f64>]) -> Vec<Suspect> {
     // A device that sways at rest creeps a little in any interval.
     let may_creep = |k: &usize| {
         let recording = rows.data.rests[*k].recording;
         !rows.data.sources[recording].moves_at_rest()
     };
     let rests = (0..rows.data.rests.len()).filter(may_creep);
-    let rotations = rows.rotations(x);
-    let mut all: Vec<Suspect> = rests.map(|k| slip(rows, x, k, &rotations)).collect();
+    let mut all: Vec<Suspect> = rests.map(|k| slip(rows, x, k, rotations)).collect();
     // Without placements to spare any of them, or a part of it, would make the others agree.
     if rows.spare_placements() > LEAST_SPARE {
         let means = rows.means(Sensor::Accelerometer).enumerate();
@@ -82,9 +81,8 @@ pub fn suspects(rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
 
 /// What is suspected where a bias may be taken for it: the rate of one static interval alone, and a slip at once within a
 /// long one.
-pub fn excursions(rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
+pub fn excursions(rows: &Rows<'_>, x: &[f64], rotations: &[Matrix3<f64>]) -> Vec<Suspect> {
     let mut all: Vec<Suspect> = Vec::new();
-    let rotations = rows.rotations(x);
     for (rest, own) in rows.data.rests.iter().enumerate() {
         let mut columns = vec![Column::default(); 3];
         for (k, (place, _)) in rows.means(Sensor::Gyroscope).enumerate() {
@@ -98,7 +96,7 @@ pub fn excursions(rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
         all.push(plain(Disturbance::RateExcursion, rest, columns));
         let inner = own.chunks.clone().skip(1);
         all.extend(inner.map(|chunk| {
-            let columns = sudden(rows, x, (rest, chunk), &rotations);
+            let columns = sudden(rows, x, (rest, chunk), rotations);
             plain(Disturbance::SuddenSlip, chunk, columns)
         }));
     }

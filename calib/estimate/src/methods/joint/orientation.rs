@@ -103,7 +103,7 @@ impl StaticNumbers {
         if self.rows.len() < LEAST_SPARE {
             return None;
         }
-        let walks = self.walks();
+        let walks = self.walks(&WALKS);
         let all = patterns.iter().filter_map(|&pattern| {
             let (p_value, dof) = self.test(&walks, &self.columns(pattern))?;
             Some(Shown {
@@ -118,12 +118,10 @@ impl StaticNumbers {
 
     /// What the parameters leave, root of the mean square per degree of freedom; nothing where chance explains it.
     pub fn misfit(&self) -> f64 {
-        let few = self.rows.len() < LEAST_SPARE;
-        let Some(base) = (!few)
-            .then(|| self.walking(0.0))
-            .flatten()
-            .map(|walk| walk.base)
-        else {
+        if self.rows.len() < LEAST_SPARE {
+            return 0.0;
+        }
+        let Some(base) = self.walks(&[0.0]).first().map(|walk| walk.base) else {
             return 0.0;
         };
         let spare = self.rows.len().saturating_sub(base.rank) as f64;
@@ -147,20 +145,18 @@ impl StaticNumbers {
         })
     }
 
-    /// What the parameters leave under every walk that is tried.
-    fn walks(&self) -> Vec<Walking> {
-        let walk = self.walk();
-        let all = WALKS.iter().filter_map(|size| self.walking(walk * size));
-        all.collect()
-    }
-
-    /// What the parameters leave under a walk of so much variance per second.
-    fn walking(&self, walk: f64) -> Option<Walking> {
-        let filter = WalkFilter::new(&self.rows, &self.sigma, walk)?;
+    /// What the parameters leave under walks of these sizes, as multiples of [`Self::walk`].
+    fn walks(&self, sizes: &[f64]) -> Vec<Walking> {
         let groups = RowGroups::new(self.rows.iter().map(|(at, _)| at.recording).collect());
         let residuals = DMatrix::from_column_slice(self.rows.len(), 1, self.residuals.as_slice());
         let (residuals, jacobian) = (self.scaled(&residuals), self.scaled(&self.jacobian));
-        Some(Walking::new(filter, &groups, &residuals, &jacobian))
+        let walk = self.walk();
+        let filters = sizes.iter();
+        let filters =
+            filters.filter_map(|size| WalkFilter::new(&self.rows, &self.sigma, walk * size));
+        filters
+            .map(|filter| Walking::new(filter, &groups, &residuals, &jacobian))
+            .collect()
     }
 
     /// Numbers in standard deviations.

@@ -1,5 +1,6 @@
 //! How the rows are believed: levels of noise, and the disturbances that they flag.
 
+use nalgebra::Matrix3;
 use sensor::Sensor;
 
 use super::belief::Weights;
@@ -114,8 +115,10 @@ impl Run<'_> {
             let same = |k: &Known| k.kind == s.kind && k.place == s.place;
             self.request.known.iter().any(same)
         };
-        let all = suspects(rows, x).into_iter();
-        all.chain(excursions(rows, x)).filter(is_known).collect()
+        let rotations = rows.rotations(x);
+        let all = suspects(rows, x, &rotations).into_iter();
+        let all = all.chain(excursions(rows, x, &rotations));
+        all.filter(is_known).collect()
     }
 
     /// Levels of noise and disturbances: what was seen to shake, then what the rows flag.
@@ -126,8 +129,9 @@ impl Run<'_> {
         shown: &mut Vec<(Sensor, Shown)>,
     ) -> (Vec<NoiseLevel>, Vec<Suspect>) {
         let (rows, x) = (at.rows, at.x);
-        let mut candidates = suspects(rows, x);
-        let touched = self.touched(rows, x);
+        let rotations = rows.rotations(x);
+        let mut candidates = suspects(rows, x, &rotations);
+        let touched = self.touched(rows, x, &rotations);
         let given: Vec<usize> = (candidates.len()..candidates.len() + touched.len()).collect();
         candidates.extend(touched);
         let most = given.len() + (MOST_DISTURBED * self.data.rests.len() as f64).ceil() as usize;
@@ -179,13 +183,16 @@ impl Run<'_> {
             levels = self.measured(analysis, &all(&found));
         }
         let count = found.len();
-        let misfit = at.misfit_of_norm(&all(&found));
-        if misfit > 0.0 && count > given.len() {
-            let trial = analysis.trial(&candidates, &columns, &[]);
-            let (limit, flagged) = (STANDS_OUT * misfit, found.clone());
-            let is_push = |k: usize| candidates[k].kind == Disturbance::DisturbedInterval;
-            let stands_out = |k: usize| trial.size(k, &flagged).is_none_or(|size| size > limit);
-            found.retain(|&k| given.contains(&k) || !is_push(k) || stands_out(k));
+        let is_push = |k: &usize| candidates[*k].kind == Disturbance::DisturbedInterval;
+        let without_shaking = |k: &usize| !given.contains(k) && is_push(k);
+        if found.iter().any(without_shaking) {
+            let limit = STANDS_OUT * at.misfit_of_norm(&all(&found));
+            if limit > 0.0 {
+                let trial = analysis.trial(&candidates, &columns, &[]);
+                let flagged = found.clone();
+                let stands_out = |k| trial.size(k, &flagged).is_none_or(|size| size > limit);
+                found.retain(|k| !without_shaking(k) || stands_out(*k));
+            }
         }
         if found.len() < count {
             levels = self.measured(analysis, &all(&found));
@@ -201,11 +208,10 @@ impl Run<'_> {
     /// The chunks that were seen to shake: their force may be off and the device may have moved. None where
     /// shaking is how the recording is: the rows are believed by their own noise then. Nor where the device sways, as in a
     /// hand, which trembles now more and now less.
-    fn touched(&self, rows: &Rows<'_>, x: &[f64]) -> Vec<Suspect> {
-        if self.data.shakes_throughout().is_some() || self.data.shaken.is_empty() {
+    fn touched(&self, rows: &Rows<'_>, x: &[f64], rotations: &[Matrix3<f64>]) -> Vec<Suspect> {
+        if self.data.shakes_throughout().is_some() {
             return Vec::new();
         }
-        let rotations = rows.rotations(x);
         self.data
             .shaken
             .iter()
@@ -213,7 +219,7 @@ impl Run<'_> {
                 let recording = self.data.rests[self.data.chunks[*chunk].rest].recording;
                 !self.data.sources[recording].moves_at_rest()
             })
-            .filter_map(|(chunk, shake)| pushed_chunk(rows, x, (*chunk, shake), &rotations))
+            .filter_map(|(chunk, shake)| pushed_chunk(rows, x, (*chunk, shake), rotations))
             .collect()
     }
 }
@@ -322,7 +328,8 @@ mod tests {
                 ..simulate::HandHeld::default()
             });
             let fit = fit(&Simulation::new(&spec).unwrap());
-            let all = suspects(&fit.plain_rows(), fit.parameters.values());
+            let (rows, x) = (fit.plain_rows(), fit.parameters.values());
+            let all = suspects(&rows, x, &rows.rotations(x));
             all.iter().any(|s| s.kind == Disturbance::DisturbedInterval)
         };
         // Nine parameters: without a placement of ten the nine others meet any misfit.

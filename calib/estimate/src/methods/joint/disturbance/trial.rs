@@ -52,6 +52,8 @@ struct Known {
     added: Mat<f64>,
     /// What is left of the residuals (`m`).
     left: Vec<f64>,
+    /// The parts of the suspects' columns in the space of all that is fitted, group by group.
+    inside: Vec<Mat<f64>>,
 }
 
 impl<'a> Trial<'a> {
@@ -125,12 +127,9 @@ impl<'a> Trial<'a> {
     /// The tests of `tried`, with the columns of `known` among the free ones.
     fn verdicts(&self, known: &[usize], tried: impl Iterator<Item = usize>) -> Vec<Verdict> {
         let known = self.with(known);
-        let inside: Vec<Mat<f64>> = (0..self.columns.parts().len())
-            .map(|group| self.inside(group, &known))
-            .collect();
         tried
             .filter_map(|suspect| {
-                let (statistic, p_value) = self.test(suspect, &known, &inside)?;
+                let (statistic, p_value) = self.test(suspect, &known)?;
                 Some(Verdict {
                     suspect,
                     statistic,
@@ -148,8 +147,7 @@ impl<'a> Trial<'a> {
             .collect();
         let mut left = self.basis.without_column(&self.residuals);
         if places.is_empty() {
-            let added = Mat::zeros(left.len(), 0);
-            return Known { added, left };
+            return self.known(Mat::zeros(left.len(), 0), left);
         }
         // Twice is enough: what the first projection leaves of rounding, the second takes.
         let own = self.basis.without(&self.columns.select(&places));
@@ -159,17 +157,24 @@ impl<'a> Trial<'a> {
         left.iter_mut()
             .zip(taken.col(0).iter())
             .for_each(|(l, t)| *l -= t);
-        Known { added, left }
+        self.known(added, left)
     }
 
-    /// The parts of the columns of a group of rows in the space of all that is fitted.
-    fn inside(&self, group: usize, known: &Known) -> Mat<f64> {
+    fn known(&self, added: Mat<f64>, left: Vec<f64>) -> Known {
+        let groups = 0..self.columns.parts().len();
+        Known {
+            inside: groups.map(|group| self.inside(group, &added)).collect(),
+            added,
+            left,
+        }
+    }
+
+    /// The parts of the columns of a group of rows in the space of all that is fitted, of which `added` is not in the basis.
+    fn inside(&self, group: usize, added: &Mat<f64>) -> Mat<f64> {
         let part = &self.columns.parts()[group];
         let in_basis = self.basis.inside(group, part.values.as_ref());
-        let count = known.added.ncols();
-        let added = Mat::from_fn(part.rows.len(), count, |i, k| {
-            known.added[(part.rows[i], k)]
-        });
+        let count = added.ncols();
+        let added = Mat::from_fn(part.rows.len(), count, |i, k| added[(part.rows[i], k)]);
         stacked(&in_basis, &(added.transpose() * &part.values))
     }
 
@@ -197,18 +202,15 @@ impl<'a> Trial<'a> {
     /// How far a suspect is off, the others among the flagged fitted beside it: the length of its parameters.
     pub fn size(&self, suspect: usize, flagged: &[usize]) -> Option<f64> {
         let others: Vec<usize> = flagged.iter().copied().filter(|&k| k != suspect).collect();
-        let known = self.with(&others);
-        let groups = 0..self.columns.parts().len();
-        let inside: Vec<Mat<f64>> = groups.map(|group| self.inside(group, &known)).collect();
-        let score = self.score(suspect, &known, &inside)?;
+        let score = self.score(suspect, &self.with(&others))?;
         let seen = score.seen();
         let along = |(value, vector, b): (f64, DVector<f64>, f64)| vector * (b / value);
         Some(seen.map(along).sum::<DVector<f64>>().norm())
     }
 
     /// Statistic and p-value of a suspect.
-    fn test(&self, suspect: usize, known: &Known, inside: &[Mat<f64>]) -> Option<(f64, f64)> {
-        let score = self.score(suspect, known, inside)?;
+    fn test(&self, suspect: usize, known: &Known) -> Option<(f64, f64)> {
+        let score = self.score(suspect, known)?;
         let (mut statistic, mut dof) = (0.0, 0);
         for (value, _, b) in score.seen() {
             statistic += b * b / value;
@@ -218,13 +220,12 @@ impl<'a> Trial<'a> {
         Some((statistic, law.sf(statistic)))
     }
 
-    /// `inside` are the columns' parts in the space of all that is fitted, group by group.
-    fn score(&self, suspect: usize, known: &Known, inside: &[Mat<f64>]) -> Option<Score> {
+    fn score(&self, suspect: usize, known: &Known) -> Option<Score> {
         let q = self.first[suspect + 1] - self.first[suspect];
         let (group, place) = self.place(self.first[suspect])?;
         let part = &self.columns.parts()[group];
         let e = part.values.as_ref().subcols(place, q);
-        let taken = inside[group].as_ref().subcols(place, q);
+        let taken = known.inside[group].as_ref().subcols(place, q);
         let gram = e.transpose() * e;
         let mut taken = taken.transpose() * taken;
         let r = Mat::from_fn(part.rows.len(), 1, |i, _| known.left[part.rows[i]]);
