@@ -1,6 +1,6 @@
 //! A problem of a collection.
 
-use solver::{Constraints, Mask, Parameters, Problem};
+use solver::{Constraints, Error, Mask, Options, Parameters, Problem, Report, solve};
 
 /// A sum of squares with its start and the minima known.
 pub struct Case {
@@ -55,6 +55,20 @@ impl Case {
     /// The start as parameters `x0, x1, …`, multiplied by `factor`.
     pub fn parameters(&self, factor: f64) -> Parameters {
         Parameters::unnamed(&self.start.iter().map(|x| factor * x).collect::<Vec<_>>())
+    }
+
+    /// The default from the published start, moved to where the constraints hold.
+    ///
+    /// # Errors
+    /// Constraints that cannot hold, and what the solver refuses.
+    pub fn solved(&self) -> Result<Report, Error> {
+        let options = Options {
+            constraints: self.constraints(),
+            ..Options::default()
+        };
+        let (mut start, mask) = (self.parameters(1.0), self.mask());
+        options.constraints.project(&mut start, &mask)?;
+        solve(&*self.problem, &start, &mask, &options)
     }
 
     /// All parameters free.

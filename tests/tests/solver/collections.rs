@@ -5,19 +5,6 @@
 use solver::{Mask, Options, Report, solve};
 use stillpoint_tests::problems::{self, Case};
 
-fn fit(case: &Case) -> Report {
-    let options = Options {
-        constraints: case.constraints(),
-        ..Options::default()
-    };
-    let mut start = case.parameters(1.0);
-    options
-        .constraints
-        .project(&mut start, &case.mask())
-        .unwrap();
-    solve(&*case.problem, &start, &case.mask(), &options).unwrap()
-}
-
 fn is_solved(case: &Case, report: &Report) -> bool {
     let optimality = if case.linear.is_empty() {
         case.optimality(report.parameters.values())
@@ -30,7 +17,7 @@ fn is_solved(case: &Case, report: &Report) -> bool {
 fn failures(cases: Vec<Case>) -> Vec<String> {
     cases
         .iter()
-        .filter(|case| !is_solved(case, &fit(case)))
+        .filter(|case| !is_solved(case, &case.solved().unwrap()))
         .map(|case| case.name.clone())
         .collect()
 }

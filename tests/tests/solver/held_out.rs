@@ -2,21 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
-use solver::{Options, Report, solve};
 use stillpoint_tests::problems::{Case, held_out};
-
-fn fit(case: &Case) -> Report {
-    let options = Options {
-        constraints: case.constraints(),
-        ..Options::default()
-    };
-    let mut start = case.parameters(1.0);
-    options
-        .constraints
-        .project(&mut start, &case.mask())
-        .unwrap();
-    solve(&*case.problem, &start, &case.mask(), &options).unwrap()
-}
 
 /// What is counted as the least cost: 1e-6 of it apart, or 1e-12 where it is zero.
 fn is_least(case: &Case, least: f64, found: f64) -> bool {
@@ -33,7 +19,7 @@ fn no_ending_is_false_and_all_but_two_are_at_the_least_cost_known() {
     assert_eq!(cases.len(), held_out::LEAST.len());
     for (case, (name, least)) in cases.iter().zip(held_out::LEAST) {
         assert_eq!(case.name, name);
-        let report = fit(case);
+        let report = case.solved().unwrap();
         let at_least = is_least(case, least, 2.0 * report.cost);
         println!("{name}: {:e} {}", 2.0 * report.cost, report.termination);
         if at_least != report.termination.converged() {
