@@ -5,7 +5,7 @@
 //! … --bin graph-table -- make FOLDER [small]                                    files to compare on
 //! … --bin graph-table -- bal FILE auto|analytic fixed|free                      one line
 //! … --bin graph-table -- bal FILE auto fixed|free turned                         one line, cameras step by turns
-//! … --bin graph-table -- g2o FILE [DAMPING]                                     one line, from another first damping
+//! … --bin graph-table -- g2o FILE [DAMPING]                                     one line, another damping once a step fails
 //! … --bin graph-table -- shared NUMBERS BLOCKS                                  one line
 //! ```
 //! A line: cost at the start and the end (½ ‖r‖²), steps, seconds of the processor from the problem in

@@ -71,3 +71,26 @@ impl Lambda {
         self.value > MOST
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_damping_begins_with_the_first_step_that_fails() {
+        let mut lambda = Lambda::new(Damping::Nielsen, 1e-4);
+        assert_eq!(lambda.value, NEXT_TO_NONE);
+        lambda.rejected();
+        assert_eq!(lambda.value, 1e-4);
+        lambda.rejected();
+        assert_eq!(lambda.value, 2e-4);
+    }
+
+    #[test]
+    fn a_first_damping_below_next_to_none_is_where_it_begins() {
+        let mut lambda = Lambda::new(Damping::Marquardt, 1e-12);
+        assert_eq!(lambda.value, 1e-12);
+        lambda.rejected();
+        assert_eq!(lambda.value, 1e-11);
+    }
+}
