@@ -70,7 +70,9 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
         Err(error) => return ended(&wrong_call(&error)),
     };
     cli.terminal.install();
-    let result = std::panic::catch_unwind(AssertUnwindSafe(|| commands::run(cli.command)));
+    let result = std::panic::catch_unwind(AssertUnwindSafe(|| {
+        commands::run(cli.command, Cli::command)
+    }));
     match result {
         Ok(Ok(())) => 0,
         Ok(Err(failure)) => ended(&failure),

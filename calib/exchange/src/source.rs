@@ -120,7 +120,7 @@ impl<'a> Source<'a> {
     /// The unit of a sensor's readings.
     pub fn unit(&self, sensor: Sensor) -> Option<String> {
         let triad = self.calibration.triad(sensor)?;
-        Some(TriadUnits::of(sensor, triad).reading)
+        Some(TriadUnits::of(sensor, triad.base().scale()).reading)
     }
 
     /// Where it comes from, in lines of comment that begin with `mark`: printable ASCII without what could end a comment of

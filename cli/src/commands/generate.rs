@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::CommandFactory;
 use clap_complete::Shell;
 use clap_mangen::Man;
 
@@ -27,21 +26,20 @@ pub struct Args {
     replace: Replace,
 }
 
-/// Runs the command.
-pub fn run(args: &Args) -> Result<(), Failure> {
+/// Runs the command; `whole` is the command line as a whole.
+pub fn run(args: &Args, mut whole: clap::Command) -> Result<(), Failure> {
     if let Some(shell) = args.completions {
         let mut text = Vec::new();
-        clap_complete::generate(shell, &mut crate::Cli::command(), "stillpoint", &mut text);
+        clap_complete::generate(shell, &mut whole, "stillpoint", &mut text);
         return show::print(&String::from_utf8_lossy(&text));
     }
     match &args.man {
-        Some(dir) => manual(dir, args.replace),
+        Some(dir) => manual(dir, whole, args.replace),
         None => Ok(()),
     }
 }
 
-fn manual(dir: &Path, replace: Replace) -> Result<(), Failure> {
-    let mut command = crate::Cli::command();
+fn manual(dir: &Path, mut command: clap::Command, replace: Replace) -> Result<(), Failure> {
     command.build();
     let mut pages = vec![("stillpoint".to_owned(), command.clone())];
     let commands = command

@@ -51,7 +51,7 @@ pub enum Command {
 }
 
 /// Runs a command.
-pub fn run(command: Command) -> Result<(), Failure> {
+pub fn run(command: Command, whole: fn() -> clap::Command) -> Result<(), Failure> {
     match command {
         Command::Demo(args) => demo::run(&args),
         Command::Info(args) => info::run(&args),
@@ -71,6 +71,6 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Plan(args) => plan::run(&args),
         Command::Export(args) => export::run(&args),
         Command::Import(args) => import::run(&args),
-        Command::Generate(args) => generate::run(&args),
+        Command::Generate(args) => generate::run(&args, whole()),
     }
 }

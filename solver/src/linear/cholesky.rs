@@ -5,7 +5,9 @@ use std::cell::OnceCell;
 use faer::linalg::solvers::SolveCore;
 use faer::{Conj, Mat, MatRef, Side};
 
-use super::{Factor, QrFactor, multiply, transpose_multiply};
+use super::factor::Factor;
+use super::product::{multiply, transpose_multiply};
+use super::qr::QrFactor;
 use crate::linear::vector::{dot, norm};
 
 /// Smallest ratio of squared pivots at which the normal equations keep half the digits.

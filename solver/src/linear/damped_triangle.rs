@@ -1,6 +1,6 @@
 //! Damped least squares on a triangle.
 
-use super::Triangle;
+use super::triangle::Triangle;
 use crate::linear::vector::dot;
 
 /// `argmin ‖R w + q‖² + λ ‖w‖²` for an upper trapezoid `R` (`rows × n`, `rows ≤ n`): rotates the

@@ -1,6 +1,6 @@
 //! QR of small matrices, on slices.
 
-use super::Triangle;
+use super::triangle::Triangle;
 use crate::linear::vector::{add_to, divide, dot, norm};
 
 /// Share of a column's norm, squared, below which the norm is measured again and not updated.

@@ -11,7 +11,10 @@ use faer::linalg::householder::{
 use faer::linalg::solvers::{ColPivQr, SolveLstsqCore, Svd};
 use faer::{Conj, Mat, MatMut, MatRef, Par};
 
-use super::{Factor, Householder, Triangle, damped_triangle};
+use super::damped_triangle::damped_triangle;
+use super::factor::Factor;
+use super::householder::Householder;
+use super::triangle::Triangle;
 use crate::linear::vector::{divide, dot, norm};
 
 /// Most columns for which rotating the damping in is faster than a blocked QR.

@@ -6,11 +6,11 @@ mod clock;
 mod doubts;
 mod frame;
 mod gravity;
-mod inputs;
 mod left_out;
 mod magnetic_field;
 mod misfit;
 mod outside;
+mod provenance;
 mod reading_unit;
 mod units;
 mod values;
@@ -23,13 +23,13 @@ pub use clock::{BetweenSamples, RecordingClock};
 pub use doubts::doubts;
 pub use effects::{catalogue, effect_named};
 pub use frame::in_symmetric_frame;
-pub use inputs::{
-    Input, Options, Provenance, SIGN_CONVENTION, SensorInput, TemperatureInput, fingerprint,
-};
 pub use left_out::{Enlarged, LeftOut};
 pub use magnetic_field::{MagneticField, RecordingField};
 pub use misfit::{Remainder, WITH_WALKS, WITHOUT_WALKS};
 pub use outside::Outside;
+pub use provenance::{
+    Input, Options, Provenance, SIGN_CONVENTION, SensorInput, TemperatureInput, fingerprint,
+};
 pub use reading_unit::TriadUnits;
 pub use units::check_units;
 
@@ -265,6 +265,25 @@ impl Calibration {
         self.provenance = Provenance::of(inputs.collect(), options);
         self.state_units();
         self.seal();
+    }
+
+    /// Writes the units of both sensors down.
+    pub fn state_units(&mut self) {
+        for (sensor, triad) in [
+            (Sensor::Accelerometer, &mut self.accelerometer),
+            (Sensor::Gyroscope, &mut self.gyroscope),
+        ] {
+            if let Some(triad) = triad {
+                triad.units = Some(TriadUnits::of(sensor, triad.base().scale()));
+            }
+        }
+        if let (Some(triad), Some(field)) = (&mut self.magnetometer, &self.magnetic_field) {
+            triad.units = Some(TriadUnits {
+                reading: field.unit.clone(),
+                t: "1".into(),
+                corrected: field.unit.clone(),
+            });
+        }
     }
 
     /// Whether it was made from this recording among others; `None` where the file does not say from what.

@@ -5,8 +5,6 @@ use std::ops::Range;
 use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 
-use super::{Calibration, Triad};
-
 /// SI units per unit of the reading where the reading is in SI units.
 const SI: Range<f64> = 0.5..2.0;
 /// The same of g.
@@ -29,9 +27,8 @@ pub struct TriadUnits {
 }
 
 impl TriadUnits {
-    /// By the scale of `T`, SI units per unit of the reading.
-    pub fn of(sensor: Sensor, triad: &Triad) -> Self {
-        let scale = triad.base().scale();
+    /// By the `scale` of `T`, SI units per unit of the reading.
+    pub fn of(sensor: Sensor, scale: f64) -> Self {
         let (corrected, other, name) = match sensor {
             Sensor::Accelerometer => ("m/s^2", G, "g"),
             Sensor::Gyroscope => ("rad/s", DEGREES, "deg/s"),
@@ -53,27 +50,6 @@ impl TriadUnits {
             reading: reading.into(),
             t,
             corrected: corrected.into(),
-        }
-    }
-}
-
-impl Calibration {
-    /// Writes the units of both sensors down.
-    pub fn state_units(&mut self) {
-        for (sensor, triad) in [
-            (Sensor::Accelerometer, &mut self.accelerometer),
-            (Sensor::Gyroscope, &mut self.gyroscope),
-        ] {
-            if let Some(triad) = triad {
-                triad.units = Some(TriadUnits::of(sensor, triad));
-            }
-        }
-        if let (Some(triad), Some(field)) = (&mut self.magnetometer, &self.magnetic_field) {
-            triad.units = Some(TriadUnits {
-                reading: field.unit.clone(),
-                t: "1".into(),
-                corrected: field.unit.clone(),
-            });
         }
     }
 }

@@ -4,8 +4,8 @@
 //! with 3 mm/s² by hysteresis and table edges, a reduced chi² of 1,600 in a calibration that serves its user. Of eleven
 //! recordings of eight real devices the worst sound ones leave 12.5 mm/s² and 0.98°.
 
+use super::line::{Bound, Limit, LimitLine};
 use super::quantity::unexplained;
-use super::{Bound, Limit, LimitLine};
 use crate::calibration::Calibration;
 
 /// A residual above this, one hundredth of gravity, is no calibration, mm/s².

@@ -1,7 +1,8 @@
 //! A calibration against limits.
 
+use super::line::{Bound, Limit, LimitLine};
 use super::quantity::{Class, largest_error, parameter, unit};
-use super::{Bound, Limit, LimitLine, Limits, RequiredSensor};
+use super::{Limits, RequiredSensor};
 use crate::calibration::{Calibration, Triad};
 use crate::evaluate::Evaluation;
 

@@ -12,6 +12,7 @@ mod attitude;
 mod needs;
 mod rests;
 mod sensing;
+mod supposed;
 #[cfg(test)]
 mod tests;
 mod thermal;
@@ -25,6 +26,7 @@ use sensor::{Kinematics, Quantity, Sensor, Since};
 
 pub use needs::{require, silent_at_static_intervals, without_instant};
 pub use sensing::{Models, Sensing};
+pub use supposed::{supposed, unneeded};
 
 pub(crate) use attitude::levelled;
 
@@ -53,16 +55,6 @@ struct Seen {
     reading: Vector3<f64>,
     /// The signal's derivative by the base model, per second.
     slope: Vector3<f64>,
-}
-
-/// For models without effects, which look at nothing.
-pub fn unneeded() -> Kinematics<f64> {
-    supposed(Vector3::zeros(), Vector3::zeros())
-}
-
-/// An instant that nobody recorded: what would be if these were the signals (m/s², rad/s).
-pub fn supposed(specific_force: Vector3<f64>, angular_rate: Vector3<f64>) -> Kinematics<f64> {
-    Kinematics::new(specific_force, angular_rate)
 }
 
 impl<'a> Truth<'a> {

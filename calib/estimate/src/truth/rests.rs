@@ -7,8 +7,8 @@ use recording::{Recording, Stream};
 use sensor::{Kinematics, Sensor, Since};
 
 use super::sensing::{Models, Sensing};
+use super::supposed::unneeded;
 use super::thermal::Thermal;
-use super::unneeded;
 
 /// A static interval and the truth in it.
 #[derive(Clone, Copy, Debug)]

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 
-use super::{Disturbance, Instant};
+use super::disturbance::{Disturbance, Instant};
 
 /// `e = a Rᵀ h`, `h` a horizontal direction of the world seen from the body: what a magnetic field does
 /// to a sensor that feels it. A turn about the vertical changes it, which gravity does not see.

@@ -3,6 +3,7 @@
 //! A disturbance adds an error to the raw reading. It is for tests of what is found when nothing that
 //! is known fits; each has one `amplitude` that sets its size.
 
+mod disturbance;
 mod heading;
 mod pattern;
 mod periodic;
@@ -11,10 +12,8 @@ mod size_effect;
 mod telegraph;
 
 use std::collections::BTreeMap;
-use std::fmt;
 use std::sync::Arc;
 
-use nalgebra::{UnitQuaternion, Vector3};
 use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 
@@ -22,6 +21,7 @@ use super::motion::Motion;
 use super::random::{Purpose, Random};
 use super::spec::complaint::{Complaint, number};
 
+pub(crate) use disturbance::{Disturbance, Instant};
 pub use heading::Heading;
 pub use pattern::Pattern;
 pub use periodic::Periodic;
@@ -55,32 +55,6 @@ pub enum Hidden {
         /// Seconds that it says too much per second.
         amplitude: f64,
     },
-}
-
-/// What a disturbance needs to know of an instant.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Instant {
-    /// s.
-    pub time: f64,
-    /// Specific force, body frame, m/s².
-    pub force: Vector3<f64>,
-    /// Angular rate, body frame, rad/s.
-    pub rate: Vector3<f64>,
-    /// Its derivative, rad/s².
-    pub angular_acceleration: Vector3<f64>,
-    /// Body to reference.
-    pub attitude: UnitQuaternion<f64>,
-}
-
-/// A disturbance of one sensor in one simulation, with everything random in it drawn.
-pub(crate) trait Disturbance: fmt::Debug + Send + Sync {
-    /// What it adds to the reading, in the sensor's unit.
-    fn error(&self, at: &Instant) -> Vector3<f64>;
-
-    /// What was drawn, by name.
-    fn drawn(&self) -> BTreeMap<String, Vec<f64>> {
-        BTreeMap::new()
-    }
 }
 
 /// A disturbance and the sensor that it disturbs.

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use sensor::{Axis, Sensor};
 use serde::{Deserialize, Serialize};
 
-use super::{Disturbance, Instant};
+use super::disturbance::{Disturbance, Instant};
 use crate::random::Random;
 
 /// `e = a Πᵢ sin(k uᵢ + φᵢ)` on one axis, `u = f/‖f‖` the direction of specific force: finer over the

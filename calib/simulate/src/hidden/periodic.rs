@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use sensor::{Axis, Sensor};
 use serde::{Deserialize, Serialize};
 
-use super::{Disturbance, Instant};
+use super::disturbance::{Disturbance, Instant};
 
 /// `e = a sin(2πt/period + phase)` on one axis: a cooling fan, an interfering radio.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use sensor::{Axis, Sensor};
 use serde::{Deserialize, Serialize};
 
-use super::{Disturbance, Instant};
+use super::disturbance::{Disturbance, Instant};
 use crate::motion::Motion;
 
 /// `e = a s exp(−(t − t₀)/τ)` on one axis; `t₀` is the end of the last turn that is over and `s` the

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
-use super::{Disturbance, Instant};
+use super::disturbance::{Disturbance, Instant};
 use crate::random::Random;
 
 /// `eᵢ = [ω̇ × rᵢ + ω × (ω × rᵢ)]ᵢ`: axis `i` sits at `rᵢ`, a random direction times `a`. Silent at rest.

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use sensor::{Axis, Sensor};
 use serde::{Deserialize, Serialize};
 
-use super::{Disturbance, Instant};
+use super::disturbance::{Disturbance, Instant};
 use crate::random::Random;
 
 /// `e = ±a` on one axis, the sign changing after times that are exponential with mean `dwell`: random

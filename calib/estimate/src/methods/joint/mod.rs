@@ -55,7 +55,7 @@ pub use noise::weights::{Component, ComponentKind, NoiseLevel, White, Whitening}
 pub use orientation::interval::Oriented;
 pub use orientation::{Pattern, Shown, StaticNumbers};
 pub use request::{Flagged, JointRequest, Known};
-pub use result::Channel;
+pub use result::channel::Channel;
 pub use result::influence::Influence;
 pub use result::marginal::{columns, orthonormal, without};
 pub use result::misfit::ChannelMisfit;

@@ -1,6 +1,7 @@
 //! The fit in the unit of the readings, and its figures.
 
 pub(crate) mod analysis;
+pub(crate) mod channel;
 pub(crate) mod influence;
 pub(crate) mod left;
 pub(crate) mod left_out;
@@ -11,7 +12,6 @@ pub(crate) mod prediction;
 
 use nalgebra::DMatrix;
 use sensor::{BASE_PARAMETERS, Sensor};
-use serde::{Deserialize, Serialize};
 use solver::Uncertainty;
 
 use super::fit::JointFit;
@@ -22,20 +22,6 @@ use crate::methods::joint::result::marginal::marginal;
 use crate::methods::joint::result::prediction::Prediction;
 use crate::methods::small_sample::{LEAST_SPARE, UNREMARKABLE, by_chance, widening};
 use crate::methods::{Fitted, RawUnit};
-
-/// The kinds of rows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Channel {
-    /// Means of the accelerometer.
-    #[serde(rename = "static_norm")]
-    Force,
-    /// Means of the gyroscope.
-    #[serde(rename = "static_rate")]
-    Rate,
-    /// Directions carried through turns.
-    Direction,
-}
 
 impl JointFit {
     /// Covariance, rank, condition and unobservable combinations of all models' parameters and biases,

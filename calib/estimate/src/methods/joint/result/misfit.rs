@@ -9,7 +9,7 @@ use crate::methods::joint::disturbance::Disturbance;
 use crate::methods::joint::fit::JointFit;
 use crate::methods::joint::noise::weights::{NoiseLevel, Whitening};
 use crate::methods::joint::orientation::Shown;
-use crate::methods::joint::result::Channel;
+use crate::methods::joint::result::channel::Channel;
 use crate::methods::small_sample::by_chance;
 
 /// Added to the unit diagonal of normal equations.

@@ -5,7 +5,6 @@ use recording::{Recording, Stream};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use super::Calibration;
 use crate::calibrate::request::{Frame, GyroBias, Instant, Method, Request};
 use crate::methods::joint::ClockMode;
 use crate::residuals::Integrator;
@@ -27,7 +26,7 @@ pub struct Provenance {
     /// How it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub options: Option<Options>,
-    /// SHA-256 of what corrects a reading, as it was written ([`Calibration::seal`]): another one shows an edit.
+    /// SHA-256 of what corrects a reading, as it was written ([`Calibration::seal`](crate::calibration::Calibration::seal)): another one shows an edit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub numbers_sha256: Option<String>,
 }
@@ -212,34 +211,7 @@ fn noise_density(
     (freedom > 0.0 && density.is_finite()).then_some(density)
 }
 
-impl Calibration {
-    /// Writes down the hash of gravity, both sensors and the effects.
-    pub fn seal(&mut self) {
-        self.provenance.numbers_sha256 = self.numbers();
-    }
-
-    /// Whether gravity, a sensor or an effect is not as it was written; `None` where no hash was.
-    pub fn was_edited(&self) -> Option<bool> {
-        let sealed = self.provenance.numbers_sha256.as_ref()?;
-        Some(Some(sealed) != self.numbers().as_ref())
-    }
-
-    fn numbers(&self) -> Option<String> {
-        let all = (
-            self.gravity,
-            &self.accelerometer,
-            &self.gyroscope,
-            &self.effects,
-        );
-        let mut text = serde_json::to_string(&all).ok()?;
-        if let Some(magnetometer) = &self.magnetometer {
-            text += &serde_json::to_string(magnetometer).ok()?;
-        }
-        Some(hexadecimal(&Sha256::digest(text)))
-    }
-}
-
-fn hexadecimal(bytes: &[u8]) -> String {
+pub(super) fn hexadecimal(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 

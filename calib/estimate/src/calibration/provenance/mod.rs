@@ -1,0 +1,8 @@
+//! Where a calibration comes from, and whether it is as it was written.
+
+mod inputs;
+mod seal;
+
+pub use inputs::{
+    Input, Options, Provenance, SIGN_CONVENTION, SensorInput, TemperatureInput, fingerprint,
+};

@@ -1,0 +1,74 @@
+//! A limit with what it judges.
+
+use serde::{Deserialize, Serialize};
+
+/// One limit, the value it is for, and whether that passes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LimitLine {
+    /// The key of the limits file, such as `accelerometer.residual_mm_s2`.
+    pub name: String,
+    /// On which side the value must be.
+    pub kind: Bound,
+    /// The limit; least and greatest for [`Bound::Between`], 1 for [`Bound::Present`].
+    pub limit: Limit,
+    /// The value; none where the calibration does not have it.
+    pub value: Option<f64>,
+    /// Unit of both; empty where there is none.
+    pub unit: String,
+    /// Whether the value is within the limit; one that is not there is not.
+    pub pass: bool,
+    /// Whether the limit holds without a file.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub built_in: bool,
+}
+
+/// On which side of its limit a value must be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Bound {
+    /// `value ≤ limit`.
+    AtMost,
+    /// `value ≥ limit`.
+    AtLeast,
+    /// `limit[0] ≤ value ≤ limit[1]`.
+    Between,
+    /// It must be there.
+    Present,
+}
+
+/// A limit's number or numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Limit {
+    /// One.
+    One(f64),
+    /// Least and greatest.
+    Range([f64; 2]),
+}
+
+impl LimitLine {
+    /// Judged.
+    pub fn new(
+        name: impl Into<String>,
+        unit: impl Into<String>,
+        kind: Bound,
+        limit: Limit,
+        value: Option<f64>,
+    ) -> Self {
+        let within = |v: f64| match (kind, limit) {
+            (Bound::AtMost, Limit::One(most)) => v <= most,
+            (Bound::AtLeast | Bound::Present, Limit::One(least)) => v >= least,
+            (_, Limit::Range([least, greatest])) => (least..=greatest).contains(&v),
+            (Bound::Between, Limit::One(_)) => false,
+        };
+        Self {
+            name: name.into(),
+            kind,
+            limit,
+            value,
+            unit: unit.into(),
+            pass: value.is_some_and(within),
+            built_in: false,
+        }
+    }
+}
