@@ -1,5 +1,7 @@
-//! The house is kept: rooms that can be overlooked, and a README that is read in one go.
+//! The house is kept: rooms that can be overlooked, files without circles, and a README that is read in one go.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod circles;
 
 use std::path::{Path, PathBuf};
 
@@ -45,4 +47,33 @@ fn the_readme_has_at_most_two_hundred_lines() {
     let readme = std::fs::read_to_string(root().join("README.md")).unwrap();
     let lines = readme.lines().count();
     assert!(lines <= MOST_LINES, "{lines} lines");
+}
+
+/// The root files of the crates below `folder`.
+fn crates(folder: &Path, all: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let is_apart = ["target", "peers", "fuzz"]
+            .iter()
+            .any(|name| path.ends_with(name));
+        if path.is_dir() && !is_apart {
+            crates(&path, all);
+        }
+    }
+    if folder.ends_with("src") {
+        let roots = ["lib.rs", "main.rs"].map(|name| folder.join(name));
+        all.extend(roots.into_iter().filter(|root| root.exists()));
+    }
+}
+
+#[test]
+fn no_files_of_a_crate_name_each_other_in_a_circle() {
+    let mut roots = Vec::new();
+    crates(root(), &mut roots);
+    assert!(roots.len() > 20, "{roots:#?}");
+    let found: Vec<Vec<PathBuf>> = roots
+        .iter()
+        .flat_map(|root| circles::circles(root))
+        .collect();
+    assert!(found.is_empty(), "{found:#?}");
 }
