@@ -278,7 +278,7 @@ fn proposal(
     };
     let family = effect_family(&search.base, proposed.effect, &[]);
     let noise = proposed.state.noise;
-    if let Some(less) = weighed_again(search, request, &family.columns, noise) {
+    if let Some(less) = weighed_again(search, request, &family.columns.to_dense(), noise) {
         search.withdraw_to(session, less)?;
         let Some(again) = propose(session, request, &search.last, rest) else {
             return Ok(None);

@@ -1,7 +1,7 @@
 //! What may be missing: families of hypotheses about one recording.
 
-use estimate::methods::joint::{Column, Disturbance, effect_columns, step_columns};
-use faer::{Mat, MatRef};
+use estimate::methods::joint::{Column, Columns, Disturbance, effect_columns, step_columns};
+use faer::Mat;
 use sensor::{AnyEffect, Nature, Param, Role, Sensor};
 
 use super::extension::with_companions;
@@ -102,7 +102,7 @@ pub struct Family {
     /// The ways.
     pub hypotheses: Vec<Hypothesis>,
     /// `∂r/∂c · typical` (`m × …`), white-whitened: columns of all hypotheses side by side.
-    pub columns: Mat<f64>,
+    pub columns: Columns,
     /// The size that a column stands for.
     pub typical: f64,
     /// Degrees of freedom that the choice of a shape spends.
@@ -113,9 +113,9 @@ pub struct Family {
 
 impl Family {
     /// The columns of one of its hypotheses.
-    pub fn columns_of(&self, hypothesis: usize) -> MatRef<'_, f64> {
-        let range = &self.hypotheses[hypothesis].columns;
-        self.columns.as_ref().subcols(range.start, range.len())
+    pub fn columns_of(&self, hypothesis: usize) -> Mat<f64> {
+        let own: Vec<usize> = self.hypotheses[hypothesis].columns.clone().collect();
+        self.columns.select(&own).to_dense()
     }
 }
 
@@ -225,7 +225,7 @@ pub(super) fn effect_family(
             0.0
         },
         hypotheses,
-        columns: state.whitened(beside(&parts, state.rows())),
+        columns: state.cut(state.whitened(beside(&parts, state.rows()))),
         typical: effect.typical(),
     }
 }
@@ -293,13 +293,14 @@ fn disturbance_families(state: &State) -> Vec<Family> {
             first += suspect.columns.len();
         }
         let all: Vec<&Column> = suspects.iter().flat_map(|s| &s.columns).collect();
-        let columns = faer::Scale(typical) * Column::side_by_side(state.rows(), &all);
+        let mut columns = state.sparse(&all);
+        columns.scale(typical);
         Family {
             claim: Claim::Disturbed(kind),
             shape_dof: 0.0,
             log_places: (suspects.len().max(1) as f64).ln(),
             hypotheses,
-            columns: state.whitened(columns),
+            columns,
             typical,
         }
     })

@@ -43,6 +43,7 @@ pub use gap::sequence::{Misfit, Sequence, channel_of};
 pub use gap::validation::validate;
 pub use noise::noise_file::{GivenNoise, noise_in};
 pub use noise::projected::{Projected, Whitened};
+pub use noise::seen::Seen;
 pub use pictures::{Covariate, Picture, Point, pictures};
 pub use propose::{Proposal, Proposed, propose};
 pub use rank::{Ranked, rank, shared};

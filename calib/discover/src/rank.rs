@@ -6,7 +6,7 @@ use sensor::Sensor;
 
 use super::family::Family;
 use super::noise::projected::{Projected, Whitened};
-use super::score::{Score, log_tail, score};
+use super::score::{Score, log_tail, of_normal, score};
 
 /// Evidence that differs by less than this (20 to 1) does not part two claims.
 pub const APART: f64 = 2.995_732_273_553_991;
@@ -133,18 +133,15 @@ fn best(
     if family.hypotheses.is_empty() {
         return None;
     }
-    let columns = projected.columns(family.columns.as_ref());
+    let columns = projected.by_recording(&family.columns);
     let own = family.claim.sensor();
     let mut best: Option<Ranked> = None;
     for level in levels.iter().filter(|l| l.of.is_none_or(|s| s == own)) {
-        let whitened = level.whitened.columns(&columns);
+        let seen = level.whitened.by_recording(columns.clone());
         let lost = 2.0 * (level.whitened.log_likelihood() - nothing);
         for (k, hypothesis) in family.hypotheses.iter().enumerate() {
-            let range = hypothesis.columns.clone();
-            let score = score(
-                whitened.as_ref().subcols(range.start, range.len()),
-                &level.whitened.z,
-            );
+            let (a, b) = seen.normal(hypothesis.columns.clone(), &level.whitened.z);
+            let score = of_normal(&a, &b);
             if score.dof == 0 {
                 continue;
             }
@@ -182,7 +179,7 @@ pub fn shared(
     let whitened = projected.at_share(one.noise, one.scatter)?;
     let of = |ranked: &Ranked| {
         let own = families[ranked.family].columns_of(ranked.hypothesis);
-        whitened.columns(&projected.columns(own))
+        whitened.columns(&projected.columns(own.as_ref()))
     };
     let (mine, theirs) = (of(one), of(other));
     let change = Mat::from_fn(mine.ncols(), 1, |i, _| one.score.change[i]);

@@ -1,11 +1,11 @@
 //! A model fitted to the recordings, and what it leaves unexplained.
 
 use std::ops::Range;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use estimate::methods::joint::{
-    Basis, BiasNoise, Disturbance, JointFit, Known, Sensitivities, Suspect, excursions, fit_joint,
-    suspects, within,
+    Basis, BiasNoise, Column, Columns, Disturbance, JointFit, Known, Sensitivities, Suspect,
+    excursions, fit_joint, suspects, within,
 };
 use faer::{Mat, MatMut};
 use recording::Error;
@@ -26,17 +26,17 @@ pub struct State {
     /// What the model holds.
     pub extension: Extension,
     /// The fit.
-    pub fit: JointFit,
+    pub fit: Arc<JointFit>,
     /// What errors that the model lacks would do to the rows.
-    pub sensitivities: Sensitivities,
+    pub sensitivities: Arc<Sensitivities>,
     /// What is left.
-    pub projected: Projected,
+    pub projected: Arc<Projected>,
     /// Noise of the biases when nothing more is missing: given or likeliest.
     pub noise: BiasNoise,
     /// Whether it was given.
     pub noise_given: bool,
     /// What may have been disturbed, once somebody asked.
-    suspects: OnceLock<Vec<Suspect>>,
+    suspects: OnceLock<Arc<Vec<Suspect>>>,
 }
 
 impl State {
@@ -54,9 +54,9 @@ impl State {
         let noise = BiasNoise::of(&fit.levels);
         Ok(Self {
             extension,
-            fit,
-            sensitivities,
-            projected,
+            fit: Arc::new(fit),
+            sensitivities: Arc::new(sensitivities),
+            projected: Arc::new(projected),
             noise,
             noise_given: session.noise.is_some(),
             suspects: OnceLock::new(),
@@ -86,6 +86,19 @@ impl State {
         columns
     }
 
+    /// Columns cut into the rows of the recordings.
+    pub fn cut(&self, columns: Mat<f64>) -> Columns {
+        Columns::cut(&columns, self.fit.whitening.white.groups())
+    }
+
+    /// Columns with few entries, whitened by the white noise.
+    pub fn sparse(&self, columns: &[&Column]) -> Columns {
+        let white = &self.fit.whitening.white;
+        let mut columns = Columns::sparse(white.groups(), columns);
+        columns.apply(|rows, own| white.apply_rows(rows, own));
+        columns
+    }
+
     /// Whether the model has the effect of this name.
     pub fn has(&self, name: &str) -> bool {
         self.extension.effects.iter().any(|(e, _)| e.name() == name)
@@ -107,7 +120,7 @@ impl State {
             let rotations = rows.rotations(x);
             let mut all = suspects(&rows, x, &rotations);
             all.extend(excursions(&rows, x, &rotations));
-            all
+            Arc::new(all)
         })
     }
 

@@ -1,14 +1,13 @@
 //! Intervals that the fit did not see: cross-validation over blocks of rests.
 
 use estimate::methods::joint::BiasNoise;
-use faer::Mat;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use crate::gap::channel::Channel;
 use crate::gap::sequence::Misfit;
 use crate::state::State;
 
-/// Blocks that the rests are dealt into.
+/// Blocks that the rests are dealt into, or as many as there are recordings.
 const BLOCKS: usize = 8;
 
 /// Eigenvalues below this share of the largest are directions that the rest of the data say nothing of.
@@ -33,8 +32,8 @@ pub fn held_out(state: &State, noise: BiasNoise) -> Option<[Misfit; 3]> {
         let force = of(0, rate);
         let end = of(turns, state.rows());
         let direction: Vec<usize> = force.iter().copied().chain(end).collect();
-        let seen = whitened.columns(&state.projected.units(&block));
-        let (precision, pr) = (seen.transpose() * &seen, seen.transpose() * &whitened.z);
+        let seen = whitened.by_recording(state.projected.units(&block));
+        let (precision, pr) = seen.normal(0..block.len(), &whitened.z);
         let norm = missed(&precision, &pr, &force);
         let with_force = missed(&precision, &pr, &direction);
         sums[0].add(norm);
@@ -55,7 +54,7 @@ pub fn gap_of(misfits: &[Misfit; 3], channel: Channel) -> f64 {
 /// The rows of every block: neighbouring rests with their chunks and the turns that begin in them.
 fn blocks(state: &State) -> Vec<Vec<usize>> {
     let rests = state.fit.data.rests.len().max(1);
-    let count = BLOCKS.min(rests);
+    let count = BLOCKS.max(state.fit.data.sources.len()).min(rests);
     let mut blocks = vec![Vec::new(); count];
     for (row, rest) in state.fit.rest_of_row.iter().enumerate() {
         blocks[(rest * count / rests).min(count - 1)].push(row);
@@ -65,7 +64,7 @@ fn blocks(state: &State) -> Vec<Vec<usize>> {
 
 /// The rows `wanted` of a block that is left out as a whole, whose part of `P` and `P r` these are: its other rows are taken
 /// out of the data first, `P → P − P_·o (P_oo)⁺ P_o·`.
-fn missed(precision: &Mat<f64>, pr: &Mat<f64>, wanted: &[usize]) -> Misfit {
+fn missed(precision: &DMatrix<f64>, pr: &DVector<f64>, wanted: &[usize]) -> Misfit {
     let others: Vec<usize> = (0..precision.nrows())
         .filter(|i| !wanted.contains(i))
         .collect();
@@ -74,7 +73,7 @@ fn missed(precision: &Mat<f64>, pr: &Mat<f64>, wanted: &[usize]) -> Misfit {
             precision[(rows[i], columns[j])]
         })
     };
-    let moved = |rows: &[usize]| DMatrix::from_fn(rows.len(), 1, |i, _| pr[(rows[i], 0)]);
+    let moved = |rows: &[usize]| DMatrix::from_fn(rows.len(), 1, |i, _| pr[rows[i]]);
     let across = part(wanted, &others);
     let (inverse, _) = pseudo_inverse(&part(&others, &others));
     let own = part(wanted, wanted) - &across * &inverse * across.transpose();
@@ -111,6 +110,7 @@ fn pseudo_inverse(a: &DMatrix<f64>) -> (DMatrix<f64>, usize) {
 #[cfg(test)]
 mod tests {
     use estimate::methods::joint::left_null_space;
+    use faer::Mat;
 
     use super::*;
 
@@ -133,10 +133,10 @@ mod tests {
         let own = dense(wanted);
         let covariance = DMatrix::identity(3, 3) + &own * normal * own.transpose();
         let direct = missed_by_fit.transpose() * covariance.try_inverse().unwrap() * &missed_by_fit;
-        let own_block = Mat::from_fn(block.len(), block.len(), |i, k| {
+        let own_block = DMatrix::from_fn(block.len(), block.len(), |i, k| {
             precision[(block[i], block[k])]
         });
-        let of_block = Mat::from_fn(block.len(), 1, |i, _| pr[(block[i], 0)]);
+        let of_block = DVector::from_fn(block.len(), |i, _| pr[(block[i], 0)]);
         let found = missed(&own_block, &of_block, &[0, 1, 2]);
         assert_eq!(found.dof, 3.0);
         assert!((found.chi2 / direct[(0, 0)] - 1.0).abs() < 1e-9);

@@ -1,9 +1,8 @@
 //! Where the data disagree with a model: channel, intervals, covariate.
 
 use estimate::methods::joint::{BiasNoise, Instant, Sampling, error_columns};
-use faer::linalg::solvers::DenseSolveCore;
-use faer::{Mat, Side};
-use nalgebra::{DMatrix, Vector3};
+use faer::Mat;
+use nalgebra::Vector3;
 use sensor::Sensor;
 use serde::Serialize;
 
@@ -65,17 +64,10 @@ fn worst_intervals(state: &State, channel: Channel) -> String {
                 .clone()
                 .filter(|&i| state.fit.rest_of_row[i] == rest)
                 .collect();
-            let seen = bare.columns(&state.projected.units(&own));
-            let mut p = seen.transpose() * &seen;
-            p.diagonal_mut()
-                .column_vector_mut()
-                .iter_mut()
-                .for_each(|v| *v += 1e-9);
-            let inverse = p.llt(Side::Lower).ok()?.inverse();
-            let y = seen.transpose() * &bare.z;
-            let y = DMatrix::from_fn(own.len(), 1, |i, _| y[(i, 0)]);
-            let inverse = DMatrix::from_fn(own.len(), own.len(), |i, j| inverse[(i, j)]);
-            let chi2 = (y.transpose() * inverse * &y)[(0, 0)];
+            let seen = bare.by_recording(state.projected.units(&own));
+            let (mut p, y) = seen.normal(0..own.len(), &bare.z);
+            (0..own.len()).for_each(|k| p[(k, k)] += 1e-9);
+            let chi2 = y.dot(&p.cholesky()?.solve(&y));
             (!own.is_empty()).then_some((chi2 / own.len() as f64, rest))
         })
         .collect();

@@ -116,7 +116,7 @@ fn missed(session: &Session<'_>, model: &State, noise: BiasNoise) -> Result<[Mis
 /// Where an effect is missing it is taken for a walk of the bias, and errors as large as such a walk allows would hide
 /// every gap.
 fn under(model: &State, noise: BiasNoise) -> JointFit {
-    let mut fit = model.fit.clone();
+    let mut fit = JointFit::clone(&model.fit);
     let whitening = whitening_at(model, noise);
     let r = whitening.finish_column(&fit.white_residuals);
     let jacobian = whitening.finish_columns(fit.white_jacobian.clone());

@@ -2,3 +2,4 @@
 
 pub(super) mod noise_file;
 pub(super) mod projected;
+pub(super) mod seen;

@@ -1,19 +1,23 @@
 //! The disagreement, with everything that the model's parameters could explain taken out.
 
 use estimate::methods::joint::{
-    BiasNoise, Column, Columns, Component, ComponentKind, NoiseLevel, Within, left_null_space,
-    orthonormal,
+    BiasNoise, Column, Columns, Component, ComponentKind, NoiseLevel, RowGroups, Within,
+    left_null_space, orthonormal,
 };
 use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::{Mat, MatRef, Par, Side};
+
+use super::seen::Seen;
 
 /// `z = Nᵀ r ~ N(Nᵀ E β + Nᵀ S γ, I + Σ θ_c C_c)`, `N` (`m × q`) of every recording the left null space of the columns of a
 /// model's Jacobian that are its own, directions and biases; `S` what all recordings share, which is taken out under the
 /// noise at hand; `C_c` those of walk and flicker of the biases.
 #[derive(Clone, Debug)]
 pub struct Projected {
-    /// Number of rows `m`.
-    rows: usize,
+    /// The rows (`m`) of each part.
+    rows: RowGroups,
+    /// Those of `z` (`q`) of each part.
+    places: RowGroups,
     parts: Vec<Part>,
     /// `Nᵀ r` (`q × 1`), the recordings one after the other.
     z: Mat<f64>,
@@ -74,9 +78,13 @@ impl Projected {
                 null,
             }
         };
+        let parts: Vec<Part> = jacobian.parts().iter().map(part).collect();
+        let places = parts.iter().enumerate();
+        let places = places.flat_map(|(k, part)| vec![k; part.null.ncols()]);
         let mut projected = Self {
-            rows: residuals.len(),
-            parts: jacobian.parts().iter().map(part).collect(),
+            places: RowGroups::of_count(places.collect(), parts.len()),
+            rows: groups,
+            parts,
             z: Mat::zeros(0, 1),
             shared: Mat::zeros(0, 0),
             kinds: noise.iter().map(|c| c.kind).collect(),
@@ -120,11 +128,22 @@ impl Projected {
         all
     }
 
+    /// `Nᵀ E` (`q × k`) of columns that most recordings have nothing of.
+    pub fn by_recording(&self, e: &Columns) -> Columns {
+        let e = e.clone().regrouped(&self.rows);
+        let of_group = e.parts().iter().map(|part| part.columns.clone());
+        let mut all = Columns::zeros(&self.places, e.ncols(), of_group.collect());
+        for (k, (own, part)) in e.parts().iter().zip(&self.parts).enumerate() {
+            all.part_mut(k).values = part.null.transpose() * &own.values;
+        }
+        all
+    }
+
     /// The same of unit columns, one for each of these rows.
-    pub fn units(&self, rows: &[usize]) -> Mat<f64> {
+    pub fn units(&self, rows: &[usize]) -> Columns {
         let units: Vec<Column> = rows.iter().map(|&row| Column::unit(row)).collect();
-        let units = Column::side_by_side(self.rows, &units.iter().collect::<Vec<_>>());
-        self.columns(units.as_ref())
+        let units: Vec<&Column> = units.iter().collect();
+        self.by_recording(&Columns::sparse(&self.rows, &units))
     }
 
     /// `V = I + Σ θ_c C_c` (`q × q`) of a recording; `None` where that is the identity.
@@ -253,6 +272,28 @@ impl Whitened {
         w
     }
 
+    /// The same of columns that most recordings have nothing of.
+    pub fn by_recording(&self, mut f: Columns) -> Seen {
+        let mut taken = Mat::zeros(self.taken.ncols(), f.ncols());
+        let mut above = 0;
+        for (k, (q, factor)) in self.factors.iter().enumerate() {
+            let part = f.part_mut(k);
+            if let Some(l) = factor {
+                solve_lower_triangular_in_place(l.as_ref(), part.values.as_mut(), Par::Seq);
+            }
+            if taken.nrows() > 0 {
+                let inside = self.taken.as_ref().subrows(above, *q).transpose() * &part.values;
+                for (k, &column) in part.columns.iter().enumerate() {
+                    for i in 0..taken.nrows() {
+                        taken[(i, column)] += inside[(i, k)];
+                    }
+                }
+            }
+            above += q;
+        }
+        Seen { inside: f, taken }
+    }
+
     /// The same with more columns (`q × k`, whitened) taken out, as if the model had them.
     pub fn beside(&self, columns: &Mat<f64>) -> Self {
         let qr = columns.qr();
@@ -296,7 +337,7 @@ impl Whitened {
 
 #[cfg(test)]
 mod tests {
-    use estimate::methods::joint::{Covariance, RowGroups};
+    use estimate::methods::joint::Covariance;
     use faer::linalg::solvers::DenseSolveCore;
 
     use super::*;
@@ -341,17 +382,30 @@ mod tests {
             kind: ComponentKind::GyroscopeWalk,
             covariance: Covariance::of_blocks(24, blocks.into()),
         };
-        let groups = RowGroups::new((0..24).map(|i| i / 12).collect());
-        let [cut, one] = [groups, RowGroups::whole(24)].map(|groups| {
+        let groups = || RowGroups::new((0..24).map(|i| i / 12).collect());
+        let [cut, one] = [groups(), RowGroups::whole(24)].map(|groups| {
             let jacobian = Columns::cut(&whole, &groups);
             Projected::new(&r, &jacobian, (std::slice::from_ref(&component), &[]))
         });
         assert_eq!((cut.dof(), one.dof()), (17, 17));
-        let e = Mat::from_fn(24, 2, |i, k| ((i * (k + 3)) % 7) as f64);
+        // The last is of the second recording alone.
+        let e = Mat::from_fn(24, 3, |i, k| {
+            let value = ((i * (k + 3)) % 7) as f64;
+            if k < 2 || i >= 12 { value } else { 0.0 }
+        });
         let at = |projected: &Projected, walk: f64| {
             let whitened = projected.at(BiasNoise::walks([0.0, walk])).unwrap();
             let w = whitened.columns(&projected.columns(e.as_ref()));
             let (gram, moved) = (w.transpose() * &w, w.transpose() * &whitened.z);
+            let cut = Columns::cut(&e, &groups());
+            let seen = whitened.by_recording(projected.by_recording(&cut));
+            let (same, right) = seen.normal(0..3, &whitened.z);
+            for i in 0..3 {
+                assert!((right[i] - moved[(i, 0)]).abs() < 1e-10 * moved.norm_max());
+                for k in 0..3 {
+                    assert!((same[(i, k)] - gram[(i, k)]).abs() < 1e-10 * gram.norm_max());
+                }
+            }
             (whitened.square, whitened.log_likelihood(), gram, moved)
         };
         let (a, b) = (at(&cut, 0.7), at(&one, 0.7));

@@ -39,7 +39,9 @@ fn not_of_the_catalogue(base: &State, request: &Request) -> Vec<Product> {
         let own = family.hypotheses.iter().enumerate();
         for (k, hypothesis) in own.filter(|_| family.claim.effect().is_some()) {
             if hypothesis.shape.is_none() {
-                spans.push(orthonormal(&base.projected.columns(family.columns_of(k))));
+                spans.push(orthonormal(
+                    &base.projected.columns(family.columns_of(k).as_ref()),
+                ));
             }
         }
     }

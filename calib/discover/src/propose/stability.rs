@@ -84,7 +84,7 @@ struct Halves<'a> {
 impl<'a> Halves<'a> {
     fn new(state: &'a State, whitened: &Whitened, bases: &[Mat<f64>]) -> Self {
         let all: Vec<usize> = (0..state.rows()).collect();
-        let b = whitened.columns(&state.projected.units(&all));
+        let b = whitened.columns(&state.projected.units(&all).to_dense());
         let mut parts = bases.to_vec();
         parts.push(whitened.z.clone());
         let whole = crate::family::beside(&parts, whitened.z.nrows());

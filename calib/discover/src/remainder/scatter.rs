@@ -1,8 +1,12 @@
 //! A bias that wanders otherwise than at random: scatter of one axis, with a memory of seconds to minutes.
 
+use estimate::methods::joint::{Column, columns};
+use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use sensor::Sensor;
 
+use crate::family::beside;
+use crate::noise::seen::Seen;
 use crate::rank::Level;
 use crate::score::log_tail;
 use crate::state::State;
@@ -14,6 +18,9 @@ const MEMORIES: [f64; 3] = [10.0, 30.0, 100.0];
 const VARIANCES: i32 = 16;
 const LEAST: f64 = 1e-2;
 const STEP: f64 = 2.0;
+
+/// Products by which the largest eigenvalue is found: a little off moves all variances tried by as little.
+const POWERS: usize = 100;
 
 /// More scatter of one axis than the noise allows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,20 +60,33 @@ pub(super) fn scatters(state: &State, levels: &[Level]) -> Vec<Scatter> {
             |chunk: usize| state.fit.data.rests[state.fit.data.chunks[chunk].rest].recording;
         let places = means.iter().map(|m| (recording(m.chunk), m.truth.time));
         let times: Vec<(usize, f64)> = places.collect();
-        let kernels: Vec<_> = MEMORIES
-            .into_iter()
-            .filter_map(|memory| Some((memory, kernel_factor(&times, memory)?)))
-            .collect();
+        // The chunks of every recording, or of several that share noise.
+        let units: Vec<Column> = means.iter().map(|m| Column::unit(m.row)).collect();
+        let units = state.sparse(&units.iter().collect::<Vec<_>>());
+        let together = state.projected.by_recording(&units);
+        let together = together.parts().iter().map(|part| part.columns.as_slice());
+        let together: Vec<&[usize]> = together.collect();
+        let is_alone = times.iter().all(|(recording, _)| *recording == times[0].0);
+        let kernel = |memory: f64| {
+            let of = |chunks: &&[usize]| {
+                let own: Vec<(usize, f64)> = chunks.iter().map(|&k| times[k]).collect();
+                kernel_factor(&own, memory, is_alone)
+            };
+            Some((memory, together.iter().map(of).collect::<Option<Vec<_>>>()?))
+        };
+        let kernels: Vec<_> = MEMORIES.into_iter().filter_map(kernel).collect();
         for axis in 0..3 {
-            let columns = state
-                .projected
-                .columns(biases_of(state, sensor, axis).as_ref());
+            let biases = means.iter().map(|m| Column::unit(m.row + axis));
+            let biases: Vec<Column> = biases.collect();
+            let biases = state.sparse(&biases.iter().collect::<Vec<_>>());
+            let projected = state.projected.by_recording(&biases);
             let mut best = (0.0, MEMORIES[0]);
             for level in levels.iter().filter(|l| l.of.is_none_or(|s| s == sensor)) {
                 let lost = 2.0 * (level.whitened.log_likelihood() - nothing);
-                let biases = Biases::of(&level.whitened.columns(&columns), &level.whitened.z);
-                for (memory, factor) in &kernels {
-                    let ratio = lost + biases.gain(factor);
+                let seen = level.whitened.by_recording(projected.clone());
+                let biases = Biases::of(&seen, &level.whitened.z);
+                for (memory, factors) in &kernels {
+                    let ratio = lost + biases.gain(factors);
                     if ratio > best.0 {
                         best = (ratio, *memory);
                     }
@@ -83,23 +103,9 @@ pub(super) fn scatters(state: &State, levels: &[Level]) -> Vec<Scatter> {
     all
 }
 
-/// A bias of its own for every chunk on one axis of a sensor (`m × n`), white-whitened.
-fn biases_of(state: &State, sensor: Sensor, axis: usize) -> Mat<f64> {
-    let means = state.sensitivities.means.iter();
-    let rows: Vec<usize> = means
-        .filter(|m| m.sensor == sensor)
-        .map(|m| m.row)
-        .collect();
-    let mut columns = Mat::zeros(state.rows(), rows.len());
-    for (k, row) in rows.into_iter().enumerate() {
-        columns[(row + axis, k)] = 1.0;
-    }
-    state.whitened(columns)
-}
-
-/// `L` of `K = L Lᵀ`, for chunks of recordings at times since their start: no bias remembers another recording, and what
-/// differs between recordings as a whole is a bias of each and no wandering.
-fn kernel_factor(times: &[(usize, f64)], memory: f64) -> Option<Mat<f64>> {
+/// `L` of `K = L Lᵀ`, for chunks of recordings at times since their start: no bias remembers another recording, and where
+/// there are several what differs between them as a whole is a bias of each and no wandering.
+fn kernel_factor(times: &[(usize, f64)], memory: f64, is_alone: bool) -> Option<Mat<f64>> {
     let n = times.len();
     let alike = |i: usize, j: usize| {
         let ((one, a), (other, b)) = (times[i], times[j]);
@@ -107,7 +113,7 @@ fn kernel_factor(times: &[(usize, f64)], memory: f64) -> Option<Mat<f64>> {
         if one == other { fades } else { 0.0 }
     };
     let mut kernel = Mat::from_fn(n, n, alike);
-    if times.iter().any(|(recording, _)| *recording != times[0].0) {
+    if !is_alone {
         let share = Mat::from_fn(n, n, |i, j| {
             let own = times
                 .iter()
@@ -123,43 +129,116 @@ fn kernel_factor(times: &[(usize, f64)], memory: f64) -> Option<Mat<f64>> {
     Some(kernel.llt(Side::Lower).ok()?.L().to_owned())
 }
 
-/// What the data say of the biases of the chunks.
+/// What the data say of the biases of the chunks: `BᵀB = diag(G_p) − Sᵀ S`, `B` their whitened columns.
 struct Biases {
-    /// `BᵀB` (`n × n`), `B` their whitened columns.
+    parts: Vec<Own>,
+    /// Rows of `S`.
+    shared: usize,
+}
+
+/// The chunks of one recording.
+struct Own {
+    /// `G_p` (`n × n`).
     gram: Mat<f64>,
-    /// `Bᵀ z` (`n × 1`).
+    /// Their part of `Bᵀ z` (`n × 1`).
     right: Mat<f64>,
+    /// Their part of `S` (`s × n`): what recordings share.
+    taken: Mat<f64>,
 }
 
 impl Biases {
-    fn of(columns: &Mat<f64>, z: &Mat<f64>) -> Self {
+    fn of(seen: &Seen, z: &Mat<f64>) -> Self {
+        let own = seen.inside.parts().iter().map(|part| {
+            let first = part.rows.first().copied().unwrap_or(0);
+            let z = z.as_ref().subrows(first, part.rows.len());
+            Own {
+                gram: part.values.transpose() * &part.values,
+                right: part.values.transpose() * z,
+                taken: columns(&seen.taken, &part.columns),
+            }
+        });
         Self {
-            gram: columns.transpose() * columns,
-            right: columns.transpose() * z,
+            parts: own.collect(),
+            shared: seen.taken.nrows(),
         }
     }
 
-    /// `2 max_θ (LL(θ) − LL(0))` for `V = I + θ B L Lᵀ Bᵀ`: with `d` the eigenvalues of `Lᵀ BᵀB L` and `u` those
-    /// parts of `z`, `Σ θ u²/(1 + θ d) − ln(1 + θ d)`.
-    fn gain(&self, factor: &Mat<f64>) -> f64 {
-        let gram = factor.transpose() * (&self.gram * factor);
-        let Ok(parts) = gram.self_adjoint_eigen(Side::Lower) else {
-            return 0.0;
-        };
-        let seen = parts.U().transpose() * (factor.transpose() * &self.right);
-        let sizes: Vec<f64> = parts.S().column_vector().iter().copied().collect();
-        let largest = sizes.iter().copied().fold(0.0, f64::max);
+    /// `2 max_θ (LL(θ) − LL(0))` for `V = I + θ B L Lᵀ Bᵀ`, `L` recording by recording: with `d` the eigenvalues of
+    /// `Lᵀ diag(G_p) L` and `u` those parts of `z`, `Σ θ u²/(1 + θ d) − ln(1 + θ d)`, and what recordings share put right.
+    fn gain(&self, factors: &[Mat<f64>]) -> f64 {
+        let mut sizes = Vec::new();
+        let (mut seen, mut taken) = (Vec::new(), Vec::new());
+        for (own, factor) in self.parts.iter().zip(factors) {
+            if factor.ncols() == 0 {
+                continue;
+            }
+            let gram = factor.transpose() * (&own.gram * factor);
+            let Ok(parts) = gram.self_adjoint_eigen(Side::Lower) else {
+                return 0.0;
+            };
+            sizes.extend(parts.S().column_vector().iter().copied());
+            let right = parts.U().transpose() * (factor.transpose() * &own.right);
+            seen.extend(right.col(0).iter().copied());
+            if self.shared > 0 {
+                taken.push(&own.taken * factor * parts.U());
+            }
+        }
+        let taken = beside(&taken, self.shared);
+        let largest = largest(&sizes, &taken);
         let at = |theta: f64| -> f64 {
             let of = |(k, d): (usize, &f64)| {
                 let grown = 1.0 + theta * d.max(0.0);
-                theta * seen[(k, 0)].powi(2) / grown - grown.ln()
+                theta * seen[k].powi(2) / grown - grown.ln()
             };
-            sizes.iter().enumerate().map(of).sum()
+            let alone: f64 = sizes.iter().enumerate().map(of).sum();
+            alone + by_shared(theta, &sizes, &seen, &taken)
         };
         (0..VARIANCES)
             .map(|k| at(LEAST * STEP.powi(k) / largest.max(f64::MIN_POSITIVE)))
             .fold(0.0, f64::max)
     }
+}
+
+/// What `Y` (`s × n`) adds to `θ uᵀ M⁻¹ u − ln |M|`, `M = E − θ YᵀY` with the diagonal `E = 1 + θ d`:
+/// `wᵀ K⁻¹ w − ln |K|` with `K = I − θ Y E⁻¹ Yᵀ` and `w = θ Y E⁻¹ u` (Woodbury).
+fn by_shared(theta: f64, sizes: &[f64], seen: &[f64], taken: &Mat<f64>) -> f64 {
+    let s = taken.nrows();
+    if s == 0 {
+        return 0.0;
+    }
+    let grown = |k: usize| 1.0 + theta * sizes[k].max(0.0);
+    let weighed = Mat::from_fn(s, taken.ncols(), |i, k| theta * taken[(i, k)] / grown(k));
+    let inner = Mat::<f64>::identity(s, s) - &weighed * taken.transpose();
+    let Ok(factor) = inner.llt(Side::Lower) else {
+        return f64::NEG_INFINITY;
+    };
+    let w = &weighed * Mat::from_fn(seen.len(), 1, |k, _| seen[k]);
+    let moved = factor.solve(&w);
+    let log_determinant: f64 = (0..s).map(|k| 2.0 * factor.L()[(k, k)].ln()).sum();
+    (w.transpose() * moved)[(0, 0)] - log_determinant
+}
+
+/// The largest eigenvalue of `diag(d) − YᵀY`, by powers.
+fn largest(sizes: &[f64], taken: &Mat<f64>) -> f64 {
+    let greatest = sizes.iter().copied().fold(0.0, f64::max);
+    if taken.nrows() == 0 {
+        return greatest;
+    }
+    let n = sizes.len();
+    let mut v = Mat::from_fn(n, 1, |k, _| sizes[k].max(0.0).sqrt());
+    let mut found = 0.0;
+    for _ in 0..POWERS {
+        let norm = v.norm_l2();
+        if norm == 0.0 || !norm.is_finite() {
+            return greatest;
+        }
+        v *= faer::Scale(norm.recip());
+        let shared = taken.transpose() * (taken * &v);
+        let next = Mat::from_fn(n, 1, |k, _| sizes[k] * v[(k, 0)] - shared[(k, 0)]);
+        found = (v.transpose() * &next)[(0, 0)];
+        v = next;
+    }
+    found
 }
 
 #[cfg(test)]
@@ -169,6 +248,53 @@ mod tests {
 
     use super::*;
 
+    fn alone(b: &Mat<f64>, z: &Mat<f64>) -> Biases {
+        let own = Own {
+            gram: b.transpose() * b,
+            right: b.transpose() * z,
+            taken: Mat::zeros(0, b.ncols()),
+        };
+        Biases {
+            parts: vec![own],
+            shared: 0,
+        }
+    }
+
+    #[test]
+    fn recordings_that_share_parameters_gain_what_all_chunks_together_gain() {
+        let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(13);
+        let mut draw = |rows: usize, columns: usize| -> Mat<f64> {
+            Mat::from_fn(rows, columns, |_, _| StandardNormal.sample(&mut random))
+        };
+        // Two recordings of 12 rows and 5 chunks, of which 3 directions over all rows are taken out.
+        let blocks = [draw(12, 5), draw(12, 5)];
+        let whole = Mat::from_fn(24, 10, |i, k| match i / 12 == k / 5 {
+            true => blocks[i / 12][(i % 12, k % 5)],
+            false => 0.0,
+        });
+        let basis = estimate::methods::joint::orthonormal(&draw(24, 3));
+        let out = |a: &Mat<f64>| a - &basis * (basis.transpose() * a);
+        let z = out(&(draw(24, 1) + &whole * draw(10, 1)));
+        let times: Vec<(usize, f64)> = (0..10).map(|k| (k / 5, 10.0 * (k % 5) as f64)).collect();
+        let factor = |times: &[(usize, f64)]| kernel_factor(times, 30.0, false).unwrap();
+        let together = alone(&out(&whole), &z).gain(&[factor(&times)]);
+        let taken = basis.transpose() * &whole;
+        let own = |part: usize| Own {
+            gram: blocks[part].transpose() * &blocks[part],
+            right: blocks[part].transpose() * z.as_ref().subrows(12 * part, 12),
+            taken: taken.as_ref().subcols(5 * part, 5).to_owned(),
+        };
+        let cut = Biases {
+            parts: vec![own(0), own(1)],
+            shared: 3,
+        };
+        let cut = cut.gain(&[factor(&times[..5]), factor(&times[5..])]);
+        assert!(
+            together > 1.0 && (cut / together - 1.0).abs() < 1e-6,
+            "{cut} {together}"
+        );
+    }
+
     fn biases(random: &mut rand_chacha::ChaCha8Rng, wanders: f64) -> (Biases, Vec<(usize, f64)>) {
         let times = (0..40)
             .map(|k| (0, 10.0 * f64::from(k)))
@@ -177,9 +303,9 @@ mod tests {
         let mut draw = |n: usize| -> Mat<f64> {
             Mat::from_fn(n, 1, |_, _| StandardNormal.sample(&mut *random))
         };
-        let wander = kernel_factor(&times, 30.0).unwrap() * draw(40);
+        let wander = kernel_factor(&times, 30.0, true).unwrap() * draw(40);
         let z = draw(60) + &b * (wander * faer::Scale(wanders));
-        (Biases::of(&b, &z), times)
+        (alone(&b, &z), times)
     }
 
     #[test]
@@ -189,7 +315,7 @@ mod tests {
         let mut gains = Vec::new();
         for _ in 0..sessions {
             let (biases, times) = biases(&mut random, 0.0);
-            gains.push(biases.gain(&kernel_factor(&times, 30.0).unwrap()));
+            gains.push(biases.gain(&[kernel_factor(&times, 30.0, true).unwrap()]));
         }
         let share = |limit: f64| {
             let over = gains.iter().filter(|g| **g > limit).count();
@@ -205,13 +331,13 @@ mod tests {
     fn a_bias_that_wanders_by_twice_the_noise_shows() {
         let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(12);
         let (biases, times) = biases(&mut random, 2.0);
-        assert!(biases.gain(&kernel_factor(&times, 30.0).unwrap()) > 20.0);
+        assert!(biases.gain(&[kernel_factor(&times, 30.0, true).unwrap()]) > 20.0);
     }
 
     #[test]
     fn what_differs_between_recordings_is_no_wandering() {
         let times: Vec<(usize, f64)> = (0..12).map(|k| (k / 7, 10.0 * k as f64)).collect();
-        let factor = kernel_factor(&times, 30.0).unwrap();
+        let factor = kernel_factor(&times, 30.0, false).unwrap();
         let kernel = &factor * factor.transpose();
         let by_recording = Mat::from_fn(12, 2, |k, r| f64::from(u8::from(times[k].0 == r)));
         // What is added to the diagonal is left of it.

@@ -79,7 +79,7 @@ fn family(state: &State, scene: &Scene<'_>, shape: Shape, sensor: Sensor) -> Fam
         claim: Claim::Shape(shape, sensor),
         log_places: (hypotheses.len().max(1) as f64).ln(),
         hypotheses,
-        columns: state.whitened(beside(&parts, state.rows())),
+        columns: state.cut(state.whitened(beside(&parts, state.rows()))),
         typical,
         shape_dof: 0.0,
     }

@@ -258,11 +258,11 @@ fn of_shape(family: &Family, ranked: &Ranked) -> Trial {
         channel: None,
         period,
         columns: Some(Shaped {
-            columns: family.columns_of(ranked.hypothesis).to_owned(),
+            columns: family.columns_of(ranked.hypothesis),
             noise: ranked.noise,
         }),
         wandering: None,
-        predicted: Some(columns * change),
+        predicted: Some(&columns * change),
     }
 }
 

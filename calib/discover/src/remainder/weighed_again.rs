@@ -92,7 +92,7 @@ fn items(last: &State, families: &[Family]) -> Vec<Item> {
             items.push(Item {
                 claim: family.claim,
                 known,
-                columns: family.columns_of(k).to_owned(),
+                columns: family.columns_of(k),
                 cost,
                 shape_dof: family.shape_dof,
             });

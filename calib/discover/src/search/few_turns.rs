@@ -47,7 +47,7 @@ impl Turns {
             return ranked.evidence;
         };
         let own = family.columns_of(ranked.hypothesis);
-        let mut w = whitened.columns(&state.projected.columns(own));
+        let mut w = whitened.columns(&state.projected.columns(own.as_ref()));
         let mut z = whitened.z.clone();
         let turns: Vec<Mat<f64>> = self.0.iter().map(|b| whitened.columns(b)).collect();
         let mut least = ranked.score.statistic;

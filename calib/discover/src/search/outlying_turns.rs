@@ -70,15 +70,12 @@ struct Turns {
 impl Turns {
     fn of(state: &State, suspects: &[&Suspect]) -> Self {
         let all: Vec<&Column> = suspects.iter().flat_map(|s| &s.columns).collect();
-        let columns = Column::side_by_side(state.rows(), &all);
         let bare = state.projected.white();
-        let own = state.projected.columns(state.whitened(columns).as_ref());
-        let own = bare.columns(&own);
-        let precision = own.transpose() * &own;
-        let y = own.transpose() * &bare.z;
+        let own = state.projected.by_recording(&state.sparse(&all));
+        let (precision, y) = bare.by_recording(own).normal(0..all.len(), &bare.z);
         Self {
-            precision: DMatrix::from_fn(all.len(), all.len(), |i, k| precision[(i, k)]),
-            y: DVector::from_fn(all.len(), |i, _| y[(i, 0)]),
+            precision,
+            y,
             count: suspects.len(),
             gross: if state.fit.data.misses_something_between_samples() {
                 KNOCKED * GROSS

@@ -28,7 +28,7 @@ impl Finder<'_> {
             .iter()
             .map(|r| {
                 let own = families[r.family].columns_of(r.hypothesis);
-                whitened.columns(&base.projected.columns(own))
+                whitened.columns(&base.projected.columns(own.as_ref()))
             })
             .collect();
         let evidence = |i: usize, j: usize| {

@@ -204,7 +204,7 @@ impl Says {
         let own = family.columns_of(self.ranked.hypothesis.min(family.hypotheses.len() - 1));
         let count = own.ncols().min(self.ranked.score.change.len());
         let change = Mat::from_fn(count, 1, |i, _| self.ranked.score.change[i]);
-        let column = own.subcols(0, count) * change;
+        let column = own.as_ref().subcols(0, count) * change;
         Some(column.col_as_slice(0).to_vec())
     }
 }
