@@ -3,7 +3,7 @@
 use calib::simulate::Spec;
 use std::collections::BTreeMap;
 
-use super::condition::{Condition, row};
+use super::condition::{Condition, by_hand, row};
 use crate::conditions::Kind;
 
 /// Random walk of the biases of a consumer-grade device, m/s²/√s and rad/s/√s: over five minutes the
@@ -39,6 +39,7 @@ fn effect(spec: &mut Spec, name: &str, mg: f64, power: i32) {
 const MISFIT: &[Kind] = &[Kind::Misfit];
 const EARTH: &[Kind] = &[Kind::Earth];
 const DRIFT: &[Kind] = &[Kind::Drift, Kind::Misfit];
+const DRIFT_OF_FEW: &[Kind] = &[Kind::Drift, Kind::Misfit, Kind::Geometry];
 
 pub(super) const ROWS: &[Condition] = &[
     row("clean", "consumer grade, white noise", |_| {}).bounded(),
@@ -49,6 +50,11 @@ pub(super) const ROWS: &[Condition] = &[
     row("walk-tactical", "biases walk, tactical", |s| walks(s, 0.1))
         .tactical()
         .right(DRIFT),
+    row("walk-13", "biases walk, thirteen placements", |s| {
+        walks(s, 1.0);
+        by_hand(s, |hand| hand.placements = Some(13));
+    })
+    .right(DRIFT_OF_FEW),
     row("counts", "16-bit counts around 32768", |s| {
         s.accelerometer.counts = true;
         s.accelerometer.step = 1.2e-3;

@@ -96,6 +96,8 @@ pub struct Share {
     pub over_none: f64,
     /// Log-likelihood gained over the noise of the readings alone.
     pub over_noise: f64,
+    /// The same without the turn that gains most: a single one is an outlier, whatever its rate does.
+    pub over_noise_without_one: f64,
 }
 
 impl Evidence {
@@ -218,13 +220,23 @@ pub(crate) fn likeliest(turns: &[Evidence], now: Levels, decided: Option<bool>) 
         .take_while(near)
         .last()
         .unwrap_or(place);
+    let floor = profile[place].1;
+    let found = Levels {
+        share: shares[place],
+        floor,
+    };
+    let gain = |t: &Evidence| {
+        let of = |levels| t.log_likelihood(&t.covariance(levels, now)).0;
+        of(found) - of(Levels::default())
+    };
     let share = Share {
         value: shares[place],
         between: [shares[low], shares[high]],
         over_none: most - none,
         over_noise: most - of_noise,
+        over_noise_without_one: most - of_noise - turns.iter().map(gain).fold(0.0, f64::max),
     };
-    (share, profile[place].1)
+    (share, floor)
 }
 
 /// Numbers from the first to the second in equal ratios.
@@ -291,6 +303,26 @@ mod tests {
         assert_eq!(share.value, 0.0);
         // Of a variance of 17 with 1e8 rad² for one: 4e-4 rad, on a grid of steps of 1.8.
         assert!((2e-4..8e-4).contains(&floor), "{floor}");
+    }
+
+    #[test]
+    fn one_turn_that_jumps_and_misses_is_no_evidence_for_all() {
+        let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(3);
+        let jump = Vector2::new(40.0, 0.0);
+        let by_floor = Matrix2::identity() * 1e8;
+        let turn = |k: usize| {
+            let (left, by_share) = match k {
+                7 => (jump * 0.5, jump * jump.transpose()),
+                _ => (normal2(&mut random), Matrix2::zeros()),
+            };
+            Evidence::new(&left, &Matrix2::zeros(), &by_share, &by_floor)
+        };
+        let all: Vec<Evidence> = (0..30).map(turn).collect();
+        let one = likeliest(&all, Levels::default(), None).0;
+        assert!(one.over_noise > 3.0, "{one:?}");
+        assert!(one.over_noise_without_one < 1.0, "{one:?}");
+        let many = likeliest(&turns(0.6, 0), Levels::default(), None).0;
+        assert!(many.over_noise_without_one > 10.0, "{many:?}");
     }
 
     #[test]

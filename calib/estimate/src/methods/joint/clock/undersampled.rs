@@ -6,7 +6,7 @@ use super::sampling::Share;
 use crate::methods::joint::fit::JointFit;
 
 /// Log-likelihood over the noise of the readings that makes a name of a share that the turns tell from a scatter that is the
-/// same for all.
+/// same for all, the turn that speaks most for it apart.
 const BEATS_NOISE: f64 = 5.0;
 
 /// A turn with this share of the variance of the worst is shown.
@@ -19,7 +19,7 @@ pub struct Undersampled {
     pub recording: usize,
     /// The share that is missing.
     pub share: Share,
-    /// Whether the turns miss by more than the noise of the readings.
+    /// Whether the turns miss by more than the noise of the readings, and not only one of them.
     pub is_evident: bool,
     /// What it makes of a turn: root mean square over all, rad.
     pub rms: f64,
@@ -59,7 +59,7 @@ impl JointFit {
             Undersampled {
                 recording,
                 share,
-                is_evident: share.over_noise > BEATS_NOISE,
+                is_evident: share.over_noise_without_one > BEATS_NOISE,
                 rms,
                 turns,
             }
