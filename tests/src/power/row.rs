@@ -127,6 +127,8 @@ pub enum Row {
     Time60,
     /// Pairs of effects, lambda 60 each.
     Pairs,
+    /// The same, lambda 150 each.
+    Pairs150,
     /// Outside the catalogue, lambda 150.
     Outside,
     /// Faults of the recording, lambda 60 where they have a size.
@@ -145,7 +147,7 @@ impl Row {
             Self::Orientation60 | Self::Orientation30 => &ORIENTATION,
             Self::Newer60 => &NEWER,
             Self::Time150 | Self::Time60 => &TIME,
-            Self::Pairs => &["pair"],
+            Self::Pairs | Self::Pairs150 => &["pair"],
             Self::Outside => &OUTSIDE,
             Self::Integrity => &INTEGRITY,
             Self::Formulas => &formulas::NAMES,
@@ -178,6 +180,7 @@ impl Row {
             Self::Conditions => 9,
             Self::Newer60 => 10,
             Self::Formulas => 11,
+            Self::Pairs150 => 12,
         }
     }
 
@@ -190,7 +193,7 @@ impl Row {
             Self::Orientation60 | Self::Orientation30 => 50 * ORIENTATION.len() as u64,
             Self::Newer60 => 50 * NEWER.len() as u64,
             Self::Time150 | Self::Time60 => 50 * TIME.len() as u64,
-            Self::Pairs => 100,
+            Self::Pairs | Self::Pairs150 => 100,
             Self::Outside => 50 * OUTSIDE.len() as u64,
             Self::Integrity => 40 * INTEGRITY.len() as u64,
             Self::Formulas => 20 * formulas::NAMES.len() as u64,
@@ -201,7 +204,7 @@ impl Row {
     pub fn lambda(self) -> f64 {
         match self {
             Self::Orientation30 => 30.0,
-            Self::Time150 | Self::Outside | Self::Formulas => 150.0,
+            Self::Time150 | Self::Pairs150 | Self::Outside | Self::Formulas => 150.0,
             _ => 60.0,
         }
     }
@@ -275,7 +278,7 @@ impl Job {
             Row::Clean | Row::Conditions | Row::Invisible | Row::Outside | Row::Formulas => {
                 Vec::new()
             }
-            Row::Pairs => self.pair(),
+            Row::Pairs | Row::Pairs150 => self.pair(),
             // The stamps are closed up: nothing shows that samples are lost.
             Row::Integrity if kind.starts_with("lost") => vec!["outlying_turn".into()],
             _ => vec![kind.into()],
@@ -313,7 +316,8 @@ impl Job {
             | Row::Newer60
             | Row::Time150
             | Row::Time60
-            | Row::Pairs => {
+            | Row::Pairs
+            | Row::Pairs150 => {
                 spec = spec.with_effect(what, size);
                 if what.ends_with("_warmup") {
                     spec.parameters.insert(format!("{what}.tau"), self.tau);
@@ -338,7 +342,7 @@ impl Job {
     pub fn what(&self) -> Vec<String> {
         match self.row {
             Row::Clean | Row::Conditions => Vec::new(),
-            Row::Pairs => self.hidden.clone(),
+            Row::Pairs | Row::Pairs150 => self.hidden.clone(),
             _ => vec![self.kind.clone()],
         }
     }
