@@ -96,14 +96,14 @@ impl Remainder {
         let depends = self.pattern.map(|pattern| {
             let p = chance(self.pattern_p_value.unwrap_or(0.0));
             let like = match pattern {
-                Pattern::Quadratic => "like the square of the specific force",
-                Pattern::Asymmetry => "by its sign",
-                Pattern::Cubic => "like the cube of the specific force",
-                Pattern::History => "and on where the device came from",
-                Pattern::Force => "in proportion to the specific force",
+                Pattern::Quadratic => ", most like the square of the specific force",
+                Pattern::Asymmetry => ", most by its sign",
+                Pattern::Cubic => ", most like the cube of the specific force",
+                Pattern::History => " and on where the device came from",
+                Pattern::Force => ", most in proportion to the specific force",
             };
             format!(
-                ". It depends on the orientation, most {like} (p {p}), which neither noise nor a bias that \
+                ". It depends on the orientation{like} (p {p}), which neither noise nor a bias that \
                  walks does"
             )
         });
