@@ -6,8 +6,14 @@ use super::sampling::Share;
 use crate::methods::joint::fit::JointFit;
 
 /// Log-likelihood over the noise of the readings that makes a name of a share that the turns tell from a scatter that is the
-/// same for all, the turn that speaks most for it apart.
+/// same for all.
 const BEATS_NOISE: f64 = 5.0;
+
+/// What of it has to stay without the turn that speaks most for it: one that is off is an outlier.
+const OF_MORE_THAN_ONE: f64 = 2.0;
+
+/// No more than the whole jump can be missing: a share that ends there makes up for something else.
+const LIMIT: f64 = 0.99;
 
 /// A turn with this share of the variance of the worst is shown.
 const SHOWN: f64 = 0.1;
@@ -59,11 +65,36 @@ impl JointFit {
             Undersampled {
                 recording,
                 share,
-                is_evident: share.over_noise_without_one > BEATS_NOISE,
+                is_evident: is_evident(&share),
                 rms,
                 turns,
             }
         };
         found.into_iter().map(of).collect()
+    }
+}
+
+fn is_evident(share: &Share) -> bool {
+    share.value < LIMIT
+        && share.over_noise > BEATS_NOISE
+        && share.over_noise_without_one > OF_MORE_THAN_ONE
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_takes_more_than_one_turn_and_less_than_the_whole_jump() {
+        let share = |value: f64, over_noise: f64, over_noise_without_one: f64| Share {
+            value,
+            over_noise,
+            over_noise_without_one,
+            ..Share::default()
+        };
+        // A phone that was laid down ten times by hand; a turn that lost samples; a turn beside a gyroscope at its range.
+        assert!(is_evident(&share(0.25, 6.7, 2.2)));
+        assert!(!is_evident(&share(0.6, 366.0, 0.0)));
+        assert!(!is_evident(&share(1.0, 7.0, 3.6)));
     }
 }
