@@ -4,6 +4,7 @@ pub(crate) mod bias;
 pub(crate) mod centred;
 pub(crate) mod exposure;
 pub(crate) mod likelihood;
+mod long_run;
 pub(crate) mod overstated;
 pub(crate) mod rounding;
 pub(crate) mod rows;
@@ -19,31 +20,13 @@ use recording::averages::{median, quantile};
 use recording::readings::DeadZone;
 use recording::{INSTANT, Stream};
 
+use self::long_run::{RESTLESS, long_run, restless_long_run, scatter_within};
 use self::scatter::scatter;
 use super::data::mean::Mean;
 
 /// Longest batches whose means show noise that does not average out, s, and how many a stretch should have.
 const BATCH: f64 = 1.0;
 const BATCHES: f64 = 6.0;
-
-/// Long-run over white standard deviation above which the noise is coloured, and how many standard errors of the ratio it has to
-/// be above one: both are the same where the stretches last three minutes in all.
-const COLOURED: f64 = 1.12;
-const COLOURED_ERRORS: f64 = 2.0;
-
-/// The same of noise that averages out sooner than white noise, as a hand's tremor and a machine's hum do over their
-/// periods, and how many standard errors of the ratio it has to be below one.
-const SOONER: f64 = 0.8;
-const SOONER_ERRORS: f64 = 3.0;
-
-/// Long means are not believed to spread by less than this over what white noise would give.
-const LEAST_LONG_RUN: f64 = 0.05;
-
-/// The density at low frequency is at most so many times what the longest batches show.
-const FARTHER: f64 = 1.5;
-
-/// Batches of a stretch that spread by more than this many times the median variance are not quiet.
-const LOUD: f64 = 4.0;
 
 /// Length of the windows whose variances show how many samples are independent, s.
 const WINDOW: f64 = 0.2;
@@ -55,9 +38,6 @@ const QUIET_ERRORS: f64 = 4.0;
 
 /// The share of the stretches that is quiet in any usable recording: on a table that vibrates now and then, half may shake.
 const QUIETEST: f64 = 0.25;
-
-/// A mean of samples with more than this many times the quiet variance has a noise of its own.
-const RESTLESS: f64 = 1.5;
 
 /// Noise below this (m/s² or rad/s) is rounding: keeps noise-free recordings weighted, and sensibly.
 pub(crate) const FLOOR: f64 = 1e-9;
@@ -288,87 +268,6 @@ fn white(quiet: &[&[f64]]) -> Option<f64> {
     (dof > 0.0).then(|| f64::max((sum / dof).sqrt(), FLOOR))
 }
 
-/// Sum of squares about the means of the stretches, and its degrees of freedom.
-fn scatter_within(parts: &[&[f64]]) -> (f64, f64) {
-    let own = parts.iter().map(|part| scatter(part));
-    own.fold((0.0, 0.0), |(sum, freedom), (own, of_own)| {
-        (sum + own, freedom + of_own)
-    })
-}
-
-/// Standard error of the ratio of a standard deviation by the means of batches to one that is known.
-fn error_of_ratio(parts: &[&[f64]], batch: usize) -> f64 {
-    let batches = parts.iter().map(|p| (p.len() / batch).saturating_sub(1));
-    1.0 / (2.0 * batches.sum::<usize>().max(1) as f64).sqrt()
-}
-
-/// Standard deviation of long means over that of white noise; 1 where it is surely neither below [`SOONER`] nor above
-/// [`COLOURED`].
-///
-/// Means over a time `T` of noise that resembles itself for a time `τ` fall short of the density at low frequency by a share
-/// `τ/T`, those over `T/2` by twice that: what both say of means without end is `2 S(T) − S(T/2)`, `S` the variance
-/// of a batch times its length.
-fn long_run(parts: &[&[f64]], batch: usize, white: f64) -> f64 {
-    let whole = of_batches(parts, batch);
-    let ratio = whole.sqrt() / white;
-    let error = error_of_ratio(parts, batch);
-    if ratio <= COLOURED.max(1.0 + COLOURED_ERRORS * error) {
-        let sooner = ratio < SOONER.min(1.0 - SOONER_ERRORS * error) && white > FLOOR;
-        return if sooner {
-            ratio.max(LEAST_LONG_RUN)
-        } else {
-            1.0
-        };
-    }
-    let half = of_batches(parts, batch / 2);
-    let without_end = (2.0 * whole - half).clamp(whole, FARTHER * whole);
-    without_end.sqrt() / white
-}
-
-/// Standard deviation of long means over that of white noise, of what the restless parts scatter by beyond the quiet ones,
-/// whose samples have the standard deviation `white` and whose long means `long_run` times as much; at least that of the
-/// quiet ones unless it is surely below [`SOONER`].
-fn restless_long_run(parts: &[Vec<f64>], batch: usize, (white, long_run): (f64, f64)) -> f64 {
-    let usual = long_run.max(1.0);
-    let shakes = |part: &&[f64]| {
-        let (sum, freedom) = scatter(part);
-        sum / freedom > RESTLESS * white * white
-    };
-    let all = parts.iter().map(Vec::as_slice);
-    let restless: Vec<&[f64]> = all.filter(shakes).collect();
-    let (sum, freedom) = scatter_within(&restless);
-    let error = error_of_ratio(&restless, batch);
-    let whole = sum / f64::max(freedom, 1.0);
-    let ratio = (of_batches(&restless, batch) / whole).sqrt();
-    // Of all that the restless parts scatter by, quiet noise included: the test has no difference of two estimates in it.
-    let sooner = ratio < SOONER.min(1.0 - SOONER_ERRORS * error);
-    if !sooner {
-        return usual;
-    }
-    let beyond = of_batches(&restless, batch) - (white * long_run).powi(2);
-    (beyond.max(0.0) / (whole - white * white))
-        .sqrt()
-        .clamp(LEAST_LONG_RUN, usual)
-}
-
-/// Variance of the means of batches times their length, those of touched stretches apart; 0 of none.
-fn of_batches(parts: &[&[f64]], batch: usize) -> f64 {
-    let batch = batch.max(1);
-    let spreads: Vec<(f64, f64)> = parts
-        .iter()
-        .filter_map(|part| {
-            let means: Vec<f64> = part
-                .chunks_exact(batch)
-                .map(|b| b.iter().sum::<f64>() / batch as f64)
-                .collect();
-            (means.len() > 2).then(|| scatter(&means))
-        })
-        .collect();
-    let variances: Vec<f64> = spreads.iter().map(|(sum, dof)| sum / dof).collect();
-    let usual = median(variances.iter().copied()).unwrap_or(0.0);
-    pool(spreads.iter().zip(&variances), LOUD * usual) * batch as f64
-}
-
 /// Share of the samples that are independent, by how the variances of windows of `window` samples spread: with
 /// `ν` degrees of freedom their cube root spreads by `√(2/9ν)` of its middle (Wilson and Hilferty 1931).
 /// The lower half decides, as touches lie in the upper.
@@ -389,13 +288,6 @@ fn freedom(parts: &[&[f64]], window: usize) -> f64 {
     } else {
         1.0
     }
-}
-
-fn pool<'a>(parts: impl Iterator<Item = (&'a (f64, f64), &'a f64)>, most: f64) -> f64 {
-    let (sum, dof) = parts
-        .filter(|(_, variance)| **variance <= most)
-        .fold((0.0, 0.0), |(s, d), ((sum, dof), _)| (s + sum, d + dof));
-    if dof > 0.0 { sum / dof } else { 0.0 }
 }
 
 /// The step of a converter: the smallest difference between two readings that differ, where readings
