@@ -7,6 +7,7 @@
 pub(crate) mod coning;
 mod decided;
 pub(crate) mod fit;
+mod left;
 pub(crate) mod sampling;
 pub(crate) mod undersampled;
 pub(crate) mod windows;
