@@ -21,7 +21,7 @@ use recording::readings::DeadZone;
 use recording::{INSTANT, Stream};
 
 use self::long_run::{RESTLESS, long_run, restless_long_run, scatter_within};
-use self::scatter::scatter;
+use self::scatter::{FLOOR, scatter};
 use super::data::mean::Mean;
 
 /// Longest batches whose means show noise that does not average out, s, and how many a stretch should have.
@@ -38,9 +38,6 @@ const QUIET_ERRORS: f64 = 4.0;
 
 /// The share of the stretches that is quiet in any usable recording: on a table that vibrates now and then, half may shake.
 const QUIETEST: f64 = 0.25;
-
-/// Noise below this (m/s² or rad/s) is rounding: keeps noise-free recordings weighted, and sensibly.
-pub(crate) const FLOOR: f64 = 1e-9;
 
 /// Readings that stay the same within every rest are frozen between steps of more than so many times the floor: smaller
 /// ones are rounding of noise-free readings.

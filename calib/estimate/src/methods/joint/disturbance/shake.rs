@@ -6,7 +6,7 @@ use recording::intervals::Span;
 use recording::{INSTANT, Stream};
 use statrs::function::erf::erfc;
 
-use crate::methods::joint::noise::FLOOR;
+use crate::methods::joint::noise::scatter::FLOOR;
 
 /// Length of a window, s.
 const WINDOW: f64 = 0.25;

@@ -2,8 +2,7 @@
 
 use recording::averages::median;
 
-use super::FLOOR;
-use super::scatter::scatter;
+use super::scatter::{FLOOR, scatter};
 
 /// Long-run over white standard deviation above which the noise is coloured, and how many standard errors of the ratio it has to
 /// be above one: both are the same where the stretches last three minutes in all.
