@@ -5,7 +5,9 @@
 
 pub mod effects;
 
-pub use effects::{EARTH_RATE, EARTH_ROTATION, EFFECTS, FORCE_SENSITIVITY, GyroGSensitivity};
+pub use effects::earth_rate::EARTH_RATE;
+pub use effects::gyro_g_sensitivity::GyroGSensitivity;
+pub use effects::{EARTH_ROTATION, EFFECTS, FORCE_SENSITIVITY};
 use sensor::{Model, Sensor};
 
 /// The base model of a gyroscope.

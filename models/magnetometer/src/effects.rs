@@ -1,14 +1,14 @@
-//! The effects a magnetometer can have. A new one is a file here, its `mod` line and its registry line.
+//! The effects a magnetometer can have. A new one is a file here and two lines: its `pub mod` and its place in [`EFFECTS`].
 
 use sensor::AnyEffect;
 
-mod mag_g_sensitivity;
-mod mag_scale_temperature;
-mod mag_temperature;
-
-pub use mag_g_sensitivity::MagGSensitivity;
-pub use mag_scale_temperature::MagScaleTemperature;
-pub use mag_temperature::MagTemperature;
+pub mod mag_g_sensitivity;
+pub mod mag_scale_temperature;
+pub mod mag_temperature;
 
 /// The registry: feeds the command line, the documentation and the registry tests.
-pub static EFFECTS: &[&dyn AnyEffect] = &[&MagTemperature, &MagScaleTemperature, &MagGSensitivity];
+pub static EFFECTS: &[&dyn AnyEffect] = &[
+    &mag_temperature::MagTemperature,
+    &mag_scale_temperature::MagScaleTemperature,
+    &mag_g_sensitivity::MagGSensitivity,
+];
