@@ -63,7 +63,7 @@ pub use evaluate::evaluate;
 pub use recording::Recording;
 pub use request::{Method, Request};
 pub use sensor::Sensor;
-pub use simulate::{Simulated, simulate};
+pub use simulate::{Simulated, simulate, simulate_with};
 pub use watch::Watch;
 
 /// What an effect of one's own is written with.
@@ -71,6 +71,9 @@ pub use watch::Watch;
 /// See [`Catalogue`] for an example from the equation to the corrected recording.
 pub mod effect {
     pub use nalgebra::Vector3;
-    pub use sensor::{AnyEffect, Effect, Kinematics, Param, Quantity, Sensor, mat3, params};
+    pub use sensor::{
+        AnyEffect, Effect, Kinematics, Nature, Param, Quantity, REFERENCE_TEMPERATURE, Role,
+        Sensor, Since, mat3, off_diagonal, params,
+    };
     pub use solver::{Scalar, lit};
 }

@@ -40,7 +40,7 @@ pub use samples::{Sample, Samples};
 pub use sampling::{Between, Clock, Resampled, Sampling, Stamp};
 pub use session::{MOST_SAMPLES, Session};
 pub use simulation::Simulation;
-pub use spec::{EXAMPLE, Effects, Motion, SIZE, SensorSpec, Spec};
+pub use spec::{EXAMPLE, Effects, Motion, OwnEffects, SIZE, SensorSpec, Spec};
 pub use surroundings::{Fault, MagneticField, Temperature, Unsteady, Vibration};
 pub use truth::{StaticInterval, TRUTH_SCHEMA, Truth};
 pub use write::{FILES, Files};

@@ -3,9 +3,11 @@
 mod check;
 pub(crate) mod complaint;
 mod names;
+mod own;
 mod parse;
 mod wanted;
 
+pub use own::OwnEffects;
 pub use parse::EXAMPLE;
 pub use wanted::{Effects, SIZE};
 
@@ -78,6 +80,9 @@ pub struct Spec {
     pub unsteady: Option<Unsteady>,
     /// Effects beside the catalogue, as expressions; `effects` switches them on.
     pub definitions: Vec<Definition>,
+    /// Effects of another crate; `effects` switches them on. A text of the spec lacks them.
+    #[serde(skip)]
+    pub own: OwnEffects,
     /// What goes wrong.
     pub faults: Vec<Fault>,
     /// What is outside the catalogue of effects.
@@ -106,6 +111,7 @@ impl Default for Spec {
             vibration: None,
             unsteady: None,
             definitions: Vec::new(),
+            own: OwnEffects::default(),
             faults: Vec::new(),
             hidden: Vec::new(),
         }
@@ -308,7 +314,7 @@ impl Spec {
         }
     }
 
-    /// The catalogue of one sensor with the definitions after it.
+    /// The catalogue of one sensor with the definitions and the effects of another crate after it.
     ///
     /// # Errors
     /// The key of what is wrong with a definition, and what.
@@ -316,9 +322,22 @@ impl Spec {
         &self,
         sensor: Sensor,
     ) -> Result<Vec<&'static dyn AnyEffect>, Complaint> {
-        let own = effects_of(&self.definitions).map_err(|(key, what)| Complaint { key, what })?;
-        let all = catalogue_of(sensor).iter().copied().chain(own);
-        Ok(all.filter(|effect| effect.sensor() == sensor).collect())
+        let defined =
+            effects_of(&self.definitions).map_err(|(key, what)| Complaint { key, what })?;
+        let mut all: Vec<_> = catalogue_of(sensor)
+            .iter()
+            .copied()
+            .chain(defined)
+            .collect();
+        all.retain(|effect| effect.sensor() == sensor);
+        for own in self.own.of(sensor) {
+            if all.iter().any(|other| other.name() == own.name()) {
+                let what = format!("`{}` is another effect already", own.name());
+                return Err(Complaint::new(format!("effects.{}", own.name()), what));
+            }
+            all.push(own);
+        }
+        Ok(all)
     }
 
     /// The effects with the earth's rotation in it, if there is a latitude.

@@ -3,8 +3,8 @@
 use recording::Error;
 use recording::toml_place::{explain_toml, key_position, place};
 
-use super::Spec;
 use super::complaint::Complaint;
+use super::{OwnEffects, Spec};
 
 /// A spec that shows what can be said, with comments.
 pub const EXAMPLE: &str = include_str!("example.toml");
@@ -16,10 +16,19 @@ impl Spec {
     /// [`Error::Input`] as `name:line:column: key: …` for what is not TOML, an unknown key (with the
     /// nearest known one), and a value that makes no sense.
     pub fn from_toml(text: &str, name: &str) -> Result<Self, Error> {
-        let spec: Self = toml::from_str(text).map_err(|e| {
+        Self::from_toml_with(text, name, OwnEffects::default())
+    }
+
+    /// The spec in `text`, which may name effects of another crate.
+    ///
+    /// # Errors
+    /// As [`Spec::from_toml`].
+    pub fn from_toml_with(text: &str, name: &str, own: OwnEffects) -> Result<Self, Error> {
+        let mut spec: Self = toml::from_str(text).map_err(|e| {
             let at = place(text, e.span().map_or(0, |span| span.start));
             Error::Input(format!("{name}:{at}: {}", explain_toml(e.message())))
         })?;
+        spec.own = own;
         match spec.complaint() {
             None => Ok(spec),
             Some(Complaint { key, what }) => {
