@@ -14,7 +14,36 @@ pub use needs::{observed_needs, silent_at_rest};
 
 /// An error that a sensor adds to the true signal: `raw = base⁻¹(truth + Σ effect(truth))`.
 ///
-/// One file and one registry line make a new effect. It must be silent at its nominal parameters.
+/// One file, its `pub mod` line and its place in the registry make a new effect. It must be silent at its nominal parameters.
+/// The first five constants have to be given; the others say more of it where there is more to say.
+///
+/// # Examples
+/// ```
+/// use nalgebra::Vector3;
+/// use solver::Scalar;
+/// use stillpoint_sensor::{Effect, Kinematics, Param, Quantity, Sensor, params};
+///
+/// /// A bias that goes with the square of the temperature's derivative: `eᵢ = cᵢ (dT/dt)²`.
+/// struct Squared;
+///
+/// impl Effect for Squared {
+///     const NAME: &'static str = "gyro_temperature_rate_squared";
+///     const SENSOR: Sensor = Sensor::Gyroscope;
+///     const EQUATION: &'static str = "W_i += c_i (dT/dt)^2";
+///     const PARAMS: &'static [Param] = &params("rad*s/K^2", ["x", "y", "z"]);
+///     const TYPICAL: f64 = 0.5;
+///     const LINEAR: bool = true;
+///     const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::TemperatureRate]);
+///
+///     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
+///         Vector3::from_fn(|i, _| p[i] * truth.temperature_rate.powi(2))
+///     }
+/// }
+///
+/// let mut truth = Kinematics::at_rest(Vector3::zeros());
+/// truth.temperature_rate = -0.5;
+/// assert_eq!(Squared.error(&truth, &[4.0, 0.0, -8.0]), Vector3::new(1.0, 0.0, -2.0));
+/// ```
 pub trait Effect: Send + Sync + 'static {
     /// Unique name in snake case.
     const NAME: &'static str;
@@ -90,11 +119,23 @@ impl<E: Effect> AnyEffect for E {
 }
 
 /// A 3 × 3 matrix from its nine elements, row by row.
+///
+/// # Examples
+/// ```
+/// let m = stillpoint_sensor::mat3(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]);
+/// assert_eq!(m[(0, 2)], 3.0);
+/// ```
 pub fn mat3<D: Scalar>(p: &[D]) -> Matrix3<D> {
     Matrix3::from_fn(|i, j| p[3 * i + j])
 }
 
 /// A 3 × 3 matrix with a diagonal of 0 from its six other elements, row by row.
+///
+/// # Examples
+/// ```
+/// let m = stillpoint_sensor::off_diagonal(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+/// assert_eq!((m[(0, 0)], m[(0, 2)], m[(2, 1)]), (0.0, 2.0, 6.0));
+/// ```
 pub fn off_diagonal<D: Scalar>(p: &[D]) -> Matrix3<D> {
     let zero = lit(0.0);
     Matrix3::new(zero, p[0], p[1], p[2], zero, p[3], p[4], p[5], zero)

@@ -154,7 +154,16 @@ const LEAST_ROTATION: f64 = 0.1;
 pub const REFERENCE_TEMPERATURE: f64 = 25.0;
 
 impl<D: Scalar> Kinematics<D> {
-    /// Specific force and angular rate at the start of a recording at reference temperature.
+    /// Specific force (m/s²) and angular rate (rad/s) at the start of a recording at reference temperature.
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use stillpoint_sensor::{Kinematics, REFERENCE_TEMPERATURE};
+    ///
+    /// let truth = Kinematics::new(Vector3::new(0.0, 0.0, 9.8), Vector3::new(0.0, 0.0, 1.5));
+    /// assert_eq!(truth.temperature, REFERENCE_TEMPERATURE);
+    /// ```
     pub fn new(specific_force: Vector3<D>, angular_rate: Vector3<D>) -> Self {
         Self {
             specific_force,
@@ -174,7 +183,16 @@ impl<D: Scalar> Kinematics<D> {
         }
     }
 
-    /// No rotation.
+    /// No rotation; specific force in m/s².
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use stillpoint_sensor::Kinematics;
+    ///
+    /// let warm = Kinematics { temperature: 40.0, ..Kinematics::at_rest(Vector3::new(0.0, 0.0, 9.8)) };
+    /// assert_eq!(warm.angular_rate, Vector3::zeros());
+    /// ```
     pub fn at_rest(specific_force: Vector3<D>) -> Self {
         Self::new(specific_force, Vector3::from_element(lit(0.0)))
     }

@@ -36,6 +36,17 @@ pub enum Role {
 
 impl Param {
     /// A parameter with the value it has in a perfect sensor.
+    ///
+    /// # Examples
+    /// ```
+    /// use stillpoint_sensor::{Param, Role};
+    ///
+    /// const PARAMS: [Param; 2] = [
+    ///     Param::new("z", "rad/s", 0.0).sized(1e-3),
+    ///     Param::new("tau", "s", 60.0).in_role(Role::TimeConstant).tried_at(&[20.0, 60.0, 180.0]),
+    /// ];
+    /// assert_eq!(PARAMS[1].nominal, 60.0);
+    /// ```
     pub const fn new(name: &'static str, unit: &'static str, nominal: f64) -> Self {
         Self {
             name,
@@ -79,6 +90,14 @@ impl Param {
 }
 
 /// Parameters that share a unit and are zero for a perfect sensor.
+///
+/// # Examples
+/// ```
+/// use stillpoint_sensor::{Param, params};
+///
+/// const PARAMS: &[Param] = &params("rad/s/K", ["x", "y", "z"]);
+/// assert_eq!((PARAMS[2].name, PARAMS[2].unit, PARAMS[2].nominal), ("z", "rad/s/K", 0.0));
+/// ```
 pub const fn params<const N: usize>(unit: &'static str, names: [&'static str; N]) -> [Param; N] {
     let mut all = [Param {
         name: "",
