@@ -15,11 +15,29 @@ impl Noise {
     ///
     /// # Errors
     /// A number that JSON cannot hold: a bug of ours.
+    ///
+    /// # Examples
+    /// ```
+    /// # let spec = "seed = 1\nrate = 50.0\n[motion.still]\nduration = 120.0\n";
+    /// # let noise = stillpoint::allan(&stillpoint::simulate(spec, None)?.recording, None)?;
+    /// assert!(noise.to_json()?.contains("\"schema\""));
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn to_json(&self) -> Result<String, Error> {
         Ok(to_json(&self.0)?)
     }
 
-    /// What the user should know.
+    /// What the user should know, a sentence each: terms that the recording is too short for, samples that are missing.
+    ///
+    /// # Examples
+    /// ```
+    /// # let spec = "seed = 1\nrate = 50.0\n[motion.still]\nduration = 120.0\n";
+    /// # let noise = stillpoint::allan(&stillpoint::simulate(spec, None)?.recording, None)?;
+    /// for warning in noise.warnings() {
+    ///     println!("{warning}");
+    /// }
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn warnings(&self) -> &[String] {
         &self.0.warnings
     }

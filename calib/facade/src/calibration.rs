@@ -84,6 +84,17 @@ impl Calibration {
     ///
     /// # Errors
     /// A number that JSON cannot hold: a bug of ours.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, _) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// # let calibration = stillpoint::calibrate(&[recording], &stillpoint::Request::default())?;
+    /// let text = calibration.to_json()?;
+    /// let again = stillpoint::Calibration::from_json(&text, &stillpoint::Catalogue::default())?;
+    /// assert_eq!(again.parameters(), calibration.parameters());
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn to_json(&self) -> Result<String, Error> {
         Ok(to_json(self.inner.as_ref())?)
     }
@@ -118,13 +129,37 @@ impl Calibration {
         all
     }
 
-    /// `T` (3 × 3, rows) and `b` (3) of a sensor; `None` where it was not calibrated.
+    /// `T` (3 × 3, by rows, no unit) and `b` (3, in the unit of the readings, m/s² or rad/s) of a sensor; `None` where it
+    /// was not calibrated.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, _) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// # let calibration = stillpoint::calibrate(&[recording], &stillpoint::Request::default())?;
+    /// use stillpoint::Sensor;
+    ///
+    /// let (t, b) = calibration.base(Sensor::Accelerometer).unwrap();
+    /// assert_eq!(t[1][0], 0.0); // upper triangular: the sensor's x axis is the body's
+    /// assert!(b.iter().all(|b| b.abs() < 1.0)); // m/s²
+    /// assert!(calibration.base(Sensor::Magnetometer).is_none());
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn base(&self, sensor: Sensor) -> Option<([[f64; 3]; 3], [f64; 3])> {
         let triad = self.inner.triad(sensor)?;
         Some((triad.t, triad.bias))
     }
 
     /// Whether every corrected reading is `T (raw − b)`, with no effect on top.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, _) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// # let calibration = stillpoint::calibrate(&[recording], &stillpoint::Request::default())?;
+    /// assert!(calibration.is_base_only());
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn is_base_only(&self) -> bool {
         self.inner.effects.is_empty()
     }
@@ -178,19 +213,51 @@ impl Calibration {
         Ok(())
     }
 
-    /// What the user should know.
+    /// What the user should know, a sentence each: what is uncertain, how sure that is, what to do.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, _) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// # let calibration = stillpoint::calibrate(&[recording], &stillpoint::Request::default())?;
+    /// for warning in calibration.warnings() {
+    ///     println!("{warning}");
+    /// }
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn warnings(&self) -> Vec<String> {
         let warnings = self.inner.warnings.iter();
         warnings.map(|words| words::of_the_library(words)).collect()
     }
 
-    /// Reasons not to use it as it stands.
+    /// Reasons not to use it as it stands, a sentence each; none where it is good.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, _) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// # let calibration = stillpoint::calibrate(&[recording], &stillpoint::Request::default())?;
+    /// assert!(calibration.failed_gates().is_empty());
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn failed_gates(&self) -> Vec<String> {
         let gates = self.inner.failed_gates.iter();
         gates.map(|words| words::of_the_library(words)).collect()
     }
 
     /// The fits behind it and the recordings they were made on; `None` where it was read or solved in closed form.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, _) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// # let calibration = stillpoint::calibrate(&[recording], &stillpoint::Request::default())?;
+    /// let (_, recordings) = calibration.outcome().unwrap();
+    /// assert_eq!(recordings.len(), 1);
+    /// let read = stillpoint::Calibration::from_json(&calibration.to_json()?, &Default::default())?;
+    /// assert!(read.outcome().is_none());
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn outcome(&self) -> Option<(&Outcome, &[Recording])> {
         self.made.as_ref().map(|made| (&made.0, made.1.as_slice()))
     }

@@ -61,6 +61,36 @@ impl Catalogue {
     ///
     /// # Errors
     /// [`ErrorKind::Usage`](crate::ErrorKind::Usage) where the name is taken.
+    ///
+    /// # Examples
+    /// ```
+    /// use std::sync::Arc;
+    /// use stillpoint::effect::{Effect, Kinematics, Param, Quantity, REFERENCE_TEMPERATURE, Scalar, Sensor};
+    /// use stillpoint::effect::{Vector3, params};
+    /// use stillpoint::{Catalogue, ErrorKind};
+    ///
+    /// /// A bias that goes with the cube of the temperature: `W_i += c_i (T - T0)^3`.
+    /// struct Cubic;
+    /// impl Effect for Cubic {
+    ///     const NAME: &'static str = "gyro_temperature_cube";
+    ///     const SENSOR: Sensor = Sensor::Gyroscope;
+    ///     const EQUATION: &'static str = "W_i += c_i (T - T0)^3";
+    ///     const PARAMS: &'static [Param] = &params("rad/s/K^3", ["x", "y", "z"]);
+    ///     const TYPICAL: f64 = 1e-7;
+    ///     const LINEAR: bool = true;
+    ///     const NEEDS: Option<&'static [Quantity]> = Some(&[Quantity::Temperature]);
+    ///     fn error<D: Scalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
+    ///         let cube = (truth.temperature - REFERENCE_TEMPERATURE).powi(3);
+    ///         Vector3::from_fn(|i, _| p[i] * cube)
+    ///     }
+    /// }
+    ///
+    /// let catalogue = Catalogue::default().with(Arc::new(Cubic))?;
+    /// assert!(catalogue.names().contains(&"gyro_temperature_cube"));
+    /// let twice = catalogue.with(Arc::new(Cubic)).unwrap_err(); // another `Arc` of the same name
+    /// assert_eq!(twice.kind, ErrorKind::Usage);
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn with(mut self, effect: Arc<dyn AnyEffect>) -> Result<Self, Error> {
         self.add(kept(effect))?;
         Ok(self)
@@ -95,6 +125,12 @@ impl Catalogue {
     ///
     /// # Errors
     /// As [`Catalogue::with_definitions`]; a file that cannot be read.
+    ///
+    /// # Examples
+    /// ```
+    /// let error = stillpoint::Catalogue::default().with_file("no_such.toml").unwrap_err();
+    /// assert_eq!(error.file.as_deref(), Some("no_such.toml"));
+    /// ```
     pub fn with_file(mut self, path: impl AsRef<Path>) -> Result<Self, Error> {
         for effect in calib::effect_file::read_effects(path.as_ref())? {
             self.add(effect)?;

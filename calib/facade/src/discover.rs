@@ -15,21 +15,62 @@ pub struct Findings(Arc<Discovery>);
 
 impl Findings {
     /// Whether something is missing and has a name.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, _) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// # let findings = stillpoint::discover(&[recording], &stillpoint::Request::default())?;
+    /// assert_eq!(findings.verdict(), stillpoint::Verdict::Nothing); // its device lacks nothing
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn verdict(&self) -> Verdict {
         self.0.findings.verdict
     }
 
     /// The effects that were missing, most evident first.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, _) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// # let findings = stillpoint::discover(&[recording], &stillpoint::Request::default())?;
+    /// for effect in findings.effects() {
+    ///     println!("{}: the gap falls from {} to {}", effect.name, effect.gap_before, effect.gap_after);
+    /// }
+    /// # assert!(findings.effects().is_empty());
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn effects(&self) -> &[EffectFinding] {
         &self.0.findings.effects
     }
 
     /// The calibration with what was named.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, _) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// # let findings = stillpoint::discover(&[recording], &stillpoint::Request::default())?;
+    /// assert_eq!(findings.calibration().parameters().len(), 24); // nothing was named
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn calibration(&self) -> Calibration {
         Calibration::of(self.0.findings.calibration.clone())
     }
 
-    /// What the user should know.
+    /// What the user should know, a sentence each.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, _) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// # let findings = stillpoint::discover(&[recording], &stillpoint::Request::default())?;
+    /// for warning in findings.warnings() {
+    ///     println!("{warning}");
+    /// }
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn warnings(&self) -> Vec<String> {
         let warnings = self.0.findings.calibration.warnings.iter();
         warnings.map(|words| words::of_the_library(words)).collect()
@@ -39,6 +80,15 @@ impl Findings {
     ///
     /// # Errors
     /// A number that JSON cannot hold: a bug of ours.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, _) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, None)?;
+    /// # let findings = stillpoint::discover(&[recording], &stillpoint::Request::default())?;
+    /// assert!(findings.to_json()?.contains("\"verdict\": \"none\""));
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn to_json(&self) -> Result<String, Error> {
         Ok(to_json(&self.0.findings)?)
     }

@@ -156,17 +156,45 @@ impl Recording {
         self
     }
 
-    /// What it is called.
+    /// What it is called: a file by its path, arrays until [`Recording::named`] `arrays`.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, celsius) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, Some(&celsius))?;
+    /// assert_eq!(recording.name(), "arrays");
+    /// assert_eq!(recording.named("morning").name(), "morning");
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn name(&self) -> &str {
         &self.0.name
     }
 
-    /// Number of samples of a sensor.
+    /// Number of samples `n` of a sensor; 0 of one that was not recorded.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, celsius) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, Some(&celsius))?;
+    /// use stillpoint::Sensor;
+    ///
+    /// assert_eq!(recording.rows(Sensor::Gyroscope), gyro.len());
+    /// assert_eq!(recording.rows(Sensor::Magnetometer), 0);
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn rows(&self, sensor: Sensor) -> usize {
         self.stream(sensor).map_or(0, Stream::len)
     }
 
-    /// Stamps of a sensor, s.
+    /// Stamps of a sensor (`n`), s, on its own clock; empty where it was not recorded.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, celsius) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, Some(&celsius))?;
+    /// assert_eq!(recording.stamps(stillpoint::Sensor::Accelerometer), t);
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn stamps(&self, sensor: Sensor) -> &[f64] {
         self.stream(sensor).map_or(&[], |stream| &stream.t)
     }
@@ -188,18 +216,46 @@ impl Recording {
     }
 
     /// Temperature at a time (s), °C, linear between readings; `None` without a thermometer.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, celsius) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, Some(&celsius))?;
+    /// let middle = recording.temperature_at(0.5 * (t[0] + t[1])).unwrap();
+    /// assert!((middle - 0.5 * (celsius[0] + celsius[1])).abs() < 1e-9);
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn temperature_at(&self, t: f64) -> Option<f64> {
         self.0.temperature.as_ref()?.at(t)
     }
 
     /// From the first stamp to the last, s.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, celsius) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, Some(&celsius))?;
+    /// assert!((recording.duration() - (t[t.len() - 1] - t[0])).abs() < 1e-9);
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn duration(&self) -> f64 {
         let both = [Sensor::Accelerometer, Sensor::Gyroscope];
         let last = both.iter().filter_map(|s| self.stamps(*s).last());
         (last.copied().fold(f64::NEG_INFINITY, f64::max) - self.0.start()).max(0.0)
     }
 
-    /// What was noticed in the samples.
+    /// What was noticed in the samples, a sentence each: a unit that was told by gravity, samples that are missing.
+    ///
+    /// # Examples
+    /// ```
+    /// # let (t, accel, gyro, celsius) = stillpoint::example::session();
+    /// # let recording = stillpoint::Recording::from_arrays(&t, &accel, &gyro, Some(&celsius))?;
+    /// assert!(recording.warnings().is_empty());
+    /// let in_g: Vec<[f64; 3]> = accel.iter().map(|f| f.map(|f| f / 9.80665)).collect();
+    /// let recording = stillpoint::Recording::from_arrays(&t, &in_g, &gyro, None)?;
+    /// assert!(recording.warnings().iter().any(|w| w.contains(" g")), "{:?}", recording.warnings());
+    /// # Ok::<(), stillpoint::Error>(())
+    /// ```
     pub fn warnings(&self) -> Vec<String> {
         let warnings = self.0.warnings.iter();
         warnings.map(|words| words::of_the_library(words)).collect()

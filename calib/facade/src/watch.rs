@@ -30,6 +30,21 @@ pub struct Watch(Callback);
 impl Watch {
     /// A watch that calls `told` with every step. Steps are milliseconds apart on recordings of minutes, and seconds on
     /// ten million samples.
+    ///
+    /// # Examples
+    /// ```
+    /// use std::ops::ControlFlow;
+    /// use std::time::{Duration, Instant};
+    ///
+    /// // Ends what takes longer than a minute.
+    /// let end = Instant::now() + Duration::from_secs(60);
+    /// let watch = stillpoint::Watch::new(move |progress| {
+    ///     println!("{}: step {}", progress.stage.name(), progress.steps);
+    ///     if Instant::now() < end { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    /// });
+    /// let spec = "seed = 1\n[motion.still]\nduration = 2.0\n";
+    /// assert!(stillpoint::simulate(spec, Some(&watch)).is_ok());
+    /// ```
     pub fn new(told: impl Fn(Progress) -> ControlFlow<()> + Send + Sync + 'static) -> Self {
         Self(Arc::new(told))
     }
