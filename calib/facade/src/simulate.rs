@@ -114,7 +114,7 @@ mod tests {
 [[definitions]]
 name = "gyro_swirl"
 sensor = "gyroscope"
-x = "k * fy * fz"
+x = "k * fz * fz"
 parameters = [{ name = "k", unit = "rad/s/(m/s^2)^2", typical = 5e-6 }]
 "#;
     const SPEC: &str = "seed = 1\n[motion.still]\nduration = 2.0\n[effects.gyro_swirl]\nk = 1e-5\n";
