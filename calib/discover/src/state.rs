@@ -93,10 +93,7 @@ impl State {
 
     /// Columns with few entries, whitened by the white noise.
     pub fn sparse(&self, columns: &[&Column]) -> Columns {
-        let white = &self.fit.whitening.white;
-        let mut columns = Columns::sparse(white.groups(), columns);
-        columns.apply(|rows, own| white.apply_rows(rows, own));
-        columns
+        self.fit.whitening.white.sparse(columns)
     }
 
     /// Whether the model has the effect of this name.

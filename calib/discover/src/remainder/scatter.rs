@@ -60,11 +60,14 @@ pub(super) fn scatters(state: &State, levels: &[Level]) -> Vec<Scatter> {
             |chunk: usize| state.fit.data.rests[state.fit.data.chunks[chunk].rest].recording;
         let places = means.iter().map(|m| (recording(m.chunk), m.truth.time));
         let times: Vec<(usize, f64)> = places.collect();
+        let axes = [0, 1, 2].map(|axis| {
+            let biases = means.iter().map(|m| Column::unit(m.row + axis));
+            let biases: Vec<Column> = biases.collect();
+            let biases = state.sparse(&biases.iter().collect::<Vec<_>>());
+            state.projected.by_recording(&biases)
+        });
         // The chunks of every recording, or of several that share noise.
-        let units: Vec<Column> = means.iter().map(|m| Column::unit(m.row)).collect();
-        let units = state.sparse(&units.iter().collect::<Vec<_>>());
-        let together = state.projected.by_recording(&units);
-        let together = together.parts().iter().map(|part| part.columns.as_slice());
+        let together = axes[0].parts().iter().map(|part| part.columns.as_slice());
         let together: Vec<&[usize]> = together.collect();
         let is_alone = times.iter().all(|(recording, _)| *recording == times[0].0);
         let kernel = |memory: f64| {
@@ -75,11 +78,7 @@ pub(super) fn scatters(state: &State, levels: &[Level]) -> Vec<Scatter> {
             Some((memory, together.iter().map(of).collect::<Option<Vec<_>>>()?))
         };
         let kernels: Vec<_> = MEMORIES.into_iter().filter_map(kernel).collect();
-        for axis in 0..3 {
-            let biases = means.iter().map(|m| Column::unit(m.row + axis));
-            let biases: Vec<Column> = biases.collect();
-            let biases = state.sparse(&biases.iter().collect::<Vec<_>>());
-            let projected = state.projected.by_recording(&biases);
+        for (axis, projected) in axes.iter().enumerate() {
             let mut best = (0.0, MEMORIES[0]);
             for level in levels.iter().filter(|l| l.of.is_none_or(|s| s == sensor)) {
                 let lost = 2.0 * (level.whitened.log_likelihood() - nothing);

@@ -6,6 +6,7 @@ use gyroscope::EARTH_RATE;
 use nalgebra::DMatrix;
 
 use super::exposure::Exposure;
+use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::blocks::covariance::{Covariance, combined, independent};
 use crate::methods::joint::blocks::groups::RowGroups;
@@ -56,6 +57,13 @@ impl White {
     /// The rows of the recordings.
     pub fn groups(&self) -> &RowGroups {
         &self.groups
+    }
+
+    /// `L⁻¹ A` (`m × k`) of columns with few entries.
+    pub fn sparse(&self, columns: &[&Column]) -> Columns {
+        let mut columns = Columns::sparse(&self.groups, columns);
+        columns.apply(|rows, own| self.apply_rows(rows, own));
+        columns
     }
 
     /// `L⁻¹ A` in place.

@@ -185,8 +185,7 @@ impl Analysis {
             return;
         }
         let units: Vec<Column> = (first..count).map(Column::unit).collect();
-        let mut by_turn = Columns::sparse(rows.groups(), &units.iter().collect::<Vec<_>>());
-        by_turn.apply(|rows, a| self.white.apply_rows(rows, a));
+        let by_turn = self.white.sparse(&units.iter().collect::<Vec<_>>());
         let covariance =
             self.white
                 .both_sides(&shared(&turn_rows(rows), ComponentKind::TurnScatter, count));
@@ -492,20 +491,14 @@ impl Analysis {
     pub fn columns(&self, suspects: &[Suspect]) -> Columns {
         let own = suspects.iter().flat_map(|s| &s.columns);
         let alike = suspects.iter().flat_map(|s| &s.nuisance);
-        self.whitened_columns(&own.chain(alike).collect::<Vec<_>>())
+        self.white.sparse(&own.chain(alike).collect::<Vec<_>>())
     }
 
     /// The Jacobian with more columns, all whitened by white noise.
     fn with(&self, disturbances: &[&Suspect]) -> Columns {
         let extra = disturbances.iter().flat_map(|s| &s.columns);
-        let extra = self.whitened_columns(&extra.collect::<Vec<_>>());
+        let extra = self.white.sparse(&extra.collect::<Vec<_>>());
         self.jacobian.beside(&extra)
-    }
-
-    fn whitened_columns(&self, columns: &[&Column]) -> Columns {
-        let mut columns = Columns::sparse(self.white.groups(), columns);
-        columns.apply(|rows, a| self.white.apply_rows(rows, a));
-        columns
     }
 }
 
