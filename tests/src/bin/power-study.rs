@@ -11,15 +11,17 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{File, OpenOptions};
 use std::io::{BufRead, BufReader, Write};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Mutex;
 
+use calib::simulate::Simulation;
 use clap::{Parser, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use serde::{Deserialize, Serialize};
-use stillpoint_tests::power::{Record, Row, Summary, run, summarise};
+use stillpoint_tests::power::{Record, Row, Summary, run, spec_of, summarise};
 
 /// Hidden effects, and whether they are found
 #[derive(Debug, Parser)]
@@ -39,6 +41,9 @@ struct Args {
     /// Print the sessions that went wrong
     #[arg(long)]
     wrong: bool,
+    /// Write the recordings of the sessions into folders `DIR/<row>-<number>` and look into none
+    #[arg(long, value_name = "DIR")]
+    save: Option<PathBuf>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -65,6 +70,11 @@ fn study(args: &Args) -> Result<(), Box<dyn std::error::Error>> {
         args.row.clone()
     };
     for row in rows {
+        if let Some(dir) = &args.save {
+            let count = args.sessions.unwrap_or(row.sessions());
+            save(row, args.first..args.first + count, dir)?;
+            continue;
+        }
         let done: BTreeSet<u64> = read(&args.out)?
             .into_iter()
             .filter(|l| l.row == row)
@@ -79,6 +89,15 @@ fn study(args: &Args) -> Result<(), Box<dyn std::error::Error>> {
             .filter(|l| l.row == row && wanted.contains(&l.record.index))
             .collect();
         print(row, &lines, args.wrong);
+    }
+    Ok(())
+}
+
+/// Recordings and truth, to be looked into with the program itself.
+fn save(row: Row, sessions: Range<u64>, dir: &Path) -> Result<(), Box<dyn std::error::Error>> {
+    for index in sessions {
+        let folder = dir.join(format!("{}-{index}", name_of(row)));
+        Simulation::new(&spec_of(row, index)?)?.write(&folder, false)?;
     }
     Ok(())
 }

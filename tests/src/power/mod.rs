@@ -7,5 +7,5 @@ mod size;
 mod summary;
 
 pub use row::{Job, Row};
-pub use session::{Record, hidden_in, run};
+pub use session::{Record, hidden_in, run, spec_of};
 pub use summary::{Summary, summarise};

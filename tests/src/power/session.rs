@@ -106,6 +106,14 @@ pub fn run(row: Row, index: u64) -> Result<Record, Error> {
     Ok(record)
 }
 
+/// The session of this number in a row, with what is hidden in it.
+///
+/// # Errors
+/// A spec that contradicts itself.
+pub fn spec_of(row: Row, index: u64) -> Result<Spec, Error> {
+    scaled(&Job::new(row, index), &mut Record::default())
+}
+
 /// The session of this number in a row with what is hidden in it, and the noise of the biases that the analysis is told;
 /// `None` where it hides something else.
 ///
