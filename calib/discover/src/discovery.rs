@@ -156,7 +156,7 @@ pub(super) fn discover_in(
             &mut calibration,
         ));
     }
-    let lasting = disturbed(&search.last, &faults);
+    let lasting = disturbed(&search.last, &faults, &search.either);
     faults.extend(lasting);
     faults.extend(undersampled(&search.last));
     let named = !effects.is_empty() || !faults.is_empty();

@@ -138,6 +138,11 @@ impl State {
             })
     }
 
+    /// What it is that the model holds as disturbed, in the order of the findings.
+    pub fn known(&self) -> Vec<Known> {
+        self.held().map(|(known, _)| known).collect()
+    }
+
     /// How sure the model is of what it holds as disturbed: `ln p` of `βᵀ C⁻¹ β`, `β` the parameters of one
     /// disturbance and `C` their covariance.
     pub fn disturbances(&self) -> Vec<(Known, f64)> {

@@ -36,13 +36,17 @@ pub enum Covariate {
     LastTurn(Axis),
     /// `sinceturn`: time since the end of the last turn, s.
     SinceTurn,
+    /// `abs(fx)`: size of the specific force along an axis, m/s².
+    ForceSize(Axis),
+    /// `abs(wx)`: size of the angular rate about an axis, rad/s.
+    RateSize(Axis),
 }
 
 /// What a product of covariates is measured in: powers of (m/s², rad/s, rad/s², s, K).
 pub(crate) type Dimension = [i32; 6];
 
 impl Covariate {
-    /// Every one of them.
+    /// Those with a name of their own in expressions: all but the sizes, which functions make of the others.
     pub fn all() -> impl Iterator<Item = Self> {
         let triads = [
             Self::SpecificForce,
@@ -78,6 +82,8 @@ impl Covariate {
             Self::Warming => "warming".to_owned(),
             Self::LastTurn(axis) => format!("turn{axis}"),
             Self::SinceTurn => "sinceturn".to_owned(),
+            Self::ForceSize(axis) => format!("abs(f{axis})"),
+            Self::RateSize(axis) => format!("abs(w{axis})"),
         }
     }
 
@@ -96,6 +102,8 @@ impl Covariate {
             Self::Warming => lit(truth.warming),
             Self::LastTurn(axis) => lit(truth.last_turn[axis.index()]),
             Self::SinceTurn => lit(truth.since_turn.middle()),
+            Self::ForceSize(axis) => truth.specific_force[axis.index()].abs(),
+            Self::RateSize(axis) => truth.angular_rate[axis.index()].abs(),
         }
     }
 
@@ -114,6 +122,8 @@ impl Covariate {
             Self::Warming => "truth.warming".to_owned(),
             Self::LastTurn(axis) => format!("truth.last_turn.{axis}"),
             Self::SinceTurn => "truth.since_turn.middle()".to_owned(),
+            Self::ForceSize(axis) => format!("truth.specific_force.{axis}.abs()"),
+            Self::RateSize(axis) => format!("truth.angular_rate.{axis}.abs()"),
         }
     }
 
@@ -132,13 +142,15 @@ impl Covariate {
             Self::Warming => ("sign of the last change of temperature", "1"),
             Self::LastTurn(_) => ("rotation vector of the last turn", "rad"),
             Self::SinceTurn => ("time since the end of the last turn", "s"),
+            Self::ForceSize(_) => ("size of the specific force along an axis", "m/s²"),
+            Self::RateSize(_) => ("size of the angular rate about an axis", "rad/s"),
         }
     }
 
     pub(crate) fn dimension(self) -> Dimension {
         match self {
-            Self::SpecificForce(_) => [1, 0, 0, 0, 0, 0],
-            Self::AngularRate(_) => [0, 1, 0, 0, 0, 0],
+            Self::SpecificForce(_) | Self::ForceSize(_) => [1, 0, 0, 0, 0, 0],
+            Self::AngularRate(_) | Self::RateSize(_) => [0, 1, 0, 0, 0, 0],
             Self::AngularAcceleration(_) => [0, 0, 1, 0, 0, 0],
             Self::Vibration(_) => [2, 0, 0, 0, 0, 0],
             Self::LastChange(_) | Self::Warming | Self::LastTurn(_) => [0; 6],
@@ -165,7 +177,9 @@ impl TryFrom<String> for Covariate {
     type Error = String;
 
     fn try_from(name: String) -> Result<Self, String> {
-        let known = Self::all().find(|covariate| covariate.name() == name);
+        let sizes = [Self::ForceSize, Self::RateSize];
+        let sizes = sizes.into_iter().flat_map(|kind| Axis::ALL.map(kind));
+        let known = Self::all().chain(sizes).find(|c| c.name() == name);
         known.ok_or_else(|| format!("there is no covariate `{name}`"))
     }
 }

@@ -78,8 +78,8 @@ impl Quantity {
     /// The quantity that a covariate of an expression is a component of.
     pub fn of(covariate: Covariate) -> Self {
         match covariate {
-            Covariate::SpecificForce(_) => Self::SpecificForce,
-            Covariate::AngularRate(_) => Self::AngularRate,
+            Covariate::SpecificForce(_) | Covariate::ForceSize(_) => Self::SpecificForce,
+            Covariate::AngularRate(_) | Covariate::RateSize(_) => Self::AngularRate,
             Covariate::AngularAcceleration(_) => Self::AngularAcceleration,
             Covariate::Vibration(_) => Self::Vibration,
             Covariate::LastChange(_) => Self::LastChange,

@@ -48,8 +48,8 @@ const fn of_rate(
     }
 }
 
-/// Ten of second and third order.
-pub const FORMULAS: [Hidden; 10] = [
+/// Ten of second and third order, four of a size or a history.
+pub const FORMULAS: [Hidden; 14] = [
     of_rate("rate fy fz", "x", "fy * fz", "rad/s/(m/s^2)^2", 5e-6),
     of_rate("rate fx fz", "y", "fx * fz", "rad/s/(m/s^2)^2", 5e-6),
     of_rate("rate fx^3", "z", "fx^3", "rad/s/(m/s^2)^3", 5e-7),
@@ -60,13 +60,17 @@ pub const FORMULAS: [Hidden; 10] = [
     of_force("force fx fy^2", "z", "fx * fy^2", "1/(m/s^2)^2", 2e-5),
     of_force("force fx fy", "x", "fx * fy", "1/(m/s^2)", 2e-4),
     of_force("force fz^2 fy", "x", "fy * fz^2", "1/(m/s^2)^2", 2e-5),
+    of_rate("rate abs(fy)", "z", "abs(fy)", "rad/s/(m/s^2)", 2e-5),
+    of_rate("rate changez", "x", "changez", "rad/s", 1e-4),
+    of_rate("rate turny", "y", "turny", "rad/s", 1e-4),
+    of_force("force abs(fy)", "z", "abs(fy)", "", 1e-3),
 ];
 
 /// Names of the kinds.
-pub const NAMES: [&str; 10] = {
-    let mut names = [""; 10];
+pub const NAMES: [&str; 14] = {
+    let mut names = [""; 14];
     let mut k = 0;
-    while k < 10 {
+    while k < 14 {
         names[k] = FORMULAS[k].name;
         k += 1;
     }

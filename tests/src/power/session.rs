@@ -35,6 +35,9 @@ pub struct Record {
     pub ties: Vec<Vec<String>>,
     /// The faults of the recording that were named.
     pub integrity: Vec<String>,
+    /// What each of them was said to be indistinguishable from.
+    #[serde(default)]
+    pub fault_ties: Vec<Vec<String>>,
     /// The formula that was proposed.
     #[serde(default)]
     pub proposed: Option<String>,
@@ -89,9 +92,14 @@ pub fn run(row: Row, index: u64) -> Result<Record, Error> {
             hidden.is_some_and(|hidden| hidden.is(&proposed.equation, &proposed.alternatives));
         record.proposed = Some(proposed.equation.clone());
     }
-    record.integrity = findings.integrity.iter().map(|i| i.name.into()).collect();
-    record.integrity.sort();
-    record.integrity.dedup();
+    let owned = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect();
+    let faults = findings.integrity.iter();
+    let mut faults: Vec<(String, Vec<String>)> = faults
+        .map(|fault| (fault.name.into(), owned(&fault.indistinguishable_from)))
+        .collect();
+    faults.sort();
+    faults.dedup();
+    (record.integrity, record.fault_ties) = faults.into_iter().unzip();
     for effect in &findings.effects {
         record.named.push(effect.name.clone());
         record.ties.push(effect.indistinguishable_from.clone());

@@ -21,7 +21,7 @@ pub struct Summary {
     pub unexplained: f64,
     /// An effect named and nothing unexplained beside it.
     pub name_alone: f64,
-    /// The fault of the recording named, and no effect beside it.
+    /// The fault of the recording named, ties counted, and no effect beside it.
     pub integrity: f64,
     /// The hidden formula proposed and nothing named beside it.
     pub formula: f64,
@@ -68,7 +68,8 @@ impl Record {
     pub fn is_found(&self) -> bool {
         !self.is_wrong()
             && self.hidden.iter().all(|h| {
-                self.claims().contains(&h.as_str()) || self.ties.iter().flatten().any(|t| t == h)
+                let mut ties = self.ties.iter().chain(&self.fault_ties).flatten();
+                self.claims().contains(&h.as_str()) || ties.any(|t| t == h)
             })
     }
 
@@ -79,11 +80,13 @@ impl Record {
                 && !self.right.contains(name)
                 && !ties.iter().any(|t| self.hidden.contains(t))
         });
-        wrong_effect
-            || self
-                .integrity
-                .iter()
-                .any(|name| !self.hidden.contains(name) && !self.right.contains(name))
+        let wrong_fault = self.integrity.iter().enumerate().any(|(k, name)| {
+            let ties = self.fault_ties.get(k);
+            !self.hidden.contains(name)
+                && !self.right.contains(name)
+                && !ties.is_some_and(|ties| ties.iter().any(|t| self.hidden.contains(t)))
+        });
+        wrong_effect || wrong_fault
     }
 }
 
@@ -111,7 +114,10 @@ pub fn summarise<'a>(records: impl Iterator<Item = &'a Record> + Clone) -> Summa
         unexplained: share(&|r| r.unexplained.is_some()),
         name_alone: share(&|r| !r.named.is_empty() && r.unexplained.is_none()),
         integrity: share(&|r| {
-            r.named.is_empty() && r.hidden.iter().all(|h| r.integrity.contains(h))
+            let is_named = |h: &String| {
+                r.integrity.contains(h) || r.fault_ties.iter().flatten().any(|t| t == h)
+            };
+            r.named.is_empty() && r.hidden.iter().all(is_named)
         }),
         formula: share(&|r| r.is_formula && r.claims().is_empty()),
         any_claim: share(&|r| r.is_claimed()),

@@ -7,6 +7,7 @@ use recording::{Recording, Stream};
 use serde::Serialize;
 
 use crate::request::Session;
+use crate::search::Either;
 use crate::state::State;
 
 /// Samples at the end of the range that count as saturation.
@@ -38,6 +39,9 @@ pub struct Integrity {
     pub t1: f64,
     /// In words.
     pub detail: String,
+    /// What these recordings cannot tell from it.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub indistinguishable_from: Vec<&'static str>,
     /// How large it is, where that is measured: rad of a slip, a turn or, root mean square over the turns, of undersampled
     /// motion; m/s² or rad/s of what a static interval is off by.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -108,14 +112,10 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
 }
 
 /// What a fit found disturbed, in the same form; `seen` are the faults that the readings themselves show: samples are
-/// called lost where the stamps say so.
-pub fn disturbed(state: &State, seen: &[Integrity]) -> Vec<Integrity> {
+/// called lost where the stamps say so; `either` says what each cannot be told from.
+pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<Integrity> {
     let sizes = state.disturbed_sizes();
-    let found = state
-        .fit
-        .flagged
-        .iter()
-        .take(state.extension.disturbed.len());
+    let found = state.fit.flagged.iter().zip(state.known());
     // A rate that is off in an interval is off up to the turns beside it, which see it as a creep.
     let is_excursion = |of: &Flagged| {
         let all = state.fit.flagged.iter();
@@ -124,8 +124,9 @@ pub fn disturbed(state: &State, seen: &[Integrity]) -> Vec<Integrity> {
     };
     found
         .zip(sizes)
-        .filter(|(flagged, _)| flagged.kind != Disturbance::MountSlip || !is_excursion(flagged))
-        .map(|(flagged, size)| {
+        .filter(|((flagged, _), _)| flagged.kind != Disturbance::MountSlip || !is_excursion(flagged))
+        .map(|((flagged, known), size)| {
+            let or = either.iter().find(|either| either.known == known);
             let recording = &state.fit.data.sources[flagged.recording].name;
             let lost = seen.iter().any(|fault| {
                 fault.name == "lost_samples"
@@ -183,6 +184,7 @@ pub fn disturbed(state: &State, seen: &[Integrity]) -> Vec<Integrity> {
                 interval: Some(flagged.interval + 1),
                 t0: flagged.span.from,
                 t1: flagged.span.to,
+                indistinguishable_from: or.map_or_else(Vec::new, |either| either.or.clone()),
                 detail,
                 size,
             }
@@ -218,6 +220,7 @@ pub fn undersampled(state: &State) -> Vec<Integrity> {
             interval: None,
             t0: first.from,
             t1: last.to,
+            indistinguishable_from: Vec::new(),
             size: Some(Size {
                 value: found.rms,
                 unit: "rad",
@@ -277,6 +280,7 @@ impl Looked<'_> {
             t0: span.from,
             t1: span.to,
             detail,
+            indistinguishable_from: Vec::new(),
             size: None,
         }
     }

@@ -32,9 +32,17 @@ pub struct Product {
 }
 
 impl Product {
-    /// Degree.
+    /// How much it asks to be believed: its degree, and more than that of any polynomial where it has a size or a history.
     pub fn degree(&self) -> u32 {
-        self.factors.iter().map(|(_, power)| power).sum()
+        let of = |(covariate, power): &(Covariate, u32)| match covariate {
+            Covariate::SpecificForce(_)
+            | Covariate::AngularRate(_)
+            | Covariate::AngularAcceleration(_)
+            | Covariate::Time
+            | Covariate::TemperatureChange => *power,
+            _ => power + FACTORS as u32,
+        };
+        self.factors.iter().map(of).sum()
     }
 
     /// The term on the axis in place `k`, where the coefficient of the column of unit length is `coefficient`.
@@ -62,25 +70,76 @@ fn orthonormal(w: MatRef<'_, f64>) -> Mat<f64> {
     w * mix
 }
 
-/// Every product of specific force, rate, angular acceleration, temperature and time that the model of `state`
-/// does not hold already and the data can see.
+/// Every product of specific force, rate, angular acceleration, temperature and time, and every size or history, alone or
+/// with a force or a rate, that the model of `state` does not hold already and the data can see.
 pub fn dictionary(state: &State) -> Vec<Product> {
     let force = Axis::ALL.map(Covariate::SpecificForce);
+    let rate = Axis::ALL.map(Covariate::AngularRate);
+    let acceleration = Axis::ALL.map(Covariate::AngularAcceleration);
     let slow = [Covariate::Time, Covariate::TemperatureChange];
+    let sizes = Axis::ALL.map(Covariate::ForceSize);
     // Of the accelerometer rests are compared only: nothing turns there.
-    let mut all = products(state, Sensor::Accelerometer, &[&force[..], &slow].concat());
+    let offered = Offered {
+        first: 3,
+        powers: [&force[..], &slow].concat(),
+        others: [&sizes[..], &history()].concat(),
+    };
+    let mut all = products(state, Sensor::Accelerometer, &offered);
     if state.fit.has_gyroscope() {
-        let turning = [Covariate::AngularRate, Covariate::AngularAcceleration];
-        let turning = turning.into_iter().flat_map(|kind| Axis::ALL.map(kind));
-        let mut covariates = force.to_vec();
-        covariates.extend(turning.chain(slow));
-        all.extend(products(state, Sensor::Gyroscope, &covariates));
+        let turning = Axis::ALL.map(Covariate::RateSize);
+        let offered = Offered {
+            first: 6,
+            powers: [&force[..], &rate, &acceleration, &slow].concat(),
+            others: [&sizes[..], &turning, &history()].concat(),
+        };
+        all.extend(products(state, Sensor::Gyroscope, &offered));
     }
     all
 }
 
-fn products(state: &State, sensor: Sensor, covariates: &[Covariate]) -> Vec<Product> {
-    let choices = choices(covariates.len());
+/// What is multiplied.
+struct Offered {
+    /// What products of up to three factors are made of.
+    powers: Vec<Covariate>,
+    /// So many of them, the first ones, stand beside one of the others too.
+    first: usize,
+    /// Stand alone or beside one of those.
+    others: Vec<Covariate>,
+}
+
+impl Offered {
+    fn covariates(&self) -> Vec<Covariate> {
+        [&self.powers[..], &self.others].concat()
+    }
+
+    fn choices(&self) -> Vec<[usize; FACTORS]> {
+        let mut all = choices(self.powers.len());
+        for other in self.powers.len() + 1..=self.powers.len() + self.others.len() {
+            all.extend((0..=self.first).map(|beside| [0, beside, other]));
+        }
+        all
+    }
+}
+
+/// What has been before: the last change of force, turn and temperature; and how much the device vibrates.
+fn history() -> Vec<Covariate> {
+    let triads = [
+        Covariate::LastChange,
+        Covariate::LastTurn,
+        Covariate::Vibration,
+    ];
+    let triads = triads.into_iter().flat_map(|kind| Axis::ALL.map(kind));
+    triads
+        .chain([
+            Covariate::SinceTurn,
+            Covariate::TemperatureRate,
+            Covariate::Warming,
+        ])
+        .collect()
+}
+
+fn products(state: &State, sensor: Sensor, offered: &Offered) -> Vec<Product> {
+    let (covariates, choices) = (&offered.covariates(), offered.choices());
     let columns = state.whitened(columns(state, sensor, covariates, &choices));
     let projected = state.projected.columns(columns.as_ref());
     let mut all = Vec::new();

@@ -33,6 +33,24 @@ z = "k * fx * fy^2"
 parameters = [{ name = "k", unit = "1/(m/s^2)^2", typical = 2e-5 }]
 "#;
 
+/// The rate of an axis that remembers the way in which the force along another last changed.
+const MEMORY: &str = r#"
+[[definitions]]
+name = "gyro_memory"
+sensor = "gyroscope"
+x = "k * changez"
+parameters = [{ name = "k", unit = "rad/s", typical = 1e-4 }]
+"#;
+
+/// A force that either sign of that along another axis makes.
+const EITHER_WAY: &str = r#"
+[[definitions]]
+name = "accel_either_way"
+sensor = "accelerometer"
+z = "k * abs(fy)"
+parameters = [{ name = "k", unit = "", typical = 1e-3 }]
+"#;
+
 fn defined(definition: &str) -> &'static dyn AnyEffect {
     parse_effects(definition, "hidden.toml").unwrap()[0]
 }
@@ -104,6 +122,17 @@ fn a_formula_is_tried_on_the_validation_recording() {
 #[test]
 fn a_product_of_third_order_in_a_specific_force_is_proposed() {
     is_found(1, BEND, "A_z += z_fx_fy2 * fx * fy^2");
+}
+
+#[test]
+fn what_a_rate_remembers_is_proposed() {
+    let found = is_found(2, MEMORY, "W_x += x_changez * changez");
+    assert_eq!(found.terms[0].unit, "rad/s");
+}
+
+#[test]
+fn the_size_of_a_force_is_proposed() {
+    is_found(2, EITHER_WAY, "A_z += z_absfy * abs(fy)");
 }
 
 #[test]

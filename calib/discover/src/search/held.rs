@@ -2,7 +2,8 @@
 
 use estimate::methods::joint::Known;
 
-use crate::family::{Claim, Hypothesis};
+use crate::family::{Claim, Family, Hypothesis};
+use crate::rank::Ranked;
 
 /// A claim in the model, with the way in which it holds.
 #[derive(Clone, Debug)]
@@ -18,5 +19,15 @@ impl Held {
     pub fn is(&self, known: &Known) -> bool {
         matches!(self.claim, Claim::Disturbed(kind) if kind == known.kind)
             && self.hypothesis.place == Some(known.place)
+    }
+
+    /// Where a ranking has it: of a local claim only if its best place is this one.
+    pub fn found<'r>(&self, families: &[Family], ranked: &'r [Ranked]) -> Option<&'r Ranked> {
+        ranked.iter().find(|r| {
+            let family = &families[r.family];
+            let place = self.hypothesis.place;
+            family.claim.is_same(&self.claim)
+                && (place.is_none() || family.hypotheses[r.hypothesis].place == place)
+        })
     }
 }

@@ -1,6 +1,7 @@
 //! Naming what is missing, one thing after the other, until the rest is noise.
 
-pub(crate) mod few_turns;
+pub(crate) mod either;
+pub mod few_turns;
 mod held;
 mod outlying_turns;
 mod pairs;
@@ -9,6 +10,7 @@ mod review;
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
+pub use either::Either;
 use estimate::methods::joint::Known;
 use faer::Mat;
 use few_turns::Turns;
@@ -97,6 +99,8 @@ pub struct Search {
     pub last: State,
     /// What was named, most evident first, but for disturbances that are beyond doubt by their own parameters.
     pub names: Vec<Name>,
+    /// Disturbances that these recordings cannot tell from something else.
+    pub either: Vec<Either>,
     /// The evidence for all that was named: together, as one was found after the other, or each beside the others,
     /// whichever says more.
     pub evidence: f64,
@@ -115,6 +119,7 @@ impl Search {
             last: base.clone(),
             base,
             names: Vec::new(),
+            either: Vec::new(),
             evidence: 0.0,
             first_ranking: Vec::new(),
             not_observable: Vec::new(),
@@ -278,6 +283,7 @@ impl Finder<'_> {
             base,
             last: reviewed.last,
             names: reviewed.names,
+            either: reviewed.either,
             evidence: reviewed.evidence,
             first_ranking,
             not_observable,

@@ -4,6 +4,7 @@ use estimate::methods::joint::Known;
 use faer::Mat;
 use recording::Error;
 
+use super::either::Either;
 use super::held::Held;
 use super::{Finder, MOST_NAMES, Name, Tie, held};
 use crate::extension::with_companions;
@@ -15,6 +16,7 @@ use crate::state::State;
 /// What is left of the names after a second look.
 pub(super) struct Reviewed {
     pub names: Vec<Name>,
+    pub either: Vec<Either>,
     pub evidence: f64,
     pub last: State,
     /// Whether the fits that it may make ended it.
@@ -48,13 +50,8 @@ impl Finder<'_> {
                 if certain.iter().any(|(known, _)| held[k].is(known)) {
                     continue;
                 }
-                let mut others = held.clone();
-                let own = others.remove(k);
-                let without = if others.is_empty() {
-                    base.clone()
-                } else {
-                    self.state(&others)?
-                };
+                let own = held[k].clone();
+                let without = self.without(base, &held, k)?;
                 let ranking = self.ranked(&without);
                 let (families, ranked) = (&ranking.families, &ranking.ranked);
                 match self.judge(&own, families, ranked) {
@@ -85,6 +82,7 @@ impl Finder<'_> {
                 let beside: f64 = certain.iter().map(|(_, evidence)| evidence).sum();
                 let beside = names.iter().map(|n| n.ranked.evidence).sum::<f64>() + beside;
                 return Ok(Reviewed {
+                    either: self.either(base, &held, &names, &certain)?,
                     names,
                     evidence: found.max(beside),
                     last,
@@ -104,6 +102,7 @@ impl Finder<'_> {
         }
         Ok(Reviewed {
             names: Vec::new(),
+            either: Vec::new(),
             evidence: 0.0,
             last: base.clone(),
             is_spent,
@@ -123,13 +122,7 @@ impl Finder<'_> {
     }
 
     fn judge(&self, own: &Held, families: &[Family], ranked: &[Ranked]) -> Verdict {
-        let mine = ranked.iter().find(|r| {
-            let family = &families[r.family];
-            family.claim.is_same(&own.claim)
-                && (own.hypothesis.place.is_none()
-                    || family.hypotheses[r.hypothesis].place == own.hypothesis.place)
-        });
-        let Some(mine) = mine else {
+        let Some(mine) = own.found(families, ranked) else {
             return Verdict::Gone;
         };
         let Some(top) = ranked.iter().find(|r| !r.only_a_tie) else {
@@ -149,7 +142,7 @@ impl Finder<'_> {
     }
 
     /// The claims whose evidence is within 20 to 1 of the named one's.
-    fn ties(
+    pub(super) fn ties(
         &self,
         state: &State,
         families: &[Family],

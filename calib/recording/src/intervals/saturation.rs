@@ -13,6 +13,10 @@ const CHANCE: f64 = 0.01;
 /// parabola that is read in steps has a fifth of it on either side.
 const BESIDE: f64 = 0.2;
 
+/// The axes of a sensor have one range: a shorter run at the same reading as the rail of another, to this share, is cut off.
+const SAME: f64 = 1e-4;
+const RUN_AT_KNOWN_RAIL: usize = 2;
+
 /// The readings at which each axis is cut off; infinite where the recording does not show it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rails {
@@ -23,12 +27,18 @@ pub struct Rails {
 impl Rails {
     /// Looks for a flat top or bottom of each axis, which readings in steps do not round off.
     pub fn of(values: &[Vector3<f64>]) -> Self {
-        let rails = [0, 1, 2].map(|axis| {
+        let sides = [0, 1, 2].map(|axis| {
             let upwards: Vec<f64> = values.iter().map(|v| v[axis]).collect();
             let downwards: Vec<f64> = upwards.iter().map(|v| -v).collect();
-            let step = least_step(&upwards);
-            let longest = longest_by_chance(&upwards);
-            [downwards, upwards].map(|values| rail(&values, step, longest).unwrap_or(f64::INFINITY))
+            let (step, longest) = (least_step(&upwards), longest_by_chance(&upwards));
+            [downwards, upwards].map(|values| (rail(&values, step, longest), values))
+        });
+        let known = sides.iter().flatten().find_map(|(rail, _)| *rail);
+        let rails = sides.map(|axis| {
+            axis.map(|(rail, values)| {
+                let rail = rail.or_else(|| same_rail(&values, known?));
+                rail.unwrap_or(f64::INFINITY)
+            })
         });
         Self {
             low: Vector3::from_fn(|k, _| -rails[k][0]),
@@ -81,6 +91,14 @@ fn rail(values: &[f64], step: f64, longest: usize) -> Option<f64> {
     None
 }
 
+/// The largest reading, where it is that at which another axis is cut off and repeats.
+fn same_rail(values: &[f64], known: f64) -> Option<f64> {
+    let top = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let mut runs = values.chunk_by(|a, b| (*a == top) == (*b == top));
+    let repeats = runs.any(|run| run[0] == top && run.len() >= RUN_AT_KNOWN_RAIL);
+    (repeats && (top - known).abs() <= SAME * known).then_some(top)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -108,5 +126,20 @@ mod tests {
         let rails = Rails::of(&values);
         assert!(rails.reached(&Vector3::new(8.0, 0.0, 0.0)));
         assert!(!rails.reached(&Vector3::new(7.9, 10.0, 0.0)));
+    }
+
+    #[test]
+    fn a_short_run_at_the_rail_of_another_axis_is_cut_off_too() {
+        let wave = |k: usize, size: f64| size * ((k as f64) * 0.1).sin();
+        let values = |limit: f64| -> Vec<_> {
+            (0..63)
+                .map(|k| Vector3::new(wave(k, 1.0).min(0.8), -wave(k, 0.805).min(limit), 0.0))
+                .collect()
+        };
+        let cut = Rails::of(&values(0.8));
+        assert!(cut.reached(&Vector3::new(0.0, -0.8, 0.0)));
+        // A peak elsewhere is none, nor is one reading that happens to be there.
+        let free = Rails::of(&values(0.9));
+        assert!(!free.reached(&Vector3::new(0.0, -0.805, 0.0)));
     }
 }

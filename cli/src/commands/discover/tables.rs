@@ -167,7 +167,7 @@ pub fn faults(findings: &Findings) -> Rows<4> {
     let rows = findings.integrity.iter().map(|fault| {
         let interval = fault.interval.map_or("all".into(), |k| k.to_string());
         [
-            fault.name.into(),
+            words::or(fault.name, &fault.indistinguishable_from),
             match several {
                 true => format!("{}: {interval}", show::name(&fault.recording)),
                 false => interval,

@@ -113,21 +113,26 @@ pub fn bias_noise(findings: &Findings) -> String {
     )
 }
 
-/// `a, which cannot be told from b here`.
 fn with_ties(effect: &EffectFinding) -> String {
-    let ties = &effect.indistinguishable_from;
+    or(&effect.name, &effect.indistinguishable_from)
+}
+
+/// `a (or b)`: what cannot be told from a name here.
+pub fn or<T: AsRef<str>>(name: &str, ties: &[T]) -> String {
     if ties.is_empty() {
-        return effect.name.clone();
+        return name.to_owned();
     }
-    format!("{} (or {})", effect.name, ties.join(" or "))
+    let ties: Vec<&str> = ties.iter().map(AsRef::as_ref).collect();
+    format!("{name} (or {})", ties.join(" or "))
 }
 
 fn faults(findings: &Findings) -> String {
-    let mut kinds: Vec<(&str, Vec<&Integrity>)> = Vec::new();
+    let mut kinds: Vec<(String, Vec<&Integrity>)> = Vec::new();
     for fault in &findings.integrity {
-        match kinds.iter_mut().find(|(name, _)| *name == fault.name) {
+        let called = or(fault.name, &fault.indistinguishable_from);
+        match kinds.iter_mut().find(|(name, _)| *name == called) {
             Some((_, all)) => all.push(fault),
-            None => kinds.push((fault.name, vec![fault])),
+            None => kinds.push((called, vec![fault])),
         }
     }
     let words = kinds.iter().map(|(name, all)| {
@@ -146,7 +151,7 @@ fn faults(findings: &Findings) -> String {
             (None, _) => format!("up to {}", of_fault(size)),
         }));
         match notes.as_slice() {
-            [] => (*name).to_owned(),
+            [] => name.clone(),
             notes => format!("{name} ({})", notes.join(", ")),
         }
     });

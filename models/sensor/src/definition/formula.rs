@@ -70,7 +70,7 @@ impl Term {
             name += "_";
             name += &match factor.covariate {
                 Covariate::Temperature => "temp".to_owned(),
-                other => other.name().to_lowercase(),
+                other => other.name().to_lowercase().replace(['(', ')'], ""),
             };
             if factor.power != 1 {
                 name += &factor.power.to_string();
