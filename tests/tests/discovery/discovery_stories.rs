@@ -45,6 +45,16 @@ fn faults_of_the_recording_are_named_and_no_effect_beside_them() {
 }
 
 #[test]
+fn a_creep_that_may_be_a_rate_and_a_push_that_may_be_a_bad_turn_are_said_to_be_either() {
+    // Creeps about the vertical, which no direction of gravity shows; a rest between two turns that lost samples.
+    for index in [70_054, 75_028, 75_015] {
+        let record = run(Row::Integrity, index).unwrap();
+        assert!(record.named.is_empty(), "{record:?}");
+        assert!(record.is_found() && !record.is_exact(), "{record:?}");
+    }
+}
+
+#[test]
 fn what_is_outside_the_catalogue_is_unexplained() {
     let outside = records(Row::Outside, 0..5);
     let unexplained = outside.iter().filter(|r| r.unexplained.is_some()).count();

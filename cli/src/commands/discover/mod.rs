@@ -37,8 +37,9 @@ use crate::show;
 /// would. Nothing is named unless chance would show as much in one of a hundred recordings (`--alpha`).
 ///
 /// For what no effect of the catalogue explains a formula may be proposed: a sum of a few products of specific
-/// force, rate, angular acceleration, temperature and time that closes the gap on intervals that the fit did not
-/// see. It is no name: another formula may do as well.
+/// force, rate, angular acceleration, temperature and time, of sizes, or of what was before (the last turn, the last
+/// change of force or temperature), that closes the gap on intervals that the fit did not see. It is no name: another
+/// formula may do as well.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
