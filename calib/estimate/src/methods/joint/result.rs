@@ -125,11 +125,11 @@ impl JointFit {
 
     /// The unit and the number of parameters of a sensor, and where they begin.
     fn of_sensor(&self, sensor: Sensor) -> (RawUnit, usize, usize) {
-        let accelerometer = self.models[0].parameters().len();
+        let accelerometer = self.models[0].parameter_count();
         match sensor {
             Sensor::Accelerometer => (self.force_unit, 0, accelerometer),
             Sensor::Gyroscope | Sensor::Magnetometer => {
-                let count = self.models[1].parameters().len();
+                let count = self.models[1].parameter_count();
                 (self.rate_unit, accelerometer, count)
             }
         }
