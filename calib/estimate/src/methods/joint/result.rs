@@ -1,12 +1,15 @@
 //! The fit in the unit of the readings, and its figures.
 
+mod allowed_scatter;
 pub(crate) mod analysis;
 pub(crate) mod channel;
 pub(crate) mod influence;
+mod known_noise;
 pub(crate) mod left;
 pub(crate) mod left_out;
 pub(crate) mod marginal;
 pub(crate) mod misfit;
+mod noise_levels;
 pub(crate) mod over_time;
 pub(crate) mod prediction;
 
