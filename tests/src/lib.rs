@@ -9,6 +9,7 @@ pub mod fuzz;
 pub mod layouts;
 pub mod leave_one_out;
 pub mod live;
+pub mod magnetic;
 pub mod needed_data;
 pub mod noise_source;
 pub mod one_truth;

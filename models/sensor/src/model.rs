@@ -62,6 +62,12 @@ impl Model {
         parameters
     }
 
+    /// How many parameters there are, without their names.
+    pub fn parameter_count(&self) -> usize {
+        let own = self.effects.iter().map(|effect| effect.params().len());
+        BASE_PARAMETERS + own.sum::<usize>()
+    }
+
     /// The sum of the effects at `truth`, in the unit of the signal.
     pub fn error<D: ModelScalar>(&self, truth: &Kinematics<D>, p: &[D]) -> Vector3<D> {
         let mut sum = Vector3::from_element(D::from(0.0));

@@ -175,7 +175,7 @@ fn accelerometer_triad(
     triad.residual_rms = fit.first.rms();
     triad.static_intervals = Some(fit.first.residuals.len());
     if fit.own_bias {
-        let shared = fit.model.parameters().len();
+        let shared = fit.model.parameter_count();
         let last = recordings.len() - 1;
         triad.recordings = recordings
             .iter()

@@ -365,7 +365,7 @@ fn force_triad(fit: &JointFit, fitted: &Fitted, recordings: &[&Recording]) -> Tr
     triad.residual_rms = fit.norm_rms();
     triad.bias_time = bias_time(fit, Sensor::Accelerometer, &triad.bias);
     triad.static_intervals = Some(fit.data.rests.len());
-    let shared = fit.models[0].parameters().len();
+    let shared = fit.models[0].parameter_count();
     if fit.own_force_bias {
         triad.recordings = own_biases(Sensor::Accelerometer, fitted, shared, recordings);
     }
@@ -410,7 +410,7 @@ fn rate_triad(fit: &JointFit, fitted: &Fitted, recordings: &[&Recording]) -> Tri
     triad.residual_rms = fit.direction_rms().to_degrees();
     triad.bias_time = bias_time(fit, Sensor::Gyroscope, &triad.bias);
     triad.dynamic_intervals = Some(fit.chords.len());
-    let shared = fit.models[1].parameters().len();
+    let shared = fit.models[1].parameter_count();
     triad.recordings = own_biases(Sensor::Gyroscope, fitted, shared, recordings);
     triad
 }

@@ -193,7 +193,7 @@ fn with_effects(
             (turns, statics)
         })
         .collect();
-    let shared = request.model.parameters().len();
+    let shared = request.model.parameter_count();
     let names: Vec<String> = request.recordings.iter().map(|r| r.name.clone()).collect();
     let (mut sigma_turn, mut sigma_rest) = (5e-3, 1e-4);
     let mut problem = turns_and_rests(request, &near_si);
@@ -327,7 +327,7 @@ fn turns_and_rests<'a>(
     };
     Recordings(OwnBias {
         parts: near_si.iter().map(part).collect(),
-        shared: request.model.parameters().len(),
+        shared: request.model.parameter_count(),
         own_bias: true,
     })
 }

@@ -90,7 +90,7 @@ pub fn fit_accelerometer(request: &AccelerometerRequest) -> Result<Accelerometer
         0 | 1 => (common, None),
         _ => choose_bias(common, step_one(request, &near_si, true)?),
     };
-    let shared = request.model.parameters().len();
+    let shared = request.model.parameter_count();
     let own_bias = first.parameters.len() > shared;
     let second = step_two(request, &near_si, &first, own_bias)?;
     Ok(AccelerometerFit {
@@ -120,7 +120,7 @@ fn problem<'a>(
         .collect();
     OwnBias {
         parts,
-        shared: request.model.parameters().len(),
+        shared: request.model.parameter_count(),
         own_bias,
     }
 }

@@ -12,6 +12,7 @@ mod attitude;
 mod needs;
 mod rests;
 mod sensing;
+mod smooth_curve;
 mod supposed;
 #[cfg(test)]
 mod tests;
@@ -120,7 +121,8 @@ impl<'a> Truth<'a> {
         }
     }
 
-    /// The truth of static interval `k` as its means see it: nothing turns, time and temperature are those of the middle.
+    /// The truth of static interval `k` as its means see it: nothing turns, time is that of the middle, temperature and its
+    /// derivative are means.
     pub fn at_rest(&self, k: usize) -> Kinematics<f64> {
         self.rests.get(k).map_or_else(unneeded, |rest| rest.known)
     }
@@ -130,7 +132,7 @@ impl<'a> Truth<'a> {
         self.rests.get(k).map_or(self.start, |rest| rest.turned)
     }
 
-    /// The derivative of the temperature in the middle of a stretch, K/s, and whether it rises (1) or falls (−1) in it.
+    /// The mean derivative of the temperature over a stretch, K/s, and whether it rises (1) or falls (−1) in it.
     pub fn thermal(&self, from: f64, to: f64) -> [f64; 2] {
         self.thermal.over(from, to)
     }

@@ -202,7 +202,7 @@ pub(in crate::calibrate) fn gyroscope_is_determined(
 }
 
 fn directions(fit: &AccelerometerFit, request: &AccelerometerRequest) -> Vec<Vector3<f64>> {
-    let shared = request.model.parameters().len();
+    let shared = request.model.parameter_count();
     let mut all = Vec::new();
     for (k, means) in request.recordings.iter().enumerate() {
         let p = fit.fitted.local(shared, k);

@@ -24,7 +24,7 @@ impl<'a> Source<'a> {
     /// What is known of the recording by the accelerometer and the gyroscope so far.
     fn truth(&self, rate: Option<&Sensing>) -> Truth<'a> {
         let model = &self.accelerometer.model;
-        let shared = model.parameters().len();
+        let shared = model.parameter_count();
         let fitted = &self.accelerometer.fitted;
         let p = match self.place {
             Some(k) => fitted.local(shared, k),
@@ -48,7 +48,7 @@ impl<'a> Source<'a> {
             return Vec::new();
         };
         let lower = factor.l();
-        let shared = self.accelerometer.model.parameters().len();
+        let shared = self.accelerometer.model.parameter_count();
         let mode = |k: usize| {
             let mut fitted = fitted.clone();
             for (name, step) in fitted.free.clone().iter().zip(lower.column(k).iter()) {

@@ -154,7 +154,7 @@ fn accelerometer(
     if choices.len() == request.recordings.len()
         && request.model.effects().iter().any(|e| looks_back(*e))
     {
-        let shared = request.model.parameters().len();
+        let shared = request.model.parameter_count();
         for _ in 0..HISTORIES {
             let by = |k: usize| Sensing::new(request.model.clone(), fit.fitted.local(shared, k));
             let again = known_means(recordings, choices, by);
@@ -219,7 +219,7 @@ fn gyroscope(
     };
     let mut fit = fit_gyroscope(&asked)?;
     if asked.model.effects().iter().any(|e| follows_the_fit(*e)) {
-        let shared = asked.model.parameters().len();
+        let shared = asked.model.parameter_count();
         let p = fit.fitted.parameters.values()[..shared].to_vec();
         let fitted = Sensing::new(asked.model.clone(), p);
         asked.recordings = gyro_data::collect_by(&sources, &fitted);

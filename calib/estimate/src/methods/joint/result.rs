@@ -1,12 +1,15 @@
 //! The fit in the unit of the readings, and its figures.
 
+mod allowed_scatter;
 pub(crate) mod analysis;
 pub(crate) mod channel;
 pub(crate) mod influence;
+mod known_noise;
 pub(crate) mod left;
 pub(crate) mod left_out;
 pub(crate) mod marginal;
 pub(crate) mod misfit;
+mod noise_levels;
 pub(crate) mod over_time;
 pub(crate) mod prediction;
 
@@ -125,11 +128,11 @@ impl JointFit {
 
     /// The unit and the number of parameters of a sensor, and where they begin.
     fn of_sensor(&self, sensor: Sensor) -> (RawUnit, usize, usize) {
-        let accelerometer = self.models[0].parameters().len();
+        let accelerometer = self.models[0].parameter_count();
         match sensor {
             Sensor::Accelerometer => (self.force_unit, 0, accelerometer),
             Sensor::Gyroscope | Sensor::Magnetometer => {
-                let count = self.models[1].parameters().len();
+                let count = self.models[1].parameter_count();
                 (self.rate_unit, accelerometer, count)
             }
         }

@@ -261,7 +261,7 @@ mod tests {
             let drifts: Vec<_> = samples.filter(|s| at_rest(s.t)).map(|s| s.drift).collect();
             let truth = simulation.run().unwrap().truth;
             let fitted = fit.fitted(Sensor::Accelerometer);
-            let found = fitted.local(fit.models[0].parameters().len(), 0);
+            let found = fitted.local(fit.models[0].parameter_count(), 0);
             for (axis, name) in ["accel.b_x", "accel.b_y", "accel.b_z"].iter().enumerate() {
                 let drift = drifts.iter().map(|d| d[axis]).sum::<f64>() / drifts.len() as f64;
                 let error = found[9 + axis] - truth.get(name).unwrap() - drift;

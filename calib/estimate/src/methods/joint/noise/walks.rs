@@ -145,13 +145,17 @@ impl Walks {
 
     /// The log-likelihood with another variance of walk `c`.
     fn at(&self, c: usize, variance: f64, theta: &[f64], parts: &[Part]) -> f64 {
-        let (mut theta, mut parts) = (theta.to_vec(), parts.to_vec());
+        let mut theta = theta.to_vec();
         theta[c] = variance;
-        if self.update(c, &theta, &mut parts) {
-            self.log_likelihood(&parts)
-        } else {
-            f64::NEG_INFINITY
-        }
+        let moved = |group: &Group| match group.walks[c] {
+            Some(_) => group.part(&theta).map(Some),
+            None => Some(None),
+        };
+        let moved: Option<Vec<Option<Part>>> = self.groups.iter().map(moved).collect();
+        moved.map_or(f64::NEG_INFINITY, |moved| {
+            let all = moved.iter().zip(parts);
+            self.log_likelihood(all.map(|(moved, part)| moved.as_ref().unwrap_or(part)))
+        })
     }
 
     /// Works out anew what walk `c` changes; `false` where that fails.
@@ -163,7 +167,7 @@ impl Walks {
     }
 
     /// `−½ (log |V| + log |JᵀV⁻¹J| + rᵀ P r)`, up to a constant.
-    fn log_likelihood(&self, parts: &[Part]) -> f64 {
+    fn log_likelihood<'a>(&self, parts: impl Iterator<Item = &'a Part>) -> f64 {
         let mut normal = Arrow::zeros(&self.places);
         let mut right = vec![0.0; self.columns];
         let (mut square, mut log_determinant) = (0.0, 0.0);
@@ -294,7 +298,7 @@ mod tests {
                 .collect()
         };
         let difference = |theta: &[f64]| {
-            walks.log_likelihood(&parts(theta)) - whole.log_likelihood(theta).unwrap()
+            walks.log_likelihood(parts(theta).iter()) - whole.log_likelihood(theta).unwrap()
         };
         let constant = difference(&[0.0, 0.0]);
         for theta in [[0.1, 0.0], [0.0, 0.3], [1.0, 1e-3]] {

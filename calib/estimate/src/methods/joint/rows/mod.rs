@@ -67,18 +67,14 @@ impl<'a> Rows<'a> {
         (own_force_bias, disturbances): (bool, &'a [Column]),
     ) -> Self {
         let rate = data.chunks.iter().any(|c| c.gyroscope.is_some());
-        let gyroscope_parameters = if rate {
-            gyroscope.parameters().len()
-        } else {
-            0
-        };
+        let gyroscope_parameters = if rate { gyroscope.parameter_count() } else { 0 };
         Self {
             data,
             accelerometer,
             gyroscope,
             gravity,
             layout: Layout {
-                accelerometer: accelerometer.parameters().len(),
+                accelerometer: accelerometer.parameter_count(),
                 gyroscope: gyroscope_parameters,
                 own_force_bias,
                 recordings: data.sources.len(),

@@ -1,0 +1,169 @@
+//! How large walks, scatter and flicker are: by restricted likelihood, without a refit.
+
+use super::analysis::{Analysis, shared, turn_rows};
+use crate::methods::joint::blocks::column::Column;
+use crate::methods::joint::blocks::columns::Columns;
+use crate::methods::joint::blocks::covariance::{Covariance, combined};
+use crate::methods::joint::disturbance::Suspect;
+use crate::methods::joint::noise::bias::Within;
+use crate::methods::joint::noise::likelihood::Restricted;
+use crate::methods::joint::noise::walks::{Walks, expected_square};
+use crate::methods::joint::noise::weights::{Component, ComponentKind, NoiseLevel};
+use crate::methods::joint::result::left::Left;
+use crate::methods::joint::rows::Rows;
+
+/// Prior chance of no walk at all, over that of any.
+const NONE: f64 = 1.0;
+
+/// How far usual walks go, in standard deviations of a chunk's mean.
+const USUAL: f64 = 3.0;
+
+/// The same of what turns scatter by without any recording showing it, in standard deviations of the best turn.
+const USUAL_OF_TURNS: f64 = 1.0;
+
+impl Analysis {
+    /// The kinds of noise that are estimated together where the biases may flicker.
+    pub fn estimated_kinds(&self) -> Vec<ComponentKind> {
+        let kinds = self.components.iter().map(|c| c.kind);
+        let estimated =
+            |k: &ComponentKind| k.is_walk() || k.is_flicker() || *k == ComponentKind::TurnScatter;
+        kinds.filter(estimated).collect()
+    }
+
+    /// The levels of the components by restricted likelihood, with the disturbances' columns among the
+    /// free ones: scatter at its likeliest, walks as their expectation, which none at all may be; walks and flicker
+    /// together at their likeliest, given what the readings `within` static intervals say of them.
+    pub fn levels(&self, disturbances: &[&Suspect], within: &[Within]) -> Vec<NoiseLevel> {
+        let jacobian = self.with(disturbances);
+        let of = |wanted: fn(ComponentKind) -> bool| -> Vec<&Component> {
+            self.components.iter().filter(|c| wanted(c.kind)).collect()
+        };
+        if !of(ComponentKind::is_flicker).is_empty() {
+            return self.likeliest(&jacobian, within);
+        }
+        let (walks, scatter) = (of(ComponentKind::is_walk), of(|kind| !kind.is_noise()));
+        let scatter = self.scatter(&jacobian, &walks, &scatter);
+        let known = self.components.iter();
+        let known: Vec<(&Component, f64)> = known
+            .filter_map(|c| Some((c, c.kind.known_variance()?)))
+            .collect();
+        let fixed = scatter.iter().chain(&known);
+        let fixed: Vec<(f64, &Covariance)> = fixed.map(|(c, v)| (*v, &c.covariance)).collect();
+        let fixed = combined(self.residuals.len(), 0.0, &fixed);
+        let covariances: Vec<&Covariance> = walks.iter().map(|c| &c.covariance).collect();
+        let usual: Vec<f64> = covariances.iter().map(|c| usual_size(c, USUAL)).collect();
+        let expected = Walks::new(&self.residuals, &jacobian, &covariances, fixed.as_ref())
+            .expected(&usual, NONE);
+        walks
+            .into_iter()
+            .zip(expected)
+            .chain(scatter)
+            .chain(known)
+            .map(|(component, variance)| NoiseLevel {
+                kind: component.kind,
+                size: variance.sqrt(),
+            })
+            .collect()
+    }
+
+    /// Walks, flicker and the scatter of turns at their likeliest, what is known beside them.
+    fn likeliest(&self, jacobian: &Columns, within: &[Within]) -> Vec<NoiseLevel> {
+        let kinds = self.estimated_kinds();
+        let own = self.components.iter().filter(|c| kinds.contains(&c.kind));
+        let covariances: Vec<&Covariance> = own.map(|c| &c.covariance).collect();
+        let mut restricted = Restricted::new(&self.residuals, jacobian, &covariances);
+        restricted.within = within.to_vec();
+        let kept: Vec<bool> = kinds.iter().map(|kind| kind.is_noise()).collect();
+        let variances = restricted.variances(&kept);
+        let known = self.components.iter();
+        let known = known.filter_map(|c| Some((c.kind, c.kind.known_variance()?)));
+        let levels = kinds.iter().copied().zip(variances).chain(known);
+        let level = |(kind, variance): (ComponentKind, f64)| NoiseLevel {
+            kind,
+            size: variance.sqrt(),
+        };
+        levels.map(level).collect()
+    }
+
+    /// The likeliest variances of the scatter, walks beside it.
+    fn scatter<'a>(
+        &self,
+        jacobian: &Columns,
+        walks: &[&Component],
+        scatter: &[&'a Component],
+    ) -> Vec<(&'a Component, f64)> {
+        if scatter.is_empty() {
+            return Vec::new();
+        }
+        let all: Vec<&Covariance> = walks.iter().chain(scatter).map(|c| &c.covariance).collect();
+        let kept: Vec<bool> = (0..all.len()).map(|c| c < walks.len()).collect();
+        let variances = Restricted::new(&self.residuals, jacobian, &all).variances(&kept);
+        let own = variances.into_iter().skip(walks.len());
+        scatter.iter().copied().zip(own).collect()
+    }
+
+    /// Adds to the noise, and to the `levels` of its components, what the turns are expected to scatter by beyond them where
+    /// that was not estimated.
+    ///
+    /// Rates are known at samples only, and stamps are not the times of the samples: turns miss by more than the noise of
+    /// their readings says. A few dozen turns show a quarter more of it in one recording of ten; stated errors that take
+    /// it for none in all of them are too small.
+    pub fn doubt_turns(
+        &mut self,
+        rows: &Rows<'_>,
+        known: &[&Suspect],
+        levels: &mut Vec<NoiseLevel>,
+    ) {
+        let scatters = |c: &Component| c.kind == ComponentKind::TurnScatter;
+        let (first, count) = (rows.first_turn_row(), rows.count());
+        if first == count || self.components.iter().any(scatters) {
+            return;
+        }
+        let units: Vec<Column> = (first..count).map(Column::unit).collect();
+        let by_turn = self.white.sparse(&units.iter().collect::<Vec<_>>());
+        let covariance =
+            self.white
+                .both_sides(&shared(&turn_rows(rows), ComponentKind::TurnScatter, count));
+        let whitening = self.whitening(levels);
+        let by_turn = whitening.finish_columns(by_turn);
+        let by_scatter = row_squares(&by_turn);
+        let (jacobian, r) = self.whitened(known, &whitening);
+        let left = Left::of(&jacobian, &r);
+        let of_row = |i: usize| (left.square(i), left.spare(i), by_scatter[i]);
+        let turns: Vec<(f64, f64, f64)> = (first..count).map(of_row).collect();
+        let log_likelihood = |size: f64| {
+            let of_turn = |(square, spare, by_scatter): &(f64, f64, f64)| {
+                let v = 1.0 + by_scatter * size * size;
+                -0.5 * (spare * v.ln() + square / v)
+            };
+            turns.iter().map(of_turn).sum()
+        };
+        let usual = usual_size(&covariance, USUAL_OF_TURNS);
+        let size = expected_square((usual, NONE), log_likelihood).sqrt();
+        let kind = ComponentKind::TurnDoubt;
+        self.components.push(Component { kind, covariance });
+        levels.push(NoiseLevel { kind, size });
+    }
+}
+
+/// The sum of squares of every row.
+fn row_squares(a: &Columns) -> Vec<f64> {
+    let mut squares = vec![0.0; a.nrows()];
+    for part in a.parts() {
+        for (i, &row) in part.rows.iter().enumerate() {
+            squares[row] = part.values.row(i).iter().map(|v| v * v).sum();
+        }
+    }
+    squares
+}
+
+/// The size up to which noise of this covariance is common: where a row feels it most, whose white noise has the variance
+/// one, it has this standard deviation.
+fn usual_size(covariance: &Covariance, deviations: f64) -> f64 {
+    let farthest = covariance.diagonal().fold(0.0, f64::max);
+    if farthest > 0.0 {
+        deviations / farthest.sqrt()
+    } else {
+        1.0
+    }
+}

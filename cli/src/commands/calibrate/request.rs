@@ -1,0 +1,176 @@
+//! The request that the arguments make.
+
+use calib::Recording;
+use calib::calibrate::{Frame, GyroBias, NOMINAL_RATES, Request, read_static_means};
+use calib::effect_file::catalogue_with;
+use calib::intervals::{Span, read_sections};
+use calib::recording::figure;
+use calib::residuals::Integrator;
+use nalgebra::Vector3;
+use sensor::AnyEffect;
+
+use super::arguments::{Args, FrameArg, GyroBiasArg, IntegratorArg, Method};
+use crate::commands::shared::inputs::own_effects;
+use crate::exit::{Failure, USAGE};
+
+/// Refuses options that the method would ignore.
+fn check_method(args: &Args) -> Result<(), Failure> {
+    let six = matches!(args.method, Method::SixPosition);
+    let joint = matches!(args.method, Method::Joint);
+    let senseless = [
+        (
+            "--first-order",
+            args.first_order && !six,
+            "--method six-position",
+        ),
+        (
+            "--sections",
+            !args.sections.is_empty() && six,
+            "--method stepwise or joint",
+        ),
+        (
+            "--leave-out",
+            !args.leave_out.is_empty() && six,
+            "--method stepwise or joint",
+        ),
+        (
+            "--static-means",
+            args.static_means.is_some() && (six || joint),
+            "--method stepwise",
+        ),
+        (
+            "--effects",
+            !args.effects.is_empty() && six,
+            "--method stepwise or joint",
+        ),
+        (
+            "--prior",
+            args.prior.is_some() && six,
+            "--method stepwise or joint",
+        ),
+        (
+            "--gyro-recording",
+            !args.gyro_recording.is_empty() && six,
+            "--method stepwise or joint",
+        ),
+        (
+            "--nominal-rate",
+            args.nominal_rate.is_some() && six,
+            "--method stepwise",
+        ),
+    ];
+    for (option, given, method) in senseless {
+        if given {
+            let why = format!(
+                "{option} means nothing with this method; use it with {method}, or leave it out"
+            );
+            return Err(Failure::new(USAGE, why));
+        }
+    }
+    Ok(())
+}
+
+/// The request to the library.
+pub(super) fn request(args: &Args) -> Result<Request, Failure> {
+    check_method(args)?;
+    let gravity = args.place.gravity()?;
+    let (detector, choose_multiplier) = args.detector.detector()?;
+    let own = own_effects(&args.effect_file)?;
+    let effects = args
+        .effects
+        .iter()
+        .map(|name| {
+            let mut all = catalogue_with(&own);
+            all.find(|effect| effect.name() == name).ok_or_else(|| {
+                Failure::new(
+                    USAGE,
+                    format!(
+                        "--effects {name}: not in the catalogue ({})",
+                        catalogue_names(&own)
+                    ),
+                )
+            })
+        })
+        .collect::<Result<Vec<_>, _>>()?;
+    let nominal_step = match args.nominal_rate {
+        Some(rate) if NOMINAL_RATES.contains(&rate) => Some(rate.recip()),
+        Some(rate) => {
+            return Err(Failure::new(
+                USAGE,
+                format!(
+                    "--nominal-rate {}: a rate from {} to {} Hz expected",
+                    figure(rate),
+                    figure(*NOMINAL_RATES.start()),
+                    figure(*NOMINAL_RATES.end())
+                ),
+            ));
+        }
+        None => None,
+    };
+    let static_means: Vec<Vector3<f64>> = match &args.static_means {
+        Some(path) => read_static_means(path)?,
+        None => Vec::new(),
+    };
+    Ok(Request {
+        method: match args.method {
+            Method::Auto => calib::calibrate::Method::Auto,
+            Method::Joint => calib::calibrate::Method::Joint,
+            Method::Stepwise | Method::SixPosition => calib::calibrate::Method::Stepwise,
+        },
+        gravity: gravity.value,
+        gravity_source: gravity.source,
+        detector,
+        choose_multiplier,
+        sections: Vec::new(),
+        left_out: Vec::new(),
+        frame: match args.frame {
+            FrameArg::Triangular => Frame::Triangular,
+            FrameArg::Symmetric => Frame::Symmetric,
+        },
+        integrator: match args.integrator {
+            IntegratorArg::Exponential => Integrator::Exponential,
+            IntegratorArg::FirstOrderNormalized => Integrator::FirstOrderNormalized,
+            IntegratorArg::FirstOrder => Integrator::FirstOrder,
+        },
+        gyro_bias: match args.gyro_bias {
+            GyroBiasArg::Adjacent => GyroBias::Adjacent,
+            GyroBiasArg::Initial => GyroBias::Initial,
+        },
+        nominal_step,
+        effects,
+        latitude: args.place.latitude,
+        force_device: args.force_device,
+        clock: args.clock.mode(),
+        field: args.field,
+        static_means,
+    })
+}
+
+fn catalogue_names(own: &[&'static dyn AnyEffect]) -> String {
+    let names: Vec<&str> = catalogue_with(own).map(|e| e.name()).collect();
+    names.join(", ")
+}
+
+/// The static intervals picked by hand, of each recording.
+pub(super) fn sections(args: &Args, recordings: &[Recording]) -> Result<Vec<Vec<Span>>, Failure> {
+    match args.sections.as_slice() {
+        [] => Ok(Vec::new()),
+        [one] => recordings
+            .iter()
+            .map(|r| Ok(read_sections(one, r)?))
+            .collect(),
+        many if many.len() == recordings.len() => many
+            .iter()
+            .zip(recordings)
+            .map(|(path, r)| Ok(read_sections(path, r)?))
+            .collect(),
+        many => Err(Failure::new(
+            USAGE,
+            format!(
+                "{} tables of --sections for {} recordings: give one for all or one for each",
+                many.len(),
+                recordings.len()
+            ),
+        )),
+    }
+}
