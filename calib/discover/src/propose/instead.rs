@@ -15,15 +15,19 @@ use crate::state::State;
 /// A product of which an effect of the catalogue leaves less than this share (`1 − ρ²`) is that effect's, no formula.
 const OWN: f64 = 0.05;
 
+/// So many disturbances may be one error of the sensor.
+const SEVERAL: usize = 2;
+
 /// Looks for a formula beside the base models, with what these leave; `None` where it is not likelier than the named effects,
-/// and what they leave of single intervals and turns, by [`APART`].
+/// or several disturbances, and what they leave of single intervals and turns, by [`APART`].
 pub fn instead_of_names(
     session: &Session<'_>,
     request: &Request,
     search: &Search,
 ) -> Option<(Proposed, Unexplained)> {
     let mut claims = search.names.iter().map(|name| name.claim);
-    if !claims.any(|claim| claim.effect().is_some()) {
+    let several = search.last.extension.disturbed.len() >= SEVERAL;
+    if !several && !claims.any(|claim| claim.effect().is_some()) {
         return None;
     }
     let whole = rest_of(&search.base, request.half_alpha())?;

@@ -18,7 +18,9 @@ use crate::calibration::{
     WITH_WALKS, in_symmetric_frame,
 };
 use crate::methods::earth::{self, on_the_earth, vertical_rate, vertical_rate_at};
-use crate::methods::joint::{Channel, Disturbance, Flagged, JointFit, JointRequest, fit_joint};
+use crate::methods::joint::{
+    Channel, Disturbance, Flagged, JointFit, JointRequest, Missing, fit_joint,
+};
 use crate::methods::{Choice, Fitted};
 
 /// A latitude whose vertical part of the earth's rotation is off by so many standard errors is doubted.
@@ -30,6 +32,9 @@ const APART: f64 = 0.1;
 
 /// A rest whose absence moves a parameter by so many of its standard errors is named.
 const INFLUENTIAL: f64 = 4.0;
+
+/// An effect is said to be missing where chance makes the rows speak so for one in fewer recordings than this.
+const SPEAKS: f64 = 5e-4;
 
 /// Calibrates by the joint method.
 pub(super) fn calibrate(
@@ -145,6 +150,9 @@ pub fn written_down(
     disturbances(fit, warnings);
     let remainders: Vec<Remainder> = fit.misfits().iter().map(Remainder::of).collect();
     warnings.extend(remainders.iter().filter_map(|r| r.warning(WITH_WALKS)));
+    if remainders.iter().all(|r| r.warning(WITH_WALKS).is_none()) {
+        warnings.extend(fit.missing().and_then(|missing| of_missing(&missing)));
+    }
     warnings.extend(request.latitude.and_then(|l| latitude_in_doubt(fit, l)));
     influences(fit, warnings);
     // The earth's rotation is no error of the sensor: corrected rates keep it.
@@ -270,6 +278,21 @@ fn placements_apart(fit: &JointFit) -> Option<String> {
 }
 
 /// Names what was disturbed, with interval and times.
+/// An effect that the rows speak for though no channel as a whole misfits: its part in the errors is not in them.
+fn of_missing(missing: &Missing) -> Option<String> {
+    (missing.p_value < SPEAKS).then(|| {
+        format!(
+            "misfit of the accelerometer by an effect that its model lacks, most like {} (chi² {:.1} of {} degrees of freedom, \
+             p = {:.0e} of all that were tried): no standard error contains it. `stillpoint discover` tells what it is and \
+             estimates it",
+            missing.effect.name(),
+            missing.statistic,
+            missing.dof,
+            missing.p_value,
+        )
+    })
+}
+
 fn disturbances(fit: &JointFit, warnings: &mut Vec<String>) {
     let name = |recording: usize| &fit.data.sources[recording].name;
     for lost in &fit.data.lost {

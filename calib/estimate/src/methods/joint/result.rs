@@ -9,6 +9,7 @@ pub(crate) mod left;
 pub(crate) mod left_out;
 pub(crate) mod marginal;
 pub(crate) mod misfit;
+pub(crate) mod missing;
 mod noise_levels;
 pub(crate) mod over_time;
 pub(crate) mod prediction;

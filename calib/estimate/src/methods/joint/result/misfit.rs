@@ -49,13 +49,7 @@ impl JointFit {
     /// Rows are in the order force, rate, turns, and whitening mixes a row with those before it only: what the
     /// parameters leave of the first rows, of the first two kinds and of all differ by independent sums of squares.
     pub fn misfits(&self) -> Vec<ChannelMisfit> {
-        let noise: Vec<NoiseLevel> = self
-            .levels
-            .iter()
-            .copied()
-            .filter(|level| level.kind.is_noise())
-            .collect();
-        let whitening = Whitening::new(self.whitening.white.clone(), &self.components, &noise);
+        let whitening = self.noise_whitening();
         let m = self.white_residuals.len();
         let jacobian = whitening.finish_columns(self.white_jacobian.clone());
         let residuals = whitening.finish_column(&self.white_residuals);
@@ -89,6 +83,13 @@ impl JointFit {
             });
         }
         misfits
+    }
+
+    /// Whitening by what was measured within the static intervals, and walks of the biases.
+    pub(crate) fn noise_whitening(&self) -> Whitening {
+        let levels = self.levels.iter().copied();
+        let noise: Vec<NoiseLevel> = levels.filter(|level| level.kind.is_noise()).collect();
+        Whitening::new(self.whitening.white.clone(), &self.components, &noise)
     }
 
     /// Root mean square of `|f| − g` over the static intervals that nothing disturbed, each weighted by what its noise

@@ -56,17 +56,30 @@ impl Rows<'_> {
     /// Of an effect with the derivative `s = ∂e/∂p` by its parameter, `∂r/∂p` is `by_error · s(truth)`
     /// in the rows of a mean and `Σ_k by_error_k · s(truth_k)` in those of a turn.
     pub fn sensitivities(&self, x: &[f64]) -> Sensitivities {
-        let mut means = Vec::new();
-        for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
-            for (chunk, _) in self.means(sensor) {
-                means.extend(self.of_mean(x, sensor, chunk, 3 * means.len()));
-            }
-        }
+        let means = self.of_means(x, &[Sensor::Accelerometer, Sensor::Gyroscope]);
         let first = self.first_turn_row();
         let turns = (0..self.data.turns.len())
             .map(|turn| self.of_turn(x, turn, first + 2 * turn))
             .collect();
         Sensitivities { means, turns }
+    }
+
+    /// Those of the accelerometer's means alone.
+    pub fn force_sensitivities(&self, x: &[f64]) -> Sensitivities {
+        Sensitivities {
+            means: self.of_means(x, &[Sensor::Accelerometer]),
+            turns: Vec::new(),
+        }
+    }
+
+    fn of_means(&self, x: &[f64], sensors: &[Sensor]) -> Vec<MeanSensitivity> {
+        let mut means = Vec::new();
+        for &sensor in sensors {
+            for (chunk, _) in self.means(sensor) {
+                means.extend(self.of_mean(x, sensor, chunk, 3 * means.len()));
+            }
+        }
+        means
     }
 
     fn of_mean(
