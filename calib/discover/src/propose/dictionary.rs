@@ -70,8 +70,8 @@ fn orthonormal(w: MatRef<'_, f64>) -> Mat<f64> {
     w * mix
 }
 
-/// Every product of specific force, rate, angular acceleration, temperature and time, and every size or history, alone or
-/// with a force or a rate, that the model of `state` does not hold already and the data can see.
+/// Every product of specific force, rate, angular acceleration, temperature and time, every size of a force or a rate, alone
+/// or beside one, and every history alone, that the model of `state` does not hold already and the data can see.
 pub fn dictionary(state: &State) -> Vec<Product> {
     let force = Axis::ALL.map(Covariate::SpecificForce);
     let rate = Axis::ALL.map(Covariate::AngularRate);
@@ -82,7 +82,8 @@ pub fn dictionary(state: &State) -> Vec<Product> {
     let offered = Offered {
         first: 3,
         powers: [&force[..], &slow].concat(),
-        others: [&sizes[..], &history()].concat(),
+        sizes: sizes.to_vec(),
+        history: history(),
     };
     let mut all = products(state, Sensor::Accelerometer, &offered);
     if state.fit.has_gyroscope() {
@@ -90,7 +91,8 @@ pub fn dictionary(state: &State) -> Vec<Product> {
         let offered = Offered {
             first: 6,
             powers: [&force[..], &rate, &acceleration, &slow].concat(),
-            others: [&sizes[..], &turning, &history()].concat(),
+            sizes: [&sizes[..], &turning].concat(),
+            history: history(),
         };
         all.extend(products(state, Sensor::Gyroscope, &offered));
     }
@@ -101,22 +103,26 @@ pub fn dictionary(state: &State) -> Vec<Product> {
 struct Offered {
     /// What products of up to three factors are made of.
     powers: Vec<Covariate>,
-    /// So many of them, the first ones, stand beside one of the others too.
+    /// So many of them, the first ones, stand beside a size too.
     first: usize,
     /// Stand alone or beside one of those.
-    others: Vec<Covariate>,
+    sizes: Vec<Covariate>,
+    /// Stand alone.
+    history: Vec<Covariate>,
 }
 
 impl Offered {
     fn covariates(&self) -> Vec<Covariate> {
-        [&self.powers[..], &self.others].concat()
+        [&self.powers[..], &self.sizes, &self.history].concat()
     }
 
     fn choices(&self) -> Vec<[usize; FACTORS]> {
         let mut all = choices(self.powers.len());
-        for other in self.powers.len() + 1..=self.powers.len() + self.others.len() {
-            all.extend((0..=self.first).map(|beside| [0, beside, other]));
+        let (first, last) = (self.powers.len(), self.powers.len() + self.sizes.len());
+        for size in first + 1..=last {
+            all.extend((0..=self.first).map(|beside| [0, beside, size]));
         }
+        all.extend((last + 1..=last + self.history.len()).map(|one| [0, 0, one]));
         all
     }
 }

@@ -202,8 +202,8 @@ fn evidence(last: &State, effect: &'static dyn AnyEffect, offered: usize) -> Opt
     rank(&last.projected, &[family], last.noise, last.noise_given).pop()
 }
 
-/// The held-out gap of the channel before and after, at the walks of the model after; `None` unless what is left
-/// is noise, `gap² ≤ 1 + 2 √(2/dof)`, or a small share of what was.
+/// The held-out gap of the channel before and after, at the walks of the model after; `None` unless what was there is not
+/// noise, `gap² ≤ 1 + 2 √(2/dof)`, and what is left is, or a small share of what was.
 fn closed(before: &State, after: &State, channel: Channel) -> Option<[f64; 2]> {
     let of = |state: &State| -> Option<Misfit> {
         held_out(state, after.noise)?.get(channel as usize).copied()
@@ -211,9 +211,9 @@ fn closed(before: &State, after: &State, channel: Channel) -> Option<[f64; 2]> {
     let (before, after) = (of(before)?, of(after)?);
     let gaps = [before.gap(), after.gap()];
     let error = 2.0 * (2.0 / after.dof.max(1.0)).sqrt();
-    let is_noise = gaps[1] * gaps[1] <= 1.0 + error;
+    let [was_noise, is_noise] = gaps.map(|gap| gap * gap <= 1.0 + error);
     let is_small = gaps[1] - 1.0 <= MAY_REMAIN * (gaps[0] - 1.0);
-    (gaps[1] < gaps[0] && (is_noise || is_small)).then_some(gaps)
+    (!was_noise && gaps[1] < gaps[0] && (is_noise || is_small)).then_some(gaps)
 }
 
 #[cfg(test)]
