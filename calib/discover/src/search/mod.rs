@@ -1,6 +1,7 @@
 //! Naming what is missing, one thing after the other, until the rest is noise.
 
-pub(crate) mod either;
+pub(crate) mod alike;
+mod either;
 pub mod few_turns;
 mod held;
 mod outlying_turns;
