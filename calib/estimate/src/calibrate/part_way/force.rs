@@ -8,6 +8,7 @@ use sensor::Sensor;
 use super::change::{Change, Kind, Place};
 use super::rest::Rest;
 use super::weigh::{Explanation, solved};
+use crate::methods::{RawUnit, accelerometer_unit};
 
 /// Parameters of the base: an upper triangular matrix and a bias.
 const BASE: usize = 9;
@@ -128,11 +129,11 @@ pub(super) fn force(rests: &[Rest], gravity: f64) -> Option<Force> {
     let stride = with.len().div_ceil(MOST).max(1);
     let used: Vec<&Rest> = with.iter().step_by(stride).copied().collect();
     let raw: Vec<Vector3<f64>> = used.iter().filter_map(|r| Some(r.force?.mean)).collect();
-    let unit = gravity / median(raw.iter().map(Vector3::norm))?;
-    let raw: Vec<Vector3<f64>> = raw.iter().map(|v| v * unit).collect();
-    if raw.len() < BASE + 3 || !unit.is_finite() {
+    if raw.len() < BASE + 3 {
         return None;
     }
+    let unit = unit_of(&raw, gravity)?;
+    let raw: Vec<Vector3<f64>> = raw.iter().map(|v| unit.to_si(v)).collect();
     let nothing = Hypothesis {
         what: What::Nothing,
         at: raw.len(),
@@ -140,7 +141,7 @@ pub(super) fn force(rests: &[Rest], gravity: f64) -> Option<Force> {
     };
     let base = Fit::of(&raw, gravity, nothing)?;
     let white = median(used.iter().filter_map(|r| Some(r.force?.white_of_mean())))?;
-    let floor = raw.len() as f64 * (unit * white).powi(2).max(f64::MIN_POSITIVE);
+    let floor = raw.len() as f64 * (unit.scale * white).powi(2).max(f64::MIN_POSITIVE);
     let found = if base.left > NOISE * floor {
         best(&raw, gravity, &base, floor)
     } else {
@@ -160,13 +161,24 @@ pub(super) fn force(rests: &[Rest], gravity: f64) -> Option<Force> {
     let fit = found.unwrap_or(base);
     let from = used.get(fit.hypothesis.at).map_or(usize::MAX, |r| r.place);
     let direction = |rest: &Rest| {
-        let force = fit.corrected(&(rest.force?.mean * unit), rest.place >= from);
+        let force = fit.corrected(&unit.to_si(&rest.force?.mean), rest.place >= from);
         Some(force.normalize()).filter(|u| u.norm().is_finite())
     };
     Some(Force {
         change,
         directions: rests.iter().map(direction).collect(),
     })
+}
+
+/// What brings the readings near SI units. Zero stays where it is, so that a sign that changes is one, but where it is farther
+/// from the readings than gravity: counts around 32768, which no fit from there finds.
+fn unit_of(raw: &[Vector3<f64>], gravity: f64) -> Option<RawUnit> {
+    let scale = gravity / median(raw.iter().map(Vector3::norm))?;
+    let zero = Vector3::zeros();
+    let far = accelerometer_unit(raw, gravity)
+        .filter(|unit| unit.zero.norm() * unit.scale > gravity)
+        .unwrap_or(RawUnit { scale, zero });
+    far.scale.is_finite().then_some(far)
 }
 
 /// The explanation that leaves least, if it is one.
@@ -333,5 +345,48 @@ impl Fit {
                 slope.extend(extra.iter().map(|e| u.dot(&(t * e))));
                 (y.norm() - gravity, DVector::from_vec(slope))
             })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_about_a_far_zero_begin_there_and_a_small_bias_stays() {
+        let faces = [Vector3::x(), Vector3::y(), Vector3::z()];
+        let means = |zero: Vector3<f64>, size: f64| -> Vec<Vector3<f64>> {
+            let both = faces.iter().flat_map(|f| [*f, -f]);
+            both.map(|f| zero + f * size).collect()
+        };
+        let far = Vector3::new(32768.0, 33000.0, 31000.0);
+        let found = unit_of(&means(far, 4096.0), 9.8).unwrap();
+        assert!((found.zero - far).norm() < 1e-6);
+        assert!((found.scale - 9.8 / 4096.0).abs() < 1e-9);
+        let near = unit_of(&means(Vector3::new(20.0, -30.0, 10.0), 1000.0), 9.8).unwrap();
+        assert_eq!(near.zero, Vector3::zeros());
+    }
+
+    #[test]
+    fn the_base_fits_counts_about_a_far_zero_as_well_as_readings_about_none() {
+        let bias = Vector3::new(0.1, -0.2, 0.05);
+        let about = |zero: Vector3<f64>, unit: f64| -> Vec<Vector3<f64>> {
+            let at = |k: usize| Rotation3::from_euler_angles(0.7 * k as f64, 1.3 * k as f64, 0.0);
+            let forces = (0..24).map(|k| at(k) * Vector3::new(0.0, 0.0, 9.8) + bias);
+            forces.map(|f| zero + f / unit).collect()
+        };
+        let left = |raw: &[Vector3<f64>]| {
+            let unit = unit_of(raw, 9.8).unwrap();
+            let raw: Vec<Vector3<f64>> = raw.iter().map(|v| unit.to_si(v)).collect();
+            let nothing = Hypothesis {
+                what: What::Nothing,
+                at: raw.len(),
+                mixed: false,
+            };
+            Fit::of(&raw, 9.8, nothing).unwrap().left
+        };
+        let counts = about(Vector3::new(32768.0, 32700.0, 32800.0), 1.2e-3);
+        assert!(left(&counts) < 1e-9, "{}", left(&counts));
+        assert!(left(&about(Vector3::zeros(), 1.0)) < 1e-9);
     }
 }
