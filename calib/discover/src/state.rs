@@ -138,11 +138,6 @@ impl State {
             })
     }
 
-    /// What it is that the model holds as disturbed, in the order of the findings.
-    pub fn known(&self) -> Vec<Known> {
-        self.held().map(|(known, _)| known).collect()
-    }
-
     /// How sure the model is of what it holds as disturbed: `ln p` of `βᵀ C⁻¹ β`, `β` the parameters of one
     /// disturbance and `C` their covariance.
     pub fn disturbances(&self) -> Vec<(Known, f64)> {
@@ -153,10 +148,12 @@ impl State {
 
     /// Length of what each disturbance of the model comes to, in the order of the findings: rad/s of a creep and of a rate,
     /// m/s² of a force, rad of a turn and of a slip at once.
-    pub fn disturbed_sizes(&self) -> Vec<f64> {
+    pub fn disturbed_sizes(&self) -> Vec<(Known, f64)> {
         let values = self.fit.parameters.values();
         let length = |own: Range<usize>| values[own].iter().map(|v| v * v).sum::<f64>().sqrt();
-        self.held().map(|(_, own)| length(own)).collect()
+        self.held()
+            .map(|(known, own)| (known, length(own)))
+            .collect()
     }
 
     /// `ln p` that some parameters are nothing.

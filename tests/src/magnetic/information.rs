@@ -76,7 +76,7 @@ struct Information<'a> {
 }
 
 /// What is held of a sensor's parameters in the truth; the magnetometer's with a determinant of 1.
-fn parameters(truth: &Truth, sensor: Sensor) -> [f64; BASE_PARAMETERS] {
+pub(super) fn parameters(truth: &Truth, sensor: Sensor) -> [f64; BASE_PARAMETERS] {
     let mut base = Base::from_parameters(truth.parameters(sensor).values());
     if sensor == Sensor::Magnetometer {
         base.t /= base.t.determinant().cbrt();
@@ -231,7 +231,6 @@ impl<'a> Information<'a> {
 
     /// Fixes what nothing measures (the heading without a field, the common scale of a magnetometer and its field) and what is known.
     fn tie(&mut self, magnetometer: bool, free: impl Fn(&str) -> bool) {
-        let weight = (TIED * TIED).recip();
         if magnetometer {
             // d ln det T = tr(T⁻¹ dT)
             let places = self.places(Sensor::Magnetometer);
@@ -243,24 +242,23 @@ impl<'a> Information<'a> {
             let slopes: Vec<f64> = (0..BASE_PARAMETERS)
                 .map(|k| (at(STEP, k) - at(-STEP, k)) / (2.0 * STEP))
                 .collect();
-            for (i, a) in places.iter().zip(&slopes) {
-                for (j, b) in places.iter().zip(&slopes) {
-                    self.matrix[(*i, *j)] += weight * a * b;
-                }
-            }
+            self.tie_along(&places, &slopes);
         } else if let Some(first) = self.attitudes.first() {
             let up = first.inverse() * Vector3::z();
-            let places = self.rotation(0);
-            for (i, a) in places.iter().zip(up.iter()) {
-                for (j, b) in places.iter().zip(up.iter()) {
-                    self.matrix[(*i, *j)] += weight * a * b;
-                }
+            self.tie_along(&self.rotation(0), up.as_slice());
+        }
+        for (k, name) in self.names().iter().enumerate() {
+            if !free(name) {
+                self.tie_along(&[k], &[1.0]);
             }
         }
-        let names = self.names();
-        for (k, name) in names.iter().enumerate() {
-            if !free(name) {
-                self.matrix[(k, k)] += weight;
+    }
+
+    /// Fixes one combination of unknowns.
+    fn tie_along(&mut self, places: &[usize], slopes: &[f64]) {
+        for (i, a) in places.iter().zip(slopes) {
+            for (j, b) in places.iter().zip(slopes) {
+                self.matrix[(*i, *j)] += a * b / (TIED * TIED);
             }
         }
     }

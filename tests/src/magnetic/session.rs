@@ -4,9 +4,9 @@ use calib::Error;
 use calib::calibrate::{Method, Outcome, Request, calibrate};
 use calib::intervals::Span;
 use calib::simulate::{HandHeld, MagneticField, Motion, Session, Simulation, Spec};
-use sensor::{BASE_PARAMETERS, Base, PLACES, Sensor, base_names};
+use sensor::{BASE_PARAMETERS, PLACES, Sensor, base_names};
 
-use super::information::{Bound, bound};
+use super::information::{Bound, bound, parameters};
 
 /// One parameter of one session.
 #[derive(Clone, Debug)]
@@ -109,12 +109,7 @@ fn estimates(outcome: &Outcome, session: &Session) -> Vec<(String, f64, f64)> {
         let Some(triad) = outcome.calibration.triad(sensor) else {
             continue;
         };
-        let mut truth = Base::from_parameters(session.truth.parameters(sensor).values());
-        if sensor == Sensor::Magnetometer {
-            // The strength of the field is not given: `T` is that of the determinant 1.
-            truth.t /= truth.t.determinant().cbrt();
-        }
-        let truth = truth.parameters();
+        let truth = parameters(&session.truth, sensor);
         for (k, name) in base_names(sensor)
             .into_iter()
             .enumerate()

@@ -53,14 +53,14 @@ pub fn summarise(
     class: Class,
     magnetometer: bool,
 ) -> Option<Summary> {
-    let of_session = |record: &'_ Record| match magnetometer {
-        true => record.with.clone(),
-        false => record.without.clone(),
-    };
-    let is_of = |found: &Found| {
+    let is_of = |found: &&Found| {
         found.name.starts_with(&format!("{}.", sensor.prefix())) && Class::of(&found.name) == class
     };
-    let all: Vec<Found> = records.iter().flat_map(of_session).filter(is_of).collect();
+    let found = records.iter().flat_map(|record| match magnetometer {
+        true => &record.with,
+        false => &record.without,
+    });
+    let all: Vec<&Found> = found.filter(is_of).collect();
     if all.is_empty() {
         return None;
     }

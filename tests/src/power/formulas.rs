@@ -67,10 +67,10 @@ pub const FORMULAS: [Hidden; 14] = [
 ];
 
 /// Names of the kinds.
-pub const NAMES: [&str; 14] = {
-    let mut names = [""; 14];
+pub const NAMES: [&str; FORMULAS.len()] = {
+    let mut names = [""; FORMULAS.len()];
     let mut k = 0;
-    while k < 14 {
+    while k < FORMULAS.len() {
         names[k] = FORMULAS[k].name;
         k += 1;
     }

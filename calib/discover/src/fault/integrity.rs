@@ -115,7 +115,7 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
 /// called lost where the stamps say so; `either` says what each cannot be told from.
 pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<Integrity> {
     let sizes = state.disturbed_sizes();
-    let found = state.fit.flagged.iter().zip(state.known());
+    let found = state.fit.flagged.iter().zip(sizes);
     // A rate that is off in an interval is off up to the turns beside it, which see it as a creep.
     let is_excursion = |of: &Flagged| {
         let all = state.fit.flagged.iter();
@@ -123,9 +123,8 @@ pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<In
         excursions.any(|a| (a.recording, a.interval) == (of.recording, of.interval))
     };
     found
-        .zip(sizes)
-        .filter(|((flagged, _), _)| flagged.kind != Disturbance::MountSlip || !is_excursion(flagged))
-        .map(|((flagged, known), size)| {
+        .filter(|(flagged, _)| flagged.kind != Disturbance::MountSlip || !is_excursion(flagged))
+        .map(|(flagged, (known, size))| {
             let or = either.iter().find(|either| either.known == known);
             let recording = &state.fit.data.sources[flagged.recording].name;
             let lost = seen.iter().any(|fault| {

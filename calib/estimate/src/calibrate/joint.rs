@@ -149,10 +149,12 @@ pub fn written_down(
     warnings.extend(clocks::doubts(fit));
     disturbances(fit, warnings);
     let remainders: Vec<Remainder> = fit.misfits().iter().map(Remainder::of).collect();
-    warnings.extend(remainders.iter().filter_map(|r| r.warning(WITH_WALKS)));
-    if remainders.iter().all(|r| r.warning(WITH_WALKS).is_none()) {
-        warnings.extend(fit.missing().and_then(|missing| of_missing(&missing)));
+    let misfits = remainders.iter().filter_map(|r| r.warning(WITH_WALKS));
+    let mut misfits: Vec<String> = misfits.collect();
+    if misfits.is_empty() {
+        misfits.extend(fit.missing().and_then(|missing| of_missing(&missing)));
     }
+    warnings.extend(misfits);
     warnings.extend(request.latitude.and_then(|l| latitude_in_doubt(fit, l)));
     influences(fit, warnings);
     // The earth's rotation is no error of the sensor: corrected rates keep it.
@@ -277,7 +279,6 @@ fn placements_apart(fit: &JointFit) -> Option<String> {
     })
 }
 
-/// Names what was disturbed, with interval and times.
 /// An effect that the rows speak for though no channel as a whole misfits: its part in the errors is not in them.
 fn of_missing(missing: &Missing) -> Option<String> {
     (missing.p_value < SPEAKS).then(|| {
@@ -293,6 +294,7 @@ fn of_missing(missing: &Missing) -> Option<String> {
     })
 }
 
+/// Names what was disturbed, with interval and times.
 fn disturbances(fit: &JointFit, warnings: &mut Vec<String>) {
     let name = |recording: usize| &fit.data.sources[recording].name;
     for lost in &fit.data.lost {

@@ -1,6 +1,7 @@
 //! How the temperature moves: its derivative, and whether it rises or falls.
 
 use recording::Temperature;
+use recording::averages::median;
 
 use super::smooth_curve::{Reading, SmoothCurve};
 
@@ -134,13 +135,7 @@ fn steps(temperature: &Temperature) -> Vec<Reading> {
 
 /// Between the knots of a curve through bins at `t`, s.
 fn knots(t: &[f64]) -> f64 {
-    let mut apart: Vec<f64> = t.windows(2).map(|t| t[1] - t[0]).collect();
-    if apart.is_empty() {
-        return KNOTS;
-    }
-    let half = apart.len() / 2;
-    let (_, median, _) = apart.select_nth_unstable_by(half, f64::total_cmp);
-    median.max(KNOTS)
+    median(t.windows(2).map(|t| t[1] - t[0])).map_or(KNOTS, |apart| apart.max(KNOTS))
 }
 
 /// When the temperature begins to rise or fall: at its turning points, the first way from the begin on.

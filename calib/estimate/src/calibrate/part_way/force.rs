@@ -173,12 +173,14 @@ pub(super) fn force(rests: &[Rest], gravity: f64) -> Option<Force> {
 /// What brings the readings near SI units. Zero stays where it is, so that a sign that changes is one, but where it is farther
 /// from the readings than gravity: counts around 32768, which no fit from there finds.
 fn unit_of(raw: &[Vector3<f64>], gravity: f64) -> Option<RawUnit> {
-    let scale = gravity / median(raw.iter().map(Vector3::norm))?;
-    let zero = Vector3::zeros();
-    let far = accelerometer_unit(raw, gravity)
+    let about_zero = RawUnit {
+        scale: gravity / median(raw.iter().map(Vector3::norm))?,
+        zero: Vector3::zeros(),
+    };
+    let unit = accelerometer_unit(raw, gravity)
         .filter(|unit| unit.zero.norm() * unit.scale > gravity)
-        .unwrap_or(RawUnit { scale, zero });
-    far.scale.is_finite().then_some(far)
+        .unwrap_or(about_zero);
+    unit.scale.is_finite().then_some(unit)
 }
 
 /// The explanation that leaves least, if it is one.

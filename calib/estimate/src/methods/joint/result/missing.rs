@@ -1,16 +1,14 @@
 //! An effect of the accelerometer that the rows speak for, by a score test.
 
-use nalgebra::{DMatrix, DVector};
+use faer::ColRef;
 use sensor::{AnyEffect, Quantity, Role};
 
 use crate::methods::joint::blocks::basis::Basis;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::fit::JointFit;
+use crate::methods::joint::result::marginal::orthonormal;
 use crate::methods::joint::rows::error_columns::effect_columns;
 use crate::methods::small_sample::by_chance;
-
-/// Directions of an effect's columns of which the model's parameters leave less than this share of the largest are not seen.
-const UNSEEN: f64 = 1e-6;
 
 /// An effect that the model lacks.
 #[derive(Clone, Copy, Debug)]
@@ -41,15 +39,19 @@ impl JointFit {
         let whitening = self.noise_whitening();
         let model = Basis::of(&whitening.finish_columns(self.white_jacobian.clone()));
         let residuals = whitening.finish_column(&self.white_residuals);
+        let residuals = ColRef::from_slice(&residuals);
         let sensitivities = self.rows().force_sensitivities(self.parameters.values());
         let found = tried.iter().filter_map(|&effect| {
             let p: Vec<f64> = effect.params().iter().map(|p| p.nominal).collect();
             let wanted: Vec<usize> = (0..p.len()).collect();
-            let mut columns = effect_columns(&sensitivities, residuals.len(), effect, &p, &wanted);
+            let mut columns =
+                effect_columns(&sensitivities, residuals.nrows(), effect, &p, &wanted);
             whitening.white.apply(columns.as_mut());
             let columns = Columns::cut(&columns, whitening.groups());
             let left = model.without(&whitening.finish_columns(columns));
-            let (statistic, dof) = explained(&left, &residuals);
+            let basis = orthonormal(&left.to_dense());
+            let statistic = (basis.transpose() * residuals).squared_norm_l2();
+            let dof = basis.ncols();
             (dof > 0).then(|| Missing {
                 effect,
                 statistic,
@@ -66,27 +68,6 @@ fn by_force_alone(effect: &&'static dyn AnyEffect) -> bool {
     let needs = effect.needs();
     needs.iter().all(|need| *need == Quantity::SpecificForce)
         && effect.params().iter().all(|p| p.role == Role::Coefficient)
-}
-
-/// The sum of squares of `r` in the space of some columns, and its dimension.
-fn explained(columns: &Columns, r: &[f64]) -> (f64, usize) {
-    let dense = columns.to_dense();
-    let norms = columns.norms();
-    let unit = |i: usize, j: usize| match norms[j] > 0.0 {
-        true => dense[(i, j)] / norms[j],
-        false => 0.0,
-    };
-    let unit = DMatrix::from_fn(dense.nrows(), dense.ncols(), unit);
-    let eigen = (unit.transpose() * &unit).symmetric_eigen();
-    let along = eigen.eigenvectors.transpose() * (unit.transpose() * DVector::from_column_slice(r));
-    let least = UNSEEN * eigen.eigenvalues.max();
-    let seen: Vec<usize> = (0..along.len())
-        .filter(|&k| eigen.eigenvalues[k] > least.max(UNSEEN))
-        .collect();
-    let square = seen
-        .iter()
-        .map(|&k| along[k].powi(2) / eigen.eigenvalues[k]);
-    (square.sum(), seen.len())
 }
 
 #[cfg(test)]
