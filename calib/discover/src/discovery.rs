@@ -15,7 +15,7 @@ use sensor::{AnyEffect, Model, Nature, Sensor};
 use super::enough::{enough_rests, enough_to_compare};
 use super::family::{Claim, effect_family, is_late};
 use super::fault::delay::{Delay, delay};
-use super::fault::integrity::{disturbed, integrity, undersampled};
+use super::fault::integrity::{SPOILT, disturbed, integrity, undersampled};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
 use super::flicker::names_and_rest;
 use super::gap::channel::Channel;
@@ -90,9 +90,9 @@ pub(super) fn discover_in(
     refuse_unobservable(&base.fit)?;
     enough_to_compare(session, &base)?;
     let mut faults = integrity(session, &base);
-    let quantised = faults.iter().any(|f| f.name == "quantisation");
+    let is_spoilt = faults.iter().any(|fault| SPOILT.contains(&fault.name));
     let alpha = request.half_alpha();
-    let (mut search, mut rest) = if quantised {
+    let (mut search, mut rest) = if is_spoilt {
         (Search::without_names(base), None)
     } else {
         names_and_rest(session, request, base)?
@@ -124,11 +124,11 @@ pub(super) fn discover_in(
     if let Some(found) = rest.as_mut() {
         weigh_beside_shape(session, request, &mut search, found)?;
     }
-    let late = (!quantised).then(|| late(&search.last, request)).flatten();
+    let late = (!is_spoilt).then(|| late(&search.last, request)).flatten();
     if let Some((effect, late)) = late {
         let mut extension = search.last.extension.clone();
         extension.effects.push((effect, Some((0, late.delay))));
-        search.last = State::fit(session, extension)?;
+        search.last = search.fit(session, extension)?;
     }
     let held = settle(session, &mut search.last);
     let proposed = match &rest {
@@ -254,7 +254,7 @@ fn determined(
         };
         effects.sort_by_key(|effect| std::cmp::Reverse(effect.params().len()));
         let helps = |effect: &&&'static dyn AnyEffect| {
-            let state = State::fit(session, less(**effect));
+            let state = search.fit(session, less(**effect));
             state.is_ok_and(|state| calibration(session, &state, request).is_ok())
         };
         let gone = effects.iter().find(helps).copied().unwrap_or(weakest);

@@ -41,7 +41,7 @@ pub struct Ranked {
     pub statistic: f64,
     /// Its degrees of freedom: what the data can see of the columns, and a shape.
     pub dof: f64,
-    /// `ln p` of the statistic, in this one test.
+    /// `ln p` in this one test, a mean over what the densities may be under it.
     pub log_p: f64,
     /// `−ln p − ln n_sub − ln 2m`: significant at family-wise level α where above `−ln α`.
     pub evidence: f64,
@@ -135,37 +135,82 @@ fn best(
     }
     let columns = projected.by_recording(&family.columns);
     let own = family.claim.sensor();
-    let mut best: Option<Ranked> = None;
+    let mut tried: Vec<Tried> = family.hypotheses.iter().map(|_| Tried::default()).collect();
     for level in levels.iter().filter(|l| l.of.is_none_or(|s| s == own)) {
         let seen = level.whitened.by_recording(columns.clone());
-        let lost = 2.0 * (level.whitened.log_likelihood() - nothing);
-        for (k, hypothesis) in family.hypotheses.iter().enumerate() {
+        let gained = level.whitened.log_likelihood() - nothing;
+        for (tried, hypothesis) in tried.iter_mut().zip(&family.hypotheses) {
             let (a, b) = seen.normal(hypothesis.columns.clone(), &level.whitened.z);
-            let score = of_normal(&a, &b);
-            if score.dof == 0 {
-                continue;
-            }
-            let statistic = score.statistic + lost;
-            let dof = score.dof as f64 + family.shape_dof;
-            let log_p = log_tail(statistic, dof);
-            let evidence = -log_p - family.log_places - (2.0 * count as f64).ln();
-            if best.as_ref().is_none_or(|b| evidence > b.evidence) {
-                best = Some(Ranked {
-                    family: place,
-                    hypothesis: k,
-                    noise: level.noise,
-                    scatter: level.scatter,
-                    statistic,
-                    dof,
-                    log_p,
-                    evidence,
-                    only_a_tie: false,
-                    score,
-                });
-            }
+            tried.add(level, gained, of_normal(&a, &b), family.shape_dof);
         }
     }
-    best
+    let tried = tried.into_iter().enumerate();
+    let ranked = tried.filter_map(|(k, tried)| {
+        let log_p = tried.log_p();
+        let (level, statistic, score) = tried.likeliest?;
+        Some(Ranked {
+            family: place,
+            hypothesis: k,
+            noise: level.noise,
+            scatter: level.scatter,
+            statistic,
+            dof: score.dof as f64 + family.shape_dof,
+            log_p,
+            evidence: -log_p - family.log_places - (2.0 * count as f64).ln(),
+            only_a_tie: false,
+            score,
+        })
+    });
+    ranked.max_by(|a, b| a.evidence.total_cmp(&b.evidence))
+}
+
+/// One hypothesis at all densities.
+#[derive(Default)]
+pub(super) struct Tried<'a> {
+    /// Where the data are likeliest under it, the likelihood ratio, and the score there.
+    pub likeliest: Option<(&'a Level, f64, Score)>,
+    /// Of every density the log-likelihood under it, its coefficients anywhere, and `ln p` of the score.
+    all: Vec<[f64; 2]>,
+}
+
+impl<'a> Tried<'a> {
+    /// `gained` is the log-likelihood at the densities of `level` without the hypothesis, over that at the likeliest ones.
+    pub fn add(&mut self, level: &'a Level, gained: f64, score: Score, shape_dof: f64) {
+        if score.dof == 0 {
+            return;
+        }
+        let log_p = log_tail(score.statistic, score.dof as f64 + shape_dof);
+        let likelihood = gained + 0.5 * (score.statistic + score.log_determinant);
+        self.all.push([likelihood, log_p]);
+        let statistic = score.statistic + 2.0 * gained;
+        if self
+            .likeliest
+            .as_ref()
+            .is_none_or(|(_, best, _)| statistic > *best)
+        {
+            self.likeliest = Some((level, statistic, score));
+        }
+    }
+
+    /// `ln Σ w p`, `w` the weights of the densities by their likelihood under the hypothesis, which the size of what it
+    /// explains has no part in.
+    ///
+    /// A likelihood ratio is `χ²` where the densities are known. Where few static intervals show how a bias walks, a drift can
+    /// take a walk for its own: the ratio is then that of a walk which is far too small (Bayarri & Berger 2000, partial
+    /// posterior predictive p-values).
+    pub fn log_p(&self) -> f64 {
+        let weighed = self
+            .all
+            .iter()
+            .map(|[likelihood, log_p]| likelihood + log_p);
+        log_sum(weighed) - log_sum(self.all.iter().map(|[likelihood, _]| *likelihood))
+    }
+}
+
+/// `ln Σ eᵃ`.
+fn log_sum(a: impl Iterator<Item = f64> + Clone) -> f64 {
+    let most = a.clone().fold(f64::NEG_INFINITY, f64::max);
+    most + a.map(|a| (a - most).exp()).sum::<f64>().ln()
 }
 
 /// How much of what `one` explains the columns of `other` explain too: `ρ²` of the disagreement that the

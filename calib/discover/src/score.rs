@@ -23,6 +23,8 @@ pub struct Score {
     pub change: Vec<f64>,
     /// `A⁺`: its covariance.
     pub covariance: DMatrix<f64>,
+    /// `ln det A⁺` over the directions that are seen.
+    pub log_determinant: f64,
 }
 
 /// Of whitened columns `w` (`q × k`) and disagreement `z` (`q × 1`): `A = wᵀw`, `b = wᵀz`.
@@ -43,6 +45,7 @@ pub fn of_normal(a: &DMatrix<f64>, b: &DVector<f64>) -> Score {
         dof: 0,
         change: vec![0.0; k],
         covariance: DMatrix::zeros(k, k),
+        log_determinant: 0.0,
     };
     if k == 0 || a.iter().chain(b.iter()).any(|v| !v.is_finite()) {
         return result;
@@ -61,6 +64,7 @@ pub fn of_normal(a: &DMatrix<f64>, b: &DVector<f64>) -> Score {
         let along = vector.dot(b);
         result.statistic += along * along / value;
         result.dof += 1;
+        result.log_determinant -= value.ln();
         change += vector * (along / value);
         result.covariance += vector * vector.transpose() / *value;
     }

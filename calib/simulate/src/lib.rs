@@ -32,7 +32,7 @@ mod write;
 pub use device::Grade;
 pub use gyroscope::EARTH_RATE;
 pub use hidden::{
-    Heading, Hidden, HiddenTruth, Pattern, Periodic, Relaxation, SizeEffect, Telegraph,
+    Heading, Hidden, HiddenTruth, Pattern, Periodic, Relaxation, Rezeroing, SizeEffect, Telegraph,
 };
 pub use motion::{Cart, HandHeld, Planned, PlannedLeg, PlannedStep, SixPosition, Still, Walking};
 pub use noise::{Distribution, Noise, Spikes};

@@ -3,7 +3,8 @@
 use std::f64::consts::TAU;
 
 use calib::simulate::{
-    Fault, Grade, Heading, Hidden, Pattern, Periodic, Relaxation, SizeEffect, Spec, Telegraph,
+    Fault, Grade, Heading, Hidden, Pattern, Periodic, Relaxation, Rezeroing, SizeEffect, Spec,
+    Telegraph,
 };
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -66,9 +67,11 @@ const NEWER: [&str; 8] = [
 
 const OUTSIDE: [&str; 5] = ["periodic", "pattern", "telegraph", "heading", "relaxation"];
 const INVISIBLE: [&str; 3] = ["wrong_gravity", "fast_clock", "size_effect"];
-const INTEGRITY: [&str; 6] = [
+const INTEGRITY: [&str; 8] = [
     "saturation",
     "quantisation",
+    "dead_zone",
+    "rezeroing",
     "lost_samples",
     "lost_neighbours",
     "mount_slip",
@@ -326,6 +329,13 @@ impl Job {
             Row::Invisible => spec = spec.with_hidden(invisible(what, size)),
             Row::Outside => spec = spec.with_hidden(self.outside(what, size)),
             Row::Formulas => spec = formulas::Hidden::named(what)?.put_into(spec, size)?,
+            Row::Integrity if what == "rezeroing" => {
+                spec = spec.with_hidden(Hidden::Rezeroing(Rezeroing {
+                    sensor: Sensor::Gyroscope,
+                    amplitude: 2e-4 * size,
+                    after: self.random.clone().random_range(2.0..4.0),
+                }));
+            }
             Row::Integrity => {
                 let fault = self.fault(what, size)?;
                 if let ("lost_neighbours", Fault::Lost { turn, length }) = (what, &fault) {

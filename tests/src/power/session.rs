@@ -186,6 +186,11 @@ fn scaled(job: &Job, record: &mut Record) -> Result<Spec, Error> {
             }
             // Two samples: lost ones move the stamps of all that follow, so that sessions cannot be compared.
             _ if what.starts_with("lost_") => 0.4,
+            // It is looked for in the readings of single rests, which the means know nothing of.
+            _ if what == "rezeroing" => match job.clean.grade {
+                calib::simulate::Grade::Tactical => 0.1,
+                _ => 1.0,
+            },
             _ => {
                 // Faults of the readout have no size.
                 let Some(unit) = job.with(&what, 1.0) else {
@@ -237,7 +242,7 @@ fn lateness(job: &Job) -> Result<Option<f64>, Error> {
     Ok(delay(&base).map(|found| job.row.lambda().sqrt() * found.std))
 }
 
-/// A range that the turns exceed, or steps four times the noise.
+/// A range that the turns exceed, steps four times the noise, or a dead zone of up to 1 °/s.
 fn readout(job: &Job, what: &str) -> Result<Spec, Error> {
     let mut spec = job.clean.clone();
     if what == "saturation" {
@@ -245,6 +250,8 @@ fn readout(job: &Job, what: &str) -> Result<Spec, Error> {
         let rates = recording.gyroscope.iter().flat_map(|s| &s.values);
         let most = rates.map(nalgebra::Vector3::amax).fold(0.0, f64::max);
         spec.gyroscope.range = Some(0.7 * most);
+    } else if what == "dead_zone" {
+        spec.gyroscope.dead_zone = [0.002, 0.005, 0.01, 0.0175][(job.clean.seed % 4) as usize];
     } else {
         let noise = spec.noise(sensor::Sensor::Accelerometer).white * spec.rate.sqrt();
         spec.accelerometer.step = 4.0 * noise;

@@ -4,8 +4,9 @@
 use calib::Recording;
 use calib::discover::{Discovery, Request, Verdict, discover};
 use calib::recording::ReadOptions;
-use calib::simulate::{Fault, Session, Spec};
+use calib::simulate::{Fault, Hidden, Relaxation, Rezeroing, Session, Spec, Telegraph};
 use nalgebra::Vector3;
+use sensor::{Axis, Sensor};
 use stillpoint_tests::needed_data::needed;
 
 const DEGREE_PER_HOUR: f64 = std::f64::consts::PI / 180.0 / 3600.0;
@@ -72,6 +73,70 @@ fn one_interval_whose_rate_is_off_is_no_step_of_the_bias() {
     let session = spec.run().unwrap();
     let recording = with_excursion(&session, 12, Vector3::new(1.5e-3, -1e-3, 0.8e-3));
     assert_eq!(claims(&of(&[recording], &spec)), ["disturbed_interval 13"]);
+}
+
+#[test]
+fn a_zero_that_is_set_anew_at_rest_is_a_fault_of_the_recording() {
+    let rezeroing = Hidden::Rezeroing(Rezeroing {
+        sensor: Sensor::Gyroscope,
+        amplitude: 2e-4,
+        after: 3.0,
+    });
+    let spec = Spec::hand_held(31).with_hidden(rezeroing);
+    let discovery = of(&[spec.run().unwrap().recording], &spec);
+    assert_eq!(claims(&discovery), ["rezeroing 0"]);
+    let detail = &discovery.findings.integrity[0].detail;
+    // The detector needs up to half a second to see that the turn is over.
+    let jumps = [" 2.5 s", " 2.8 s", " 3.0 s"].iter();
+    assert!(
+        jumps.filter(|at| detail.contains(*at)).count() == 1,
+        "{detail}"
+    );
+    // √(3 · 2) times the standard deviation of a component, some placements.
+    assert!(detail.contains("e-4 (rms over"), "{detail}");
+}
+
+#[test]
+fn a_bias_that_relaxes_drifts_or_flips_is_not_set_anew() {
+    let (sensor, axis) = (Sensor::Gyroscope, Axis::Y);
+    let relaxes = |tau| {
+        Hidden::Relaxation(Relaxation {
+            sensor,
+            axis,
+            amplitude: 1e-3,
+            tau,
+        })
+    };
+    let flips = Hidden::Telegraph(Telegraph {
+        sensor,
+        axis,
+        amplitude: 1e-3,
+        dwell: 10.0,
+    });
+    let plain = Spec::hand_held(32);
+    let mut walks = plain.clone();
+    walks.gyroscope.random_walk = 2e-4;
+    let hidden =
+        [relaxes(1.0), relaxes(3.0), flips].map(|hidden| plain.clone().with_hidden(hidden));
+    for spec in hidden
+        .into_iter()
+        .chain([plain.with_effect("gyro_drift", 100.0), walks])
+    {
+        let discovery = of(&[spec.run().unwrap().recording], &spec);
+        let named = claims(&discovery);
+        assert!(!named.contains(&"rezeroing 0".to_owned()), "{named:?}");
+    }
+}
+
+#[test]
+fn a_dead_zone_is_a_fault_of_the_recording_where_only_turns_show_it_too() {
+    for half_width in [0.004, 0.02] {
+        let mut spec = Spec::hand_held(4);
+        spec.gyroscope.dead_zone = half_width;
+        let discovery = of(&[spec.run().unwrap().recording], &spec);
+        assert_eq!(claims(&discovery), ["dead_zone 0"]);
+        assert!(discovery.findings.unexplained.is_none());
+    }
 }
 
 #[test]

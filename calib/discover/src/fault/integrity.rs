@@ -3,6 +3,7 @@
 use estimate::methods::joint::{Disturbance, Flagged, SensorNoise};
 use nalgebra::Vector3;
 use recording::intervals::{Rails, Segmentation, Span};
+use recording::readings::{Finding, altered_bias};
 use recording::{Recording, Stream};
 use serde::Serialize;
 
@@ -23,10 +24,12 @@ const COARSE: f64 = 2.0;
 /// A clock whose steps hardly differ: 95 % within this share of the median.
 const REGULAR: f64 = 0.2;
 
+const GYROSCOPE: &str = "gyroscope";
+
 /// A fault of the recording.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Integrity {
-    /// `saturation`, `quantisation`, `lost_samples`, `outlying_turn`, `undersampled_motion`, `mount_slip` or
+    /// `saturation`, `quantisation`, `dead_zone`, `rezeroing`, `lost_samples`, `outlying_turn`, `undersampled_motion`, `mount_slip` or
     /// `disturbed_interval`.
     pub name: &'static str,
     /// The recording.
@@ -71,7 +74,10 @@ impl Size {
     }
 }
 
-/// Saturation, coarse steps and lost samples of all recordings.
+/// The faults beside which nothing more is named: what the readings are off by is no error of the sensor.
+pub const SPOILT: [&str; 3] = ["quantisation", "dead_zone", "rezeroing"];
+
+/// Saturation, coarse steps, altered biases and lost samples of all recordings.
 pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
     let mut all = Vec::new();
     for ((recording, choice), source) in session.recordings.iter().zip(&base.fit.data.sources) {
@@ -83,12 +89,13 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
                 base.fit.force_unit.scale,
             ),
             (
-                "gyroscope",
+                GYROSCOPE,
                 &recording.gyroscope,
                 &source.gyroscope,
                 base.fit.rate_unit.scale,
             ),
         ];
+        let altered = altered_bias(recording, &choice.segmentation);
         for (sensor, stream, noise, scale) in sensors {
             let Some(stream) = stream else { continue };
             let place = Looked {
@@ -97,9 +104,14 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
                 sensor,
                 stream,
             };
+            let altered = altered.as_ref().filter(|_| sensor == GYROSCOPE);
+            let altered = altered.and_then(|finding| place.altered_bias(finding));
+            // A dead zone is as wide as a step.
             let coarse = noise
                 .as_ref()
+                .filter(|_| altered.is_none())
                 .and_then(|noise| place.quantisation(noise, scale));
+            all.extend(altered);
             // Coarse readings repeat at their extremes too.
             if coarse.is_none() {
                 all.extend(place.saturation());
@@ -317,6 +329,16 @@ impl Looked<'_> {
                 self.found("saturation", Some(k + 1), span, detail)
             })
             .collect()
+    }
+
+    /// A bias that the device itself changes or hides.
+    fn altered_bias(&self, finding: &Finding) -> Option<Integrity> {
+        let name = match finding {
+            Finding::DeadZone { .. } => "dead_zone",
+            Finding::Rezeroed { .. } => "rezeroing",
+            _ => return None,
+        };
+        Some(self.found(name, None, self.whole(), finding.to_string()))
     }
 
     /// Steps too wide for the noise to even out.

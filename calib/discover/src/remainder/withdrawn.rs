@@ -50,7 +50,7 @@ pub(crate) fn without_weak(
     if found.names.len() == before {
         return Ok(false);
     }
-    found.last = State::fit(session, extension)?;
+    found.last = found.fit(session, extension)?;
     Ok(true)
 }
 

@@ -38,7 +38,8 @@ impl Turns {
 
     /// The evidence that something else is wrong with a turn, or with a static interval beside it.
     pub fn evidence_of_disturbance(ranked: &Ranked) -> f64 {
-        ranked.evidence + ranked.log_p - log_tail(ranked.statistic / KNOCKED, ranked.dof)
+        let log_p = log_tail(ranked.statistic / KNOCKED, ranked.dof);
+        ranked.evidence + ranked.log_p - log_p.max(ranked.log_p)
     }
 
     /// The evidence for a claim without the turns that speak for it most.
@@ -60,6 +61,7 @@ impl Turns {
             (least, w, z) = best;
         }
         let statistic = ranked.statistic - ranked.score.statistic + least;
-        ranked.evidence + ranked.log_p - log_tail(statistic, ranked.dof)
+        let without = ranked.evidence + ranked.log_p - log_tail(statistic, ranked.dof);
+        without.min(ranked.evidence)
     }
 }

@@ -7,6 +7,7 @@ mod held;
 mod outlying_turns;
 mod pairs;
 mod review;
+mod together;
 
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
@@ -111,6 +112,8 @@ pub struct Search {
     pub not_observable: Vec<String>,
     /// That the search ended before its end, as it would have taken too long, in words.
     pub spent: Option<String>,
+    /// Models that were fitted on the way.
+    fitted: Vec<State>,
 }
 
 impl Search {
@@ -125,6 +128,7 @@ impl Search {
             first_ranking: Vec::new(),
             not_observable: Vec::new(),
             spent: None,
+            fitted: Vec::new(),
         }
     }
 }
@@ -158,8 +162,22 @@ impl Search {
         let gone = self.names.iter().filter(|name| !stays(name));
         let gone = gone.map(|name| name.claim.name().into()).collect();
         self.names.retain(stays);
-        self.last = State::fit(session, less)?;
+        self.last = self.fit(session, less)?;
         Ok(gone)
+    }
+
+    /// The model with an extension, fitted unless it was before.
+    ///
+    /// # Errors
+    /// As the joint fit.
+    pub fn fit(&mut self, session: &Session<'_>, extension: Extension) -> Result<State, Error> {
+        let all = self.fitted.iter().chain([&self.base, &self.last]);
+        if let Some(known) = all.into_iter().find(|s| s.extension.is_same(&extension)) {
+            return Ok(known.clone());
+        }
+        let state = State::fit(session, extension)?;
+        self.fitted.push(state.clone());
+        Ok(state)
     }
 }
 
@@ -238,7 +256,7 @@ impl Finder<'_> {
         self.fits.get() + more > self.most_fits || self.linearised.get() > MOST_LINEARISED
     }
 
-    fn run(&self, base: State) -> Result<Search, Error> {
+    fn run(self, base: State) -> Result<Search, Error> {
         let mut held = outlying_turns(&base);
         let gross = held.len();
         let mut last = if held.is_empty() {
@@ -256,18 +274,27 @@ impl Finder<'_> {
                 first_ranking = labelled(families, ranked);
                 not_observable = silent(families, ranked);
             }
-            let Some(next) = next else { break };
+            let next = match next {
+                Some(next) => vec![next],
+                None => self
+                    .two_together(&last, &ranking, &unfit)
+                    .map_or_else(Vec::new, |two| two.to_vec()),
+            };
+            if next.is_empty() {
+                break;
+            }
             // The next name, and the review of all.
-            if self.is_spent(held.len() + 2) {
+            if self.is_spent(held.len() + next.len() + 1) {
                 spent = true;
                 break;
             }
-            held.push(next);
+            let before = held.len();
+            held.extend(next);
             match self.state(&held) {
                 Ok(state) => last = state,
                 Err(Error::Cancelled) => return Err(Error::Cancelled),
                 // A claim that the data do not hold together with is none.
-                Err(_) => unfit.extend(held.pop().map(|h| h.claim)),
+                Err(_) => unfit.extend(held.drain(before..).map(|h| h.claim)),
             }
         }
         let reviewed = self.review(&base, last, held)?;
@@ -288,6 +315,7 @@ impl Finder<'_> {
             evidence: reviewed.evidence,
             first_ranking,
             not_observable,
+            fitted: self.fitted.into_inner(),
         })
     }
 

@@ -19,6 +19,15 @@ const WIDE: f64 = 3.0;
 /// made.
 const FINE: f64 = 1e-6;
 
+/// Zeros of an axis, at rest or while it turns, that are no chance ...
+const FEW: usize = 20;
+/// ... where so many readings lie within once the width of the zone beyond its edge: turns sweep over them. Beside the
+/// smallest reading of any other axis there are one or two.
+const SWEPT: usize = 10;
+
+/// A zone is narrower than this part of the largest reading.
+const NARROW: f64 = 0.2;
+
 /// The axes of a gyroscope that read zero at rest though their steps are finer than what lies around zero.
 pub(super) fn found(of: &OfSensor<'_>) -> Option<Finding> {
     if of.sensor != Sensor::Gyroscope {
@@ -83,13 +92,12 @@ impl DeadZone {
         axis: usize,
     ) -> Option<Self> {
         let share = share_of_zeros(at_rest);
-        if share < SHARE {
-            return None;
-        }
         let edge = least_beside_zero(values, axis)?;
         let largest = values.iter().map(|v| v[axis].abs()).fold(0.0, f64::max);
         let step = least_step(values, axis)?;
-        (edge > WIDE * step || step < FINE * largest).then_some(Self { share, edge })
+        let is_wide = edge > WIDE * step || step < FINE * largest;
+        let is_shown = share >= SHARE && is_wide || is_left_out(values, axis);
+        is_shown.then_some(Self { share, edge })
     }
 
     /// Whether it is zero that the axis reads at rest, not only at times.
@@ -102,6 +110,19 @@ impl DeadZone {
     pub fn error_of_mean(&self) -> f64 {
         (self.share * self.edge).min(self.edge / 3f64.sqrt())
     }
+}
+
+/// Whether an axis reads zero, at rest or not, and nothing between zero and an edge that turns sweep over.
+pub(super) fn is_left_out(values: &[Vector3<f64>], axis: usize) -> bool {
+    let (Some(edge), Some(step)) = (least_beside_zero(values, axis), least_step(values, axis))
+    else {
+        return false;
+    };
+    let zeros = values.iter().filter(|v| v[axis] == 0.0).count();
+    let largest = values.iter().map(|v| v[axis].abs()).fold(0.0, f64::max);
+    let is_a_zone = edge > WIDE * step && edge < NARROW * largest;
+    let near = |v: &&Vector3<f64>| v[axis] != 0.0 && v[axis].abs() < 2.0 * edge;
+    zeros >= FEW && is_a_zone && values.iter().filter(near).count() >= SWEPT
 }
 
 fn share_of_zeros(values: impl Iterator<Item = f64>) -> f64 {
@@ -118,6 +139,41 @@ mod tests {
     use super::*;
     use rand::SeedableRng;
     use rand_distr::{Distribution, Normal};
+
+    #[test]
+    fn a_zone_beside_the_bias_shows_in_turns_and_what_is_filled_with_zeros_has_none() {
+        let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(4);
+        let noise = Normal::new(0.0, 1e-3).unwrap();
+        let rate = |k: usize| match k < 6_000 {
+            true => 0.0,
+            false => 0.05 * (0.01 * k as f64).sin(),
+        };
+        let mut read = |k: usize| Vector3::repeat(0.01 + rate(k) + noise.sample(&mut random));
+        let whole: Vec<Vector3<f64>> = (0..8_000).map(&mut read).collect();
+        let t = (0..8_000).map(|k| 0.01 * f64::from(k)).collect();
+        let rest = 0..6_000;
+        let zones = |values: Vec<Vector3<f64>>, t: &Vec<f64>| {
+            let stream = Stream {
+                t: t.clone(),
+                values,
+            };
+            dead_zones(&stream, std::slice::from_ref(&rest))
+        };
+        let dead = |v: f64| if v.abs() < 0.004 { 0.0 } else { v };
+        let [x, ..] = zones(whole.iter().map(|v| v.map(dead)).collect(), &t);
+        let x = x.unwrap();
+        assert!(
+            !x.hides_the_bias() && (x.edge / 0.004 - 1.0).abs() < 0.1,
+            "{x:?}"
+        );
+        assert_eq!(zones(whole.clone(), &t), [None; 3]);
+        let filled = whole.iter().enumerate();
+        let filled = filled.map(|(k, v)| if k % 50 == 0 { Vector3::zeros() } else { *v });
+        assert_eq!(zones(filled.collect(), &t), [None; 3]);
+        // Steps of 2 mrad/s: zero is one of them.
+        let coarse = whole.iter().map(|v| v.map(|x| (x / 2e-3).round() * 2e-3));
+        assert_eq!(zones(coarse.collect(), &t), [None; 3]);
+    }
 
     #[test]
     fn a_bias_at_the_edge_of_the_zone_is_as_uncertain_as_its_mean_is_off() {
@@ -154,6 +210,7 @@ mod tests {
             !y.hides_the_bias() && (y.error_of_mean() / off - 1.0).abs() < 0.15,
             "{y:?} {off}"
         );
-        assert_eq!(z, None);
+        // Its bias is beyond the zone.
+        assert_eq!(z.unwrap().error_of_mean(), 0.0);
     }
 }

@@ -10,6 +10,9 @@ use crate::shown::figure;
 /// Most rows or intervals that a sentence lists.
 const LISTED: usize = 8;
 
+/// Fewer zeros at rest than this share are those of turns.
+const IN_TURNS: f64 = 0.005;
+
 /// What the readings show of a sensor. Values in the unit of the readings, rows counted as the
 /// lines of a table with one line of header, the first sample being row 2; times in s.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -64,6 +67,18 @@ pub enum Finding {
         share: f64,
         /// The smallest reading that is not zero, on that axis.
         least: f64,
+    },
+    /// The bias jumps at the same time into every static interval.
+    Rezeroed {
+        /// The sensor.
+        #[serde(serialize_with = "name")]
+        sensor: Sensor,
+        /// From the begin of a static interval to the jump, s.
+        after: f64,
+        /// Root mean square length of the jumps.
+        size: f64,
+        /// The intervals, counted from 1.
+        intervals: Vec<usize>,
     },
     /// Single readings far from their neighbours on both sides, which agree.
     Spikes {
@@ -162,12 +177,33 @@ impl fmt::Display for Finding {
                 least,
             } => write!(
                 f,
-                "the {} reads exactly zero on {} in {:.0} % of the samples of static intervals and nothing \
-                 between zero and {least:.2e}: a dead zone, or readings from a fusion filter; its bias and the \
+                "the {} reads exactly zero on {} in {} and nothing \
+                 between zero and {least:.2e}: a dead zone, or readings from a fusion filter; {} the \
                  errors of slow turns cannot be known, record the raw sensor",
                 sensor.name(),
                 axes_in_words(axes),
-                100.0 * share
+                match *share > IN_TURNS {
+                    true => format!("{:.0} % of the samples of static intervals", 100.0 * share),
+                    false => "some samples of turns".into(),
+                },
+                match *share > IN_TURNS {
+                    true => "its bias and",
+                    false => "",
+                }
+            ),
+            Self::Rezeroed {
+                sensor,
+                after,
+                size,
+                intervals,
+            } => write!(
+                f,
+                "the bias of the {} jumps {after:.1} s into the static intervals, by {} (rms over {} of \
+                 them): the device sets its zero anew while it rests; turns and rests are then read about \
+                 different zeros, switch its own calibration off or record uncalibrated readings",
+                sensor.name(),
+                figure(*size),
+                intervals.len()
             ),
             Self::Spikes {
                 sensor,

@@ -13,6 +13,7 @@ mod level;
 mod of_sensor;
 mod quantisation;
 mod quietest;
+mod rezeroing;
 mod spikes;
 mod stuck;
 mod vibration;
@@ -35,6 +36,12 @@ use self::of_sensor::OfSensor;
 use crate::intervals::Segmentation;
 use crate::recording::Recording;
 
+/// What leaves nothing of a gyroscope's bias to be looked into: a dead zone, a zero that the device sets anew.
+pub fn altered_bias(recording: &Recording, segmentation: &Segmentation) -> Option<Finding> {
+    let of = OfSensor::new(Sensor::Gyroscope, recording, segmentation)?;
+    dead_zone::found(&of).or_else(|| rezeroing::found(&of))
+}
+
 /// Everything that the readings show once it is known where the device was still.
 pub fn findings(recording: &Recording, segmentation: &Segmentation) -> Vec<Finding> {
     let mut all = Vec::new();
@@ -51,6 +58,9 @@ pub fn findings(recording: &Recording, segmentation: &Segmentation) -> Vec<Findi
         }
         all.extend(dead);
         all.extend(coarse);
+        if sensor == Sensor::Gyroscope {
+            all.extend(rezeroing::found(&of));
+        }
     }
     all.extend(hand::found(recording));
     all

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
+use super::dead_zone::is_left_out;
 use super::of_sensor::least_step;
 
 /// Shortest run of equal values that is looked at, samples.
@@ -20,12 +21,15 @@ const EXPECTED_AT_ZERO: f64 = 400.0;
 
 /// The longest run of equal values of an axis, where the other axes change in it as they do elsewhere, when
 /// this axis changes too. A run at the largest or smallest value is clipped, unless it is the recording's
-/// last.
+/// last; a run at zero is that of a dead zone where the axis has one.
 pub(crate) fn stuck(values: &[Vector3<f64>], axis: usize) -> Option<Range<usize>> {
     let run = longest_run(values, axis).filter(|run| run.len() >= RUN)?;
     let value = values[run.start][axis];
     let extreme = |sign: f64| values.iter().all(|v| sign * v[axis] <= sign * value);
     if run.end < values.len() && (extreme(1.0) || extreme(-1.0)) {
+        return None;
+    }
+    if value == 0.0 && is_left_out(values, axis) {
         return None;
     }
     let others = [(axis + 1) % 3, (axis + 2) % 3];
@@ -94,6 +98,17 @@ mod tests {
         let mut values = noisy(1e-3);
         values[1500..].iter_mut().for_each(|v| v.z = 0.0);
         assert_eq!(stuck(&values, 2), Some(1500..3000));
+    }
+
+    #[test]
+    fn a_dead_zone_is_not_stuck() {
+        let mut values = noisy(1e-3);
+        let turns = |k: usize| if k < 1500 { 0.01 } else { 1.0 };
+        for (k, v) in values.iter_mut().enumerate() {
+            v.x *= turns(k);
+            v.x = if v.x.abs() < 0.02 { 0.0 } else { v.x };
+        }
+        assert_eq!(stuck(&values, 0), None);
     }
 
     #[test]

@@ -8,6 +8,7 @@ mod heading;
 mod pattern;
 mod periodic;
 mod relaxation;
+mod rezeroing;
 mod size_effect;
 mod telegraph;
 
@@ -26,6 +27,7 @@ pub use heading::Heading;
 pub use pattern::Pattern;
 pub use periodic::Periodic;
 pub use relaxation::Relaxation;
+pub use rezeroing::Rezeroing;
 pub use size_effect::SizeEffect;
 pub use telegraph::Telegraph;
 
@@ -43,6 +45,8 @@ pub enum Hidden {
     Heading(Heading),
     /// A bias that decays after each turn.
     Relaxation(Relaxation),
+    /// A bias that jumps at the same time into every rest.
+    Rezeroing(Rezeroing),
     /// The three accelerometers sit in different places. Not to be seen in turns by hand.
     SizeEffect(SizeEffect),
     /// Gravity is not what the estimator is told. Not to be seen without another source.
@@ -86,6 +90,7 @@ impl Hidden {
             Self::Telegraph(_) => "telegraph",
             Self::Heading(_) => "heading",
             Self::Relaxation(_) => "relaxation",
+            Self::Rezeroing(_) => "rezeroing",
             Self::SizeEffect(_) => "size_effect",
             Self::WrongGravity { .. } => "wrong_gravity",
             Self::FastClock { .. } => "fast_clock",
@@ -112,6 +117,7 @@ impl Hidden {
             | Self::Telegraph(Telegraph { amplitude, .. })
             | Self::Heading(Heading { amplitude, .. })
             | Self::Relaxation(Relaxation { amplitude, .. })
+            | Self::Rezeroing(Rezeroing { amplitude, .. })
             | Self::SizeEffect(SizeEffect { amplitude })
             | Self::WrongGravity { amplitude }
             | Self::FastClock { amplitude } => amplitude,
@@ -147,6 +153,10 @@ impl Hidden {
             }
             Self::Heading(heading) => (heading.sensor, Arc::new(*heading)),
             Self::Relaxation(relaxation) => (relaxation.sensor, Arc::new(relaxation.along(motion))),
+            Self::Rezeroing(rezeroing) => {
+                let drawn = rezeroing.along(motion, &mut random);
+                (rezeroing.sensor, Arc::new(drawn))
+            }
             Self::SizeEffect(size) => (Sensor::Accelerometer, Arc::new(size.draw(&mut random))),
             Self::WrongGravity { .. } | Self::FastClock { .. } => return None,
         };
@@ -176,6 +186,7 @@ impl Hidden {
             Self::Telegraph(t) => number(&key("dwell"), t.dwell, 1.0..=1e9),
             Self::Heading(h) => number(&key("azimuth"), h.azimuth, -1e3..=1e3),
             Self::Relaxation(r) => number(&key("tau"), r.tau, 1e-3..=1e9),
+            Self::Rezeroing(r) => number(&key("after"), r.after, 0.0..=1e9),
             Self::SizeEffect(_) | Self::WrongGravity { .. } | Self::FastClock { .. } => Ok(()),
         }
     }

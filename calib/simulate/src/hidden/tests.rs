@@ -41,6 +41,11 @@ fn one_of_each() -> Vec<Hidden> {
             amplitude,
             tau: 3.0,
         }),
+        Hidden::Rezeroing(Rezeroing {
+            sensor,
+            amplitude,
+            after: 3.0,
+        }),
         Hidden::SizeEffect(SizeEffect { amplitude }),
         Hidden::WrongGravity { amplitude },
         Hidden::FastClock { amplitude },
@@ -86,7 +91,7 @@ fn at_rest(time: f64, force: Vector3<f64>) -> Instant {
 
 #[test]
 fn each_kind_disturbs_one_sensor_in_proportion_to_its_amplitude() {
-    for hidden in &one_of_each()[..6] {
+    for hidden in &one_of_each()[..7] {
         let own = match hidden {
             Hidden::SizeEffect(_) => Sensor::Accelerometer,
             _ => Sensor::Gyroscope,
@@ -116,6 +121,7 @@ fn truth_says_what_was_hidden_and_what_was_drawn_for_it() {
             Hidden::Pattern(_)
                 | Hidden::Telegraph(_)
                 | Hidden::Relaxation(_)
+                | Hidden::Rezeroing(_)
                 | Hidden::SizeEffect(_)
         );
         assert_eq!(
@@ -215,6 +221,24 @@ fn a_relaxation_starts_with_the_sign_of_the_turn_and_falls_to_a_third_in_tau() {
         assert!((start - 1e-3 * turned.signum()).abs() < 1e-5, "{start}");
         let ratio = at(pair[1].start + 3.01) / start;
         assert!((ratio - (-1.0_f64).exp()).abs() < 2e-3, "{ratio}");
+    }
+}
+
+#[test]
+fn a_zero_is_set_anew_three_seconds_into_each_rest_and_stays_through_the_turn() {
+    let hidden = &one_of_each()[5];
+    let (with, added) = (session(Some(hidden)), added(hidden, Sensor::Gyroscope));
+    let t = &with.recording.gyroscope.as_ref().unwrap().t;
+    let at = |time: f64| added[t.partition_point(|&t| t < time)];
+    let rests = &with.truth.static_intervals;
+    assert_eq!(at(0.5 * rests[0].end), Vector3::zeros());
+    let mut before = Vector3::zeros();
+    for rest in &rests[1..] {
+        // Up to two samples after the jump.
+        assert!((at(rest.start + 2.95) - before).norm() < 1e-14);
+        let after = at(rest.start + 3.03);
+        assert!((after - before).norm() > 1e-4, "{after}");
+        before = after;
     }
 }
 

@@ -1,0 +1,143 @@
+//! Two effects that are evident together and not alone: what one does is noise of the biases or scatter of the turns
+//! until the other is in the model.
+
+use std::ops::Range;
+
+use faer::Mat;
+use nalgebra::{DMatrix, DVector};
+
+use super::held::Held;
+use super::{Finder, PAIRED, Ranking};
+use crate::family::{Claim, Family, beside};
+use crate::rank::{Level, Ranked, Tried, levels};
+use crate::score::{Score, log_tail, of_normal};
+use crate::state::State;
+
+impl Finder<'_> {
+    /// The two of the best families that are most evident together, each of them beside the other too.
+    pub(super) fn two_together(
+        &self,
+        state: &State,
+        ranking: &Ranking,
+        unfit: &[Claim],
+    ) -> Option<[Held; 2]> {
+        let families = &ranking.families;
+        let may = |r: &&Ranked| {
+            let own = &families[r.family].claim;
+            let is_effect = matches!(own, Claim::Effect(_));
+            is_effect && !r.only_a_tie && !unfit.iter().any(|claim| claim.is_same(own))
+        };
+        let best: Vec<&Ranked> = ranking.ranked.iter().filter(may).take(PAIRED).collect();
+        // Nothing speaks for one of them.
+        if best.first().is_none_or(|top| top.evidence < 0.0) {
+            return None;
+        }
+        let levels = levels(&state.projected, state.noise, state.noise_given);
+        let places = levels
+            .iter()
+            .map(|level| Seen::of(state, families, &best, level));
+        let places: Vec<Seen> = places.collect();
+        let mut top: Option<(f64, [Held; 2])> = None;
+        for (i, one) in best.iter().enumerate() {
+            for (k, other) in best.iter().enumerate().take(i) {
+                let pair = [*one, *other];
+                let found = self.beside_each_other(families, pair, [i, k], &levels, &places);
+                let Some((evidence, own)) = found else {
+                    continue;
+                };
+                if top.as_ref().is_none_or(|(best, _)| evidence > *best) {
+                    let held = [0, 1].map(|j| Held {
+                        evidence: own[j],
+                        ..super::held(families, pair[j])
+                    });
+                    top = Some((evidence, held));
+                }
+            }
+        }
+        top.map(|(_, held)| held)
+    }
+
+    /// The evidence for two effects together, and for each beside the other; `None` unless all are enough for names.
+    fn beside_each_other(
+        &self,
+        families: &[Family],
+        pair: [&Ranked; 2],
+        [i, k]: [usize; 2],
+        levels: &[Level],
+        seen: &[Seen],
+    ) -> Option<(f64, [f64; 2])> {
+        let family = pair.map(|r| &families[r.family]);
+        let search = family.map(|f| f.log_places + ranking_cost(families));
+        let shape_dof = family[0].shape_dof + family[1].shape_dof;
+        let mut tried = Tried::default();
+        let mut scores: Vec<[Score; 3]> = Vec::new();
+        let nothing = levels.first()?.whitened.log_likelihood();
+        for (level, seen) in levels.iter().zip(seen) {
+            let both = seen.score(&[i, k]);
+            tried.add(
+                level,
+                level.whitened.log_likelihood() - nothing,
+                both.clone(),
+                shape_dof,
+            );
+            scores.push([both, seen.score(&[i]), seen.score(&[k])]);
+        }
+        let evidence = -tried.log_p() - search[0] - search[1];
+        let (likeliest, ..) = tried.likeliest?;
+        let place = levels
+            .iter()
+            .position(|level| std::ptr::eq(level, likeliest))?;
+        let [both, one, other] = &scores[place];
+        let of = |without: &Score, j: usize| {
+            let dof = both.dof as f64 - without.dof as f64 + family[j].shape_dof;
+            -log_tail(both.statistic - without.statistic, dof) - search[j]
+        };
+        let own = [of(other, 0), of(one, 1)];
+        let enough = |e: &f64| *e > self.threshold;
+        (enough(&evidence) && own.iter().all(enough)).then_some((evidence, own))
+    }
+}
+
+/// What the choice among all families costs each of the two.
+fn ranking_cost(families: &[Family]) -> f64 {
+    let count = families.iter().filter(|f| !f.hypotheses.is_empty()).count();
+    (2.0 * count as f64).ln()
+}
+
+/// The normal equations of the best hypotheses at one setting of the densities.
+struct Seen {
+    gram: Mat<f64>,
+    moved: Mat<f64>,
+    columns: Vec<Range<usize>>,
+}
+
+impl Seen {
+    fn of(state: &State, families: &[Family], best: &[&Ranked], level: &Level) -> Self {
+        let mut columns = Vec::new();
+        let mut next = 0;
+        let own = best.iter().map(|r| {
+            let own = families[r.family].columns_of(r.hypothesis);
+            columns.push(next..next + own.ncols());
+            next += own.ncols();
+            level
+                .whitened
+                .columns(&state.projected.columns(own.as_ref()))
+        });
+        let own: Vec<Mat<f64>> = own.collect();
+        let all = beside(&own, level.whitened.z.nrows());
+        Self {
+            gram: all.transpose() * &all,
+            moved: all.transpose() * &level.whitened.z,
+            columns,
+        }
+    }
+
+    /// Of the columns of some of them.
+    fn score(&self, places: &[usize]) -> Score {
+        let own = places.iter().flat_map(|&place| self.columns[place].clone());
+        let own: Vec<usize> = own.collect();
+        let a = DMatrix::from_fn(own.len(), own.len(), |i, k| self.gram[(own[i], own[k])]);
+        let b = DVector::from_fn(own.len(), |i, _| self.moved[(own[i], 0)]);
+        of_normal(&a, &b)
+    }
+}

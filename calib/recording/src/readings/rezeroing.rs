@@ -1,0 +1,179 @@
+//! A bias that jumps at the same time into every static interval: the device sets its zero anew while it rests.
+
+use nalgebra::Vector3;
+
+use super::finding::Finding;
+use super::of_sensor::OfSensor;
+
+/// Readings are compared as means over so long, s.
+const BATCH: f64 = 0.25;
+
+/// So much of a static interval is looked at, s.
+const LOOKED_AT: f64 = 15.0;
+
+/// Means on either side of a jump, at least.
+const BESIDE: usize = 4;
+
+/// Fewest static intervals that show a jump.
+const FEWEST: usize = 5;
+
+/// The jumps explain more than chance by so many standard deviations of `χ²`: one in a million by a normal law, a few hundred
+/// times more by the tail of `χ²` and all places of the jump.
+const EVIDENT: f64 = 5.0;
+
+/// A creep or a decay, with as many coefficients, explains less by this factor and by [`APART`].
+const BEATS: f64 = 1.1;
+
+/// Twice the log-likelihood that makes a jump twenty times likelier.
+const APART: f64 = 6.0;
+
+/// Time constants of a decay that are tried, s.
+const DECAYS: [f64; 3] = [1.0, 3.0, 6.0];
+
+/// A jump that is the same distance from the begin of most static intervals.
+///
+/// In every static interval but the first, of which nobody knows when the rest began, means over [`BATCH`] are fitted by two
+/// levels that meet at a time that is common to all. What that explains, over the scatter of the means about it, is `χ²` of
+/// three degrees of freedom for each interval where nothing jumps. A device that creeps, warms up or relaxes after its turns is
+/// explained better by a line or a decay in each interval, which have as many coefficients.
+pub(super) fn found(of: &OfSensor<'_>) -> Option<Finding> {
+    let rests = batches(of)?;
+    let longest = rests.iter().map(|rest| rest.means.len()).max()?;
+    let places = BESIDE..longest.saturating_sub(BESIDE) + 1;
+    let jump = |place: usize| explained(&rests, |k, n| jump(place, k, n));
+    let (place, own) = places
+        .map(|place| (place, jump(place)))
+        .max_by(|a, b| total(&a.1).total_cmp(&total(&b.1)))?;
+    let variance = left(&rests, total(&own))?;
+    let shown: Vec<&(usize, f64)> = own.iter().filter(|(_, by)| *by > 0.0).collect();
+    let largest = shown.iter().map(|(_, by)| *by).fold(0.0, f64::max);
+    let is_evident = |explained: f64, count: usize| {
+        let dof = 3.0 * count as f64;
+        explained / variance > dof + EVIDENT * (2.0 * dof).sqrt()
+    };
+    // One static interval that was touched has a jump of its own.
+    let is_common = shown.len() >= FEWEST
+        && is_evident(total(&own), shown.len())
+        && is_evident(total(&own) - largest, shown.len() - 1);
+    if !is_common {
+        return None;
+    }
+    let of_shape = |shape: &dyn Fn(usize, usize) -> Option<f64>| {
+        let of = explained(&rests, shape);
+        let same = of.iter().zip(&own).filter(|(_, (_, by))| *by > 0.0);
+        same.map(|((_, by), _)| by).sum::<f64>()
+    };
+    let line = of_shape(&|k, _| Some(k as f64));
+    let decays = DECAYS.map(|tau| of_shape(&|k, _| Some((-(k as f64) * BATCH / tau).exp())));
+    let smooth = decays.into_iter().fold(line, f64::max);
+    (total(&own) > BEATS * smooth + APART * variance).then(|| Finding::Rezeroed {
+        sensor: of.sensor,
+        after: place as f64 * BATCH,
+        size: size(&rests, place),
+        intervals: shown.iter().map(|(rest, _)| rest + 1).collect(),
+    })
+}
+
+/// The means of one static interval, each axis over its scatter.
+struct Rest {
+    /// Its place.
+    place: usize,
+    means: Vec<Vector3<f64>>,
+    /// The scatter of neighbouring means.
+    scatter: Vector3<f64>,
+}
+
+/// The static intervals but the first that are long enough for a jump.
+fn batches(of: &OfSensor<'_>) -> Option<Vec<Rest>> {
+    let step = of.stream.median_step().filter(|step| *step > 0.0)?;
+    let size = (BATCH / step).round().max(1.0) as usize;
+    let mut rests = Vec::new();
+    for (place, _) in of.moments.iter().filter(|(place, _)| *place > 0) {
+        let span = of.statics[*place].span;
+        let until = span.to.min(span.from + LOOKED_AT);
+        let samples = &of.stream.values[of.stream.between(span.from, until)];
+        let whole = samples.chunks_exact(size);
+        let means = whole.map(|batch| batch.iter().sum::<Vector3<f64>>() / size as f64);
+        let means: Vec<Vector3<f64>> = means.collect();
+        if means.len() >= 2 * BESIDE {
+            rests.push((*place, means));
+        }
+    }
+    let mut square = Vector3::zeros();
+    let mut count = 0.0;
+    for pair in rests.iter().flat_map(|(_, means)| means.windows(2)) {
+        square += (pair[1] - pair[0]).map(|d| d * d);
+        count += 2.0;
+    }
+    let scatter = square.map(|s: f64| (s / count).sqrt());
+    let moves = scatter.iter().all(|s| *s > 0.0);
+    let rest = |(place, means): (usize, Vec<Vector3<f64>>)| Rest {
+        place,
+        means: means.iter().map(|m| m.component_div(&scatter)).collect(),
+        scatter,
+    };
+    (rests.len() >= FEWEST && moves).then(|| rests.into_iter().map(rest).collect())
+}
+
+/// Two levels that meet at `place`; `None` of an interval that has too little on either side.
+fn jump(place: usize, k: usize, n: usize) -> Option<f64> {
+    (place + BESIDE <= n).then(|| f64::from(u8::from(k >= place)))
+}
+
+/// What a shape `f(k)` of the means of each interval (`n` of them), with a level and a coefficient for every axis, explains
+/// beyond the level: the interval's place and the fall of the sum of squares.
+fn explained(rests: &[Rest], shape: impl Fn(usize, usize) -> Option<f64>) -> Vec<(usize, f64)> {
+    let of = |rest: &Rest| {
+        let n = rest.means.len();
+        let own: Option<Vec<f64>> = (0..n).map(|k| shape(k, n)).collect();
+        let by = own.map_or(0.0, |own| along(&centred(&own), &rest.means).norm_squared());
+        (rest.place, by)
+    };
+    rests.iter().map(of).collect()
+}
+
+/// The shape less its mean, of unit length.
+fn centred(shape: &[f64]) -> Vec<f64> {
+    let mean = shape.iter().sum::<f64>() / shape.len() as f64;
+    let length = shape.iter().map(|s| (s - mean).powi(2)).sum::<f64>().sqrt();
+    shape.iter().map(|s| (s - mean) / length).collect()
+}
+
+fn along(shape: &[f64], means: &[Vector3<f64>]) -> Vector3<f64> {
+    shape.iter().zip(means).map(|(s, m)| m * *s).sum()
+}
+
+fn total(explained: &[(usize, f64)]) -> f64 {
+    explained.iter().map(|(_, by)| by).sum()
+}
+
+/// The variance of the means about the levels, where these explain so much.
+fn left(rests: &[Rest], explained: f64) -> Option<f64> {
+    let of = |rest: &Rest| {
+        let n = rest.means.len() as f64;
+        let mean = rest.means.iter().sum::<Vector3<f64>>() / n;
+        let square: f64 = rest.means.iter().map(|m| (m - mean).norm_squared()).sum();
+        (square, 3.0 * (n - 2.0))
+    };
+    let sums = rests.iter().map(of);
+    let (square, dof) = sums.fold((0.0, 0.0), |(a, b), (c, d)| (a + c, b + d));
+    Some((square - explained) / dof).filter(|v| *v > 0.0)
+}
+
+/// Root mean square length of the jumps, less what the scatter of the means makes of it.
+fn size(rests: &[Rest], place: usize) -> f64 {
+    let own = rests
+        .iter()
+        .filter(|rest| rest.means.len() >= place + BESIDE);
+    let of = |rest: &Rest| {
+        let (before, after) = rest.means.split_at(place);
+        let mean = |part: &[Vector3<f64>]| part.iter().sum::<Vector3<f64>>() / part.len() as f64;
+        let jump = (mean(after) - mean(before)).component_mul(&rest.scatter);
+        let noise = 1.0 / before.len() as f64 + 1.0 / after.len() as f64;
+        jump.norm_squared() - noise * rest.scatter.norm_squared()
+    };
+    let squares: Vec<f64> = own.map(of).collect();
+    (squares.iter().sum::<f64>() / squares.len().max(1) as f64)
+        .max(0.0)
+        .sqrt()
+}
