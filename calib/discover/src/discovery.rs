@@ -1,6 +1,7 @@
 //! The whole way from recordings to findings.
 
 use std::borrow::Borrow;
+use std::sync::Arc;
 
 use estimate::calibrate::{
     Request as CalibrationRequest, not_in_one_plane, of_one_device, own_effects,
@@ -87,6 +88,7 @@ pub(super) fn discover_in(
     }
     let base = State::fit(session, super::Extension::default())?;
     session.clocks = Some(base.fit.data.decided_clocks());
+    session.base = Some(Arc::clone(&base.fit));
     refuse_unobservable(&base.fit)?;
     enough_to_compare(session, &base)?;
     let mut faults = integrity(session, &base);

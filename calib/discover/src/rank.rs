@@ -2,29 +2,14 @@
 
 use estimate::methods::joint::BiasNoise;
 use faer::Mat;
-use sensor::Sensor;
 
-use super::family::Family;
-use super::noise::projected::{Projected, Whitened};
+use super::family::{Claim, Family};
+use super::noise::level::Level;
+use super::noise::projected::Projected;
 use super::score::{Score, log_tail, of_normal, score};
 
 /// Evidence that differs by less than this (20 to 1) does not part two claims.
 pub const APART: f64 = 2.995_732_273_553_991;
-
-/// Shares of the likeliest walk and flicker at which hypotheses are tried too: what is taken for them when nothing is
-/// missing may be the effect.
-const SHARES: [[f64; 2]; 7] = [
-    [0.7, 0.7],
-    [0.45, 0.45],
-    [0.2, 0.2],
-    [0.0, 1.0],
-    [1.0, 0.0],
-    [0.0, 0.45],
-    [0.0, 0.0],
-];
-
-/// Shares of the variance by which turns scatter that are tried too: what is taken for scatter may be the effect.
-const SCATTERS: [f64; 4] = [0.5, 0.2, 0.05, 0.0];
 
 /// The evidence for one family: that of its best hypothesis, the search paid for.
 #[derive(Clone, Debug)]
@@ -41,7 +26,8 @@ pub struct Ranked {
     pub statistic: f64,
     /// Its degrees of freedom: what the data can see of the columns, and a shape.
     pub dof: f64,
-    /// `ln p` in this one test, a mean over what the densities may be under it.
+    /// `ln p` in this one test: of an effect or a disturbance a mean over what the densities may be under it, of a shape that
+    /// of the statistic.
     pub log_p: f64,
     /// `−ln p − ln n_sub − ln 2m`: significant at family-wise level α where above `−ln α`.
     pub evidence: f64,
@@ -51,30 +37,8 @@ pub struct Ranked {
     pub score: Score,
 }
 
-/// One setting of the densities.
-pub(super) struct Level {
-    pub noise: BiasNoise,
-    /// Share of the scatter of the turns.
-    pub scatter: f64,
-    pub whitened: Whitened,
-    /// The sensor whose density differs from the likeliest; both hold the same there.
-    pub of: Option<Sensor>,
-}
-
-/// The evidence for all families, greatest first.
-///
-/// `given` says that the densities are known: they are not profiled then.
-pub fn rank(
-    projected: &Projected,
-    families: &[Family],
-    noise: BiasNoise,
-    given: bool,
-) -> Vec<Ranked> {
-    rank_at(projected, families, &levels(projected, noise, given))
-}
-
-/// The same at settings of the densities that were worked out before.
-pub(super) fn rank_at(projected: &Projected, families: &[Family], levels: &[Level]) -> Vec<Ranked> {
+/// The evidence for all families, greatest first, at the settings `levels` of the densities.
+pub fn rank(projected: &Projected, families: &[Family], levels: &[Level]) -> Vec<Ranked> {
     let Some(nothing) = levels.first().map(|l| l.whitened.log_likelihood()) else {
         return Vec::new();
     };
@@ -86,40 +50,6 @@ pub(super) fn rank_at(projected: &Projected, families: &[Family], levels: &[Leve
         .collect();
     ranked.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
     ranked
-}
-
-/// The likeliest noise, then for each sensor shares of it, then shares of the scatter of turns.
-pub(super) fn levels(projected: &Projected, noise: BiasNoise, given: bool) -> Vec<Level> {
-    let mut levels: Vec<Level> = Vec::new();
-    let mut add = |noise: BiasNoise, scatter: f64, of: Option<Sensor>| {
-        let is_there = |level: &Level| level.noise == noise && level.scatter == scatter;
-        if levels.iter().any(is_there) {
-            return;
-        }
-        if let Some(whitened) = projected.at_share(noise, scatter) {
-            levels.push(Level {
-                noise,
-                scatter,
-                whitened,
-                of,
-            });
-        }
-    };
-    add(noise, 1.0, None);
-    if given {
-        return levels;
-    }
-    for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
-        for [walk, flicker] in SHARES {
-            add(noise.with_shares(sensor, walk, flicker), 1.0, Some(sensor));
-        }
-    }
-    if projected.scatters {
-        for share in SCATTERS {
-            add(noise, share, None);
-        }
-    }
-    levels
 }
 
 fn best(
@@ -144,10 +74,16 @@ fn best(
             tried.add(level, gained, of_normal(&a, &b), family.shape_dof);
         }
     }
+    let is_shape = matches!(family.claim, Claim::Shape(..));
     let tried = tried.into_iter().enumerate();
     let ranked = tried.filter_map(|(k, tried)| {
-        let log_p = tried.log_p();
+        let averaged = tried.log_p();
         let (level, statistic, score) = tried.likeliest?;
+        // Shapes describe, and are held against the scatter of a bias that wanders: by likelihood ratios.
+        let log_p = match is_shape {
+            true => log_tail(statistic, score.dof as f64 + family.shape_dof),
+            false => averaged,
+        };
         Some(Ranked {
             family: place,
             hypothesis: k,

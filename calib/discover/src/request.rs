@@ -1,11 +1,12 @@
 //! What to look into.
 
 use std::borrow::Borrow;
+use std::sync::Arc;
 
 use estimate::gravity::GravitySource;
 use estimate::methods::earth::on_the_earth;
 use estimate::methods::joint::{
-    BiasNoise, ClockMode, DecidedClock, JointRequest, MOST_IN_A_SEARCH, within_budget,
+    BiasNoise, ClockMode, DecidedClock, JointFit, JointRequest, MOST_IN_A_SEARCH, within_budget,
 };
 use estimate::methods::{Choice, cut};
 use recording::intervals::Detector;
@@ -114,6 +115,8 @@ pub struct Session<'a> {
     pub clock: ClockMode,
     /// The clocks, once the base models have shown them: models that are compared have noise of the same kind.
     pub clocks: Option<Vec<DecidedClock>>,
+    /// A fit that others begin at: that of the base models, once it is there.
+    pub base: Option<Arc<JointFit>>,
     /// Which static intervals are used of recordings that have more than the joint problem takes, in words.
     pub cut_down: Vec<String>,
 }
@@ -148,6 +151,7 @@ impl<'a> Session<'a> {
             latitude: request.latitude,
             clock: request.clock,
             clocks: None,
+            base: None,
         })
     }
 
@@ -189,6 +193,7 @@ impl<'a> Session<'a> {
             starts,
             clock: self.clock,
             clocks: self.clocks.clone(),
+            from: self.base.as_deref(),
             covariates: true,
             ..JointRequest::new(
                 self.recordings

@@ -13,6 +13,7 @@ use recording::watch::{Stage, step};
 
 use super::extension::Extension;
 use super::gap::channel::Channel;
+use super::noise::level::{Level, levels};
 use super::noise::projected::Projected;
 use super::request::Session;
 use super::score::log_tail;
@@ -35,6 +36,8 @@ pub struct State {
     pub noise: BiasNoise,
     /// Whether it was given.
     pub noise_given: bool,
+    /// The settings of the densities, once somebody asked.
+    levels: OnceLock<Arc<Vec<Level>>>,
     /// What may have been disturbed, once somebody asked.
     suspects: OnceLock<Arc<Vec<Suspect>>>,
 }
@@ -59,6 +62,7 @@ impl State {
             projected: Arc::new(projected),
             noise,
             noise_given: session.noise.is_some(),
+            levels: OnceLock::new(),
             suspects: OnceLock::new(),
         })
     }
@@ -107,6 +111,12 @@ impl State {
             .disturbed
             .iter()
             .any(|k| k.kind == kind && k.place == place)
+    }
+
+    /// The settings of the densities at which hypotheses are tried.
+    pub fn levels(&self) -> &[Level] {
+        self.levels
+            .get_or_init(|| Arc::new(levels(&self.projected, self.noise, self.noise_given)))
     }
 
     /// What may have been disturbed.

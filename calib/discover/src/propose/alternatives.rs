@@ -10,15 +10,18 @@ use crate::noise::projected::Whitened;
 use crate::rank::APART;
 use crate::score::score;
 
+/// So many are stated.
+const STATED: usize = 4;
+
 /// The terms of `products` that explain as much as one of `terms` does, the others being there: with a likelihood no
-/// less than a twentieth. As formulas of one term.
+/// less than a twentieth. The likeliest [`STATED`] of them, likeliest first, as formulas of one term.
 pub fn alternatives(whitened: &Whitened, terms: &Terms, products: &[&Product]) -> Vec<String> {
     let columns: Vec<Mat<f64>> = products
         .iter()
         .map(|product| whitened.columns(&product.columns))
         .collect();
     let enough = terms.statistic - 2.0 * APART;
-    let mut all = Vec::new();
+    let mut all: Vec<(f64, String)> = Vec::new();
     for k in 0..terms.terms.len() {
         let mut own = terms.columns.clone();
         for (product, columns) in products.iter().zip(&columns) {
@@ -30,13 +33,15 @@ pub fn alternatives(whitened: &Whitened, terms: &Terms, products: &[&Product]) -
                 own[k] = columns.as_ref().subcols(axis, 1).to_owned();
                 let swapped = score(beside(&own, whitened.z.nrows()).as_ref(), &whitened.z);
                 let formula = Formula::new(product.sensor, vec![term]).to_string();
-                if swapped.statistic > enough && !all.contains(&formula) {
-                    all.push(formula);
+                if swapped.statistic > enough && all.iter().all(|(_, own)| *own != formula) {
+                    all.push((swapped.statistic, formula));
                 }
             }
         }
     }
-    all
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    all.truncate(STATED);
+    all.into_iter().map(|(_, formula)| formula).collect()
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@
 //! ```
 
 mod alternatives;
+mod chosen;
 mod dictionary;
 mod group_lasso;
 mod instead;
@@ -14,13 +15,14 @@ mod stability;
 mod terms;
 
 use alternatives::alternatives;
+use chosen::{Chosen, Stable};
 use dictionary::{Product, dictionary};
 use estimate::calibration::EffectParameter;
 pub use instead::instead_of_names;
 use screen::{Screened, screen};
 use sensor::{AnyEffect, Formula, Sensor};
 use serde::Serialize;
-use stability::{alike, stability};
+use stability::stability;
 use statrs::function::factorial::ln_binomial;
 use terms::terms;
 
@@ -33,11 +35,9 @@ use super::remainder::unexplained::Unexplained;
 use super::request::{Request, Session};
 use super::state::State;
 
-/// Share of the halves that must select a group (Meinshausen and Bühlmann 2010 take 0.6 to 0.9).
-const STABLE: f64 = 0.8;
-
-/// Products in a formula, at most: more are a description, not a proposal.
-const MOST_PRODUCTS: usize = 3;
+/// Formulas that are tried, at most, of those that are less likely than the first by so many times [`APART`].
+const MOST_TRIED: usize = 3;
+const NEARLY: f64 = 3.0;
 
 /// Share of the excess of the held-out gap over 1 that may be left.
 const MAY_REMAIN: f64 = 0.2;
@@ -122,7 +122,7 @@ pub fn propose(
     propose_of(session, request, last, rest, &dictionary(last))
 }
 
-/// The same among some products.
+/// The same among some products. Where the likeliest formula does not close the gap, what is like it and less likely may.
 fn propose_of(
     session: &Session<'_>,
     request: &Request,
@@ -132,9 +132,43 @@ fn propose_of(
 ) -> Option<Proposed> {
     let screened = screen(last, products)?;
     let frequencies = stability(last, &screened.whitened, &screened.bases, screened.floor);
-    let chosen = chosen(&screened, products, &frequencies);
-    let sensor = chosen.first()?.0.sensor;
-    let found = terms(&screened.whitened, &chosen)?;
+    let stable = Stable::of(&screened, products, &frequencies);
+    let first = *stable.places.first()?;
+    let alike = stable
+        .places
+        .iter()
+        .filter(|&&place| stable.are_alike(first, place));
+    let nearly =
+        alike.filter(|&&place| screened.log_p(place) < screened.log_p(first) + NEARLY * APART);
+    let mut left = stable.clone();
+    for _ in 0..nearly.count().min(MOST_TRIED) {
+        let chosen = left.chosen();
+        let taken = chosen.first()?.place;
+        match tried(session, request, last, rest, (&screened, products, &chosen))? {
+            Tried::Closes(proposed) => return Some(*proposed),
+            Tried::Open => left.places.retain(|&place| place != taken),
+        }
+    }
+    None
+}
+
+/// What became of a formula.
+enum Tried {
+    Closes(Box<Proposed>),
+    /// It leaves a gap.
+    Open,
+}
+
+/// One formula, of the products that were chosen; `None` where it is not evident.
+fn tried(
+    session: &Session<'_>,
+    request: &Request,
+    last: &State,
+    rest: &Unexplained,
+    (screened, products, chosen): (&Screened, &[Product], &[Chosen<'_>]),
+) -> Option<Tried> {
+    let sensor = chosen.first()?.product.sensor;
+    let found = terms(&screened.whitened, chosen)?;
     let formula = Formula::new(sensor, found.terms.clone());
     let effect = formula.effect(name_of(sensor)).ok()?;
     let offered: usize = products.iter().map(|p| p.axes.len()).sum();
@@ -145,9 +179,11 @@ fn propose_of(
     let mut extension = last.extension.clone();
     extension.effects.push((effect, None));
     let state = State::fit(session, extension).ok()?;
-    let gaps = closed(last, &state, rest.channel)?;
+    let Some(gaps) = closed(last, &state, rest.channel) else {
+        return Some(Tried::Open);
+    };
     let kept: Vec<_> = screened.kept.iter().map(|k| &products[*k]).collect();
-    Some(Proposed {
+    Some(Tried::Closes(Box::new(Proposed {
         formula,
         effect,
         state,
@@ -155,35 +191,7 @@ fn propose_of(
         stability: found.stability,
         gaps,
         alternatives: alternatives(&screened.whitened, &found, &kept),
-    })
-}
-
-/// The stable products of one sensor, most evident first, with their frequencies: of those that are alike one, the simplest
-/// that is no less likely than the best by [`APART`].
-fn chosen<'a>(
-    screened: &Screened,
-    products: &'a [Product],
-    frequencies: &[f64],
-) -> Vec<(&'a Product, f64)> {
-    let product = |place: usize| &products[screened.products[place]];
-    let mut stable: Vec<usize> = (0..frequencies.len())
-        .filter(|&place| frequencies[place] >= STABLE)
-        .collect();
-    let mut chosen = Vec::new();
-    while let (Some(&best), true) = (stable.first(), chosen.len() < MOST_PRODUCTS) {
-        let sensor = product(best).sensor;
-        let (alike, others): (Vec<usize>, Vec<usize>) = stable
-            .iter()
-            .partition(|&&place| alike(&screened.bases[best], &screened.bases[place]));
-        let likely = |place: &usize| screened.log_p(*place) < screened.log_p(best) + APART;
-        let likely = alike.into_iter().filter(likely);
-        let simplest = likely.min_by_key(|&place| product(place).degree());
-        let taken = simplest.unwrap_or(best);
-        chosen.push((product(taken), frequencies[taken]));
-        stable = others;
-        stable.retain(|&place| product(place).sensor == sensor);
-    }
-    chosen
+    })))
 }
 
 /// The name of a proposed effect.
@@ -199,7 +207,7 @@ pub fn name_of(sensor: Sensor) -> &'static str {
 fn evidence(last: &State, effect: &'static dyn AnyEffect, offered: usize) -> Option<Ranked> {
     let mut family = effect_family(last, effect, &[]);
     family.log_places = ln_binomial(offered as u64, effect.params().len() as u64);
-    rank(&last.projected, &[family], last.noise, last.noise_given).pop()
+    rank(&last.projected, &[family], last.levels()).pop()
 }
 
 /// The held-out gap of the channel before and after, at the walks of the model after; `None` unless what was there is not

@@ -4,8 +4,8 @@ use faer::Mat;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::dictionary::Product;
+use crate::noise::level::Level;
 use crate::noise::projected::Whitened;
-use crate::rank::{Level, levels};
 use crate::score::log_tail;
 use crate::state::State;
 
@@ -42,10 +42,10 @@ impl Screened {
 
 /// The products with the best score of their own.
 pub fn screen(state: &State, products: &[Product]) -> Option<Screened> {
-    let mut levels = levels(&state.projected, state.noise, state.noise_given);
+    let levels = state.levels();
     let kept = best(products, &levels.first()?.whitened);
-    let level = likeliest(products, &kept, &levels)?;
-    let whitened = levels.swap_remove(level).whitened;
+    let level = likeliest(products, &kept, levels)?;
+    let whitened = levels[level].whitened.clone();
     let law = ChiSquared::new(3.0).ok()?;
     let floor = law.inverse_cdf(1.0 - BY_CHANCE / products.len().max(1) as f64) / 3.0;
     let mut screened = Screened {

@@ -3,13 +3,14 @@
 use faer::Mat;
 use sensor::{Sensor, Term};
 
+use super::chosen::Chosen;
 use super::dictionary::Product;
 use crate::family::beside;
 use crate::noise::projected::Whitened;
 use crate::score::score;
 
-/// A coefficient of fewer standard errors is dropped: among nine, one of noise reaches it in 2.4 % of all cases.
-const SIGNIFICANT: f64 = 3.0;
+/// A coefficient of fewer standard errors is dropped: among nine, one of noise reaches it in .4 % of all cases.
+const SIGNIFICANT: f64 = 3.5;
 
 /// The terms, and the least stability of the products that have one.
 #[derive(Debug)]
@@ -36,14 +37,14 @@ impl Terms {
 
 /// The terms of stable products, by backward elimination: the least significant goes first, the rest is
 /// estimated again.
-pub fn terms(whitened: &Whitened, products: &[(&Product, f64)]) -> Option<Terms> {
+pub fn terms(whitened: &Whitened, chosen: &[Chosen<'_>]) -> Option<Terms> {
     let mut places: Vec<(usize, usize)> = Vec::new();
-    for (k, (product, _)) in products.iter().enumerate() {
-        places.extend((0..product.axes.len()).map(|axis| (k, axis)));
+    for (k, of) in chosen.iter().enumerate() {
+        places.extend((0..of.product.axes.len()).map(|axis| (k, axis)));
     }
-    let columns: Vec<Mat<f64>> = products
+    let columns: Vec<Mat<f64>> = chosen
         .iter()
-        .map(|(product, _)| whitened.columns(&product.columns))
+        .map(|of| whitened.columns(&of.product.columns))
         .collect();
     while !places.is_empty() {
         let own = places.iter().map(|&(k, axis)| {
@@ -61,12 +62,13 @@ pub fn terms(whitened: &Whitened, products: &[(&Product, f64)]) -> Option<Terms>
             places.remove(least);
             continue;
         }
-        let term =
-            |(i, &(k, axis)): (usize, &(usize, usize))| products[k].0.term(axis, fitted.change[i]);
-        let stability = places.iter().map(|(k, _)| products[*k].1);
+        let term = |(i, &(k, axis)): (usize, &(usize, usize))| {
+            chosen[k].product.term(axis, fitted.change[i])
+        };
+        let stability = places.iter().map(|(k, _)| chosen[*k].frequency);
         return Some(Terms {
             terms: places.iter().enumerate().map(term).collect(),
-            sensor: products[0].0.sensor,
+            sensor: chosen[0].product.sensor,
             columns: own,
             statistic: fitted.statistic,
             stability: stability.fold(1.0, f64::min),

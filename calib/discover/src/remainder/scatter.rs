@@ -6,8 +6,8 @@ use faer::{Mat, Side};
 use sensor::Sensor;
 
 use crate::family::beside;
+use crate::noise::level::Level;
 use crate::noise::seen::Seen;
-use crate::rank::Level;
 use crate::score::log_tail;
 use crate::state::State;
 

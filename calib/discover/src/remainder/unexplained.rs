@@ -1,6 +1,6 @@
 //! What is left when everything of the catalogue has had its chance.
 
-use estimate::methods::joint::{BiasNoise, Chunk, Mean, SensorNoise, orthonormal};
+use estimate::methods::joint::{BiasNoise, Chunk, Disturbance, Mean, SensorNoise, orthonormal};
 use faer::Mat;
 use nalgebra::Vector3;
 use sensor::{Quantity, Sensor};
@@ -9,7 +9,7 @@ use serde::Serialize;
 use crate::family::{Claim, Family};
 use crate::gap::channel::Channel;
 use crate::gap::sequence::{Misfit, Sequence, channel_of};
-use crate::rank::{APART, Ranked, levels, rank_at};
+use crate::rank::{APART, Ranked, rank};
 use crate::remainder::scatter::scatters;
 use crate::remainder::shape::Shape;
 use crate::remainder::shapes::shapes;
@@ -71,7 +71,10 @@ pub fn unexplained(search: &mut Search, alpha: f64) -> Option<Unexplained> {
         .names
         .iter()
         .any(|n| matches!(n.claim, Claim::Effect(_)));
-    if named_effect {
+    // A bias that goes by something else is far off in some rests.
+    let in_rests = &search.last.extension.disturbed;
+    let of_rests = !in_rests.is_empty() && in_rests.iter().all(|known| is_of_a_rest(known.kind));
+    if named_effect || of_rests {
         let shaped = shaped(&search.base);
         let is_named = |t: &Trial| t.of.is_some_and(|of| is_covered(of, &search.names));
         let better = |t: &Trial| {
@@ -85,6 +88,14 @@ pub fn unexplained(search: &mut Search, alpha: f64) -> Option<Unexplained> {
         }
     }
     rest_of(&search.last, alpha)
+}
+
+/// Whether a disturbance is one of a static interval as a whole.
+fn is_of_a_rest(kind: Disturbance) -> bool {
+    matches!(
+        kind,
+        Disturbance::DisturbedInterval | Disturbance::RateExcursion | Disturbance::MountSlip
+    )
 }
 
 /// Whether an effect that is named is the very thing that the shape describes.
@@ -145,7 +156,7 @@ pub fn rest_of(state: &State, alpha: f64) -> Option<Unexplained> {
 
 /// Whether a bias wanders beside a shape.
 fn wanders_beside(state: &State, shape: &Shaped, alpha: f64) -> bool {
-    let mut levels = levels(&state.projected, state.noise, state.noise_given);
+    let mut levels = state.levels().to_vec();
     let columns = orthonormal(&state.projected.columns(shape.columns.as_ref()));
     for level in &mut levels {
         level.whitened = level.whitened.beside(&level.whitened.columns(&columns));
@@ -159,15 +170,15 @@ fn wanders_beside(state: &State, shape: &Shaped, alpha: f64) -> bool {
 
 /// The tests that say what the rest looks like.
 fn shaped(state: &State) -> Vec<Trial> {
-    let levels = levels(&state.projected, state.noise, state.noise_given);
+    let levels = state.levels();
     let is_slow = |f: &Family| matches!(f.claim, Claim::Shape(Shape::SlowTime, _));
     let (slow, others): (Vec<Family>, Vec<Family>) = shapes(state).into_iter().partition(is_slow);
     // Slow changes are judged at the likeliest walk alone: with many coefficients they could stand for any walk.
     let likeliest = &levels[..levels.len().min(1)];
     let mut trials = Vec::new();
     let turns = Turns::knocked(state);
-    for (shapes, levels) in [(slow, likeliest), (others, &levels[..])] {
-        let mut ranked = rank_at(&state.projected, &shapes, levels);
+    for (shapes, levels) in [(slow, likeliest), (others, levels)] {
+        let mut ranked = rank(&state.projected, &shapes, levels);
         if let Some(turns) = &turns {
             for r in &mut ranked {
                 r.log_p += r.evidence - turns.evidence_without(state, &shapes[r.family], r);
@@ -175,7 +186,7 @@ fn shaped(state: &State) -> Vec<Trial> {
         }
         trials.extend(ranked.iter().map(|r| of_shape(&shapes[r.family], r)));
     }
-    trials.extend(scatters(state, &levels).into_iter().map(|s| Trial {
+    trials.extend(scatters(state, levels).into_iter().map(|s| Trial {
         log_p: s.log_p,
         words: format!(
             "{}: the bias of axis {} wanders from rest to rest, with a memory of about {:.0} s",

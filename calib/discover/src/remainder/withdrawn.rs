@@ -11,7 +11,7 @@ use crate::extension::Extension;
 use crate::family::Claim;
 use crate::gap::held_out::gap_of;
 use crate::gap::sequence::{Sequence, channel_of};
-use crate::rank::{APART, levels};
+use crate::rank::APART;
 use crate::request::{Request, Session};
 use crate::score::log_tail;
 use crate::search::Search;
@@ -87,10 +87,7 @@ fn withdraw(session: &Session<'_>, search: &mut Search, less: Extension) -> Resu
 
 /// The evidence that the bias of an axis of a sensor wanders.
 fn wandering(state: &State, sensor: Sensor) -> f64 {
-    let found = scatters(
-        state,
-        &levels(&state.projected, state.noise, state.noise_given),
-    );
+    let found = scatters(state, state.levels());
     let search = (found.len().max(1) as f64).ln();
     let own = found.iter().filter(|scatter| scatter.sensor == sensor);
     own.map(|scatter| -scatter.log_p - search)

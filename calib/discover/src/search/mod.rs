@@ -227,7 +227,7 @@ impl Ranking {
     /// where knocks have spoiled turns, and a rotation has to be the earth's.
     pub fn of(state: &State, catalogue: &[&'static dyn AnyEffect], threshold: f64) -> Self {
         let families = families(state, catalogue);
-        let mut ranked = rank(&state.projected, &families, state.noise, state.noise_given);
+        let mut ranked = rank(&state.projected, &families, state.levels());
         for r in &mut ranked {
             match as_the_earth(&families[r.family], r) {
                 Earth::No => r.evidence = f64::NEG_INFINITY,

@@ -9,7 +9,8 @@ use nalgebra::{DMatrix, DVector};
 use super::held::Held;
 use super::{Finder, PAIRED, Ranking};
 use crate::family::{Claim, Family, beside};
-use crate::rank::{Level, Ranked, Tried, levels};
+use crate::noise::level::Level;
+use crate::rank::{Ranked, Tried};
 use crate::score::{Score, log_tail, of_normal};
 use crate::state::State;
 
@@ -32,7 +33,7 @@ impl Finder<'_> {
         if best.first().is_none_or(|top| top.evidence < 0.0) {
             return None;
         }
-        let levels = levels(&state.projected, state.noise, state.noise_given);
+        let levels = state.levels();
         let places = levels
             .iter()
             .map(|level| Seen::of(state, families, &best, level));
@@ -41,7 +42,7 @@ impl Finder<'_> {
         for (i, one) in best.iter().enumerate() {
             for (k, other) in best.iter().enumerate().take(i) {
                 let pair = [*one, *other];
-                let found = self.beside_each_other(families, pair, [i, k], &levels, &places);
+                let found = self.beside_each_other(families, pair, [i, k], levels, &places);
                 let Some((evidence, own)) = found else {
                     continue;
                 };

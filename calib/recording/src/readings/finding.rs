@@ -198,11 +198,10 @@ impl fmt::Display for Finding {
                 intervals,
             } => write!(
                 f,
-                "the bias of the {} jumps {after:.1} s into the static intervals, by {} (rms over {} of \
+                "the bias of the {} jumps {after:.1} s into the static intervals, by {size:.1e} (rms over {} of \
                  them): the device sets its zero anew while it rests; turns and rests are then read about \
                  different zeros, switch its own calibration off or record uncalibrated readings",
                 sensor.name(),
-                figure(*size),
                 intervals.len()
             ),
             Self::Spikes {

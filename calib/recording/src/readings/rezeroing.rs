@@ -11,6 +11,9 @@ const BATCH: f64 = 0.25;
 /// So much of a static interval is looked at, s.
 const LOOKED_AT: f64 = 15.0;
 
+/// Means left out at the begin: what is left of the turn, and of the hand that lays the device down.
+const SETTLING: usize = 2;
+
 /// Means on either side of a jump, at least.
 const BESIDE: usize = 4;
 
@@ -21,8 +24,14 @@ const FEWEST: usize = 5;
 /// times more by the tail of `χ²` and all places of the jump.
 const EVIDENT: f64 = 5.0;
 
-/// A creep or a decay, with as many coefficients, explains less by this factor and by [`APART`].
+/// A creep or a decay, with as many coefficients, explains less by this factor and by [`APART`] ...
 const BEATS: f64 = 1.1;
+/// ... and jumps at another place, [`ELSEWHERE`] from there and more, less by this one: a hand that trembles and noise that
+/// wanders have jumps everywhere.
+const BEATS_ELSEWHERE: f64 = 1.25;
+
+/// s.
+const ELSEWHERE: f64 = 1.5;
 
 /// Twice the log-likelihood that makes a jump twenty times likelier.
 const APART: f64 = 6.0;
@@ -33,43 +42,48 @@ const DECAYS: [f64; 3] = [1.0, 3.0, 6.0];
 /// A jump that is the same distance from the begin of most static intervals.
 ///
 /// In every static interval but the first, of which nobody knows when the rest began, means over [`BATCH`] are fitted by two
-/// levels that meet at a time that is common to all. What that explains, over the scatter of the means about it, is `χ²` of
-/// three degrees of freedom for each interval where nothing jumps. A device that creeps, warms up or relaxes after its turns is
+/// levels that meet at a time that is common to all. What that explains, over the scatter of the means of that interval about
+/// it, is `χ²` of three degrees of freedom for each interval where nothing jumps. A device that creeps, warms up or relaxes after its turns is
 /// explained better by a line or a decay in each interval, which have as many coefficients.
 pub(super) fn found(of: &OfSensor<'_>) -> Option<Finding> {
     let rests = batches(of)?;
     let longest = rests.iter().map(|rest| rest.means.len()).max()?;
     let places = BESIDE..longest.saturating_sub(BESIDE) + 1;
     let jump = |place: usize| explained(&rests, |k, n| jump(place, k, n));
-    let (place, own) = places
-        .map(|place| (place, jump(place)))
+    let all: Vec<(usize, Vec<(usize, f64)>)> = places.map(|place| (place, jump(place))).collect();
+    let (place, own) = all
+        .iter()
         .max_by(|a, b| total(&a.1).total_cmp(&total(&b.1)))?;
-    let variance = left(&rests, total(&own))?;
     let shown: Vec<&(usize, f64)> = own.iter().filter(|(_, by)| *by > 0.0).collect();
     let largest = shown.iter().map(|(_, by)| *by).fold(0.0, f64::max);
     let is_evident = |explained: f64, count: usize| {
         let dof = 3.0 * count as f64;
-        explained / variance > dof + EVIDENT * (2.0 * dof).sqrt()
+        explained > dof + EVIDENT * (2.0 * dof).sqrt()
     };
     // One static interval that was touched has a jump of its own.
     let is_common = shown.len() >= FEWEST
-        && is_evident(total(&own), shown.len())
-        && is_evident(total(&own) - largest, shown.len() - 1);
+        && is_evident(total(own), shown.len())
+        && is_evident(total(own) - largest, shown.len() - 1);
     if !is_common {
         return None;
     }
     let of_shape = |shape: &dyn Fn(usize, usize) -> Option<f64>| {
         let of = explained(&rests, shape);
-        let same = of.iter().zip(&own).filter(|(_, (_, by))| *by > 0.0);
+        let same = of.iter().zip(own).filter(|(_, (_, by))| *by > 0.0);
         same.map(|((_, by), _)| by).sum::<f64>()
     };
     let line = of_shape(&|k, _| Some(k as f64));
     let decays = DECAYS.map(|tau| of_shape(&|k, _| Some((-(k as f64) * BATCH / tau).exp())));
     let smooth = decays.into_iter().fold(line, f64::max);
-    (total(&own) > BEATS * smooth + APART * variance).then(|| Finding::Rezeroed {
+    let far = all
+        .iter()
+        .filter(|(other, _)| other.abs_diff(*place) as f64 * BATCH >= ELSEWHERE);
+    let elsewhere = far.map(|(_, by)| total(by)).fold(0.0, f64::max);
+    let rival = (BEATS * smooth).max(BEATS_ELSEWHERE * elsewhere);
+    (total(own) > rival + APART).then(|| Finding::Rezeroed {
         sensor: of.sensor,
-        after: place as f64 * BATCH,
-        size: size(&rests, place),
+        after: (SETTLING + place) as f64 * BATCH,
+        size: size(&rests, *place),
         intervals: shown.iter().map(|(rest, _)| rest + 1).collect(),
     })
 }
@@ -79,6 +93,8 @@ struct Rest {
     /// Its place.
     place: usize,
     means: Vec<Vector3<f64>>,
+    /// Sum of squares about the mean of all.
+    square: f64,
     /// The scatter of neighbouring means.
     scatter: Vector3<f64>,
 }
@@ -92,7 +108,7 @@ fn batches(of: &OfSensor<'_>) -> Option<Vec<Rest>> {
         let span = of.statics[*place].span;
         let until = span.to.min(span.from + LOOKED_AT);
         let samples = &of.stream.values[of.stream.between(span.from, until)];
-        let whole = samples.chunks_exact(size);
+        let whole = samples.chunks_exact(size).skip(SETTLING);
         let means = whole.map(|batch| batch.iter().sum::<Vector3<f64>>() / size as f64);
         let means: Vec<Vector3<f64>> = means.collect();
         if means.len() >= 2 * BESIDE {
@@ -107,10 +123,15 @@ fn batches(of: &OfSensor<'_>) -> Option<Vec<Rest>> {
     }
     let scatter = square.map(|s: f64| (s / count).sqrt());
     let moves = scatter.iter().all(|s| *s > 0.0);
-    let rest = |(place, means): (usize, Vec<Vector3<f64>>)| Rest {
-        place,
-        means: means.iter().map(|m| m.component_div(&scatter)).collect(),
-        scatter,
+    let rest = |(place, means): (usize, Vec<Vector3<f64>>)| {
+        let means: Vec<Vector3<f64>> = means.iter().map(|m| m.component_div(&scatter)).collect();
+        let mean = means.iter().sum::<Vector3<f64>>() / means.len() as f64;
+        Rest {
+            place,
+            square: means.iter().map(|m| (m - mean).norm_squared()).sum(),
+            means,
+            scatter,
+        }
     };
     (rests.len() >= FEWEST && moves).then(|| rests.into_iter().map(rest).collect())
 }
@@ -121,13 +142,14 @@ fn jump(place: usize, k: usize, n: usize) -> Option<f64> {
 }
 
 /// What a shape `f(k)` of the means of each interval (`n` of them), with a level and a coefficient for every axis, explains
-/// beyond the level: the interval's place and the fall of the sum of squares.
+/// beyond the level: the interval's place and the fall of the sum of squares, over the variance that is left.
 fn explained(rests: &[Rest], shape: impl Fn(usize, usize) -> Option<f64>) -> Vec<(usize, f64)> {
     let of = |rest: &Rest| {
         let n = rest.means.len();
         let own: Option<Vec<f64>> = (0..n).map(|k| shape(k, n)).collect();
         let by = own.map_or(0.0, |own| along(&centred(&own), &rest.means).norm_squared());
-        (rest.place, by)
+        let left = (rest.square - by) / (3 * (n - 2)) as f64;
+        (rest.place, if left > 0.0 { by / left } else { 0.0 })
     };
     rests.iter().map(of).collect()
 }
@@ -145,19 +167,6 @@ fn along(shape: &[f64], means: &[Vector3<f64>]) -> Vector3<f64> {
 
 fn total(explained: &[(usize, f64)]) -> f64 {
     explained.iter().map(|(_, by)| by).sum()
-}
-
-/// The variance of the means about the levels, where these explain so much.
-fn left(rests: &[Rest], explained: f64) -> Option<f64> {
-    let of = |rest: &Rest| {
-        let n = rest.means.len() as f64;
-        let mean = rest.means.iter().sum::<Vector3<f64>>() / n;
-        let square: f64 = rest.means.iter().map(|m| (m - mean).norm_squared()).sum();
-        (square, 3.0 * (n - 2.0))
-    };
-    let sums = rests.iter().map(of);
-    let (square, dof) = sums.fold((0.0, 0.0), |(a, b), (c, d)| (a + c, b + d));
-    Some((square - explained) / dof).filter(|v| *v > 0.0)
 }
 
 /// Root mean square length of the jumps, less what the scatter of the means makes of it.

@@ -23,7 +23,7 @@ pub fn verdict(findings: &Findings) -> String {
         parts.push((sizes.fold(by_effects, f64::max), faults(findings)));
     }
     if let Some(rest) = &findings.unexplained {
-        parts.push((rest.size, unexplained(rest)));
+        parts.push((rest.size, unexplained(rest, findings.proposed.is_some())));
     }
     if findings.verdict == Verdict::Nothing {
         let hidden = match findings.not_observable.len() {
@@ -174,15 +174,20 @@ fn of_fault(size: Size) -> String {
     format!("{value:.decimals$}{space}{unit}")
 }
 
-fn unexplained(rest: &Unexplained) -> String {
+/// What remains; `is_explained` by a formula.
+fn unexplained(rest: &Unexplained, is_explained: bool) -> String {
     // A shape in a few rows shows where the channel as a whole is within its noise.
     let gap = if rest.size > 1.0 {
         format!("gap {:.2} of the {}, ", rest.size, rest.channel.words())
     } else {
         String::new()
     };
+    let but = match is_explained {
+        true => ", but the formula below; to the models without it it is",
+        false => ":",
+    };
     format!(
-        "something remains that no effect of the catalogue explains: {} ({gap}{})",
+        "something remains that no effect of the catalogue explains{but} {} ({gap}{})",
         rest.shape,
         show::probability(rest.p_value)
     )
@@ -192,7 +197,12 @@ fn unexplained(rest: &Unexplained) -> String {
 pub fn proposed(proposal: &Proposal) -> String {
     let instead = match proposal.alternatives.as_slice() {
         [] => "another formula may do as well".to_owned(),
-        all => format!("these recordings cannot tell it from {}", all.join(" or ")),
+        [one] => format!("these recordings cannot tell it from {one}"),
+        [one, two] => format!("these recordings cannot tell it from {one} or {two}"),
+        [one, two, others @ ..] => format!(
+            "these recordings cannot tell it from {one} or {two}, nor from {} more",
+            others.len()
+        ),
     };
     format!(
         "Proposed: {} takes the gap of the {} on intervals left out from {} ({} among all formulas of \

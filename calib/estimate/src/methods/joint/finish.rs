@@ -97,7 +97,10 @@ impl Run<'_> {
             force_unit: self.start.force_unit,
             rate_unit: self.start.rate_unit,
             gravity: self.request.gravity,
-            chords_before: rows.chords(self.first_values(&rows).values()),
+            chords_before: match self.request.from {
+                Some(before) => before.chords_before.clone(),
+                None => rows.chords(self.first_values(&rows).values()),
+            },
             data: self.data.clone(),
             charts: self.charts.to_vec(),
             disturbance_columns: columns.clone(),

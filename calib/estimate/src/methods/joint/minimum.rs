@@ -73,9 +73,8 @@ impl Run<'_> {
         step(Stage::Fitting)?;
         let columns = weights.columns();
         let rows = self.rows(&columns);
-        let mut parameters = self.first_values(&rows);
+        let mut parameters = self.begin_at(&rows);
         let plain = rows.layout.disturbance(0);
-        set(&mut parameters, &self.request.starts);
         if let Some(before) = before {
             parameters.values_mut()[..plain].copy_from_slice(before.plain_values());
         }
@@ -147,6 +146,27 @@ impl Run<'_> {
                 parameters.values_mut()[column] = value;
             }
         }
+        parameters
+    }
+
+    /// Where the way to the minimum begins: there, or at a fit before, and at what is asked.
+    pub fn begin_at(&self, rows: &Rows<'_>) -> Parameters {
+        let mut parameters = self.first_values(rows);
+        if let Some(before) = self.request.from {
+            let plain = rows.layout.disturbance(0);
+            let known = before
+                .parameters
+                .names()
+                .iter()
+                .zip(before.parameters.values());
+            for (name, value) in known {
+                if let Some(place) = parameters.index(name).filter(|&place| place < plain) {
+                    parameters.values_mut()[place] = *value;
+                }
+            }
+        }
+        set(&mut parameters, &self.request.starts);
+        set(&mut parameters, &self.request.held);
         parameters
     }
 

@@ -6,6 +6,7 @@ use sensor::Model;
 
 use super::clock::{ClockMode, DecidedClock};
 use super::disturbance::Disturbance;
+use super::fit::JointFit;
 use crate::methods::joint::noise::bias::BiasNoise;
 
 /// What to fit.
@@ -42,6 +43,8 @@ pub struct JointRequest<'a> {
     /// The clocks of the recordings where a fit before has decided them, and with them whether something is missing between
     /// samples: how much that is, is then fitted. Without, the data decide.
     pub clocks: Option<Vec<DecidedClock>>,
+    /// A fit of the same recordings and intervals with other effects, to begin at.
+    pub from: Option<&'a JointFit>,
     /// Whether the readings contain a rotation of the earth that nobody says: its direction is then estimated as far as
     /// the data show it, and uncertain as far as they do not.
     pub earth: bool,
@@ -64,6 +67,7 @@ impl<'a> JointRequest<'a> {
             covariates: false,
             clock: ClockMode::default(),
             clocks: None,
+            from: None,
             earth: false,
         }
     }

@@ -36,32 +36,15 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
             clock: request.clock,
         })
         .collect();
-    let mut data = Data::default();
-    for cut in &cuts {
-        data.add(cut);
-    }
-    let look = |effect: &&'static dyn AnyEffect| {
-        let mut needs = effect.needs().into_iter();
-        needs.any(Quantity::is_told_by_intervals)
+    let begun = match request.from {
+        Some(before) => go_on(request, &start, &cuts, before)?,
+        None => begin(request, &start, &cuts)?,
     };
-    let covariates = request.covariates
-        || !request.gyroscope.effects().is_empty()
-        || request.accelerometer.effects().iter().any(look);
-    for k in data.with_scatter() {
-        data.set_clock(k, 0, 0.0);
-    }
-    if let Some(decided) = &request.clocks {
-        data.go_by(decided);
-    }
-    let charts = charts(&data, &request.accelerometer, &start)?;
-    let known = |data: &mut Data, before| know(request, data, &cuts, &charts, &start, before);
-    let first = covariates.then(|| known(&mut data, None)).transpose()?;
-    let mut point = settle_clock(request, &mut data, &charts, &start, first.clone())?;
-    // What effects ask for is asked for at the samples' times.
-    if covariates && point.is_some() {
-        point = Some(known(&mut data, point.as_ref())?);
-    }
-    let mut point = point.or(first);
+    let Begun {
+        mut data,
+        charts,
+        mut point,
+    } = begun;
     // A search for what noise does not explain keeps to what the readings show of it: rests of a device that sways differ by
     // more than a smaller noise.
     if request.disturbances && data.is_coloured() {
@@ -82,6 +65,82 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
         start: &start,
     }
     .run(point)
+}
+
+/// The data, where the directions are looked for, and the first point.
+struct Begun {
+    data: Data,
+    charts: Vec<Chart>,
+    point: Option<Point>,
+}
+
+/// From the recordings.
+fn begin(request: &JointRequest<'_>, start: &Start, cuts: &[Cut<'_>]) -> Result<Begun, Error> {
+    let mut data = Data::default();
+    for cut in cuts {
+        data.add(cut);
+    }
+    let look = |effect: &&'static dyn AnyEffect| {
+        let mut needs = effect.needs().into_iter();
+        needs.any(Quantity::is_told_by_intervals)
+    };
+    let covariates = request.covariates
+        || !request.gyroscope.effects().is_empty()
+        || request.accelerometer.effects().iter().any(look);
+    for k in data.with_scatter() {
+        data.set_clock(k, 0, 0.0);
+    }
+    if let Some(decided) = &request.clocks {
+        data.go_by(decided);
+    }
+    let charts = charts(&data, &request.accelerometer, start)?;
+    let known = |data: &mut Data, before| know(request, data, cuts, &charts, start, before);
+    let first = covariates.then(|| known(&mut data, None)).transpose()?;
+    let mut point = settle_clock(request, &mut data, &charts, start, first.clone())?;
+    // What effects ask for is asked for at the samples' times.
+    if covariates && point.is_some() {
+        point = Some(known(&mut data, point.as_ref())?);
+    }
+    let point = point.or(first);
+    Ok(Begun {
+        data,
+        charts,
+        point,
+    })
+}
+
+/// From a fit of the same recordings with other effects: what these change is small.
+fn go_on(
+    request: &JointRequest<'_>,
+    start: &Start,
+    cuts: &[Cut<'_>],
+    before: &JointFit,
+) -> Result<Begun, Error> {
+    let (mut data, charts) = (before.data.clone(), before.charts.clone());
+    let run = Run {
+        request,
+        data: &data,
+        charts: &charts,
+        start,
+    };
+    let rows = run.rows(&[]);
+    let x = run.begin_at(&rows);
+    let point = run.approach(&run.weights_at(x.values()), None)?;
+    let settled = settle_clock(request, &mut data, &charts, start, Some(point.clone()))?;
+    let point = settled.unwrap_or(point);
+    let models = Run {
+        request,
+        data: &data,
+        charts: &charts,
+        start,
+    }
+    .models(&point);
+    write_down(request, &mut data, cuts, &models);
+    Ok(Begun {
+        data,
+        charts,
+        point: Some(point),
+    })
 }
 
 /// Works out what effects look at: by the models at first, or at the fit before, then by those of a first fit, which is

@@ -1,0 +1,68 @@
+//! The settings of the densities at which hypotheses are tried.
+
+use estimate::methods::joint::BiasNoise;
+use sensor::Sensor;
+
+use super::projected::{Projected, Whitened};
+
+/// Shares of the likeliest walk and flicker at which hypotheses are tried too: what is taken for them when nothing is
+/// missing may be the effect.
+const SHARES: [[f64; 2]; 7] = [
+    [0.7, 0.7],
+    [0.45, 0.45],
+    [0.2, 0.2],
+    [0.0, 1.0],
+    [1.0, 0.0],
+    [0.0, 0.45],
+    [0.0, 0.0],
+];
+
+/// Shares of the variance by which turns scatter that are tried too: what is taken for scatter may be the effect.
+const SCATTERS: [f64; 4] = [0.5, 0.2, 0.05, 0.0];
+
+/// One setting of the densities.
+#[derive(Clone, Debug)]
+pub struct Level {
+    /// The noise of the biases.
+    pub noise: BiasNoise,
+    /// Share of the scatter of the turns.
+    pub scatter: f64,
+    /// The disagreement there.
+    pub whitened: Whitened,
+    /// The sensor whose density differs from the likeliest; both hold the same there.
+    pub of: Option<Sensor>,
+}
+
+/// The likeliest noise, then for each sensor shares of it, then shares of the scatter of turns.
+pub fn levels(projected: &Projected, noise: BiasNoise, given: bool) -> Vec<Level> {
+    let mut levels: Vec<Level> = Vec::new();
+    let mut add = |noise: BiasNoise, scatter: f64, of: Option<Sensor>| {
+        let is_there = |level: &Level| level.noise == noise && level.scatter == scatter;
+        if levels.iter().any(is_there) {
+            return;
+        }
+        if let Some(whitened) = projected.at_share(noise, scatter) {
+            levels.push(Level {
+                noise,
+                scatter,
+                whitened,
+                of,
+            });
+        }
+    };
+    add(noise, 1.0, None);
+    if given {
+        return levels;
+    }
+    for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+        for [walk, flicker] in SHARES {
+            add(noise.with_shares(sensor, walk, flicker), 1.0, Some(sensor));
+        }
+    }
+    if projected.scatters {
+        for share in SCATTERS {
+            add(noise, share, None);
+        }
+    }
+    levels
+}
