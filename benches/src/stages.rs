@@ -186,7 +186,7 @@ fn discovery(
     add("joint estimate", median(repeat, fit));
     let tests = || {
         let families = families(&base, &request.candidates());
-        rank(&base.projected, &families, base.noise, base.noise_given)
+        rank(&base.projected, &families, base.levels())
     };
     add("tests of the catalogue", median(repeat, tests));
     let whole = || discover::discover(recordings, &request);

@@ -11,6 +11,10 @@ const BATCH: f64 = 0.25;
 /// So much of a static interval is looked at, s.
 const LOOKED_AT: f64 = 15.0;
 
+/// The square of the steps from reading to reading is twice the variance of white noise. Where it is less than this share of
+/// that, a hand trembles, and what is left of that in the means is slow and may begin with the rest.
+const WHITE: f64 = 0.35;
+
 /// Means left out at the begin: what is left of the turn, and of the hand that lays the device down.
 const SETTLING: usize = 2;
 
@@ -104,12 +108,21 @@ fn batches(of: &OfSensor<'_>) -> Option<Vec<Rest>> {
     let step = of.stream.median_step().filter(|step| *step > 0.0)?;
     let size = (BATCH / step).round().max(1.0) as usize;
     let mut rests = Vec::new();
+    let (mut steps, mut within) = (0.0, 0.0);
     for (place, _) in of.moments.iter().filter(|(place, _)| *place > 0) {
         let span = of.statics[*place].span;
         let until = span.to.min(span.from + LOOKED_AT);
         let samples = &of.stream.values[of.stream.between(span.from, until)];
         let whole = samples.chunks_exact(size).skip(SETTLING);
-        let means = whole.map(|batch| batch.iter().sum::<Vector3<f64>>() / size as f64);
+        let means = whole.map(|batch| {
+            let mean = batch.iter().sum::<Vector3<f64>>() / size as f64;
+            let jumps = batch
+                .windows(2)
+                .map(|pair| (pair[1] - pair[0]).norm_squared());
+            steps += jumps.sum::<f64>();
+            within += batch.iter().map(|v| (v - mean).norm_squared()).sum::<f64>();
+            mean
+        });
         let means: Vec<Vector3<f64>> = means.collect();
         if means.len() >= 2 * BESIDE {
             rests.push((*place, means));
@@ -122,7 +135,9 @@ fn batches(of: &OfSensor<'_>) -> Option<Vec<Rest>> {
         count += 2.0;
     }
     let scatter = square.map(|s: f64| (s / count).sqrt());
-    let moves = scatter.iter().all(|s| *s > 0.0);
+    // Of `n` readings there are `n − 1` steps, and as many degrees of freedom about their mean.
+    let is_white = steps >= WHITE * 2.0 * within;
+    let moves = is_white && scatter.iter().all(|s| *s > 0.0);
     let rest = |(place, means): (usize, Vec<Vector3<f64>>)| {
         let means: Vec<Vector3<f64>> = means.iter().map(|m| m.component_div(&scatter)).collect();
         let mean = means.iter().sum::<Vector3<f64>>() / means.len() as f64;
