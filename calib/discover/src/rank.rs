@@ -100,6 +100,14 @@ fn best(
     ranked.max_by(|a, b| a.evidence.total_cmp(&b.evidence))
 }
 
+impl Ranked {
+    /// The evidence by the likelihood ratio alone, as if the densities were known to be the likeliest: what shapes and wandering
+    /// biases are held against, which are judged so.
+    pub fn by_ratio(&self) -> f64 {
+        self.evidence + self.log_p - log_tail(self.statistic, self.dof)
+    }
+}
+
 /// One hypothesis at all densities.
 #[derive(Default)]
 pub(super) struct Tried<'a> {
@@ -113,6 +121,8 @@ impl<'a> Tried<'a> {
     /// `gained` is the log-likelihood at the densities of `level` without the hypothesis, over that at the likeliest ones.
     pub fn add(&mut self, level: &'a Level, gained: f64, score: Score, shape_dof: f64) {
         if score.dof == 0 {
+            // What cannot be seen there explains nothing.
+            self.all.push([gained, 0.0]);
             return;
         }
         let log_p = log_tail(score.statistic, score.dof as f64 + shape_dof);

@@ -53,6 +53,7 @@ const PATTERNS: &[(&str, Kind)] = &[
     ("no rest was found", Kind::Geometry),
     ("in steps of", Kind::Values),
     ("exactly zero", Kind::Values),
+    ("sets its zero", Kind::Values),
     ("erased", Kind::Values),
     ("single readings", Kind::Spikes),
     ("touched", Kind::Touched),

@@ -67,16 +67,15 @@ const NEWER: [&str; 8] = [
 
 const OUTSIDE: [&str; 5] = ["periodic", "pattern", "telegraph", "heading", "relaxation"];
 const INVISIBLE: [&str; 3] = ["wrong_gravity", "fast_clock", "size_effect"];
-const INTEGRITY: [&str; 8] = [
+const INTEGRITY: [&str; 6] = [
     "saturation",
     "quantisation",
-    "dead_zone",
-    "rezeroing",
     "lost_samples",
     "lost_neighbours",
     "mount_slip",
     "disturbed_interval",
 ];
+const ALTERED: [&str; 2] = ["dead_zone", "rezeroing"];
 const CLEAN: [&str; 6] = [
     "consumer, no walk",
     "consumer, usual walk",
@@ -138,6 +137,8 @@ pub enum Row {
     Integrity,
     /// Formulas that no effect has, lambda 150.
     Formulas,
+    /// A gyroscope's bias that the device hides or changes.
+    Altered,
 }
 
 impl Row {
@@ -154,6 +155,7 @@ impl Row {
             Self::Outside => &OUTSIDE,
             Self::Integrity => &INTEGRITY,
             Self::Formulas => &formulas::NAMES,
+            Self::Altered => &ALTERED,
         }
     }
 
@@ -184,6 +186,7 @@ impl Row {
             Self::Newer60 => 10,
             Self::Formulas => 11,
             Self::Pairs150 => 12,
+            Self::Altered => 13,
         }
     }
 
@@ -200,6 +203,7 @@ impl Row {
             Self::Outside => 50 * OUTSIDE.len() as u64,
             Self::Integrity => 40 * INTEGRITY.len() as u64,
             Self::Formulas => 20 * formulas::NAMES.len() as u64,
+            Self::Altered => 40 * ALTERED.len() as u64,
         }
     }
 
@@ -329,7 +333,8 @@ impl Job {
             Row::Invisible => spec = spec.with_hidden(invisible(what, size)),
             Row::Outside => spec = spec.with_hidden(self.outside(what, size)),
             Row::Formulas => spec = formulas::Hidden::named(what)?.put_into(spec, size)?,
-            Row::Integrity if what == "rezeroing" => {
+            Row::Altered if what == "dead_zone" => return None,
+            Row::Altered => {
                 spec = spec.with_hidden(Hidden::Rezeroing(Rezeroing {
                     sensor: Sensor::Gyroscope,
                     amplitude: 2e-4 * size,

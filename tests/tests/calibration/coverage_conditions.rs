@@ -2,8 +2,12 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use calib::calibrate::Method;
+use calib::recording::intervals::{Detector, segment};
+use calib::recording::readings::altered_bias;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use stillpoint_tests::conditions::{Kind, Record, Stored, condition, read, row, run, summarise};
+use stillpoint_tests::conditions::{
+    CONDITIONS, Condition, Kind, Record, Stored, condition, read, row, run, summarise,
+};
 
 fn records(name: &str, count: u64) -> Vec<Record> {
     let condition = condition(name).unwrap();
@@ -32,6 +36,29 @@ fn stated_errors_of_clean_sessions_hold_and_nothing_is_said() {
         // Over the bound by chance or by the stepwise method's 12 % at most.
         assert!(summary.efficiency.unwrap() < 1.5, "{summary:?}");
     }
+}
+
+#[test]
+fn no_condition_but_a_dead_zone_alters_the_bias() {
+    let all: Vec<&Condition> = CONDITIONS.iter().copied().flatten().collect();
+    all.into_par_iter().for_each(|condition| {
+        for seed in 0..10 {
+            let Ok(session) = condition.spec(seed).run() else {
+                continue;
+            };
+            let recording = session.recording;
+            if let Ok(segmentation) = segment(&recording, &Detector::default()) {
+                let found = altered_bias(&recording, &segmentation);
+                let is_dead = condition.name == "dead-zone";
+                assert_eq!(
+                    found.is_some(),
+                    is_dead,
+                    "{} {seed}: {found:?}",
+                    condition.name
+                );
+            }
+        }
+    });
 }
 
 #[test]

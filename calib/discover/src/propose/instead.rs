@@ -33,7 +33,7 @@ pub fn instead_of_names(
     let whole = rest_of(&search.base, request.half_alpha())?;
     let products = not_of_the_catalogue(&search.base, request);
     let found = propose_of(session, request, &search.base, &whole, &products)?;
-    (found.ranked.evidence > search.evidence + APART).then_some((found, whole))
+    (found.ranked.by_ratio() > search.evidence + APART).then_some((found, whole))
 }
 
 /// The dictionary without what effects of the catalogue hold.

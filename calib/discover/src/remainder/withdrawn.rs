@@ -68,7 +68,7 @@ pub(crate) fn without_doubtful_steps(
             continue;
         };
         if is_step(effect)
-            && wandering(&name.without, effect.sensor()) > name.ranked.evidence - APART
+            && wandering(&name.without, effect.sensor()) > name.ranked.by_ratio() - APART
         {
             less.effects.retain(|(own, _)| own.name() != effect.name());
         }

@@ -10,7 +10,7 @@ use crate::rank::Ranked;
 pub(super) struct Held {
     pub claim: Claim,
     pub hypothesis: Hypothesis,
-    /// When it was found.
+    /// When it was found, by the likelihood ratio.
     pub evidence: f64,
 }
 

@@ -103,8 +103,8 @@ pub struct Search {
     pub names: Vec<Name>,
     /// Disturbances that these recordings cannot tell from something else.
     pub either: Vec<Either>,
-    /// The evidence for all that was named: together, as one was found after the other, or each beside the others,
-    /// whichever says more.
+    /// The evidence for all that was named, by likelihood ratios: together, as one was found after the other, or each beside the
+    /// others, whichever says more.
     pub evidence: f64,
     /// The ranking against the base models, best first.
     pub first_ranking: Vec<(Claim, Ranked)>,
@@ -431,7 +431,7 @@ fn held(families: &[Family], ranked: &Ranked) -> Held {
     Held {
         claim: family.claim,
         hypothesis: family.hypotheses[ranked.hypothesis].clone(),
-        evidence: ranked.evidence,
+        evidence: ranked.by_ratio(),
     }
 }
 

@@ -80,7 +80,7 @@ impl Finder<'_> {
                 names.sort_by(|a, b| b.ranked.evidence.total_cmp(&a.ranked.evidence));
                 let found: f64 = held.iter().map(|h| h.evidence).sum();
                 let beside: f64 = certain.iter().map(|(_, evidence)| evidence).sum();
-                let beside = names.iter().map(|n| n.ranked.evidence).sum::<f64>() + beside;
+                let beside = names.iter().map(|n| n.ranked.by_ratio()).sum::<f64>() + beside;
                 return Ok(Reviewed {
                     either: self.either(base, &held, &names, &certain)?,
                     names,

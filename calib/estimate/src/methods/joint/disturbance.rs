@@ -8,6 +8,7 @@ pub(crate) mod trial;
 pub(crate) mod trim;
 
 use nalgebra::{Matrix3, Vector3};
+use recording::intervals::Span;
 use sensor::Sensor;
 use serde::Serialize;
 
@@ -31,6 +32,25 @@ pub enum Disturbance {
     RateExcursion,
     /// The device moved at once between two parts of a long static interval.
     SuddenSlip,
+}
+
+/// Something that was found disturbed and has parameters of its own since.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Flagged {
+    /// What happened.
+    pub kind: Disturbance,
+    /// Place of the recording.
+    pub recording: usize,
+    /// Static interval (or the one before the turn), counted from 0.
+    pub interval: usize,
+    /// When.
+    pub span: Span,
+    /// Its fitted size: of a push in m/s², of a creep in rad, else 0.
+    pub size: f64,
+    /// Whether the readings shook there.
+    pub shook: bool,
+    /// In words.
+    pub detail: String,
 }
 
 /// Chunks of a rest in which a drifting bias shows.

@@ -5,11 +5,10 @@ use solver::Termination;
 
 use super::approach::{Weighted, approach};
 use super::data::budget::Steps;
-use super::disturbance::{Disturbance, Suspect};
+use super::disturbance::{Disturbance, Flagged, Suspect};
 use super::fit::JointFit;
 use super::graph::solve_rows;
 use super::minimum::{Point, Run};
-use super::request::Flagged;
 use crate::methods::joint::blocks::basis::Basis;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::disturbance::belief::Weights;

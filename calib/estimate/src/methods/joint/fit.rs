@@ -5,8 +5,8 @@ use sensor::{Model, Sensor};
 use solver::Parameters;
 
 use super::data::Data;
+use super::disturbance::Flagged;
 use super::orientation::Shown;
-use super::request::Flagged;
 use crate::methods::Ending;
 use crate::methods::RawUnit;
 use crate::methods::joint::blocks::column::Column;

@@ -1,7 +1,7 @@
 //! What to fit, and what may be wrong with the data.
 
 use recording::Recording;
-use recording::intervals::{Segmentation, Span};
+use recording::intervals::Segmentation;
 use sensor::Model;
 
 use super::clock::{ClockMode, DecidedClock};
@@ -80,23 +80,4 @@ pub struct Known {
     pub kind: Disturbance,
     /// The rest, the chunk or the turn, by its place in [`super::Data`].
     pub place: usize,
-}
-
-/// Something that was found disturbed and has parameters of its own since.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Flagged {
-    /// What happened.
-    pub kind: Disturbance,
-    /// Place of the recording.
-    pub recording: usize,
-    /// Static interval (or the one before the turn), counted from 0.
-    pub interval: usize,
-    /// When.
-    pub span: Span,
-    /// Its fitted size: of a push in m/s², of a creep in rad, else 0.
-    pub size: f64,
-    /// Whether the readings shook there.
-    pub shook: bool,
-    /// In words.
-    pub detail: String,
 }
