@@ -53,14 +53,13 @@ const DECAYS: [f64; 3] = [1.0, 3.0, 6.0];
 ///
 /// In every static interval but the first, of which nobody knows when the rest began, means over [`BATCH`] are fitted by two
 /// levels that meet at a time that is common to all. What that explains, over the scatter of the means of that interval about
-/// it, is `χ²` of three degrees of freedom for each interval where nothing jumps. A device that creeps, warms up or relaxes after its turns is
-/// explained better by a line or a decay in each interval, which have as many coefficients.
+/// it, is `χ²` of three degrees of freedom for each interval where nothing jumps.
 pub(super) fn found(of: &OfSensor<'_>) -> Option<Finding> {
     let rests = batches(of)?;
     let longest = rests.iter().map(|rest| rest.means.len()).max()?;
     let places = BESIDE..longest.saturating_sub(BESIDE) + 1;
     let jump = |place: usize| explained(&rests, |k, n| jump(place, k, n));
-    let all: Vec<(usize, Vec<(usize, f64)>)> = places.map(|place| (place, jump(place))).collect();
+    let all: Vec<Jumps> = places.map(|place| (place, jump(place))).collect();
     let (place, own) = all
         .iter()
         .max_by(|a, b| total(&a.1).total_cmp(&total(&b.1)))?;
@@ -77,27 +76,34 @@ pub(super) fn found(of: &OfSensor<'_>) -> Option<Finding> {
     if !is_shown {
         return None;
     }
-    let of_shape = |shape: &dyn Fn(usize, usize) -> Option<f64>| {
-        let of = explained(&rests, shape);
-        let same = of.iter().zip(own).filter(|(_, (_, by))| *by > 0.0);
-        same.map(|((_, by), _)| by).sum::<f64>()
-    };
-    let line = of_shape(&|k, _| Some(k as f64));
-    let decays = DECAYS.map(|tau| of_shape(&|k, _| Some((-(k as f64) * BATCH / tau).exp())));
-    let smooth = decays.into_iter().fold(line, f64::max);
-    let far = all
-        .iter()
-        .filter(|(other, _)| other.abs_diff(*place) as f64 * BATCH >= ELSEWHERE);
-    let elsewhere = far.map(|(_, by)| total(by)).fold(0.0, f64::max);
-    let rival = (BEATS * smooth).max(BEATS_ELSEWHERE * elsewhere);
-    let is_common = common(&all, *place) > COMMON;
-    (is_common && total(own) > rival + APART).then(|| Finding::Rezeroed {
+    let beats = total(own) > rival(&rests, &all, *place, own) + APART;
+    (beats && common(&all, *place) > COMMON).then(|| Finding::Rezeroed {
         sensor: of.sensor,
         after: (SETTLING + place) as f64 * BATCH,
         size: size(&rests, *place),
         intervals: shown.iter().map(|(rest, _)| rest + 1).collect(),
     })
 }
+
+/// What jumps at `place` have to explain more than: a device that creeps, warms up or relaxes after its turns is explained
+/// better by a line or a decay in each interval, which have as many coefficients.
+fn rival(rests: &[Rest], all: &[Jumps], place: usize, own: &[(usize, f64)]) -> f64 {
+    let of_shape = |shape: &dyn Fn(usize, usize) -> Option<f64>| {
+        let of = explained(rests, shape);
+        let same = of.iter().zip(own).filter(|(_, (_, by))| *by > 0.0);
+        same.map(|((_, by), _)| by).sum::<f64>()
+    };
+    let line = of_shape(&|k, _| Some(k as f64));
+    let decays = DECAYS.map(|tau| of_shape(&|k, _| Some((-(k as f64) * BATCH / tau).exp())));
+    let smooth = decays.into_iter().fold(line, f64::max);
+    let is_far = |other: usize| other.abs_diff(place) as f64 * BATCH >= ELSEWHERE;
+    let far = all.iter().filter(|(other, _)| is_far(*other));
+    let elsewhere = far.map(|(_, by)| total(by)).fold(0.0, f64::max);
+    (BEATS * smooth).max(BEATS_ELSEWHERE * elsewhere)
+}
+
+/// A place, and of every static interval its own place and what a jump there explains.
+type Jumps = (usize, Vec<(usize, f64)>);
 
 /// The means of one static interval, each axis over its scatter.
 struct Rest {
@@ -188,7 +194,7 @@ fn along(shape: &[f64], means: &[Vector3<f64>]) -> Vector3<f64> {
 }
 
 /// What jumps about `place` explain of what the best one in an interval does, on average.
-fn common(all: &[(usize, Vec<(usize, f64)>)], place: usize) -> f64 {
+fn common(all: &[Jumps], place: usize) -> f64 {
     let count = all.first().map_or(0, |(_, by)| by.len());
     let shares = (0..count).filter_map(|rest| {
         let most = |near: &dyn Fn(usize) -> bool| {
