@@ -36,7 +36,7 @@ fn discovery(criterion: &mut Criterion) {
         group.bench_function(format!("tests of the catalogue, {what}"), |b| {
             b.iter(|| {
                 let families = families(&base, &request.candidates());
-                rank(&base.projected, &families, base.noise, base.noise_given)
+                rank(&base.projected, &families, base.levels())
             });
         });
         group.bench_function(format!("discover, {what}"), |b| {
