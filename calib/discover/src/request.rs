@@ -155,6 +155,13 @@ impl<'a> Session<'a> {
         })
     }
 
+    /// The fit that others begin at. None of turns that miss something between samples: how much that is, is fitted too, and
+    /// from the base models on it ends elsewhere (a third more on rec_3 of the phone).
+    fn begun(&self) -> Option<&JointFit> {
+        let base = self.base.as_deref();
+        base.filter(|fit| !fit.data.misses_something_between_samples())
+    }
+
     /// The joint fit of the base models with an extension.
     pub fn joint<'b>(&'b self, extension: &Extension) -> JointRequest<'b> {
         let (mut accelerometer, mut gyroscope) = (accelerometer::model(), gyroscope::model());
@@ -193,7 +200,7 @@ impl<'a> Session<'a> {
             starts,
             clock: self.clock,
             clocks: self.clocks.clone(),
-            from: self.base.as_deref(),
+            from: self.begun(),
             covariates: true,
             ..JointRequest::new(
                 self.recordings
