@@ -175,22 +175,23 @@ impl fmt::Display for Finding {
                 axes,
                 share,
                 least,
-            } => write!(
-                f,
-                "the {} reads exactly zero on {} in {} and nothing \
-                 between zero and {least:.2e}: a dead zone, or readings from a fusion filter; {} the \
-                 errors of slow turns cannot be known, record the raw sensor",
-                sensor.name(),
-                axes_in_words(axes),
-                match *share > IN_TURNS {
-                    true => format!("{:.0} % of the samples of static intervals", 100.0 * share),
-                    false => "some samples of turns".into(),
-                },
-                match *share > IN_TURNS {
-                    true => "its bias and",
-                    false => "",
-                }
-            ),
+            } => {
+                let (samples, unknown) = match *share > IN_TURNS {
+                    true => (
+                        format!("{:.0} % of the samples of static intervals", 100.0 * share),
+                        "its bias and the errors",
+                    ),
+                    false => ("some samples of turns".into(), "the errors"),
+                };
+                write!(
+                    f,
+                    "the {} reads exactly zero on {} in {samples} and nothing between zero and {least:.2e}: a dead \
+                     zone, or readings from a fusion filter; {unknown} of slow turns cannot be known, record the \
+                     raw sensor",
+                    sensor.name(),
+                    axes_in_words(axes)
+                )
+            }
             Self::Rezeroed {
                 sensor,
                 after,
