@@ -42,14 +42,20 @@ pub fn rank(projected: &Projected, families: &[Family], levels: &[Level]) -> Vec
     let Some(nothing) = levels.first().map(|l| l.whitened.log_likelihood()) else {
         return Vec::new();
     };
-    let count = families.iter().filter(|f| !f.hypotheses.is_empty()).count();
+    let choice = cost_of_choice(families);
     let mut ranked: Vec<Ranked> = families
         .iter()
         .enumerate()
-        .filter_map(|(place, family)| best(place, family, projected, levels, nothing, count))
+        .filter_map(|(place, family)| best(place, family, projected, levels, nothing, choice))
         .collect();
     ranked.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
     ranked
+}
+
+/// `ln 2m`: what the choice among the `m` families with a hypothesis costs, half of the chance being kept for local claims.
+pub(super) fn cost_of_choice(families: &[Family]) -> f64 {
+    let count = families.iter().filter(|f| !f.hypotheses.is_empty()).count();
+    (2.0 * count as f64).ln()
 }
 
 fn best(
@@ -58,7 +64,7 @@ fn best(
     projected: &Projected,
     levels: &[Level],
     nothing: f64,
-    count: usize,
+    choice: f64,
 ) -> Option<Ranked> {
     if family.hypotheses.is_empty() {
         return None;
@@ -92,7 +98,7 @@ fn best(
             statistic,
             dof: score.dof as f64 + family.shape_dof,
             log_p,
-            evidence: -log_p - family.log_places - (2.0 * count as f64).ln(),
+            evidence: -log_p - family.log_places - choice,
             only_a_tie: false,
             score,
         })

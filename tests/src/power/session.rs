@@ -172,6 +172,11 @@ fn deviations(effect: &EffectFinding, truth: &Truth) -> Vec<f64> {
 /// The session with everything hidden in it at the size that the row asks for.
 fn scaled(job: &Job, record: &mut Record) -> Result<Spec, Error> {
     let mut spec = job.clean.clone();
+    let first = if job.clean.grade == calib::simulate::Grade::Tactical {
+        0.1
+    } else {
+        1.0
+    };
     for what in job.what() {
         let size = match job.row {
             Row::Invisible => 1.0,
@@ -187,20 +192,12 @@ fn scaled(job: &Job, record: &mut Record) -> Result<Spec, Error> {
             // Two samples: lost ones move the stamps of all that follow, so that sessions cannot be compared.
             _ if what.starts_with("lost_") => 0.4,
             // It is looked for in the readings of single rests, which the means know nothing of.
-            _ if what == "rezeroing" => match job.clean.grade {
-                calib::simulate::Grade::Tactical => 0.1,
-                _ => 1.0,
-            },
+            _ if what == "rezeroing" => first,
             _ => {
                 // Faults of the readout have no size.
                 let Some(unit) = job.with(&what, 1.0) else {
                     spec = readout(job, &what)?;
                     continue;
-                };
-                let first = if job.clean.grade == calib::simulate::Grade::Tactical {
-                    0.1
-                } else {
-                    1.0
                 };
                 let trial = if first == 1.0 {
                     unit

@@ -5,6 +5,7 @@ use faer::Mat;
 
 use crate::extension::Extension;
 use crate::family::{Claim, Family, beside, families};
+use crate::rank::cost_of_choice;
 use crate::request::Request;
 use crate::score::{log_tail, score};
 use crate::search::Search;
@@ -65,10 +66,10 @@ pub(crate) fn weighed_again(
 }
 
 fn items(last: &State, families: &[Family]) -> Vec<Item> {
-    let count = families.iter().filter(|f| !f.hypotheses.is_empty()).count();
+    let choice = cost_of_choice(families);
     let mut items = Vec::new();
     for family in families {
-        let cost = family.log_places + (2.0 * count as f64).ln();
+        let cost = family.log_places + choice;
         for (k, hypothesis) in family.hypotheses.iter().enumerate() {
             let known = match family.claim {
                 Claim::Effect(effect) => {

@@ -10,7 +10,7 @@ use super::held::Held;
 use super::{Finder, PAIRED, Ranking};
 use crate::family::{Claim, Family, beside};
 use crate::noise::level::Level;
-use crate::rank::{Ranked, Tried};
+use crate::rank::{Ranked, Tried, cost_of_choice};
 use crate::score::{Score, log_tail, of_normal};
 use crate::state::State;
 
@@ -68,41 +68,28 @@ impl Finder<'_> {
         seen: &[Seen],
     ) -> Option<(f64, [f64; 2])> {
         let family = pair.map(|r| &families[r.family]);
-        let search = family.map(|f| f.log_places + ranking_cost(families));
+        let search = family.map(|f| f.log_places + cost_of_choice(families));
         let shape_dof = family[0].shape_dof + family[1].shape_dof;
         let mut tried = Tried::default();
-        let mut scores: Vec<[Score; 3]> = Vec::new();
         let nothing = levels.first()?.whitened.log_likelihood();
         for (level, seen) in levels.iter().zip(seen) {
-            let both = seen.score(&[i, k]);
-            tried.add(
-                level,
-                level.whitened.log_likelihood() - nothing,
-                both.clone(),
-                shape_dof,
-            );
-            scores.push([both, seen.score(&[i]), seen.score(&[k])]);
+            let gained = level.whitened.log_likelihood() - nothing;
+            tried.add(level, gained, seen.score(&[i, k]), shape_dof);
         }
         let evidence = -tried.log_p() - search[0] - search[1];
-        let (likeliest, ..) = tried.likeliest?;
-        let place = levels
+        let (likeliest, _, both) = tried.likeliest?;
+        let there = levels
             .iter()
             .position(|level| std::ptr::eq(level, likeliest))?;
-        let [both, one, other] = &scores[place];
+        let [one, other] = [i, k].map(|place| seen[there].score(&[place]));
         let of = |without: &Score, j: usize| {
             let dof = both.dof as f64 - without.dof as f64 + family[j].shape_dof;
             -log_tail(both.statistic - without.statistic, dof) - search[j]
         };
-        let own = [of(other, 0), of(one, 1)];
+        let own = [of(&other, 0), of(&one, 1)];
         let enough = |e: &f64| *e > self.threshold;
         (enough(&evidence) && own.iter().all(enough)).then_some((evidence, own))
     }
-}
-
-/// What the choice among all families costs each of the two.
-fn ranking_cost(families: &[Family]) -> f64 {
-    let count = families.iter().filter(|f| !f.hypotheses.is_empty()).count();
-    (2.0 * count as f64).ln()
 }
 
 /// The normal equations of the best hypotheses at one setting of the densities.

@@ -92,12 +92,13 @@ impl DeadZone {
         axis: usize,
     ) -> Option<Self> {
         let share = share_of_zeros(at_rest);
-        let edge = least_beside_zero(values, axis)?;
-        let largest = values.iter().map(|v| v[axis].abs()).fold(0.0, f64::max);
-        let step = least_step(values, axis)?;
-        let is_wide = edge > WIDE * step || step < FINE * largest;
-        let is_shown = share >= SHARE && is_wide || is_left_out(values, axis);
-        is_shown.then_some(Self { share, edge })
+        let gap = Gap::of(values, axis)?;
+        let is_wide = gap.is_wide() || gap.step < FINE * gap.largest;
+        let is_shown = share >= SHARE && is_wide || gap.is_swept(values, axis);
+        is_shown.then_some(Self {
+            share,
+            edge: gap.edge,
+        })
     }
 
     /// Whether it is zero that the axis reads at rest, not only at times.
@@ -114,15 +115,39 @@ impl DeadZone {
 
 /// Whether an axis reads zero, at rest or not, and nothing between zero and an edge that turns sweep over.
 pub(super) fn is_left_out(values: &[Vector3<f64>], axis: usize) -> bool {
-    let (Some(edge), Some(step)) = (least_beside_zero(values, axis), least_step(values, axis))
-    else {
-        return false;
-    };
-    let zeros = values.iter().filter(|v| v[axis] == 0.0).count();
-    let largest = values.iter().map(|v| v[axis].abs()).fold(0.0, f64::max);
-    let is_a_zone = edge > WIDE * step && edge < NARROW * largest;
-    let near = |v: &&Vector3<f64>| v[axis] != 0.0 && v[axis].abs() < 2.0 * edge;
-    zeros >= FEW && is_a_zone && values.iter().filter(near).count() >= SWEPT
+    Gap::of(values, axis).is_some_and(|gap| gap.is_swept(values, axis))
+}
+
+/// What lies between zero and the other readings of an axis.
+struct Gap {
+    /// The smallest reading beside zero.
+    edge: f64,
+    /// The smallest step.
+    step: f64,
+    /// The largest reading.
+    largest: f64,
+}
+
+impl Gap {
+    fn of(values: &[Vector3<f64>], axis: usize) -> Option<Self> {
+        Some(Self {
+            edge: least_beside_zero(values, axis)?,
+            step: least_step(values, axis)?,
+            largest: values.iter().map(|v| v[axis].abs()).fold(0.0, f64::max),
+        })
+    }
+
+    fn is_wide(&self) -> bool {
+        self.edge > WIDE * self.step
+    }
+
+    /// Whether the axis reads zero time and again, and turns sweep over the edge.
+    fn is_swept(&self, values: &[Vector3<f64>], axis: usize) -> bool {
+        let zeros = values.iter().filter(|v| v[axis] == 0.0).count();
+        let near = |v: &&Vector3<f64>| v[axis] != 0.0 && v[axis].abs() < 2.0 * self.edge;
+        let is_a_zone = self.is_wide() && self.edge < NARROW * self.largest;
+        zeros >= FEW && is_a_zone && values.iter().filter(near).count() >= SWEPT
+    }
 }
 
 fn share_of_zeros(values: impl Iterator<Item = f64>) -> f64 {
