@@ -11,6 +11,9 @@ use super::score::{Score, log_tail, of_normal, score};
 /// Evidence that differs by less than this (20 to 1) does not part two claims.
 pub const APART: f64 = 2.995_732_273_553_991;
 
+/// Evidence that differs by less than this is the same: the first of the places that have it is taken on every machine.
+const ROUNDING: f64 = 1e-6;
+
 /// The evidence for one family: that of its best hypothesis, the search paid for.
 #[derive(Clone, Debug)]
 pub struct Ranked {
@@ -103,7 +106,12 @@ fn best(
             score,
         })
     });
-    ranked.max_by(|a, b| a.evidence.total_cmp(&b.evidence))
+    ranked.reduce(
+        |best, next| match next.evidence > best.evidence + ROUNDING {
+            true => next,
+            false => best,
+        },
+    )
 }
 
 impl Ranked {

@@ -37,17 +37,26 @@ impl Finder<'_> {
             let (Some(k), true, false) = (k, of_a_rest, self.is_spent(1)) else {
                 continue;
             };
-            let without = self.without(base, held, k)?;
-            let ranking = self.ranked(&without);
-            let (families, ranked) = (&ranking.families, &ranking.ranked);
-            let Some(own) = held[k].found(families, ranked) else {
-                continue;
-            };
-            let mut ties = self.ties(&without, families, ranked, own);
-            ties.retain(|tie| matches!(tie.claim, Claim::Disturbed(_)));
+            let mut ties = self.other_faults(base, held, k)?;
+            let exchanged = across(base, held, k).filter(|_| ties.is_empty() && !self.is_spent(1));
+            if let Some(exchanged) = exchanged {
+                ties = self.other_faults(base, &exchanged, k)?;
+            }
             all.extend(Either::of(*known, names_of(&ties)));
         }
         Ok(all)
+    }
+
+    /// The disturbances that do to the data what the one at place `k` of those held does, beside the others.
+    fn other_faults(&self, base: &State, held: &[Held], k: usize) -> Result<Vec<Tie>, Error> {
+        let without = self.without(base, held, k)?;
+        let ranking = self.ranked(&without);
+        let (families, ranked) = (&ranking.families, &ranking.ranked);
+        let own = held[k].found(families, ranked);
+        let ties = own.map(|own| self.ties(&without, families, ranked, own));
+        let mut ties = ties.unwrap_or_default();
+        ties.retain(|tie| matches!(tie.claim, Claim::Disturbed(_)));
+        Ok(ties)
     }
 
     /// The model with all that is held but one.
@@ -60,6 +69,34 @@ impl Finder<'_> {
             self.state(&others)
         }
     }
+}
+
+/// The same with the turn on the other side of the rest, where a turn beside it is held as bad: a rest whose direction is
+/// open makes both the same, and rounding decides which of them is found.
+fn across(base: &State, held: &[Held], k: usize) -> Option<Vec<Held>> {
+    let data = &base.fit.data;
+    let place = held[k].hypothesis.place?;
+    let rest = match held[k].claim {
+        Claim::Disturbed(Disturbance::DisturbedInterval) => data.chunks.get(place)?.rest,
+        _ => place,
+    };
+    let other_side = |h: &Held| {
+        let Claim::Disturbed(Disturbance::BadTurn) = h.claim else {
+            return None;
+        };
+        let from = data.turns.get(h.hypothesis.place?)?.from;
+        let from = match rest.checked_sub(from)? {
+            0 => rest.checked_sub(1)?,
+            1 => rest,
+            _ => return None,
+        };
+        data.turns.iter().position(|turn| turn.from == from)
+    };
+    let turns = held.iter().map(other_side);
+    let (j, turn) = turns.enumerate().find_map(|(j, turn)| Some((j, turn?)))?;
+    let mut exchanged = held.to_vec();
+    exchanged[j].hypothesis.place = Some(turn);
+    Some(exchanged)
 }
 
 fn names_of(ties: &[Tie]) -> impl Iterator<Item = &'static str> {
