@@ -182,27 +182,30 @@ impl State {
     }
 
     /// Times (since the start of the recording, s) at which a bias may have jumped: between neighbouring chunks of rests,
-    /// where three of them on either side show that it moved and stayed.
+    /// where three of them on either side show that it moved and stayed. Between two rests there have to be two on either
+    /// side: what happens after the only orientation so far may as well be an error of that orientation.
     ///
     /// None of several recordings: an instant belongs to one of them, and between them biases are their own.
     pub fn boundaries(&self) -> Vec<f64> {
         if self.fit.data.sources.len() > 1 {
             return Vec::new();
         }
-        let mut middles: Vec<f64> = self
-            .sensitivities
-            .means
-            .iter()
-            .map(|mean| mean.truth.time)
+        let means = self.sensitivities.means.iter();
+        let mut middles: Vec<(f64, usize)> = means
+            .map(|mean| (mean.truth.time, self.fit.data.chunks[mean.chunk].rest))
             .collect();
-        middles.sort_by(f64::total_cmp);
-        middles.dedup_by(|a, b| (*a - *b).abs() < 1.0);
+        middles.sort_by(|a, b| a.0.total_cmp(&b.0));
+        middles.dedup_by(|a, b| (a.0 - b.0).abs() < 1.0);
         let most = middles.len().saturating_sub(BESIDE_A_STEP);
+        let last = self.fit.data.rests.len().saturating_sub(1);
+        let is_shown =
+            |before: usize, after: usize| before == after || (before > 0 && after < last);
         middles
             .windows(2)
             .enumerate()
             .filter(|(k, _)| (BESIDE_A_STEP..=most).contains(&(k + 1)))
-            .map(|(_, pair)| 0.5 * (pair[0] + pair[1]))
+            .filter(|(_, pair)| is_shown(pair[0].1, pair[1].1))
+            .map(|(_, pair)| 0.5 * (pair[0].0 + pair[1].0))
             .collect()
     }
 }

@@ -9,7 +9,7 @@ use crate::rank::APART;
 pub const STABLE: f64 = 0.8;
 
 /// Products in a formula, at most: more are a description, not a proposal.
-const MOST_PRODUCTS: usize = 3;
+pub const MOST_PRODUCTS: usize = 3;
 
 /// A product that was chosen.
 pub struct Chosen<'a> {

@@ -4,6 +4,8 @@ use estimate::methods::joint::orthonormal;
 use faer::Mat;
 
 use super::dictionary::{Product, dictionary};
+use super::most::most_evidence;
+use super::screen::screen;
 use super::{Proposed, propose_of};
 use crate::family::families;
 use crate::rank::APART;
@@ -30,10 +32,16 @@ pub fn instead_of_names(
     if !several && !claims.any(|claim| claim.effect().is_some()) {
         return None;
     }
-    let whole = rest_of(&search.base, request.half_alpha())?;
-    let products = not_of_the_catalogue(&search.base, request);
-    let found = propose_of(session, request, &search.base, &whole, &products)?;
-    (found.ranked.by_ratio() > search.evidence + APART).then_some((found, whole))
+    let base = &search.base;
+    let products = not_of_the_catalogue(base, request);
+    let screened = screen(base, &products)?;
+    let needed = search.evidence + APART;
+    if most_evidence(&screened, &products, base.levels()) <= needed {
+        return None;
+    }
+    let whole = rest_of(base, request.half_alpha())?;
+    let found = propose_of(session, request, base, &whole, (&products, &screened))?;
+    (found.ranked.by_ratio() > needed).then_some((found, whole))
 }
 
 /// The dictionary without what effects of the catalogue hold.

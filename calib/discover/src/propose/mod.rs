@@ -10,6 +10,7 @@ mod chosen;
 mod dictionary;
 mod group_lasso;
 mod instead;
+mod most;
 mod screen;
 mod stability;
 mod terms;
@@ -119,7 +120,9 @@ pub fn propose(
     last: &State,
     rest: &Unexplained,
 ) -> Option<Proposed> {
-    propose_of(session, request, last, rest, &dictionary(last))
+    let products = dictionary(last);
+    let screened = screen(last, &products)?;
+    propose_of(session, request, last, rest, (&products, &screened))
 }
 
 /// The same among some products. Where the likeliest formula does not close the gap, what is like it and less likely may.
@@ -128,11 +131,10 @@ fn propose_of(
     request: &Request,
     last: &State,
     rest: &Unexplained,
-    products: &[Product],
+    (products, screened): (&[Product], &Screened),
 ) -> Option<Proposed> {
-    let screened = screen(last, products)?;
     let frequencies = stability(last, &screened.whitened, &screened.bases, screened.floor);
-    let stable = Stable::of(&screened, products, &frequencies);
+    let stable = Stable::of(screened, products, &frequencies);
     let first = *stable.places.first()?;
     let alike = stable
         .places
@@ -144,7 +146,7 @@ fn propose_of(
     for _ in 0..nearly.count().min(MOST_TRIED) {
         let chosen = left.chosen();
         let taken = chosen.first()?.place;
-        match tried(session, request, last, rest, (&screened, products, &chosen))? {
+        match tried(session, request, last, rest, (screened, products, &chosen))? {
             Tried::Closes(proposed) => return Some(*proposed),
             Tried::Open => left.places.retain(|&place| place != taken),
         }
