@@ -1,6 +1,5 @@
 //! A search under noise that flickers, where the biases do.
 
-use estimate::methods::joint::BiasNoise;
 use recording::Error;
 
 use super::extension::Extension;
@@ -29,7 +28,7 @@ pub fn names_and_rest(
     let mut first = search(session, request, base)?;
     let rest = unexplained(&mut first, alpha);
     let nothing = rest.is_none() && first.names.is_empty();
-    if nothing || !flickers(session, &first.last)? {
+    if nothing || !flickers(session, &first.last) {
         return Ok((first, rest));
     }
     session.flicker = true;
@@ -41,35 +40,31 @@ pub fn names_and_rest(
 
 /// Whether the biases flicker beside all that a model has: on [`FLICKERING`] axes at least, as one that wanders or follows the
 /// placement by itself is something else. Of turns that miss something between samples nobody can tell.
-fn flickers(session: &Session<'_>, model: &State) -> Result<bool, Error> {
+fn flickers(session: &Session<'_>, model: &State) -> bool {
     let is_knocked = model.fit.data.misses_something_between_samples();
     if session.flicker || session.noise.is_some() || is_knocked {
-        return Ok(false);
+        return false;
     }
-    let with_it = Session {
-        flicker: true,
-        ..session.clone()
-    };
-    let state = State::fit(&with_it, model.extension.clone())?;
-    let gains = by_flicker(&state, model.noise);
+    let gains = by_flicker(model);
     let evident = gains.into_iter().filter(|gain| *gain > LIKELIER);
-    Ok(evident.count() >= FLICKERING)
+    evident.count() >= FLICKERING
 }
 
 /// By how much the data are likelier (log) with the flicker of each axis than without it, the walk of that sensor as large
-/// as it is, or as it is under `walking` noise.
-fn by_flicker(state: &State, walking: BiasNoise) -> Vec<f64> {
+/// as it is beside flicker, or as it is alone.
+fn by_flicker(model: &State) -> Vec<f64> {
+    let (projected, flickering) = model.flickering();
     let at = |noise| {
-        let whitened = state.projected.at(noise);
+        let whitened = projected.at(noise);
         whitened.map_or(f64::NEG_INFINITY, |w| w.log_likelihood())
     };
-    let whole = at(state.noise);
+    let whole = at(flickering);
     let axes = (0..2).flat_map(|sensor| (0..3).map(move |axis| (sensor, axis)));
     let gain = axes.map(|(sensor, axis)| {
-        let mut without = state.noise;
+        let mut without = flickering;
         without.flicker[sensor][axis] = 0.0;
         let mut walks = without;
-        walks.walk[sensor] = walks.walk[sensor].max(walking.walk[sensor]);
+        walks.walk[sensor] = walks.walk[sensor].max(model.noise.walk[sensor]);
         whole - at(without).max(at(walks))
     });
     gain.collect()

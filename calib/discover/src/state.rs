@@ -4,8 +4,8 @@ use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 use estimate::methods::joint::{
-    Basis, BiasNoise, Column, Columns, Disturbance, JointFit, Known, Sensitivities, Suspect,
-    excursions, fit_joint, suspects, within,
+    Basis, BiasNoise, Column, Columns, Component, Disturbance, JointFit, Known, NoiseLevel,
+    Sensitivities, Suspect, excursions, fit_joint, suspects, within,
 };
 use faer::{Mat, MatMut};
 use recording::Error;
@@ -51,9 +51,7 @@ impl State {
         step(Stage::Searching)?;
         let fit = fit_joint(&session.joint(&extension))?;
         let sensitivities = fit.sensitivities();
-        let noise = (&fit.components[..], &fit.levels[..]);
-        let mut projected = Projected::new(&fit.white_residuals, &fit.white_jacobian, noise);
-        projected.within = within(&fit.data, &projected.kinds());
+        let projected = projected(&fit, (&fit.components, &fit.levels));
         let noise = BiasNoise::of(&fit.levels);
         Ok(Self {
             extension,
@@ -65,6 +63,13 @@ impl State {
             levels: OnceLock::new(),
             suspects: OnceLock::new(),
         })
+    }
+
+    /// What is left if the biases flicker as well as walk, and that noise.
+    pub fn flickering(&self) -> (Projected, BiasNoise) {
+        let (components, levels) = self.fit.flickering();
+        let projected = projected(&self.fit, (&components, &levels));
+        (projected, BiasNoise::of(&levels))
     }
 
     /// Root mean square of what a channel leaves, in its own unit: m/s², rad/s, rad; `None` of one that the joint fit has no
@@ -208,4 +213,11 @@ impl State {
             .map(|(_, pair)| 0.5 * (pair[0].0 + pair[1].0))
             .collect()
     }
+}
+
+/// What a fit leaves, under noise of these components and levels.
+fn projected(fit: &JointFit, noise: (&[Component], &[NoiseLevel])) -> Projected {
+    let mut projected = Projected::new(&fit.white_residuals, &fit.white_jacobian, noise);
+    projected.within = within(&fit.data, &projected.kinds());
+    projected
 }

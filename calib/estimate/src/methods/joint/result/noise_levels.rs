@@ -5,7 +5,8 @@ use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::blocks::covariance::{Covariance, combined};
 use crate::methods::joint::disturbance::Suspect;
-use crate::methods::joint::noise::bias::Within;
+use crate::methods::joint::fit::JointFit;
+use crate::methods::joint::noise::bias::{Within, within};
 use crate::methods::joint::noise::likelihood::Restricted;
 use crate::methods::joint::noise::walks::{Walks, expected_square};
 use crate::methods::joint::noise::weights::{Component, ComponentKind, NoiseLevel};
@@ -24,10 +25,7 @@ const USUAL_OF_TURNS: f64 = 1.0;
 impl Analysis {
     /// The kinds of noise that are estimated together where the biases may flicker.
     pub fn estimated_kinds(&self) -> Vec<ComponentKind> {
-        let kinds = self.components.iter().map(|c| c.kind);
-        let estimated =
-            |k: &ComponentKind| k.is_walk() || k.is_flicker() || *k == ComponentKind::TurnScatter;
-        kinds.filter(estimated).collect()
+        estimated_kinds(&self.components)
     }
 
     /// The levels of the components by restricted likelihood, with the disturbances' columns among the
@@ -39,7 +37,7 @@ impl Analysis {
             self.components.iter().filter(|c| wanted(c.kind)).collect()
         };
         if !of(ComponentKind::is_flicker).is_empty() {
-            return self.likeliest(&jacobian, within);
+            return likeliest(&self.residuals, &jacobian, &self.components, within);
         }
         let (walks, scatter) = (of(ComponentKind::is_walk), of(|kind| !kind.is_noise()));
         let scatter = self.scatter(&jacobian, &walks, &scatter);
@@ -64,25 +62,6 @@ impl Analysis {
                 size: variance.sqrt(),
             })
             .collect()
-    }
-
-    /// Walks, flicker and the scatter of turns at their likeliest, what is known beside them.
-    fn likeliest(&self, jacobian: &Columns, within: &[Within]) -> Vec<NoiseLevel> {
-        let kinds = self.estimated_kinds();
-        let own = self.components.iter().filter(|c| kinds.contains(&c.kind));
-        let covariances: Vec<&Covariance> = own.map(|c| &c.covariance).collect();
-        let mut restricted = Restricted::new(&self.residuals, jacobian, &covariances);
-        restricted.within = within.to_vec();
-        let kept: Vec<bool> = kinds.iter().map(|kind| kind.is_noise()).collect();
-        let variances = restricted.variances(&kept);
-        let known = self.components.iter();
-        let known = known.filter_map(|c| Some((c.kind, c.kind.known_variance()?)));
-        let levels = kinds.iter().copied().zip(variances).chain(known);
-        let level = |(kind, variance): (ComponentKind, f64)| NoiseLevel {
-            kind,
-            size: variance.sqrt(),
-        };
-        levels.map(level).collect()
     }
 
     /// The likeliest variances of the scatter, walks beside it.
@@ -144,6 +123,55 @@ impl Analysis {
         self.components.push(Component { kind, covariance });
         levels.push(NoiseLevel { kind, size });
     }
+}
+
+impl JointFit {
+    /// The noise of the rows if the biases flicker as well as walk, all of it at its likeliest: the components, whitened by
+    /// the white noise, and how much there is of each.
+    ///
+    /// The parameters stay: the restricted likelihood takes out of the rows whatever they explain.
+    pub fn flickering(&self) -> (Vec<Component>, Vec<NoiseLevel>) {
+        let rows = self.plain_rows();
+        let x = &self.parameters.values()[..rows.layout.disturbance(0)];
+        let own = self.components.iter().filter(|c| !c.kind.is_flicker());
+        let flicker = rows.flicker(x, &self.whitening.white);
+        let components: Vec<Component> = own.cloned().chain(flicker).collect();
+        let within = within(&self.data, &estimated_kinds(&components));
+        let (residuals, jacobian) = (&self.white_residuals, &self.white_jacobian);
+        let levels = likeliest(residuals, jacobian, &components, &within);
+        (components, levels)
+    }
+}
+
+fn estimated_kinds(components: &[Component]) -> Vec<ComponentKind> {
+    let kinds = components.iter().map(|c| c.kind);
+    let estimated =
+        |k: &ComponentKind| k.is_walk() || k.is_flicker() || *k == ComponentKind::TurnScatter;
+    kinds.filter(estimated).collect()
+}
+
+/// Walks, flicker and the scatter of turns at their likeliest, what is known beside them.
+fn likeliest(
+    residuals: &[f64],
+    jacobian: &Columns,
+    components: &[Component],
+    within: &[Within],
+) -> Vec<NoiseLevel> {
+    let kinds = estimated_kinds(components);
+    let own = components.iter().filter(|c| kinds.contains(&c.kind));
+    let covariances: Vec<&Covariance> = own.map(|c| &c.covariance).collect();
+    let mut restricted = Restricted::new(residuals, jacobian, &covariances);
+    restricted.within = within.to_vec();
+    let kept: Vec<bool> = kinds.iter().map(|kind| kind.is_noise()).collect();
+    let variances = restricted.variances(&kept);
+    let known = components.iter();
+    let known = known.filter_map(|c| Some((c.kind, c.kind.known_variance()?)));
+    let levels = kinds.iter().copied().zip(variances).chain(known);
+    let level = |(kind, variance): (ComponentKind, f64)| NoiseLevel {
+        kind,
+        size: variance.sqrt(),
+    };
+    levels.map(level).collect()
 }
 
 /// The sum of squares of every row.
