@@ -200,6 +200,7 @@ impl<'a> Session<'a> {
             starts,
             clock: self.clock,
             clocks: self.clocks.clone(),
+            compared: self.base.is_some(),
             from: self.begun(),
             covariates: true,
             ..JointRequest::new(

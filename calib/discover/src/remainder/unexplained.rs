@@ -75,7 +75,7 @@ pub fn unexplained(search: &mut Search, alpha: f64) -> Option<Unexplained> {
     let in_rests = &search.last.extension.disturbed;
     let of_rests = !in_rests.is_empty() && in_rests.iter().all(|known| is_of_a_rest(known.kind));
     if named_effect || of_rests {
-        let shaped = shaped(&search.base);
+        let shaped = shaped(&search.base, search.evidence + APART);
         let is_named = |t: &Trial| t.of.is_some_and(|of| is_covered(of, &search.names));
         let better = |t: &Trial| {
             let evidence = -t.log_p - (shaped.len() as f64).ln();
@@ -114,7 +114,7 @@ fn is_covered((shape, sensor): (Shape, Sensor), names: &[Name]) -> bool {
 /// The disagreement that a model leaves, where it is significant (family-wise chance `alpha`).
 pub fn rest_of(state: &State, alpha: f64) -> Option<Unexplained> {
     let misfits = Sequence::of(state, state.noise).misfits(state);
-    let mut trials = shaped(state);
+    let mut trials = shaped(state, -alpha.ln());
     trials.extend(shapeless(state, &misfits)?);
     let count = trials.len() as f64;
     let worst = trials.iter().min_by(|a, b| a.log_p.total_cmp(&b.log_p))?;
@@ -169,7 +169,7 @@ fn wanders_beside(state: &State, shape: &Shaped, alpha: f64) -> bool {
 }
 
 /// The tests that say what the rest looks like.
-fn shaped(state: &State) -> Vec<Trial> {
+fn shaped(state: &State, needed: f64) -> Vec<Trial> {
     let levels = state.levels();
     let is_slow = |f: &Family| matches!(f.claim, Claim::Shape(Shape::SlowTime, _));
     let (slow, others): (Vec<Family>, Vec<Family>) = shapes(state).into_iter().partition(is_slow);
@@ -180,7 +180,7 @@ fn shaped(state: &State) -> Vec<Trial> {
     for (shapes, levels) in [(slow, likeliest), (others, levels)] {
         let mut ranked = rank(&state.projected, &shapes, levels);
         if let Some(turns) = &turns {
-            for r in &mut ranked {
+            for r in ranked.iter_mut().filter(|r| -r.log_p > needed) {
                 r.log_p += r.evidence - turns.evidence_without(state, &shapes[r.family], r);
             }
         }

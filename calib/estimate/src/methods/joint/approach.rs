@@ -157,8 +157,9 @@ pub struct Approached {
 
 impl Approached {
     /// Goes on with the Jacobian as it is, at the price of residuals alone: each step leaves about a
-    /// thousandth of the way, until rounding stops them.
-    pub fn settled(&self, weighted: &Weighted<'_>, free: &[usize]) -> Vec<f64> {
+    /// thousandth of the way, until rounding stops them. Where that leads, and the square of what its last step did to the
+    /// rows.
+    pub fn settled(&self, weighted: &Weighted<'_>, free: &[usize]) -> (Vec<f64>, f64) {
         let mut x = self.x.clone();
         let mut before = f64::INFINITY;
         for _ in 0..CHORDS {
@@ -172,7 +173,7 @@ impl Approached {
             add(&mut x, free, &step);
             before = square;
         }
-        x
+        (x, before)
     }
 }
 

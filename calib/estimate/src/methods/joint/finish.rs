@@ -7,7 +7,7 @@ use super::approach::{Weighted, approach};
 use super::data::budget::Steps;
 use super::disturbance::{Disturbance, Flagged, Suspect};
 use super::fit::JointFit;
-use super::graph::solve_rows;
+use super::graph::{Ended, solve_rows};
 use super::minimum::{Point, Run};
 use crate::methods::joint::blocks::basis::Basis;
 use crate::methods::joint::blocks::columns::Columns;
@@ -18,6 +18,10 @@ use crate::methods::joint::result::marginal::reduced;
 
 /// A minimum nearer than this, in standard errors, is reached.
 const NEAR: f64 = 0.01;
+
+/// One of many models that are compared has settled where its last step moved the rows by less than a thousandth of a standard
+/// deviation of all together, in square.
+const SETTLED: f64 = 1e-6;
 
 impl Run<'_> {
     /// The same weights for biases that are means over the rests.
@@ -46,13 +50,21 @@ impl Run<'_> {
         };
         let free = point.mask.free_indices();
         let mut parameters = point.parameters.clone();
+        let mut settled = None;
         if let Some(near) = approach(&weighted, parameters.values(), &free) {
             self.start.steps.took(near.taken);
-            let x = near.settled(&weighted, &free);
+            let (x, left) = near.settled(&weighted, &free);
             parameters.values_mut().copy_from_slice(&x);
+            let is_enough = self.request.compared && left < SETTLED;
+            settled = is_enough.then(|| Ended::settled(x, near.taken));
         }
-        let most = Steps::at_the_end(self.data.cost_of_a_step());
-        let ended = solve_rows(&weighted, parameters.values(), &free, most)?;
+        let ended = match settled {
+            Some(ended) => ended,
+            None => {
+                let most = Steps::at_the_end(self.data.cost_of_a_step());
+                solve_rows(&weighted, parameters.values(), &free, most)?
+            }
+        };
         self.start.steps.took(ended.linearisations);
         parameters.values_mut().copy_from_slice(&ended.x);
         let (x, mut ending) = (&ended.x, ended.ending);

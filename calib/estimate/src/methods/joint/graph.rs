@@ -3,7 +3,7 @@
 
 use faer::Mat;
 use recording::Error;
-use solver::{Block, Euclidean, Factor, Graph, GraphOptions, solve_graph};
+use solver::{Block, Euclidean, Factor, Graph, GraphOptions, Termination, solve_graph};
 
 use super::approach::Weighted;
 use crate::methods::Ending;
@@ -18,6 +18,20 @@ pub(crate) struct Ended {
     pub ending: Ending,
     /// How often the rows were linearised.
     pub linearisations: usize,
+}
+
+impl Ended {
+    /// Where steps near the minimum have become nothing.
+    pub fn settled(x: Vec<f64>, steps: usize) -> Self {
+        Self {
+            x,
+            ending: Ending {
+                termination: Termination::Gradient,
+                steps,
+            },
+            linearisations: 0,
+        }
+    }
 }
 
 /// Goes from `x` to the minimum over the `free` parameters, to what double precision allows, in no more than `most_steps`.

@@ -43,6 +43,9 @@ pub struct JointRequest<'a> {
     /// The clocks of the recordings where a fit before has decided them, and with them whether something is missing between
     /// samples: how much that is, is then fitted. Without, the data decide.
     pub clocks: Option<Vec<DecidedClock>>,
+    /// Whether this is one of many models that are compared: its minimum is then found to a thousandth of a standard error, and not
+    /// to what double precision allows.
+    pub compared: bool,
     /// A fit of the same recordings and intervals with other effects, to begin at.
     pub from: Option<&'a JointFit>,
     /// Whether the readings contain a rotation of the earth that nobody says: its direction is then estimated as far as
@@ -67,6 +70,7 @@ impl<'a> JointRequest<'a> {
             covariates: false,
             clock: ClockMode::default(),
             clocks: None,
+            compared: false,
             from: None,
             earth: false,
         }
