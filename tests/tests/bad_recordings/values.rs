@@ -180,6 +180,23 @@ fn rows_90_and_91_an_axis_that_never_changes_is_refused() {
 }
 
 #[test]
+fn a_gyroscope_that_stops_while_the_accelerometer_goes_on_is_refused() {
+    let mut lines = rows(600);
+    for line in &mut lines[300..] {
+        let force: Vec<&str> = line.split(',').take(4).collect();
+        *line = format!("{},0,0,0", force.join(","));
+    }
+    refused(
+        file(HEADER, &lines),
+        "",
+        &[
+            "the gyroscope reads 0 on all axes from t = 3.00 s",
+            "disconnected",
+        ],
+    );
+}
+
+#[test]
 fn row_92_saturated_rows_are_counted() {
     let limit = 250f64.to_radians();
     let lines: Vec<_> = (0..400)

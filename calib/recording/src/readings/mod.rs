@@ -15,6 +15,7 @@ mod quantisation;
 mod quietest;
 mod rezeroing;
 mod spikes;
+mod stopped;
 mod stuck;
 mod vibration;
 
@@ -28,6 +29,7 @@ pub(crate) use level::{LevelChange, level_change};
 pub use quantisation::COARSE;
 pub use quietest::{Quiet, quietest};
 pub use spikes::without_spikes;
+pub(crate) use stopped::refuse_stopped;
 pub(crate) use stuck::stuck;
 
 use sensor::Sensor;

@@ -89,6 +89,7 @@ pub(crate) fn assemble(
             .warnings
             .push(format!("{}: {found}", recording.name));
     }
+    crate::readings::refuse_stopped(&recording)?;
     flip(&mut recording, &options.flip);
     overlap(&recording)?;
     thermometer::check_clock(&mut recording);

@@ -1,0 +1,91 @@
+//! A sensor that stops to read while the other goes on.
+
+use nalgebra::Vector3;
+use sensor::Sensor;
+
+use crate::Error;
+use crate::recording::{Recording, Stream};
+use crate::source::place::in_file;
+
+/// Samples of one reading at the end that make a sensor stopped ...
+const STOPPED: usize = 100;
+/// ... where it read the same on all axes in no more than so many samples in a row before: a noisy sensor, finer than its
+/// noise.
+const USUAL: usize = 10;
+
+/// Refuses a recording of which one sensor repeats its last reading to the end, on all axes, while the other changes.
+///
+/// # Errors
+/// [`Error::Input`] with the sensor and the time from which on it does.
+pub(crate) fn refuse_stopped(recording: &Recording) -> Result<(), Error> {
+    let (Some(force), Some(rate)) = (&recording.accelerometer, &recording.gyroscope) else {
+        return Ok(());
+    };
+    for (sensor, stream, other) in [
+        (Sensor::Accelerometer, force, rate),
+        (Sensor::Gyroscope, rate, force),
+    ] {
+        let Some(count) = stopped(&stream.values) else {
+            continue;
+        };
+        let from = stream.t[stream.len() - count];
+        if !changes_after(other, from) {
+            continue;
+        }
+        let all_zero = stream.values.last().is_some_and(|v| *v == Vector3::zeros());
+        return Err(in_file(
+            &recording.name,
+            format!(
+                "the {} {} from t = {from:.2} s to the end ({count} samples) while the other sensor goes on: disconnected? Cut the \
+                 recording there, or record again",
+                sensor.name(),
+                if all_zero {
+                    "reads 0 on all axes"
+                } else {
+                    "repeats one reading"
+                }
+            ),
+        ));
+    }
+    Ok(())
+}
+
+/// How many samples at the end are the same on all axes, where that is more than chance.
+fn stopped(values: &[Vector3<f64>]) -> Option<usize> {
+    let mut runs = values.chunk_by(|a, b| a == b).map(<[_]>::len).rev();
+    let last = runs.next().filter(|&run| run >= STOPPED)?;
+    runs.all(|run| run <= USUAL).then_some(last)
+}
+
+fn changes_after(stream: &Stream, from: f64) -> bool {
+    let after = &stream.values[stream.between(from, f64::INFINITY)];
+    after.windows(2).filter(|pair| pair[0] != pair[1]).count() >= STOPPED
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn noisy(count: usize) -> Vec<Vector3<f64>> {
+        let noise = |k: usize| ((k * k * 7) % 997) as f64;
+        (0..count)
+            .map(|k| Vector3::new(noise(k), noise(k + 3), noise(k + 5)))
+            .collect()
+    }
+
+    #[test]
+    fn a_noisy_sensor_that_repeats_one_reading_to_the_end_has_stopped() {
+        let mut values = noisy(1000);
+        values[700..].fill(Vector3::zeros());
+        assert_eq!(stopped(&values), Some(300));
+    }
+
+    #[test]
+    fn coarse_readings_of_a_device_at_rest_have_not() {
+        let mut values = noisy(1000);
+        values[200..350].fill(Vector3::new(0.0, 0.0, 9.8));
+        values[700..].fill(Vector3::new(0.0, 0.0, 9.8));
+        assert_eq!(stopped(&values), None);
+        assert_eq!(stopped(&noisy(1000)), None);
+    }
+}
