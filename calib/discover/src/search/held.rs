@@ -15,6 +15,16 @@ pub(super) struct Held {
 }
 
 impl Held {
+    /// The best of a family's hypotheses.
+    pub fn of(families: &[Family], ranked: &Ranked) -> Self {
+        let family = &families[ranked.family];
+        Self {
+            claim: family.claim,
+            hypothesis: family.hypotheses[ranked.hypothesis].clone(),
+            evidence: ranked.by_ratio(),
+        }
+    }
+
     /// Whether this is a known disturbance.
     pub fn is(&self, known: &Known) -> bool {
         matches!(self.claim, Claim::Disturbed(kind) if kind == known.kind)

@@ -6,6 +6,7 @@ pub mod few_turns;
 mod held;
 mod outlying_turns;
 mod pairs;
+mod ranking;
 mod review;
 mod together;
 
@@ -15,17 +16,17 @@ use std::rc::Rc;
 pub use either::Either;
 use estimate::methods::joint::Known;
 use faer::Mat;
-use few_turns::Turns;
 use outlying_turns::outlying_turns;
+pub(crate) use ranking::Ranking;
 use recording::Error;
-use sensor::{AnyEffect, Nature};
+use sensor::AnyEffect;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use self::held::Held;
 use crate::extension::Extension;
 use crate::extension::with_companions;
-use crate::family::{Claim, Family, Hypothesis, families, is_late};
-use crate::rank::{Ranked, rank};
+use crate::family::{Claim, Family, Hypothesis};
+use crate::rank::Ranked;
 use crate::request::{Request, Session};
 use crate::separation::Rivalry;
 use crate::state::State;
@@ -35,15 +36,6 @@ const MOST_NAMES: usize = 6;
 
 /// A temperature effect of second order must gain this over that of first order, in `χ²₃`.
 const HIGHER_ORDER: f64 = 0.99;
-
-/// A rotation whose length differs from the earth's by more than so many standard errors is not it.
-const EARTH_LENGTH: f64 = 3.0;
-
-/// What the first step beside models that were fitted without a rotation may leave of its length.
-const LINEAR: f64 = 0.1;
-
-/// A rotation whose vertical part is fewer standard errors than this is not known to be the earth's.
-const EARTH_VERTICAL: f64 = 2.0;
 
 /// Work that the joint fits of a search may take, in [`cost_of_fit`]: twenty fits of forty static intervals.
 const MOST_WORK: f64 = 2e5;
@@ -58,9 +50,6 @@ const FEWEST_FITS: usize = 6;
 fn cost_of_fit(static_intervals: usize) -> f64 {
     (static_intervals as f64).powf(2.5)
 }
-
-/// Families whose pairs are tried, and that are shown in the first ranking.
-const PAIRED: usize = 10;
 
 /// Something named.
 #[derive(Clone, Debug)]
@@ -216,40 +205,6 @@ struct Finder<'a> {
     rankings: RefCell<Vec<(Extension, Rc<Ranking>)>>,
 }
 
-/// Everything that a model lacks, and the evidence for it, most evident first.
-pub(crate) struct Ranking {
-    pub families: Vec<Family>,
-    pub ranked: Vec<Ranked>,
-}
-
-impl Ranking {
-    /// Beside the model of `state`: what is evident beyond `threshold` has to be so without the turns that speak for it most,
-    /// where knocks have spoiled turns, and a rotation has to be the earth's.
-    pub fn of(state: &State, catalogue: &[&'static dyn AnyEffect], threshold: f64) -> Self {
-        let families = families(state, catalogue);
-        let mut ranked = rank(&state.projected, &families, state.levels());
-        for r in &mut ranked {
-            match as_the_earth(&families[r.family], r) {
-                Earth::No => r.evidence = f64::NEG_INFINITY,
-                Earth::Perhaps => r.only_a_tie = true,
-                Earth::Yes => {}
-            }
-        }
-        if let Some(turns) = Turns::knocked(state) {
-            for r in ranked.iter_mut().filter(|r| r.evidence > threshold) {
-                let family = &families[r.family];
-                match family.claim {
-                    Claim::Effect(_) => r.evidence = turns.evidence_without(state, family, r),
-                    Claim::Disturbed(_) => r.evidence = Turns::evidence_of_disturbance(r),
-                    Claim::Shape(..) => {}
-                }
-            }
-        }
-        ranked.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
-        Self { families, ranked }
-    }
-}
-
 impl Finder<'_> {
     /// Whether so many more fits are too many.
     fn is_spent(&self, more: usize) -> bool {
@@ -271,8 +226,8 @@ impl Finder<'_> {
             let (families, ranked) = (&ranking.families, &ranking.ranked);
             let next = self.next(families, ranked, &unfit);
             if held.len() == gross {
-                first_ranking = labelled(families, ranked);
-                not_observable = silent(families, ranked);
+                first_ranking = ranking.first();
+                not_observable = ranking.not_observable();
             }
             let next = match next {
                 Some(next) => vec![next],
@@ -372,7 +327,7 @@ impl Finder<'_> {
             return None;
         }
         let chosen = self.simpler(families, ranked, top).unwrap_or(top);
-        Some(held(families, chosen))
+        Some(Held::of(families, chosen))
     }
 
     /// The first order of a temperature effect, where the second does not gain enough over it.
@@ -393,62 +348,4 @@ impl Finder<'_> {
         let gain = top.statistic - lower.statistic;
         (lower.evidence > self.threshold && gain < law.inverse_cdf(HIGHER_ORDER)).then_some(lower)
     }
-}
-
-/// Whether a claim is the earth's rotation.
-enum Earth {
-    /// It has the length and a vertical part, or is another claim.
-    Yes,
-    /// It has the length and no vertical part: something that a direction of the room does to the sensor is as likely.
-    Perhaps,
-    /// It has another length.
-    No,
-}
-
-fn as_the_earth(family: &Family, ranked: &Ranked) -> Earth {
-    // Beside the isotropic g-sensitivity the vertical part is nobody's to know.
-    let nature = family.claim.effect().map(AnyEffect::nature);
-    if nature != Some(Nature::EarthRotation) || ranked.score.dof < 3 {
-        return Earth::Yes;
-    }
-    // The typical size of the effect is the earth's rate: its length is 1.
-    let rate = nalgebra::DVector::from_column_slice(&ranked.score.change);
-    let length = rate.norm();
-    let variance =
-        (rate.transpose() * &ranked.score.covariance * &rate)[(0, 0)] / (length * length);
-    let vertical = rate[2].abs() / ranked.score.covariance[(2, 2)].sqrt();
-    if (length - 1.0).abs() > EARTH_LENGTH * variance.sqrt() + LINEAR {
-        Earth::No
-    } else if vertical < EARTH_VERTICAL {
-        Earth::Perhaps
-    } else {
-        Earth::Yes
-    }
-}
-
-fn held(families: &[Family], ranked: &Ranked) -> Held {
-    let family = &families[ranked.family];
-    Held {
-        claim: family.claim,
-        hypothesis: family.hypotheses[ranked.hypothesis].clone(),
-        evidence: ranked.by_ratio(),
-    }
-}
-
-fn labelled(families: &[Family], ranked: &[Ranked]) -> Vec<(Claim, Ranked)> {
-    let best = ranked.iter().take(PAIRED);
-    best.map(|r| (families[r.family].claim, r.clone()))
-        .collect()
-}
-
-/// The effects of which no column is left beside the model's own: they have no rank. Late stamps show in the moving
-/// accelerometer only, which is looked at on its own.
-fn silent(families: &[Family], ranked: &[Ranked]) -> Vec<String> {
-    families
-        .iter()
-        .enumerate()
-        .filter(|(_, f)| matches!(f.claim, Claim::Effect(effect) if !is_late(effect)))
-        .filter(|(k, _)| ranked.iter().all(|r| r.family != *k))
-        .map(|(_, f)| f.claim.name().into())
-        .collect()
 }

@@ -2,8 +2,9 @@
 
 use faer::Mat;
 
+use super::Finder;
 use super::held::Held;
-use super::{Finder, PAIRED};
+use super::ranking::PAIRED;
 use crate::family::{Claim, beside};
 use crate::rank::{APART, Ranked};
 use crate::score::{log_tail, score};
@@ -58,10 +59,7 @@ impl Finder<'_> {
             }
         }
         if let Some((_, i, j)) = top {
-            *held = vec![
-                super::held(families, best[i]),
-                super::held(families, best[j]),
-            ];
+            *held = vec![Held::of(families, best[i]), Held::of(families, best[j])];
         }
         top.is_some()
     }

@@ -6,7 +6,7 @@ use recording::Error;
 
 use super::either::Either;
 use super::held::Held;
-use super::{Finder, MOST_NAMES, Name, Tie, held};
+use super::{Finder, MOST_NAMES, Name, Tie};
 use crate::extension::with_companions;
 use crate::family::{Claim, Family};
 use crate::rank::{APART, Ranked, shared};
@@ -129,14 +129,14 @@ impl Finder<'_> {
             return Verdict::Gone;
         };
         if top.evidence > mine.evidence + APART && !self.is_simpler(families, top, mine) {
-            return Verdict::Other(held(families, top));
+            return Verdict::Other(Held::of(families, top));
         }
         if mine.evidence <= self.threshold || mine.only_a_tie {
             return Verdict::Gone;
         }
         let found = &families[mine.family].hypotheses[mine.hypothesis];
         if found.shape != own.hypothesis.shape {
-            return Verdict::Other(held(families, mine));
+            return Verdict::Other(Held::of(families, mine));
         }
         Verdict::Stays(mine.clone())
     }

@@ -6,8 +6,9 @@ use std::ops::Range;
 use faer::Mat;
 use nalgebra::{DMatrix, DVector};
 
+use super::Finder;
 use super::held::Held;
-use super::{Finder, PAIRED, Ranking};
+use super::ranking::{PAIRED, Ranking};
 use crate::family::{Claim, Family, beside};
 use crate::noise::level::Level;
 use crate::rank::{Ranked, Tried, cost_of_choice};
@@ -49,7 +50,7 @@ impl Finder<'_> {
                 if top.as_ref().is_none_or(|(best, _)| evidence > *best) {
                     let held = [0, 1].map(|j| Held {
                         evidence: own[j],
-                        ..super::held(families, pair[j])
+                        ..Held::of(families, pair[j])
                     });
                     top = Some((evidence, held));
                 }

@@ -1,0 +1,104 @@
+//! Everything that a model lacks, by the evidence for it.
+
+use sensor::{AnyEffect, Nature};
+
+use super::few_turns::Turns;
+use crate::family::{Claim, Family, families, is_late};
+use crate::rank::{Ranked, rank};
+use crate::state::State;
+
+/// Families whose pairs are tried, and that are shown in the first ranking.
+pub(super) const PAIRED: usize = 10;
+
+/// A rotation whose length differs from the earth's by more than so many standard errors is not it.
+const EARTH_LENGTH: f64 = 3.0;
+
+/// What the first step beside models that were fitted without a rotation may leave of its length.
+const LINEAR: f64 = 0.1;
+
+/// A rotation whose vertical part is fewer standard errors than this is not known to be the earth's.
+const EARTH_VERTICAL: f64 = 2.0;
+
+/// Everything that a model lacks, and the evidence for it, most evident first.
+pub(crate) struct Ranking {
+    pub families: Vec<Family>,
+    pub ranked: Vec<Ranked>,
+}
+
+impl Ranking {
+    /// Beside the model of `state`: what is evident beyond `threshold` has to be so without the turns that speak for it most,
+    /// where knocks have spoiled turns, and a rotation has to be the earth's.
+    pub fn of(state: &State, catalogue: &[&'static dyn AnyEffect], threshold: f64) -> Self {
+        let families = families(state, catalogue);
+        let mut ranked = rank(&state.projected, &families, state.levels());
+        for r in &mut ranked {
+            match as_the_earth(&families[r.family], r) {
+                Earth::No => r.evidence = f64::NEG_INFINITY,
+                Earth::Perhaps => r.only_a_tie = true,
+                Earth::Yes => {}
+            }
+        }
+        if let Some(turns) = Turns::knocked(state) {
+            for r in ranked.iter_mut().filter(|r| r.evidence > threshold) {
+                let family = &families[r.family];
+                match family.claim {
+                    Claim::Effect(_) => r.evidence = turns.evidence_without(state, family, r),
+                    Claim::Disturbed(_) => r.evidence = Turns::evidence_of_disturbance(r),
+                    Claim::Shape(..) => {}
+                }
+            }
+        }
+        ranked.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
+        Self { families, ranked }
+    }
+
+    /// The most evident claims.
+    pub(super) fn first(&self) -> Vec<(Claim, Ranked)> {
+        let best = self.ranked.iter().take(PAIRED);
+        best.map(|r| (self.families[r.family].claim, r.clone()))
+            .collect()
+    }
+
+    /// The effects of which no column is left beside the model's own: they have no rank. Late stamps show in the moving
+    /// accelerometer only, which is looked at on its own.
+    pub(super) fn not_observable(&self) -> Vec<String> {
+        let has_no_rank = |k: usize| self.ranked.iter().all(|r| r.family != k);
+        let effects = self.families.iter().enumerate();
+        effects
+            .filter(|(_, f)| matches!(f.claim, Claim::Effect(effect) if !is_late(effect)))
+            .filter(|(k, _)| has_no_rank(*k))
+            .map(|(_, f)| f.claim.name().into())
+            .collect()
+    }
+}
+
+/// Whether a claim is the earth's rotation.
+enum Earth {
+    /// It has the length and a vertical part, or is another claim.
+    Yes,
+    /// It has the length and no vertical part: something that a direction of the room does to the sensor is as likely.
+    Perhaps,
+    /// It has another length.
+    No,
+}
+
+fn as_the_earth(family: &Family, ranked: &Ranked) -> Earth {
+    // Beside the isotropic g-sensitivity the vertical part is nobody's to know.
+    let nature = family.claim.effect().map(AnyEffect::nature);
+    if nature != Some(Nature::EarthRotation) || ranked.score.dof < 3 {
+        return Earth::Yes;
+    }
+    // The typical size of the effect is the earth's rate: its length is 1.
+    let rate = nalgebra::DVector::from_column_slice(&ranked.score.change);
+    let length = rate.norm();
+    let variance =
+        (rate.transpose() * &ranked.score.covariance * &rate)[(0, 0)] / (length * length);
+    let vertical = rate[2].abs() / ranked.score.covariance[(2, 2)].sqrt();
+    if (length - 1.0).abs() > EARTH_LENGTH * variance.sqrt() + LINEAR {
+        Earth::No
+    } else if vertical < EARTH_VERTICAL {
+        Earth::Perhaps
+    } else {
+        Earth::Yes
+    }
+}
