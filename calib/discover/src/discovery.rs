@@ -17,6 +17,7 @@ use super::enough::{enough_rests, enough_to_compare};
 use super::family::{Claim, effect_family, is_late};
 use super::fault::delay::{Delay, delay};
 use super::fault::integrity::{SPOILT, disturbed, integrity, undersampled};
+use super::fault::mixed::{leave_out_mixed, say_mixed};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
 use super::flicker::names_and_rest;
 use super::gap::channel::Channel;
@@ -104,6 +105,9 @@ pub(super) fn discover_in(
         rest = Some(whole);
         formula
     });
+    if leave_out_mixed(session, &mut search)? {
+        rest = rest_of(&search.last, alpha);
+    }
     if rest.is_some() && without_weak(session, &mut search, request)? {
         rest = rest_of(&search.last, alpha);
     }
@@ -141,6 +145,7 @@ pub(super) fn discover_in(
     let (mut calibration, held) = determined(session, request, &mut search, held)?;
     say_held(&mut calibration, &held);
     calibration.warnings.extend(search.spent.clone());
+    say_mixed(&mut calibration, &search.last);
     let named = |name: &&Name| matches!(name.claim, Claim::Effect(_));
     let mut effects = Vec::new();
     if search.names.iter().any(|name| named(&name)) {

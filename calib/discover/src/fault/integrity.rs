@@ -7,6 +7,7 @@ use recording::readings::{Finding, altered_bias};
 use recording::{Recording, Stream};
 use serde::Serialize;
 
+use crate::fault::mixed::beside_steps;
 use crate::request::Session;
 use crate::search::Either;
 use crate::state::State;
@@ -134,7 +135,10 @@ pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<In
         let mut excursions = all.filter(|a| a.kind == Disturbance::RateExcursion);
         excursions.any(|a| (a.recording, a.interval) == (of.recording, of.interval))
     };
+    // An interval within which a bias stepped is no fault of the recording.
+    let of_steps = beside_steps(state);
     found
+        .filter(|(_, (known, _))| !of_steps.contains(known))
         .filter(|(flagged, _)| flagged.kind != Disturbance::MountSlip || !is_excursion(flagged))
         .map(|(flagged, (known, size))| {
             let or = either.iter().find(|either| either.known == known);

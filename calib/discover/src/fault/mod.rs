@@ -2,3 +2,4 @@
 
 pub(super) mod delay;
 pub(super) mod integrity;
+pub(super) mod mixed;

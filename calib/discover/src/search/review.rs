@@ -13,6 +13,9 @@ use crate::rank::{APART, Ranked, shared};
 use crate::separation::Rivalry;
 use crate::state::State;
 
+/// A claim that explains no more than this share of what the named one does is another matter, and no tie.
+const OF_THE_SAME: f64 = 0.2;
+
 /// What is left of the names after a second look.
 pub(super) struct Reviewed {
     pub names: Vec<Name>,
@@ -141,7 +144,7 @@ impl Finder<'_> {
         Verdict::Stays(mine.clone())
     }
 
-    /// The claims whose evidence is within 20 to 1 of the named one's.
+    /// The claims whose evidence is within 20 to 1 of the named one's, and that explain some of the same.
     pub(super) fn ties(
         &self,
         state: &State,
@@ -158,6 +161,7 @@ impl Finder<'_> {
                 shared: shared(&state.projected, families, named, r).unwrap_or(0.0),
                 rivalry: Rivalry::of(state, families, (named, r), self.catalogue),
             })
+            .filter(|tie| tie.shared > OF_THE_SAME)
             .collect()
     }
 

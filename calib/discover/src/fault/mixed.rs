@@ -1,0 +1,141 @@
+//! The static interval within which a bias stepped.
+//!
+//! A step is held between two static intervals. Where it happened within one, the mean of that interval is a mixture of before
+//! and after: it looks disturbed, and pulls the estimate of the step towards itself.
+
+use estimate::calibration::Calibration;
+use estimate::methods::joint::{Column, Disturbance, Known, Suspect};
+use recording::Error;
+use sensor::{Role, Sensor};
+
+use crate::request::Session;
+use crate::score::{log_tail, score};
+use crate::search::Search;
+use crate::state::State;
+
+/// Chance of an interval beside a step that is off by so much where the step lies between intervals.
+const BY_CHANCE: f64 = 0.01;
+
+/// Leaves the interval beside a named step out of the fit where it is off: whether there is one.
+///
+/// # Errors
+/// As the joint fit.
+pub fn leave_out_mixed(session: &Session<'_>, search: &mut Search) -> Result<bool, Error> {
+    let mut has_any = false;
+    for _ in 0..search.last.extension.effects.len() {
+        let Some(mixed) = mixed(&search.last) else {
+            break;
+        };
+        let mut extension = search.last.extension.clone();
+        extension.disturbed.push(mixed);
+        search.last = search.fit(session, extension)?;
+        has_any = true;
+    }
+    Ok(has_any)
+}
+
+/// Says of the intervals that are left out for a step that they are, in place of what is said of one that was disturbed.
+pub fn say_mixed(calibration: &mut Calibration, state: &State) {
+    let beside = beside_steps(state);
+    let found = state.fit.flagged.iter().zip(state.disturbed_sizes());
+    for (flagged, _) in found.filter(|(_, (known, _))| beside.contains(known)) {
+        let name = &state.fit.data.sources[flagged.recording].name;
+        let interval = format!("{name}: static interval {} (", flagged.interval + 1);
+        let says_disturbed = |w: &String| w.starts_with(&interval) && w.contains(" not used");
+        calibration.warnings.retain(|w| !says_disturbed(w));
+        calibration.warnings.push(format!(
+            "{interval}t = {:.2} to {:.2} s): the bias stepped within it, so that its mean is left out",
+            flagged.span.from, flagged.span.to
+        ));
+    }
+}
+
+/// The disturbances that leave out the intervals on either side of the steps of a model.
+pub fn beside_steps(state: &State) -> Vec<Known> {
+    let mut all = Vec::new();
+    for (effect, shape) in &state.extension.effects {
+        let Some((k, t0)) = *shape else {
+            continue;
+        };
+        if effect.params()[k].role_by_name() != Role::Instant {
+            continue;
+        }
+        let means = state.sensitivities.means.iter();
+        let own = means.filter(|mean| mean.sensor == effect.sensor());
+        let (before, after): (Vec<_>, Vec<_>) = own
+            .map(|mean| (mean.truth.time, mean.chunk))
+            .partition(|(time, _)| *time < t0);
+        let nearest = [
+            before.into_iter().max_by(|a, b| a.0.total_cmp(&b.0)),
+            after.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)),
+        ];
+        let chunks = nearest.into_iter().flatten().map(|(_, chunk)| chunk);
+        all.extend(chunks.filter_map(|chunk| left_out(state, effect.sensor(), chunk)));
+    }
+    all
+}
+
+/// What leaves a chunk of a sensor out; `None` where that would leave out others too.
+fn left_out(state: &State, sensor: Sensor, chunk: usize) -> Option<Known> {
+    if sensor == Sensor::Accelerometer {
+        return Some(Known {
+            kind: Disturbance::DisturbedInterval,
+            place: chunk,
+        });
+    }
+    let rest = state.fit.data.chunks[chunk].rest;
+    let is_whole = state.fit.data.rests[rest].chunks.len() == 1;
+    is_whole.then_some(Known {
+        kind: Disturbance::RateExcursion,
+        place: rest,
+    })
+}
+
+/// The interval beside a step that is off most, where that is hardly by chance.
+fn mixed(state: &State) -> Option<Known> {
+    let whitened = state.projected.at(state.noise)?;
+    let log_p = |known: &Known| {
+        let is_own = |s: &&Suspect| s.kind == known.kind && s.place == known.place;
+        let suspect = state.suspects().iter().find(is_own)?;
+        let own: Vec<&Column> = suspect.columns.iter().collect();
+        let own = Column::side_by_side(state.rows(), &own);
+        let columns = state.projected.columns(state.whitened(own).as_ref());
+        let found = score(whitened.columns(&columns).as_ref(), &whitened.z);
+        (found.dof > 0).then(|| log_tail(found.statistic, found.dof as f64))
+    };
+    let open = beside_steps(state).into_iter();
+    let open = open.filter(|known| !state.is_flagged(known.kind, known.place));
+    let judged = open.filter_map(|known| Some((log_p(&known)?, known)));
+    let off = judged.filter(|(log_p, _)| *log_p < BY_CHANCE.ln());
+    off.min_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, known)| known)
+}
+
+#[cfg(test)]
+mod tests {
+    use simulate::Spec;
+
+    use crate::{Request, discover};
+
+    #[test]
+    fn a_step_within_a_static_interval_is_no_disturbance_of_it() {
+        let spec = Spec::hand_held(3).with_effect("accel_step", 3.0);
+        let rests = spec.run().unwrap().truth.static_intervals;
+        let middle = &rests[rests.len() / 2];
+        let mut within = spec.clone();
+        let own = within.effects.get_mut("accel_step").unwrap();
+        own.insert("t0".into(), 0.5 * (middle.start + middle.end));
+        let session = within.run().unwrap();
+        let request = Request::new(spec.gravity);
+        let findings = discover(&[session.recording], &request).unwrap().findings;
+        assert!(findings.effects.iter().any(|e| e.name == "accel_step"));
+        assert!(findings.integrity.is_empty(), "{:?}", findings.integrity);
+        assert_eq!(findings.unexplained, None);
+        let warnings = &findings.calibration.warnings;
+        assert!(
+            warnings.iter().any(|w| w.contains("stepped within it")),
+            "{warnings:?}"
+        );
+        assert!(!warnings.iter().any(|w| w.contains("disturbed_interval")));
+    }
+}
