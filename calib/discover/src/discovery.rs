@@ -94,7 +94,7 @@ pub(super) fn discover_in(
     enough_to_compare(session, &base)?;
     let mut faults = integrity(session, &base);
     let is_spoilt = faults.iter().any(|fault| SPOILT.contains(&fault.name));
-    let alpha = request.half_alpha();
+    let alpha = request.alpha_of_rest();
     let (mut search, mut rest) = if is_spoilt {
         (Search::without_names(base), None)
     } else {

@@ -24,7 +24,7 @@ pub fn names_and_rest(
     request: &Request,
     base: State,
 ) -> Result<(Search, Option<Unexplained>), Error> {
-    let alpha = request.half_alpha();
+    let alpha = request.alpha_of_rest();
     let mut first = search(session, request, base)?;
     let rest = unexplained(&mut first, alpha);
     let nothing = rest.is_none() && first.names.is_empty();
@@ -88,7 +88,7 @@ mod tests {
             let mut session = Session::new(&recordings, &request).unwrap();
             let base = State::fit(&session, Extension::default()).unwrap();
             let mut walking = search(&session, &request, base.clone()).unwrap();
-            let rest = unexplained(&mut walking, request.half_alpha());
+            let rest = unexplained(&mut walking, request.alpha_of_rest());
             assert!(rest.is_some() || !walking.names.is_empty(), "{seed}");
             let (found, rest) = names_and_rest(&mut session, &request, base).unwrap();
             assert!(rest.is_none() && found.names.is_empty(), "{seed}");

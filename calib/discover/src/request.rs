@@ -22,8 +22,8 @@ pub struct Request {
     pub gravity: f64,
     /// Where that comes from.
     pub gravity_source: GravitySource,
-    /// Chance of any false claim about recordings of a device that lacks nothing: half of it for names, half
-    /// for saying that something is unexplained.
+    /// Chance of any false claim about recordings of a device that lacks nothing: half of it for names of effects, a quarter for
+    /// faults of the recording that models show, a quarter for saying that something is unexplained.
     pub alpha: f64,
     /// Noise of the biases, where it is known.
     pub noise: Option<BiasNoise>,
@@ -45,14 +45,14 @@ pub struct Request {
 }
 
 impl Request {
-    /// The share of the chance of a false claim that names may take, and that an unexplained rest may take.
-    pub fn half_alpha(&self) -> f64 {
-        0.5 * self.alpha
+    /// The share of the chance of a false claim that an unexplained rest may take.
+    pub fn alpha_of_rest(&self) -> f64 {
+        0.25 * self.alpha
     }
 
-    /// The evidence that a name needs.
+    /// The evidence that the name of an effect needs.
     pub fn threshold(&self) -> f64 {
-        -self.half_alpha().ln()
+        -(0.5 * self.alpha).ln()
     }
 
     /// The effects that may be missing from the base model.

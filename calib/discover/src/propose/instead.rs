@@ -39,7 +39,7 @@ pub fn instead_of_names(
     if most_evidence(&screened, &products, base.levels()) <= needed {
         return None;
     }
-    let whole = rest_of(base, request.half_alpha())?;
+    let whole = rest_of(base, request.alpha_of_rest())?;
     let found = propose_of(session, request, base, &whole, (&products, &screened))?;
     (found.ranked.by_ratio() > needed).then_some((found, whole))
 }

@@ -11,6 +11,7 @@ mod review;
 mod together;
 
 use std::cell::{Cell, RefCell};
+use std::f64::consts::LN_2;
 use std::rc::Rc;
 
 pub use either::Either;
@@ -316,16 +317,20 @@ impl Finder<'_> {
         ranking
     }
 
+    /// The evidence that a claim needs: a fault of the recording may be claimed by chance half as often as an effect.
+    fn needed(&self, claim: &Claim) -> f64 {
+        let is_fault = matches!(claim, Claim::Disturbed(_));
+        self.threshold + if is_fault { LN_2 } else { 0.0 }
+    }
+
     /// The claim with the most evidence, where that is enough.
     fn next(&self, families: &[Family], ranked: &[Ranked], unfit: &[Claim]) -> Option<Held> {
         let may = |r: &&Ranked| {
             let own = &families[r.family].claim;
             !r.only_a_tie && !unfit.iter().any(|claim| claim.is_same(own))
         };
-        let top = ranked.iter().find(may)?;
-        if top.evidence <= self.threshold {
-            return None;
-        }
+        let mut open = ranked.iter().filter(may);
+        let top = open.find(|r| r.evidence > self.needed(&families[r.family].claim))?;
         let chosen = self.simpler(families, ranked, top).unwrap_or(top);
         Some(Held::of(families, chosen))
     }

@@ -134,7 +134,7 @@ impl Finder<'_> {
         if top.evidence > mine.evidence + APART && !self.is_simpler(families, top, mine) {
             return Verdict::Other(Held::of(families, top));
         }
-        if mine.evidence <= self.threshold || mine.only_a_tie {
+        if mine.evidence <= self.needed(&own.claim) || mine.only_a_tie {
             return Verdict::Gone;
         }
         let found = &families[mine.family].hypotheses[mine.hypothesis];
