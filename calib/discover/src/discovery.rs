@@ -17,7 +17,7 @@ use super::enough::{enough_rests, enough_to_compare};
 use super::family::{Claim, effect_family, is_late};
 use super::fault::delay::{Delay, delay};
 use super::fault::integrity::{SPOILT, disturbed, integrity, undersampled};
-use super::fault::mixed::{leave_out_mixed, say_mixed};
+use super::fault::mixed::{leave_out_mixed, say_mixed, take_back};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
 use super::flicker::names_and_rest;
 use super::gap::channel::Channel;
@@ -105,7 +105,8 @@ pub(super) fn discover_in(
         rest = Some(whole);
         formula
     });
-    if leave_out_mixed(session, &mut search)? {
+    let mixed = leave_out_mixed(session, &mut search)?;
+    if !mixed.is_empty() {
         rest = rest_of(&search.last, alpha);
     }
     if rest.is_some() && without_weak(session, &mut search, request)? {
@@ -126,6 +127,9 @@ pub(super) fn discover_in(
         if rest.is_some() || left.is_none() {
             (search, rest) = (fewer, left);
         }
+    }
+    if take_back(session, &mut search, &mixed)? {
+        rest = rest_of(&search.last, alpha);
     }
     if let Some(found) = rest.as_mut() {
         weigh_beside_shape(session, request, &mut search, found)?;

@@ -16,12 +16,12 @@ use crate::state::State;
 /// Chance of an interval beside a step that is off by so much where the step lies between intervals.
 const BY_CHANCE: f64 = 0.01;
 
-/// Leaves the interval beside a named step out of the fit where it is off: whether there is one.
+/// Leaves the interval beside a named step out of the fit where it is off: what is left out.
 ///
 /// # Errors
 /// As the joint fit.
-pub fn leave_out_mixed(session: &Session<'_>, search: &mut Search) -> Result<bool, Error> {
-    let mut has_any = false;
+pub fn leave_out_mixed(session: &Session<'_>, search: &mut Search) -> Result<Vec<Known>, Error> {
+    let mut all = Vec::new();
     for _ in 0..search.last.extension.effects.len() {
         let Some(mixed) = mixed(&search.last) else {
             break;
@@ -29,7 +29,28 @@ pub fn leave_out_mixed(session: &Session<'_>, search: &mut Search) -> Result<boo
         let mut extension = search.last.extension.clone();
         extension.disturbed.push(mixed);
         search.last = search.fit(session, extension)?;
-        has_any = true;
+        all.push(mixed);
+    }
+    Ok(all)
+}
+
+/// Takes back what was left out for steps that have been withdrawn since: whether there is any.
+///
+/// # Errors
+/// As the joint fit.
+pub fn take_back(
+    session: &Session<'_>,
+    search: &mut Search,
+    left_out: &[Known],
+) -> Result<bool, Error> {
+    let beside = beside_steps(&search.last);
+    let mut extension = search.last.extension.clone();
+    let before = extension.disturbed.len();
+    let stays = |known: &Known| beside.contains(known) || !left_out.contains(known);
+    extension.disturbed.retain(stays);
+    let has_any = extension.disturbed.len() < before;
+    if has_any {
+        search.last = search.fit(session, extension)?;
     }
     Ok(has_any)
 }
