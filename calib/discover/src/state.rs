@@ -105,6 +105,13 @@ impl State {
         self.fit.whitening.white.sparse(columns)
     }
 
+    /// What one suspect could explain (`q × columns`), as the model's own parameters leave it.
+    pub fn explained_by(&self, suspect: &Suspect) -> Mat<f64> {
+        let own: Vec<&Column> = suspect.columns.iter().collect();
+        let own = Column::side_by_side(self.rows(), &own);
+        self.projected.columns(self.whitened(own).as_ref())
+    }
+
     /// Whether the model has the effect of this name.
     pub fn has(&self, name: &str) -> bool {
         self.extension.effects.iter().any(|(e, _)| e.name() == name)

@@ -4,7 +4,7 @@
 //! and after: it looks disturbed, and pulls the estimate of the step towards itself.
 
 use estimate::calibration::Calibration;
-use estimate::methods::joint::{Column, Disturbance, Known, Suspect};
+use estimate::methods::joint::{Disturbance, Known, Suspect};
 use recording::Error;
 use sensor::{Role, Sensor};
 
@@ -114,17 +114,19 @@ fn left_out(state: &State, sensor: Sensor, chunk: usize) -> Option<Known> {
 
 /// The interval beside a step that is off most, where that is hardly by chance.
 fn mixed(state: &State) -> Option<Known> {
+    let beside = beside_steps(state);
+    if beside.is_empty() {
+        return None;
+    }
     let whitened = state.projected.at(state.noise)?;
     let log_p = |known: &Known| {
         let is_own = |s: &&Suspect| s.kind == known.kind && s.place == known.place;
         let suspect = state.suspects().iter().find(is_own)?;
-        let own: Vec<&Column> = suspect.columns.iter().collect();
-        let own = Column::side_by_side(state.rows(), &own);
-        let columns = state.projected.columns(state.whitened(own).as_ref());
+        let columns = state.explained_by(suspect);
         let found = score(whitened.columns(&columns).as_ref(), &whitened.z);
         (found.dof > 0).then(|| log_tail(found.statistic, found.dof as f64))
     };
-    let open = beside_steps(state).into_iter();
+    let open = beside.into_iter();
     let open = open.filter(|known| !state.is_flagged(known.kind, known.place));
     let judged = open.filter_map(|known| Some((log_p(&known)?, known)));
     let off = judged.filter(|(log_p, _)| *log_p < BY_CHANCE.ln());

@@ -168,7 +168,8 @@ fn wanders_beside(state: &State, shape: &Shaped, alpha: f64) -> bool {
         .any(|scatter| scatter.log_p + count.ln() <= alpha.ln())
 }
 
-/// The tests that say what the rest looks like.
+/// The tests that say what the rest looks like; of shapes with a larger `−ln p` than `needed`, without the turns that speak for
+/// them most.
 fn shaped(state: &State, needed: f64) -> Vec<Trial> {
     let levels = state.levels();
     let is_slow = |f: &Family| matches!(f.claim, Claim::Shape(Shape::SlowTime, _));

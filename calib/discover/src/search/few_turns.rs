@@ -1,6 +1,6 @@
 //! Evidence that a few turns make.
 
-use estimate::methods::joint::{Column, Disturbance, without};
+use estimate::methods::joint::{Disturbance, without};
 use faer::Mat;
 
 use crate::family::Family;
@@ -27,12 +27,7 @@ impl Turns {
         is_knocked.then(|| {
             let suspects = state.suspects().iter();
             let turns = suspects.filter(|s| s.kind == Disturbance::BadTurn);
-            let columns = turns.map(|turn| {
-                let own: Vec<&Column> = turn.columns.iter().collect();
-                let own = Column::side_by_side(state.rows(), &own);
-                state.projected.columns(state.whitened(own).as_ref())
-            });
-            Self(columns.collect())
+            Self(turns.map(|turn| state.explained_by(turn)).collect())
         })
     }
 
