@@ -17,7 +17,7 @@ use super::enough::{enough_rests, enough_to_compare};
 use super::family::{Claim, effect_family, is_late};
 use super::fault::delay::{Delay, delay};
 use super::fault::integrity::{SPOILT, disturbed, integrity, undersampled};
-use super::fault::mixed::{leave_out_mixed, say_mixed, take_back};
+use super::fault::mixed::{leave_out_mixed, take_back};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
 use super::flicker::names_and_rest;
 use super::gap::channel::Channel;
@@ -105,8 +105,7 @@ pub(super) fn discover_in(
         rest = Some(whole);
         formula
     });
-    let mixed = leave_out_mixed(session, &mut search)?;
-    if !mixed.is_empty() {
+    if leave_out_mixed(session, &mut search)? {
         rest = rest_of(&search.last, alpha);
     }
     if rest.is_some() && without_weak(session, &mut search, request)? {
@@ -128,7 +127,7 @@ pub(super) fn discover_in(
             (search, rest) = (fewer, left);
         }
     }
-    if take_back(session, &mut search, &mixed)? {
+    if take_back(session, &mut search)? {
         rest = rest_of(&search.last, alpha);
     }
     if let Some(found) = rest.as_mut() {
@@ -149,7 +148,6 @@ pub(super) fn discover_in(
     let (mut calibration, held) = determined(session, request, &mut search, held)?;
     say_held(&mut calibration, &held);
     calibration.warnings.extend(search.spent.clone());
-    say_mixed(&mut calibration, &search.last);
     let named = |name: &&Name| matches!(name.claim, Claim::Effect(_));
     let mut effects = Vec::new();
     if search.names.iter().any(|name| named(&name)) {
@@ -223,6 +221,7 @@ pub(super) fn calibration(
     let how = CalibrationRequest {
         gravity: request.gravity,
         gravity_source: request.gravity_source,
+        is_discovery: true,
         ..CalibrationRequest::default()
     };
     let calibration = written_down(&last.fit, &recordings, &choices, &how, &mut warnings)?;

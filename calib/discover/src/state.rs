@@ -119,10 +119,13 @@ impl State {
 
     /// Whether a disturbance is in the model already.
     pub fn is_flagged(&self, kind: Disturbance, place: usize) -> bool {
-        self.extension
-            .disturbed
-            .iter()
-            .any(|k| k.kind == kind && k.place == place)
+        self.known(kind, place).is_some()
+    }
+
+    /// What the model holds of this kind at this place.
+    pub fn known(&self, kind: Disturbance, place: usize) -> Option<Known> {
+        let mut all = self.extension.disturbed.iter();
+        all.find(|k| k.kind == kind && k.place == place).copied()
     }
 
     /// The settings of the densities at which hypotheses are tried.
@@ -147,17 +150,12 @@ impl State {
     fn held(&self) -> impl Iterator<Item = (Known, Range<usize>)> + '_ {
         let mut next = self.fit.parameters.values().len() - self.fit.disturbance_columns.len();
         let suspects = self.suspects().iter();
-        suspects
-            .filter(|s| self.is_flagged(s.kind, s.place))
-            .map(move |s| {
-                let own = next..next + s.columns.len();
-                next = own.end;
-                let known = Known {
-                    kind: s.kind,
-                    place: s.place,
-                };
-                (known, own)
-            })
+        suspects.filter_map(move |s| {
+            let known = self.known(s.kind, s.place)?;
+            let own = next..next + s.columns.len();
+            next = own.end;
+            Some((known, own))
+        })
     }
 
     /// How sure the model is of what it holds as disturbed: `ln p` of `βᵀ C⁻¹ β`, `β` the parameters of one

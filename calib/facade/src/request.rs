@@ -171,6 +171,7 @@ impl Request {
             force_device: self.force_device,
             clock: self.clock,
             field: self.field,
+            is_discovery: false,
             static_means: Vec::new(),
         })
     }

@@ -1,13 +1,12 @@
 //! Faults of the recording itself, found without a model.
 
-use estimate::methods::joint::{Disturbance, Flagged, SensorNoise};
+use estimate::methods::joint::{Disturbance, Flagged, Reason, SensorNoise};
 use nalgebra::Vector3;
 use recording::intervals::{Rails, Segmentation, Span};
 use recording::readings::{Finding, altered_bias};
 use recording::{Recording, Stream};
 use serde::Serialize;
 
-use crate::fault::mixed::beside_steps;
 use crate::request::Session;
 use crate::search::Either;
 use crate::state::State;
@@ -135,10 +134,9 @@ pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<In
         let mut excursions = all.filter(|a| a.kind == Disturbance::RateExcursion);
         excursions.any(|a| (a.recording, a.interval) == (of.recording, of.interval))
     };
-    // An interval within which a bias stepped is no fault of the recording.
-    let of_steps = beside_steps(state);
     found
-        .filter(|(_, (known, _))| !of_steps.contains(known))
+        // An interval within which a bias stepped is no fault of the recording.
+        .filter(|(flagged, _)| flagged.reason == Reason::Disturbed)
         .filter(|(flagged, _)| flagged.kind != Disturbance::MountSlip || !is_excursion(flagged))
         .map(|(flagged, (known, size))| {
             let or = either.iter().find(|either| either.known == known);

@@ -3,10 +3,9 @@
 //! A step is held between two static intervals. Where it happened within one, the mean of that interval is a mixture of before
 //! and after: it looks disturbed, and pulls the estimate of the step towards itself.
 
-use estimate::calibration::Calibration;
-use estimate::methods::joint::{Disturbance, Known, Suspect};
+use estimate::methods::joint::{Disturbance, Known, Reason, Suspect};
 use recording::Error;
-use sensor::{Role, Sensor};
+use sensor::Sensor;
 
 use crate::request::Session;
 use crate::score::{log_tail, score};
@@ -16,12 +15,12 @@ use crate::state::State;
 /// Chance of an interval beside a step that is off by so much where the step lies between intervals.
 const BY_CHANCE: f64 = 0.01;
 
-/// Leaves the interval beside a named step out of the fit where it is off: what is left out.
+/// Leaves the interval beside a named step out of the fit where it is off: whether there is any.
 ///
 /// # Errors
 /// As the joint fit.
-pub fn leave_out_mixed(session: &Session<'_>, search: &mut Search) -> Result<Vec<Known>, Error> {
-    let mut all = Vec::new();
+pub fn leave_out_mixed(session: &Session<'_>, search: &mut Search) -> Result<bool, Error> {
+    let mut has_any = say_of_disturbed(session, search)?;
     for _ in 0..search.last.extension.effects.len() {
         let Some(mixed) = mixed(&search.last) else {
             break;
@@ -29,24 +28,37 @@ pub fn leave_out_mixed(session: &Session<'_>, search: &mut Search) -> Result<Vec
         let mut extension = search.last.extension.clone();
         extension.disturbed.push(mixed);
         search.last = search.fit(session, extension)?;
-        all.push(mixed);
+        has_any = true;
     }
-    Ok(all)
+    Ok(has_any)
+}
+
+/// Gives the step as the reason of what was found disturbed beside it: whether there is any.
+fn say_of_disturbed(session: &Session<'_>, search: &mut Search) -> Result<bool, Error> {
+    let beside = beside_steps(&search.last);
+    let mut extension = search.last.extension.clone();
+    let mut has_any = false;
+    for known in &mut extension.disturbed {
+        if let Some(mixed) = beside.iter().find(|mixed| mixed.is_at(known)) {
+            *known = *mixed;
+            has_any = true;
+        }
+    }
+    if has_any {
+        search.last = search.fit(session, extension)?;
+    }
+    Ok(has_any)
 }
 
 /// Takes back what was left out for steps that have been withdrawn since: whether there is any.
 ///
 /// # Errors
 /// As the joint fit.
-pub fn take_back(
-    session: &Session<'_>,
-    search: &mut Search,
-    left_out: &[Known],
-) -> Result<bool, Error> {
+pub fn take_back(session: &Session<'_>, search: &mut Search) -> Result<bool, Error> {
     let beside = beside_steps(&search.last);
     let mut extension = search.last.extension.clone();
     let before = extension.disturbed.len();
-    let stays = |known: &Known| beside.contains(known) || !left_out.contains(known);
+    let stays = |known: &Known| known.reason != Reason::BiasStepped || beside.contains(known);
     extension.disturbed.retain(stays);
     let has_any = extension.disturbed.len() < before;
     if has_any {
@@ -55,32 +67,13 @@ pub fn take_back(
     Ok(has_any)
 }
 
-/// Says of the intervals that are left out for a step that they are, in place of what is said of one that was disturbed.
-pub fn say_mixed(calibration: &mut Calibration, state: &State) {
-    let beside = beside_steps(state);
-    let found = state.fit.flagged.iter().zip(state.disturbed_sizes());
-    for (flagged, _) in found.filter(|(_, (known, _))| beside.contains(known)) {
-        let name = &state.fit.data.sources[flagged.recording].name;
-        let interval = format!("{name}: static interval {} (", flagged.interval + 1);
-        let says_disturbed = |w: &String| w.starts_with(&interval) && w.contains(" not used");
-        calibration.warnings.retain(|w| !says_disturbed(w));
-        calibration.warnings.push(format!(
-            "{interval}t = {:.2} to {:.2} s): the bias stepped within it, so that its mean is left out",
-            flagged.span.from, flagged.span.to
-        ));
-    }
-}
-
-/// The disturbances that leave out the intervals on either side of the steps of a model.
-pub fn beside_steps(state: &State) -> Vec<Known> {
+/// What leaves out the intervals on either side of the steps of a model.
+fn beside_steps(state: &State) -> Vec<Known> {
     let mut all = Vec::new();
     for (effect, shape) in &state.extension.effects {
-        let Some((k, t0)) = *shape else {
+        let Some((_, t0)) = shape.filter(|(k, _)| effect.instant() == Some(*k)) else {
             continue;
         };
-        if effect.params()[k].role_by_name() != Role::Instant {
-            continue;
-        }
         let means = state.sensitivities.means.iter();
         let own = means.filter(|mean| mean.sensor == effect.sensor());
         let (before, after): (Vec<_>, Vec<_>) = own
@@ -102,6 +95,7 @@ fn left_out(state: &State, sensor: Sensor, chunk: usize) -> Option<Known> {
         return Some(Known {
             kind: Disturbance::DisturbedInterval,
             place: chunk,
+            reason: Reason::BiasStepped,
         });
     }
     let rest = state.fit.data.chunks[chunk].rest;
@@ -109,6 +103,7 @@ fn left_out(state: &State, sensor: Sensor, chunk: usize) -> Option<Known> {
     is_whole.then_some(Known {
         kind: Disturbance::RateExcursion,
         place: rest,
+        reason: Reason::BiasStepped,
     })
 }
 

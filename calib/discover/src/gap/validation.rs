@@ -9,7 +9,7 @@ use estimate::methods::joint::{
 };
 use faer::Mat;
 use recording::{Error, Recording};
-use sensor::{AnyEffect, Role};
+use sensor::AnyEffect;
 
 use crate::discovery::Discovery;
 use crate::extension::Extension;
@@ -74,10 +74,7 @@ pub fn validate(
 fn missed(session: &Session<'_>, model: &State, noise: BiasNoise) -> Result<[Misfit; 3], Error> {
     // What was disturbed in the other recording was disturbed there.
     // An instant belongs to the recording that it was found in: nothing is judged by it here.
-    let lasting = |effect: &&(&'static dyn AnyEffect, _)| {
-        let mut roles = effect.0.params().iter().map(|p| p.role);
-        roles.all(|role| role != Role::Instant)
-    };
+    let lasting = |(effect, _): &&(&'static dyn AnyEffect, _)| effect.instant().is_none();
     let effects = model.extension.effects.iter().filter(lasting);
     let fit = fit_joint(&session.joint(&Extension {
         effects: effects.copied().collect(),

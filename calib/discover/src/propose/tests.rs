@@ -153,6 +153,7 @@ fn asked_of(spec: &Spec, channel: Channel) -> Option<Formula> {
     let rest = Unexplained {
         channel,
         size: 1.0,
+        rms: None,
         p_value: 1.0,
         shape: String::new(),
         period: None,

@@ -35,6 +35,20 @@ pub struct Scatter {
     pub log_p: f64,
 }
 
+impl Scatter {
+    /// What wanders, in words. What is forgotten within the shortest memory tried, which is that of one static interval, need
+    /// not go with time at all.
+    pub fn words(&self) -> String {
+        let axis = ["x", "y", "z"][self.axis];
+        let how = if self.memory > MEMORIES[0] {
+            format!("wanders, with a memory of about {:.0} s", self.memory)
+        } else {
+            "differs from rest to rest, as one does that goes with the placement or jumps between rests".into()
+        };
+        format!("{}: the bias of axis {axis} {how}", self.sensor.name())
+    }
+}
+
 /// The test of every axis of every sensor.
 ///
 /// A bias on one axis with covariance `θ K`, `K_st = exp(−|s − t|/τ)` over the chunks, against none, by the likelihood

@@ -25,6 +25,8 @@ pub struct Unexplained {
     pub channel: Channel,
     /// `√(χ²/dof)` of that channel.
     pub size: f64,
+    /// Root mean square of what that channel leaves, in m/s², rad/s or rad.
+    pub rms: Option<f64>,
     /// Chance of so much where nothing is missing, over all that was tested.
     pub p_value: f64,
     /// In words.
@@ -145,6 +147,7 @@ pub fn rest_of(state: &State, alpha: f64) -> Option<Unexplained> {
     Some(Unexplained {
         channel,
         size: misfits[channel as usize].gap(),
+        rms: state.rms(channel),
         p_value: log_p.exp(),
         shape: worst.words.clone(),
         period: worst.period,
@@ -189,12 +192,7 @@ fn shaped(state: &State, needed: f64) -> Vec<Trial> {
     }
     trials.extend(scatters(state, levels).into_iter().map(|s| Trial {
         log_p: s.log_p,
-        words: format!(
-            "{}: the bias of axis {} wanders from rest to rest, with a memory of about {:.0} s",
-            s.sensor.name(),
-            ["x", "y", "z"][s.axis],
-            s.memory
-        ),
+        words: s.words(),
         of: None,
         channel: Some(channel_at_rest(s.sensor)),
         period: None,

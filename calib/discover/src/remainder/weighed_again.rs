@@ -82,8 +82,8 @@ fn items(last: &State, families: &[Family]) -> Vec<Item> {
                     None
                 }
                 Claim::Disturbed(kind) => {
-                    let known = hypothesis.place.map(|place| Known { kind, place });
-                    if !known.is_some_and(|known| last.extension.disturbed.contains(&known)) {
+                    let known = hypothesis.place.and_then(|place| last.known(kind, place));
+                    if known.is_none() {
                         continue;
                     }
                     known

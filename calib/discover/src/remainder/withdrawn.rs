@@ -67,7 +67,7 @@ pub(crate) fn without_doubtful_steps(
         let Claim::Effect(effect) = name.claim else {
             continue;
         };
-        if is_step(effect)
+        if effect.instant().is_some()
             && wandering(&name.without, effect.sensor()) > name.ranked.by_ratio() - APART
         {
             less.effects.retain(|(own, _)| own.name() != effect.name());
@@ -94,17 +94,13 @@ fn wandering(state: &State, sensor: Sensor) -> f64 {
         .fold(0.0, f64::max)
 }
 
-fn is_step(effect: &dyn AnyEffect) -> bool {
-    effect.params().iter().any(|p| p.role == Role::Instant)
-}
-
 /// Withdraws the steps of a sensor whose bias wanders beside them: whether there were any.
 pub(crate) fn without_steps_of(
     session: &Session<'_>,
     search: &mut Search,
     sensor: Sensor,
 ) -> Result<bool, Error> {
-    let wanders = |effect: &dyn AnyEffect| effect.sensor() == sensor && is_step(effect);
+    let wanders = |effect: &dyn AnyEffect| effect.sensor() == sensor && effect.instant().is_some();
     let mut less = search.last.extension.clone();
     less.effects.retain(|(effect, _)| !wanders(*effect));
     withdraw(session, search, less)

@@ -23,7 +23,10 @@ impl Finder<'_> {
         let mut all = Vec::new();
         for name in names {
             if let (Claim::Disturbed(kind), Some(place)) = (name.claim, name.hypothesis.place) {
-                all.extend(Either::of(Known { kind, place }, names_of(&name.ties)));
+                all.extend(Either::of(
+                    Known::disturbed(kind, place),
+                    names_of(&name.ties),
+                ));
             }
         }
         for (known, _) in certain {

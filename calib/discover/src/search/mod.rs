@@ -296,9 +296,11 @@ impl Finder<'_> {
                     extension.hold(effect, h.hypothesis.shape, self.catalogue);
                 }
                 Claim::Disturbed(kind) => {
-                    extension
-                        .disturbed
-                        .extend(h.hypothesis.place.map(|place| Known { kind, place }));
+                    extension.disturbed.extend(
+                        h.hypothesis
+                            .place
+                            .map(|place| Known::disturbed(kind, place)),
+                    );
                 }
                 Claim::Shape(..) => {}
             }

@@ -69,21 +69,18 @@ impl Rival {
 
     /// Whether it settles after switching on.
     pub fn settles(&self) -> bool {
-        self.is_shaped_by(Role::TimeConstant) && self.looks_at(Quantity::Time)
+        let shaped = |effect: &dyn AnyEffect| {
+            let mut roles = effect.params().iter().map(sensor::Param::role_by_name);
+            roles.any(|role| role == Role::TimeConstant)
+        };
+        self.shape.is_some()
+            && effect_named(&self.name)
+                .is_some_and(|e| shaped(e) && e.needs().contains(&Quantity::Time))
     }
 
     /// Whether it belongs to an instant of the recording that it was seen in.
     pub fn is_of_an_instant(&self) -> bool {
-        self.is_shaped_by(Role::Instant)
-    }
-
-    fn is_shaped_by(&self, role: Role) -> bool {
-        let own = |effect: &dyn AnyEffect| effect.params().iter().any(|p| p.role == role);
-        self.shape.is_some() && effect_named(&self.name).is_some_and(own)
-    }
-
-    fn looks_at(&self, quantity: Quantity) -> bool {
-        effect_named(&self.name).is_some_and(|effect| effect.needs().contains(&quantity))
+        effect_named(&self.name).is_some_and(|effect| effect.instant().is_some())
     }
 
     fn value(&self, name: &str) -> Option<f64> {

@@ -1,7 +1,7 @@
 //! The evidence of several units together.
 
 use faer::Mat;
-use sensor::{AnyEffect, Role};
+use sensor::AnyEffect;
 
 use super::unit::Unit;
 use crate::family::{Claim, effect_family};
@@ -87,7 +87,7 @@ pub(super) fn pool(
     };
     let mut all: Vec<Pooled> = catalogue
         .iter()
-        .filter(|effect| has_no_instant(**effect))
+        .filter(|effect| effect.instant().is_none())
         .filter_map(|effect| {
             let units: Vec<Option<Says>> = (0..units.len()).map(|k| says(k, *effect)).collect();
             let mut own = units.iter().flatten();
@@ -104,11 +104,6 @@ pub(super) fn pool(
         .collect();
     all.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
     all
-}
-
-/// An instant belongs to one recording.
-fn has_no_instant(effect: &dyn AnyEffect) -> bool {
-    effect.params().iter().all(|p| p.role != Role::Instant)
 }
 
 /// `ln p` of independent `ln pᵢ`.

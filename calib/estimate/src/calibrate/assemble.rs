@@ -12,7 +12,7 @@ use super::static_norm::{StaticNorms, per_degree_of_freedom};
 use super::{checks, noise};
 use crate::calibration::{
     Calibration, EffectParameter, EffectValues, Outside, Provenance, RecordingBias, Remainder,
-    SCHEMA, Triad, WITHOUT_WALKS, effect_named,
+    SCHEMA, TO_DISCOVER, Triad, WITHOUT_WALKS, effect_named,
 };
 use crate::methods::joint::Channel;
 use crate::methods::{AccelerometerFit, Choice, Fitted, GyroscopeFit, RawUnit};
@@ -91,7 +91,11 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
     .into_iter()
     .flatten()
     .collect();
-    warnings.extend(remainders.iter().filter_map(|r| r.warning(WITHOUT_WALKS)));
+    warnings.extend(
+        remainders
+            .iter()
+            .filter_map(|r| r.warning(WITHOUT_WALKS, TO_DISCOVER)),
+    );
     let mut effects = Vec::new();
     for fit in [
         accelerometer.map(|fit| (&fit.model, &fit.fitted)),

@@ -14,12 +14,12 @@ use super::request::{Frame, Request};
 use super::same_device::of_one_device;
 use super::{checks, clocks};
 use crate::calibration::{
-    BiasTime, Calibration, Provenance, RecordingBias, RecordingClock, Remainder, SCHEMA, Triad,
-    WITH_WALKS, in_symmetric_frame,
+    BiasTime, Calibration, Provenance, RecordingBias, RecordingClock, Remainder, SCHEMA,
+    TO_DISCOVER, Triad, WITH_WALKS, in_symmetric_frame,
 };
 use crate::methods::earth::{self, on_the_earth, vertical_rate, vertical_rate_at};
 use crate::methods::joint::{
-    Channel, Disturbance, Flagged, JointFit, JointRequest, Missing, fit_joint,
+    Channel, Disturbance, Flagged, JointFit, JointRequest, Missing, Reason, fit_joint,
 };
 use crate::methods::{Choice, Fitted};
 
@@ -149,9 +149,15 @@ pub fn written_down(
     warnings.extend(clocks::doubts(fit));
     disturbances(fit, warnings);
     let remainders: Vec<Remainder> = fit.misfits().iter().map(Remainder::of).collect();
-    let misfits = remainders.iter().filter_map(|r| r.warning(WITH_WALKS));
+    let what_next = if request.is_discovery {
+        ""
+    } else {
+        TO_DISCOVER
+    };
+    let misfits = remainders.iter();
+    let misfits = misfits.filter_map(|r| r.warning(WITH_WALKS, what_next));
     let mut misfits: Vec<String> = misfits.collect();
-    if misfits.is_empty() {
+    if misfits.is_empty() && !request.is_discovery {
         misfits.extend(fit.missing().and_then(|missing| of_missing(&missing)));
     }
     warnings.extend(misfits);
@@ -255,8 +261,10 @@ fn check_rate(
 
 /// The placements whose force no touch explains: nothing shook, and they are off by more than [`APART`].
 fn placements_apart(fit: &JointFit) -> Option<String> {
-    let apart =
-        |a: &&Flagged| a.kind == Disturbance::DisturbedInterval && !a.shook && a.size > APART;
+    let apart = |a: &&Flagged| {
+        let is_pushed = a.kind == Disturbance::DisturbedInterval && a.reason == Reason::Disturbed;
+        is_pushed && !a.shook && a.size > APART
+    };
     let all: Vec<String> = fit
         .flagged
         .iter()
@@ -337,6 +345,10 @@ fn disturbances(fit: &JointFit, warnings: &mut Vec<String>) {
     }
     for flagged in &fit.flagged {
         let (what, done) = match flagged.kind {
+            _ if flagged.reason == Reason::BiasStepped => (
+                "static interval",
+                "the bias stepped within it, so that its mean is not used",
+            ),
             Disturbance::MountSlip | Disturbance::SuddenSlip => (
                 "static interval",
                 "the device crept while it should have rested (mount_slip); its creep is fitted",

@@ -12,6 +12,9 @@ pub const WITH_WALKS: f64 = std::f64::consts::SQRT_2;
 /// The same where walks are not told from a misfit.
 pub const WITHOUT_WALKS: f64 = 3.0;
 
+/// What a calibration says to do about a misfit.
+pub const TO_DISCOVER: &str = "; `stillpoint discover` looks for the cause";
+
 /// Probabilities are stated down to this.
 const LEAST_CHANCE: f64 = 1e-300;
 
@@ -89,8 +92,8 @@ impl Remainder {
         .depending(misfit.pattern)
     }
 
-    /// A warning where more than `limit` times the noise is left and chance does not explain it.
-    pub fn warning(&self, limit: f64) -> Option<String> {
+    /// A warning where more than `limit` times the noise is left and chance does not explain it; `what_next` says what to do.
+    pub fn warning(&self, limit: f64, what_next: &str) -> Option<String> {
         let ratio = self.reduced_chi2.sqrt();
         let much = ratio > limit && self.p_value < UNLIKELY;
         let depends = self.pattern.map(|pattern| {
@@ -112,7 +115,7 @@ impl Remainder {
         }
         Some(format!(
             "misfit of the {}: {} rms, of which the measured noise explains {} ({ratio:.1} times the noise, {:.0} degrees of freedom, \
-             p {}){}. The standard errors are enlarged to it; `stillpoint discover` looks for the cause",
+             p {}){}. The standard errors are enlarged to it{what_next}",
             self.what(),
             self.in_words(self.rms),
             self.in_words(self.noise),

@@ -7,7 +7,7 @@ use sensor::Sensor;
 
 use super::super::calibrate::tables::{PARAMETERS, parameters};
 use super::tables::{self, Rows};
-use super::words::{next_recordings, proposed, verdict};
+use super::words::{next_recordings, proposed, remains, verdict};
 use crate::exit::Failure;
 use crate::pages::coverage::{self, Coverage};
 use crate::pages::session::Session;
@@ -184,6 +184,9 @@ fn named(mut report: Report, discovery: &Discovery, plots: &[(String, Picture)])
             report = report.text(known.equation());
         }
         report = filled(report, (PARAMETERS, tables::parameters(effect)));
+        report = tables::reference(effect)
+            .into_iter()
+            .fold(report, Report::text);
         report = filled(report, (header, vec![row]));
         let own = format!("{}:", effect.name);
         let plots = plots.iter().map(|(_, plot)| plot);
@@ -205,13 +208,9 @@ fn unexplained(report: Report, findings: &Findings) -> Report {
             names.join(" and ")
         ),
     };
-    let report = report.section("What remains unexplained").text(format!(
-        "{}: gap {:.2} of the {}, chance {}.{instead}",
-        rest.shape,
-        rest.size,
-        rest.channel.words(),
-        show::chance(rest.p_value)
-    ));
+    let report = report
+        .section("What remains unexplained")
+        .text(format!("{}.{instead}", remains(rest)));
     let Some(proposal) = &findings.proposed else {
         return report;
     };

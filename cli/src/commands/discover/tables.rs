@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use calib::calibration::EffectParameter;
+use calib::calibration::{EffectParameter, effect_named};
 use calib::discover::{Discovery, EffectFinding, Findings, Proposal, Validation};
 use comfy_table::CellAlignment;
 
@@ -18,13 +18,7 @@ pub type Rows<const N: usize> = ([&'static str; N], Vec<[String; N]>);
 
 /// The gap before and after, in the fit, on intervals left out and on the validation recording.
 pub fn gaps(findings: &Findings) -> Rows<5> {
-    let header = [
-        "gap (1: explained to the noise)",
-        "of the",
-        "where",
-        "before",
-        "after",
-    ];
+    let header = ["gap", "of the", "where", "before", "after"];
     let mut rows = Vec::new();
     for effect in &findings.effects {
         for (place, before, after) in places(findings, effect) {
@@ -73,16 +67,35 @@ pub fn places(findings: &Findings, effect: &EffectFinding) -> Vec<(String, f64, 
 
 /// The parameters of a named effect.
 pub fn parameters(effect: &EffectFinding) -> Vec<[String; 4]> {
-    effect.parameters.iter().map(parameter).collect()
+    let known = effect_named(&effect.name);
+    let instant = known.and_then(|known| Some(known.params()[known.instant()?].name));
+    let row = |p: &EffectParameter| {
+        let mut row = parameter(p);
+        if instant == Some(p.name.as_str()) {
+            row[0].push_str(", from the start");
+        }
+        row
+    };
+    effect.parameters.iter().map(row).collect()
+}
+
+/// Which coefficient of an effect is nothing by convention; `None` of most.
+pub fn reference(effect: &EffectFinding) -> Option<String> {
+    let reference = effect_named(&effect.name)?.reference()?;
+    Some(format!(
+        "The coefficients of {} are relative to {reference}, which is 0 by convention.",
+        effect.name
+    ))
 }
 
 fn parameter(p: &EffectParameter) -> [String; 4] {
     let digits = |v: f64| format!("{v:.3e}");
+    let unit = if p.unit.is_empty() { "1" } else { &p.unit };
     [
         p.name.clone(),
         digits(p.value),
         p.std.map_or("held".into(), digits),
-        p.unit.clone(),
+        unit.into(),
     ]
 }
 
@@ -237,13 +250,7 @@ pub fn validated(findings: &Findings) -> Vec<String> {
 
 /// What is not seen here, in sentences.
 pub fn not_seen(findings: &Findings) -> Vec<String> {
-    let mut all = Vec::new();
-    if !findings.not_observable.is_empty() {
-        all.push(format!(
-            "Not observable in these recordings, not even at ten times the typical size: {}.",
-            findings.not_observable.join(", ")
-        ));
-    }
+    let mut all = not_observable(findings);
     if !findings.never_visible.is_empty() {
         all.push("Never visible in recordings made by hand:".into());
         let words = findings.never_visible.iter();
@@ -252,14 +259,41 @@ pub fn not_seen(findings: &Findings) -> Vec<String> {
     all
 }
 
+/// What did not show here, by what would show it.
+fn not_observable(findings: &Findings) -> Vec<String> {
+    let lines = words::to_show(&findings.not_observable);
+    if lines.is_empty() {
+        return Vec::new();
+    }
+    let first = "Not observable in these recordings, not even at ten times the typical size, and what \
+                 would show it:";
+    let lines = lines.into_iter().map(|line| format!("• {line}"));
+    std::iter::once(first.into()).chain(lines).collect()
+}
+
+/// What no recording of this kind shows, without the reasons.
+fn never_visible(findings: &Findings) -> Option<String> {
+    let all = findings.never_visible.iter();
+    let short: Vec<&str> = all
+        .map(|what| what.split_once(':').map_or(*what, |(what, _)| what))
+        .collect();
+    (!short.is_empty()).then(|| {
+        format!(
+            "Never visible in recordings made by hand: {}.",
+            short.join("; ")
+        )
+    })
+}
+
 /// The tables for people.
 pub fn text(discovery: &Discovery) -> String {
     let findings = &discovery.findings;
     let mut text = format!("{}\n", verdict(findings));
     push(&mut text, gaps(findings), 3);
-    for line in validated(findings) {
-        let _ = writeln!(text, "{line}");
+    if !findings.effects.is_empty() {
+        text.push_str("A gap of 1 is explained to the noise.\n");
     }
+    lines(&mut text, validated(findings));
     push(&mut text, evidence(findings), 1);
     for effect in &findings.effects {
         let mut table = show::table(&[&effect.name, "value", "std error", "unit"]);
@@ -267,28 +301,35 @@ pub fn text(discovery: &Discovery) -> String {
             table.add_row(row);
         }
         let _ = writeln!(text, "\n{table}");
+        text.extend(reference(effect).map(|line| format!("{line}\n")));
     }
     if let Some(proposal) = &findings.proposed {
         let mut table = show::table(&["proposed", "value", "std error", "unit"]);
         for row in proposed_terms(proposal) {
             table.add_row(row);
         }
-        let _ = writeln!(text, "{}\n\n{table}", proposed(proposal));
+        let _ = writeln!(text, "\n{}\n\n{table}", proposed(proposal));
     }
     push(&mut text, faults(findings), 4);
-    let _ = writeln!(text, "\n{}", words::bias_noise(findings));
-    text.push_str(&clocks::text(&findings.calibration));
     push(&mut text, disagreement(findings), 1);
     if findings.effects.is_empty() {
         push(&mut text, ranking(findings), 1);
     }
-    for line in ties(findings).into_iter().chain(not_seen(findings)) {
-        let _ = writeln!(text, "{line}");
-    }
-    for line in next_recordings(findings) {
-        let _ = writeln!(text, "{line}");
-    }
+    lines(&mut text, ties(findings));
+    let _ = writeln!(text, "\n{}", words::bias_noise(findings));
+    text.push_str(&clocks::text(&findings.calibration));
+    lines(&mut text, next_recordings(findings));
+    lines(&mut text, not_observable(findings));
+    lines(&mut text, never_visible(findings));
     text
+}
+
+/// Appends lines after an empty one; nothing where there are none.
+fn lines(text: &mut String, all: impl IntoIterator<Item = String>) {
+    for (k, line) in all.into_iter().enumerate() {
+        let above = if k == 0 { "\n" } else { "" };
+        let _ = writeln!(text, "{above}{line}");
+    }
 }
 
 /// Appends a table, its first `left` columns aligned left; nothing where it has no rows.

@@ -46,27 +46,56 @@ pub fn verdict(findings: &Findings) -> String {
 
 fn named(effects: &[EffectFinding]) -> String {
     let names: Vec<String> = effects.iter().map(with_ties).collect();
-    let gaps: Vec<String> = effects
+    let mut channels: Vec<(Channel, Vec<&EffectFinding>)> = Vec::new();
+    for effect in effects {
+        match channels.iter_mut().find(|(own, _)| *own == effect.channel) {
+            Some((_, all)) => all.push(effect),
+            None => channels.push((effect.channel, vec![effect])),
+        }
+    }
+    let gaps: Vec<String> = channels
         .iter()
-        .map(|e| {
-            format!(
-                "the gap of the {} from {} ({}left out: {})",
-                e.channel.words(),
-                gaps(e.gap_before, e.gap_after).join(" to "),
-                in_units(e),
-                gaps(e.held_out_gap_before, e.held_out_gap_after).join(" to "),
-            )
+        .map(|(channel, own)| match own.as_slice() {
+            [one] if effects.len() == 1 => taken_by("it", one),
+            [one] => taken_by(&one.name, one),
+            all => taken_together(*channel, all),
         })
         .collect();
-    let them = if effects.len() == 1 {
-        "it takes"
-    } else {
-        "they take"
-    };
+    let gaps = gaps.join("; ");
+    format!("the base models lack {}; {gaps}", names.join(" and "))
+}
+
+/// What one effect does to the gap of its channel.
+fn taken_by(what: &str, effect: &EffectFinding) -> String {
     format!(
-        "the base models lack {}; {them} {}",
-        names.join(" and "),
-        gaps.join(" and ")
+        "{what} takes the gap of the {} from {} ({}left out: {})",
+        effect.channel.words(),
+        gaps(effect.gap_before, effect.gap_after).join(" to "),
+        in_units(effect),
+        gaps(effect.held_out_gap_before, effect.held_out_gap_after).join(" to "),
+    )
+}
+
+/// What several effects of one channel do to its gap: with all of them, and without each.
+fn taken_together(channel: Channel, effects: &[&EffectFinding]) -> String {
+    let size = |gap: f64, rms: Option<f64>| {
+        let (factor, unit) = unit_of(channel);
+        let rms = rms.map_or_else(String::new, |rms| {
+            format!(" ({:.2} {unit} rms)", factor * rms)
+        });
+        format!("{gap:.2}{rms}")
+    };
+    let with = effects
+        .first()
+        .map_or_else(String::new, |e| size(e.gap_after, e.rms_after));
+    let without = effects
+        .iter()
+        .map(|e| format!("{} without {}", size(e.gap_before, e.rms_before), e.name));
+    let without: Vec<String> = without.collect();
+    format!(
+        "the gap of the {} is {with} with them, {}",
+        channel.words(),
+        without.join(", ")
     )
 }
 
@@ -97,19 +126,46 @@ pub fn unit_of(channel: Channel) -> (f64, &'static str) {
 
 /// Noise of the biases in the final model, in a sentence.
 pub fn bias_noise(findings: &Findings) -> String {
-    let [force, rate] = findings.bias_instability;
-    let (to_mm, _) = unit_of(Channel::StaticNorm);
-    let (to_hours, _) = unit_of(Channel::StaticRate);
-    let axes = |values: [f64; 3], factor: f64| {
-        let figures = values.map(|v| format!("{:.2}", factor * v));
-        figures.join(", ")
-    };
+    let calibration = &findings.calibration;
+    let sensors = [
+        (
+            "accelerometer",
+            calibration.accelerometer.is_some(),
+            Channel::StaticNorm,
+            "m/s²/√s",
+        ),
+        (
+            "gyroscope",
+            calibration.gyroscope.is_some(),
+            Channel::StaticRate,
+            "rad/s/√s",
+        ),
+    ];
+    let figures = sensors
+        .into_iter()
+        .zip(findings.walks)
+        .zip(findings.bias_instability);
+    let words = figures.filter_map(|(((sensor, is_there, channel, unit), walk), flicker)| {
+        let (factor, of_flicker) = unit_of(channel);
+        let walk = match walk > 0.0 {
+            true => format!("random walk {walk:.1e} {unit}"),
+            false => "no random walk".into(),
+        };
+        let flicker = match flicker.iter().any(|b| *b > 0.0) {
+            true => {
+                let axes = flicker.map(|b| format!("{:.2}", factor * b));
+                format!(
+                    ", bias instability {} {of_flicker} (x, y, z)",
+                    axes.join(", ")
+                )
+            }
+            false => String::new(),
+        };
+        is_there.then(|| format!("{sensor} {walk}{flicker}"))
+    });
     format!(
-        "Noise of the biases (x, y, z): bias instability {} mm/s² and {} °/h; random walk {:.1e} m/s²/√s and {:.1e} rad/s/√s.",
-        axes(force, to_mm),
-        axes(rate, to_hours),
-        findings.walks[0],
-        findings.walks[1]
+        "Noise of the biases: {}.",
+        words.collect::<Vec<_>>().join("; ")
     )
 }
 
@@ -174,23 +230,41 @@ fn of_fault(size: Size) -> String {
     format!("{value:.decimals$}{space}{unit}")
 }
 
+/// With as many decimals as three digits have, five at most.
+fn three_digits(value: f64) -> String {
+    let decimals = (2.0 - value.abs().log10().floor()).clamp(0.0, 5.0) as usize;
+    format!("{value:.decimals$}")
+}
+
 /// What remains; `is_explained` by a formula.
 fn unexplained(rest: &Unexplained, is_explained: bool) -> String {
-    // A shape in a few rows shows where the channel as a whole is within its noise.
-    let gap = if rest.size > 1.0 {
-        format!("gap {:.2} of the {}, ", rest.size, rest.channel.words())
-    } else {
-        String::new()
-    };
     let but = match is_explained {
         true => ", but the formula below; to the models without it it is",
         false => ":",
     };
     format!(
-        "something remains that no effect of the catalogue explains{but} {} ({gap}{})",
-        rest.shape,
-        show::probability(rest.p_value)
+        "something remains that no effect of the catalogue explains{but} {}",
+        remains(rest)
     )
+}
+
+/// What remains, with its size: `accelerometer: fine pattern over orientation (gap 1.03 …)`.
+pub fn remains(rest: &Unexplained) -> String {
+    // A shape in a few rows shows where the channel as a whole is within its noise.
+    let gap = if rest.size > 1.0 {
+        let (factor, unit) = unit_of(rest.channel);
+        let rms = rest.rms.map_or_else(String::new, |rms| {
+            format!(", {} {unit} rms", three_digits(factor * rms))
+        });
+        format!(
+            "gap {:.2} of the {}{rms}, ",
+            rest.size,
+            rest.channel.words()
+        )
+    } else {
+        String::new()
+    };
+    format!("{} ({gap}{})", rest.shape, show::probability(rest.p_value))
 }
 
 /// What is proposed, in sentences.
@@ -257,6 +331,30 @@ const TO_SHOW: [(&[&str], &str); 7] = [
     ),
 ];
 
+/// The effects that did not show here, by what a recording must have for them to show.
+pub fn to_show(not_observable: &[String]) -> Vec<String> {
+    let shown_by = |name: &str| {
+        let is_part = |(parts, _): &&(&[&str], &str)| parts.iter().any(|part| name.contains(part));
+        TO_SHOW
+            .iter()
+            .find(is_part)
+            .map(|(_, recording)| *recording)
+    };
+    let mut all: Vec<(Option<&str>, Vec<&str>)> = Vec::new();
+    for name in not_observable {
+        let by = shown_by(name);
+        match all.iter_mut().find(|(own, _)| *own == by) {
+            Some((_, names)) => names.push(name),
+            None => all.push((by, vec![name])),
+        }
+    }
+    let line = |(by, names): (Option<&str>, Vec<&str>)| {
+        let by = by.map_or_else(String::new, |recording| format!(": {recording}"));
+        format!("{}{by}", names.join(", "))
+    };
+    all.into_iter().map(line).collect()
+}
+
 /// What to record next, the most telling first.
 pub fn next_recordings(findings: &Findings) -> Vec<String> {
     let mut next: Vec<String> = Vec::new();
@@ -298,22 +396,6 @@ pub fn next_recordings(findings: &Findings) -> Vec<String> {
              there too."
                 .into(),
         );
-    }
-    for (_, recording) in TO_SHOW {
-        let effects: Vec<&str> = findings
-            .not_observable
-            .iter()
-            .filter(|name| {
-                let first = TO_SHOW
-                    .iter()
-                    .find(|(parts, _)| parts.iter().any(|part| name.contains(part)));
-                first.is_some_and(|(_, own)| *own == recording)
-            })
-            .map(String::as_str)
-            .collect();
-        if !effects.is_empty() {
-            add(format!("To see {}: {recording}.", effects.join(", ")));
-        }
     }
     next
 }

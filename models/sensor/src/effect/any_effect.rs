@@ -5,7 +5,7 @@ use solver::{Jet, Jet2, Scalar};
 
 use crate::definition::Definition;
 use crate::kinematics::{Kinematics, Sensor};
-use crate::param::Param;
+use crate::param::{Param, Role};
 use crate::quantity::Quantity;
 
 /// What an effect is, for those who have to treat it apart.
@@ -55,6 +55,11 @@ pub trait AnyEffect: Send + Sync {
     fn typical_of(&self, k: usize) -> f64 {
         let own = self.params().get(k).and_then(|p| p.typical);
         own.unwrap_or_else(|| self.typical())
+    }
+    /// The place of the parameter that is an instant: such an effect belongs to the recording that it was found in.
+    fn instant(&self) -> Option<usize> {
+        let mut roles = self.params().iter().map(Param::role_by_name);
+        roles.position(|role| role == Role::Instant)
     }
     /// The text that defines it; `None` for what is compiled.
     fn definition(&self) -> Option<&Definition> {

@@ -34,11 +34,23 @@ pub enum Disturbance {
     SuddenSlip,
 }
 
+/// Why something has parameters of its own.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Reason {
+    /// It was disturbed.
+    #[default]
+    Disturbed,
+    /// The bias stepped within it: its mean is a mixture of before and after, and no fault.
+    BiasStepped,
+}
+
 /// Something that was found disturbed and has parameters of its own since.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flagged {
     /// What happened.
     pub kind: Disturbance,
+    /// Why it has parameters of its own.
+    pub reason: Reason,
     /// Place of the recording.
     pub recording: usize,
     /// Static interval (or the one before the turn), counted from 0.
@@ -61,6 +73,8 @@ const LONG: usize = 3;
 pub struct Suspect {
     /// What would have happened.
     pub kind: Disturbance,
+    /// Why it has parameters of its own, where it has.
+    pub reason: Reason,
     /// The rest, the chunk or the turn, by its place in the data.
     pub place: usize,
     /// `∂r/∂d`, one column per parameter.
@@ -90,6 +104,7 @@ pub fn suspects(rows: &Rows<'_>, x: &[f64], rotations: &[Matrix3<f64>]) -> Vec<S
     let first = rows.first_turn_row();
     all.extend((0..rows.data.turns.len()).map(|k| Suspect {
         kind: Disturbance::BadTurn,
+        reason: Reason::default(),
         place: k,
         columns: unit_columns(first + 2 * k, 2),
         nuisance: Vec::new(),
@@ -126,6 +141,7 @@ pub fn excursions(rows: &Rows<'_>, x: &[f64], rotations: &[Matrix3<f64>]) -> Vec
 fn plain(kind: Disturbance, place: usize, columns: Vec<Column>) -> Suspect {
     Suspect {
         kind,
+        reason: Reason::default(),
         place,
         columns,
         nuisance: Vec::new(),
@@ -174,6 +190,7 @@ fn unit_columns(row: usize, count: usize) -> Vec<Column> {
 fn pushed(chunk: usize, row: usize) -> Suspect {
     Suspect {
         kind: Disturbance::DisturbedInterval,
+        reason: Reason::default(),
         place: chunk,
         columns: unit_columns(row, 3),
         nuisance: Vec::new(),
@@ -260,6 +277,7 @@ fn slip(rows: &Rows<'_>, x: &[f64], k: usize, rotations: &[Matrix3<f64>]) -> Sus
     }
     Suspect {
         kind: Disturbance::MountSlip,
+        reason: Reason::default(),
         place: k,
         columns,
         nuisance: drift(rows, k),

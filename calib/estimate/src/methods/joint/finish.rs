@@ -5,7 +5,7 @@ use solver::Termination;
 
 use super::approach::{Weighted, approach};
 use super::data::budget::Steps;
-use super::disturbance::{Disturbance, Flagged, Suspect};
+use super::disturbance::{Disturbance, Flagged, Reason, Suspect};
 use super::fit::JointFit;
 use super::graph::{Ended, solve_rows};
 use super::minimum::{Point, Run};
@@ -131,6 +131,7 @@ impl Run<'_> {
             .iter()
             .map(|&(recording, interval, span)| Flagged {
                 kind: Disturbance::DisturbedInterval,
+                reason: Reason::Disturbed,
                 recording,
                 interval,
                 span,
@@ -191,6 +192,7 @@ impl Run<'_> {
         };
         Flagged {
             kind: suspect.kind,
+            reason: suspect.reason,
             recording,
             interval,
             span,

@@ -5,7 +5,7 @@ use recording::intervals::Segmentation;
 use sensor::Model;
 
 use super::clock::{ClockMode, DecidedClock};
-use super::disturbance::Disturbance;
+use super::disturbance::{Disturbance, Reason};
 use super::fit::JointFit;
 use crate::methods::joint::noise::bias::BiasNoise;
 
@@ -84,4 +84,22 @@ pub struct Known {
     pub kind: Disturbance,
     /// The rest, the chunk or the turn, by its place in [`super::Data`].
     pub place: usize,
+    /// Why it has parameters of its own.
+    pub reason: Reason,
+}
+
+impl Known {
+    /// Something that was disturbed.
+    pub fn disturbed(kind: Disturbance, place: usize) -> Self {
+        Self {
+            kind,
+            place,
+            reason: Reason::Disturbed,
+        }
+    }
+
+    /// Whether both are the same thing at the same place, for whatever reason.
+    pub fn is_at(&self, other: &Self) -> bool {
+        (self.kind, self.place) == (other.kind, other.place)
+    }
 }

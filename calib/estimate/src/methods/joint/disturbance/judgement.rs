@@ -111,14 +111,15 @@ impl Run<'_> {
         if self.request.known.is_empty() {
             return Vec::new();
         }
-        let is_known = |s: &Suspect| {
-            let same = |k: &Known| k.kind == s.kind && k.place == s.place;
-            self.request.known.iter().any(same)
+        let if_known = |mut s: Suspect| {
+            let same = |k: &&Known| k.kind == s.kind && k.place == s.place;
+            s.reason = self.request.known.iter().find(same)?.reason;
+            Some(s)
         };
         let rotations = rows.rotations(x);
         let all = suspects(rows, x, &rotations).into_iter();
         let all = all.chain(excursions(rows, x, &rotations));
-        all.filter(is_known).collect()
+        all.filter_map(if_known).collect()
     }
 
     /// Levels of noise and disturbances: what was seen to shake, then what the rows flag.
