@@ -1,5 +1,6 @@
 //! Findings as tables, for the terminal and for the page.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 use calib::calibration::{EffectParameter, effect_named};
@@ -133,7 +134,11 @@ pub fn ranking(findings: &Findings) -> Rows<4> {
         "dof",
         "p, whole catalogue",
     ];
-    let rows = findings.ranking.iter().map(|claim| {
+    // A fault at rest may be one of the force or of the rate: the more evident of the two stands for both.
+    let mut seen = BTreeSet::new();
+    let claims = findings.ranking.iter();
+    let claims = claims.filter(|claim| seen.insert(claim.name.as_str()));
+    let rows = claims.map(|claim| {
         [
             claim.name.clone(),
             format!("{:.1}", claim.statistic),

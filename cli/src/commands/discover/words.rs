@@ -159,7 +159,7 @@ pub fn bias_noise(findings: &Findings) -> String {
                     axes.join(", ")
                 )
             }
-            false => String::new(),
+            false => ", no bias instability".into(),
         };
         is_there.then(|| format!("{sensor} {walk}{flicker}"))
     });

@@ -23,7 +23,7 @@ pub struct JointRequest<'a> {
     /// Noise of the biases of accelerometer and gyroscope, where it is known; estimated where not.
     pub bias_noise: Option<BiasNoise>,
     /// Whether the biases may flicker as well as walk: both are then at their likeliest. Without, walks alone are
-    /// estimated, as averages over what they may be with half the prior chance on none.
+    /// estimated, as averages over what they may be with a sixth of the prior chance on none.
     pub flicker: bool,
     /// Whether rests and turns that something disturbed are looked for and get parameters of their own, and
     /// whether rests and turns may scatter beyond all noise. Without, the noise is white noise and walks, and
