@@ -8,15 +8,10 @@ use crate::methods::joint::disturbance::Suspect;
 use crate::methods::joint::fit::JointFit;
 use crate::methods::joint::noise::bias::{Within, within};
 use crate::methods::joint::noise::likelihood::Restricted;
-use crate::methods::joint::noise::walks::{Walks, expected_square};
+use crate::methods::joint::noise::walks::{NO_WALK, Walks, expected_square};
 use crate::methods::joint::noise::weights::{Component, ComponentKind, NoiseLevel};
 use crate::methods::joint::result::left::Left;
 use crate::methods::joint::rows::Rows;
-
-/// Prior chance of no walk at all, over that of any. Every inertial sensor's bias walks, if often too little for a recording to
-/// show it: with as much chance on none as on any, one of 120 stated errors of effects that go with time was more than four
-/// standard errors off, with this one of 430, and what does not go with time stayed as it was.
-const NO_WALK: f64 = 0.2;
 
 /// Prior chance of no doubt of turns at all, over that of any.
 const NO_DOUBT: f64 = 1.0;
