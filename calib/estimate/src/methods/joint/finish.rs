@@ -179,11 +179,16 @@ impl Run<'_> {
             Disturbance::MountSlip => {
                 let angle = norm * span.length();
                 let (all, slope) = (angle.to_degrees(), norm * self.request.gravity);
-                let detail =
-                    format!("{all:.2}° in all, a slope of up to {slope:.3} m/s³ in the force");
+                let detail = format!(
+                    "{}° in all, a slope of up to {} m/s³ in the force",
+                    two_digits(all),
+                    two_digits(slope)
+                );
                 (angle, detail)
             }
-            Disturbance::SuddenSlip => (norm, format!("{:.2}° at once", norm.to_degrees())),
+            Disturbance::SuddenSlip => {
+                (norm, format!("{}° at once", two_digits(norm.to_degrees())))
+            }
             Disturbance::DisturbedInterval if seen.is_empty() => {
                 (norm, format!("off by {:.0} mm/s²", 1e3 * norm))
             }
@@ -201,6 +206,12 @@ impl Run<'_> {
             detail,
         }
     }
+}
+
+/// With two digits at least, and two decimals.
+fn two_digits(value: f64) -> String {
+    let decimals = (1.0 - value.abs().log10().floor()).clamp(2.0, 6.0) as usize;
+    format!("{value:.decimals$}")
 }
 
 /// Whether the minimum is nearer than a hundredth of the standard errors: of whitened residuals, what the
