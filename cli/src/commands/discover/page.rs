@@ -108,9 +108,11 @@ fn level(findings: &Findings) -> Level {
     }
 }
 
-/// Gap before and after, weakest parameter, coverage.
+/// The largest gap before and after, weakest parameter, coverage.
 fn figures(findings: &Findings, coverage: Option<&Coverage>) -> Vec<Figure> {
-    let gap = match findings.effects.first() {
+    let effects = findings.effects.iter();
+    let widest = effects.max_by(|a, b| a.gap_before.total_cmp(&b.gap_before));
+    let gap = match widest {
         Some(effect) => {
             let [before, after] = super::words::gaps(effect.gap_before, effect.gap_after);
             let note = format!(
