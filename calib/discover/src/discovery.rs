@@ -17,7 +17,7 @@ use super::enough::{enough_rests, enough_to_compare};
 use super::family::{Claim, effect_family, is_late};
 use super::fault::delay::{Delay, delay};
 use super::fault::integrity::{SPOILT, disturbed, integrity, undersampled};
-use super::fault::mixed::{leave_out_mixed, take_back};
+use super::fault::mixed::{explain_disturbed, leave_out_mixed, take_back};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
 use super::flicker::names_and_rest;
 use super::gap::channel::Channel;
@@ -130,6 +130,7 @@ pub(super) fn discover_in(
     if take_back(session, &mut search)? {
         rest = rest_of(&search.last, alpha);
     }
+    explain_disturbed(session, &mut search)?;
     if let Some(found) = rest.as_mut() {
         weigh_beside_shape(session, request, &mut search, found)?;
     }

@@ -20,7 +20,7 @@ const BY_CHANCE: f64 = 0.01;
 /// # Errors
 /// As the joint fit.
 pub fn leave_out_mixed(session: &Session<'_>, search: &mut Search) -> Result<bool, Error> {
-    let mut has_any = say_of_disturbed(session, search)?;
+    let mut has_any = false;
     for _ in 0..search.last.extension.effects.len() {
         let Some(mixed) = mixed(&search.last) else {
             break;
@@ -29,23 +29,6 @@ pub fn leave_out_mixed(session: &Session<'_>, search: &mut Search) -> Result<boo
         extension.disturbed.push(mixed);
         search.last = search.fit(session, extension)?;
         has_any = true;
-    }
-    Ok(has_any)
-}
-
-/// Gives the step as the reason of what was found disturbed beside it: whether there is any.
-fn say_of_disturbed(session: &Session<'_>, search: &mut Search) -> Result<bool, Error> {
-    let beside = beside_steps(&search.last);
-    let mut extension = search.last.extension.clone();
-    let mut has_any = false;
-    for known in &mut extension.disturbed {
-        if let Some(mixed) = beside.iter().find(|mixed| mixed.is_at(known)) {
-            *known = *mixed;
-            has_any = true;
-        }
-    }
-    if has_any {
-        search.last = search.fit(session, extension)?;
     }
     Ok(has_any)
 }
@@ -65,6 +48,22 @@ pub fn take_back(session: &Session<'_>, search: &mut Search) -> Result<bool, Err
         search.last = search.fit(session, extension)?;
     }
     Ok(has_any)
+}
+
+/// Gives the step as the reason of what the search found disturbed beside one that stands.
+///
+/// # Errors
+/// As the joint fit.
+pub fn explain_disturbed(session: &Session<'_>, search: &mut Search) -> Result<(), Error> {
+    let beside = beside_steps(&search.last);
+    let mut extension = search.last.extension.clone();
+    for known in &mut extension.disturbed {
+        if let Some(mixed) = beside.iter().find(|mixed| mixed.is_at(known)) {
+            *known = *mixed;
+        }
+    }
+    search.last = search.fit(session, extension)?;
+    Ok(())
 }
 
 /// What leaves out the intervals on either side of the steps of a model.
