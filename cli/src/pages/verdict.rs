@@ -259,7 +259,7 @@ pub fn residual(session: &Session<'_>) -> Figure {
 }
 
 /// Three significant figures.
-fn short(v: f64) -> String {
+pub fn short(v: f64) -> String {
     if v == 0.0 || !v.is_finite() {
         return format!("{v}");
     }

@@ -4,6 +4,7 @@ use calib::discover::{
     Channel, EffectFinding, Findings, Integrity, Proposal, Size, Unexplained, Verdict,
 };
 
+use crate::pages::verdict::short;
 use crate::show;
 
 /// The verdict in one sentence.
@@ -230,12 +231,6 @@ fn of_fault(size: Size) -> String {
     format!("{value:.decimals$}{space}{unit}")
 }
 
-/// With as many decimals as three digits have, five at most.
-fn three_digits(value: f64) -> String {
-    let decimals = (2.0 - value.abs().log10().floor()).clamp(0.0, 5.0) as usize;
-    format!("{value:.decimals$}")
-}
-
 /// What remains; `is_explained` by a formula.
 fn unexplained(rest: &Unexplained, is_explained: bool) -> String {
     let but = match is_explained {
@@ -254,7 +249,7 @@ pub fn remains(rest: &Unexplained) -> String {
     let gap = if rest.size > 1.0 {
         let (factor, unit) = unit_of(rest.channel);
         let rms = rest.rms.map_or_else(String::new, |rms| {
-            format!(", {} {unit} rms", three_digits(factor * rms))
+            format!(", {} {unit} rms", short(factor * rms))
         });
         format!(
             "gap {:.2} of the {}{rms}, ",
