@@ -202,6 +202,8 @@ impl<'a> Session<'a> {
             clocks: self.clocks.clone(),
             compared: self.base.is_some(),
             from: self.begun(),
+            cut: self.base.as_ref().map(|fit| &fit.data),
+            levels: self.base.as_ref().map(|fit| fit.levels.clone()).unwrap_or_default(),
             covariates: true,
             ..JointRequest::new(
                 self.recordings

@@ -5,9 +5,11 @@ use recording::intervals::Segmentation;
 use sensor::Model;
 
 use super::clock::{ClockMode, DecidedClock};
+use super::data::Data;
 use super::disturbance::{Disturbance, Reason};
 use super::fit::JointFit;
 use crate::methods::joint::noise::bias::BiasNoise;
+use crate::methods::joint::noise::weights::NoiseLevel;
 
 /// What to fit.
 #[derive(Clone, Debug)]
@@ -48,6 +50,11 @@ pub struct JointRequest<'a> {
     pub compared: bool,
     /// A fit of the same recordings and intervals with other effects, to begin at.
     pub from: Option<&'a JointFit>,
+    /// The data of such a fit that looked for no disturbances, where this one does not begin at its minimum: the recordings
+    /// need not be cut again.
+    pub cut: Option<&'a Data>,
+    /// Levels of noise at which the search for the walks' begins: those of a fit with other effects.
+    pub levels: Vec<NoiseLevel>,
     /// Whether the readings contain a rotation of the earth that nobody says: its direction is then estimated as far as
     /// the data show it, and uncertain as far as they do not.
     pub earth: bool,
@@ -72,6 +79,8 @@ impl<'a> JointRequest<'a> {
             clocks: None,
             compared: false,
             from: None,
+            cut: None,
+            levels: Vec::new(),
             earth: false,
         }
     }

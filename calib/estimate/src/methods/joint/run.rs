@@ -74,12 +74,16 @@ struct Begun {
     point: Option<Point>,
 }
 
+/// The rests, turns and noise of the recordings.
+fn cut_up(cuts: &[Cut<'_>]) -> Data {
+    let mut data = Data::default();
+    cuts.iter().for_each(|cut| data.add(cut));
+    data
+}
+
 /// From the recordings.
 fn begin(request: &JointRequest<'_>, start: &Start, cuts: &[Cut<'_>]) -> Result<Begun, Error> {
-    let mut data = Data::default();
-    for cut in cuts {
-        data.add(cut);
-    }
+    let mut data = request.cut.map_or_else(|| cut_up(cuts), Data::clone);
     let look = |effect: &&'static dyn AnyEffect| {
         let mut needs = effect.needs().into_iter();
         needs.any(Quantity::is_told_by_intervals)
@@ -221,8 +225,10 @@ impl Run<'_> {
             let rows = self.rows(&[]);
             rows.earth_columns(point.plain_values())
         });
+        let mut levels = self.request.levels.clone();
         for _ in 0..ROUNDS {
-            weights = self.judge(&point, earth.as_ref());
+            weights = self.judge(&point, earth.as_ref(), &levels);
+            levels.clone_from(&weights.levels);
             let next = self.approach(&weights, Some(&point))?;
             let bend = self.bend(&point, &next, &weights.whitening);
             point = next;

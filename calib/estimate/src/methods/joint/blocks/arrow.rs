@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use faer::linalg::matmul::triangular::{BlockStructure, matmul};
 use faer::linalg::triangular_solve::{
     solve_lower_triangular_in_place, solve_upper_triangular_in_place,
 };
-use faer::{Mat, Par, Side};
+use faer::{Accum, Mat, MatRef, Par, Side};
 
 use super::columns::Columns;
 
@@ -18,7 +19,7 @@ const RIDGE: f64 = 1e-12;
 pub struct Arrow {
     places: Arc<Places>,
     parts: Vec<Wing>,
-    /// Of the shared columns (`s × s`).
+    /// Of the shared columns (`s × s`), the lower triangle.
     last: Mat<f64>,
 }
 
@@ -40,7 +41,7 @@ enum Place {
 
 #[derive(Clone, Debug)]
 struct Wing {
-    /// Of the group's own columns (`k × k`).
+    /// Of the group's own columns (`k × k`), the lower triangle.
     own: Mat<f64>,
     /// Of those with the shared ones (`k × s`).
     border: Mat<f64>,
@@ -90,24 +91,24 @@ impl Arrow {
     pub fn gram(columns: &Columns) -> Self {
         let mut arrow = Self::zeros(&Arc::new(Places::of(columns)));
         for (group, part) in columns.parts().iter().enumerate() {
-            let gram = part.values.transpose() * &part.values;
-            arrow.add(group, &part.columns, &gram);
+            arrow.add(group, &part.columns, &lower_gram(part.values.as_ref()));
         }
         arrow
     }
 
-    /// Adds what some rows of a group give: `gram` (`c × c` or larger) of these columns.
+    /// Adds what some rows of a group give: the lower triangle of `gram` (`c × c` or larger) of these columns.
     pub fn add(&mut self, group: usize, columns: &[usize], gram: &Mat<f64>) {
         let wing = &mut self.parts[group];
+        let of_column = &self.places.of_column;
         for (k, &b) in columns.iter().enumerate() {
-            for (i, &a) in columns.iter().enumerate() {
-                let of_column = &self.places.of_column;
-                match (of_column[a], of_column[b]) {
-                    (Place::Own(a), Place::Own(b)) => wing.own[(a, b)] += gram[(i, k)],
-                    (Place::Own(a), Place::Shared(b)) => wing.border[(a, b)] += gram[(i, k)],
-                    (Place::Shared(_), Place::Own(_)) => {}
-                    (Place::Shared(a), Place::Shared(b)) => self.last[(a, b)] += gram[(i, k)],
-                }
+            for (i, &a) in columns.iter().enumerate().skip(k) {
+                let entry = match (of_column[a], of_column[b]) {
+                    (Place::Own(a), Place::Own(b)) => &mut wing.own[(a, b)],
+                    (Place::Own(own), Place::Shared(shared))
+                    | (Place::Shared(shared), Place::Own(own)) => &mut wing.border[(own, shared)],
+                    (Place::Shared(a), Place::Shared(b)) => &mut self.last[(a, b)],
+                };
+                *entry += gram[(i, k)];
             }
         }
     }
@@ -136,6 +137,23 @@ impl Arrow {
             last: last.llt(Side::Lower).ok()?.L().to_owned(),
         })
     }
+}
+
+/// The lower triangle of `AᵀA` (`n × n`) of `A` (`m × n`).
+pub fn lower_gram(a: MatRef<'_, f64>) -> Mat<f64> {
+    let mut gram = Mat::zeros(a.ncols(), a.ncols());
+    matmul(
+        gram.as_mut(),
+        BlockStructure::TriangularLower,
+        Accum::Replace,
+        a.transpose(),
+        BlockStructure::Rectangular,
+        a,
+        BlockStructure::Rectangular,
+        1.0,
+        Par::Seq,
+    );
+    gram
 }
 
 impl Columns {

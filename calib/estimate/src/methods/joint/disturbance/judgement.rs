@@ -54,8 +54,13 @@ impl Run<'_> {
         }
     }
 
-    /// Levels of noise and disturbances at a point.
-    pub(crate) fn judge(&self, point: &Point, earth: Option<&Columns>) -> Weights {
+    /// Levels of noise and disturbances at a point, the levels `before` being those of a point nearby.
+    pub(crate) fn judge(
+        &self,
+        point: &Point,
+        earth: Option<&Columns>,
+        before: &[NoiseLevel],
+    ) -> Weights {
         let rows = self.rows(&[]);
         let x = point.plain_values();
         let mut free = point.mask.free_indices();
@@ -80,12 +85,12 @@ impl Run<'_> {
                 free: &free,
                 earth,
             };
-            self.flag(&at, &mut analysis, &mut shown)
+            self.flag(&at, &mut analysis, &mut shown, before)
         } else {
             let known = self.known(&rows, x);
             let all: Vec<&Suspect> = known.iter().collect();
             analysis.allow_scatter_of_gross_turns(&rows, &all);
-            (self.measured(&analysis, &all), known)
+            (self.measured(&analysis, &all, before), known)
         };
         Weights {
             whitening: analysis.weighting(&levels),
@@ -99,10 +104,18 @@ impl Run<'_> {
         }
     }
 
-    fn measured(&self, analysis: &Analysis, known: &[&Suspect]) -> Vec<NoiseLevel> {
+    fn measured(
+        &self,
+        analysis: &Analysis,
+        known: &[&Suspect],
+        before: &[NoiseLevel],
+    ) -> Vec<NoiseLevel> {
         match &self.request.bias_noise {
             Some(noise) => noise.levels(),
-            None => analysis.levels(known, &within(self.data, &analysis.estimated_kinds())),
+            None => {
+                let within = within(self.data, &analysis.estimated_kinds());
+                analysis.levels(known, &within, before)
+            }
         }
     }
 
@@ -128,6 +141,7 @@ impl Run<'_> {
         at: &At<'_>,
         analysis: &mut Analysis,
         shown: &mut Vec<(Sensor, Shown)>,
+        before: &[NoiseLevel],
     ) -> (Vec<NoiseLevel>, Vec<Suspect>) {
         let (rows, x) = (at.rows, at.x);
         let rotations = rows.rotations(x);
@@ -164,7 +178,7 @@ impl Run<'_> {
             let trial = analysis.trial(&candidates, &columns, &[]);
             found = trial.flag(&given, most).unwrap_or(given.clone());
         }
-        let mut levels = self.measured(analysis, &all(&found));
+        let mut levels = self.measured(analysis, &all(&found), before);
         for _ in 0..3 {
             let trial = analysis.trial(&candidates, &columns, &levels);
             let mut doubtful = found.clone();
@@ -176,12 +190,12 @@ impl Run<'_> {
                 break;
             }
             found = next;
-            levels = self.measured(analysis, &all(&found));
+            levels = self.measured(analysis, &all(&found), &levels);
         }
         let mut more = at.allow_patterns(&all(&found), analysis, shown);
         more |= analysis.allow_scatter_beyond(rows, &all(&found), &levels);
         if more {
-            levels = self.measured(analysis, &all(&found));
+            levels = self.measured(analysis, &all(&found), &levels);
         }
         let count = found.len();
         let is_push = |k: &usize| candidates[*k].kind == Disturbance::DisturbedInterval;
@@ -196,7 +210,7 @@ impl Run<'_> {
             }
         }
         if found.len() < count {
-            levels = self.measured(analysis, &all(&found));
+            levels = self.measured(analysis, &all(&found), &levels);
         }
         if self.request.bias_noise.is_none() {
             analysis.doubt_turns(rows, &all(&found), &mut levels);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::{Mat, Par, Side};
 
-use crate::methods::joint::blocks::arrow::{Arrow, Places};
+use crate::methods::joint::blocks::arrow::{Arrow, Places, lower_gram};
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::blocks::covariance::{Covariance, independent};
 
@@ -61,11 +61,24 @@ struct Group {
     walks: Vec<Option<Mat<f64>>>,
 }
 
-/// `log |V|` of a group and `[J r]ᵀ V⁻¹ [J r]`.
+/// `log |V|` of a group and the lower triangle of `[J r]ᵀ V⁻¹ [J r]`.
 #[derive(Clone, Debug)]
 struct Part {
     log_determinant: f64,
     gram: Mat<f64>,
+}
+
+/// What groups add up to.
+#[derive(Clone, Debug)]
+struct Sum {
+    /// `JᵀV⁻¹J`.
+    normal: Arrow,
+    /// `JᵀV⁻¹r`.
+    right: Vec<f64>,
+    /// `rᵀV⁻¹r`.
+    square: f64,
+    /// `log |V|`.
+    log_determinant: f64,
 }
 
 impl Walks {
@@ -117,49 +130,57 @@ impl Walks {
 
     /// The expected variance of every walk given the data, the others at theirs: an average over what
     /// the density may be, its prior chance spread evenly over sizes up to `usual`, with the same chance per size
-    /// beyond where the data ask for it, and `none` times as much on no walk at all.
+    /// beyond where the data ask for it, and `none` times as much on no walk at all. The walks begin at the variances `from`.
     ///
     /// A walk at the edge of what a recording can show is most likely none in one of five; stating errors
     /// as if it were none is then wrong by a factor of two. The average is calibrated either way.
-    pub fn expected(&self, usual: &[f64], none: f64) -> Vec<f64> {
-        let mut theta = vec![0.0; self.walks];
+    pub fn expected(&self, usual: &[f64], none: f64, from: &[f64]) -> Vec<f64> {
+        let mut theta = from.to_vec();
         let parts: Option<Vec<Part>> = self.groups.iter().map(|g| g.part(&theta)).collect();
         let Some(mut parts) = parts else {
-            return theta;
+            return vec![0.0; self.walks];
         };
+        // Those beside which another has moved since.
+        let mut due = vec![true; self.walks];
         for _ in 0..ROUNDS {
-            let mut moved = false;
             for c in 0..self.walks {
+                if !std::mem::take(&mut due[c]) {
+                    continue;
+                }
                 let before = theta[c];
                 theta[c] = self.average(c, &theta, (usual[c], none), &parts);
-                moved |= (theta[c] - before).abs() > SETTLED * theta[c].max(before);
                 if !self.update(c, &theta, &mut parts) {
                     return vec![0.0; self.walks];
                 }
-            }
-            if !moved || self.walks < 2 {
-                break;
+                if (theta[c] - before).abs() > SETTLED * theta[c].max(before) {
+                    let others = due.iter_mut().enumerate().filter(|(other, _)| *other != c);
+                    others.for_each(|(_, due)| *due = true);
+                }
             }
         }
         theta
     }
 
+    /// The expected variance of walk `c`.
     fn average(&self, c: usize, theta: &[f64], prior: (f64, f64), parts: &[Part]) -> f64 {
-        expected_square(prior, |size| self.at(c, size * size, theta, parts))
-    }
-
-    /// The log-likelihood with another variance of walk `c`.
-    fn at(&self, c: usize, variance: f64, theta: &[f64], parts: &[Part]) -> f64 {
-        let mut theta = theta.to_vec();
-        theta[c] = variance;
-        let moved = |group: &Group| match group.walks[c] {
-            Some(_) => group.part(&theta).map(Some),
-            None => Some(None),
-        };
-        let moved: Option<Vec<Option<Part>>> = self.groups.iter().map(moved).collect();
-        moved.map_or(f64::NEG_INFINITY, |moved| {
-            let all = moved.iter().zip(parts);
-            self.log_likelihood(all.map(|(moved, part)| moved.as_ref().unwrap_or(part)))
+        let (mut still, mut moved) = (self.nothing(), Vec::new());
+        for (group, part) in self.groups.iter().zip(parts) {
+            match group.walks[c] {
+                Some(_) => moved.push(group),
+                None => still.add(group, part),
+            }
+        }
+        expected_square(prior, |size| {
+            let mut theta = theta.to_vec();
+            theta[c] = size * size;
+            let mut sum = still.clone();
+            for group in &moved {
+                let Some(part) = group.part(&theta) else {
+                    return f64::NEG_INFINITY;
+                };
+                sum.add(group, &part);
+            }
+            sum.log_likelihood()
         })
     }
 
@@ -171,28 +192,38 @@ impl Walks {
             .all(|(group, part)| group.part(theta).map(|new| *part = new).is_some())
     }
 
-    /// `−½ (log |V| + log |JᵀV⁻¹J| + rᵀ P r)`, up to a constant.
-    fn log_likelihood<'a>(&self, parts: impl Iterator<Item = &'a Part>) -> f64 {
-        let mut normal = Arrow::zeros(&self.places);
-        let mut right = vec![0.0; self.columns];
-        let (mut square, mut log_determinant) = (0.0, 0.0);
-        for (group, part) in self.groups.iter().zip(parts) {
-            let last = group.columns.len();
-            normal.add(group.recording, &group.columns, &part.gram);
-            for (k, &column) in group.columns.iter().enumerate() {
-                right[column] += part.gram[(k, last)];
-            }
-            square += part.gram[(last, last)];
-            log_determinant += part.log_determinant;
+    fn nothing(&self) -> Sum {
+        Sum {
+            normal: Arrow::zeros(&self.places),
+            right: vec![0.0; self.columns],
+            square: 0.0,
+            log_determinant: 0.0,
         }
+    }
+}
+
+impl Sum {
+    fn add(&mut self, group: &Group, part: &Part) {
+        let last = group.columns.len();
+        self.normal.add(group.recording, &group.columns, &part.gram);
+        for (k, &column) in group.columns.iter().enumerate() {
+            self.right[column] += part.gram[(last, k)];
+        }
+        self.square += part.gram[(last, last)];
+        self.log_determinant += part.log_determinant;
+    }
+
+    /// `−½ (log |V| + log |JᵀV⁻¹J| + rᵀ P r)`, up to a constant.
+    fn log_likelihood(&self) -> f64 {
         // A unit prior of no weight: combinations that nothing determines stay what they are.
-        let Some(factor) = normal.factor(UNDETERMINED) else {
+        let Some(factor) = self.normal.factor(UNDETERMINED) else {
             return f64::NEG_INFINITY;
         };
-        let (own, shared) = factor.forward(&right);
+        let (own, shared) = factor.forward(&self.right);
         let solved = own.iter().map(|own| own.squared_norm_l2()).sum::<f64>();
         let pivots: f64 = factor.pivots().map(|pivot| 2.0 * pivot.ln()).sum();
-        -0.5 * (log_determinant + pivots + square - solved - shared.squared_norm_l2())
+        let explained = solved + shared.squared_norm_l2();
+        -0.5 * (self.log_determinant + pivots + self.square - explained)
     }
 }
 
@@ -213,7 +244,7 @@ impl Group {
         solve_lower_triangular_in_place(factor.L(), whitened.as_mut(), Par::Seq);
         Some(Part {
             log_determinant: (0..k).map(|i| 2.0 * factor.L()[(i, i)].ln()).sum(),
-            gram: whitened.transpose() * &whitened,
+            gram: lower_gram(whitened.as_ref()),
         })
     }
 }
@@ -303,7 +334,11 @@ mod tests {
                 .collect()
         };
         let difference = |theta: &[f64]| {
-            walks.log_likelihood(parts(theta).iter()) - whole.log_likelihood(theta).unwrap()
+            let mut sum = walks.nothing();
+            let parts = parts(theta);
+            let all = walks.groups.iter().zip(&parts);
+            all.for_each(|(group, part)| sum.add(group, part));
+            sum.log_likelihood() - whole.log_likelihood(theta).unwrap()
         };
         let constant = difference(&[0.0, 0.0]);
         for theta in [[0.1, 0.0], [0.0, 0.3], [1.0, 1e-3]] {
@@ -317,7 +352,7 @@ mod tests {
         let (r, jacobian, [a, b]) = example();
         let walks = Walks::new(&r, &jacobian, &[&a, &b], None);
         let usual = [0.3, 0.3];
-        let found = walks.expected(&usual, 1.0);
+        let found = walks.expected(&usual, 1.0, &[0.0, 0.0]);
         let whole = Restricted::new(&r, &jacobian, &[&a, &b]);
         let fine: Vec<(f64, f64, f64)> = (0..=400)
             .map(|k| {
@@ -355,7 +390,8 @@ mod tests {
                 walked + white
             });
             let walks = Walks::new(r.col_as_slice(0), &cut, &[&covariance], None);
-            let variance = walks.expected(&[3.0 / (rows as f64).sqrt()], none)[0];
+            let usual = [3.0 / (rows as f64).sqrt()];
+            let variance = walks.expected(&usual, none, &[0.0])[0];
             let v = Mat::<f64>::identity(rows, rows) + faer::Scale(variance) * &walk;
             let factor = v.llt(Side::Lower).unwrap();
             let mut whitened = Mat::from_fn(rows, 3, |i, k| match k {

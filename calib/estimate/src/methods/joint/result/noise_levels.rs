@@ -30,8 +30,14 @@ impl Analysis {
 
     /// The levels of the components by restricted likelihood, with the disturbances' columns among the
     /// free ones: scatter at its likeliest, walks as their expectation, which none at all may be; walks and flicker
-    /// together at their likeliest, given what the readings `within` static intervals say of them.
-    pub fn levels(&self, disturbances: &[&Suspect], within: &[Within]) -> Vec<NoiseLevel> {
+    /// together at their likeliest, given what the readings `within` static intervals say of them. Walks begin at what they were
+    /// `before`, where that is known.
+    pub fn levels(
+        &self,
+        disturbances: &[&Suspect],
+        within: &[Within],
+        before: &[NoiseLevel],
+    ) -> Vec<NoiseLevel> {
         let jacobian = self.with(disturbances);
         let of = |wanted: fn(ComponentKind) -> bool| -> Vec<&Component> {
             self.components.iter().filter(|c| wanted(c.kind)).collect()
@@ -50,8 +56,13 @@ impl Analysis {
         let fixed = combined(self.residuals.len(), 0.0, &fixed);
         let covariances: Vec<&Covariance> = walks.iter().map(|c| &c.covariance).collect();
         let usual: Vec<f64> = covariances.iter().map(|c| usual_size(c, USUAL)).collect();
+        let begin = |walk: &&Component| {
+            let known = before.iter().find(|level| level.kind == walk.kind);
+            known.map_or(0.0, |level| level.size * level.size)
+        };
+        let from: Vec<f64> = walks.iter().map(begin).collect();
         let expected = Walks::new(&self.residuals, &jacobian, &covariances, fixed.as_ref())
-            .expected(&usual, NO_WALK);
+            .expected(&usual, NO_WALK, &from);
         walks
             .into_iter()
             .zip(expected)

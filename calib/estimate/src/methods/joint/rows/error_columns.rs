@@ -159,7 +159,8 @@ pub fn step_columns(
     out
 }
 
-/// Pushes `∂e/∂p` of the parameters `wanted`.
+/// Pushes `∂e/∂p` of the parameters `wanted`: of an effect `F p` the errors of unit parameters, which are `F`, of others by
+/// forward mode.
 pub fn effect_slopes(
     effect: &dyn AnyEffect,
     truth: &Kinematics<f64>,
@@ -167,6 +168,15 @@ pub fn effect_slopes(
     wanted: &[usize],
     out: &mut Vec<Vector3<f64>>,
 ) {
+    if effect.is_linear() {
+        let mut unit = vec![0.0; p.len()];
+        for &k in wanted {
+            unit[k] = 1.0;
+            out.push(effect.error_f64(truth, &unit));
+            unit[k] = 0.0;
+        }
+        return;
+    }
     let lifted = truth.lift();
     for group in wanted.chunks(LANES) {
         let mut point: Vec<Jet> = p.iter().map(|&v| lit(v)).collect();
