@@ -19,7 +19,7 @@ use super::fault::delay::{Delay, delay};
 use super::fault::integrity::{SPOILT, disturbed, integrity, undersampled};
 use super::fault::mixed::{explain_disturbed, leave_out_mixed, take_back};
 use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
-use super::flicker::names_and_rest;
+use super::flicker::{Found, names_and_rest};
 use super::gap::channel::Channel;
 use super::gap::held_out::{gap_of, held_out};
 use super::gap::localise::disagreements;
@@ -95,16 +95,18 @@ pub(super) fn discover_in(
     let mut faults = integrity(session, &base);
     let is_spoilt = faults.iter().any(|fault| SPOILT.contains(&fault.name));
     let alpha = request.alpha_of_rest();
-    let (mut search, mut rest) = if is_spoilt {
-        (Search::without_names(base), None)
+    let found = if is_spoilt {
+        Found::nothing_looked_for(base)
     } else {
         names_and_rest(session, request, base)?
     };
-    let instead = instead_of_names(session, request, &search).map(|(formula, mut whole)| {
-        whole.instead_of = search.withdraw_all();
-        rest = Some(whole);
-        formula
-    });
+    let (mut search, mut rest) = (found.search, found.rest);
+    let instead =
+        instead_of_names(session, request, &search, found.of_base).map(|(formula, mut whole)| {
+            whole.instead_of = search.withdraw_all();
+            rest = Some(whole);
+            formula
+        });
     if leave_out_mixed(session, &mut search)? {
         rest = rest_of(&search.last, alpha);
     }

@@ -151,12 +151,17 @@ pub fn tried(p: &Param) -> &[f64] {
 pub fn families(state: &State, catalogue: &[&'static dyn AnyEffect]) -> Vec<Family> {
     let mut all: Vec<Family> = catalogue
         .iter()
-        .filter(|effect| !state.has(effect.name()))
-        .filter(|effect| effect.sensor() == Sensor::Accelerometer || state.fit.has_gyroscope())
+        .filter(|effect| may_be_missing(state, **effect))
         .map(|effect| effect_family(state, *effect, catalogue))
         .collect();
     all.extend(disturbance_families(state));
     all
+}
+
+/// Whether a model lacks an effect of a sensor that was recorded.
+pub(super) fn may_be_missing(state: &State, effect: &dyn AnyEffect) -> bool {
+    let is_recorded = effect.sensor() == Sensor::Accelerometer || state.fit.has_gyroscope();
+    is_recorded && !state.has(effect.name())
 }
 
 /// The family of one effect; `catalogue` has its companions.

@@ -3,6 +3,7 @@
 use recording::Error;
 
 use super::extension::Extension;
+use super::remainder::described::Described;
 use super::remainder::unexplained::{Unexplained, unexplained};
 use super::request::{Request, Session};
 use super::search::{Search, search};
@@ -14,6 +15,27 @@ use super::state::State;
 const FLICKERING: usize = 3;
 const LIKELIER: f64 = 3.0;
 
+/// What a search found.
+pub struct Found {
+    /// The names.
+    pub search: Search,
+    /// What they leave.
+    pub rest: Option<Unexplained>,
+    /// What shapes say of the base models, where that was asked.
+    pub of_base: Option<Described>,
+}
+
+impl Found {
+    /// The base models, with nothing looked for.
+    pub fn nothing_looked_for(base: State) -> Self {
+        Self {
+            search: Search::without_names(base),
+            rest: None,
+            of_base: None,
+        }
+    }
+}
+
 /// The names and what they leave, under noise that flickers where the biases do.
 ///
 /// A search takes the noise of the biases for walks: flicker beside them would take some of what depends on the
@@ -23,19 +45,25 @@ pub fn names_and_rest(
     session: &mut Session<'_>,
     request: &Request,
     base: State,
-) -> Result<(Search, Option<Unexplained>), Error> {
-    let alpha = request.alpha_of_rest();
-    let mut first = search(session, request, base)?;
-    let rest = unexplained(&mut first, alpha);
-    let nothing = rest.is_none() && first.names.is_empty();
-    if nothing || !flickers(session, &first.last) {
-        return Ok((first, rest));
+) -> Result<Found, Error> {
+    let first = look(session, request, base)?;
+    let nothing = first.rest.is_none() && first.search.names.is_empty();
+    if nothing || !flickers(session, &first.search.last) {
+        return Ok(first);
     }
     session.flicker = true;
     let base = State::fit(session, Extension::default())?;
-    let mut again = search(session, request, base)?;
-    let rest = unexplained(&mut again, alpha);
-    Ok((again, rest))
+    look(session, request, base)
+}
+
+fn look(session: &Session<'_>, request: &Request, base: State) -> Result<Found, Error> {
+    let mut search = search(session, request, base)?;
+    let (rest, of_base) = unexplained(&mut search, request.alpha_of_rest());
+    Ok(Found {
+        search,
+        rest,
+        of_base,
+    })
 }
 
 /// Whether the biases flicker beside all that a model has: on [`FLICKERING`] axes at least, as one that wanders or follows the
@@ -88,12 +116,15 @@ mod tests {
             let mut session = Session::new(&recordings, &request).unwrap();
             let base = State::fit(&session, Extension::default()).unwrap();
             let mut walking = search(&session, &request, base.clone()).unwrap();
-            let rest = unexplained(&mut walking, request.alpha_of_rest());
+            let (rest, _) = unexplained(&mut walking, request.alpha_of_rest());
             assert!(rest.is_some() || !walking.names.is_empty(), "{seed}");
-            let (found, rest) = names_and_rest(&mut session, &request, base).unwrap();
-            assert!(rest.is_none() && found.names.is_empty(), "{seed}");
+            let found = names_and_rest(&mut session, &request, base).unwrap();
             assert!(
-                found.last.noise.flicker[0].iter().all(|b| *b > 1e-4),
+                found.rest.is_none() && found.search.names.is_empty(),
+                "{seed}"
+            );
+            assert!(
+                found.search.last.noise.flicker[0].iter().all(|b| *b > 1e-4),
                 "{seed}"
             );
         }

@@ -1,7 +1,8 @@
 //! The evidence for everything that may be missing.
 
-use estimate::methods::joint::BiasNoise;
+use estimate::methods::joint::{BiasNoise, Columns};
 use faer::Mat;
+use sensor::Sensor;
 
 use super::family::{Claim, Family};
 use super::noise::level::Level;
@@ -46,13 +47,59 @@ pub fn rank(projected: &Projected, families: &[Family], levels: &[Level]) -> Vec
         return Vec::new();
     };
     let choice = cost_of_choice(families);
-    let mut ranked: Vec<Ranked> = families
-        .iter()
-        .enumerate()
-        .filter_map(|(place, family)| best(place, family, projected, levels, nothing, choice))
-        .collect();
-    ranked.sort_by(|a, b| b.evidence.total_cmp(&a.evidence));
+    let mut ranked = Vec::new();
+    for sensor in [
+        Sensor::Accelerometer,
+        Sensor::Gyroscope,
+        Sensor::Magnetometer,
+    ] {
+        let own = families.iter().enumerate();
+        let own = own.filter(|(_, f)| !f.hypotheses.is_empty() && f.claim.sensor() == sensor);
+        let own: Vec<(usize, &Family)> = own.collect();
+        let seen = try_all(&own, projected, levels, sensor, nothing);
+        let judged = own.into_iter().zip(seen);
+        ranked.extend(
+            judged.filter_map(|((place, family), tried)| best(place, family, tried, choice)),
+        );
+    }
+    ranked.sort_by(|a, b| {
+        let order = b.evidence.total_cmp(&a.evidence);
+        order.then(a.family.cmp(&b.family))
+    });
     ranked
+}
+
+/// All hypotheses of the families of one sensor at all of its densities: their columns side by side, which are whitened
+/// at once.
+fn try_all<'a>(
+    families: &[(usize, &Family)],
+    projected: &Projected,
+    levels: &'a [Level],
+    sensor: Sensor,
+    nothing: f64,
+) -> Vec<Vec<Tried<'a>>> {
+    let columns = families.iter();
+    let columns: Vec<Columns> = columns
+        .map(|(_, family)| projected.by_recording(&family.columns))
+        .collect();
+    let columns = projected.side_by_side(&columns);
+    let nothing_yet =
+        |family: &Family| family.hypotheses.iter().map(|_| Tried::default()).collect();
+    let mut all: Vec<Vec<Tried<'_>>> = families.iter().map(|(_, f)| nothing_yet(f)).collect();
+    for level in levels.iter().filter(|l| l.of.is_none_or(|s| s == sensor)) {
+        let seen = level.whitened.by_recording(columns.clone());
+        let gained = level.whitened.log_likelihood() - nothing;
+        let mut first = 0;
+        for ((_, family), tried) in families.iter().zip(&mut all) {
+            for (tried, hypothesis) in tried.iter_mut().zip(&family.hypotheses) {
+                let own = first + hypothesis.columns.start..first + hypothesis.columns.end;
+                let (a, b) = seen.normal(own, &level.whitened.z);
+                tried.add(level, gained, of_normal(&a, &b), family.shape_dof);
+            }
+            first += family.columns.ncols();
+        }
+    }
+    all
 }
 
 /// `ln 2m`: what the choice among the `m` families with a hypothesis costs, half of the chance being kept for local claims.
@@ -61,28 +108,8 @@ pub(super) fn cost_of_choice(families: &[Family]) -> f64 {
     (2.0 * count as f64).ln()
 }
 
-fn best(
-    place: usize,
-    family: &Family,
-    projected: &Projected,
-    levels: &[Level],
-    nothing: f64,
-    choice: f64,
-) -> Option<Ranked> {
-    if family.hypotheses.is_empty() {
-        return None;
-    }
-    let columns = projected.by_recording(&family.columns);
-    let own = family.claim.sensor();
-    let mut tried: Vec<Tried> = family.hypotheses.iter().map(|_| Tried::default()).collect();
-    for level in levels.iter().filter(|l| l.of.is_none_or(|s| s == own)) {
-        let seen = level.whitened.by_recording(columns.clone());
-        let gained = level.whitened.log_likelihood() - nothing;
-        for (tried, hypothesis) in tried.iter_mut().zip(&family.hypotheses) {
-            let (a, b) = seen.normal(hypothesis.columns.clone(), &level.whitened.z);
-            tried.add(level, gained, of_normal(&a, &b), family.shape_dof);
-        }
-    }
+/// The best hypothesis of a family.
+fn best(place: usize, family: &Family, tried: Vec<Tried<'_>>, choice: f64) -> Option<Ranked> {
     let is_shape = matches!(family.claim, Claim::Shape(..));
     let tried = tried.into_iter().enumerate();
     let ranked = tried.filter_map(|(k, tried)| {

@@ -203,7 +203,11 @@ impl<'a> Session<'a> {
             compared: self.base.is_some(),
             from: self.begun(),
             cut: self.base.as_ref().map(|fit| &fit.data),
-            levels: self.base.as_ref().map(|fit| fit.levels.clone()).unwrap_or_default(),
+            levels: self
+                .base
+                .as_ref()
+                .map(|fit| fit.levels.clone())
+                .unwrap_or_default(),
             covariates: true,
             ..JointRequest::new(
                 self.recordings

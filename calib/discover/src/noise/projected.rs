@@ -44,6 +44,18 @@ struct Part {
     scatter: Option<Mat<f64>>,
 }
 
+impl Part {
+    /// `Nᵀ E` (`q × k`), of the rows that `E` has: errors of one sensor touch its own alone, which are neighbours.
+    fn project(&self, e: MatRef<'_, f64>) -> Mat<f64> {
+        let is_used = |i: &usize| e.row(*i).iter().any(|v| *v != 0.0);
+        let first = (0..e.nrows()).find(is_used).unwrap_or(0);
+        let count = (first..e.nrows())
+            .rfind(is_used)
+            .map_or(0, |last| last + 1 - first);
+        self.null.as_ref().subrows(first, count).transpose() * e.subrows(first, count)
+    }
+}
+
 impl Projected {
     /// Of white-whitened residuals (`m`), Jacobian (`m × n`) and kinds of noise (`m × m`) with their levels.
     pub fn new(
@@ -110,7 +122,7 @@ impl Projected {
     /// `Nᵀ E` (`q × k`) of white-whitened columns.
     pub fn columns(&self, e: MatRef<'_, f64>) -> Mat<f64> {
         if let [part] = self.parts.as_slice() {
-            return part.null.transpose() * e;
+            return part.project(e);
         }
         let count = self.parts.iter().map(|part| part.null.ncols()).sum();
         let mut all = Mat::zeros(count, e.ncols());
@@ -122,7 +134,7 @@ impl Projected {
             let own = Mat::from_fn(part.rows.len(), used.len(), |i, k| {
                 e[(part.rows[i], used[k])]
             });
-            put(&mut all, above, &used, &(part.null.transpose() * own));
+            put(&mut all, above, &used, &part.project(own.as_ref()));
             above += q;
         }
         all
@@ -134,7 +146,7 @@ impl Projected {
         let of_group = e.parts().iter().map(|part| part.columns.clone());
         let mut all = Columns::zeros(&self.places, e.ncols(), of_group.collect());
         for (k, (own, part)) in e.parts().iter().zip(&self.parts).enumerate() {
-            all.part_mut(k).values = part.null.transpose() * &own.values;
+            all.part_mut(k).values = part.project(own.values.as_ref());
         }
         all
     }
@@ -144,6 +156,11 @@ impl Projected {
         let units: Vec<Column> = rows.iter().map(|&row| Column::unit(row)).collect();
         let units: Vec<&Column> = units.iter().collect();
         self.by_recording(&Columns::sparse(&self.rows, &units))
+    }
+
+    /// Such columns, one after the other.
+    pub fn side_by_side(&self, all: &[Columns]) -> Columns {
+        Columns::side_by_side(&self.places, &all.iter().collect::<Vec<_>>())
     }
 
     /// `V = I + Σ θ_c C_c` (`q × q`) of a recording; `None` where that is the identity.

@@ -7,9 +7,10 @@ use super::dictionary::{Product, dictionary};
 use super::most::most_evidence;
 use super::screen::screen;
 use super::{Proposed, propose_of};
-use crate::family::families;
+use crate::family::{coefficients, effect_family, may_be_missing};
 use crate::rank::APART;
-use crate::remainder::unexplained::{Unexplained, rest_of};
+use crate::remainder::described::Described;
+use crate::remainder::unexplained::{Unexplained, rest_beside};
 use crate::request::{Request, Session};
 use crate::search::Search;
 use crate::state::State;
@@ -21,11 +22,13 @@ const OWN: f64 = 0.05;
 const SEVERAL: usize = 2;
 
 /// Looks for a formula beside the base models, with what these leave; `None` where it is not likelier than the named effects,
-/// or several disturbances, and what they leave of single intervals and turns, by [`APART`].
+/// or several disturbances, and what they leave of single intervals and turns, by [`APART`]. `of_base` is what shapes say of the
+/// base models, where that is known.
 pub fn instead_of_names(
     session: &Session<'_>,
     request: &Request,
     search: &Search,
+    of_base: Option<Described>,
 ) -> Option<(Proposed, Unexplained)> {
     let mut claims = search.names.iter().map(|name| name.claim);
     let several = search.last.extension.disturbed.len() >= SEVERAL;
@@ -39,24 +42,23 @@ pub fn instead_of_names(
     if most_evidence(&screened, &products, base.levels()) <= needed {
         return None;
     }
-    let whole = rest_of(base, request.alpha_of_rest())?;
+    let described = of_base.unwrap_or_else(|| Described::of(base));
+    let whole = rest_beside(base, &described, request.alpha_of_rest())?;
     let found = propose_of(session, request, base, &whole, (&products, &screened))?;
     (found.ranked.by_ratio() > needed).then_some((found, whole))
 }
 
 /// The dictionary without what effects of the catalogue hold.
 fn not_of_the_catalogue(base: &State, request: &Request) -> Vec<Product> {
-    let mut spans: Vec<Mat<f64>> = Vec::new();
-    for family in families(base, &request.candidates()) {
-        let own = family.hypotheses.iter().enumerate();
-        for (k, hypothesis) in own.filter(|_| family.claim.effect().is_some()) {
-            if hypothesis.shape.is_none() {
-                spans.push(orthonormal(
-                    &base.projected.columns(family.columns_of(k).as_ref()),
-                ));
-            }
-        }
-    }
+    let candidates = request.candidates();
+    let spans = candidates
+        .iter()
+        .filter(|effect| may_be_missing(base, **effect) && coefficients(**effect).1.is_none())
+        .map(|effect| {
+            let family = effect_family(base, *effect, &candidates);
+            orthonormal(&base.projected.columns(family.columns_of(0).as_ref()))
+        });
+    let spans: Vec<Mat<f64>> = spans.collect();
     let is_within = |column: &Mat<f64>| {
         let held = |span: &Mat<f64>| (span.transpose() * column).squared_norm_l2();
         spans.iter().any(|span| held(span) > 1.0 - OWN)

@@ -1,6 +1,7 @@
 //! What remains when everything of the catalogue has had its chance.
 
 pub(super) mod by_interval;
+pub(super) mod described;
 pub(super) mod scatter;
 pub(super) mod shape;
 pub(super) mod shapes;

@@ -1,20 +1,18 @@
 //! What is left when everything of the catalogue has had its chance.
 
 use estimate::methods::joint::{BiasNoise, Chunk, Disturbance, Mean, SensorNoise, orthonormal};
-use faer::Mat;
 use nalgebra::Vector3;
 use sensor::{Quantity, Sensor};
 use serde::Serialize;
 
-use crate::family::{Claim, Family};
+use super::described::{Described, Shaped, Trial, channel_at_rest};
+use super::scatter::scatters;
+use super::shape::Shape;
+use crate::family::Claim;
 use crate::gap::channel::Channel;
 use crate::gap::sequence::{Misfit, Sequence, channel_of};
-use crate::rank::{APART, Ranked, rank};
-use crate::remainder::scatter::scatters;
-use crate::remainder::shape::Shape;
-use crate::remainder::shapes::shapes;
+use crate::rank::APART;
 use crate::score::log_tail;
-use crate::search::few_turns::Turns;
 use crate::search::{Name, Search};
 use crate::state::State;
 
@@ -43,32 +41,9 @@ pub struct Unexplained {
     pub wandering: Option<(Sensor, usize)>,
 }
 
-/// The columns of a shape at the model that it was found beside.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Shaped {
-    /// `m × k`, white-whitened.
-    pub columns: Mat<f64>,
-    /// Noise of the biases under it.
-    pub noise: BiasNoise,
-}
-
-/// One of the tests for a rest: `ln p` with its search paid for, but not the number of tests.
-struct Trial {
-    log_p: f64,
-    words: String,
-    /// The shape, of a trial that has one.
-    of: Option<(Shape, Sensor)>,
-    channel: Option<Channel>,
-    period: Option<f64>,
-    columns: Option<Shaped>,
-    wandering: Option<(Sensor, usize)>,
-    /// What the shape adds to the rows, white-whitened (`m × 1`).
-    predicted: Option<Mat<f64>>,
-}
-
 /// Looks for a significant rest (family-wise chance `alpha`), and whether one shape explains the whole better than
-/// the names do: these are withdrawn then.
-pub fn unexplained(search: &mut Search, alpha: f64) -> Option<Unexplained> {
+/// the names do: these are withdrawn then. What shapes say of the base models comes with it where that was asked.
+pub fn unexplained(search: &mut Search, alpha: f64) -> (Option<Unexplained>, Option<Described>) {
     let named_effect = search
         .names
         .iter()
@@ -77,19 +52,23 @@ pub fn unexplained(search: &mut Search, alpha: f64) -> Option<Unexplained> {
     let in_rests = &search.last.extension.disturbed;
     let of_rests = !in_rests.is_empty() && in_rests.iter().all(|known| is_of_a_rest(known.kind));
     if named_effect || of_rests {
-        let shaped = shaped(&search.base, search.evidence + APART);
+        let described = Described::of(&search.base);
+        let shaped = described.trials(&search.base, search.evidence + APART);
         let is_named = |t: &Trial| t.of.is_some_and(|of| is_covered(of, &search.names));
         let better = |t: &Trial| {
             let evidence = -t.log_p - (shaped.len() as f64).ln();
             !is_named(t) && evidence > search.evidence + APART
         };
         if shaped.iter().any(better) {
-            let mut whole = rest_of(&search.base, alpha)?;
-            whole.instead_of = search.withdraw_all();
-            return Some(whole);
+            let whole = rest_beside(&search.base, &described, alpha).map(|mut whole| {
+                whole.instead_of = search.withdraw_all();
+                whole
+            });
+            return (whole, Some(described));
         }
+        return (rest_of(&search.last, alpha), Some(described));
     }
-    rest_of(&search.last, alpha)
+    (rest_of(&search.last, alpha), None)
 }
 
 /// Whether a disturbance is one of a static interval as a whole.
@@ -115,8 +94,13 @@ fn is_covered((shape, sensor): (Shape, Sensor), names: &[Name]) -> bool {
 
 /// The disagreement that a model leaves, where it is significant (family-wise chance `alpha`).
 pub fn rest_of(state: &State, alpha: f64) -> Option<Unexplained> {
+    rest_beside(state, &Described::of(state), alpha)
+}
+
+/// The same, with what shapes say of it.
+pub fn rest_beside(state: &State, described: &Described, alpha: f64) -> Option<Unexplained> {
     let misfits = Sequence::of(state, state.noise).misfits(state);
-    let mut trials = shaped(state, -alpha.ln());
+    let mut trials = described.trials(state, -alpha.ln());
     trials.extend(shapeless(state, &misfits)?);
     let count = trials.len() as f64;
     let worst = trials.iter().min_by(|a, b| a.log_p.total_cmp(&b.log_p))?;
@@ -171,38 +155,6 @@ fn wanders_beside(state: &State, shape: &Shaped, alpha: f64) -> bool {
         .any(|scatter| scatter.log_p + count.ln() <= alpha.ln())
 }
 
-/// The tests that say what the rest looks like; of shapes with a larger `−ln p` than `needed`, without the turns that speak for
-/// them most.
-fn shaped(state: &State, needed: f64) -> Vec<Trial> {
-    let levels = state.levels();
-    let is_slow = |f: &Family| matches!(f.claim, Claim::Shape(Shape::SlowTime, _));
-    let (slow, others): (Vec<Family>, Vec<Family>) = shapes(state).into_iter().partition(is_slow);
-    // Slow changes are judged at the likeliest walk alone: with many coefficients they could stand for any walk.
-    let likeliest = &levels[..levels.len().min(1)];
-    let mut trials = Vec::new();
-    let turns = Turns::knocked(state);
-    for (shapes, levels) in [(slow, likeliest), (others, levels)] {
-        let mut ranked = rank(&state.projected, &shapes, levels);
-        if let Some(turns) = &turns {
-            for r in ranked.iter_mut().filter(|r| -r.log_p > needed) {
-                r.log_p += r.evidence - turns.evidence_without(state, &shapes[r.family], r);
-            }
-        }
-        trials.extend(ranked.iter().map(|r| of_shape(&shapes[r.family], r)));
-    }
-    trials.extend(scatters(state, levels).into_iter().map(|s| Trial {
-        log_p: s.log_p,
-        words: s.words(),
-        of: None,
-        channel: Some(channel_at_rest(s.sensor)),
-        period: None,
-        columns: None,
-        wandering: Some((s.sensor, s.axis)),
-        predicted: None,
-    }));
-    trials
-}
-
 /// The tests that say that there is more than the noise.
 fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
     let whitened = state.projected.at(state.noise)?;
@@ -241,46 +193,6 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
         });
     }
     Some(trials)
-}
-
-fn of_shape(family: &Family, ranked: &Ranked) -> Trial {
-    let (shape, sensor) = match family.claim {
-        Claim::Shape(shape, sensor) => (Some(shape), sensor),
-        ref other => (None, other.sensor()),
-    };
-    let value = family.hypotheses[ranked.hypothesis].shape.map(|(_, v)| v);
-    let period = value.filter(|_| shape == Some(Shape::Periodic));
-    let of = sensor.name();
-    let words = match (shape, period, sensor) {
-        (_, Some(period), _) => format!("{of}: periodic with {period:.1} s"),
-        (Some(Shape::Heading), None, Sensor::Gyroscope) => format!(
-            "{of}: {}, as the earth's rotation is near the equator (--latitude puts it into the model)",
-            family.claim.name()
-        ),
-        _ => format!("{of}: {}", family.claim.name()),
-    };
-    let columns = family.columns_of(ranked.hypothesis);
-    let change = Mat::from_fn(columns.ncols(), 1, |i, _| ranked.score.change[i]);
-    Trial {
-        log_p: ranked.log_p + family.log_places,
-        words,
-        of: shape.map(|shape| (shape, sensor)),
-        channel: None,
-        period,
-        columns: Some(Shaped {
-            columns: family.columns_of(ranked.hypothesis),
-            noise: ranked.noise,
-        }),
-        wandering: None,
-        predicted: Some(&columns * change),
-    }
-}
-
-fn channel_at_rest(sensor: Sensor) -> Channel {
-    match sensor {
-        Sensor::Accelerometer => Channel::StaticNorm,
-        Sensor::Gyroscope | Sensor::Magnetometer => Channel::StaticRate,
-    }
 }
 
 /// `Σ (slope/σ)²` over the chunks of rests that nothing disturbed, and the number of slopes.

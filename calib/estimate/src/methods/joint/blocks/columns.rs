@@ -199,25 +199,29 @@ impl Columns {
 
     /// These columns, then others in the same groups of rows.
     pub fn beside(&self, others: &Self) -> Self {
-        let both = |(a, b): (&Part, &Part)| {
-            let (n, moved) = (a.columns.len(), b.columns.iter().map(|k| self.count + k));
-            Part {
-                rows: a.rows.clone(),
-                columns: a.columns.iter().copied().chain(moved).collect(),
-                values: Mat::from_fn(a.rows.len(), n + b.columns.len(), |i, k| {
-                    if k < n {
-                        a.values[(i, k)]
-                    } else {
-                        b.values[(i, k - n)]
-                    }
-                }),
+        Self::side_by_side(&self.groups, &[self, others])
+    }
+
+    /// Columns in the same groups of rows, one after the other.
+    pub fn side_by_side(groups: &RowGroups, all: &[&Self]) -> Self {
+        let mut of_group = vec![Vec::new(); groups.iter().len()];
+        let mut count = 0;
+        for columns in all {
+            for (own, part) in of_group.iter_mut().zip(&columns.parts) {
+                own.extend(part.columns.iter().map(|k| count + k));
             }
-        };
-        Self {
-            groups: self.groups.clone(),
-            count: self.count + others.count,
-            parts: self.parts.iter().zip(&others.parts).map(both).collect(),
+            count += columns.count;
         }
+        let mut whole = Self::zeros(groups, count, of_group);
+        for (group, to) in whole.parts.iter_mut().enumerate() {
+            let mut first = 0;
+            for from in all.iter().map(|columns| &columns.parts[group].values) {
+                let place = to.values.as_mut().subcols_mut(first, from.ncols());
+                { place }.copy_from(from);
+                first += from.ncols();
+            }
+        }
+        whole
     }
 
     /// The same in groups of rows that consist of whole ones of these.

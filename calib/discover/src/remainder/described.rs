@@ -1,0 +1,133 @@
+//! What shapes and wandering biases say of what a model leaves.
+
+use estimate::methods::joint::BiasNoise;
+use faer::Mat;
+use sensor::Sensor;
+
+use super::scatter::{Scatter, scatters};
+use super::shape::Shape;
+use super::shapes::shapes;
+use crate::family::{Claim, Family};
+use crate::gap::channel::Channel;
+use crate::rank::{Ranked, rank};
+use crate::search::few_turns::Turns;
+use crate::state::State;
+
+/// The columns of a shape at the model that it was found beside.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shaped {
+    /// `m × k`, white-whitened.
+    pub columns: Mat<f64>,
+    /// Noise of the biases under it.
+    pub noise: BiasNoise,
+}
+
+/// One of the tests for a rest: `ln p` with its search paid for, but not the number of tests.
+pub(super) struct Trial {
+    pub log_p: f64,
+    pub words: String,
+    /// The shape, of a trial that has one.
+    pub of: Option<(Shape, Sensor)>,
+    pub channel: Option<Channel>,
+    pub period: Option<f64>,
+    pub columns: Option<Shaped>,
+    pub wandering: Option<(Sensor, usize)>,
+    /// What the shape adds to the rows, white-whitened (`m × 1`).
+    pub predicted: Option<Mat<f64>>,
+}
+
+/// The tests that say what the rest looks like.
+#[derive(Clone, Debug)]
+pub struct Described {
+    shapes: Vec<(Family, Ranked)>,
+    scatters: Vec<Scatter>,
+}
+
+impl Described {
+    /// Of what a model leaves.
+    pub fn of(state: &State) -> Self {
+        let levels = state.levels();
+        let is_slow = |f: &Family| matches!(f.claim, Claim::Shape(Shape::SlowTime, _));
+        let (slow, others): (Vec<Family>, Vec<Family>) =
+            shapes(state).into_iter().partition(is_slow);
+        // Slow changes are judged at the likeliest walk alone: with many coefficients they could stand for any walk.
+        let likeliest = &levels[..levels.len().min(1)];
+        let mut all = Vec::new();
+        for (families, levels) in [(slow, likeliest), (others, levels)] {
+            let ranked = rank(&state.projected, &families, levels);
+            all.extend(ranked.into_iter().map(|r| (families[r.family].clone(), r)));
+        }
+        Self {
+            shapes: all,
+            scatters: scatters(state, levels),
+        }
+    }
+
+    /// Every test by itself; of shapes with a larger `−ln p` than `needed`, without the turns that speak for them most.
+    pub(super) fn trials(&self, state: &State, needed: f64) -> Vec<Trial> {
+        let turns = Turns::knocked(state);
+        let of_shape = |(family, ranked): &(Family, Ranked)| {
+            let mut ranked = ranked.clone();
+            if let Some(turns) = turns.as_ref().filter(|_| -ranked.log_p > needed) {
+                ranked.log_p += ranked.evidence - turns.evidence_without(state, family, &ranked);
+            }
+            of_shape(family, &ranked)
+        };
+        let shapes = self.shapes.iter().map(of_shape);
+        shapes.chain(self.scatters.iter().map(of_scatter)).collect()
+    }
+}
+
+fn of_scatter(scatter: &Scatter) -> Trial {
+    Trial {
+        log_p: scatter.log_p,
+        words: scatter.words(),
+        of: None,
+        channel: Some(channel_at_rest(scatter.sensor)),
+        period: None,
+        columns: None,
+        wandering: Some((scatter.sensor, scatter.axis)),
+        predicted: None,
+    }
+}
+
+fn of_shape(family: &Family, ranked: &Ranked) -> Trial {
+    let (shape, sensor) = match family.claim {
+        Claim::Shape(shape, sensor) => (Some(shape), sensor),
+        ref other => (None, other.sensor()),
+    };
+    let value = family.hypotheses[ranked.hypothesis].shape.map(|(_, v)| v);
+    let period = value.filter(|_| shape == Some(Shape::Periodic));
+    let of = sensor.name();
+    let words = match (shape, period, sensor) {
+        (_, Some(period), _) => format!("{of}: periodic with {period:.1} s"),
+        (Some(Shape::Heading), None, Sensor::Gyroscope) => format!(
+            "{of}: {}, as the earth's rotation is near the equator (--latitude puts it into the model)",
+            family.claim.name()
+        ),
+        _ => format!("{of}: {}", family.claim.name()),
+    };
+    let columns = family.columns_of(ranked.hypothesis);
+    let change = Mat::from_fn(columns.ncols(), 1, |i, _| ranked.score.change[i]);
+    Trial {
+        log_p: ranked.log_p + family.log_places,
+        words,
+        of: shape.map(|shape| (shape, sensor)),
+        channel: None,
+        period,
+        columns: Some(Shaped {
+            columns: family.columns_of(ranked.hypothesis),
+            noise: ranked.noise,
+        }),
+        wandering: None,
+        predicted: Some(&columns * change),
+    }
+}
+
+/// The channel in which static intervals show a sensor.
+pub(super) fn channel_at_rest(sensor: Sensor) -> Channel {
+    match sensor {
+        Sensor::Accelerometer => Channel::StaticNorm,
+        Sensor::Gyroscope | Sensor::Magnetometer => Channel::StaticRate,
+    }
+}
