@@ -64,13 +64,12 @@ pub fn error_columns(
     }
     for turn in &sensitivities.turns {
         let place = Place::Turn(turn.turn);
+        let mut sums = vec![Vector2::zeros(); count];
         let mut add = |by_error: &Matrix2x3<f64>, truth: &Kinematics<f64>| {
             e.clear();
             errors(&Instant { truth, place }, &mut e);
-            for (j, e) in e.iter().enumerate() {
-                let shift = by_error * e;
-                out[(turn.row, j)] += shift[0];
-                out[(turn.row + 1, j)] += shift[1];
+            for (sum, e) in sums.iter_mut().zip(&e) {
+                *sum += by_error * e;
             }
         };
         match (sampling, turn.truth.get(turn.truth.len() / 2)) {
@@ -80,6 +79,10 @@ pub fn error_columns(
                 .iter()
                 .zip(&turn.truth)
                 .for_each(|(g, truth)| add(g, truth)),
+        }
+        for (j, sum) in sums.iter().enumerate() {
+            out[(turn.row, j)] = sum[0];
+            out[(turn.row + 1, j)] = sum[1];
         }
     }
     out
@@ -93,15 +96,13 @@ pub fn effect_columns(
     p: &[f64],
     wanted: &[usize],
 ) -> Mat<f64> {
-    let sensor = effect.sensor();
+    let (sensor, slopes) = (effect.sensor(), ByParameters::new(effect, p, wanted));
     error_columns(
         sensitivities,
         m,
         (sensor, Sampling::Every),
         wanted.len(),
-        |instant, out| {
-            effect_slopes(effect, instant.truth, p, wanted, out);
-        },
+        |instant, out| slopes.at(instant.truth, out),
     )
 }
 
@@ -114,13 +115,13 @@ pub fn step_columns(
     (p, wanted): (&[f64], &[usize]),
     instants: &[f64],
 ) -> Mat<f64> {
-    let q = wanted.len();
+    let (q, slopes) = (wanted.len(), ByParameters::new(effect, p, wanted));
     let mut out = Mat::zeros(m, q * instants.len());
     let mut e = Vec::with_capacity(q);
     let of_sensor = |s: &&MeanSensitivity| s.sensor == effect.sensor();
     for mean in sensitivities.means.iter().filter(of_sensor) {
         e.clear();
-        effect_slopes(effect, &mean.truth, p, wanted, &mut e);
+        slopes.at(&mean.truth, &mut e);
         for (k, _) in instants
             .iter()
             .enumerate()
@@ -145,7 +146,7 @@ pub fn step_columns(
             while let Some((by_error, truth)) = samples.next_if(|(_, truth)| truth.time > *instant)
             {
                 e.clear();
-                effect_slopes(effect, truth, p, wanted, &mut e);
+                slopes.at(truth, &mut e);
                 for (sum, e) in sums.iter_mut().zip(&e) {
                     *sum += by_error * e;
                 }
@@ -159,8 +160,7 @@ pub fn step_columns(
     out
 }
 
-/// Pushes `∂e/∂p` of the parameters `wanted`: of an effect `F p` the errors of unit parameters, which are `F`, of others by
-/// forward mode.
+/// Pushes `∂e/∂p` of the parameters `wanted`.
 pub fn effect_slopes(
     effect: &dyn AnyEffect,
     truth: &Kinematics<f64>,
@@ -168,23 +168,61 @@ pub fn effect_slopes(
     wanted: &[usize],
     out: &mut Vec<Vector3<f64>>,
 ) {
-    if effect.is_linear() {
-        let mut unit = vec![0.0; p.len()];
-        for &k in wanted {
-            unit[k] = 1.0;
-            out.push(effect.error_f64(truth, &unit));
-            unit[k] = 0.0;
+    ByParameters::new(effect, p, wanted).at(truth, out);
+}
+
+/// The derivatives of an effect by some of its parameters, for many instants.
+struct ByParameters<'a> {
+    effect: &'a dyn AnyEffect,
+    passes: Passes,
+}
+
+/// What the effect is asked for at every instant.
+enum Passes {
+    /// Of an effect `F p`, the errors of unit parameters, which are the columns of `F`.
+    Units(Vec<Vec<f64>>),
+    /// Its error with derivatives by so many of the parameters at once.
+    Jets(Vec<(Vec<Jet>, usize)>),
+}
+
+impl<'a> ByParameters<'a> {
+    fn new(effect: &'a dyn AnyEffect, p: &[f64], wanted: &[usize]) -> Self {
+        let unit = |k: &usize| {
+            let mut unit = vec![0.0; p.len()];
+            unit[*k] = 1.0;
+            unit
+        };
+        let jets = |group: &[usize]| {
+            let mut point: Vec<Jet> = p.iter().map(|&v| lit(v)).collect();
+            for (lane, &k) in group.iter().enumerate() {
+                point[k] = variable(p[k], lane);
+            }
+            (point, group.len())
+        };
+        Self {
+            effect,
+            passes: if effect.is_linear() {
+                Passes::Units(wanted.iter().map(unit).collect())
+            } else {
+                Passes::Jets(wanted.chunks(LANES).map(jets).collect())
+            },
         }
-        return;
     }
-    let lifted = truth.lift();
-    for group in wanted.chunks(LANES) {
-        let mut point: Vec<Jet> = p.iter().map(|&v| lit(v)).collect();
-        for (lane, &k) in group.iter().enumerate() {
-            point[k] = variable(p[k], lane);
+
+    /// Pushes them at one instant.
+    fn at(&self, truth: &Kinematics<f64>, out: &mut Vec<Vector3<f64>>) {
+        match &self.passes {
+            Passes::Units(units) => {
+                out.extend(units.iter().map(|unit| self.effect.error_f64(truth, unit)));
+            }
+            Passes::Jets(passes) => {
+                let lifted = truth.lift();
+                for (point, count) in passes {
+                    let error = self.effect.error_jet(&lifted, point);
+                    let by_lane = [0, 1, 2].map(|i| derivatives(&error[i]));
+                    out.extend((0..*count).map(|lane| Vector3::from_fn(|i, _| by_lane[i][lane])));
+                }
+            }
         }
-        let error = effect.error_jet(&lifted, &point);
-        let by_lane = [0, 1, 2].map(|i| derivatives(&error[i]));
-        out.extend((0..group.len()).map(|lane| Vector3::from_fn(|i, _| by_lane[i][lane])));
     }
 }
