@@ -4,8 +4,7 @@ use std::borrow::Borrow;
 use std::sync::Arc;
 
 use estimate::calibrate::{
-    Request as CalibrationRequest, not_in_one_plane, of_one_device, own_effects,
-    refuse_unobservable, written_down,
+    Account, Frame, not_in_one_plane, of_one_device, own_effects, refuse_unobservable, written_down,
 };
 use estimate::calibration::{Calibration, EffectParameter, EffectValues};
 use estimate::methods::joint::{BiasNoise, SensorNoise};
@@ -221,13 +220,14 @@ pub(super) fn calibration(
     let recordings: Vec<&Recording> = session.recordings.iter().map(|(r, _)| *r).collect();
     let choices: Vec<_> = session.recordings.iter().map(|(_, c)| c).collect();
     let mut warnings = session.cut_down.clone();
-    let how = CalibrationRequest {
+    let account = Account {
         gravity: request.gravity,
         gravity_source: request.gravity_source,
-        is_discovery: true,
-        ..CalibrationRequest::default()
+        latitude: None,
+        frame: Frame::default(),
+        names_what_is_missing: true,
     };
-    let calibration = written_down(&last.fit, &recordings, &choices, &how, &mut warnings)?;
+    let calibration = written_down(&last.fit, &recordings, &choices, &account, &mut warnings)?;
     let mut calibration = Calibration {
         warnings,
         ..calibration

@@ -171,7 +171,6 @@ impl Request {
             force_device: self.force_device,
             clock: self.clock,
             field: self.field,
-            is_discovery: false,
             static_means: Vec::new(),
         })
     }

@@ -93,8 +93,6 @@ pub struct Request {
     pub clock: ClockMode,
     /// Strength of the magnetic field of the place, µT. Without it the scale of a magnetometer stays free.
     pub field: Option<f64>,
-    /// Whether this is the search for what is missing itself, to which no warning has to point.
-    pub is_discovery: bool,
     /// Means to use for the accelerometer instead of those of the recordings.
     pub static_means: Vec<Vector3<f64>>,
 }
@@ -148,7 +146,6 @@ impl Default for Request {
             force_device: false,
             clock: ClockMode::default(),
             field: None,
-            is_discovery: false,
             static_means: Vec::new(),
         }
     }

@@ -140,7 +140,6 @@ pub(super) fn request(args: &Args) -> Result<Request, Failure> {
         effects,
         latitude: args.place.latitude,
         force_device: args.force_device,
-        is_discovery: false,
         clock: args.clock.mode(),
         field: args.field,
         static_means,

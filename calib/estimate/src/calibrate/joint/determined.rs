@@ -1,0 +1,63 @@
+//! Whether the data determine what a joint fit estimates.
+
+use recording::Error;
+use recording::averages::root_mean_square;
+use sensor::Sensor;
+
+use crate::calibrate::checks;
+use crate::methods::Fitted;
+use crate::methods::joint::JointFit;
+
+/// Refuses a fit that leaves combinations of parameters open: no effect beside them closes those.
+///
+/// # Errors
+/// [`Error::NotEnough`] with the placements and turns to add.
+pub fn refuse_unobservable(fit: &JointFit) -> Result<(), Error> {
+    let is_open = |fitted: &Fitted| fitted.rank < fitted.free.len();
+    let unsaid = &mut Vec::new();
+    let force = fit.fitted(Sensor::Accelerometer);
+    if is_open(&force) {
+        check_force(fit, &force, unsaid)?;
+    }
+    let rate = fit.has_gyroscope().then(|| fit.fitted(Sensor::Gyroscope));
+    if let Some(rate) = rate.filter(is_open) {
+        check_rate(fit, &rate, unsaid)?;
+    }
+    Ok(())
+}
+
+/// Refuses or warns.
+pub fn check_force(
+    fit: &JointFit,
+    fitted: &Fitted,
+    warnings: &mut Vec<String>,
+) -> Result<(), Error> {
+    let evidence = checks::ForceEvidence {
+        fitted,
+        directions: fit.directions(),
+        scale: fit.force_unit.scale,
+        gravity: fit.gravity,
+        ending: fit.ending,
+    };
+    checks::accelerometer_is_determined(&evidence, warnings)
+}
+
+/// Refuses or warns; the gates that the gyroscope fails.
+pub fn check_rate(
+    fit: &JointFit,
+    fitted: &Fitted,
+    warnings: &mut Vec<String>,
+) -> Result<Vec<String>, Error> {
+    let evidence = checks::RateEvidence {
+        fitted,
+        turns: fit.chords.len(),
+        scale: fit.rate_unit.scale,
+        rms: root_mean_square(&fit.chords),
+        ending: fit.ending,
+    };
+    if !fit.chords.is_empty() {
+        checks::gyroscope_is_determined(&evidence, warnings)?;
+        warnings.extend(checks::turned_axes(&evidence));
+    }
+    Ok(checks::gyroscope_gates(&evidence, fit.force_unit.is_si()))
+}

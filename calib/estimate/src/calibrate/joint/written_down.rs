@@ -1,0 +1,130 @@
+//! A joint fit as a calibration.
+
+use effects::earth_rotation;
+use recording::{Error, Recording};
+use sensor::Sensor;
+
+use super::determined::{check_force, check_rate};
+use super::doubts::{disturbances, influences, latitude_in_doubt, of_missing, placements_apart};
+use super::triads::{force_triad, rate_triad};
+use crate::calibrate::assemble::{effect_values, of_the_gyro_unit, of_the_unit};
+use crate::calibrate::left_out::left_out;
+use crate::calibrate::request::Frame;
+use crate::calibrate::{checks, clocks};
+use crate::calibration::{
+    Calibration, Provenance, RecordingClock, Remainder, SCHEMA, TO_DISCOVER, Triad, WITH_WALKS,
+    in_symmetric_frame,
+};
+use crate::gravity::GravitySource;
+use crate::methods::Choice;
+use crate::methods::joint::{Channel, JointFit};
+
+/// What a calibration has to say beside the fit.
+#[derive(Clone, Copy, Debug)]
+pub struct Account {
+    /// Local gravity, m/s².
+    pub gravity: f64,
+    /// Who says it.
+    pub gravity_source: GravitySource,
+    /// Latitude, °, where it is known.
+    pub latitude: Option<f64>,
+    /// Frame of the result.
+    pub frame: Frame,
+    /// Whether the caller names what the models lack: no warning points to that search then.
+    pub names_what_is_missing: bool,
+}
+
+/// The fit as a [`Calibration`], checked; `warnings` stay outside.
+pub fn written_down(
+    fit: &JointFit,
+    recordings: &[&Recording],
+    choices: &[&Choice],
+    account: &Account,
+    warnings: &mut Vec<String>,
+) -> Result<Calibration, Error> {
+    let force = fit.fitted(Sensor::Accelerometer);
+    let rate = fit.has_gyroscope().then(|| fit.fitted(Sensor::Gyroscope));
+    check_force(fit, &force, warnings)?;
+    let mut failed_gates = Vec::new();
+    for (recording, choice) in recordings.iter().zip(choices) {
+        let segmentation = &choice.segmentation;
+        let scale = fit.force_unit.scale;
+        failed_gates.extend(checks::restless(
+            recording,
+            segmentation,
+            scale,
+            account.gravity,
+        ));
+        warnings.extend(checks::long_turns(recording, segmentation));
+    }
+    if let Some(rate) = &rate {
+        failed_gates.extend(check_rate(fit, rate, warnings)?);
+    }
+    failed_gates.extend(placements_apart(fit));
+    warnings.extend(of_the_unit(&fit.force_unit));
+    if rate.is_some() {
+        warnings.extend(of_the_gyro_unit(&fit.rate_unit, fit.force_unit.is_si()));
+    }
+    warnings.extend(clocks::doubts(fit));
+    disturbances(fit, warnings);
+    let remainders: Vec<Remainder> = fit.misfits().iter().map(Remainder::of).collect();
+    let what_next = if account.names_what_is_missing {
+        ""
+    } else {
+        TO_DISCOVER
+    };
+    let misfits = remainders.iter();
+    let misfits = misfits.filter_map(|r| r.warning(WITH_WALKS, what_next));
+    let mut misfits: Vec<String> = misfits.collect();
+    if misfits.is_empty() && !account.names_what_is_missing {
+        misfits.extend(fit.missing().and_then(|missing| of_missing(&missing)));
+    }
+    warnings.extend(misfits);
+    warnings.extend(account.latitude.and_then(|l| latitude_in_doubt(fit, l)));
+    influences(fit, warnings);
+    // The earth's rotation is no error of the sensor: corrected rates keep it.
+    let of_the_earth =
+        |name: &str| account.latitude.is_some() && name.starts_with(earth_rotation().name());
+    let all = fit.fitted_where(|name| !of_the_earth(name));
+    let effects = effect_values(&fit.models[0], &all)
+        .chain(effect_values(&fit.models[1], &all))
+        .filter(|effect| !of_the_earth(&effect.name))
+        .collect();
+    let chi2 = |channel: Channel| {
+        let own = remainders.iter().find(|r| r.channel == channel);
+        own.map(|r| r.reduced_chi2)
+    };
+    let calibration = Calibration {
+        schema: SCHEMA.into(),
+        created_by: concat!("stillpoint ", env!("CARGO_PKG_VERSION")).into(),
+        gravity: account.gravity,
+        gravity_source: account.gravity_source,
+        method: "joint".into(),
+        accelerometer: Some(Triad {
+            reduced_chi2: chi2(Channel::Force),
+            ..force_triad(fit, &force, recordings)
+        }),
+        gyroscope: rate.as_ref().map(|rate| Triad {
+            reduced_chi2: chi2(Channel::Direction),
+            ..rate_triad(fit, rate, recordings)
+        }),
+        magnetometer: None,
+        magnetic_field: None,
+        effects,
+        left_out: left_out(fit, &all),
+        parameters: all.free,
+        covariance: all.covariance,
+        misfit: remainders,
+        warnings: Vec::new(),
+        clocks: RecordingClock::of(fit),
+        history: Vec::new(),
+        failed_gates,
+        limits: Vec::new(),
+        prior: None,
+        provenance: Provenance::of(Vec::new(), None),
+    };
+    Ok(match account.frame {
+        Frame::Triangular => calibration,
+        Frame::Symmetric => in_symmetric_frame(calibration),
+    })
+}
