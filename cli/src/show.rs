@@ -193,6 +193,16 @@ pub fn value(value: f64, std: Option<f64>) -> String {
     format!("{value:.decimals$}")
 }
 
+/// A number to so many significant figures, with six decimals at most.
+pub fn figures(value: f64, figures: i32) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return format!("{value}");
+    }
+    let beyond_the_first = f64::from(figures - 1);
+    let decimals = (beyond_the_first - value.abs().log10().floor()).clamp(0.0, 6.0) as usize;
+    format!("{value:.decimals$}")
+}
+
 /// A standard error to two significant figures.
 pub fn error(std: Option<f64>) -> String {
     match std {

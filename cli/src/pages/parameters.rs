@@ -173,19 +173,19 @@ pub fn weakest(calibration: &Calibration) -> Option<Figure> {
                 let (parameter, text) = if i == j {
                     (
                         format!("s_{axis}"),
-                        format!("± {} ppm", figures(HALF * 1e6 * std)),
+                        format!("± {} ppm", show::figures(HALF * 1e6 * std, 2)),
                     )
                 } else {
                     (
                         misalignment(angle, i, j),
-                        format!("± {} mrad", figures(HALF * 1e3 * std)),
+                        format!("± {} mrad", show::figures(HALF * 1e3 * std, 2)),
                     )
                 };
                 all.push((std, format!("{name} {parameter}"), text));
             }
             if let Some(std) = triad.bias_std[i] {
                 let (unit, factor) = bias;
-                let text = format!("± {} {unit}", figures(HALF * factor * scale * std));
+                let text = format!("± {} {unit}", show::figures(HALF * factor * scale * std, 2));
                 all.push((scale * std / at, format!("{name} b_{}", AXES[i]), text));
             }
         }
@@ -194,7 +194,7 @@ pub fn weakest(calibration: &Calibration) -> Option<Figure> {
     let (share, name, text) = all.into_iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
     let note = format!(
         "{name}, 95 % interval: {} % of {}",
-        figures(HALF * 100.0 * share),
+        show::figures(HALF * 100.0 * share, 2),
         match name.chars().next() {
             Some('a') => "one g",
             Some('g') => "a turn at 1 rad/s",
@@ -202,15 +202,6 @@ pub fn weakest(calibration: &Calibration) -> Option<Figure> {
         }
     );
     Some(Figure::new("Weakest parameter", text, note))
-}
-
-/// Two significant figures.
-pub fn figures(v: f64) -> String {
-    if v == 0.0 || !v.is_finite() {
-        return format!("{v}");
-    }
-    let decimals = (1.0 - v.abs().log10().floor()).clamp(0.0, 6.0) as usize;
-    format!("{v:.decimals$}")
 }
 
 #[cfg(test)]

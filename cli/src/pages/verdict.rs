@@ -9,7 +9,7 @@ use super::parameters;
 use super::session::Session;
 use crate::commands::calibrate::limits;
 use crate::report::{Figure, Level};
-use crate::show::capital;
+use crate::show::{self, capital};
 
 /// What warnings speak of, the gravest first, and what to do then.
 const CAUSES: [(&[&str], &str); 7] = [
@@ -230,9 +230,13 @@ pub fn residual(session: &Session<'_>) -> Figure {
         rms(turns.iter().filter_map(|t| t.left).collect()),
     ];
     let arrow = |[raw, left]: [Option<f64>; 2], unit: &str| match (raw, left) {
-        (Some(raw), Some(left)) => Some(format!("{} → {}{unit}", short(raw), short(left))),
-        (None, Some(one)) => Some(format!("{}{unit}", short(one))),
-        (Some(one), None) => Some(format!("raw {}{unit}", short(one))),
+        (Some(raw), Some(left)) => Some(format!(
+            "{} → {}{unit}",
+            show::figures(raw, 3),
+            show::figures(left, 3)
+        )),
+        (None, Some(one)) => Some(format!("{}{unit}", show::figures(one, 3))),
+        (Some(one), None) => Some(format!("raw {}{unit}", show::figures(one, 3))),
         (None, None) => None,
     };
     let used = turns.iter().filter(|t| t.raw.or(t.left).is_some()).count();
@@ -256,15 +260,6 @@ pub fn residual(session: &Session<'_>) -> Figure {
             )
         }
     }
-}
-
-/// Three significant figures.
-pub fn short(v: f64) -> String {
-    if v == 0.0 || !v.is_finite() {
-        return format!("{v}");
-    }
-    let decimals = (2.0 - v.abs().log10().floor()).clamp(0.0, 6.0) as usize;
-    format!("{v:.decimals$}")
 }
 
 /// What to do about a cause: of placements what the warning itself says, where it does.

@@ -4,7 +4,6 @@ use calib::discover::{
     Channel, EffectFinding, Findings, Integrity, Proposal, Size, Unexplained, Verdict,
 };
 
-use crate::pages::verdict::short;
 use crate::show;
 
 /// The verdict in one sentence.
@@ -226,9 +225,8 @@ fn of_fault(size: Size) -> String {
         _ => unit_of(Channel::StaticNorm),
     };
     let value = factor * size.value;
-    let decimals = (1.0 - value.log10().floor()).clamp(0.0, 4.0) as usize;
     let space = if unit == "°" { "" } else { " " };
-    format!("{value:.decimals$}{space}{unit}")
+    format!("{}{space}{unit}", show::figures(value, 2))
 }
 
 /// What remains; `is_explained` by a formula.
@@ -249,7 +247,7 @@ pub fn remains(rest: &Unexplained) -> String {
     let gap = if rest.size > 1.0 {
         let (factor, unit) = unit_of(rest.channel);
         let rms = rest.rms.map_or_else(String::new, |rms| {
-            format!(", {} {unit} rms", short(factor * rms))
+            format!(", {} {unit} rms", show::figures(factor * rms, 3))
         });
         format!(
             "gap {:.2} of the {}{rms}, ",

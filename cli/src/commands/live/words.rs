@@ -2,6 +2,8 @@
 
 use live::{Direction, Errors, Event, Instruction, Verdict, View};
 
+use crate::show;
+
 /// What to do, in a few words, and what more there is to say.
 pub(super) fn instruction(instruction: &Instruction, planned: usize) -> [String; 2] {
     let two = |a: &str, b: &str| [a.to_owned(), b.to_owned()];
@@ -103,20 +105,17 @@ pub(super) fn hint(direction: &Direction) -> String {
 /// `scale 120 ppm, misalignment 0.31 mrad, bias 1.2 mg`.
 pub(super) fn errors(errors: &Errors, gyroscope: bool) -> String {
     let bias = match gyroscope {
-        true => format!("{} °/h", figures(errors.bias.to_degrees() * 3600.0)),
-        false => format!("{} mg", figures(errors.bias / 9.80665 * 1e3)),
+        true => format!(
+            "{} °/h",
+            show::figures(errors.bias.to_degrees() * 3600.0, 2)
+        ),
+        false => format!("{} mg", show::figures(errors.bias / 9.80665 * 1e3, 2)),
     };
     format!(
         "scale {} ppm, misalignment {} mrad, bias {bias}",
-        figures(errors.scale * 1e6),
-        figures(errors.misalignment * 1e3)
+        show::figures(errors.scale * 1e6, 2),
+        show::figures(errors.misalignment * 1e3, 2)
     )
-}
-
-/// Two figures.
-fn figures(value: f64) -> String {
-    let decimals = (1.0 - value.abs().max(1e-12).log10().floor()).clamp(0.0, 6.0) as usize;
-    format!("{value:.decimals$}")
 }
 
 /// What is known so far, a line for each sensor.
