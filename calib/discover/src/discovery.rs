@@ -6,39 +6,29 @@ use std::sync::Arc;
 use estimate::calibrate::{
     Account, Frame, not_in_one_plane, of_one_device, own_effects, refuse_unobservable, written_down,
 };
-use estimate::calibration::{Calibration, EffectParameter, EffectValues};
-use estimate::methods::joint::{BiasNoise, SensorNoise};
+use estimate::calibration::Calibration;
+use estimate::methods::joint::SensorNoise;
 use estimate::methods::static_means;
 use recording::{Error, Recording};
-use sensor::{AnyEffect, Model, Nature, Sensor};
+use sensor::AnyEffect;
 
 use super::enough::{enough_rests, enough_to_compare};
-use super::family::{Claim, effect_family, is_late};
-use super::fault::delay::{Delay, delay};
+use super::family::{Claim, effect_family};
+use super::fault::delay::delay;
 use super::fault::integrity::{SPOILT, disturbed, integrity, undersampled};
-use super::fault::mixed::{explain_disturbed, leave_out_mixed, take_back};
-use super::findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Verdict};
-use super::flicker::{Found, names_and_rest};
-use super::gap::channel::Channel;
-use super::gap::held_out::{gap_of, held_out};
+use super::findings::late::{late, late_finding};
+use super::findings::named::{Final, finding, parameters_of, ranked_claim};
+use super::findings::{FINDINGS_SCHEMA, Findings, Verdict};
 use super::gap::localise::disagreements;
-use super::gap::sequence::{Misfit, Sequence, channel_of};
-use super::propose::{Proposal, Proposed, instead_of_names, propose};
-use super::rank::Ranked;
-use super::remainder::unexplained::{Unexplained, rest_of};
+use super::judgement::{Judged, judged};
+use super::propose::{Proposal, Proposed, propose};
+use super::remainder::unexplained::Unexplained;
 use super::remainder::weighed_again::weighed_again;
-use super::remainder::withdrawn::{
-    weigh_beside_shape, without_doubtful_steps, without_steps_of, without_undetermined,
-    without_weak,
-};
 use super::request::{Request, Session};
 use super::search::{Name, Search};
 use super::settle::{HeldShape, say_held, settle};
 use super::state::State;
-use super::visible::{NEVER_VISIBLE, told_apart_by};
-
-/// Stamps are late beyond what delays of the gyroscope do if by more standard errors than this.
-const MUCH_LATER: f64 = 3.0;
+use super::visible::NEVER_VISIBLE;
 
 /// The findings with the models behind them, for pictures.
 #[derive(Clone, Debug)]
@@ -93,48 +83,14 @@ pub(super) fn discover_in(
     enough_to_compare(session, &base)?;
     let mut faults = integrity(session, &base);
     let is_spoilt = faults.iter().any(|fault| SPOILT.contains(&fault.name));
-    let alpha = request.alpha_of_rest();
-    let found = if is_spoilt {
-        Found::nothing_looked_for(base)
-    } else {
-        names_and_rest(session, request, base)?
+    let Judged {
+        mut search,
+        rest,
+        instead,
+    } = match is_spoilt {
+        true => Judged::nothing_looked_for(base),
+        false => judged(session, request, base)?,
     };
-    let (mut search, mut rest) = (found.search, found.rest);
-    let instead =
-        instead_of_names(session, request, &search, found.of_base).map(|(formula, mut whole)| {
-            whole.instead_of = search.withdraw_all();
-            rest = Some(whole);
-            formula
-        });
-    if leave_out_mixed(session, &mut search)? {
-        rest = rest_of(&search.last, alpha);
-    }
-    if rest.is_some() && without_weak(session, &mut search, request)? {
-        rest = rest_of(&search.last, alpha);
-    }
-    if without_doubtful_steps(session, &mut search)? {
-        rest = rest_of(&search.last, alpha);
-    }
-    if let Some((sensor, _)) = rest.as_ref().and_then(|found| found.wandering)
-        && without_steps_of(session, &mut search, sensor)?
-    {
-        rest = rest_of(&search.last, alpha);
-    }
-    let mut fewer = search.clone();
-    if without_undetermined(session, &mut fewer)? {
-        let left = rest_of(&fewer.last, alpha);
-        // What nothing would explain without it is not by chance.
-        if rest.is_some() || left.is_none() {
-            (search, rest) = (fewer, left);
-        }
-    }
-    if take_back(session, &mut search)? {
-        rest = rest_of(&search.last, alpha);
-    }
-    explain_disturbed(session, &mut search)?;
-    if let Some(found) = rest.as_mut() {
-        weigh_beside_shape(session, request, &mut search, found)?;
-    }
     let late = (!is_spoilt).then(|| late(&search.last, request)).flatten();
     if let Some((effect, late)) = late {
         let mut extension = search.last.extension.clone();
@@ -307,56 +263,6 @@ fn proposal(
     Ok(Some((proposed.written(rest.channel, parameters), state)))
 }
 
-/// The final model with its misfits, in the fit and on blocks left out.
-struct Final<'a> {
-    state: &'a State,
-    noise: BiasNoise,
-    misfits: [Misfit; 3],
-    held_out: Option<[Misfit; 3]>,
-    calibration: &'a Calibration,
-}
-
-impl<'a> Final<'a> {
-    fn of(last: &'a State, calibration: &'a Calibration) -> Self {
-        let noise = last.noise;
-        Self {
-            state: last,
-            noise,
-            misfits: Sequence::of(last, noise).misfits(last),
-            held_out: held_out(last, noise),
-            calibration,
-        }
-    }
-}
-
-fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
-    let without = &name.without;
-    let noise = last.noise;
-    let sequence = Sequence::of(without, noise);
-    let channel = channel_of(&sequence.of_column(name.predicted.col_as_slice(0)));
-    let held = |misfits: &Option<[Misfit; 3]>| misfits.map_or(1.0, |m| gap_of(&m, channel));
-    let ties: Vec<String> = name.ties.iter().map(|t| t.claim.name().into()).collect();
-    EffectFinding {
-        name: name.claim.name().into(),
-        statistic: name.ranked.statistic,
-        dof: name.ranked.dof,
-        p_value: name.ranked.log_p.exp(),
-        adjusted_p_value: adjusted(&name.ranked),
-        told_apart_by: told_apart_by(&name.claim, name.ties.iter().map(|t| &t.claim)),
-        indistinguishable_from: ties,
-        shared: name.ties.iter().map(|t| t.shared).collect(),
-        rivals: name.ties.iter().filter_map(|t| t.rivalry.clone()).collect(),
-        parameters: parameters_of(name.claim.name(), last.calibration),
-        channel,
-        gap_before: gap_of(&sequence.misfits(without), channel),
-        gap_after: gap_of(&last.misfits, channel),
-        rms_before: without.rms(channel),
-        rms_after: last.state.rms(channel),
-        held_out_gap_before: held(&held_out(without, noise)),
-        held_out_gap_after: held(&last.held_out),
-    }
-}
-
 /// White noise densities at low frequency of the first recording, the mean of the axes.
 fn white(state: &State) -> [f64; 2] {
     let source = state.fit.data.sources.first();
@@ -369,92 +275,4 @@ fn white(state: &State) -> [f64; 2] {
         density(source.and_then(|s| s.accelerometer.as_ref())),
         density(source.and_then(|s| s.gyroscope.as_ref())),
     ]
-}
-
-/// The effect of late stamps, where the moving accelerometer shows it.
-fn late(state: &State, request: &Request) -> Option<(&'static dyn AnyEffect, Delay)> {
-    let candidates = request.candidates();
-    let effect = candidates.iter().find(|e| is_late(**e))?;
-    let found = delay(state)?;
-    // What delays the gyroscope's axes delays them against the accelerometer too.
-    if found.delay.abs() <= 2.0 * gyroscope_delay(state) + MUCH_LATER * found.std {
-        return None;
-    }
-    (late_evidence(&found, candidates.len()) > request.threshold()).then_some((*effect, found))
-}
-
-/// The longest delay of an axis of the gyroscope against another in the model, s.
-fn gyroscope_delay(state: &State) -> f64 {
-    let effects = state.fit.models.iter().flat_map(Model::effects);
-    let delays: Vec<_> = effects
-        .filter(|e| e.nature() == Nature::Delay && e.sensor() == Sensor::Gyroscope)
-        .collect();
-    let fitted = &state.fit.parameters;
-    let named = fitted.names().iter().zip(fitted.values());
-    let of_delay = named.filter(|(name, _)| delays.iter().any(|e| name.starts_with(e.name())));
-    of_delay.map(|(_, d)| d.abs()).fold(0.0, f64::max)
-}
-
-fn late_evidence(found: &Delay, candidates: usize) -> f64 {
-    -found.log_p - (2.0 * candidates as f64).ln()
-}
-
-/// `again` is the delay that remains with the effect in the model: its gap is that after.
-fn late_finding(
-    effect: &dyn AnyEffect,
-    found: &Delay,
-    again: Option<Delay>,
-    request: &Request,
-    calibration: &mut Calibration,
-) -> EffectFinding {
-    let name = effect.name();
-    for effect in calibration.effects.iter_mut().filter(|e| e.name == name) {
-        for p in &mut effect.parameters {
-            p.std = Some(found.std);
-        }
-    }
-    EffectFinding {
-        name: name.into(),
-        statistic: found.statistic,
-        dof: 1.0,
-        p_value: found.log_p.exp(),
-        adjusted_p_value: (-late_evidence(found, request.candidates().len()))
-            .exp()
-            .min(1.0),
-        indistinguishable_from: Vec::new(),
-        shared: Vec::new(),
-        rivals: Vec::new(),
-        told_apart_by: None,
-        parameters: parameters_of(name, calibration),
-        channel: Channel::MovingForce,
-        gap_before: found.gap_before,
-        rms_before: None,
-        rms_after: None,
-        gap_after: again.map_or(found.gap_before, |again| again.gap_before),
-        held_out_gap_before: found.held_out_gap_before,
-        held_out_gap_after: found.held_out_gap_after,
-    }
-}
-
-fn adjusted(ranked: &Ranked) -> f64 {
-    (-ranked.evidence).exp().min(1.0)
-}
-
-pub(super) fn parameters_of(name: &str, calibration: &Calibration) -> Vec<EffectParameter> {
-    let own = |effect: &&EffectValues| effect.name == name;
-    calibration
-        .effects
-        .iter()
-        .find(own)
-        .map(|effect| effect.parameters.clone())
-        .unwrap_or_default()
-}
-
-fn ranked_claim(claim: &Claim, ranked: &Ranked) -> RankedClaim {
-    RankedClaim {
-        name: claim.name().into(),
-        statistic: ranked.statistic,
-        dof: ranked.dof,
-        adjusted_p_value: adjusted(ranked),
-    }
 }

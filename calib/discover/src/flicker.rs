@@ -25,17 +25,6 @@ pub struct Found {
     pub of_base: Option<Described>,
 }
 
-impl Found {
-    /// The base models, with nothing looked for.
-    pub fn nothing_looked_for(base: State) -> Self {
-        Self {
-            search: Search::without_names(base),
-            rest: None,
-            of_base: None,
-        }
-    }
-}
-
 /// The names and what they leave, under noise that flickers where the biases do.
 ///
 /// A search takes the noise of the biases for walks: flicker beside them would take some of what depends on the

@@ -6,9 +6,10 @@ use recording::{Error, Recording};
 use sensor::AnyEffect;
 
 use super::findings::UnitAlone;
-use crate::discovery::{calibration, discover_in, parameters_of};
+use crate::discovery::{calibration, discover_in};
 use crate::extension::Extension;
 use crate::findings::Findings;
+use crate::findings::named::parameters_of;
 use crate::gap::sequence::{Misfit, Sequence};
 use crate::request::{Request, Session};
 use crate::state::State;

@@ -1,14 +1,17 @@
 //! What `discover` found: the contents of findings.json.
 
+pub(super) mod late;
+pub(super) mod named;
+
 use estimate::calibration::{Calibration, EffectParameter};
 use serde::Serialize;
 
-use super::fault::integrity::Integrity;
-use super::gap::channel::Channel;
-use super::gap::localise::Disagreement;
-use super::propose::Proposal;
-use super::remainder::unexplained::Unexplained;
-use super::separation::Rivalry;
+use crate::fault::integrity::Integrity;
+use crate::gap::channel::Channel;
+use crate::gap::localise::Disagreement;
+use crate::propose::Proposal;
+use crate::remainder::unexplained::Unexplained;
+use crate::separation::Rivalry;
 
 pub use estimate::calibration::FINDINGS_SCHEMA;
 

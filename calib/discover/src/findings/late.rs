@@ -1,0 +1,80 @@
+//! Late stamps, which the moving accelerometer shows, as a finding.
+
+use estimate::calibration::Calibration;
+use sensor::{AnyEffect, Model, Nature, Sensor};
+
+use super::EffectFinding;
+use super::named::parameters_of;
+use crate::family::is_late;
+use crate::fault::delay::{Delay, delay};
+use crate::gap::channel::Channel;
+use crate::request::Request;
+use crate::state::State;
+
+/// Stamps are late beyond what delays of the gyroscope do if by more standard errors than this.
+const MUCH_LATER: f64 = 3.0;
+
+/// The effect of late stamps, where the moving accelerometer shows it.
+pub fn late(state: &State, request: &Request) -> Option<(&'static dyn AnyEffect, Delay)> {
+    let candidates = request.candidates();
+    let effect = candidates.iter().find(|e| is_late(**e))?;
+    let found = delay(state)?;
+    // What delays the gyroscope's axes delays them against the accelerometer too.
+    if found.delay.abs() <= 2.0 * gyroscope_delay(state) + MUCH_LATER * found.std {
+        return None;
+    }
+    (late_evidence(&found, candidates.len()) > request.threshold()).then_some((*effect, found))
+}
+
+/// The longest delay of an axis of the gyroscope against another in the model, s.
+fn gyroscope_delay(state: &State) -> f64 {
+    let effects = state.fit.models.iter().flat_map(Model::effects);
+    let delays: Vec<_> = effects
+        .filter(|e| e.nature() == Nature::Delay && e.sensor() == Sensor::Gyroscope)
+        .collect();
+    let fitted = &state.fit.parameters;
+    let named = fitted.names().iter().zip(fitted.values());
+    let of_delay = named.filter(|(name, _)| delays.iter().any(|e| name.starts_with(e.name())));
+    of_delay.map(|(_, d)| d.abs()).fold(0.0, f64::max)
+}
+
+fn late_evidence(found: &Delay, candidates: usize) -> f64 {
+    -found.log_p - (2.0 * candidates as f64).ln()
+}
+
+/// The finding of them; `again` is the delay that remains with the effect in the model: its gap is that after.
+pub fn late_finding(
+    effect: &dyn AnyEffect,
+    found: &Delay,
+    again: Option<Delay>,
+    request: &Request,
+    calibration: &mut Calibration,
+) -> EffectFinding {
+    let name = effect.name();
+    for effect in calibration.effects.iter_mut().filter(|e| e.name == name) {
+        for p in &mut effect.parameters {
+            p.std = Some(found.std);
+        }
+    }
+    EffectFinding {
+        name: name.into(),
+        statistic: found.statistic,
+        dof: 1.0,
+        p_value: found.log_p.exp(),
+        adjusted_p_value: (-late_evidence(found, request.candidates().len()))
+            .exp()
+            .min(1.0),
+        indistinguishable_from: Vec::new(),
+        shared: Vec::new(),
+        rivals: Vec::new(),
+        told_apart_by: None,
+        parameters: parameters_of(name, calibration),
+        channel: Channel::MovingForce,
+        gap_before: found.gap_before,
+        rms_before: None,
+        rms_after: None,
+        gap_after: again.map_or(found.gap_before, |again| again.gap_before),
+        held_out_gap_before: found.held_out_gap_before,
+        held_out_gap_after: found.held_out_gap_after,
+    }
+}

@@ -1,0 +1,91 @@
+//! A name as it is written down.
+
+use estimate::calibration::{Calibration, EffectParameter, EffectValues};
+use estimate::methods::joint::BiasNoise;
+
+use super::{EffectFinding, RankedClaim};
+use crate::family::Claim;
+use crate::gap::held_out::{gap_of, held_out};
+use crate::gap::sequence::{Misfit, Sequence, channel_of};
+use crate::rank::Ranked;
+use crate::search::Name;
+use crate::state::State;
+use crate::visible::told_apart_by;
+
+/// The final model with its misfits, in the fit and on blocks left out.
+pub struct Final<'a> {
+    state: &'a State,
+    noise: BiasNoise,
+    misfits: [Misfit; 3],
+    held_out: Option<[Misfit; 3]>,
+    calibration: &'a Calibration,
+}
+
+impl<'a> Final<'a> {
+    /// With the calibration that it is written down as.
+    pub fn of(last: &'a State, calibration: &'a Calibration) -> Self {
+        let noise = last.noise;
+        Self {
+            state: last,
+            noise,
+            misfits: Sequence::of(last, noise).misfits(last),
+            held_out: held_out(last, noise),
+            calibration,
+        }
+    }
+}
+
+/// The finding of a name.
+pub fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
+    let without = &name.without;
+    let noise = last.noise;
+    let sequence = Sequence::of(without, noise);
+    let channel = channel_of(&sequence.of_column(name.predicted.col_as_slice(0)));
+    let held = |misfits: &Option<[Misfit; 3]>| misfits.map_or(1.0, |m| gap_of(&m, channel));
+    let ties: Vec<String> = name.ties.iter().map(|t| t.claim.name().into()).collect();
+    EffectFinding {
+        name: name.claim.name().into(),
+        statistic: name.ranked.statistic,
+        dof: name.ranked.dof,
+        p_value: name.ranked.log_p.exp(),
+        adjusted_p_value: adjusted(&name.ranked),
+        told_apart_by: told_apart_by(&name.claim, name.ties.iter().map(|t| &t.claim)),
+        indistinguishable_from: ties,
+        shared: name.ties.iter().map(|t| t.shared).collect(),
+        rivals: name.ties.iter().filter_map(|t| t.rivalry.clone()).collect(),
+        parameters: parameters_of(name.claim.name(), last.calibration),
+        channel,
+        gap_before: gap_of(&sequence.misfits(without), channel),
+        gap_after: gap_of(&last.misfits, channel),
+        rms_before: without.rms(channel),
+        rms_after: last.state.rms(channel),
+        held_out_gap_before: held(&held_out(without, noise)),
+        held_out_gap_after: held(&last.held_out),
+    }
+}
+
+/// `p` over the whole catalogue.
+fn adjusted(ranked: &Ranked) -> f64 {
+    (-ranked.evidence).exp().min(1.0)
+}
+
+/// The parameters of an effect in a calibration.
+pub fn parameters_of(name: &str, calibration: &Calibration) -> Vec<EffectParameter> {
+    let own = |effect: &&EffectValues| effect.name == name;
+    calibration
+        .effects
+        .iter()
+        .find(own)
+        .map(|effect| effect.parameters.clone())
+        .unwrap_or_default()
+}
+
+/// A place in the ranking.
+pub fn ranked_claim(claim: &Claim, ranked: &Ranked) -> RankedClaim {
+    RankedClaim {
+        name: claim.name().into(),
+        statistic: ranked.statistic,
+        dof: ranked.dof,
+        adjusted_p_value: adjusted(ranked),
+    }
+}
