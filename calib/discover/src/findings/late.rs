@@ -71,6 +71,7 @@ pub fn late_finding(
         parameters: parameters_of(name, calibration),
         channel: Channel::MovingForce,
         gap_before: found.gap_before,
+        gap_by_chance: None,
         rms_before: None,
         rms_after: None,
         gap_after: again.map_or(found.gap_before, |again| again.gap_before),

@@ -73,6 +73,8 @@ pub struct EffectFinding {
     pub gap_before: f64,
     /// With it.
     pub gap_after: f64,
+    /// Between which nine gaps of ten lie where nothing is missing; `None` of a channel without rows in the joint fit.
+    pub gap_by_chance: Option<[f64; 2]>,
     /// Root mean square of what the channel leaves without it, in m/s², rad/s or rad.
     pub rms_before: Option<f64>,
     /// With everything named.

@@ -57,6 +57,10 @@ pub fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
         channel,
         gap_before: gap_of(&sequence.misfits(without), channel),
         gap_after: gap_of(&last.misfits, channel),
+        gap_by_chance: last
+            .misfits
+            .get(channel as usize)
+            .and_then(Misfit::gap_by_chance),
         rms_before: without.rms(channel),
         rms_after: last.state.rms(channel),
         held_out_gap_before: held(&held_out(without, noise)),

@@ -1,6 +1,7 @@
 //! The disagreement by channel: where in the data it is, channel after channel.
 
 use estimate::methods::joint::{Basis, BiasNoise, Columns, Whitening};
+use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::channel::Channel;
 use crate::state::State;
@@ -22,6 +23,12 @@ impl Misfit {
         } else {
             1.0
         }
+    }
+
+    /// Between which nine gaps of ten lie where nothing is missing; `None` without degrees of freedom.
+    pub fn gap_by_chance(&self) -> Option<[f64; 2]> {
+        let law = ChiSquared::new(self.dof).ok()?;
+        Some([0.05, 0.95].map(|p| (law.inverse_cdf(p) / self.dof).sqrt()))
     }
 
     /// Adds another.

@@ -115,8 +115,13 @@ fn figures(findings: &Findings, coverage: Option<&Coverage>) -> Vec<Figure> {
     let gap = match widest {
         Some(effect) => {
             let [before, after] = super::words::gaps(effect.gap_before, effect.gap_after);
+            let by_chance = effect
+                .gap_by_chance
+                .map_or_else(String::new, |[low, high]| {
+                    format!(", {low:.2} to {high:.2} is chance")
+                });
             let note = format!(
-                "{} with {}; 1 is explained to the noise",
+                "{} with {}; 1 is explained to the noise{by_chance}",
                 effect.channel.words(),
                 effect.name
             );

@@ -164,7 +164,7 @@ pub fn disagreement(findings: &Findings) -> Rows<5> {
             format!("{:.2}", d.size),
             d.rms.map_or_else(String::new, |rms| {
                 let (factor, unit) = words::unit_of(d.channel);
-                format!("{:.3} {unit}", factor * rms)
+                format!("{} {unit}", show::figures(factor * rms, 2))
             }),
             show::name(&d.place),
             d.covariate.clone(),
@@ -296,7 +296,7 @@ pub fn text(discovery: &Discovery) -> String {
     let mut text = format!("{}\n", verdict(findings));
     push(&mut text, gaps(findings), 3);
     if !findings.effects.is_empty() {
-        text.push_str("A gap of 1 is explained to the noise.\n");
+        let _ = writeln!(text, "{}", words::by_chance(&findings.effects));
     }
     lines(&mut text, validated(findings));
     push(&mut text, evidence(findings), 1);

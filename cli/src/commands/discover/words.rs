@@ -81,7 +81,7 @@ fn taken_together(channel: Channel, effects: &[&EffectFinding]) -> String {
     let size = |gap: f64, rms: Option<f64>| {
         let (factor, unit) = unit_of(channel);
         let rms = rms.map_or_else(String::new, |rms| {
-            format!(" ({:.2} {unit} rms)", factor * rms)
+            format!(" ({} {unit} rms)", show::figures(factor * rms, 3))
         });
         format!("{gap:.2}{rms}")
     };
@@ -99,6 +99,26 @@ fn taken_together(channel: Channel, effects: &[&EffectFinding]) -> String {
     )
 }
 
+/// What a gap of 1 means, and which gaps chance makes in the channels of the names.
+pub fn by_chance(effects: &[EffectFinding]) -> String {
+    let mut all: Vec<String> = Vec::new();
+    for effect in effects {
+        if let Some([low, high]) = effect.gap_by_chance {
+            let words = format!("{low:.2} to {high:.2} of the {}", effect.channel.words());
+            if !all.contains(&words) {
+                all.push(words);
+            }
+        }
+    }
+    match all.is_empty() {
+        true => "A gap of 1 is explained to the noise.".into(),
+        false => format!(
+            "A gap of 1 is explained to the noise; chance alone makes {} (nine recordings of ten).",
+            all.join(", ")
+        ),
+    }
+}
+
 /// `2.61 to 0.80 mm/s² rms, `: what the channel of an effect leaves before and after; nothing where that is not known.
 fn in_units(effect: &EffectFinding) -> String {
     if let (Channel::MovingForce, [late]) = (effect.channel, effect.parameters.as_slice()) {
@@ -110,7 +130,7 @@ fn in_units(effect: &EffectFinding) -> String {
     let pair = effect.rms_before.zip(effect.rms_after);
     pair.map_or_else(String::new, |(before, after)| {
         let (factor, unit) = unit_of(effect.channel);
-        let [before, after] = gaps(factor * before, factor * after);
+        let [before, after] = [before, after].map(|rms| show::figures(factor * rms, 3));
         format!("{before} to {after} {unit} rms, ")
     })
 }
