@@ -56,7 +56,8 @@ impl Exposure {
         }
     }
 
-    /// Samples at times `t` with the weights `gains` (2 × 3), all on one side of the reference.
+    /// Samples at times `t` with the weights `gains` (2 × 3), on one side of the reference: the first of a turn that begins
+    /// there may lie before it by rounding.
     pub fn of_samples(
         rows: Range<usize>,
         recording: usize,
@@ -64,13 +65,15 @@ impl Exposure {
         gains: &[Matrix2x3<f64>],
         reference: f64,
     ) -> Self {
-        let after = t.first().is_none_or(|t| *t >= reference);
+        let after = t.get(t.len() / 2).is_none_or(|t| *t >= reference);
+        let outwards = if after { 1.0 } else { -1.0 };
+        let distance = |t: f64| (outwards * (t - reference)).max(0.0);
         let mut total = Matrix2x3::zeros();
         let mut moment = Matrix2x3::zeros();
         let mut own = nalgebra::Matrix2::zeros();
         // From the far end inwards: `total` holds what lies farther out than the sample at hand.
         let mut add = |t: f64, g: &Matrix2x3<f64>| {
-            let tau = (t - reference).abs();
+            let tau = distance(t);
             let cross = g * total.transpose();
             own += (g * g.transpose() + cross + cross.transpose()) * tau;
             total += g;
@@ -82,10 +85,7 @@ impl Exposure {
         } else {
             samples.for_each(|(t, g)| add(*t, g));
         }
-        let near = t
-            .iter()
-            .map(|t| (t - reference).abs())
-            .fold(f64::INFINITY, f64::min);
+        let near = t.iter().map(|t| distance(*t)).fold(f64::INFINITY, f64::min);
         Self {
             rows,
             recording,
@@ -169,6 +169,22 @@ mod tests {
     use rand_distr::{Distribution, StandardNormal};
 
     use super::*;
+
+    #[test]
+    fn a_turn_that_begins_at_the_reference_lies_after_it_whatever_rounding_says() {
+        let reference = 100.1;
+        let gains = vec![Matrix2x3::from_fn(|i, j| if i == j { 1.0 } else { 0.3 }); 100];
+        let at = |first: f64| {
+            let t: Vec<f64> = (0..100).map(|k| first + 0.05 * f64::from(k)).collect();
+            let rest = Exposure::of_mean(0..3, 0, (92.1, reference), reference, -1.0);
+            let turn = Exposure::of_samples(3..5, 0, &t, &gains, reference);
+            covariance(&[rest, turn], 5).to_dense()
+        };
+        let (exact, before) = (at(reference), at(reference - 1e-9));
+        assert!((&exact - &before).norm_max() < 1e-5 * exact.norm_max());
+        // What lies on either side of the reference has nothing in common.
+        assert_eq!(before[(0, 3)], 0.0);
+    }
 
     #[test]
     fn the_covariance_is_that_of_many_walks() {

@@ -135,10 +135,14 @@ impl Walks {
     /// A walk at the edge of what a recording can show is most likely none in one of five; stating errors
     /// as if it were none is then wrong by a factor of two. The average is calibrated either way.
     pub fn expected(&self, usual: &[f64], none: f64, from: &[f64]) -> Vec<f64> {
-        let mut theta = from.to_vec();
-        let parts: Option<Vec<Part>> = self.groups.iter().map(|g| g.part(&theta)).collect();
-        let Some(mut parts) = parts else {
-            return vec![0.0; self.walks];
+        let none_at_all = vec![0.0; self.walks];
+        let parts = |theta: &[f64]| -> Option<Vec<Part>> {
+            self.groups.iter().map(|g| g.part(theta)).collect()
+        };
+        let begun = [from, &none_at_all].into_iter();
+        let begun = begun.filter_map(|theta| Some((theta.to_vec(), parts(theta)?)));
+        let Some((mut theta, mut parts)) = { begun }.next() else {
+            return none_at_all;
         };
         // Those beside which another has moved since.
         let mut due = vec![true; self.walks];
@@ -150,7 +154,7 @@ impl Walks {
                 let before = theta[c];
                 theta[c] = self.average(c, &theta, (usual[c], none), &parts);
                 if !self.update(c, &theta, &mut parts) {
-                    return vec![0.0; self.walks];
+                    return none_at_all;
                 }
                 if (theta[c] - before).abs() > SETTLED * theta[c].max(before) {
                     let others = due.iter_mut().enumerate().filter(|(other, _)| *other != c);
