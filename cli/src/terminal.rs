@@ -143,8 +143,11 @@ fn wrapped_line(line: &str, width: usize) -> String {
     if line.chars().count() <= width {
         return line.to_owned();
     }
-    let indent: String = line.chars().take_while(|c| *c == ' ').collect();
-    let (mut text, mut column) = (indent.clone(), indent.len());
+    let before: String = line.chars().take_while(|c| *c == ' ').collect();
+    let (mut text, mut column) = (before.clone(), before.len());
+    // What goes on below a bullet stands beside it.
+    let bullet = line.trim_start().starts_with("• ");
+    let indent = if bullet { before + "  " } else { before };
     for (k, word) in line.split_whitespace().enumerate() {
         let length = word.chars().count();
         if k > 0 && column + 1 + length > width {
@@ -164,6 +167,11 @@ fn wrapped_line(line: &str, width: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_goes_on_below_a_bullet_stands_beside_it() {
+        assert_eq!(wrapped("• one two three", 10), "• one two\n  three");
+    }
 
     #[test]
     fn long_lines_are_broken_between_words_and_keep_their_indent() {

@@ -141,6 +141,19 @@ fn best(place: usize, family: &Family, tried: Vec<Tried<'_>>, choice: f64) -> Op
     )
 }
 
+/// `ln p` of columns (`m × k`, white-whitened), a mean over what the densities may be under them.
+pub fn log_p_of(projected: &Projected, columns: &Mat<f64>, levels: &[Level]) -> f64 {
+    let columns = projected.columns(columns.as_ref());
+    let nothing = levels.first().map_or(0.0, |l| l.whitened.log_likelihood());
+    let mut tried = Tried::default();
+    for level in levels {
+        let score = score(level.whitened.columns(&columns).as_ref(), &level.whitened.z);
+        let gained = level.whitened.log_likelihood() - nothing;
+        tried.add(level, gained, score, 0.0);
+    }
+    tried.log_p()
+}
+
 impl Ranked {
     /// The evidence by the likelihood ratio alone, as if the densities were known to be the likeliest: what shapes and wandering
     /// biases are held against, which are judged so.

@@ -185,7 +185,7 @@ pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<In
                     "outlying_turn",
                     Size::at_one_place(size, "rad"),
                     format!(
-                        "turn {} is an outlier: it misses gravity by {:.2}°; the stamps show no missing sample",
+                        "turn {} is an outlier: it misses gravity by {:.2}°; its stamps have no gap",
                         flagged.interval + 1,
                         size.to_degrees()
                     ),

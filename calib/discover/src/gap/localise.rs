@@ -8,7 +8,8 @@ use serde::Serialize;
 
 use crate::gap::channel::Channel;
 use crate::gap::sequence::Sequence;
-use crate::score::{log_tail, score};
+use crate::rank::log_p_of;
+use crate::score::log_tail;
 use crate::state::State;
 
 /// A channel disagrees where chance would show as much in one of so many recordings.
@@ -116,13 +117,12 @@ const COVARIATES: [Covariate; 11] = [
     }),
 ];
 
-/// The covariate whose coefficients, one per axis, explain most.
+/// The covariate whose coefficients, one per axis, explain most, where chance would not.
 fn best_covariate(state: &State, channel: Channel) -> &'static str {
     let sensor = match channel {
         Channel::StaticNorm => Sensor::Accelerometer,
         _ => Sensor::Gyroscope,
     };
-    let bare = state.projected.white();
     let statistic = |covariate: &Covariate| {
         let columns = error_columns(
             &state.sensitivities,
@@ -146,13 +146,13 @@ fn best_covariate(state: &State, channel: Channel) -> &'static str {
                 0.0
             }
         });
-        let projected = state.projected.columns(state.whitened(scaled).as_ref());
-        let s = score(bare.columns(&projected).as_ref(), &bare.z);
-        log_tail(s.statistic, s.dof as f64)
+        log_p_of(&state.projected, &state.whitened(scaled), state.levels())
     };
+    let by_chance = (CHANCE / COVARIATES.len() as f64).ln();
     COVARIATES
         .iter()
         .map(|c| (statistic(c), c.0))
+        .filter(|(log_p, _)| *log_p < by_chance)
         .min_by(|a, b| a.0.total_cmp(&b.0))
-        .map_or("none", |best| best.1)
+        .map_or("nothing tried", |best| best.1)
 }

@@ -151,6 +151,8 @@ fn asked_of(spec: &Spec, channel: Channel) -> Option<Formula> {
     let session = Session::new(&recordings, &request).unwrap();
     let state = State::fit(&session, Extension::default()).unwrap();
     let rest = Unexplained {
+        statistic: 40.0,
+        dof: 3.0,
         channel,
         size: 1.0,
         rms: None,

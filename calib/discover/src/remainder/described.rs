@@ -25,6 +25,10 @@ pub struct Shaped {
 /// One of the tests for a rest: `ln p` with its search paid for, but not the number of tests.
 pub(super) struct Trial {
     pub log_p: f64,
+    /// Likelihood ratio or `χ²`, and its degrees of freedom.
+    pub statistic: f64,
+    /// The degrees of freedom.
+    pub dof: f64,
     pub words: String,
     /// The shape, of a trial that has one.
     pub of: Option<(Shape, Sensor)>,
@@ -81,6 +85,8 @@ impl Described {
 fn of_scatter(scatter: &Scatter) -> Trial {
     Trial {
         log_p: scatter.log_p,
+        statistic: scatter.statistic,
+        dof: 1.0,
         words: scatter.words(),
         of: None,
         channel: Some(channel_at_rest(scatter.sensor)),
@@ -111,6 +117,8 @@ fn of_shape(family: &Family, ranked: &Ranked) -> Trial {
     let change = Mat::from_fn(columns.ncols(), 1, |i, _| ranked.score.change[i]);
     Trial {
         log_p: ranked.log_p + family.log_places,
+        statistic: ranked.statistic,
+        dof: ranked.dof,
         words,
         of: shape.map(|shape| (shape, sensor)),
         channel: None,

@@ -31,6 +31,8 @@ pub struct Scatter {
     pub axis: usize,
     /// Its memory, s.
     pub memory: f64,
+    /// The likelihood ratio.
+    pub statistic: f64,
     /// `ln p`, the memories tried paid for.
     pub log_p: f64,
 }
@@ -109,6 +111,7 @@ pub(super) fn scatters(state: &State, levels: &[Level]) -> Vec<Scatter> {
                 sensor,
                 axis,
                 memory: best.1,
+                statistic: best.0,
                 log_p: log_tail(best.0, 1.0) + (0.5 * MEMORIES.len() as f64).ln(),
             });
         }

@@ -27,6 +27,10 @@ pub struct Unexplained {
     pub rms: Option<f64>,
     /// Chance of so much where nothing is missing, over all that was tested.
     pub p_value: f64,
+    /// Likelihood ratio of the shape, or `χ²` where it has none, and its degrees of freedom.
+    pub statistic: f64,
+    /// The degrees of freedom.
+    pub dof: f64,
     /// In words.
     pub shape: String,
     /// Period, where it has one, s.
@@ -133,6 +137,8 @@ pub fn rest_beside(state: &State, described: &Described, alpha: f64) -> Option<U
         size: misfits[channel as usize].gap(),
         rms: state.rms(channel),
         p_value: log_p.exp(),
+        statistic: worst.statistic,
+        dof: worst.dof,
         shape: worst.words.clone(),
         period: worst.period,
         instead_of: Vec::new(),
@@ -160,6 +166,8 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
     let whitened = state.projected.at(state.noise)?;
     let more = |channel: Option<Channel>, chi2: f64, dof: f64| Trial {
         log_p: log_tail(chi2, dof),
+        statistic: chi2,
+        dof,
         words: "more scatter than the noise".into(),
         of: None,
         channel,
@@ -183,6 +191,8 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
         let (chi2, dof) = slopes(state, sensor, state.noise);
         trials.push(Trial {
             log_p: log_tail(chi2, dof),
+            statistic: chi2,
+            dof,
             words: format!("readings of the {} drift within rests", sensor.name()),
             of: None,
             channel: Some(channel_at_rest(sensor)),

@@ -23,15 +23,16 @@ fn line(clock: &RecordingClock) -> Option<String> {
             clock.scatter_ms
         )),
         "undecided" => parts.push(format!(
-            "{}; the turns do not tell it from the other: {}",
+            "{}, though the turns fit {} as well: {}",
             name(clock),
+            other(clock),
             scatter(clock)
         )),
         _ => parts.push(format!("{}: {}", name(clock), scatter(clock))),
     }
     if let (Some(share), Some(std)) = (clock.share_fitted, clock.share_std) {
         parts.push(format!(
-            "share of the scatter that is the samples' own {share:.2} ± {std:.2}, taken as {:.2}",
+            "{share:.2} ± {std:.2} of that scatter is in the samples themselves, taken as {:.2}",
             clock.share
         ));
     }
@@ -58,6 +59,14 @@ fn name(clock: &RecordingClock) -> &str {
         "stamps" => "the stamps",
         "even" => "an even clock",
         _ => "between the stamps and an even clock",
+    }
+}
+
+/// The clock that was not taken.
+fn other(clock: &RecordingClock) -> &str {
+    match clock.clock.as_str() {
+        "stamps" => "an even clock",
+        _ => "the stamps",
     }
 }
 

@@ -2,24 +2,47 @@
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
+use std::path::Path;
 
 use calib::calibration::{EffectParameter, effect_named};
 use calib::discover::{Discovery, EffectFinding, Findings, Proposal, Validation};
 use comfy_table::CellAlignment;
+use sensor::Nature;
 
 use super::words::{self, next_recordings, proposed, verdict};
 use crate::commands::calibrate::clocks;
-use crate::show;
+use crate::{show, terminal};
 
 /// A gap that is above this share of what it was has not shrunk.
 const SHRUNK: f64 = 0.9;
+
+/// Values that are read without a power of ten.
+const PLAIN: std::ops::Range<f64> = 0.01..1e5;
+
+/// In place of the error of a parameter that the search has chosen among some values.
+const CHOSEN: &str = "chosen";
+
+/// Ranked claims that are shown whatever their chance, and the chance up to which others are.
+const AT_LEAST: usize = 3;
+const WORTH_A_ROW: f64 = 0.5;
+
+/// Why a chance is not that of the likelihood ratio.
+const P_OF_WALKS: &str = "p averages over what the random walk of the biases may be, the likelihood ratio takes the likeliest. The last \
+                          column allows for the effects and places that were tried.\n";
+
+/// What it takes to be named.
+const NAMED_WHERE: &str = "Each on its own. An effect is named where p stays below --alpha beside all else that is named, and no shape \
+                           of the remainder explains more.\n";
 
 /// Header and rows.
 pub type Rows<const N: usize> = ([&'static str; N], Vec<[String; N]>);
 
 /// The gap before and after, in the fit, on intervals left out and on the validation recording.
 pub fn gaps(findings: &Findings) -> Rows<5> {
-    let header = ["gap", "of the", "where", "before", "after"];
+    let header = match findings.effects.is_empty() {
+        true => ["gap", "of the", "where", "before", "after"],
+        false => ["gap", "of the", "where", "without it", "with all"],
+    };
     let mut rows = Vec::new();
     for effect in &findings.effects {
         for (place, before, after) in places(findings, effect) {
@@ -89,15 +112,29 @@ pub fn reference(effect: &EffectFinding) -> Option<String> {
     ))
 }
 
+/// How fast a rotation is that is taken for the earth's; `None` of other effects.
+fn of_the_earth(effect: &EffectFinding) -> Option<String> {
+    if effect_named(&effect.name)?.nature() != Nature::EarthRotation {
+        return None;
+    }
+    let square: f64 = effect.parameters.iter().map(|p| p.value.powi(2)).sum();
+    Some(format!(
+        "In the level frame of the recording, z up. Its length is {:.2e} rad/s; the earth turns at 7.29e-5 rad/s.",
+        square.sqrt()
+    ))
+}
+
 fn parameter(p: &EffectParameter) -> [String; 4] {
-    let digits = |v: f64| format!("{v:.3e}");
     let unit = if p.unit.is_empty() { "1" } else { &p.unit };
-    [
-        p.name.clone(),
-        digits(p.value),
-        p.std.map_or("held".into(), digits),
-        unit.into(),
-    ]
+    let [value, std] = match p.std {
+        Some(std) if PLAIN.contains(&p.value.abs()) => {
+            [show::value(p.value, Some(std)), show::error(Some(std))]
+        }
+        Some(std) => [p.value, std].map(|v| format!("{v:.3e}")),
+        None if PLAIN.contains(&p.value.abs()) => [show::figures(p.value, 4), CHOSEN.into()],
+        None => [format!("{:.3e}", p.value), CHOSEN.into()],
+    };
+    [p.name.clone(), value, std, unit.into()]
 }
 
 /// The coefficients of the proposed formula.
@@ -138,7 +175,9 @@ pub fn ranking(findings: &Findings) -> Rows<4> {
     let mut seen = BTreeSet::new();
     let claims = findings.ranking.iter();
     let claims = claims.filter(|claim| seen.insert(claim.name.as_str()));
-    let rows = claims.map(|claim| {
+    let claims = claims.enumerate();
+    let worth = claims.filter(|(k, c)| *k < AT_LEAST || c.adjusted_p_value < WORTH_A_ROW);
+    let rows = worth.map(|(_, claim)| {
         [
             claim.name.clone(),
             format!("{:.1}", claim.statistic),
@@ -161,7 +200,7 @@ pub fn disagreement(findings: &Findings) -> Rows<5> {
     let rows = findings.disagreement.iter().map(|d| {
         [
             d.channel.words().into(),
-            format!("{:.2}", d.size),
+            show::figures(d.size, 3),
             d.rms.map_or_else(String::new, |rms| {
                 let (factor, unit) = words::unit_of(d.channel);
                 format!("{} {unit}", show::figures(factor * rms, 2))
@@ -175,7 +214,7 @@ pub fn disagreement(findings: &Findings) -> Rows<5> {
 
 /// Faults of the recordings; which of several recordings stands before the interval.
 pub fn faults(findings: &Findings) -> Rows<4> {
-    let header = ["fault", "interval", "time, s", "what"];
+    let header = ["fault", "where", "time, s", "what"];
     let first = findings.integrity.first().map(|fault| &fault.recording);
     let several = findings.calibration.provenance.inputs.len() > 1
         || findings
@@ -183,11 +222,17 @@ pub fn faults(findings: &Findings) -> Rows<4> {
             .iter()
             .any(|f| Some(&f.recording) != first);
     let rows = findings.integrity.iter().map(|fault| {
-        let interval = fault.interval.map_or("all".into(), |k| k.to_string());
+        let kind = match fault.name {
+            "outlying_turn" => "turn",
+            _ => "interval",
+        };
+        let interval = fault
+            .interval
+            .map_or("all".into(), |k| format!("{kind} {k}"));
         [
             words::or(fault.name, &fault.indistinguishable_from),
             match several {
-                true => format!("{}: {interval}", show::name(&fault.recording)),
+                true => format!("{}: {interval}", last_part(&fault.recording)),
                 false => interval,
             },
             format!("{:.2} to {:.2}", fault.t0, fault.t1),
@@ -195,6 +240,15 @@ pub fn faults(findings: &Findings) -> Rows<4> {
         ]
     });
     (header, rows.collect())
+}
+
+/// A recording by the last part of its path.
+fn last_part(recording: &str) -> String {
+    let last = Path::new(recording).file_name();
+    last.map_or_else(
+        || show::name(recording),
+        |last| show::name(&last.to_string_lossy()),
+    )
 }
 
 /// What cannot be told from a named effect, in a sentence each.
@@ -255,7 +309,7 @@ pub fn validated(findings: &Findings) -> Vec<String> {
 
 /// What is not seen here, in sentences.
 pub fn not_seen(findings: &Findings) -> Vec<String> {
-    let mut all = not_observable(findings);
+    let mut all = not_observable(findings, true);
     if !findings.never_visible.is_empty() {
         all.push("Never visible in recordings made by hand:".into());
         let words = findings.never_visible.iter();
@@ -264,9 +318,9 @@ pub fn not_seen(findings: &Findings) -> Vec<String> {
     all
 }
 
-/// What did not show here, by what would show it.
-fn not_observable(findings: &Findings) -> Vec<String> {
-    let lines = words::to_show(&findings.not_observable);
+/// What did not show here, by what would show it; `whole` with all names.
+fn not_observable(findings: &Findings, whole: bool) -> Vec<String> {
+    let lines = words::to_show(&findings.not_observable, whole);
     if lines.is_empty() {
         return Vec::new();
     }
@@ -293,20 +347,27 @@ fn never_visible(findings: &Findings) -> Option<String> {
 /// The tables for people.
 pub fn text(discovery: &Discovery) -> String {
     let findings = &discovery.findings;
-    let mut text = format!("{}\n", verdict(findings));
+    let gates = findings.calibration.failed_gates.iter();
+    let gates = gates.map(|gate| format!("Not to be used as it is: {gate}.\n\n"));
+    let mut text: String = gates.collect();
+    let _ = writeln!(text, "{}", verdict(findings));
     push(&mut text, gaps(findings), 3);
     if !findings.effects.is_empty() {
         let _ = writeln!(text, "{}", words::by_chance(&findings.effects));
     }
     lines(&mut text, validated(findings));
     push(&mut text, evidence(findings), 1);
+    if !findings.effects.is_empty() {
+        text.push_str(P_OF_WALKS);
+    }
     for effect in &findings.effects {
         let mut table = show::table(&[&effect.name, "value", "std error", "unit"]);
         for row in parameters(effect) {
             table.add_row(row);
         }
         let _ = writeln!(text, "\n{table}");
-        text.extend(reference(effect).map(|line| format!("{line}\n")));
+        let more = reference(effect).or_else(|| of_the_earth(effect));
+        text.extend(more.map(|line| format!("{line}\n")));
     }
     if let Some(proposal) = &findings.proposed {
         let mut table = show::table(&["proposed", "value", "std error", "unit"]);
@@ -319,12 +380,13 @@ pub fn text(discovery: &Discovery) -> String {
     push(&mut text, disagreement(findings), 1);
     if findings.effects.is_empty() {
         push(&mut text, ranking(findings), 1);
+        text.push_str(NAMED_WHERE);
     }
     lines(&mut text, ties(findings));
     let _ = writeln!(text, "\n{}", words::bias_noise(findings));
     text.push_str(&clocks::text(&findings.calibration));
     lines(&mut text, next_recordings(findings));
-    lines(&mut text, not_observable(findings));
+    lines(&mut text, not_observable(findings, terminal::is_verbose()));
     lines(&mut text, never_visible(findings));
     text
 }

@@ -32,7 +32,8 @@ pub fn verdict(findings: &Findings) -> String {
             n => format!("; {n} effects of the catalogue could not have shown"),
         };
         return format!(
-            "Nothing is missing that could show here: the base models explain the data to within its noise{hidden}."
+            "Nothing is missing that could show here: the base models explain the data to within its noise{}{hidden}.",
+            between_samples(findings)
         );
     }
     // The largest misfit comes first.
@@ -42,6 +43,20 @@ pub fn verdict(findings: &Findings) -> String {
     let mut letters = whole.chars();
     let first = letters.next().map(|c| c.to_uppercase().to_string());
     format!("{}{}.", first.unwrap_or_default(), letters.as_str())
+}
+
+/// What the noise contains that is not the sensor's.
+fn between_samples(findings: &Findings) -> String {
+    let clocks = findings.calibration.clocks.iter();
+    let missing = clocks.filter_map(|clock| clock.between_samples.as_ref());
+    let most = missing.map(|missing| missing.degrees).fold(0.0, f64::max);
+    match most > 0.0 {
+        true => format!(
+            ", in which turns miss {}° rms that may have been lost between samples",
+            show::figures(most, 2)
+        ),
+        false => String::new(),
+    }
 }
 
 fn named(effects: &[EffectFinding]) -> String {
@@ -110,13 +125,17 @@ pub fn by_chance(effects: &[EffectFinding]) -> String {
             }
         }
     }
-    match all.is_empty() {
-        true => "A gap of 1 is explained to the noise.".into(),
+    let chance = match all.is_empty() {
+        true => String::new(),
         false => format!(
-            "A gap of 1 is explained to the noise; chance alone makes {} (nine recordings of ten).",
+            "; chance alone makes {} (nine recordings of ten)",
             all.join(", ")
         ),
-    }
+    };
+    format!(
+        "A gap of 1 is explained to the noise{chance}. It weighs every comparison by its noise; rms counts all alike. “Left out” \
+         are intervals that the fit did not see."
+    )
 }
 
 /// `2.61 to 0.80 mm/s² rms, `: what the channel of an effect leaves before and after; nothing where that is not known.
@@ -125,7 +144,11 @@ fn in_units(effect: &EffectFinding) -> String {
         let error = late
             .std
             .map_or_else(String::new, |std| format!(" ± {:.2}", 1e3 * std));
-        return format!("stamps late by {:.2}{error} ms, ", 1e3 * late.value);
+        let (size, how) = (
+            1e3 * late.value.abs(),
+            if late.value < 0.0 { "early" } else { "late" },
+        );
+        return format!("stamps of the accelerometer {size:.2}{error} ms {how}, ");
     }
     let pair = effect.rms_before.zip(effect.rms_after);
     pair.map_or_else(String::new, |(before, after)| {
@@ -251,12 +274,12 @@ fn of_fault(size: Size) -> String {
 
 /// What remains; `is_explained` by a formula.
 fn unexplained(rest: &Unexplained, is_explained: bool) -> String {
-    let but = match is_explained {
-        true => ", but the formula below; to the models without it it is",
-        false => ":",
+    let by = match is_explained {
+        true => ", though the formula below does",
+        false => "",
     };
     format!(
-        "something remains that no effect of the catalogue explains{but} {}",
+        "something remains that no effect of the catalogue explains{by}: {}",
         remains(rest)
     )
 }
@@ -277,7 +300,9 @@ pub fn remains(rest: &Unexplained) -> String {
     } else {
         String::new()
     };
-    format!("{} ({gap}{})", rest.shape, show::probability(rest.p_value))
+    let chi2 = format!("chi² {:.0} of {:.0}", rest.statistic, rest.dof.max(1.0));
+    let p = show::probability(rest.p_value);
+    format!("{} ({gap}{chi2}, {p})", rest.shape)
 }
 
 /// What is proposed, in sentences.
@@ -344,8 +369,8 @@ const TO_SHOW: [(&[&str], &str); 7] = [
     ),
 ];
 
-/// The effects that did not show here, by what a recording must have for them to show.
-pub fn to_show(not_observable: &[String]) -> Vec<String> {
+/// The effects that did not show here, by what a recording must have for them to show; `whole` with all names.
+pub fn to_show(not_observable: &[String], whole: bool) -> Vec<String> {
     let shown_by = |name: &str| {
         let is_part = |(parts, _): &&(&[&str], &str)| parts.iter().any(|part| name.contains(part));
         TO_SHOW
@@ -363,7 +388,12 @@ pub fn to_show(not_observable: &[String]) -> Vec<String> {
     }
     let line = |(by, names): (Option<&str>, Vec<&str>)| {
         let by = by.map_or_else(String::new, |recording| format!(": {recording}"));
-        format!("{}{by}", names.join(", "))
+        match names.as_slice() {
+            [first, _, others @ ..] if !whole && !others.is_empty() => {
+                format!("{first} and {} more{by}", others.len() + 1)
+            }
+            names => format!("{}{by}", names.join(", ")),
+        }
     };
     all.into_iter().map(line).collect()
 }
@@ -380,7 +410,9 @@ pub fn next_recordings(findings: &Findings) -> Vec<String> {
         if let Some(recording) = &effect.told_apart_by {
             let plan = match effect.rivals.is_empty() {
                 true => "",
-                false => " `stillpoint plan findings.json` says which placements and turns.",
+                false => {
+                    " `stillpoint plan findings.json`, with the file that -o writes, says which placements and turns."
+                }
             };
             add(format!(
                 "To tell {} from {}: {recording}.{plan}",
@@ -389,7 +421,16 @@ pub fn next_recordings(findings: &Findings) -> Vec<String> {
             ));
         }
     }
-    if findings.unexplained.is_some() {
+    if findings
+        .integrity
+        .iter()
+        .any(|fault| fault.interval.is_some())
+    {
+        add(
+            "The calibration does not use what is at fault. To be sure of it, record those intervals again.".into(),
+        );
+    }
+    if findings.unexplained.is_some() && findings.calibration.provenance.inputs.len() < 2 {
         add(
             "To learn whether what remains belongs to the device or to the day: a second recording of the same \
              kind. What returns with the same shape belongs to the device."
@@ -404,11 +445,13 @@ pub fn next_recordings(findings: &Findings) -> Vec<String> {
         );
     }
     if !findings.effects.is_empty() && findings.validation.is_empty() {
-        add(
-            "To see the name confirmed: another recording of the device, given as --validation. The gap must close \
-             there too."
-                .into(),
-        );
+        let what = match findings.effects.len() {
+            1 => "the name",
+            _ => "the names",
+        };
+        add(format!(
+            "To see {what} confirmed: another recording of the device, given as --validation. The gap must close there too."
+        ));
     }
     next
 }
