@@ -42,6 +42,9 @@ pub struct Integrity {
     pub t1: f64,
     /// In words.
     pub detail: String,
+    /// What to do about it, where that is more than to record the interval again.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub remedy: Option<&'static str>,
     /// What these recordings cannot tell from it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub indistinguishable_from: Vec<&'static str>,
@@ -199,11 +202,15 @@ pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<In
                 t1: flagged.span.to,
                 indistinguishable_from: or.map_or_else(Vec::new, |either| either.or.clone()),
                 detail,
+                remedy: None,
                 size,
             }
         })
         .collect()
 }
+
+/// What helps where samples miss something between them.
+const SLOWER_OR_FASTER: &str = "place the device gently, sample faster, or filter before sampling";
 
 /// Turns shown of a recording that is sampled too slowly for its shocks.
 const SHOWN: usize = 6;
@@ -229,6 +236,7 @@ pub fn undersampled(state: &State) -> Vec<Integrity> {
         let [low, high] = found.share.between;
         Some(Integrity {
             name: "undersampled_motion",
+            remedy: Some(SLOWER_OR_FASTER),
             recording: state.fit.data.sources[found.recording].name.clone(),
             interval: None,
             t0: first.from,
@@ -241,8 +249,7 @@ pub fn undersampled(state: &State) -> Vec<Integrity> {
             }),
             detail: format!(
                 "the rate jumps between samples and {:.2} ({low:.2} to {high:.2}) of each jump is missing in the \
-                 angle: {:.2}° rms per turn, most in turns {}. Place the device gently, sample faster, or filter before \
-                 sampling",
+                 angle: {:.2}° rms per turn, most in turns {}",
                 found.share.value,
                 found.rms.to_degrees(),
                 turns.join(", ")
@@ -293,6 +300,7 @@ impl Looked<'_> {
             t0: span.from,
             t1: span.to,
             detail,
+            remedy: None,
             indistinguishable_from: Vec::new(),
             size: None,
         }

@@ -149,9 +149,6 @@ fn figures(findings: &Findings, coverage: Option<&Coverage>) -> Vec<Figure> {
 /// What to do next: use what was named, mend what is at fault, then the recordings that would tell more.
 fn next(findings: &Findings) -> Vec<String> {
     let mut all = Vec::new();
-    if !findings.integrity.is_empty() {
-        all.push("Look at the faults of the recording below: leave those intervals out with --sections, or record again.".into());
-    }
     if !findings.effects.is_empty() {
         let names: Vec<String> = findings
             .effects

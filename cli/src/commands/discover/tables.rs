@@ -214,7 +214,7 @@ pub fn disagreement(findings: &Findings) -> Rows<5> {
 
 /// Faults of the recordings; which of several recordings stands before the interval.
 pub fn faults(findings: &Findings) -> Rows<4> {
-    let header = ["fault", "where", "time, s", "what"];
+    let header = ["fault", "interval", "time, s", "what"];
     let first = findings.integrity.first().map(|fault| &fault.recording);
     let several = findings.calibration.provenance.inputs.len() > 1
         || findings
@@ -223,12 +223,12 @@ pub fn faults(findings: &Findings) -> Rows<4> {
             .any(|f| Some(&f.recording) != first);
     let rows = findings.integrity.iter().map(|fault| {
         let kind = match fault.name {
-            "outlying_turn" => "turn",
-            _ => "interval",
+            "outlying_turn" => "turn ",
+            _ => "",
         };
         let interval = fault
             .interval
-            .map_or("all".into(), |k| format!("{kind} {k}"));
+            .map_or("all".into(), |k| format!("{kind}{k}"));
         [
             words::or(fault.name, &fault.indistinguishable_from),
             match several {

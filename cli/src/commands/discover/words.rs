@@ -300,7 +300,11 @@ pub fn remains(rest: &Unexplained) -> String {
     } else {
         String::new()
     };
-    let chi2 = format!("chi² {:.0} of {:.0}", rest.statistic, rest.dof.max(1.0));
+    let degrees = match rest.dof.max(1.0).round() as usize {
+        1 => "one degree of freedom".to_owned(),
+        dof => format!("{dof} degrees of freedom"),
+    };
+    let chi2 = format!("chi² {:.0} of {degrees}", rest.statistic);
     let p = show::probability(rest.p_value);
     format!("{} ({gap}{chi2}, {p})", rest.shape)
 }
@@ -419,6 +423,11 @@ pub fn next_recordings(findings: &Findings) -> Vec<String> {
                 effect.name,
                 effect.indistinguishable_from.join(" and ")
             ));
+        }
+    }
+    for fault in &findings.integrity {
+        if let Some(remedy) = fault.remedy {
+            add(format!("Against {}: {remedy}.", fault.name));
         }
     }
     if findings
