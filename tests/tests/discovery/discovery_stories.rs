@@ -65,8 +65,9 @@ fn what_is_outside_the_catalogue_is_unexplained() {
 #[test]
 fn knocks_between_samples_are_no_effect_of_the_gyroscope() {
     // Two turns of the first two sessions speak for a delay of one axis as much as all the others; of the other two a knock
-    // misses by more than the one share says.
-    for index in [35, 83, 20015, 20027] {
+    // misses by more than the one share says. The next began with a share and a scatter of its own, which no other fit had; in
+    // the last what is missing is thousands of times the noise of the readings.
+    for index in [35, 83, 20015, 20027, 213_023, 212_003] {
         let record = run(Row::Conditions, index).unwrap();
         assert_eq!(record.kind, "knocks-point");
         assert!(record.named.is_empty(), "{record:?}");

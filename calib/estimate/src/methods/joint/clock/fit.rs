@@ -75,6 +75,7 @@ pub(crate) fn settle_clock(
         start,
         open: Vec::new(),
         point,
+        decided: request.clocks.clone(),
     };
     let left = if request.clocks.is_some() {
         if !data.misses_something_between_samples() {
@@ -91,7 +92,11 @@ pub(crate) fn settle_clock(
         if fit.open.is_empty() && slow.is_empty() && !all.clone().any(|k| data.jumps(k)) {
             return Ok(None);
         }
-        fit.choose(data, &slow)?
+        let left = fit.choose(data, &slow)?;
+        match request.disturbances {
+            true => left,
+            false => fit.with_the_whole_scatter(data, left)?,
+        }
     };
     fit.decide(data, &left);
     // What scatters beyond noise and clock is judged with everything else.
@@ -139,6 +144,8 @@ struct ClockFit<'a> {
     /// The recordings whose share is fitted.
     open: Vec<usize>,
     point: Option<Point>,
+    /// The clocks that are decided.
+    decided: Option<Vec<DecidedClock>>,
 }
 
 impl ClockFit<'_> {
@@ -217,9 +224,24 @@ impl ClockFit<'_> {
         Ok(left)
     }
 
-    /// Whether something is missing between samples, where a fit before has decided that.
+    /// Where turns may not scatter beyond all noise, what was allowed beside a share belongs to the share: so it is in the fits
+    /// that this one is compared with, and what is judged needs the same noise in all of them.
+    fn with_the_whole_scatter(&mut self, data: &mut Data, left: Left) -> Result<Left, Error> {
+        let shares = |source: &Source| source.floor > 0.0 && source.clock.sampling.value > 0.0;
+        if !data.sources.iter().any(shares) {
+            return Ok(left);
+        }
+        self.decided = Some(data.decided_clocks());
+        data.sources
+            .iter_mut()
+            .filter(|source| shares(source))
+            .for_each(|source| source.floor = 0.0);
+        self.rounds(data)
+    }
+
+    /// Whether something is missing between samples, where that is decided.
     fn decided(&self, recording: usize) -> Option<bool> {
-        let decided = self.request.clocks.as_ref()?.get(recording);
+        let decided = self.decided.as_ref()?.get(recording);
         decided.map(DecidedClock::is_undersampled)
     }
 
@@ -231,12 +253,15 @@ impl ClockFit<'_> {
             charts: self.charts,
             start: self.start,
         };
-        let weights = match &self.point {
-            Some(point) => run.weights_at(point.plain_values()),
-            None => run.first_weights(),
+        let at = match &self.point {
+            Some(point) => point.plain_values().to_vec(),
+            None => run.first_values(&run.rows(&[])).values().to_vec(),
         };
+        let weights = run.weights_at(&at);
         let point = run.approach(&weights, self.point.as_ref())?;
-        let left = Left::of_fit(&run, &point, &weights.whitening.white, &self.open);
+        let noise = run.rows(&[]).noise(&at);
+        let under = (&weights.whitening.white, noise.by_share.as_slice());
+        let left = Left::of_fit(&run, &point, under, &self.open);
         self.point = Some(point);
         Ok(left)
     }
@@ -429,5 +454,24 @@ mod tests {
         spec.sampling = Sampling::Average;
         let averaged = clock_of(&spec).sampling.value;
         assert!(averaged < 0.5 * clock.sampling.value, "{averaged}");
+    }
+
+    #[test]
+    fn what_is_missing_is_evident_beside_however_little_noise() {
+        // What knocks make of these turns is thousands of times the variance of the readings' noise.
+        for seed in 0..4 {
+            let mut spec = tactical(seed);
+            spec.sampling = Sampling::Point;
+            if let simulate::Motion::HandHeld(motion) = &mut spec.motion {
+                motion.knocks = 3;
+            }
+            let sampling = clock_of(&spec).sampling;
+            assert!(sampling.value > 0.05, "{seed}: {sampling:?}");
+            let gained = [sampling.over_noise, sampling.over_noise_without_one];
+            assert!(
+                gained.iter().all(|l| l.is_finite() && *l > 2.0),
+                "{seed}: {sampling:?}"
+            );
+        }
     }
 }

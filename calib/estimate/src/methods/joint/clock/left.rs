@@ -29,7 +29,15 @@ pub(super) struct Left {
 
 impl Left {
     /// Of a fit; `open` are the recordings whose clock's share is fitted.
-    pub fn of_fit(run: &Run<'_>, point: &Point, white: &White, open: &[usize]) -> Self {
+    ///
+    /// What a share of one adds to the covariance of every turn (`by_share`) is that at the point of the weights: at another one
+    /// by a thousandth, a share would be more than all of a noise that is a thousand times as large as what is left without it.
+    pub fn of_fit(
+        run: &Run<'_>,
+        point: &Point,
+        (white, by_share_of_one): (&White, &[Matrix2<f64>]),
+        open: &[usize],
+    ) -> Self {
         let rows = run.rows(&[]);
         let (x, free) = (point.plain_values(), point.mask.free_indices());
         let (r, jacobian) = point.linear.whitened_by(&free, white);
@@ -46,8 +54,7 @@ impl Left {
         let residuals = basis.without_column(&r);
         let of_share = |column: &Vec<f64>| basis.without_column(&white.whiten(column));
         let by_share = by_share.iter().map(of_share).collect();
-        let noise = rows.noise(x);
-        let turns = noise.by_share.iter().enumerate().map(|(k, by_share)| {
+        let turns = by_share_of_one.iter().enumerate().map(|(k, by_share)| {
             let row = first + 2 * k;
             let hat = Matrix2::from_fn(|i, j| basis.row_product(row + i, row + j));
             let [share, floor] =
