@@ -48,11 +48,7 @@ pub fn rank(projected: &Projected, families: &[Family], levels: &[Level]) -> Vec
     };
     let choice = cost_of_choice(families);
     let mut ranked = Vec::new();
-    for sensor in [
-        Sensor::Accelerometer,
-        Sensor::Gyroscope,
-        Sensor::Magnetometer,
-    ] {
+    for sensor in Sensor::ALL {
         let own = families.iter().enumerate();
         let own = own.filter(|(_, f)| !f.hypotheses.is_empty() && f.claim.sensor() == sensor);
         let own: Vec<(usize, &Family)> = own.collect();

@@ -155,11 +155,11 @@ impl<'a> Session<'a> {
         })
     }
 
-    /// The fit that others begin at. None of turns that miss something between samples: how much that is, is fitted too, and
-    /// from the base models on it ends elsewhere (a third more on rec_3 of the phone).
-    fn begun(&self) -> Option<&JointFit> {
+    /// Whether others begin at the minimum of the base models. Not of turns that miss something between samples: how much that
+    /// is, is fitted too, and from the base models on it ends elsewhere (a third more on rec_3 of the phone).
+    fn begins_at_the_base(&self) -> bool {
         let base = self.base.as_deref();
-        base.filter(|fit| !fit.data.misses_something_between_samples())
+        base.is_some_and(|fit| !fit.data.misses_something_between_samples())
     }
 
     /// The joint fit of the base models with an extension.
@@ -201,13 +201,8 @@ impl<'a> Session<'a> {
             clock: self.clock,
             clocks: self.clocks.clone(),
             compared: self.base.is_some(),
-            from: self.begun(),
-            cut: self.base.as_ref().map(|fit| &fit.data),
-            levels: self
-                .base
-                .as_ref()
-                .map(|fit| fit.levels.clone())
-                .unwrap_or_default(),
+            before: self.base.as_deref(),
+            from_its_minimum: self.begins_at_the_base(),
             covariates: true,
             ..JointRequest::new(
                 self.recordings

@@ -43,7 +43,8 @@ pub(super) struct Trial {
 /// The tests that say what the rest looks like.
 #[derive(Clone, Debug)]
 pub struct Described {
-    shapes: Vec<(Family, Ranked)>,
+    /// Families with the evidence for each.
+    shapes: [(Vec<Family>, Vec<Ranked>); 2],
     scatters: Vec<Scatter>,
 }
 
@@ -56,13 +57,12 @@ impl Described {
             shapes(state).into_iter().partition(is_slow);
         // Slow changes are judged at the likeliest walk alone: with many coefficients they could stand for any walk.
         let likeliest = &levels[..levels.len().min(1)];
-        let mut all = Vec::new();
-        for (families, levels) in [(slow, likeliest), (others, levels)] {
-            let ranked = rank(&state.projected, &families, levels);
-            all.extend(ranked.into_iter().map(|r| (families[r.family].clone(), r)));
-        }
+        let judged = [(slow, likeliest), (others, levels)];
         Self {
-            shapes: all,
+            shapes: judged.map(|(families, levels)| {
+                let ranked = rank(&state.projected, &families, levels);
+                (families, ranked)
+            }),
             scatters: scatters(state, levels),
         }
     }
@@ -70,14 +70,17 @@ impl Described {
     /// Every test by itself; of shapes with a larger `−ln p` than `needed`, without the turns that speak for them most.
     pub(super) fn trials(&self, state: &State, needed: f64) -> Vec<Trial> {
         let turns = Turns::knocked(state);
-        let of_shape = |(family, ranked): &(Family, Ranked)| {
+        let of_shape = |family: &Family, ranked: &Ranked| {
             let mut ranked = ranked.clone();
             if let Some(turns) = turns.as_ref().filter(|_| -ranked.log_p > needed) {
                 ranked.log_p += ranked.evidence - turns.evidence_without(state, family, &ranked);
             }
             of_shape(family, &ranked)
         };
-        let shapes = self.shapes.iter().map(of_shape);
+        let shapes = self.shapes.iter().flat_map(|(families, ranked)| {
+            let each = ranked.iter();
+            each.map(|r| of_shape(&families[r.family], r))
+        });
         shapes.chain(self.scatters.iter().map(of_scatter)).collect()
     }
 }

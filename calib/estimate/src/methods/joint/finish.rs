@@ -108,7 +108,7 @@ impl Run<'_> {
             force_unit: self.start.force_unit,
             rate_unit: self.start.rate_unit,
             gravity: self.request.gravity,
-            chords_before: match self.request.from {
+            chords_before: match self.request.minimum_before() {
                 Some(before) => before.chords_before.clone(),
                 None => rows.chords(self.first_values(&rows).values()),
             },

@@ -152,7 +152,7 @@ impl Run<'_> {
     /// Where the way to the minimum begins: there, or at a fit before, and at what is asked.
     pub fn begin_at(&self, rows: &Rows<'_>) -> Parameters {
         let mut parameters = self.first_values(rows);
-        if let Some(before) = self.request.from {
+        if let Some(before) = self.request.minimum_before() {
             let plain = rows.layout.disturbance(0);
             let known = before
                 .parameters

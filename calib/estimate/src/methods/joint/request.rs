@@ -5,11 +5,9 @@ use recording::intervals::Segmentation;
 use sensor::Model;
 
 use super::clock::{ClockMode, DecidedClock};
-use super::data::Data;
 use super::disturbance::{Disturbance, Reason};
 use super::fit::JointFit;
 use crate::methods::joint::noise::bias::BiasNoise;
-use crate::methods::joint::noise::weights::NoiseLevel;
 
 /// What to fit.
 #[derive(Clone, Debug)]
@@ -48,13 +46,11 @@ pub struct JointRequest<'a> {
     /// Whether this is one of many models that are compared: its minimum is then found to a thousandth of a standard error, and not
     /// to what double precision allows.
     pub compared: bool,
-    /// A fit of the same recordings and intervals with other effects, to begin at.
-    pub from: Option<&'a JointFit>,
-    /// The data of such a fit that looked for no disturbances, where this one does not begin at its minimum: the recordings
-    /// need not be cut again.
-    pub cut: Option<&'a Data>,
-    /// Levels of noise at which the search for the walks' begins: those of a fit with other effects.
-    pub levels: Vec<NoiseLevel>,
+    /// A fit of the same recordings and intervals with other effects that looked for no disturbances: the recordings need not be
+    /// cut again, and the walks begin at its.
+    pub before: Option<&'a JointFit>,
+    /// Whether the parameters begin at its minimum too.
+    pub from_its_minimum: bool,
     /// Whether the readings contain a rotation of the earth that nobody says: its direction is then estimated as far as
     /// the data show it, and uncertain as far as they do not.
     pub earth: bool,
@@ -78,11 +74,17 @@ impl<'a> JointRequest<'a> {
             clock: ClockMode::default(),
             clocks: None,
             compared: false,
-            from: None,
-            cut: None,
-            levels: Vec::new(),
+            before: None,
+            from_its_minimum: false,
             earth: false,
         }
+    }
+}
+
+impl<'a> JointRequest<'a> {
+    /// The fit at whose minimum this one begins.
+    pub(crate) fn minimum_before(&self) -> Option<&'a JointFit> {
+        self.before.filter(|_| self.from_its_minimum)
     }
 }
 

@@ -36,7 +36,7 @@ pub fn fit_joint(request: &JointRequest<'_>) -> Result<JointFit, Error> {
             clock: request.clock,
         })
         .collect();
-    let begun = match request.from {
+    let begun = match request.minimum_before() {
         Some(before) => go_on(request, &start, &cuts, before)?,
         None => begin(request, &start, &cuts)?,
     };
@@ -83,7 +83,9 @@ fn cut_up(cuts: &[Cut<'_>]) -> Data {
 
 /// From the recordings.
 fn begin(request: &JointRequest<'_>, start: &Start, cuts: &[Cut<'_>]) -> Result<Begun, Error> {
-    let mut data = request.cut.map_or_else(|| cut_up(cuts), Data::clone);
+    let mut data = request
+        .before
+        .map_or_else(|| cut_up(cuts), |before| before.data.clone());
     let look = |effect: &&'static dyn AnyEffect| {
         let mut needs = effect.needs().into_iter();
         needs.any(Quantity::is_told_by_intervals)
@@ -180,7 +182,7 @@ fn know(
         charts,
         start,
     };
-    let point = run.approach(&run.first_weights(), before)?;
+    let point = run.approach(&run.weights_near(None), before)?;
     let fitted = run.models(&point);
     write_down(request, data, cuts, &fitted);
     Ok(point)
@@ -216,16 +218,14 @@ impl Run<'_> {
     }
 
     fn run(&self, before: Option<Point>) -> Result<JointFit, Error> {
-        let mut weights = match &before {
-            Some(point) => self.weights_at(point.plain_values()),
-            None => self.first_weights(),
-        };
+        let mut weights = self.weights_near(before.as_ref());
         let mut point = self.approach(&weights, before.as_ref())?;
         let earth = self.request.earth.then(|| {
             let rows = self.rows(&[]);
             rows.earth_columns(point.plain_values())
         });
-        let mut levels = self.request.levels.clone();
+        let before = self.request.before;
+        let mut levels = before.map_or_else(Vec::new, |before| before.levels.clone());
         for _ in 0..ROUNDS {
             weights = self.judge(&point, earth.as_ref(), &levels);
             levels.clone_from(&weights.levels);

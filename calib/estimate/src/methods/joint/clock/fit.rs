@@ -253,13 +253,9 @@ impl ClockFit<'_> {
             charts: self.charts,
             start: self.start,
         };
-        let at = match &self.point {
-            Some(point) => point.plain_values().to_vec(),
-            None => run.first_values(&run.rows(&[])).values().to_vec(),
-        };
-        let weights = run.weights_at(&at);
+        let noise = run.noise_near(self.point.as_ref());
+        let weights = run.weights_under(&noise);
         let point = run.approach(&weights, self.point.as_ref())?;
-        let noise = run.rows(&[]).noise(&at);
         let under = (&weights.whitening.white, noise.by_share.as_slice());
         let left = Left::of_fit(&run, &point, under, &self.open);
         self.point = Some(point);

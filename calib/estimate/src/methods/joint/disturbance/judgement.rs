@@ -11,6 +11,7 @@ use crate::methods::joint::disturbance::{
 };
 use crate::methods::joint::minimum::{Point, Run};
 use crate::methods::joint::noise::bias::{BiasNoise, within};
+use crate::methods::joint::noise::rows::RowNoise;
 use crate::methods::joint::noise::weights::{ComponentKind, NoiseLevel, White, Whitening};
 use crate::methods::joint::orientation::Shown;
 use crate::methods::joint::orientation::oriented::At;
@@ -27,19 +28,30 @@ const FEW: usize = 2;
 const STANDS_OUT: f64 = 7.0;
 
 impl Run<'_> {
-    /// White noise at the start, and the walks where they are given.
-    pub(crate) fn first_weights(&self) -> Weights {
-        let rows = self.rows(&[]);
-        let parameters = self.first_values(&rows);
-        self.weights_at(parameters.values())
+    /// White noise, and the walks where they are given, at a point, or else at the start.
+    pub(crate) fn weights_near(&self, point: Option<&Point>) -> Weights {
+        self.weights_under(&self.noise_near(point))
     }
 
-    /// The same at any point.
+    /// The same at any values.
     pub(crate) fn weights_at(&self, x: &[f64]) -> Weights {
+        self.weights_under(&self.rows(&[]).noise(x))
+    }
+
+    /// The noise of the rows at a point, or else at the start.
+    pub(crate) fn noise_near(&self, point: Option<&Point>) -> RowNoise {
         let rows = self.rows(&[]);
-        let noise = rows.noise(x);
-        let white = White::new(&noise, rows.first_turn_row());
-        let components = walks(&noise, &white);
+        match point {
+            Some(point) => rows.noise(point.plain_values()),
+            None => rows.noise(self.first_values(&rows).values()),
+        }
+    }
+
+    /// Weights under this noise of the rows.
+    pub(crate) fn weights_under(&self, noise: &RowNoise) -> Weights {
+        let rows = self.rows(&[]);
+        let white = White::new(noise, rows.first_turn_row());
+        let components = walks(noise, &white);
         let given = self.request.bias_noise.as_ref();
         let levels = given.map(BiasNoise::levels).unwrap_or_default();
         Weights {

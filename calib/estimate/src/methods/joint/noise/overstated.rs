@@ -57,10 +57,7 @@ impl Run<'_> {
         &self,
         before: Option<&Point>,
     ) -> Result<(Vec<[f64; 2]>, Point), Error> {
-        let weights = match before {
-            Some(point) => self.weights_at(point.plain_values()),
-            None => self.first_weights(),
-        };
+        let weights = self.weights_near(before);
         let point = self.approach(&weights, before)?;
         let rows = self.rows(&[]);
         let free = point.mask.free_indices();

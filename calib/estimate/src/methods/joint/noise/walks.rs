@@ -139,9 +139,8 @@ impl Walks {
         let parts = |theta: &[f64]| -> Option<Vec<Part>> {
             self.groups.iter().map(|g| g.part(theta)).collect()
         };
-        let begun = [from, &none_at_all].into_iter();
-        let begun = begun.filter_map(|theta| Some((theta.to_vec(), parts(theta)?)));
-        let Some((mut theta, mut parts)) = { begun }.next() else {
+        let begun = |theta: &[f64]| Some((theta.to_vec(), parts(theta)?));
+        let Some((mut theta, mut parts)) = begun(from).or_else(|| begun(&none_at_all)) else {
             return none_at_all;
         };
         // Those beside which another has moved since.
