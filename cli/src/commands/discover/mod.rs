@@ -1,11 +1,14 @@
 //! `discover`: where simulation and data disagree, and the name of what is missing.
 
+mod advice;
 mod emit;
 mod held_out;
 mod page;
 mod plots;
 mod tables;
+mod text;
 mod units;
+mod verdict;
 mod words;
 
 use std::path::PathBuf;
@@ -16,8 +19,8 @@ use calib::recording::figure;
 use emit::Emit;
 pub use page::page;
 pub use plots::{PLOTS, plots};
-pub use tables::text;
-pub use words::verdict;
+pub use text::text;
+pub use verdict::verdict;
 
 use crate::commands::calibrate::limits::{self, gate};
 use crate::commands::shared::inputs::{

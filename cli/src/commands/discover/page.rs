@@ -6,8 +6,10 @@ use calib::methods::cut;
 use sensor::Sensor;
 
 use super::super::calibrate::tables::{PARAMETERS, parameters};
+use super::advice::next_recordings;
 use super::tables::{self, Rows};
-use super::words::{next_recordings, proposed, remains, verdict};
+use super::verdict::{remains, verdict};
+use super::words::proposed;
 use crate::exit::Failure;
 use crate::pages::coverage::{self, Coverage};
 use crate::pages::session::Session;

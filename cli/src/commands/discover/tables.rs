@@ -1,17 +1,15 @@
-//! Findings as tables, for the terminal and for the page.
+//! Findings as tables and sentences, for the terminal and for the page.
 
 use std::collections::BTreeSet;
-use std::fmt::Write as _;
 use std::path::Path;
 
 use calib::calibration::{EffectParameter, effect_named};
-use calib::discover::{Discovery, EffectFinding, Findings, Proposal, Validation};
-use comfy_table::CellAlignment;
+use calib::discover::{EffectFinding, Findings, Proposal, Validation};
 use sensor::Nature;
 
-use super::words::{self, next_recordings, proposed, verdict};
-use crate::commands::calibrate::clocks;
-use crate::{show, terminal};
+use super::advice::to_show;
+use super::words;
+use crate::show;
 
 /// A gap that is above this share of what it was has not shrunk.
 const SHRUNK: f64 = 0.9;
@@ -25,14 +23,6 @@ const CHOSEN: &str = "chosen";
 /// Ranked claims that are shown whatever their chance, and the chance up to which others are.
 const AT_LEAST: usize = 3;
 const WORTH_A_ROW: f64 = 0.5;
-
-/// Why a chance is not that of the likelihood ratio.
-const P_OF_WALKS: &str = "p averages over what the random walk of the biases may be, the likelihood ratio takes the likeliest. The last \
-                          column allows for the effects and places that were tried.\n";
-
-/// What it takes to be named.
-const NAMED_WHERE: &str = "Each on its own. An effect is named where p stays below --alpha beside all else that is named, and no shape \
-                           of the remainder explains more.\n";
 
 /// Header and rows.
 pub type Rows<const N: usize> = ([&'static str; N], Vec<[String; N]>);
@@ -113,7 +103,7 @@ pub fn reference(effect: &EffectFinding) -> Option<String> {
 }
 
 /// How fast a rotation is that is taken for the earth's; `None` of other effects.
-fn of_the_earth(effect: &EffectFinding) -> Option<String> {
+pub fn of_the_earth(effect: &EffectFinding) -> Option<String> {
     if effect_named(&effect.name)?.nature() != Nature::EarthRotation {
         return None;
     }
@@ -319,8 +309,8 @@ pub fn not_seen(findings: &Findings) -> Vec<String> {
 }
 
 /// What did not show here, by what would show it; `whole` with all names.
-fn not_observable(findings: &Findings, whole: bool) -> Vec<String> {
-    let lines = words::to_show(&findings.not_observable, whole);
+pub fn not_observable(findings: &Findings, whole: bool) -> Vec<String> {
+    let lines = to_show(&findings.not_observable, whole);
     if lines.is_empty() {
         return Vec::new();
     }
@@ -331,7 +321,7 @@ fn not_observable(findings: &Findings, whole: bool) -> Vec<String> {
 }
 
 /// What no recording of this kind shows, without the reasons.
-fn never_visible(findings: &Findings) -> Option<String> {
+pub fn never_visible(findings: &Findings) -> Option<String> {
     let all = findings.never_visible.iter();
     let short: Vec<&str> = all
         .map(|what| what.split_once(':').map_or(*what, |(what, _)| what))
@@ -342,76 +332,4 @@ fn never_visible(findings: &Findings) -> Option<String> {
             short.join("; ")
         )
     })
-}
-
-/// The tables for people.
-pub fn text(discovery: &Discovery) -> String {
-    let findings = &discovery.findings;
-    let gates = findings.calibration.failed_gates.iter();
-    let gates = gates.map(|gate| format!("Not to be used as it is: {gate}.\n\n"));
-    let mut text: String = gates.collect();
-    let _ = writeln!(text, "{}", verdict(findings));
-    push(&mut text, gaps(findings), 3);
-    if !findings.effects.is_empty() {
-        let _ = writeln!(text, "{}", words::by_chance(&findings.effects));
-    }
-    lines(&mut text, validated(findings));
-    push(&mut text, evidence(findings), 1);
-    if !findings.effects.is_empty() {
-        text.push_str(P_OF_WALKS);
-    }
-    for effect in &findings.effects {
-        let mut table = show::table(&[&effect.name, "value", "std error", "unit"]);
-        for row in parameters(effect) {
-            table.add_row(row);
-        }
-        let _ = writeln!(text, "\n{table}");
-        let more = reference(effect).or_else(|| of_the_earth(effect));
-        text.extend(more.map(|line| format!("{line}\n")));
-    }
-    if let Some(proposal) = &findings.proposed {
-        let mut table = show::table(&["proposed", "value", "std error", "unit"]);
-        for row in proposed_terms(proposal) {
-            table.add_row(row);
-        }
-        let _ = writeln!(text, "\n{}\n\n{table}", proposed(proposal));
-    }
-    push(&mut text, faults(findings), 4);
-    push(&mut text, disagreement(findings), 1);
-    if findings.effects.is_empty() {
-        push(&mut text, ranking(findings), 1);
-        text.push_str(NAMED_WHERE);
-    }
-    lines(&mut text, ties(findings));
-    let _ = writeln!(text, "\n{}", words::bias_noise(findings));
-    text.push_str(&clocks::text(&findings.calibration));
-    lines(&mut text, next_recordings(findings));
-    lines(&mut text, not_observable(findings, terminal::is_verbose()));
-    lines(&mut text, never_visible(findings));
-    text
-}
-
-/// Appends lines after an empty one; nothing where there are none.
-fn lines(text: &mut String, all: impl IntoIterator<Item = String>) {
-    for (k, line) in all.into_iter().enumerate() {
-        let above = if k == 0 { "\n" } else { "" };
-        let _ = writeln!(text, "{above}{line}");
-    }
-}
-
-/// Appends a table, its first `left` columns aligned left; nothing where it has no rows.
-fn push<const N: usize>(text: &mut String, (header, rows): Rows<N>, left: usize) {
-    if rows.is_empty() {
-        return;
-    }
-    let mut table = show::table(&header);
-    for column in table.column_iter_mut().take(left) {
-        column.set_cell_alignment(CellAlignment::Left);
-    }
-    let names = rows.iter().map(|row| row[0].as_str());
-    show::keep_names_whole(&mut table, names);
-    for row in rows {
-        table.add_row(row);
-    }
-    let _ = writeln!(text, "\n{table}");
 }
