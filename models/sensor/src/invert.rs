@@ -33,6 +33,10 @@ impl Model {
         if self.effects().is_empty() {
             return base;
         }
+        if self.is_apart_from_signal() {
+            // Whatever the signal is, the effects are these.
+            return base - self.error(rest, p);
+        }
         signal_behind(self, &base, rest, p)
     }
 }

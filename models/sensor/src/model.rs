@@ -46,6 +46,11 @@ impl Model {
         &self.effects
     }
 
+    /// Whether no effect depends on the sensor's own signal.
+    pub fn is_apart_from_signal(&self) -> bool {
+        self.effects.iter().all(|effect| effect.is_linear())
+    }
+
     /// Names, units and nominal values of all parameters: `accel.s_x`, …, `gyro_g_sensitivity.xx`.
     pub fn parameters(&self) -> Parameters {
         let unit = self.sensor.unit();

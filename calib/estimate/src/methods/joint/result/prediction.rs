@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, PLACES, Sensor, inverse};
 
-use crate::methods::joint::rows::slopes::EffectSlopes;
+use crate::methods::joint::rows::slopes::ModelSlopes;
 use crate::truth::supposed;
 
 /// A calibrated sensor with the covariance of its parameters.
@@ -44,7 +44,8 @@ impl Prediction {
         let p = &self.parameters;
         let sensor = self.model.sensor();
         let base = Base::from_parameters(p);
-        let effects = EffectSlopes::at(&self.model, truth, p, sensor);
+        let mut by_parameters = Vec::with_capacity(p.len() - BASE_PARAMETERS);
+        let effects = ModelSlopes::new(&self.model, p, sensor).at(truth, &mut by_parameters);
         let through =
             inverse(&(Matrix3::identity() + effects.by_signal)).unwrap_or_else(Matrix3::identity);
         let unbiased = inverse(&base.t).unwrap_or_else(Matrix3::identity)
@@ -56,7 +57,7 @@ impl Prediction {
         for axis in 0..3 {
             slopes.set_column(9 + axis, &(-(through * base.t.column(axis))));
         }
-        for (k, slope) in effects.by_parameters.iter().enumerate() {
+        for (k, slope) in by_parameters.iter().enumerate() {
             slopes.set_column(BASE_PARAMETERS + k, &(-(through * slope)));
         }
         slopes

@@ -3,9 +3,8 @@
 use faer::Mat;
 use nalgebra::{Matrix2x3, Vector2, Vector3};
 use sensor::{AnyEffect, Kinematics, Sensor};
-use solver::scalar::{derivatives, variable};
-use solver::{Jet, LANES, lit};
 
+use super::by_parameters::ByParameters;
 use super::sensitivity::{MeanSensitivity, Sensitivities};
 
 /// Where an error is asked for.
@@ -169,60 +168,4 @@ pub fn effect_slopes(
     out: &mut Vec<Vector3<f64>>,
 ) {
     ByParameters::new(effect, p, wanted).at(truth, out);
-}
-
-/// The derivatives of an effect by some of its parameters, for many instants.
-struct ByParameters<'a> {
-    effect: &'a dyn AnyEffect,
-    passes: Passes,
-}
-
-/// What the effect is asked for at every instant.
-enum Passes {
-    /// Of an effect `F p`, the errors of unit parameters, which are the columns of `F`.
-    Units(Vec<Vec<f64>>),
-    /// Its error with derivatives by so many of the parameters at once.
-    Jets(Vec<(Vec<Jet>, usize)>),
-}
-
-impl<'a> ByParameters<'a> {
-    fn new(effect: &'a dyn AnyEffect, p: &[f64], wanted: &[usize]) -> Self {
-        let unit = |k: &usize| {
-            let mut unit = vec![0.0; p.len()];
-            unit[*k] = 1.0;
-            unit
-        };
-        let jets = |group: &[usize]| {
-            let mut point: Vec<Jet> = p.iter().map(|&v| lit(v)).collect();
-            for (lane, &k) in group.iter().enumerate() {
-                point[k] = variable(p[k], lane);
-            }
-            (point, group.len())
-        };
-        Self {
-            effect,
-            passes: if effect.is_linear() {
-                Passes::Units(wanted.iter().map(unit).collect())
-            } else {
-                Passes::Jets(wanted.chunks(LANES).map(jets).collect())
-            },
-        }
-    }
-
-    /// Pushes them at one instant.
-    fn at(&self, truth: &Kinematics<f64>, out: &mut Vec<Vector3<f64>>) {
-        match &self.passes {
-            Passes::Units(units) => {
-                out.extend(units.iter().map(|unit| self.effect.error_f64(truth, unit)));
-            }
-            Passes::Jets(passes) => {
-                let lifted = truth.lift();
-                for (point, count) in passes {
-                    let error = self.effect.error_jet(&lifted, point);
-                    let by_lane = [0, 1, 2].map(|i| derivatives(&error[i]));
-                    out.extend((0..*count).map(|lane| Vector3::from_fn(|i, _| by_lane[i][lane])));
-                }
-            }
-        }
-    }
 }

@@ -1,6 +1,7 @@
 //! The rows of the joint problem and their Jacobian.
 
 pub(crate) mod attitudes;
+mod by_parameters;
 pub(crate) mod chart;
 pub(crate) mod earth;
 pub(crate) mod error_columns;
@@ -10,6 +11,7 @@ mod rounding;
 pub(crate) mod sensitivity;
 pub(crate) mod slopes;
 pub(crate) mod turn;
+mod turn_slopes;
 pub(crate) mod values;
 
 use nalgebra::{Matrix2x3, Matrix3, Vector2, Vector3};
@@ -22,8 +24,9 @@ use crate::methods::joint::blocks::groups::RowGroups;
 use crate::methods::joint::clock::coning::Coning;
 use crate::methods::joint::rows::chart::Chart;
 use crate::methods::joint::rows::layout::Layout;
-use crate::methods::joint::rows::slopes::EffectSlopes;
+use crate::methods::joint::rows::slopes::ModelSlopes;
 use crate::methods::joint::rows::turn::{Carried, carry};
+use crate::methods::joint::rows::turn_slopes::TurnSlopes;
 
 /// The models and the data, before any weight.
 #[derive(Clone, Debug)]
@@ -297,7 +300,9 @@ impl<'a> Rows<'a> {
         let u = self.direction(x, chunk.rest);
         let by_direction = self.charts[chunk.rest].slope(&x[at..at + 2]) * self.gravity;
         let truth = self.at_rest(chunk, &mean, u);
-        let effects = EffectSlopes::at(model, &truth, &p, Sensor::Accelerometer);
+        let mut by_parameters = Vec::with_capacity(p.len() - BASE_PARAMETERS);
+        let effects =
+            ModelSlopes::new(model, &p, Sensor::Accelerometer).at(&truth, &mut by_parameters);
         let signal = truth.signal(sensor) + effects.value;
         let reading = inverse * signal;
         let own = if sensor == Sensor::Accelerometer {
@@ -318,7 +323,7 @@ impl<'a> Rows<'a> {
             }
         }
         let own = places.iter().skip(BASE_PARAMETERS);
-        for (slope, place) in effects.by_parameters.iter().zip(own) {
+        for (slope, place) in by_parameters.iter().zip(own) {
             let carried = inverse * slope;
             for i in 0..3 {
                 part.values[(row + i, *place)] = carried[i];
@@ -356,7 +361,9 @@ impl<'a> Rows<'a> {
     ) -> Vector2<f64> {
         let columns = self.layout.columns(Sensor::Gyroscope, turn.recording);
         let p: Vec<f64> = columns.iter().map(|&c| x[c]).collect();
-        let (carried, slopes) = self.carried(turn, &p);
+        let rates = self.rates(turn, &p);
+        let carried = carry(self.coning(turn), &rates, &turn.lengths);
+        let slopes = self.turn_slopes(turn, &rates, &p);
         let across = self.charts[turn.from + 1].across.transpose();
         let before = self.direction(x, turn.from);
         let predicted = carried.rotation * before;
@@ -401,9 +408,9 @@ impl<'a> Rows<'a> {
             return Vector2::zeros();
         };
         let p = self.local(x, Sensor::Gyroscope, turn.recording);
-        let (carried, _) = self.carried(turn, &p);
-        let windows = clock.slack.iter().zip(&turn.lengths);
         let rates = self.rates(turn, &p);
+        let carried = carry(self.coning(turn), &rates, &turn.lengths);
+        let windows = clock.slack.iter().zip(&turn.lengths);
         let moved: Vector3<f64> = windows
             .zip(carried.gains.iter().zip(&rates))
             .map(|((slack, length), (gain, rate))| gain * rate * (slack / length))
@@ -423,29 +430,9 @@ impl<'a> Rows<'a> {
         self.charts[turn.from + 1].across.transpose() * predicted.cross_matrix()
     }
 
-    /// The rotation over a turn, and the derivative of the corrected rate by the base's `T (W − b)` per
-    /// sample with the effects' slopes; the latter are empty without effects.
-    pub(crate) fn carried(
-        &self,
-        turn: &TurnSamples,
-        p: &[f64],
-    ) -> (Carried, Vec<(Matrix3<f64>, EffectSlopes)>) {
-        let base = Base::from_parameters(p);
-        if self.gyroscope.effects().is_empty() {
-            let rates: Vec<_> = turn.readings.iter().map(|w| base.correct(w)).collect();
-            return (carry(self.coning(turn), &rates, &turn.lengths), Vec::new());
-        }
-        let mut rates = Vec::with_capacity(turn.readings.len());
-        let mut slopes = Vec::with_capacity(turn.readings.len());
-        for (reading, known) in turn.readings.iter().zip(&turn.known) {
-            let rate = self.gyroscope.correct(reading, known, p);
-            let truth = known.with_signal(Sensor::Gyroscope, rate);
-            let effects = EffectSlopes::at(self.gyroscope, &truth, p, Sensor::Gyroscope);
-            let through = inverse(&(Matrix3::identity() + effects.by_signal));
-            slopes.push((through.unwrap_or_else(Matrix3::identity), effects));
-            rates.push(rate);
-        }
-        (carry(self.coning(turn), &rates, &turn.lengths), slopes)
+    /// The rotation over a turn, with its derivatives by the corrected rates.
+    pub(crate) fn carried(&self, turn: &TurnSamples, p: &[f64]) -> Carried {
+        carry(self.coning(turn), &self.rates(turn, p), &turn.lengths)
     }
 
     /// `∂δ/∂p` (3) of the rotation at the end of a turn by every parameter of the gyroscope's model.
@@ -453,7 +440,7 @@ impl<'a> Rows<'a> {
         &self,
         turn: &TurnSamples,
         carried: &Carried,
-        slopes: &[(Matrix3<f64>, EffectSlopes)],
+        slopes: &TurnSlopes,
         p: &[f64],
     ) -> Vec<Vector3<f64>> {
         let base = Base::from_parameters(p);
@@ -461,16 +448,14 @@ impl<'a> Rows<'a> {
         let mut by_signal = Matrix3::zeros();
         let mut by_effects = vec![Vector3::zeros(); p.len() - BASE_PARAMETERS];
         for (k, gain) in carried.gains.iter().enumerate() {
-            let through = slopes.get(k).map_or(*gain, |(through, _)| gain * through);
+            let through = slopes.through(k, gain);
             let unbiased = turn.readings[k] - base.bias;
             for (sum, (a, b)) in by_element.iter_mut().zip(PLACES) {
                 *sum += through.column(a) * unbiased[b];
             }
             by_signal += through;
-            if let Some((_, effects)) = slopes.get(k) {
-                for (sum, slope) in by_effects.iter_mut().zip(&effects.by_parameters) {
-                    *sum -= through * slope;
-                }
+            for (sum, slope) in by_effects.iter_mut().zip(slopes.by_parameters(k)) {
+                *sum -= through * slope;
             }
         }
         let by_bias = -(by_signal * base.t);

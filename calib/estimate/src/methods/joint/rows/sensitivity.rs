@@ -5,6 +5,7 @@ use sensor::{Base, Kinematics, Sensor, inverse};
 
 use crate::methods::joint::fit::JointFit;
 use crate::methods::joint::rows::Rows;
+use crate::methods::joint::rows::turn::carry;
 use crate::truth::unneeded;
 
 /// A mean of a chunk: three rows.
@@ -106,23 +107,17 @@ impl Rows<'_> {
     fn of_turn(&self, x: &[f64], turn: usize, row: usize) -> TurnSensitivity {
         let samples = &self.data.turns[turn];
         let p = self.local(x, Sensor::Gyroscope, samples.recording);
-        let (carried, slopes) = self.carried(samples, &p);
+        let rates = self.rates(samples, &p);
+        let carried = carry(self.coning(samples), &rates, &samples.lengths);
+        let slopes = self.turn_slopes(samples, &rates, &p);
         let by_rotation = self.by_rotation(x, samples, &carried.rotation);
-        let base = Base::from_parameters(&p);
-        let truth = samples.readings.iter().enumerate().map(|(k, reading)| {
+        let truth = rates.iter().enumerate().map(|(k, rate)| {
             let known = samples.known.get(k).copied();
             let known = known.unwrap_or_else(unneeded);
-            let rate = if slopes.is_empty() {
-                base.correct(reading)
-            } else {
-                self.gyroscope.correct(reading, &known, &p)
-            };
-            known.with_signal(Sensor::Gyroscope, rate)
+            known.with_signal(Sensor::Gyroscope, *rate)
         });
-        let by_error = carried.gains.iter().enumerate().map(|(k, gain)| {
-            let through = slopes.get(k).map_or(*gain, |(through, _)| gain * through);
-            -(by_rotation * through)
-        });
+        let gains = carried.gains.iter().enumerate();
+        let by_error = gains.map(|(k, gain)| -(by_rotation * slopes.through(k, gain)));
         TurnSensitivity {
             turn,
             row,

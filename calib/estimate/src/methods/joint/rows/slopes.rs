@@ -3,78 +3,105 @@
 use nalgebra::{Matrix3, Vector3};
 use sensor::{AnyEffect, BASE_PARAMETERS, Kinematics, Model, Sensor};
 use solver::scalar::{derivatives, variable};
-use solver::{Jet, LANES, lit};
+use solver::{Jet, lit};
+
+use super::by_parameters::ByParameters;
 
 /// The sum of the effects of a model at one instant.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct EffectSlopes {
     /// `e`, in the unit of the sensor's signal (3).
     pub value: Vector3<f64>,
     /// `∂e/∂s` by a signal of the truth (3 × 3).
     pub by_signal: Matrix3<f64>,
-    /// `∂e/∂p` by each parameter of the effects.
-    pub by_parameters: Vec<Vector3<f64>>,
 }
 
-impl EffectSlopes {
-    /// At `truth` with the model's parameters `p`, by the signal that `by` measures.
-    pub fn at(model: &Model, truth: &Kinematics<f64>, p: &[f64], by: Sensor) -> Self {
-        let mut all = Self {
+/// A model's effects at its parameters, for many instants.
+pub struct ModelSlopes<'a> {
+    effects: Vec<OfEffect<'a>>,
+    by: Sensor,
+}
+
+struct OfEffect<'a> {
+    effect: &'a dyn AnyEffect,
+    p: &'a [f64],
+    /// `p` without derivatives; `None` of an effect whose error does not depend on the signal.
+    constants: Option<Vec<Jet>>,
+    by_parameters: ByParameters<'a>,
+}
+
+impl<'a> ModelSlopes<'a> {
+    /// With the model's parameters `p`, by the signal that `by` measures.
+    pub fn new(model: &'a Model, p: &'a [f64], by: Sensor) -> Self {
+        let mut from = BASE_PARAMETERS;
+        let own = |effect: &&'static dyn AnyEffect| {
+            let own = &p[from..from + effect.params().len()];
+            from += own.len();
+            let all: Vec<usize> = (0..own.len()).collect();
+            let is_apart = effect.is_linear() && effect.sensor() == by;
+            OfEffect {
+                effect: *effect,
+                p: own,
+                constants: (!is_apart).then(|| own.iter().map(|&v| lit(v)).collect()),
+                by_parameters: ByParameters::new(*effect, own, &all),
+            }
+        };
+        Self {
+            effects: model.effects().iter().map(own).collect(),
+            by,
+        }
+    }
+
+    /// Whether no effect depends on the signal.
+    pub fn is_apart_from_signal(&self) -> bool {
+        let mut all = self.effects.iter();
+        all.all(|own| own.constants.is_none())
+    }
+
+    /// The sum of the effects at `truth`; pushes `∂e/∂p` by each of their parameters.
+    pub fn at(
+        &self,
+        truth: &Kinematics<f64>,
+        by_parameters: &mut Vec<Vector3<f64>>,
+    ) -> EffectSlopes {
+        let mut all = EffectSlopes {
             value: Vector3::zeros(),
             by_signal: Matrix3::zeros(),
-            by_parameters: Vec::with_capacity(p.len() - BASE_PARAMETERS),
         };
-        let mut from = BASE_PARAMETERS;
-        for &effect in model.effects() {
-            let to = from + effect.params().len();
-            if effect.is_linear() && effect.sensor() == by {
-                all.add_linear(effect, truth, &p[from..to]);
-            } else {
-                all.add(effect, truth, &p[from..to], by);
+        for own in &self.effects {
+            match &own.constants {
+                None => all.value += own.effect.error_f64(truth, own.p),
+                Some(constants) => {
+                    let signal = truth.signal(self.by);
+                    let lanes = Vector3::from_fn(|i, _| variable(signal[i], i));
+                    let truth = truth.lift::<Jet>().with_signal(self.by, lanes);
+                    let error = own.effect.error_jet(&truth, constants);
+                    all.value += error.map(|v| v.re);
+                    all.by_signal += Matrix3::from_fn(|i, j| derivatives(&error[i])[j]);
+                }
             }
-            from = to;
+            own.by_parameters.at(truth, by_parameters);
         }
         all
-    }
-
-    /// Adds an effect by forward mode.
-    fn add(&mut self, effect: &dyn AnyEffect, truth: &Kinematics<f64>, p: &[f64], by: Sensor) {
-        let mut constants: Vec<Jet> = p.iter().map(|&v| lit(v)).collect();
-        let signal = truth.signal(by);
-        let truth = truth.lift::<Jet>();
-        let lanes = Vector3::from_fn(|i, _| variable(signal[i], i));
-        let error = effect.error_jet(&truth.with_signal(by, lanes), &constants);
-        self.value += error.map(|v| v.re);
-        self.by_signal += Matrix3::from_fn(|i, j| derivatives(&error[i])[j]);
-        for first in (0..p.len()).step_by(LANES) {
-            let lanes = first..p.len().min(first + LANES);
-            for (lane, place) in lanes.clone().enumerate() {
-                constants[place] = variable(p[place], lane);
-            }
-            let error = effect.error_jet(&truth, &constants);
-            for (lane, place) in lanes.enumerate() {
-                self.by_parameters
-                    .push(error.map(|v| derivatives(&v)[lane]));
-                constants[place] = lit(p[place]);
-            }
-        }
-    }
-
-    /// Adds an effect `F p` whose `F` does not depend on the signal: its columns are the errors of unit parameters.
-    fn add_linear(&mut self, effect: &dyn AnyEffect, truth: &Kinematics<f64>, p: &[f64]) {
-        self.value += effect.error_f64(truth, p);
-        let mut unit = vec![0.0; p.len()];
-        for place in 0..p.len() {
-            unit[place] = 1.0;
-            self.by_parameters.push(effect.error_f64(truth, &unit));
-            unit[place] = 0.0;
-        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::methods::joint::rows::by_parameters::ByParameters;
+
+    impl<'a> ModelSlopes<'a> {
+        /// By the gyroscope's signal, with no effect taken for linear.
+        fn by_jets(model: &'a Model, p: &'a [f64]) -> Self {
+            let mut all = Self::new(model, p, Sensor::Gyroscope);
+            for own in &mut all.effects {
+                own.constants = Some(own.p.iter().map(|&v| lit(v)).collect());
+                own.by_parameters = ByParameters::by_jets(own.effect, own.p);
+            }
+            all
+        }
+    }
 
     #[test]
     fn columns_of_linear_effects_are_their_derivatives() {
@@ -98,18 +125,16 @@ mod tests {
             for (k, value) in p.iter_mut().enumerate().skip(BASE_PARAMETERS) {
                 *value = 1e-3 * (k as f64).sin();
             }
-            let found = EffectSlopes::at(&model, &truth, &p, Sensor::Gyroscope);
-            let mut by_jets = EffectSlopes {
-                value: Vector3::zeros(),
-                by_signal: Matrix3::zeros(),
-                by_parameters: Vec::new(),
-            };
-            let own = &p[BASE_PARAMETERS..];
-            by_jets.add(effect, &truth, own, Sensor::Gyroscope);
+            let apart = ModelSlopes::new(&model, &p, Sensor::Gyroscope);
+            let jets = ModelSlopes::by_jets(&model, &p);
+            assert!(apart.is_apart_from_signal() && !jets.is_apart_from_signal());
+            let [(found, columns), (by_jets, derivatives)] = [apart, jets].map(|slopes| {
+                let mut by_parameters = Vec::new();
+                (slopes.at(&truth, &mut by_parameters), by_parameters)
+            });
             assert_eq!(found.value, by_jets.value, "{}", effect.name());
             assert_eq!(found.by_signal, by_jets.by_signal, "{}", effect.name());
-            let pairs = found.by_parameters.iter().zip(&by_jets.by_parameters);
-            for (column, derivative) in pairs {
+            for (column, derivative) in columns.iter().zip(&derivatives) {
                 let off = (column - derivative).norm();
                 assert!(off <= 1e-15 * derivative.norm(), "{}", effect.name());
             }
