@@ -82,7 +82,7 @@ fn try_all<'a>(
     let nothing_yet =
         |family: &Family| family.hypotheses.iter().map(|_| Tried::default()).collect();
     let mut all: Vec<Vec<Tried<'_>>> = families.iter().map(|(_, f)| nothing_yet(f)).collect();
-    for level in levels.iter().filter(|l| l.of.is_none_or(|s| s == sensor)) {
+    for level in levels.iter().filter(|l| l.is_of(sensor)) {
         let seen = level.whitened.by_recording(columns.clone());
         let gained = level.whitened.log_likelihood() - nothing;
         let mut first = 0;
@@ -137,12 +137,16 @@ fn best(place: usize, family: &Family, tried: Vec<Tried<'_>>, choice: f64) -> Op
     )
 }
 
-/// `ln p` of columns (`m × k`, white-whitened), a mean over what the densities may be under them.
-pub fn log_p_of(projected: &Projected, columns: &Mat<f64>, levels: &[Level]) -> f64 {
+/// `ln p` of columns of a sensor (`m × k`, white-whitened), a mean over what its densities may be under them.
+pub fn log_p_of(
+    projected: &Projected,
+    (sensor, columns): (Sensor, &Mat<f64>),
+    levels: &[Level],
+) -> f64 {
     let columns = projected.columns(columns.as_ref());
     let nothing = levels.first().map_or(0.0, |l| l.whitened.log_likelihood());
     let mut tried = Tried::default();
-    for level in levels {
+    for level in levels.iter().filter(|l| l.is_of(sensor)) {
         let score = score(level.whitened.columns(&columns).as_ref(), &level.whitened.z);
         let gained = level.whitened.log_likelihood() - nothing;
         tried.add(level, gained, score, 0.0);
@@ -204,7 +208,7 @@ impl<'a> Tried<'a> {
 }
 
 /// `ln Σ eᵃ`.
-fn log_sum(a: impl Iterator<Item = f64> + Clone) -> f64 {
+pub(super) fn log_sum(a: impl Iterator<Item = f64> + Clone) -> f64 {
     let most = a.clone().fold(f64::NEG_INFINITY, f64::max);
     most + a.map(|a| (a - most).exp()).sum::<f64>().ln()
 }

@@ -129,6 +129,27 @@ fn a_bias_that_relaxes_drifts_or_flips_is_not_set_anew() {
 }
 
 #[test]
+fn a_bias_that_flips_between_two_levels_is_said_to() {
+    for (seed, sensor, amplitude) in [
+        (33, Sensor::Accelerometer, 3e-3),
+        (36, Sensor::Gyroscope, 1e-4),
+        (35, Sensor::Accelerometer, 3e-3),
+    ] {
+        let spec = Spec::hand_held(seed).with_hidden(Hidden::Telegraph(Telegraph {
+            sensor,
+            axis: Axis::Z,
+            amplitude,
+            dwell: 30.0,
+        }));
+        let findings = of(&[spec.run().unwrap().recording], &spec).findings;
+        assert!(findings.effects.is_empty(), "{seed}");
+        let shape = findings.unexplained.unwrap().shape;
+        let said = format!("{}: the bias of axis z jumps to and fro", sensor.name());
+        assert!(shape.starts_with(&said), "{seed}: {shape}");
+    }
+}
+
+#[test]
 fn a_dead_zone_is_a_fault_of_the_recording_where_only_turns_show_it_too() {
     for half_width in [0.004, 0.02] {
         let mut spec = Spec::hand_held(4);

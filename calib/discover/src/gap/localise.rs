@@ -146,7 +146,8 @@ fn best_covariate(state: &State, channel: Channel) -> &'static str {
                 0.0
             }
         });
-        log_p_of(&state.projected, &state.whitened(scaled), state.levels())
+        let columns = state.whitened(scaled);
+        log_p_of(&state.projected, (sensor, &columns), state.levels())
     };
     let by_chance = (CHANCE / COVARIATES.len() as f64).ln();
     COVARIATES

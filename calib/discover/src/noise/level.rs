@@ -33,6 +33,13 @@ pub struct Level {
     pub of: Option<Sensor>,
 }
 
+impl Level {
+    /// Whether an error of this sensor is tried at it.
+    pub fn is_of(&self, sensor: Sensor) -> bool {
+        self.of.is_none_or(|own| own == sensor)
+    }
+}
+
 /// The likeliest noise, then for each sensor shares of it, then shares of the scatter of turns.
 pub fn levels(projected: &Projected, noise: BiasNoise, given: bool) -> Vec<Level> {
     let mut levels: Vec<Level> = Vec::new();

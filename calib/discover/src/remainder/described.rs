@@ -4,12 +4,14 @@ use estimate::methods::joint::BiasNoise;
 use faer::Mat;
 use sensor::Sensor;
 
+use super::biases::biases;
+use super::jumps::{Jumps, jumps};
 use super::scatter::{Scatter, scatters};
 use super::shape::Shape;
 use super::shapes::shapes;
 use crate::family::{Claim, Family};
 use crate::gap::channel::Channel;
-use crate::rank::{Ranked, rank};
+use crate::rank::{APART, Ranked, rank};
 use crate::search::few_turns::Turns;
 use crate::state::State;
 
@@ -46,6 +48,7 @@ pub struct Described {
     /// Families with the evidence for each.
     shapes: [(Vec<Family>, Vec<Ranked>); 2],
     scatters: Vec<Scatter>,
+    jumps: Vec<Jumps>,
 }
 
 impl Described {
@@ -58,12 +61,14 @@ impl Described {
         // Slow changes are judged at the likeliest walk alone: with many coefficients they could stand for any walk.
         let likeliest = &levels[..levels.len().min(1)];
         let judged = [(slow, likeliest), (others, levels)];
+        let sensors = biases(state, levels);
         Self {
             shapes: judged.map(|(families, levels)| {
                 let ranked = rank(&state.projected, &families, levels);
                 (families, ranked)
             }),
-            scatters: scatters(state, levels),
+            scatters: scatters(&sensors),
+            jumps: jumps(&sensors),
         }
     }
 
@@ -81,7 +86,22 @@ impl Described {
             let each = ranked.iter();
             each.map(|r| of_shape(&families[r.family], r))
         });
-        shapes.chain(self.scatters.iter().map(of_scatter)).collect()
+        let of_jumps = |jumps: &Jumps| {
+            let is_same = |s: &&Scatter| (s.sensor, s.axis) == (jumps.sensor, jumps.axis);
+            match self.scatters.iter().find(is_same) {
+                // What may as well wander otherwise is not said to jump.
+                Some(wanders) if jumps.log_p > wanders.log_p - APART => Trial {
+                    log_p: jumps.log_p,
+                    statistic: jumps.statistic,
+                    dof: jumps.dof(),
+                    ..of_scatter(wanders)
+                },
+                _ => of_jumps(state, jumps),
+            }
+        };
+        let jumps = self.jumps.iter().map(of_jumps);
+        let wanders = self.scatters.iter().map(of_scatter);
+        shapes.chain(jumps).chain(wanders).collect()
     }
 }
 
@@ -97,6 +117,25 @@ fn of_scatter(scatter: &Scatter) -> Trial {
         columns: None,
         wandering: Some((scatter.sensor, scatter.axis)),
         predicted: None,
+    }
+}
+
+fn of_jumps(state: &State, jumps: &Jumps) -> Trial {
+    let columns = jumps.columns(state);
+    Trial {
+        log_p: jumps.log_p,
+        statistic: jumps.statistic,
+        dof: jumps.dof(),
+        words: jumps.words(),
+        of: None,
+        channel: Some(channel_at_rest(jumps.sensor)),
+        period: None,
+        predicted: Some(&columns * faer::Scale(jumps.change)),
+        columns: Some(Shaped {
+            columns,
+            noise: jumps.noise,
+        }),
+        wandering: Some((jumps.sensor, jumps.axis)),
     }
 }
 

@@ -1,10 +1,13 @@
 //! What remains when everything of the catalogue has had its chance.
 
+mod biases;
 pub(super) mod by_interval;
 pub(super) mod described;
+mod jumps;
 pub(super) mod scatter;
 pub(super) mod shape;
 pub(super) mod shapes;
+mod two_levels;
 pub(super) mod unexplained;
 pub(super) mod weighed_again;
 pub(super) mod withdrawn;

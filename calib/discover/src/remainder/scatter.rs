@@ -1,15 +1,12 @@
 //! A bias that wanders otherwise than at random: scatter of one axis, with a memory of seconds to minutes.
 
-use estimate::methods::joint::{Column, columns};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use sensor::Sensor;
 
+use super::biases::{AtLevel, Biases, OfSensor};
 use crate::family::beside;
-use crate::noise::level::Level;
-use crate::noise::seen::Seen;
 use crate::score::log_tail;
-use crate::state::State;
 
 /// Memories tried, s.
 const MEMORIES: [f64; 3] = [10.0, 30.0, 100.0];
@@ -57,66 +54,41 @@ impl Scatter {
 /// ratio `2 max (LL(θ, k) − LL(0, k₀))`: the walk's density `k` is profiled under both, or it takes what wanders
 /// for a walk. Where nothing is missing, `θ` is at the edge of what it may be and the ratio is nothing in half of the
 /// cases and `χ²₁` in the others (Self & Liang 1987).
-pub(super) fn scatters(state: &State, levels: &[Level]) -> Vec<Scatter> {
-    let Some(nothing) = levels.first().map(|l| l.whitened.log_likelihood()) else {
-        return Vec::new();
-    };
-    let mut all = Vec::new();
-    for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
-        let means: Vec<_> = state
-            .sensitivities
-            .means
-            .iter()
-            .filter(|m| m.sensor == sensor)
-            .collect();
-        if means.is_empty() {
-            continue;
-        }
-        let recording =
-            |chunk: usize| state.fit.data.rests[state.fit.data.chunks[chunk].rest].recording;
-        let places = means.iter().map(|m| (recording(m.chunk), m.truth.time));
-        let times: Vec<(usize, f64)> = places.collect();
-        let axes = [0, 1, 2].map(|axis| {
-            let biases = means.iter().map(|m| Column::unit(m.row + axis));
-            let biases: Vec<Column> = biases.collect();
-            let biases = state.sparse(&biases.iter().collect::<Vec<_>>());
-            state.projected.by_recording(&biases)
-        });
-        // The chunks of every recording, or of several that share noise.
-        let together = axes[0].parts().iter().map(|part| part.columns.as_slice());
-        let together: Vec<&[usize]> = together.collect();
-        let is_alone = times.iter().all(|(recording, _)| *recording == times[0].0);
-        let kernel = |memory: f64| {
-            let of = |chunks: &&[usize]| {
-                let own: Vec<(usize, f64)> = chunks.iter().map(|&k| times[k]).collect();
-                kernel_factor(&own, memory, is_alone)
-            };
-            Some((memory, together.iter().map(of).collect::<Option<Vec<_>>>()?))
+pub(super) fn scatters(sensors: &[OfSensor]) -> Vec<Scatter> {
+    sensors.iter().flat_map(of_sensor).collect()
+}
+
+fn of_sensor(own: &OfSensor) -> Vec<Scatter> {
+    let times = &own.times;
+    let is_alone = times.iter().all(|(recording, _)| *recording == times[0].0);
+    let kernel = |memory: f64| {
+        let of = |chunks: &Vec<usize>| {
+            let of_part: Vec<(usize, f64)> = chunks.iter().map(|&k| times[k]).collect();
+            kernel_factor(&of_part, memory, is_alone)
         };
-        let kernels: Vec<_> = MEMORIES.into_iter().filter_map(kernel).collect();
-        for (axis, projected) in axes.iter().enumerate() {
-            let mut best = (0.0, MEMORIES[0]);
-            for level in levels.iter().filter(|l| l.of.is_none_or(|s| s == sensor)) {
-                let lost = 2.0 * (level.whitened.log_likelihood() - nothing);
-                let seen = level.whitened.by_recording(projected.clone());
-                let biases = Biases::of(&seen, &level.whitened.z);
-                for (memory, factors) in &kernels {
-                    let ratio = lost + biases.gain(factors);
-                    if ratio > best.0 {
-                        best = (ratio, *memory);
-                    }
+        let factors = own.together.iter().map(of);
+        Some((memory, factors.collect::<Option<Vec<_>>>()?))
+    };
+    let kernels: Vec<_> = MEMORIES.into_iter().filter_map(kernel).collect();
+    let of_axis = |(axis, levels): (usize, &Vec<AtLevel>)| {
+        let mut best = (0.0, MEMORIES[0]);
+        for level in levels {
+            for (memory, factors) in &kernels {
+                let ratio = 2.0 * level.gained + level.biases.gain(factors);
+                if ratio > best.0 {
+                    best = (ratio, *memory);
                 }
             }
-            all.push(Scatter {
-                sensor,
-                axis,
-                memory: best.1,
-                statistic: best.0,
-                log_p: log_tail(best.0, 1.0) + (0.5 * MEMORIES.len() as f64).ln(),
-            });
         }
-    }
-    all
+        Scatter {
+            sensor: own.sensor,
+            axis,
+            memory: best.1,
+            statistic: best.0,
+            log_p: log_tail(best.0, 1.0) + (0.5 * MEMORIES.len() as f64).ln(),
+        }
+    };
+    own.axes.iter().enumerate().map(of_axis).collect()
 }
 
 /// `L` of `K = L Lᵀ`, for chunks of recordings at times since their start: no bias remembers another recording, and where
@@ -145,40 +117,7 @@ fn kernel_factor(times: &[(usize, f64)], memory: f64, is_alone: bool) -> Option<
     Some(kernel.llt(Side::Lower).ok()?.L().to_owned())
 }
 
-/// What the data say of the biases of the chunks: `BᵀB = diag(G_p) − Sᵀ S`, `B` their whitened columns.
-struct Biases {
-    parts: Vec<Own>,
-    /// Rows of `S`.
-    shared: usize,
-}
-
-/// The chunks of one recording.
-struct Own {
-    /// `G_p` (`n × n`).
-    gram: Mat<f64>,
-    /// Their part of `Bᵀ z` (`n × 1`).
-    right: Mat<f64>,
-    /// Their part of `S` (`s × n`): what recordings share.
-    taken: Mat<f64>,
-}
-
 impl Biases {
-    fn of(seen: &Seen, z: &Mat<f64>) -> Self {
-        let own = seen.inside.parts().iter().map(|part| {
-            let first = part.rows.first().copied().unwrap_or(0);
-            let z = z.as_ref().subrows(first, part.rows.len());
-            Own {
-                gram: part.values.transpose() * &part.values,
-                right: part.values.transpose() * z,
-                taken: columns(&seen.taken, &part.columns),
-            }
-        });
-        Self {
-            parts: own.collect(),
-            shared: seen.taken.nrows(),
-        }
-    }
-
     /// `2 max_θ (LL(θ) − LL(0))` for `V = I + θ B L Lᵀ Bᵀ`, `L` recording by recording: with `d` the eigenvalues of
     /// `Lᵀ diag(G_p) L` and `u` those parts of `z`, `Σ θ u²/(1 + θ d) − ln(1 + θ d)`, and what recordings share put right.
     fn gain(&self, factors: &[Mat<f64>]) -> f64 {
@@ -263,6 +202,7 @@ mod tests {
     use rand_distr::{Distribution, StandardNormal};
 
     use super::*;
+    use crate::remainder::biases::Own;
 
     fn alone(b: &Mat<f64>, z: &Mat<f64>) -> Biases {
         let own = Own {

@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 use sensor::{Quantity, Sensor};
 use serde::Serialize;
 
+use super::biases::biases;
 use super::described::{Described, Shaped, Trial, channel_at_rest};
 use super::scatter::scatters;
 use super::shape::Shape;
@@ -154,7 +155,7 @@ fn wanders_beside(state: &State, shape: &Shaped, alpha: f64) -> bool {
     for level in &mut levels {
         level.whitened = level.whitened.beside(&level.whitened.columns(&columns));
     }
-    let found = scatters(state, &levels);
+    let found = scatters(&biases(state, &levels));
     let count = found.len().max(1) as f64;
     found
         .iter()

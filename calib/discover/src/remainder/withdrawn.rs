@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 use recording::Error;
 use sensor::{AnyEffect, Role, Sensor};
 
+use super::biases::biases;
 use super::scatter::scatters;
 use super::unexplained::Unexplained;
 use super::weighed_again::weighed_again;
@@ -87,7 +88,7 @@ fn withdraw(session: &Session<'_>, search: &mut Search, less: Extension) -> Resu
 
 /// The evidence that the bias of an axis of a sensor wanders.
 fn wandering(state: &State, sensor: Sensor) -> f64 {
-    let found = scatters(state, state.levels());
+    let found = scatters(&biases(state, state.levels()));
     let search = (found.len().max(1) as f64).ln();
     let own = found.iter().filter(|scatter| scatter.sensor == sensor);
     own.map(|scatter| -scatter.log_p - search)
