@@ -11,13 +11,13 @@ mod rounding;
 pub(crate) mod sensitivity;
 pub(crate) mod slopes;
 pub(crate) mod turn;
-mod turn_slopes;
+mod turn_rows;
 pub(crate) mod values;
 
-use nalgebra::{Matrix2x3, Matrix3, Vector2, Vector3};
+use nalgebra::{Matrix3, Vector3};
 use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, PLACES, Sensor, Since, inverse};
 
-use super::data::{Chunk, Data, Mean, TurnSamples};
+use super::data::{Chunk, Data, Mean};
 use crate::methods::joint::blocks::column::Column;
 use crate::methods::joint::blocks::columns::{Columns, Part};
 use crate::methods::joint::blocks::groups::RowGroups;
@@ -25,8 +25,6 @@ use crate::methods::joint::clock::coning::Coning;
 use crate::methods::joint::rows::chart::Chart;
 use crate::methods::joint::rows::layout::Layout;
 use crate::methods::joint::rows::slopes::ModelSlopes;
-use crate::methods::joint::rows::turn::{Carried, carry};
-use crate::methods::joint::rows::turn_slopes::TurnSlopes;
 
 /// The models and the data, before any weight.
 #[derive(Clone, Debug)]
@@ -346,123 +344,5 @@ impl<'a> Rows<'a> {
             to: mean.span.to - rest.turned,
         };
         truth
-    }
-
-    /// `r = Eᵀ (Rᵀ u_k − u_{k+1})`: the direction before a turn carried through it by the corrected rate,
-    /// less the one after, along the two unit vectors `E` across the latter.
-    ///
-    /// Both directions are parameters, so that consecutive turns share no noise: given the
-    /// directions, the rows of a turn see the samples of that turn only.
-    fn turn_rows(
-        &self,
-        x: &[f64],
-        turn: &TurnSamples,
-        (row, part): (usize, &mut Part),
-    ) -> Vector2<f64> {
-        let columns = self.layout.columns(Sensor::Gyroscope, turn.recording);
-        let p: Vec<f64> = columns.iter().map(|&c| x[c]).collect();
-        let rates = self.rates(turn, &p);
-        let carried = carry(self.coning(turn), &rates, &turn.lengths);
-        let slopes = self.turn_slopes(turn, &rates, &p);
-        let across = self.charts[turn.from + 1].across.transpose();
-        let before = self.direction(x, turn.from);
-        let predicted = carried.rotation * before;
-        let residual = across * (predicted - self.direction(x, turn.from + 1));
-        // ∂(Rᵀ u) = (Rᵀ u) × δ
-        let by_rotation = across * predicted.cross_matrix();
-        let [from, to] = [turn.from, turn.from + 1].map(|rest| self.layout.direction(rest));
-        let places = part.places(&columns);
-        let [at_from, at_to] = [from, to].map(|first| part.places(&[first, first + 1]));
-        let mut set = |column: usize, value: Vector2<f64>| {
-            for i in 0..2 {
-                part.values[(row + i, column)] = value[i];
-            }
-        };
-        for (rotation, column) in self
-            .by_parameters(turn, &carried, &slopes, &p)
-            .iter()
-            .zip(&places)
-        {
-            set(*column, by_rotation * rotation);
-        }
-        let slope_before = self.charts[turn.from].slope(&x[from..from + 2]);
-        let slope_after = self.charts[turn.from + 1].slope(&x[to..to + 2]);
-        for j in 0..2 {
-            let moved = carried.rotation * slope_before.column(j);
-            set(at_from[j], across * moved);
-            set(at_to[j], -(across * slope_after.column(j)));
-        }
-        residual
-    }
-
-    /// How the samples of a turn are taken.
-    pub(crate) fn coning(&self, turn: &TurnSamples) -> &Coning {
-        let instants = self.data.sources[turn.recording].clock.instants;
-        &self.conings[usize::from(instants)]
-    }
-
-    /// `∂r/∂λ` of the two rows of a turn by the share of the scatter that its clock has: a window's angle grows by
-    /// `ω_k` times what the scatter adds to its length.
-    pub(crate) fn by_clock(&self, x: &[f64], turn: &TurnSamples) -> Vector2<f64> {
-        let Some(clock) = turn.clocks.get(turn.base) else {
-            return Vector2::zeros();
-        };
-        let p = self.local(x, Sensor::Gyroscope, turn.recording);
-        let rates = self.rates(turn, &p);
-        let carried = carry(self.coning(turn), &rates, &turn.lengths);
-        let windows = clock.slack.iter().zip(&turn.lengths);
-        let moved: Vector3<f64> = windows
-            .zip(carried.gains.iter().zip(&rates))
-            .map(|((slack, length), (gain, rate))| gain * rate * (slack / length))
-            .sum();
-        self.by_rotation(x, turn, &carried.rotation) * moved
-    }
-
-    /// `∂r/∂δ = Eᵀ [Rᵀ u_k]×` of the two rows of a turn by a small rotation `δ` at its end, where `Rᵀ` carries the direction
-    /// before it.
-    pub(crate) fn by_rotation(
-        &self,
-        x: &[f64],
-        turn: &TurnSamples,
-        rotation: &Matrix3<f64>,
-    ) -> Matrix2x3<f64> {
-        let predicted = rotation * self.direction(x, turn.from);
-        self.charts[turn.from + 1].across.transpose() * predicted.cross_matrix()
-    }
-
-    /// The rotation over a turn, with its derivatives by the corrected rates.
-    pub(crate) fn carried(&self, turn: &TurnSamples, p: &[f64]) -> Carried {
-        carry(self.coning(turn), &self.rates(turn, p), &turn.lengths)
-    }
-
-    /// `∂δ/∂p` (3) of the rotation at the end of a turn by every parameter of the gyroscope's model.
-    fn by_parameters(
-        &self,
-        turn: &TurnSamples,
-        carried: &Carried,
-        slopes: &TurnSlopes,
-        p: &[f64],
-    ) -> Vec<Vector3<f64>> {
-        let base = Base::from_parameters(p);
-        let mut by_element = [Vector3::zeros(); 9];
-        let mut by_signal = Matrix3::zeros();
-        let mut by_effects = vec![Vector3::zeros(); p.len() - BASE_PARAMETERS];
-        for (k, gain) in carried.gains.iter().enumerate() {
-            let through = slopes.through(k, gain);
-            let unbiased = turn.readings[k] - base.bias;
-            for (sum, (a, b)) in by_element.iter_mut().zip(PLACES) {
-                *sum += through.column(a) * unbiased[b];
-            }
-            by_signal += through;
-            for (sum, slope) in by_effects.iter_mut().zip(slopes.by_parameters(k)) {
-                *sum -= through * slope;
-            }
-        }
-        let by_bias = -(by_signal * base.t);
-        by_element
-            .into_iter()
-            .chain((0..3).map(|axis| by_bias.column(axis).into_owned()))
-            .chain(by_effects)
-            .collect()
     }
 }
