@@ -143,7 +143,7 @@ fn print(row: Row, lines: &[Line], wrong: bool) {
             .push(&line.record);
     }
     println!(
-        "{:38} {:>5} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6}",
+        "{:38} {:>5} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6}",
         name_of(row),
         "n",
         "exact",
@@ -151,6 +151,7 @@ fn print(row: Row, lines: &[Line], wrong: bool) {
         "wrong",
         "name",
         "unexpl",
+        "descr",
         "alone",
         "fault",
         "formul",
@@ -187,7 +188,7 @@ fn print(row: Row, lines: &[Line], wrong: bool) {
 fn print_line(name: &str, s: &Summary) {
     let percent = |v: f64| format!("{:.1}", 100.0 * v);
     println!(
-        "  {:36} {:>5} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6.2}{}",
+        "  {:36} {:>5} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6.2}{}",
         name,
         s.sessions,
         percent(s.exact),
@@ -195,6 +196,7 @@ fn print_line(name: &str, s: &Summary) {
         percent(s.wrong),
         percent(s.any_name),
         percent(s.unexplained),
+        percent(s.described),
         percent(s.name_alone),
         percent(s.integrity),
         percent(s.formula),

@@ -4,6 +4,15 @@ use serde::Serialize;
 
 use super::session::Record;
 
+/// Words that say what a session outside the catalogue hides.
+const SAYS: [(&str, &[&str]); 5] = [
+    ("periodic", &["periodic with"]),
+    ("pattern", &["fine pattern", "goes with the placement"]),
+    ("telegraph", &["jumps to and fro"]),
+    ("heading", &["horizontal direction"]),
+    ("relaxation", &["relaxation"]),
+];
+
 /// Figures of one row, or of one kind of session in it.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Summary {
@@ -19,6 +28,8 @@ pub struct Summary {
     pub any_name: f64,
     /// Something unexplained.
     pub unexplained: f64,
+    /// What is outside the catalogue described as what it is.
+    pub described: f64,
     /// An effect named and nothing unexplained beside it.
     pub name_alone: f64,
     /// The fault of the recording named, ties counted, and no effect beside it.
@@ -62,6 +73,13 @@ impl Record {
         claims.sort_unstable();
         hidden.sort_unstable();
         claims == hidden
+    }
+
+    /// Whether the words for what remains are those for what is hidden.
+    pub fn is_described(&self) -> bool {
+        let said = self.unexplained.as_deref().unwrap_or_default();
+        let own = SAYS.iter().find(|(kind, _)| *kind == self.kind);
+        own.is_some_and(|(_, words)| words.iter().any(|words| said.contains(words)))
     }
 
     /// Everything hidden is named or tied to a name, and every name is hidden or tied to what is.
@@ -112,6 +130,7 @@ pub fn summarise<'a>(records: impl Iterator<Item = &'a Record> + Clone) -> Summa
         wrong: share(&|r| r.is_wrong()),
         any_name: share(&|r| !r.named.is_empty()),
         unexplained: share(&|r| r.unexplained.is_some()),
+        described: share(&|r| r.is_described()),
         name_alone: share(&|r| !r.named.is_empty() && r.unexplained.is_none()),
         integrity: share(&|r| {
             let is_named = |h: &String| {

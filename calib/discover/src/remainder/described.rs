@@ -150,7 +150,7 @@ fn of_shape(family: &Family, ranked: &Ranked) -> Trial {
     let words = match (shape, period, sensor) {
         (_, Some(period), _) => format!("{of}: periodic with {period:.1} s"),
         (Some(Shape::Heading), None, Sensor::Gyroscope) => format!(
-            "{of}: {}, as the earth's rotation is near the equator (--latitude puts it into the model)",
+            "{of}: {}, as the horizontal part of the earth's rotation is (--latitude puts that into the model)",
             family.claim.name()
         ),
         _ => format!("{of}: {}", family.claim.name()),

@@ -144,7 +144,7 @@ pub fn influences(fit: &JointFit, warnings: &mut Vec<String>) {
             let rest = &fit.data.rests[influence.rest];
             warnings.push(format!(
                 "{}: without static interval {} (t = {:.2} to {:.2} s) {} would move by {:.1} of its \
-                 standard errors",
+                 standard errors: record it again if the device was not at rest there, or else one more like it",
                 fit.data.sources[rest.recording].name,
                 rest.interval + 1,
                 rest.span.from,
