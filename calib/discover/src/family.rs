@@ -5,6 +5,7 @@ use faer::Mat;
 use sensor::{AnyEffect, Nature, Param, Role, Sensor};
 
 use super::extension::with_companions;
+use super::heading::by_heading;
 use super::remainder::shape::Shape;
 use super::state::State;
 
@@ -21,6 +22,9 @@ const TYPICAL_MISS: f64 = 1e-2;
 /// The same of a rate that is off in one interval (rad/s), and of a slip at once (rad).
 const TYPICAL_EXCURSION: f64 = 2e-4;
 const TYPICAL_SLIP: f64 = 1e-3;
+
+/// Parameters of the earth's rotation that depend on the heading, before the others.
+pub const HORIZONTAL: usize = 2;
 
 /// Whether an effect is that of late stamps, which the moving accelerometer shows.
 pub fn is_late(effect: &dyn AnyEffect) -> bool {
@@ -200,7 +204,12 @@ pub(super) fn effect_family(
             if let Some((k, value)) = shape {
                 p[k] = value;
             }
-            parts.push(scaled(state, effect, &p, &linear));
+            let mut own = scaled(state, effect, &p, &linear);
+            if effect.nature() == Nature::EarthRotation {
+                own = by_heading(state, own, HORIZONTAL);
+                count = own.ncols();
+            }
+            parts.push(own);
             let companions = with_companions(effect, catalogue).skip(1);
             for companion in companions.filter(|c| !state.has(c.name())) {
                 let (linear, _) = coefficients(companion);

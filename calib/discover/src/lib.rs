@@ -16,6 +16,7 @@ mod fault;
 mod findings;
 mod flicker;
 mod gap;
+mod heading;
 mod judgement;
 mod noise;
 mod pictures;

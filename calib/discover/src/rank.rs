@@ -82,20 +82,38 @@ fn try_all<'a>(
     let nothing_yet =
         |family: &Family| family.hypotheses.iter().map(|_| Tried::default()).collect();
     let mut all: Vec<Vec<Tried<'_>>> = families.iter().map(|(_, f)| nothing_yet(f)).collect();
-    for level in levels.iter().filter(|l| l.is_of(sensor)) {
+    for (level, prior) in at_levels(sensor, levels) {
         let seen = level.whitened.by_recording(columns.clone());
         let gained = level.whitened.log_likelihood() - nothing;
         let mut first = 0;
         for ((_, family), tried) in families.iter().zip(&mut all) {
+            // A turn that is bad because a bias of the other sensor moved is none.
+            let is_local = matches!(family.claim, Claim::Disturbed(_));
+            if is_local && !level.is_of(sensor) {
+                first += family.columns.ncols();
+                continue;
+            }
+            let prior = if is_local { 0.0 } else { prior };
             for (tried, hypothesis) in tried.iter_mut().zip(&family.hypotheses) {
                 let own = first + hypothesis.columns.start..first + hypothesis.columns.end;
                 let (a, b) = seen.normal(own, &level.whitened.z);
-                tried.add(level, gained, of_normal(&a, &b), family.shape_dof);
+                tried.add(level, (gained, prior), of_normal(&a, &b), family.shape_dof);
             }
             first += family.columns.ncols();
         }
     }
     all
+}
+
+/// The densities at which an error of a sensor is tried, and `ln` of their prior chances: those of the other sensor count together
+/// as one.
+fn at_levels(sensor: Sensor, levels: &[Level]) -> impl Iterator<Item = (&Level, f64)> {
+    let of_other = move |level: &Level| !level.is_of(sensor);
+    let others = levels.iter().filter(|l| l.is_for(sensor) && of_other(l));
+    let one_of = -(1.0 + others.count() as f64).ln();
+    let own = levels.iter().enumerate();
+    own.filter(move |(_, l)| l.is_for(sensor))
+        .map(move |(k, l)| (l, if k == 0 || of_other(l) { one_of } else { 0.0 }))
 }
 
 /// `ln 2m`: what the choice among the `m` families with a hypothesis costs, half of the chance being kept for local claims.
@@ -146,10 +164,10 @@ pub fn log_p_of(
     let columns = projected.columns(columns.as_ref());
     let nothing = levels.first().map_or(0.0, |l| l.whitened.log_likelihood());
     let mut tried = Tried::default();
-    for level in levels.iter().filter(|l| l.is_of(sensor)) {
+    for (level, prior) in at_levels(sensor, levels) {
         let score = score(level.whitened.columns(&columns).as_ref(), &level.whitened.z);
         let gained = level.whitened.log_likelihood() - nothing;
-        tried.add(level, gained, score, 0.0);
+        tried.add(level, (gained, prior), score, 0.0);
     }
     tried.log_p()
 }
@@ -172,15 +190,22 @@ pub(super) struct Tried<'a> {
 }
 
 impl<'a> Tried<'a> {
-    /// `gained` is the log-likelihood at the densities of `level` without the hypothesis, over that at the likeliest ones.
-    pub fn add(&mut self, level: &'a Level, gained: f64, score: Score, shape_dof: f64) {
+    /// `gained` is the log-likelihood at the densities of `level` without the hypothesis, over that at the likeliest ones,
+    /// `prior` the logarithm of their prior chance.
+    pub fn add(
+        &mut self,
+        level: &'a Level,
+        (gained, prior): (f64, f64),
+        score: Score,
+        shape_dof: f64,
+    ) {
         if score.dof == 0 {
             // What cannot be seen there explains nothing.
-            self.all.push([gained, 0.0]);
+            self.all.push([prior + gained, 0.0]);
             return;
         }
         let log_p = log_tail(score.statistic, score.dof as f64 + shape_dof);
-        let likelihood = gained + 0.5 * (score.statistic + score.log_determinant);
+        let likelihood = prior + gained + 0.5 * (score.statistic + score.log_determinant);
         self.all.push([likelihood, log_p]);
         let statistic = score.statistic + 2.0 * gained;
         if self

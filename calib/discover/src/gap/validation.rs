@@ -4,6 +4,7 @@
 //! calibration (held) ± its covariance ──► r, J on the recording ──► directions and biases out ──► χ²/dof
 //! ```
 
+use estimate::methods::earth::horizontal_rates;
 use estimate::methods::joint::{
     BiasNoise, Columns, Covariance, JointFit, Rows, Whitening, covariance_at, fit_joint,
 };
@@ -161,7 +162,9 @@ impl HeldCalibration {
     /// SI units, each with a unit of its own.
     fn of(from: &JointFit, to: &JointFit) -> Self {
         let fitted = from.all_fitted();
-        let place = |name: &str| to.parameters.index(name).filter(|_| !is_bias(name));
+        let own = horizontal_rates();
+        let is_own = |name: &str| is_bias(name) || own.iter().any(|own| own == name);
+        let place = |name: &str| to.parameters.index(name).filter(|_| !is_own(name));
         let factor = |k: usize| {
             let (unit, place) = to.unit_of(k);
             unit.factor(place)

@@ -34,9 +34,15 @@ pub struct Level {
 }
 
 impl Level {
-    /// Whether an error of this sensor is tried at it.
+    /// Whether the bias of this sensor is judged at it.
     pub fn is_of(&self, sensor: Sensor) -> bool {
         self.of.is_none_or(|own| own == sensor)
+    }
+
+    /// Whether an error of this sensor is tried at it. What the gyroscope does to turns may have been taken for a walk of the
+    /// accelerometer, whose directions the turns are compared with.
+    pub fn is_for(&self, sensor: Sensor) -> bool {
+        sensor == Sensor::Gyroscope || self.is_of(sensor)
     }
 }
 

@@ -107,7 +107,7 @@ fn log_p(basis: &Mat<f64>, whitened: &Whitened) -> f64 {
 fn likeliest(products: &[Product], kept: &[usize], levels: &[Level]) -> Option<usize> {
     let of = |level: &Level| {
         let own = kept.iter().map(|k| &products[*k]);
-        let own = own.filter(|p| level.is_of(p.sensor));
+        let own = own.filter(|p| level.is_for(p.sensor));
         let gains = own.map(|p| 0.5 * statistic(&p.basis(&level.whitened), &level.whitened));
         level.whitened.log_likelihood() + gains.fold(0.0, f64::max)
     };

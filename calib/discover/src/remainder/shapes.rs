@@ -10,6 +10,7 @@ use sensor::Sensor;
 
 use super::shape::Shape;
 use crate::family::{Claim, Family, Hypothesis, beside};
+use crate::heading::by_heading;
 use crate::state::State;
 
 /// Cosines of time tried.
@@ -54,7 +55,7 @@ fn family(state: &State, scene: &Scene<'_>, shape: Shape, sensor: Sensor) -> Fam
     let mut hypotheses = Vec::new();
     let mut parts = Vec::new();
     let mut first = 0;
-    for (count, errors, value) in ways(scene, shape, sensor) {
+    for (mut count, errors, value) in ways(scene, shape, sensor) {
         let sampling = match shape {
             Shape::SlowTime | Shape::Periodic | Shape::LastTurn => Sampling::Middle,
             _ => Sampling::Every,
@@ -67,6 +68,10 @@ fn family(state: &State, scene: &Scene<'_>, shape: Shape, sensor: Sensor) -> Fam
             errors,
         );
         columns *= faer::Scale(typical);
+        if shape == Shape::Heading {
+            columns = by_heading(state, columns, count);
+            count = columns.ncols();
+        }
         parts.push(columns);
         hypotheses.push(Hypothesis {
             shape: value.map(|v| (0, v)),

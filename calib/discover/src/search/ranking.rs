@@ -1,9 +1,11 @@
 //! Everything that a model lacks, by the evidence for it.
 
+use nalgebra::DVector;
 use sensor::{AnyEffect, Nature};
 
 use super::few_turns::Turns;
-use crate::family::{Claim, Family, families, is_late};
+use crate::family::{Claim, Family, HORIZONTAL, families, is_late};
+use crate::heading::places_by_heading;
 use crate::rank::{Ranked, rank};
 use crate::state::State;
 
@@ -82,18 +84,36 @@ enum Earth {
     No,
 }
 
+/// A variance of nothing is that of what is not seen.
+fn seen_first(variance: f64) -> f64 {
+    if variance > 0.0 {
+        variance
+    } else {
+        f64::INFINITY
+    }
+}
+
 fn as_the_earth(family: &Family, ranked: &Ranked) -> Earth {
     // Beside the isotropic g-sensitivity the vertical part is nobody's to know.
     let nature = family.claim.effect().map(AnyEffect::nature);
     if nature != Some(Nature::EarthRotation) || ranked.score.dof < 3 {
         return Earth::Yes;
     }
+    // In the stretch that knows the horizontal part best.
+    let covariance = &ranked.score.covariance;
+    let own = places_by_heading(ranked.score.change.len(), 3, HORIZONTAL);
+    let known = own.into_iter().min_by(|a, b| {
+        let of = |places: &[usize]| places.iter().map(|k| covariance[(*k, *k)]).sum::<f64>();
+        seen_first(of(a)).total_cmp(&seen_first(of(b)))
+    });
+    let mut places = known.unwrap_or_default();
+    places.push(2);
     // The typical size of the effect is the earth's rate: its length is 1.
-    let rate = nalgebra::DVector::from_column_slice(&ranked.score.change);
+    let rate = DVector::from_iterator(places.len(), places.iter().map(|k| ranked.score.change[*k]));
+    let covariance = covariance.select_rows(&places).select_columns(&places);
     let length = rate.norm();
-    let variance =
-        (rate.transpose() * &ranked.score.covariance * &rate)[(0, 0)] / (length * length);
-    let vertical = rate[2].abs() / ranked.score.covariance[(2, 2)].sqrt();
+    let variance = (rate.transpose() * &covariance * &rate)[(0, 0)] / (length * length);
+    let vertical = ranked.score.change[2].abs() / ranked.score.covariance[(2, 2)].sqrt();
     if (length - 1.0).abs() > EARTH_LENGTH * variance.sqrt() + LINEAR {
         Earth::No
     } else if vertical < EARTH_VERTICAL {

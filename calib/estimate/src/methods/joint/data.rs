@@ -54,6 +54,9 @@ pub struct Rest {
     pub recording: usize,
     /// Place in the recording's segmentation.
     pub interval: usize,
+    /// The stretch through which the heading can be followed, among all: another one begins with every recording and after
+    /// every turn that is not used.
+    pub heading: usize,
     /// What is left of the interval after trimming.
     pub span: Span,
     /// When the turn before it ended, s.
@@ -200,6 +203,11 @@ impl Data {
         let rate = of_means(Sensor::Gyroscope);
         let turns = self.turns.iter().flat_map(|turn| [turn.recording; 2]);
         RowGroups::of_count(force.chain(rate).chain(turns).collect(), self.sources.len())
+    }
+
+    /// Stretches through which the heading can be followed.
+    pub(crate) fn headings(&self) -> usize {
+        self.rests.last().map_or(0, |rest| rest.heading + 1)
     }
 
     /// Whether the rate of a recording jumps between samples somewhere.

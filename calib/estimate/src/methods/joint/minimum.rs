@@ -131,7 +131,7 @@ impl Run<'_> {
             .layout
             .parameters(&accelerometer, gyroscope.as_ref(), self.data);
         for (recording, p) in self.start.accelerometer.iter().enumerate() {
-            let columns = rows.layout.columns(Sensor::Accelerometer, recording);
+            let columns = rows.layout.columns(Sensor::Accelerometer, (recording, 0));
             for (column, value) in columns.into_iter().zip(p) {
                 parameters.values_mut()[column] = *value;
             }
@@ -141,7 +141,7 @@ impl Run<'_> {
                 t: self.start.axes,
                 bias: Vector3::zeros(),
             };
-            let columns = rows.layout.columns(Sensor::Gyroscope, 0);
+            let columns = rows.layout.columns(Sensor::Gyroscope, (0, 0));
             for (column, value) in columns.into_iter().zip(mounted.parameters()).take(9) {
                 parameters.values_mut()[column] = value;
             }

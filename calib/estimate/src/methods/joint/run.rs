@@ -207,12 +207,15 @@ impl Run<'_> {
     fn models(&self, point: &Point) -> ByRecording {
         let (rows, x) = (self.rows(&[]), point.parameters.values());
         let perfect = self.request.gyroscope.parameters();
-        let of = |k: usize| {
+        let of = |recording: usize| {
+            let mut own = self.data.rests.iter();
+            let first = own.position(|rest| rest.recording == recording);
+            let first = first.unwrap_or_default();
             let rate = match rows.layout.gyroscope {
                 0 => perfect.values().to_vec(),
-                _ => rows.local(x, Sensor::Gyroscope, k),
+                _ => rows.local(x, Sensor::Gyroscope, first),
             };
-            (rows.local(x, Sensor::Accelerometer, k), rate)
+            (rows.local(x, Sensor::Accelerometer, first), rate)
         };
         (0..self.data.sources.len()).map(of).collect()
     }

@@ -65,6 +65,7 @@ impl Data {
             self.rests.push(Rest {
                 recording: place,
                 interval,
+                heading: 0,
                 span: *span,
                 turned: truth.turned(interval),
                 known: Kinematics {
@@ -102,6 +103,7 @@ impl Data {
             Some(rate) => self.add_turns(cut, rate, of_rate.as_ref(), &spans, first),
             None => SourceClock::default(),
         };
+        self.number_headings(first);
         self.sources.push(Source {
             name: cut.recording.name.clone(),
             accelerometer: of_force,
@@ -112,6 +114,20 @@ impl Data {
             floor: 0.0,
             noise_shares: [1.0; 2],
         });
+    }
+
+    /// Numbers the stretches through which the heading can be followed in a recording whose rests begin at `first`.
+    fn number_headings(&mut self, first: usize) {
+        let mut followed = self.turns.iter().map(|turn| turn.from).peekable();
+        let before = first.checked_sub(1).map(|k| self.rests[k].heading + 1);
+        let mut heading = before.unwrap_or(0);
+        for k in first..self.rests.len() {
+            while followed.next_if(|from| from + 1 < k).is_some() {}
+            if k > first && followed.next_if_eq(&(k - 1)).is_none() {
+                heading += 1;
+            }
+            self.rests[k].heading = heading;
+        }
     }
 
     /// Touches that broke a rest in two or off its end.

@@ -74,7 +74,7 @@ impl Rows<'_> {
 
     /// `∂r/∂W_k` of the two rows of a turn by the readings of its inner samples.
     pub(crate) fn gains(&self, x: &[f64], turn: &TurnSamples) -> Vec<Matrix2x3<f64>> {
-        let p = self.local(x, Sensor::Gyroscope, turn.recording);
+        let p = self.local(x, Sensor::Gyroscope, turn.from);
         let base = Base::from_parameters(&p);
         let carried = self.carried(turn, &p);
         let by_rotation = self.by_rotation(x, turn, &carried.rotation);

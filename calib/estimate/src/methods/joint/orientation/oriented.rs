@@ -124,10 +124,9 @@ impl At<'_> {
 
     /// Along what a rest is measured: `Tᵀ u` for the norm, the three axes for the rate.
     fn along(&self, sensor: Sensor, rest: usize) -> Vec<Vector3<f64>> {
-        let recording = self.rows.data.rests[rest].recording;
         match sensor {
             Sensor::Accelerometer => {
-                let p = self.rows.local(self.x, sensor, recording);
+                let p = self.rows.local(self.x, sensor, rest);
                 let base = Base::from_parameters(&p);
                 vec![base.t.transpose() * self.rows.direction(self.x, rest)]
             }

@@ -66,13 +66,13 @@ impl Analysis {
         self.carried.push(whitened);
     }
 
-    /// What the vertical part of the earth's rotation, of which `earth` has three columns for every recording, does to the
-    /// rows of each, of the size that it may have, whitened by the white noise (`m × recordings`).
+    /// What the vertical part of the earth's rotation, of which `earth` has a column for every recording before all others, does to
+    /// the rows of each, of the size that it may have, whitened by the white noise (`m × recordings`).
     pub fn of_place(&self, earth: Option<&Columns>) -> Columns {
         let Some(earth) = earth else {
             return Columns::none(self.white.groups());
         };
-        let vertical: Vec<usize> = (0..earth.ncols()).step_by(3).collect();
+        let vertical: Vec<usize> = (0..self.white.groups().iter().len()).collect();
         let mut columns = earth.select(&vertical);
         let variance = ComponentKind::EarthRotation.known_variance();
         columns.scale(variance.unwrap_or(0.0).sqrt());

@@ -66,7 +66,7 @@ impl Rows<'_> {
         before: Attitude<f64>,
     ) -> (Vec<Attitude<f64>>, Attitude<f64>) {
         let samples = &self.data.turns[turn];
-        let p = self.local(x, Sensor::Gyroscope, samples.recording);
+        let p = self.local(x, Sensor::Gyroscope, samples.from);
         let rates = self.rates(samples, &p);
         let count = rates.len();
         let mut attitude = before;

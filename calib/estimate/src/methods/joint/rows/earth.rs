@@ -8,34 +8,45 @@ use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::rows::Rows;
 
 impl Rows<'_> {
-    /// What a unit rotation of the earth does to the rows: the gyroscope at rest reads it, turns contain it. The first
-    /// columns of every recording are the vertical part (up) and two horizontal ones, as each begins with a heading of its
-    /// own (`m × 3 recordings`).
+    /// What a unit rotation of the earth does to the rows: the gyroscope at rest reads it, turns contain it. The first columns
+    /// are the vertical part (up) in every recording, the others two horizontal ones in every stretch through which the heading
+    /// can be followed, as each begins with a heading of its own (`m × (recordings + 2 headings)`).
     ///
     /// The vertical part is the same in all recordings of one place. Weights take it for each recording's own, which
     /// keeps their rows apart; the stated errors are those of one for all (`JointFit::of_place`).
     pub fn earth_columns(&self, x: &[f64]) -> Columns {
         let attitudes = self.attitudes(x);
-        let recordings = 0..self.data.sources.len();
-        let of_group = recordings.map(|k| vec![3 * k, 3 * k + 1, 3 * k + 2]);
-        let of_group: Vec<Vec<usize>> = of_group.collect();
-        let mut columns = Columns::zeros(self.groups(), 3 * of_group.len(), of_group);
-        let places = |recording: usize| [3 * recording + 1, 3 * recording + 2, 3 * recording];
+        let recordings = self.data.sources.len();
+        // In the order of the axes of the level frame.
+        let places = |rest: usize| {
+            let rest = &self.data.rests[rest];
+            let horizontal = recordings + 2 * rest.heading;
+            [horizontal, horizontal + 1, rest.recording]
+        };
+        let mut of_group = vec![Vec::new(); recordings];
+        for (k, rest) in self.data.rests.iter().enumerate() {
+            of_group[rest.recording].extend(places(k));
+        }
+        for own in &mut of_group {
+            own.sort_unstable();
+            own.dedup();
+        }
+        let count = recordings + 2 * self.data.headings();
+        let mut columns = Columns::zeros(self.groups(), count, of_group);
         let mut row = self.first_rate_row();
         for (_, chunk) in self.means(Sensor::Gyroscope) {
-            let recording = self.data.rests[chunk.rest].recording;
-            let base = Base::from_parameters(&self.local(x, Sensor::Gyroscope, recording));
+            let base = Base::from_parameters(&self.local(x, Sensor::Gyroscope, chunk.rest));
             let through = inverse(&base.t).unwrap_or_else(Matrix3::identity);
             let seen = through * into_body(attitudes.at_rest(chunk.rest));
             for i in 0..3 {
-                for (k, place) in places(recording).into_iter().enumerate() {
+                for (k, place) in places(chunk.rest).into_iter().enumerate() {
                     columns.set(row + i, place, seen[(i, k)]);
                 }
             }
             row += 3;
         }
         for (number, turn) in self.data.turns.iter().enumerate() {
-            let p = self.local(x, Sensor::Gyroscope, turn.recording);
+            let p = self.local(x, Sensor::Gyroscope, turn.from);
             let carried = self.carried(turn, &p);
             let by_rotation = self.by_rotation(x, turn, &carried.rotation);
             let sum: Matrix3<f64> = carried
@@ -47,7 +58,7 @@ impl Rows<'_> {
             // The corrected rate contains it: what the rows gain at rest they lose here.
             let change = -(by_rotation * sum);
             for i in 0..2 {
-                for (k, place) in places(turn.recording).into_iter().enumerate() {
+                for (k, place) in places(turn.from).into_iter().enumerate() {
                     columns.set(row + i, place, change[(i, k)]);
                 }
             }

@@ -9,7 +9,8 @@ use crate::methods::joint::data::Data;
 const BIAS: std::ops::Range<usize> = 9..12;
 
 /// The columns: accelerometer's model, gyroscope's model, own biases of all recordings but the last,
-/// then two coordinates for the direction of every rest, then disturbances.
+/// then two coordinates for the direction of every rest, the horizontal part of the earth's rotation in every stretch with a
+/// heading of its own but the first, then disturbances.
 ///
 /// All recordings share scale factors, misalignments and effects; each has its own bias of the
 /// gyroscope, and of the accelerometer where the data refute a common one.
@@ -25,6 +26,10 @@ pub struct Layout {
     pub recordings: usize,
     /// Number of rests.
     pub rests: usize,
+    /// Place of the horizontal part of the earth's rotation, two parameters, in the gyroscope's model; `None` without.
+    pub horizontal: Option<usize>,
+    /// Number of stretches through which the heading can be followed.
+    pub headings: usize,
     /// Number of disturbance parameters.
     pub disturbances: usize,
 }
@@ -45,9 +50,18 @@ impl Layout {
         self.shared() + 2 * rest
     }
 
+    /// First of the two horizontal parts of the earth's rotation in a stretch but the first.
+    fn horizontal(&self, heading: usize) -> usize {
+        self.direction(self.rests) + 2 * (heading - 1)
+    }
+
+    fn own_headings(&self) -> usize {
+        self.horizontal.map_or(0, |_| self.headings.max(1) - 1)
+    }
+
     /// A disturbance parameter.
     pub fn disturbance(&self, k: usize) -> usize {
-        self.shared() + 2 * self.rests + k
+        self.direction(self.rests) + 2 * self.own_headings() + k
     }
 
     fn models(&self) -> usize {
@@ -63,8 +77,8 @@ impl Layout {
         if self.own_force_bias { 3 } else { 0 }
     }
 
-    /// Columns of a model's parameters for one recording, in the model's order.
-    pub fn columns(&self, sensor: Sensor, recording: usize) -> Vec<usize> {
+    /// Columns of a model's parameters for a stretch of one recording, in the model's order.
+    pub fn columns(&self, sensor: Sensor, (recording, heading): (usize, usize)) -> Vec<usize> {
         let (first, count, own) = match sensor {
             Sensor::Accelerometer => (0, self.accelerometer, self.own_force_bias.then_some(0)),
             Sensor::Gyroscope | Sensor::Magnetometer => {
@@ -77,6 +91,11 @@ impl Layout {
             for (k, place) in BIAS.enumerate() {
                 columns[place] = from + k;
             }
+        }
+        if let (Sensor::Gyroscope, Some(place), true) = (sensor, self.horizontal, heading > 0) {
+            let from = self.horizontal(heading);
+            columns[place] = from;
+            columns[place + 1] = from + 1;
         }
         columns
     }
@@ -106,6 +125,11 @@ impl Layout {
         for rest in 0..self.rests {
             for axis in ["a", "b"] {
                 all.push(format!("direction[{}].{axis}", rest + 1), "rad", 0.0);
+            }
+        }
+        for heading in 0..self.own_headings() {
+            for axis in ["x", "y"] {
+                all.push(format!("heading[{}].{axis}", heading + 2), "rad/s", 0.0);
             }
         }
         for k in 0..self.disturbances {

@@ -15,7 +15,7 @@ mod turn_rows;
 pub(crate) mod values;
 
 use nalgebra::{Matrix3, Vector3};
-use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, PLACES, Sensor, Since, inverse};
+use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, Nature, PLACES, Sensor, Since, inverse};
 
 use super::data::{Chunk, Data, Mean};
 use crate::methods::joint::blocks::column::Column;
@@ -80,6 +80,8 @@ impl<'a> Rows<'a> {
                 own_force_bias,
                 recordings: data.sources.len(),
                 rests: data.rests.len(),
+                horizontal: horizontal(gyroscope).filter(|_| rate),
+                headings: data.headings(),
                 disturbances: disturbances.len(),
             },
             charts,
@@ -106,13 +108,17 @@ impl<'a> Rows<'a> {
         let mut of_group = vec![Vec::new(); groups.iter().len()];
         for (recording, rows) in self.groups.iter().enumerate() {
             let Some(&first) = rows.first() else { continue };
-            for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
-                of_group[groups.of(first)].extend(self.layout.columns(sensor, recording));
-            }
+            let own = &mut of_group[groups.of(first)];
             let rests = self.data.rests.iter().enumerate();
-            for (k, _) in rests.filter(|(_, rest)| rest.recording == recording) {
+            let mut heading = None;
+            for (k, rest) in rests.filter(|(_, rest)| rest.recording == recording) {
+                if heading.replace(rest.heading) != Some(rest.heading) {
+                    for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+                        own.extend(self.layout.columns(sensor, (recording, rest.heading)));
+                    }
+                }
                 let direction = self.layout.direction(k);
-                of_group[groups.of(first)].extend([direction, direction + 1]);
+                own.extend([direction, direction + 1]);
             }
         }
         for (k, column) in self.disturbances.iter().enumerate() {
@@ -178,13 +184,16 @@ impl<'a> Rows<'a> {
         (model, chunk.mean(sensor))
     }
 
-    /// The model's parameters in one recording.
-    pub fn local(&self, x: &[f64], sensor: Sensor, recording: usize) -> Vec<f64> {
-        self.layout
-            .columns(sensor, recording)
-            .iter()
-            .map(|&c| x[c])
-            .collect()
+    /// The columns of a model's parameters at a rest, and in the turn after it.
+    pub(crate) fn columns_at(&self, sensor: Sensor, rest: usize) -> Vec<usize> {
+        let rest = &self.data.rests[rest];
+        self.layout.columns(sensor, (rest.recording, rest.heading))
+    }
+
+    /// The model's parameters at a rest, and in the turn after it.
+    pub fn local(&self, x: &[f64], sensor: Sensor, rest: usize) -> Vec<f64> {
+        let columns = self.columns_at(sensor, rest);
+        columns.iter().map(|&c| x[c]).collect()
     }
 
     /// The direction of a rest.
@@ -285,12 +294,11 @@ impl<'a> Rows<'a> {
         chunk: &Chunk,
         (row, part): (usize, &mut Part),
     ) -> Vector3<f64> {
-        let rest = &self.data.rests[chunk.rest];
         let (model, mean) = self.model_and_mean(sensor, chunk);
         let Some(mean) = mean else {
             return Vector3::repeat(f64::NAN);
         };
-        let columns = self.layout.columns(sensor, rest.recording);
+        let columns = self.columns_at(sensor, chunk.rest);
         let p: Vec<f64> = columns.iter().map(|&c| x[c]).collect();
         let base = Base::from_parameters(&p);
         let inverse = inverse(&base.t).unwrap_or_else(|| Matrix3::repeat(f64::NAN));
@@ -345,4 +353,16 @@ impl<'a> Rows<'a> {
         };
         truth
     }
+}
+
+/// The place of the horizontal part of the earth's rotation in the gyroscope's model.
+fn horizontal(gyroscope: &Model) -> Option<usize> {
+    let mut place = BASE_PARAMETERS;
+    for effect in gyroscope.effects() {
+        if effect.nature() == Nature::EarthRotation {
+            return Some(place);
+        }
+        place += effect.params().len();
+    }
+    None
 }

@@ -91,9 +91,8 @@ impl Rows<'_> {
         row: usize,
     ) -> Option<MeanSensitivity> {
         let own = &self.data.chunks[chunk];
-        let rest = &self.data.rests[own.rest];
         let mean = own.mean(sensor)?;
-        let base = Base::from_parameters(&self.local(x, sensor, rest.recording));
+        let base = Base::from_parameters(&self.local(x, sensor, own.rest));
         let u = self.direction(x, own.rest);
         Some(MeanSensitivity {
             sensor,
@@ -106,7 +105,7 @@ impl Rows<'_> {
 
     fn of_turn(&self, x: &[f64], turn: usize, row: usize) -> TurnSensitivity {
         let samples = &self.data.turns[turn];
-        let p = self.local(x, Sensor::Gyroscope, samples.recording);
+        let p = self.local(x, Sensor::Gyroscope, samples.from);
         let rates = self.rates(samples, &p);
         let carried = carry(self.coning(samples), &rates, &samples.lengths);
         let slopes = self.turn_slopes(samples, &rates, &p);

@@ -45,7 +45,7 @@ impl Rows<'_> {
         turn: &TurnSamples,
         (row, part): (usize, &mut Part),
     ) -> Vector2<f64> {
-        let columns = self.layout.columns(Sensor::Gyroscope, turn.recording);
+        let columns = self.columns_at(Sensor::Gyroscope, turn.from);
         let p: Vec<f64> = columns.iter().map(|&c| x[c]).collect();
         let rates = self.rates(turn, &p);
         let carried = carry(self.coning(turn), &rates, &turn.lengths);
@@ -93,7 +93,7 @@ impl Rows<'_> {
         let Some(clock) = turn.clocks.get(turn.base) else {
             return Vector2::zeros();
         };
-        let p = self.local(x, Sensor::Gyroscope, turn.recording);
+        let p = self.local(x, Sensor::Gyroscope, turn.from);
         let rates = self.rates(turn, &p);
         let carried = carry(self.coning(turn), &rates, &turn.lengths);
         let windows = clock.slack.iter().zip(&turn.lengths);

@@ -26,10 +26,9 @@ impl Rows<'_> {
 
     pub(super) fn mean_residual(&self, x: &[f64], sensor: Sensor, chunk: &Chunk) -> Vector3<f64> {
         let unknown = Vector3::repeat(f64::NAN);
-        let rest = &self.data.rests[chunk.rest];
         let (model, mean) = self.model_and_mean(sensor, chunk);
         let Some(mean) = mean else { return unknown };
-        let p = self.local(x, sensor, rest.recording);
+        let p = self.local(x, sensor, chunk.rest);
         let u = self.direction(x, chunk.rest);
         let truth = self.at_rest(chunk, &mean, u);
         let reading = model.distort(&truth, &p);
@@ -43,8 +42,7 @@ impl Rows<'_> {
         let Some(mean) = mean.filter(|_| !model.effects().is_empty()) else {
             return Vector3::zeros();
         };
-        let rest = &self.data.rests[chunk.rest];
-        let p = self.local(x, sensor, rest.recording);
+        let p = self.local(x, sensor, chunk.rest);
         let u = self.direction(x, chunk.rest);
         let (mut moment, mut spread) = (Vector3::zeros(), 0.0);
         for k in 0..INSTANTS {
@@ -64,7 +62,7 @@ impl Rows<'_> {
 
     /// The rotation over a turn at `x`: `v_after = R v_before`.
     pub fn rotation(&self, x: &[f64], turn: &TurnSamples) -> Matrix3<f64> {
-        let p = self.local(x, Sensor::Gyroscope, turn.recording);
+        let p = self.local(x, Sensor::Gyroscope, turn.from);
         rotation(self.coning(turn), &self.rates(turn, &p), &turn.lengths)
     }
 
@@ -120,7 +118,7 @@ impl Rows<'_> {
     /// The corrected mean specific force of a rest, m/s².
     fn force(&self, x: &[f64], k: usize) -> Option<Vector3<f64>> {
         let rest = &self.data.rests[k];
-        let p = self.local(x, Sensor::Accelerometer, rest.recording);
+        let p = self.local(x, Sensor::Accelerometer, k);
         let means = self.data.chunks[rest.chunks.clone()].iter();
         let (sum, count) = means
             .filter_map(|c| c.accelerometer)
