@@ -3,6 +3,7 @@
 use recording::Error;
 
 use super::extension::Extension;
+use super::rank::APART;
 use super::remainder::described::Described;
 use super::remainder::unexplained::{Unexplained, unexplained};
 use super::request::{Request, Session};
@@ -25,6 +26,23 @@ pub struct Found {
     pub of_base: Option<Described>,
 }
 
+impl Found {
+    fn is_nothing(&self) -> bool {
+        self.rest.is_none() && self.search.names.is_empty()
+    }
+
+    /// By how much the data are likelier (log) with the shape of what remains, less one for each degree of freedom (Akaike 1974);
+    /// `None` beside names or where it has no shape.
+    fn gained_by_shape(&self) -> Option<f64> {
+        let rest = self
+            .rest
+            .as_ref()
+            .filter(|_| self.search.names.is_empty())?;
+        let has_shape = rest.columns.is_some() || rest.wandering.is_some();
+        has_shape.then_some(0.5 * rest.statistic - rest.dof)
+    }
+}
+
 /// The names and what they leave, under noise that flickers where the biases do.
 ///
 /// A search takes the noise of the biases for walks: flicker beside them would take some of what depends on the
@@ -36,8 +54,7 @@ pub fn names_and_rest(
     base: State,
 ) -> Result<Found, Error> {
     let first = look(session, request, base)?;
-    let nothing = first.rest.is_none() && first.search.names.is_empty();
-    if nothing || !flickers(session, &first.search.last) {
+    if first.is_nothing() || !flickers(session, &first) {
         return Ok(first);
     }
     session.flicker = true;
@@ -56,35 +73,51 @@ fn look(session: &Session<'_>, request: &Request, base: State) -> Result<Found, 
 }
 
 /// Whether the biases flicker beside all that a model has: on [`FLICKERING`] axes at least, as one that wanders or follows the
-/// placement by itself is something else. Of turns that miss something between samples nobody can tell.
-fn flickers(session: &Session<'_>, model: &State) -> bool {
+/// placement by itself is something else, and by more than the shape of what remains explains. Of turns that miss something
+/// between samples nobody can tell.
+fn flickers(session: &Session<'_>, first: &Found) -> bool {
+    let model = &first.search.last;
     let is_knocked = model.fit.data.misses_something_between_samples();
     if session.flicker || session.noise.is_some() || is_knocked {
         return false;
     }
-    let gains = by_flicker(model);
-    let evident = gains.into_iter().filter(|gain| *gain > LIKELIER);
-    evident.count() >= FLICKERING
+    let flicker = ByFlicker::of(model);
+    let evident = flicker.by_axis.iter().filter(|gain| **gain > LIKELIER);
+    let shape = first.gained_by_shape();
+    evident.count() >= FLICKERING && shape.is_none_or(|shape| shape < flicker.whole + APART)
 }
 
-/// By how much the data are likelier (log) with the flicker of each axis than without it, the walk of that sensor as large
-/// as it is beside flicker, or as it is alone.
-fn by_flicker(model: &State) -> Vec<f64> {
-    let (projected, flickering) = model.flickering();
-    let at = |noise| {
-        let whitened = projected.at(noise);
-        whitened.map_or(f64::NEG_INFINITY, |w| w.log_likelihood())
-    };
-    let whole = at(flickering);
-    let axes = (0..2).flat_map(|sensor| (0..3).map(move |axis| (sensor, axis)));
-    let gain = axes.map(|(sensor, axis)| {
-        let mut without = flickering;
-        without.flicker[sensor][axis] = 0.0;
-        let mut walks = without;
-        walks.walk[sensor] = walks.walk[sensor].max(model.noise.walk[sensor]);
-        whole - at(without).max(at(walks))
-    });
-    gain.collect()
+/// By how much the data are likelier (log) with biases that flicker.
+struct ByFlicker {
+    /// On all axes, less one for each that does (Akaike 1974).
+    whole: f64,
+    /// With the flicker of each axis than without it, the walk of that sensor as large as it is beside flicker, or as it is alone.
+    by_axis: Vec<f64>,
+}
+
+impl ByFlicker {
+    fn of(model: &State) -> Self {
+        let (projected, flickering) = model.flickering();
+        let at = |noise| {
+            let whitened = projected.at(noise);
+            whitened.map_or(f64::NEG_INFINITY, |w| w.log_likelihood())
+        };
+        let whole = at(flickering);
+        let axes = (0..2).flat_map(|sensor| (0..3).map(move |axis| (sensor, axis)));
+        let gain = axes.map(|(sensor, axis)| {
+            let mut without = flickering;
+            without.flicker[sensor][axis] = 0.0;
+            let mut walks = without;
+            walks.walk[sensor] = walks.walk[sensor].max(model.noise.walk[sensor]);
+            whole - at(without).max(at(walks))
+        });
+        let count = flickering.flicker.iter().flatten();
+        let count = count.filter(|b| **b > 0.0).count();
+        Self {
+            whole: whole - at(model.noise) - count as f64,
+            by_axis: gain.collect(),
+        }
+    }
 }
 
 #[cfg(test)]

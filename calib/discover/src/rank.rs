@@ -35,8 +35,6 @@ pub struct Ranked {
     pub log_p: f64,
     /// `−ln p − ln n_sub − ln 2m`: significant at family-wise level α where above `−ln α`.
     pub evidence: f64,
-    /// Whether it may be a tie of what is named, but no name itself.
-    pub only_a_tie: bool,
     /// The expected change of the coefficients, in typical sizes.
     pub score: Score,
 }
@@ -143,7 +141,6 @@ fn best(place: usize, family: &Family, tried: Vec<Tried<'_>>, choice: f64) -> Op
             dof: score.dof as f64 + family.shape_dof,
             log_p,
             evidence: -log_p - family.log_places - choice,
-            only_a_tie: false,
             score,
         })
     });

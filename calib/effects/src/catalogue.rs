@@ -30,6 +30,11 @@ pub fn earth_rotation() -> &'static dyn AnyEffect {
     gyroscope::EARTH_ROTATION
 }
 
+/// The effect of a field that stands in the room on a gyroscope.
+pub fn room_field() -> &'static dyn AnyEffect {
+    gyroscope::ROOM_FIELD
+}
+
 /// The effect that is the sensitivity of the rate to specific force.
 pub fn force_sensitivity() -> &'static dyn AnyEffect {
     gyroscope::FORCE_SENSITIVITY

@@ -8,5 +8,5 @@ pub mod effect_file;
 
 pub use catalogue::{
     catalogue, catalogue_of, earth_rotation, effect_named, force_sensitivity, is_earth_rotation,
-    looks_at_temperature, looks_at_vibration, looks_at_warming,
+    looks_at_temperature, looks_at_vibration, looks_at_warming, room_field,
 };

@@ -329,7 +329,7 @@ impl Finder<'_> {
     fn next(&self, families: &[Family], ranked: &[Ranked], unfit: &[Claim]) -> Option<Held> {
         let may = |r: &&Ranked| {
             let own = &families[r.family].claim;
-            !r.only_a_tie && !unfit.iter().any(|claim| claim.is_same(own))
+            !unfit.iter().any(|claim| claim.is_same(own))
         };
         let mut open = ranked.iter().filter(may);
         let top = open.find(|r| r.evidence > self.needed(&families[r.family].claim))?;

@@ -34,10 +34,8 @@ impl Ranking {
         let families = families(state, catalogue);
         let mut ranked = rank(&state.projected, &families, state.levels());
         for r in &mut ranked {
-            match as_the_earth(&families[r.family], r) {
-                Earth::No => r.evidence = f64::NEG_INFINITY,
-                Earth::Perhaps => r.only_a_tie = true,
-                Earth::Yes => {}
+            if matches!(as_the_earth(&families[r.family], r), Earth::No) {
+                r.evidence = f64::NEG_INFINITY;
             }
         }
         if let Some(turns) = Turns::knocked(state) {
@@ -75,11 +73,11 @@ impl Ranking {
 }
 
 /// Whether a claim is the earth's rotation.
-enum Earth {
+pub(super) enum Earth {
     /// It has the length and a vertical part, or is another claim.
     Yes,
-    /// It has the length and no vertical part: something that a direction of the room does to the sensor is as likely.
-    Perhaps,
+    /// It has the length and no vertical part, as a field of the room has none.
+    OrARoom,
     /// It has another length.
     No,
 }
@@ -93,7 +91,7 @@ fn seen_first(variance: f64) -> f64 {
     }
 }
 
-fn as_the_earth(family: &Family, ranked: &Ranked) -> Earth {
+pub(super) fn as_the_earth(family: &Family, ranked: &Ranked) -> Earth {
     // Beside the isotropic g-sensitivity the vertical part is nobody's to know.
     let nature = family.claim.effect().map(AnyEffect::nature);
     if nature != Some(Nature::EarthRotation) || ranked.score.dof < 3 {
@@ -117,7 +115,7 @@ fn as_the_earth(family: &Family, ranked: &Ranked) -> Earth {
     if (length - 1.0).abs() > EARTH_LENGTH * variance.sqrt() + LINEAR {
         Earth::No
     } else if vertical < EARTH_VERTICAL {
-        Earth::Perhaps
+        Earth::OrARoom
     } else {
         Earth::Yes
     }

@@ -1,11 +1,13 @@
 //! A second look at every name, everything else that was named being in the model.
 
+use effects::room_field;
 use estimate::methods::joint::Known;
 use faer::Mat;
 use recording::Error;
 
 use super::either::Either;
 use super::held::Held;
+use super::ranking::{Earth, as_the_earth};
 use super::{Finder, MOST_NAMES, Name, Tie};
 use crate::extension::with_companions;
 use crate::family::{Claim, Family};
@@ -15,6 +17,16 @@ use crate::state::State;
 
 /// A claim that explains no more than this share of what the named one does is another matter, and no tie.
 const OF_THE_SAME: f64 = 0.2;
+
+/// The field of a room, where a rotation has no vertical part to tell the two apart.
+fn as_a_room(family: &Family, named: &Ranked) -> Option<Tie> {
+    matches!(as_the_earth(family, named), Earth::OrARoom).then(|| Tie {
+        claim: Claim::Effect(room_field()),
+        behind: 0.0,
+        shared: 1.0,
+        rivalry: None,
+    })
+}
 
 /// What is left of the names after a second look.
 pub(super) struct Reviewed {
@@ -128,13 +140,13 @@ impl Finder<'_> {
         let Some(mine) = own.found(families, ranked) else {
             return Verdict::Gone;
         };
-        let Some(top) = ranked.iter().find(|r| !r.only_a_tie) else {
+        let Some(top) = ranked.first() else {
             return Verdict::Gone;
         };
         if top.evidence > mine.evidence + APART && !self.is_simpler(families, top, mine) {
             return Verdict::Other(Held::of(families, top));
         }
-        if mine.evidence <= self.needed(&own.claim) || mine.only_a_tie {
+        if mine.evidence <= self.needed(&own.claim) {
             return Verdict::Gone;
         }
         let found = &families[mine.family].hypotheses[mine.hypothesis];
@@ -162,6 +174,7 @@ impl Finder<'_> {
                 rivalry: Rivalry::of(state, families, (named, r), self.catalogue),
             })
             .filter(|tie| tie.shared > OF_THE_SAME)
+            .chain(as_a_room(&families[named.family], named))
             .collect()
     }
 

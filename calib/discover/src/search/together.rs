@@ -27,7 +27,7 @@ impl Finder<'_> {
         let may = |r: &&Ranked| {
             let own = &families[r.family].claim;
             let is_effect = matches!(own, Claim::Effect(_));
-            is_effect && !r.only_a_tie && !unfit.iter().any(|claim| claim.is_same(own))
+            is_effect && !unfit.iter().any(|claim| claim.is_same(own))
         };
         let best: Vec<&Ranked> = ranking.ranked.iter().filter(may).take(PAIRED).collect();
         // Nothing speaks for one of them.

@@ -82,7 +82,7 @@ impl Together<'_> {
             let pooled = pool(units, &self.candidates, self.request.threshold(), &[]);
             let may = |p: &&Pooled| {
                 let is_in = |h: &Held| h.effect.name() == p.effect.name();
-                !p.only_a_tie && !passed.contains(&p.effect.name()) && !held.iter().any(is_in)
+                !passed.contains(&p.effect.name()) && !held.iter().any(is_in)
             };
             let Some(top) = pooled.iter().find(may) else {
                 break;

@@ -37,7 +37,6 @@ pub(super) struct Pooled {
     pub units: Vec<Option<Says>>,
     /// `−ln p − ln 2m` of all together.
     pub evidence: f64,
-    pub only_a_tie: bool,
 }
 
 /// The evidence of all units for every effect, most evident first.
@@ -90,14 +89,11 @@ pub(super) fn pool(
         .filter(|effect| effect.instant().is_none())
         .filter_map(|effect| {
             let units: Vec<Option<Says>> = (0..units.len()).map(|k| says(k, *effect)).collect();
-            let mut own = units.iter().flatten();
-            let only_a_tie = own.clone().all(|says| says.ranked.only_a_tie);
-            own.next()?;
+            units.iter().flatten().next()?;
             let together = units.iter().flatten().map(|says| says.log_p);
             Some(Pooled {
                 effect: *effect,
                 evidence: -fisher(together) - search,
-                only_a_tie,
                 units,
             })
         })
