@@ -120,10 +120,31 @@ pub fn integrity(session: &Session<'_>, base: &State) -> Vec<Integrity> {
                 all.extend(place.saturation());
             }
             all.extend(coarse);
-            all.extend(place.lost_samples());
+            for lost in place.lost_samples() {
+                match all.iter_mut().find(|fault| is_lost_beside(fault, &lost)) {
+                    Some(other) => lost_together(other, &lost),
+                    None => all.push(lost),
+                }
+            }
         }
     }
     all
+}
+
+/// Whether the samples of the other sensor are lost at the same time.
+fn is_lost_beside(fault: &Integrity, lost: &Integrity) -> bool {
+    fault.name == lost.name
+        && fault.recording == lost.recording
+        && fault.t0 < lost.t1
+        && lost.t0 < fault.t1
+}
+
+/// One gap in both sensors.
+fn lost_together(fault: &mut Integrity, other: &Integrity) {
+    fault.t0 = fault.t0.min(other.t0);
+    fault.t1 = fault.t1.max(other.t1);
+    let length = fault.t1 - fault.t0;
+    fault.detail = format!("no sample of accelerometer and gyroscope for {length:.3} s");
 }
 
 /// What a fit found disturbed, in the same form; `seen` are the faults that the readings themselves show: samples are

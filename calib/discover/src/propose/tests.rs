@@ -159,6 +159,7 @@ fn asked_of(spec: &Spec, channel: Channel) -> Option<Formula> {
         p_value: 1.0,
         shape: String::new(),
         period: None,
+        fitted_by: None,
         instead_of: Vec::new(),
         columns: None,
         wandering: None,

@@ -147,13 +147,9 @@ fn of_shape(family: &Family, ranked: &Ranked) -> Trial {
     let value = family.hypotheses[ranked.hypothesis].shape.map(|(_, v)| v);
     let period = value.filter(|_| shape == Some(Shape::Periodic));
     let of = sensor.name();
-    let words = match (shape, period, sensor) {
-        (_, Some(period), _) => format!("{of}: periodic with {period:.1} s"),
-        (Some(Shape::Heading), None, Sensor::Gyroscope) => format!(
-            "{of}: {}, as the horizontal part of the earth's rotation is (--latitude puts that into the model)",
-            family.claim.name()
-        ),
-        _ => format!("{of}: {}", family.claim.name()),
+    let words = match period {
+        Some(period) => format!("{of}: periodic with {period:.1} s"),
+        None => format!("{of}: {}", family.claim.name()),
     };
     let columns = family.columns_of(ranked.hypothesis);
     let change = Mat::from_fn(columns.ncols(), 1, |i, _| ranked.score.change[i]);

@@ -1,5 +1,7 @@
 //! What a disagreement looks like that no effect of the catalogue has.
 
+use sensor::Sensor;
+
 /// A shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
@@ -27,6 +29,18 @@ impl Shape {
         Self::LastTurn,
         Self::RateProducts,
     ];
+
+    /// The effect of the catalogue that has this shape. It is described and not named, as it has a time constant, a period or a heading
+    /// to itself.
+    pub fn effect(self, sensor: Sensor) -> Option<&'static str> {
+        match (self, sensor) {
+            (Self::Heading, Sensor::Accelerometer) => Some("accel_room_field"),
+            (Self::Heading, Sensor::Gyroscope) => Some("gyro_room_field"),
+            (Self::LastTurn, Sensor::Accelerometer) => Some("accel_relaxation"),
+            (Self::LastTurn, Sensor::Gyroscope) => Some("gyro_relaxation"),
+            _ => None,
+        }
+    }
 
     /// In words.
     pub fn words(self) -> &'static str {

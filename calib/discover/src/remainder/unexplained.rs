@@ -36,6 +36,8 @@ pub struct Unexplained {
     pub shape: String,
     /// Period, where it has one, s.
     pub period: Option<f64>,
+    /// The effect of the catalogue that has its shape, for `calibrate --effects`.
+    pub fitted_by: Option<&'static str>,
     /// Names that were withdrawn because this explains more than they do, or what they do.
     pub instead_of: Vec<String>,
     /// The columns of its shape, white-whitened (`m × k`), and the noise that it was found with.
@@ -142,6 +144,7 @@ pub fn rest_beside(state: &State, described: &Described, alpha: f64) -> Option<U
         dof: worst.dof,
         shape: worst.words.clone(),
         period: worst.period,
+        fitted_by: worst.of.and_then(|(shape, sensor)| shape.effect(sensor)),
         instead_of: Vec::new(),
         columns: worst.columns.clone(),
         wandering: worst.wandering,

@@ -190,10 +190,16 @@ fn unexplained(rest: &Unexplained, is_explained: bool) -> String {
         true => ", though the formula below does",
         false => "",
     };
-    format!(
-        "something remains that no effect of the catalogue explains{by}: {}",
-        remains(rest)
-    )
+    match rest.fitted_by {
+        Some(effect) => format!(
+            "something remains that is described and not named{by}: {}; `calibrate --effects {effect}` fits it",
+            remains(rest)
+        ),
+        None => format!(
+            "something remains that no effect of the catalogue explains{by}: {}",
+            remains(rest)
+        ),
+    }
 }
 
 /// What remains, with its size: `accelerometer: fine pattern over orientation (gap 1.03 …)`.
