@@ -3,6 +3,7 @@
 use std::borrow::Borrow;
 use std::sync::Arc;
 
+use effects::{follows_turns, stands_in_the_room};
 use estimate::gravity::GravitySource;
 use estimate::methods::earth::on_the_earth;
 use estimate::methods::joint::{
@@ -11,7 +12,7 @@ use estimate::methods::joint::{
 use estimate::methods::{Choice, cut};
 use recording::intervals::Detector;
 use recording::{Error, Recording};
-use sensor::{AnyEffect, Nature, Quantity, Role};
+use sensor::{AnyEffect, Nature, Role};
 
 use super::extension::Extension;
 
@@ -92,10 +93,9 @@ impl Request {
 /// their fits did not end. `calibrate --effects` has them all.
 fn is_looked_for(effect: &dyn AnyEffect) -> bool {
     let params = effect.params();
-    let stands_in_the_room = params.iter().all(|p| p.role == Role::Reference);
-    let follows_turns = effect.needs().contains(&Quantity::LastTurn);
     let is_periodic = params.iter().any(|p| p.role == Role::Shape);
-    effect.definition().is_some() || !(stands_in_the_room || follows_turns || is_periodic)
+    let is_described = stands_in_the_room(effect) || follows_turns(effect) || is_periodic;
+    effect.definition().is_some() || !is_described
 }
 
 /// Recordings of one device, cut, with all that stays the same while models change.

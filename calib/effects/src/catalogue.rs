@@ -1,6 +1,6 @@
 //! The registry: which effects each kind of sensor has.
 
-use sensor::{AnyEffect, Quantity, Sensor};
+use sensor::{AnyEffect, Quantity, Role, Sensor};
 
 /// The effects of one kind of sensor, in the order of its crate.
 pub fn catalogue_of(sensor: Sensor) -> &'static [&'static dyn AnyEffect] {
@@ -30,9 +30,27 @@ pub fn earth_rotation() -> &'static dyn AnyEffect {
     gyroscope::EARTH_ROTATION
 }
 
-/// The effect of a field that stands in the room on a gyroscope.
-pub fn room_field() -> &'static dyn AnyEffect {
-    gyroscope::ROOM_FIELD
+/// Whether an effect is one of a field that stands in the room: all of its parameters depend on the heading.
+pub fn stands_in_the_room(effect: &dyn AnyEffect) -> bool {
+    let mut params = effect.params().iter();
+    params.all(|p| p.role == Role::Reference)
+}
+
+/// Whether an effect follows the last turn.
+pub fn follows_turns(effect: &dyn AnyEffect) -> bool {
+    effect.needs().contains(&Quantity::LastTurn)
+}
+
+/// The effect of a field that stands in the room.
+pub fn room_field(sensor: Sensor) -> Option<&'static dyn AnyEffect> {
+    let mut own = catalogue_of(sensor).iter().copied();
+    own.find(|effect| stands_in_the_room(*effect))
+}
+
+/// The effect of a bias that relaxes after a turn.
+pub fn relaxation(sensor: Sensor) -> Option<&'static dyn AnyEffect> {
+    let mut own = catalogue_of(sensor).iter().copied();
+    own.find(|effect| follows_turns(*effect))
 }
 
 /// The effect that is the sensitivity of the rate to specific force.

@@ -7,6 +7,7 @@ pub mod covariates;
 pub mod effect_file;
 
 pub use catalogue::{
-    catalogue, catalogue_of, earth_rotation, effect_named, force_sensitivity, is_earth_rotation,
-    looks_at_temperature, looks_at_vibration, looks_at_warming, room_field,
+    catalogue, catalogue_of, earth_rotation, effect_named, follows_turns, force_sensitivity,
+    is_earth_rotation, looks_at_temperature, looks_at_vibration, looks_at_warming, relaxation,
+    room_field, stands_in_the_room,
 };

@@ -28,9 +28,6 @@ pub static EARTH_ROTATION: &dyn AnyEffect = &earth_rate::EarthRate;
 /// The sensitivity to specific force, a matrix that formats of other programs hold too: `ω = T (W − b) − G f`.
 pub static FORCE_SENSITIVITY: &dyn AnyEffect = &gyro_g_sensitivity::GyroGSensitivity;
 
-/// A field that stands in the room, for those who find a rotation that has no vertical part.
-pub static ROOM_FIELD: &dyn AnyEffect = &gyro_room_field::GyroRoomField;
-
 /// The registry: feeds the command line, the documentation, the registry tests and discovery.
 pub static EFFECTS: &[&dyn AnyEffect] = &[
     &gyro_g_sensitivity::GyroGSensitivity,

@@ -1,6 +1,7 @@
 //! What a disagreement looks like that no effect of the catalogue has.
 
-use sensor::Sensor;
+use effects::{relaxation, room_field};
+use sensor::{AnyEffect, Sensor};
 
 /// A shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,13 +34,12 @@ impl Shape {
     /// The effect of the catalogue that has this shape. It is described and not named, as it has a time constant, a period or a heading
     /// to itself.
     pub fn effect(self, sensor: Sensor) -> Option<&'static str> {
-        match (self, sensor) {
-            (Self::Heading, Sensor::Accelerometer) => Some("accel_room_field"),
-            (Self::Heading, Sensor::Gyroscope) => Some("gyro_room_field"),
-            (Self::LastTurn, Sensor::Accelerometer) => Some("accel_relaxation"),
-            (Self::LastTurn, Sensor::Gyroscope) => Some("gyro_relaxation"),
+        let effect = match self {
+            Self::Heading => room_field(sensor),
+            Self::LastTurn => relaxation(sensor),
             _ => None,
-        }
+        };
+        effect.map(AnyEffect::name)
     }
 
     /// In words.

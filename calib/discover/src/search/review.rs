@@ -4,6 +4,7 @@ use effects::room_field;
 use estimate::methods::joint::Known;
 use faer::Mat;
 use recording::Error;
+use sensor::Sensor;
 
 use super::either::Either;
 use super::held::Held;
@@ -20,8 +21,10 @@ const OF_THE_SAME: f64 = 0.2;
 
 /// The field of a room, where a rotation has no vertical part to tell the two apart.
 fn as_a_room(family: &Family, named: &Ranked) -> Option<Tie> {
-    matches!(as_the_earth(family, named), Earth::OrARoom).then(|| Tie {
-        claim: Claim::Effect(room_field()),
+    let is_either = matches!(as_the_earth(family, named), Earth::OrARoom);
+    let field = room_field(Sensor::Gyroscope).filter(|_| is_either)?;
+    Some(Tie {
+        claim: Claim::Effect(field),
         behind: 0.0,
         shared: 1.0,
         rivalry: None,

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::spans::Span;
+use super::spans::{Span, complement, union};
 use super::stamps::Stamps;
 use crate::averages::median;
 use crate::recording::Stream;
@@ -30,6 +30,13 @@ const FEWEST: usize = 12;
 
 /// Pieces whose median rate is that of the middle, whatever the ends do.
 const PIECES: usize = 9;
+
+/// Rotation within one stretch that is a turn and no tremor, rad (2°), and so many times what stretches usually turn by.
+const TURN: f64 = 0.035;
+const TURN_BEYOND_USUAL: f64 = 10.0;
+
+/// Steps from one stretch to the next, as a share of it.
+const PER_STRETCH: usize = 4;
 
 /// A gyroscope with what is looked up for each interval.
 #[derive(Clone, Debug)]
@@ -66,6 +73,38 @@ impl<'a> Ends<'a> {
             span = cut;
         }
         span
+    }
+
+    /// The interval in pieces, without the turns in its middle: a slow and small one that the scatter of samples does not show
+    /// beside a hand's tremor.
+    pub fn without_turns(&self, span: Span) -> Vec<Span> {
+        let samples = self.stamps.between(span.from, span.to);
+        let (t, values) = (
+            &self.stream.t[samples.clone()],
+            &self.stream.values[samples],
+        );
+        let n = values.len();
+        if n < FEWEST || self.step <= 0.0 {
+            return vec![span];
+        }
+        let factor = self.step * self.scale;
+        let bias = middle_rate(values);
+        let stretch = ((STRETCH / self.step) as usize).clamp(3, n / 3);
+        let usual = usual_turn(values, &bias, stretch);
+        let limit = (TURN / factor).max(TURN_BEYOND_USUAL * usual);
+        let mut sums = vec![Vector3::zeros()];
+        let mut sum = Vector3::zeros();
+        sums.extend(values.iter().map(|w| {
+            sum += w - bias;
+            sum
+        }));
+        let firsts = (0..n - stretch).step_by((stretch / PER_STRETCH).max(1));
+        let turning = firsts.filter(|&k| (sums[k + stretch] - sums[k]).norm() > limit);
+        let turning = turning.map(|k| Span {
+            from: t[k],
+            to: t[k + stretch],
+        });
+        complement(span, &union(turning.collect()))
     }
 
     /// One reach of the ends without the turn in it, that turns by more than these shares of the limit; of a share of zero an
@@ -208,6 +247,22 @@ mod tests {
             .map(|&t| 0.01 * rate(t))
             .sum();
         assert!(cut.to > 4.0 && left < 2e-4, "{cut:?} {left}");
+    }
+
+    #[test]
+    fn a_small_turn_in_the_middle_of_tremor_cuts_an_interval_in_two() {
+        let quiet = Span { from: 0.0, to: 9.0 };
+        let mut stream = stream(2e-2);
+        let ends = |stream: &Stream| Ends::of(stream, 1.0).without_turns(quiet);
+        assert_eq!(ends(&stream), [quiet]);
+        // 6° within .5 s.
+        for (t, w) in stream.t.iter().zip(&mut stream.values) {
+            w.y += if (4.0..4.5).contains(t) { 0.2 } else { 0.0 };
+        }
+        let pieces = ends(&stream);
+        assert_eq!(pieces.len(), 2, "{pieces:?}");
+        assert!(pieces[0].to > 3.0 && pieces[0].to <= 4.0, "{pieces:?}");
+        assert!(pieces[1].from < 5.5 && pieces[1].from >= 4.5, "{pieces:?}");
     }
 
     #[test]

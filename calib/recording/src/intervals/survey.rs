@@ -73,6 +73,20 @@ impl<'a> Survey<'a> {
         trimmed.filter(|span| span.lasts(min_static)).collect()
     }
 
+    /// The quiet stretches without the turns in their middles.
+    fn without_turns(&self, quiet: Vec<Span>) -> Vec<Span> {
+        let Some(ends) = &self.ends else {
+            return quiet;
+        };
+        let pieces = |span: Span| match ends.without_turns(span).as_slice() {
+            [_] => vec![span],
+            pieces => pieces.iter().map(|piece| ends.trimmed(*piece)).collect(),
+        };
+        let all = quiet.into_iter().flat_map(pieces);
+        all.filter(|span| span.lasts(self.detector.min_static))
+            .collect()
+    }
+
     /// What is left between motions and gaps.
     fn without(&self, moving: Vec<Span>) -> Vec<Span> {
         self.lasting(moving, self.detector.min_static)
@@ -132,7 +146,7 @@ impl<'a> Survey<'a> {
     /// as it is known: without it the readings give the direction of gravity.
     pub fn segment(&self, multiplier: f64, base: Option<&Base<f64>>) -> Segmentation {
         let level = |level: &Option<Level<'_>>| level.as_ref().map(|l| l.at_rest);
-        let mut rests = self.rests(multiplier);
+        let mut rests = self.without_turns(self.rests(multiplier));
         if self.detector.shaken {
             rests.extend(self.shaken(multiplier, &rests));
             rests.sort_by(|a, b| a.from.total_cmp(&b.from));

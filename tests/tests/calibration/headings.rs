@@ -1,0 +1,112 @@
+//! The heading is followed through turns that are used: it is another one in every recording, and behind a turn that is not.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use calib::Recording;
+use calib::calibrate::{Method, Request, calibrate};
+use calib::discover::{Request as Discovery, discover};
+use calib::recording::Stream;
+use calib::simulate::{Grade, HandHeld, Motion, Session, Spec};
+
+const LATITUDE: f64 = 47.0;
+
+/// A device that sees the earth turn by fifty times its noise.
+fn session(seed: u64, placements: usize) -> Session {
+    let mut spec = Spec::hand_held(seed);
+    spec.grade = Grade::Tactical;
+    spec.latitude = Some(LATITUDE);
+    spec.motion = Motion::HandHeld(HandHeld {
+        placements,
+        ..HandHeld::default()
+    });
+    spec.run().unwrap()
+}
+
+/// The samples of a recording at the times that are `wanted`.
+fn part(recording: &Recording, name: &str, wanted: impl Fn(f64) -> bool) -> Recording {
+    let of = |stream: &Option<Stream>| {
+        stream.as_ref().map(|s| {
+            let samples = s.t.iter().zip(&s.values).filter(|(t, _)| wanted(**t));
+            let (t, values) = samples.map(|(t, v)| (*t, *v)).unzip();
+            Stream { t, values }
+        })
+    };
+    Recording {
+        name: name.into(),
+        accelerometer: of(&recording.accelerometer),
+        gyroscope: of(&recording.gyroscope),
+        ..recording.clone()
+    }
+}
+
+/// Three times in the middles of turns.
+fn in_turns(session: &Session) -> Vec<f64> {
+    let turns = session.truth.static_intervals.windows(2);
+    let middles: Vec<f64> = turns
+        .map(|pair| 0.5 * (pair[0].end + pair[1].start))
+        .collect();
+    let n = middles.len();
+    vec![middles[n / 4], middles[n / 2], middles[3 * n / 4]]
+}
+
+/// The largest error of a gyroscope's bias in its standard errors.
+fn worst(recordings: &[Recording], session: &Session) -> f64 {
+    let request = Request {
+        method: Method::Joint,
+        latitude: Some(LATITUDE),
+        ..Request::new(session.truth.spec.gravity)
+    };
+    let calibration = calibrate(recordings, &[], &request).unwrap().calibration;
+    let gyroscope = calibration.gyroscope.unwrap();
+    let mut biases = vec![(gyroscope.bias, gyroscope.bias_std)];
+    biases.extend(gyroscope.recordings.iter().map(|r| (r.bias, r.bias_std)));
+    let mut worst: f64 = 0.0;
+    for (bias, std) in biases {
+        for (axis, name) in ["gyro.b_x", "gyro.b_y", "gyro.b_z"].iter().enumerate() {
+            let truth = session.truth.get(name).unwrap();
+            worst = worst.max(((bias[axis] - truth) / std[axis].unwrap()).abs());
+        }
+    }
+    worst
+}
+
+#[test]
+fn recordings_that_share_a_latitude_share_no_heading() {
+    let session = session(1, 48);
+    let whole = &session.recording;
+    let middle = {
+        let rests = &session.truth.static_intervals;
+        let rest = &rests[rests.len() / 2];
+        0.5 * (rest.start + rest.end)
+    };
+    let halves = [
+        part(whole, "first", |t| t < middle),
+        part(whole, "second", |t| t >= middle),
+    ];
+    // With one heading for both it was 6.
+    let worst = worst(&halves, &session);
+    assert!(worst < 3.5, "{worst}");
+}
+
+#[test]
+fn behind_a_turn_that_is_not_used_the_heading_is_another() {
+    let session = session(2, 40);
+    let lost = in_turns(&session);
+    let is_there = |t: f64| lost.iter().all(|middle| (t - middle).abs() > 0.5);
+    let recording = part(&session.recording, "gaps", is_there);
+    let worst = worst(std::slice::from_ref(&recording), &session);
+    assert!(worst < 3.5, "{worst}");
+    // Nor is anything missing there but the samples.
+    let request = Discovery {
+        latitude: Some(LATITUDE),
+        ..Discovery::new(session.truth.spec.gravity)
+    };
+    let findings = discover(&[recording.clone()], &request).unwrap().findings;
+    assert!(findings.effects.is_empty() && findings.unexplained.is_none());
+    assert!(findings.integrity.iter().all(|f| f.name == "lost_samples"));
+    // Without a latitude it is the earth that turns.
+    let unknown = Discovery::new(session.truth.spec.gravity);
+    let findings = discover(&[recording], &unknown).unwrap().findings;
+    let names: Vec<&str> = findings.effects.iter().map(|e| e.name.as_str()).collect();
+    assert_eq!(names, ["earth_rate"]);
+    assert!(findings.unexplained.is_none());
+}
