@@ -15,7 +15,7 @@ fn session(seed: u64, placements: usize) -> Session {
     spec.grade = Grade::Tactical;
     spec.latitude = Some(LATITUDE);
     spec.motion = Motion::HandHeld(HandHeld {
-        placements,
+        placements: Some(placements),
         ..HandHeld::default()
     });
     spec.run().unwrap()
@@ -53,7 +53,8 @@ fn worst(recordings: &[Recording], session: &Session) -> f64 {
     let request = Request {
         method: Method::Joint,
         latitude: Some(LATITUDE),
-        ..Request::new(session.truth.spec.gravity)
+        gravity: session.truth.spec.gravity,
+        ..Request::default()
     };
     let calibration = calibrate(recordings, &[], &request).unwrap().calibration;
     let gyroscope = calibration.gyroscope.unwrap();

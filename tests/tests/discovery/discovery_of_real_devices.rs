@@ -4,7 +4,9 @@
 use calib::Recording;
 use calib::discover::{Discovery, Request, Verdict, discover};
 use calib::recording::ReadOptions;
-use calib::simulate::{Fault, Hidden, Relaxation, Rezeroing, Session, Spec, Telegraph};
+use calib::simulate::{
+    Fault, HandHeld, Hidden, Motion, Relaxation, Rezeroing, Session, Spec, Telegraph, Temperature,
+};
 use nalgebra::Vector3;
 use sensor::{Axis, Sensor};
 use stillpoint_tests::needed_data::needed;
@@ -146,6 +148,30 @@ fn a_bias_that_flips_between_two_levels_is_said_to() {
         let shape = findings.unexplained.unwrap().shape;
         let said = format!("{}: the bias of axis z jumps to and fro", sensor.name());
         assert!(shape.starts_with(&said), "{seed}: {shape}");
+    }
+}
+
+/// What a gyroscope does to the turns, with no walk anywhere: taken for a walk of the accelerometer, from whose directions the
+/// turns begin, it was `accel_misalignment_temperature`.
+#[test]
+fn what_the_gyroscope_does_to_turns_is_no_walk_of_the_accelerometer() {
+    for seed in [2, 4] {
+        let mut spec = Spec::hand_held(seed).with_effect("gyro_misalignment_temperature", 1.6);
+        spec.motion = Motion::HandHeld(HandHeld {
+            placements: Some(40),
+            rest: [3.5, 8.0],
+            turn: [1.0, 4.0],
+            ..HandHeld::default()
+        });
+        spec.temperature = Some(Temperature {
+            self_heating: 8.0,
+            swing: 3.0,
+            period: 250.0,
+            ..Temperature::default()
+        });
+        let discovery = of(&[spec.run().unwrap().recording], &spec);
+        assert_eq!(claims(&discovery), ["gyro_misalignment_temperature"]);
+        assert!(discovery.findings.unexplained.is_none(), "{seed}");
     }
 }
 
