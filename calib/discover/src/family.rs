@@ -23,8 +23,11 @@ const TYPICAL_MISS: f64 = 1e-2;
 const TYPICAL_EXCURSION: f64 = 2e-4;
 const TYPICAL_SLIP: f64 = 1e-3;
 
-/// Parameters of the earth's rotation that depend on the heading, before the others.
-pub const HORIZONTAL: usize = 2;
+/// How many parameters of an effect depend on the heading; they stand before the others.
+pub fn references(effect: &dyn AnyEffect) -> usize {
+    let params = effect.params().iter();
+    params.filter(|p| p.role == Role::Reference).count()
+}
 
 /// Whether an effect is that of late stamps, which the moving accelerometer shows.
 pub fn is_late(effect: &dyn AnyEffect) -> bool {
@@ -205,8 +208,9 @@ pub(super) fn effect_family(
                 p[k] = value;
             }
             let mut own = scaled(state, effect, &p, &linear);
-            if effect.nature() == Nature::EarthRotation {
-                own = by_heading(state, own, HORIZONTAL);
+            let of_heading = references(effect);
+            if of_heading > 0 {
+                own = by_heading(state, own, of_heading);
                 count = own.ncols();
             }
             parts.push(own);

@@ -6,6 +6,7 @@ use solver::Parameters;
 use crate::base::{BASE_PARAMETERS, Base, base_names};
 use crate::effect::{AnyEffect, ModelScalar};
 use crate::kinematics::{Kinematics, Sensor};
+use crate::param::Role;
 
 /// A base model plus effects.
 ///
@@ -71,6 +72,14 @@ impl Model {
     pub fn parameter_count(&self) -> usize {
         let own = self.effects.iter().map(|effect| effect.params().len());
         BASE_PARAMETERS + own.sum::<usize>()
+    }
+
+    /// The places of the parameters that depend on the heading of the level frame.
+    pub fn references(&self) -> Vec<usize> {
+        let roles = self.effects.iter().flat_map(|effect| effect.params());
+        let places = roles.enumerate();
+        let own = places.filter(|(_, param)| param.role == Role::Reference);
+        own.map(|(k, _)| BASE_PARAMETERS + k).collect()
     }
 
     /// The sum of the effects at `truth`, in the unit of the signal.

@@ -4,13 +4,12 @@
 //! calibration (held) ± its covariance ──► r, J on the recording ──► directions and biases out ──► χ²/dof
 //! ```
 
-use estimate::methods::earth::horizontal_rates;
 use estimate::methods::joint::{
     BiasNoise, Columns, Covariance, JointFit, Rows, Whitening, covariance_at, fit_joint,
 };
 use faer::Mat;
 use recording::{Error, Recording};
-use sensor::AnyEffect;
+use sensor::{AnyEffect, Model};
 
 use crate::discovery::Discovery;
 use crate::extension::Extension;
@@ -162,7 +161,7 @@ impl HeldCalibration {
     /// SI units, each with a unit of its own.
     fn of(from: &JointFit, to: &JointFit) -> Self {
         let fitted = from.all_fitted();
-        let own = horizontal_rates();
+        let own: Vec<String> = to.models.iter().flat_map(of_heading).collect();
         let is_own = |name: &str| is_bias(name) || own.iter().any(|own| own == name);
         let place = |name: &str| to.parameters.index(name).filter(|_| !is_own(name));
         let factor = |k: usize| {
@@ -192,6 +191,13 @@ impl HeldCalibration {
             covariance,
         }
     }
+}
+
+/// The parameters that depend on the heading, which is another one in every recording.
+fn of_heading(model: &Model) -> Vec<String> {
+    let all = model.parameters();
+    let places = model.references().into_iter();
+    places.map(|k| all.names()[k].clone()).collect()
 }
 
 /// Whether a parameter is a bias, of one recording or of all.

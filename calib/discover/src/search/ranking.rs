@@ -4,7 +4,7 @@ use nalgebra::DVector;
 use sensor::{AnyEffect, Nature};
 
 use super::few_turns::Turns;
-use crate::family::{Claim, Family, HORIZONTAL, families, is_late};
+use crate::family::{Claim, Family, families, is_late, references};
 use crate::heading::places_by_heading;
 use crate::rank::{Ranked, rank};
 use crate::state::State;
@@ -93,13 +93,16 @@ fn seen_first(variance: f64) -> f64 {
 
 pub(super) fn as_the_earth(family: &Family, ranked: &Ranked) -> Earth {
     // Beside the isotropic g-sensitivity the vertical part is nobody's to know.
-    let nature = family.claim.effect().map(AnyEffect::nature);
-    if nature != Some(Nature::EarthRotation) || ranked.score.dof < 3 {
+    let earth = family.claim.effect();
+    let Some(earth) = earth.filter(|effect| effect.nature() == Nature::EarthRotation) else {
+        return Earth::Yes;
+    };
+    if ranked.score.dof < 3 {
         return Earth::Yes;
     }
     // In the stretch that knows the horizontal part best.
     let covariance = &ranked.score.covariance;
-    let own = places_by_heading(ranked.score.change.len(), 3, HORIZONTAL);
+    let own = places_by_heading(ranked.score.change.len(), 3, references(earth));
     let known = own.into_iter().min_by(|a, b| {
         let of = |places: &[usize]| places.iter().map(|k| covariance[(*k, *k)]).sum::<f64>();
         seen_first(of(a)).total_cmp(&seen_first(of(b)))

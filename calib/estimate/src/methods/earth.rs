@@ -25,11 +25,6 @@ pub fn vertical_rate() -> String {
     format!("{}.z", earth_rotation().name())
 }
 
-/// The names of the horizontal part along the axes of a level frame: another one in every recording.
-pub fn horizontal_rates() -> [String; 2] {
-    ["x", "y"].map(|axis| format!("{}.{axis}", earth_rotation().name()))
-}
-
 /// The vertical part at a latitude (°), rad/s.
 pub fn vertical_rate_at(latitude: f64) -> f64 {
     EARTH_RATE * latitude.to_radians().sin()

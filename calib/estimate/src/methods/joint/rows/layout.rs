@@ -9,8 +9,8 @@ use crate::methods::joint::data::Data;
 const BIAS: std::ops::Range<usize> = 9..12;
 
 /// The columns: accelerometer's model, gyroscope's model, own biases of all recordings but the last,
-/// then two coordinates for the direction of every rest, the horizontal part of the earth's rotation in every stretch with a
-/// heading of its own but the first, then disturbances.
+/// then two coordinates for the direction of every rest, what depends on the heading in every stretch with one of its own but the
+/// first, then disturbances.
 ///
 /// All recordings share scale factors, misalignments and effects; each has its own bias of the
 /// gyroscope, and of the accelerometer where the data refute a common one.
@@ -26,8 +26,8 @@ pub struct Layout {
     pub recordings: usize,
     /// Number of rests.
     pub rests: usize,
-    /// Place of the horizontal part of the earth's rotation, two parameters, in the gyroscope's model; `None` without.
-    pub horizontal: Option<usize>,
+    /// Places of the parameters that depend on the heading in the models of accelerometer and gyroscope.
+    pub of_heading: [Vec<usize>; 2],
     /// Number of stretches through which the heading can be followed.
     pub headings: usize,
     /// Number of disturbance parameters.
@@ -50,18 +50,14 @@ impl Layout {
         self.shared() + 2 * rest
     }
 
-    /// First of the two horizontal parts of the earth's rotation in a stretch but the first.
-    fn horizontal(&self, heading: usize) -> usize {
-        self.direction(self.rests) + 2 * (heading - 1)
-    }
-
-    fn own_headings(&self) -> usize {
-        self.horizontal.map_or(0, |_| self.headings.max(1) - 1)
+    /// Parameters that depend on the heading, of both sensors.
+    fn by_heading(&self) -> usize {
+        self.of_heading.iter().map(Vec::len).sum()
     }
 
     /// A disturbance parameter.
     pub fn disturbance(&self, k: usize) -> usize {
-        self.direction(self.rests) + 2 * self.own_headings() + k
+        self.direction(self.rests) + self.by_heading() * (self.headings.max(1) - 1) + k
     }
 
     fn models(&self) -> usize {
@@ -92,10 +88,16 @@ impl Layout {
                 columns[place] = from + k;
             }
         }
-        if let (Sensor::Gyroscope, Some(place), true) = (sensor, self.horizontal, heading > 0) {
-            let from = self.horizontal(heading);
-            columns[place] = from;
-            columns[place + 1] = from + 1;
+        if heading > 0 {
+            let [of_force, of_rate] = &self.of_heading;
+            let (own, before) = match sensor {
+                Sensor::Accelerometer => (of_force, 0),
+                Sensor::Gyroscope | Sensor::Magnetometer => (of_rate, of_force.len()),
+            };
+            let from = self.direction(self.rests) + self.by_heading() * (heading - 1) + before;
+            for (k, &place) in own.iter().enumerate() {
+                columns[place] = from + k;
+            }
         }
         columns
     }
@@ -127,9 +129,14 @@ impl Layout {
                 all.push(format!("direction[{}].{axis}", rest + 1), "rad", 0.0);
             }
         }
-        for heading in 0..self.own_headings() {
-            for axis in ["x", "y"] {
-                all.push(format!("heading[{}].{axis}", heading + 2), "rad/s", 0.0);
+        for heading in 1..self.headings {
+            let models = [Some(accelerometer), gyroscope].into_iter();
+            for (model, own) in models.zip(&self.of_heading) {
+                let Some(model) = model else { continue };
+                for &k in own {
+                    let name = format!("{}[heading {}]", model.names()[k], heading + 1);
+                    all.push(name, model.units()[k].clone(), model.values()[k]);
+                }
             }
         }
         for k in 0..self.disturbances {

@@ -15,7 +15,7 @@ mod turn_rows;
 pub(crate) mod values;
 
 use nalgebra::{Matrix3, Vector3};
-use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, Nature, PLACES, Sensor, Since, inverse};
+use sensor::{BASE_PARAMETERS, Base, Kinematics, Model, PLACES, Sensor, Since, inverse};
 
 use super::data::{Chunk, Data, Mean};
 use crate::methods::joint::blocks::column::Column;
@@ -80,7 +80,14 @@ impl<'a> Rows<'a> {
                 own_force_bias,
                 recordings: data.sources.len(),
                 rests: data.rests.len(),
-                horizontal: horizontal(gyroscope).filter(|_| rate),
+                of_heading: [
+                    accelerometer.references(),
+                    if rate {
+                        gyroscope.references()
+                    } else {
+                        Vec::new()
+                    },
+                ],
                 headings: data.headings(),
                 disturbances: disturbances.len(),
             },
@@ -353,16 +360,4 @@ impl<'a> Rows<'a> {
         };
         truth
     }
-}
-
-/// The place of the horizontal part of the earth's rotation in the gyroscope's model.
-fn horizontal(gyroscope: &Model) -> Option<usize> {
-    let mut place = BASE_PARAMETERS;
-    for effect in gyroscope.effects() {
-        if effect.nature() == Nature::EarthRotation {
-            return Some(place);
-        }
-        place += effect.params().len();
-    }
-    None
 }
