@@ -18,6 +18,7 @@ use super::fault::delay::delay;
 use super::fault::integrity::{SPOILT, disturbed, integrity, undersampled};
 use super::findings::late::{late, late_finding};
 use super::findings::named::{Final, finding, parameters_of, ranked_claim};
+use super::findings::room::described;
 use super::findings::{FINDINGS_SCHEMA, Findings, Verdict};
 use super::gap::localise::disagreements;
 use super::judgement::{Judged, judged};
@@ -113,6 +114,14 @@ pub(super) fn discover_in(
         let names = search.names.iter().filter(named);
         effects.extend(names.map(|name| finding(name, &last)));
     }
+    let (rest, is_of_a_room) = described(&mut effects, &mut search, rest);
+    if is_of_a_room {
+        let warnings = std::mem::take(&mut calibration.warnings);
+        calibration = Calibration {
+            warnings,
+            ..calibration_that(true, session, &search.last, request)?
+        };
+    }
     if let Some((effect, late)) = late {
         let again = delay(&search.last);
         effects.push(late_finding(
@@ -168,7 +177,18 @@ pub(super) fn discover_in(
     })
 }
 
+/// The calibration of a model.
 pub(super) fn calibration(
+    session: &Session<'_>,
+    last: &State,
+    request: &Request,
+) -> Result<Calibration, Error> {
+    calibration_that(request.latitude.is_some(), session, last, request)
+}
+
+/// The same, which may keep the earth's rotation in corrected rates though no latitude is given.
+fn calibration_that(
+    keeps_the_earth: bool,
     session: &Session<'_>,
     last: &State,
     request: &Request,
@@ -179,7 +199,8 @@ pub(super) fn calibration(
     let account = Account {
         gravity: request.gravity,
         gravity_source: request.gravity_source,
-        latitude: None,
+        latitude: request.latitude,
+        keeps_the_earth,
         frame: Frame::default(),
         names_what_is_missing: true,
     };

@@ -89,6 +89,30 @@ fn recordings_that_share_a_latitude_share_no_heading() {
 }
 
 #[test]
+fn near_the_equator_the_earth_may_be_a_field_of_the_room_and_hides_nothing() {
+    let mut spec = Spec::hand_held(5).with_effect("accel_cross_axis", 1.0);
+    spec.latitude = Some(3.0);
+    let findings = |latitude| {
+        let request = Discovery {
+            latitude,
+            ..Discovery::new(spec.gravity)
+        };
+        let recordings = [spec.run().unwrap().recording];
+        discover(&recordings, &request).unwrap().findings
+    };
+    let unknown = findings(None);
+    let names: Vec<&str> = unknown.effects.iter().map(|e| e.name.as_str()).collect();
+    assert_eq!(names, ["accel_cross_axis"]);
+    let rest = unknown.unexplained.unwrap();
+    assert!(rest.shape.contains("horizontal direction of the room"));
+    assert_eq!(rest.fitted_by, Some("gyro_room_field"));
+    // With the latitude nothing is left.
+    let known = findings(Some(3.0));
+    assert_eq!(known.effects.len(), 1);
+    assert!(known.unexplained.is_none());
+}
+
+#[test]
 fn behind_a_turn_that_is_not_used_the_heading_is_another() {
     let session = session(2, 40);
     let lost = in_turns(&session);
@@ -104,6 +128,8 @@ fn behind_a_turn_that_is_not_used_the_heading_is_another() {
     let findings = discover(&[recording.clone()], &request).unwrap().findings;
     assert!(findings.effects.is_empty() && findings.unexplained.is_none());
     assert!(findings.integrity.iter().all(|f| f.name == "lost_samples"));
+    // The calibration is for other recordings too, under whatever heading.
+    assert!(findings.calibration.effects.is_empty());
     // Without a latitude it is the earth that turns.
     let unknown = Discovery::new(session.truth.spec.gravity);
     let findings = discover(&[recording], &unknown).unwrap().findings;

@@ -2,6 +2,7 @@
 
 pub(super) mod late;
 pub(super) mod named;
+pub(super) mod room;
 
 use estimate::calibration::{Calibration, EffectParameter};
 use serde::Serialize;

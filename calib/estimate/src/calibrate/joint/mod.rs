@@ -87,6 +87,7 @@ pub fn calibrate(
         gravity: request.gravity,
         gravity_source: request.gravity_source,
         latitude: request.latitude,
+        keeps_the_earth: request.latitude.is_some(),
         frame: request.frame,
         names_what_is_missing: false,
     };

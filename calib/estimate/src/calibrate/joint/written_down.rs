@@ -28,6 +28,8 @@ pub struct Account {
     pub gravity_source: GravitySource,
     /// Latitude, °, where it is known.
     pub latitude: Option<f64>,
+    /// Whether the earth's rotation, where a model has it, is no error of the sensor: corrected rates keep it then.
+    pub keeps_the_earth: bool,
     /// Frame of the result.
     pub frame: Frame,
     /// Whether the caller names what the models lack: no warning points to that search then.
@@ -82,9 +84,8 @@ pub fn written_down(
     warnings.extend(misfits);
     warnings.extend(account.latitude.and_then(|l| latitude_in_doubt(fit, l)));
     influences(fit, warnings);
-    // The earth's rotation is no error of the sensor: corrected rates keep it.
     let of_the_earth =
-        |name: &str| account.latitude.is_some() && name.starts_with(earth_rotation().name());
+        |name: &str| account.keeps_the_earth && name.starts_with(earth_rotation().name());
     let all = fit.fitted_where(|name| !of_the_earth(name));
     let effects = effect_values(&fit.models[0], &all)
         .chain(effect_values(&fit.models[1], &all))

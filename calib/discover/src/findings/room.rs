@@ -1,0 +1,54 @@
+//! A rotation about a horizontal direction of the room: the earth's near the equator, or a field's.
+
+use effects::{is_earth_rotation, room_field};
+use sensor::{AnyEffect, Sensor};
+
+use super::EffectFinding;
+use crate::remainder::unexplained::Unexplained;
+use crate::search::Search;
+
+/// What it is, in words.
+const WORDS: &str = "gyroscope: fixed to a horizontal direction of the room, as the earth's rotation is near the equator (--latitude puts \
+                     that into the model)";
+
+/// Describes a rotation that may be either in place of naming it: the model has it, and what is named beside it stays. Whether there
+/// was one comes with what remains.
+pub fn described(
+    effects: &mut Vec<EffectFinding>,
+    search: &mut Search,
+    rest: Option<Unexplained>,
+) -> (Option<Unexplained>, bool) {
+    let field = room_field(Sensor::Gyroscope).map(AnyEffect::name);
+    let is_either = |effect: &EffectFinding| {
+        let mut ties = effect.indistinguishable_from.iter();
+        is_earth_rotation(&effect.name) && ties.any(|tie| Some(tie.as_str()) == field)
+    };
+    let Some(place) = effects.iter().position(is_either) else {
+        return (rest, false);
+    };
+    let found = effects.remove(place);
+    search.names.retain(|name| name.claim.name() != found.name);
+    let rest = match rest {
+        // What is left beside it says the same.
+        Some(rest) if rest.fitted_by == field => rest,
+        Some(rest) => Unexplained {
+            shape: format!("{}; {WORDS}", rest.shape),
+            ..rest
+        },
+        None => Unexplained {
+            channel: found.channel,
+            size: found.gap_before,
+            rms: found.rms_before,
+            p_value: found.adjusted_p_value,
+            statistic: found.statistic,
+            dof: found.dof,
+            shape: WORDS.into(),
+            period: None,
+            fitted_by: field,
+            instead_of: Vec::new(),
+            columns: None,
+            wandering: None,
+        },
+    };
+    (Some(rest), true)
+}
