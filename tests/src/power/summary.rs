@@ -8,7 +8,7 @@ use super::session::Record;
 const SAYS: [(&str, &[&str]); 5] = [
     ("periodic", &["periodic with"]),
     ("pattern", &["fine pattern", "goes with the placement"]),
-    ("telegraph", &["jumps to and fro"]),
+    ("telegraph", &["jumps"]),
     ("heading", &["horizontal direction"]),
     ("relaxation", &["relaxation"]),
 ];

@@ -125,14 +125,15 @@ fn behind_a_turn_that_is_not_used_the_heading_is_another() {
         latitude: Some(LATITUDE),
         ..Discovery::new(session.truth.spec.gravity)
     };
-    let findings = discover(&[recording.clone()], &request).unwrap().findings;
+    let recordings = [recording];
+    let findings = discover(&recordings, &request).unwrap().findings;
     assert!(findings.effects.is_empty() && findings.unexplained.is_none());
     assert!(findings.integrity.iter().all(|f| f.name == "lost_samples"));
     // The calibration is for other recordings too, under whatever heading.
     assert!(findings.calibration.effects.is_empty());
     // Without a latitude it is the earth that turns.
     let unknown = Discovery::new(session.truth.spec.gravity);
-    let findings = discover(&[recording], &unknown).unwrap().findings;
+    let findings = discover(&recordings, &unknown).unwrap().findings;
     let names: Vec<&str> = findings.effects.iter().map(|e| e.name.as_str()).collect();
     assert_eq!(names, ["earth_rate"]);
     assert!(findings.unexplained.is_none());
