@@ -82,39 +82,46 @@ pub(super) enum Earth {
     No,
 }
 
-/// A variance of nothing is that of what is not seen.
+/// The place of the vertical part among the parameters of a rotation.
+const VERTICAL: usize = 2;
+
+/// A smaller variance, in the square of the earth's rate, is that of what is not seen.
+const UNSEEN: f64 = 1e-12;
+
+/// What is not seen comes last.
 fn seen_first(variance: f64) -> f64 {
-    if variance > 0.0 {
+    if variance > UNSEEN {
         variance
     } else {
         f64::INFINITY
     }
 }
 
+/// Whether what a claim explains has the length of the earth's rotation, in the stretch that knows its horizontal part best.
 pub(super) fn as_the_earth(family: &Family, ranked: &Ranked) -> Earth {
-    // Beside the isotropic g-sensitivity the vertical part is nobody's to know.
     let earth = family.claim.effect();
     let Some(earth) = earth.filter(|effect| effect.nature() == Nature::EarthRotation) else {
         return Earth::Yes;
     };
-    if ranked.score.dof < 3 {
+    let covariance = &ranked.score.covariance;
+    // Beside the isotropic g-sensitivity the vertical part is nobody's to know.
+    if ranked.score.dof < 3 || covariance[(VERTICAL, VERTICAL)] < UNSEEN {
         return Earth::Yes;
     }
-    // In the stretch that knows the horizontal part best.
-    let covariance = &ranked.score.covariance;
-    let own = places_by_heading(ranked.score.change.len(), 3, references(earth));
+    let own = places_by_heading(ranked.score.change.len(), VERTICAL + 1, references(earth));
     let known = own.into_iter().min_by(|a, b| {
         let of = |places: &[usize]| places.iter().map(|k| covariance[(*k, *k)]).sum::<f64>();
         seen_first(of(a)).total_cmp(&seen_first(of(b)))
     });
     let mut places = known.unwrap_or_default();
-    places.push(2);
+    places.push(VERTICAL);
     // The typical size of the effect is the earth's rate: its length is 1.
     let rate = DVector::from_iterator(places.len(), places.iter().map(|k| ranked.score.change[*k]));
     let covariance = covariance.select_rows(&places).select_columns(&places);
     let length = rate.norm();
     let variance = (rate.transpose() * &covariance * &rate)[(0, 0)] / (length * length);
-    let vertical = ranked.score.change[2].abs() / ranked.score.covariance[(2, 2)].sqrt();
+    let vertical =
+        ranked.score.change[VERTICAL].abs() / ranked.score.covariance[(VERTICAL, VERTICAL)].sqrt();
     if (length - 1.0).abs() > EARTH_LENGTH * variance.sqrt() + LINEAR {
         Earth::No
     } else if vertical < EARTH_VERTICAL {
