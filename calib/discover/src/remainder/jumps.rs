@@ -65,15 +65,19 @@ impl Jumps {
 /// How a bias jumps is looked for at every setting of the densities; the chance is a mean over them, as of effects.
 pub(super) fn jumps(sensors: &[OfSensor]) -> Vec<Jumps> {
     let of_sensor = |own: &OfSensor| -> Vec<Jumps> {
+        let stretches = Stretches::of(own);
         let all = own.axes.iter().enumerate();
-        all.filter_map(|(axis, levels)| of_axis(own, axis, levels))
+        all.filter_map(|(axis, levels)| of_axis(own, &stretches, (axis, levels)))
             .collect()
     };
     sensors.iter().flat_map(of_sensor).collect()
 }
 
-fn of_axis(own: &OfSensor, axis: usize, levels: &[AtLevel]) -> Option<Jumps> {
-    let stretches = Stretches::of(own);
+fn of_axis(
+    own: &OfSensor,
+    stretches: &Stretches,
+    (axis, levels): (usize, &Vec<AtLevel>),
+) -> Option<Jumps> {
     let found = |level: &AtLevel| {
         let (gram, right) = level.biases.normal(&stretches.of_part, stretches.count);
         search(&gram, &right)

@@ -76,7 +76,7 @@ impl Rows<'_> {
     pub(crate) fn gains(&self, x: &[f64], turn: &TurnSamples) -> Vec<Matrix2x3<f64>> {
         let p = self.local(x, Sensor::Gyroscope, turn.from);
         let base = Base::from_parameters(&p);
-        let carried = self.carried(turn, &p);
+        let carried = self.carried(turn, &self.rates(turn, &p));
         let by_rotation = self.by_rotation(x, turn, &carried.rotation);
         carried.gains[MARGIN..turn.t.len() - MARGIN]
             .iter()

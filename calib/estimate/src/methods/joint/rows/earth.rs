@@ -47,7 +47,7 @@ impl Rows<'_> {
         }
         for (number, turn) in self.data.turns.iter().enumerate() {
             let p = self.local(x, Sensor::Gyroscope, turn.from);
-            let carried = self.carried(turn, &p);
+            let carried = self.carried(turn, &self.rates(turn, &p));
             let by_rotation = self.by_rotation(x, turn, &carried.rotation);
             let sum: Matrix3<f64> = carried
                 .gains

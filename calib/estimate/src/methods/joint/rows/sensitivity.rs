@@ -5,7 +5,6 @@ use sensor::{Base, Kinematics, Sensor, inverse};
 
 use crate::methods::joint::fit::JointFit;
 use crate::methods::joint::rows::Rows;
-use crate::methods::joint::rows::turn::carry;
 use crate::truth::unneeded;
 
 /// A mean of a chunk: three rows.
@@ -107,7 +106,7 @@ impl Rows<'_> {
         let samples = &self.data.turns[turn];
         let p = self.local(x, Sensor::Gyroscope, samples.from);
         let rates = self.rates(samples, &p);
-        let carried = carry(self.coning(samples), &rates, &samples.lengths);
+        let carried = self.carried(samples, &rates);
         let slopes = self.turn_slopes(samples, &rates, &p);
         let by_rotation = self.by_rotation(x, samples, &carried.rotation);
         let truth = rates.iter().enumerate().map(|(k, rate)| {

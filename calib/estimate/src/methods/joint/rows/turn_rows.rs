@@ -48,7 +48,7 @@ impl Rows<'_> {
         let columns = self.columns_at(Sensor::Gyroscope, turn.from);
         let p: Vec<f64> = columns.iter().map(|&c| x[c]).collect();
         let rates = self.rates(turn, &p);
-        let carried = carry(self.coning(turn), &rates, &turn.lengths);
+        let carried = self.carried(turn, &rates);
         let slopes = self.turn_slopes(turn, &rates, &p);
         let across = self.charts[turn.from + 1].across.transpose();
         let before = self.direction(x, turn.from);
@@ -95,7 +95,7 @@ impl Rows<'_> {
         };
         let p = self.local(x, Sensor::Gyroscope, turn.from);
         let rates = self.rates(turn, &p);
-        let carried = carry(self.coning(turn), &rates, &turn.lengths);
+        let carried = self.carried(turn, &rates);
         let windows = clock.slack.iter().zip(&turn.lengths);
         let moved: Vector3<f64> = windows
             .zip(carried.gains.iter().zip(&rates))
@@ -116,9 +116,9 @@ impl Rows<'_> {
         self.charts[turn.from + 1].across.transpose() * predicted.cross_matrix()
     }
 
-    /// The rotation over a turn, with its derivatives by the corrected rates.
-    pub(crate) fn carried(&self, turn: &TurnSamples, p: &[f64]) -> Carried {
-        carry(self.coning(turn), &self.rates(turn, p), &turn.lengths)
+    /// The rotation over a turn of these corrected rates, with its derivatives by them.
+    pub(crate) fn carried(&self, turn: &TurnSamples, rates: &[Vector3<f64>]) -> Carried {
+        carry(self.coning(turn), rates, &turn.lengths)
     }
 
     /// `∂δ/∂p` (3) of the rotation at the end of a turn by every parameter of the gyroscope's model.
@@ -161,28 +161,22 @@ impl Rows<'_> {
     ) -> TurnSlopes {
         let count = p.len() - BASE_PARAMETERS;
         let model = ModelSlopes::new(self.gyroscope, p, Sensor::Gyroscope);
-        let mut by_parameters = Vec::with_capacity(count * rates.len());
-        if self.gyroscope.effects().is_empty() {
-            return TurnSlopes {
-                through: None,
-                by_parameters,
-                count,
-            };
-        }
-        let samples = rates.iter().zip(&turn.known);
-        let through = samples.map(|(rate, known)| {
-            let truth = known.with_signal(Sensor::Gyroscope, *rate);
-            model.at(&truth, &mut by_parameters).by_signal
-        });
-        let by_signal: Vec<Matrix3<f64>> = through.collect();
-        let through = |by_signal: Matrix3<f64>| {
-            inverse(&(Matrix3::identity() + by_signal)).unwrap_or_else(Matrix3::identity)
-        };
-        TurnSlopes {
-            through: (!model.is_apart_from_signal())
-                .then(|| by_signal.into_iter().map(through).collect()),
-            by_parameters,
+        let mut slopes = TurnSlopes {
+            through: (!model.is_apart_from_signal()).then(|| Vec::with_capacity(rates.len())),
+            by_parameters: Vec::with_capacity(count * rates.len()),
             count,
+        };
+        if self.gyroscope.effects().is_empty() {
+            return slopes;
         }
+        for (rate, known) in rates.iter().zip(&turn.known) {
+            let truth = known.with_signal(Sensor::Gyroscope, *rate);
+            let effects = model.at(&truth, &mut slopes.by_parameters);
+            if let Some(through) = &mut slopes.through {
+                let own = inverse(&(Matrix3::identity() + effects.by_signal));
+                through.push(own.unwrap_or_else(Matrix3::identity));
+            }
+        }
+        slopes
     }
 }
