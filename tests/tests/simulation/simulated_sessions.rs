@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use calib::effects::catalogue_of;
+use calib::recording::intervals::{Detector, segment};
 use calib::simulate::{Fault, Grade, HandHeld, Motion, Session, Spec, StaticInterval, Vibration};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use sensor::{Kinematics, Model, Quantity, Sensor};
@@ -488,5 +489,21 @@ fn odd_requests_give_odd_recordings_and_no_panic() {
         assert_eq!(t.len(), samples_wanted, "{text}");
         assert!(values.iter().all(|v| v.iter().all(|c| c.is_finite())));
         assert!(t.windows(2).all(|w| w[0] < w[1]));
+    }
+}
+
+/// Turns begin and end slowly, and the detector's window sees them before: of a rest of 3.3 s three quarters of a second may go.
+#[test]
+fn every_rest_of_a_little_over_three_seconds_is_found() {
+    for seed in 0..4 {
+        let mut spec = Spec::hand_held(seed);
+        spec.motion = Motion::HandHeld(HandHeld {
+            rest: [3.3, 3.6],
+            ..HandHeld::default()
+        });
+        let session = spec.run().unwrap();
+        let found = segment(&session.recording, &Detector::default()).unwrap();
+        let truth = &session.truth.static_intervals;
+        assert_eq!(found.statics.len(), truth.len(), "{seed}");
     }
 }

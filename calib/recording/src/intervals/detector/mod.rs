@@ -13,6 +13,10 @@ use crate::shown::figure;
 /// The share of windows that are taken to be at rest in any recording that can be calibrated.
 const QUIET_SHARE: f64 = 0.1;
 
+/// What is left of a rest of three seconds, s: the window sees the turns before and after it, and up to half a second goes with
+/// their ends.
+const MIN_STATIC: f64 = 2.5;
+
 /// Fewest samples in a window whose spread means something.
 const MIN_SAMPLES: f64 = 5.0;
 
@@ -35,7 +39,7 @@ pub struct Detector {
     pub multiplier: f64,
     /// Shorter spans of motion are ignored, s.
     pub min_dynamic: f64,
-    /// Shorter rests are ignored, s.
+    /// Shorter rests, less what the window takes of their ends, are ignored, s.
     pub min_static: f64,
     /// Length of the initial rest that gives the threshold as published, s; `None` takes the
     /// quietest tenth of the recording, which needs no rest at the start.
@@ -56,7 +60,7 @@ impl Default for Detector {
             window: 1.0,
             multiplier: 100.0,
             min_dynamic: 0.5,
-            min_static: 3.0,
+            min_static: MIN_STATIC,
             initial_static: None,
             shaken: false,
             creeping: false,
