@@ -110,9 +110,11 @@ pub(super) fn discover_in(
     let named = |name: &&Name| matches!(name.claim, Claim::Effect(_));
     let mut effects = Vec::new();
     if search.names.iter().any(|name| named(&name)) {
-        let last = Final::of(&search.last, &calibration);
+        let last = Final::of(&search, &calibration, request);
         let names = search.names.iter().filter(named);
         effects.extend(names.map(|name| finding(name, &last)));
+        let doubts = effects.iter().filter_map(|e| e.latitude_in_doubt.clone());
+        calibration.warnings.extend(doubts);
     }
     let (rest, is_of_a_room) = described(&mut effects, &mut search, rest);
     if is_of_a_room {

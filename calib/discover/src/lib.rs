@@ -37,6 +37,7 @@ pub use extension::Extension;
 pub use family::{Claim, Family, Hypothesis, families};
 pub use fault::delay::{Delay, delay};
 pub use fault::integrity::{Integrity, Size, disturbed, integrity};
+pub use findings::beside::Beside;
 pub use findings::{EffectFinding, FINDINGS_SCHEMA, Findings, RankedClaim, Validation, Verdict};
 pub use gap::channel::Channel;
 pub use gap::held_out::{gap_of, held_out};

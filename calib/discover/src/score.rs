@@ -19,7 +19,7 @@ pub struct Score {
     pub statistic: f64,
     /// Rank of `A`: how many of the columns the data can see.
     pub dof: usize,
-    /// `A⁺ b`: the expected change of the coefficients.
+    /// `A⁺ b`: how much of the columns the disagreement has. A parameter that has them moves the other way.
     pub change: Vec<f64>,
     /// `A⁺`: its covariance.
     pub covariance: DMatrix<f64>,

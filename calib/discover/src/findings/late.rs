@@ -67,6 +67,8 @@ pub fn late_finding(
         indistinguishable_from: Vec::new(),
         shared: Vec::new(),
         rivals: Vec::new(),
+        latitude_in_doubt: None,
+        may_be_beside: Vec::new(),
         told_apart_by: None,
         parameters: parameters_of(name, calibration),
         channel: Channel::MovingForce,

@@ -1,12 +1,15 @@
 //! What `discover` found: the contents of findings.json.
 
+pub(super) mod beside;
 pub(super) mod late;
+pub(super) mod latitude;
 pub(super) mod named;
 pub(super) mod room;
 
 use estimate::calibration::{Calibration, EffectParameter};
 use serde::Serialize;
 
+use self::beside::Beside;
 use crate::fault::integrity::Integrity;
 use crate::gap::channel::Channel;
 use crate::gap::localise::Disagreement;
@@ -66,6 +69,11 @@ pub struct EffectFinding {
     pub rivals: Vec<Rivalry>,
     /// What recording would tell them apart.
     pub told_apart_by: Option<String>,
+    /// What the recordings say of a latitude that was given, where a wrong one explains this as well.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub latitude_in_doubt: Option<String>,
+    /// What may be there too and would change its parameters much.
+    pub may_be_beside: Vec<Beside>,
     /// Its parameters after the refit.
     pub parameters: Vec<EffectParameter>,
     /// The channel that it lives in.

@@ -3,12 +3,15 @@
 use estimate::calibration::{Calibration, EffectParameter, EffectValues};
 use estimate::methods::joint::BiasNoise;
 
+use super::beside::{Rival, rivals};
+use super::latitude::instead_of;
 use super::{EffectFinding, RankedClaim};
 use crate::family::Claim;
 use crate::gap::held_out::{gap_of, held_out};
 use crate::gap::sequence::{Misfit, Sequence, channel_of};
 use crate::rank::Ranked;
-use crate::search::Name;
+use crate::request::Request;
+use crate::search::{Name, Search};
 use crate::state::State;
 use crate::visible::told_apart_by;
 
@@ -19,11 +22,15 @@ pub struct Final<'a> {
     misfits: [Misfit; 3],
     held_out: Option<[Misfit; 3]>,
     calibration: &'a Calibration,
+    rivals: Vec<Rival>,
+    /// As it was given.
+    latitude: Option<f64>,
 }
 
 impl<'a> Final<'a> {
-    /// With the calibration that it is written down as.
-    pub fn of(last: &'a State, calibration: &'a Calibration) -> Self {
+    /// That of a search with the calibration that it is written down as.
+    pub fn of(search: &'a Search, calibration: &'a Calibration, request: &Request) -> Self {
+        let last = &search.last;
         let noise = last.noise;
         Self {
             state: last,
@@ -31,6 +38,8 @@ impl<'a> Final<'a> {
             misfits: Sequence::of(last, noise).misfits(last),
             held_out: held_out(last, noise),
             calibration,
+            rivals: rivals(search, request.threshold()),
+            latitude: request.latitude,
         }
     }
 }
@@ -42,6 +51,11 @@ pub fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
     let sequence = Sequence::of(without, noise);
     let channel = channel_of(&sequence.of_column(name.predicted.col_as_slice(0)));
     let held = |misfits: &Option<[Misfit; 3]>| misfits.map_or(1.0, |m| gap_of(&m, channel));
+    let doubt = last.latitude.and_then(|l| instead_of(name, l));
+    let parameters = parameters_of(name.claim.name(), last.calibration);
+    let rivals = last.rivals.iter();
+    let beside =
+        rivals.filter_map(|rival| rival.beside(name.claim.effect()?, &parameters, last.state));
     let ties: Vec<String> = name.ties.iter().map(|t| t.claim.name().into()).collect();
     EffectFinding {
         name: name.claim.name().into(),
@@ -53,7 +67,9 @@ pub fn finding(name: &Name, last: &Final<'_>) -> EffectFinding {
         indistinguishable_from: ties,
         shared: name.ties.iter().map(|t| t.shared).collect(),
         rivals: name.ties.iter().filter_map(|t| t.rivalry.clone()).collect(),
-        parameters: parameters_of(name.claim.name(), last.calibration),
+        latitude_in_doubt: doubt.map(|doubt| doubt.words()),
+        may_be_beside: beside.collect(),
+        parameters,
         channel,
         gap_before: gap_of(&sequence.misfits(without), channel),
         gap_after: gap_of(&last.misfits, channel),

@@ -19,7 +19,7 @@ mod static_norm;
 mod stepwise;
 
 pub use checks::not_in_one_plane;
-pub use joint::{Account, refuse_unobservable, written_down};
+pub use joint::{Account, LatitudeDoubt, refuse_unobservable, written_down};
 pub use magnetic::FIELDS;
 pub use means_file::read_static_means;
 pub use outcome::Outcome;

@@ -1,6 +1,7 @@
 //! `discover`: where simulation and data disagree, and the name of what is missing.
 
 mod advice;
+mod alternatives;
 mod emit;
 mod held_out;
 mod page;

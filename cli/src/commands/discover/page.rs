@@ -7,6 +7,7 @@ use sensor::Sensor;
 
 use super::super::calibrate::tables::{PARAMETERS, parameters};
 use super::advice::next_recordings;
+use super::alternatives;
 use super::tables::{self, Rows};
 use super::verdict::{remains, verdict};
 use super::words::proposed;
@@ -82,7 +83,12 @@ pub fn page(
     report = lines(
         report,
         "What could not be told apart",
-        tables::ties(findings),
+        alternatives::ties(findings),
+    );
+    report = lines(
+        report,
+        "What may be there too",
+        alternatives::beside(findings),
     );
     report = lines(
         report,

@@ -241,21 +241,6 @@ fn last_part(recording: &str) -> String {
     )
 }
 
-/// What cannot be told from a named effect, in a sentence each.
-pub fn ties(findings: &Findings) -> Vec<String> {
-    let mut all = Vec::new();
-    for effect in &findings.effects {
-        for (tie, shared) in effect.indistinguishable_from.iter().zip(&effect.shared) {
-            all.push(format!(
-                "{tie} would explain {:.0} % of what {} explains: these recordings cannot tell the two apart.",
-                100.0 * shared,
-                effect.name
-            ));
-        }
-    }
-    all
-}
-
 /// What the validation recording says of the names, in a sentence per channel.
 pub fn validated(findings: &Findings) -> Vec<String> {
     let of = |v: &Validation| {

@@ -6,9 +6,10 @@ use calib::discover::Discovery;
 use comfy_table::CellAlignment;
 
 use super::advice::next_recordings;
+use super::alternatives::{beside, ties};
 use super::tables::{
     Rows, disagreement, evidence, faults, gaps, never_visible, not_observable, of_the_earth,
-    parameters, proposed_terms, ranking, reference, ties, validated,
+    parameters, proposed_terms, ranking, reference, validated,
 };
 use super::verdict::verdict;
 use super::words::{self, proposed};
@@ -62,6 +63,7 @@ pub fn text(discovery: &Discovery) -> String {
         text.push_str(NAMED_WHERE);
     }
     lines(&mut text, ties(findings));
+    lines(&mut text, beside(findings));
     let _ = writeln!(text, "\n{}", words::bias_noise(findings));
     text.push_str(&clocks::text(&findings.calibration));
     lines(&mut text, next_recordings(findings));

@@ -134,7 +134,14 @@ fn in_units(effect: &EffectFinding) -> String {
 }
 
 fn with_ties(effect: &EffectFinding) -> String {
-    or(&effect.name, &effect.indistinguishable_from)
+    let mut others = effect.indistinguishable_from.clone();
+    others.extend(
+        effect
+            .latitude_in_doubt
+            .is_some()
+            .then(|| "another latitude".into()),
+    );
+    or(&effect.name, &others)
 }
 
 fn faults(findings: &Findings) -> String {

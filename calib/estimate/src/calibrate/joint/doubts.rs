@@ -1,12 +1,6 @@
 //! What a joint fit leaves in doubt, in words.
 
-use gyroscope::EARTH_RATE;
-
-use crate::methods::earth::{vertical_rate, vertical_rate_at};
 use crate::methods::joint::{Disturbance, Flagged, JointFit, Missing, Reason};
-
-/// A latitude whose vertical part of the earth's rotation is off by so many standard errors is doubted.
-const REFUTED: f64 = 4.0;
 
 /// A placement off by so much, m/s², though nothing shook it, was not touched: the sensor lies otherwise in its case, or
 /// something lifts it.
@@ -154,19 +148,4 @@ pub fn influences(fit: &JointFit, warnings: &mut Vec<String>) {
             ));
         }
     }
-}
-
-/// Says where the data refute the vertical part of the earth's rotation that the latitude gives.
-pub fn latitude_in_doubt(fit: &JointFit, latitude: f64) -> Option<String> {
-    let (pull, std) = fit.pull_of_held(&vertical_rate())?;
-    let given = vertical_rate_at(latitude);
-    let seen = given + pull;
-    (pull.abs() > REFUTED * std).then(|| {
-        let sine = (seen / EARTH_RATE).clamp(-1.0, 1.0);
-        format!(
-            "--latitude {latitude}: the earth's rotation would have a vertical part of {given:.2e} rad/s, the recording \
-             shows {seen:.2e} ± {std:.0e} rad/s, as at a latitude of {:.0}°: is its sign right?",
-            sine.asin().to_degrees()
-        )
-    })
 }

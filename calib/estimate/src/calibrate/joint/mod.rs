@@ -2,12 +2,14 @@
 
 mod determined;
 mod doubts;
+mod latitude;
 mod triads;
 mod written_down;
 
 use recording::{Error, Recording};
 
 pub use self::determined::refuse_unobservable;
+pub use self::latitude::LatitudeDoubt;
 pub use self::written_down::{Account, written_down};
 use super::checks;
 use super::cut::cut;

@@ -5,7 +5,8 @@ use recording::{Error, Recording};
 use sensor::Sensor;
 
 use super::determined::{check_force, check_rate};
-use super::doubts::{disturbances, influences, latitude_in_doubt, of_missing, placements_apart};
+use super::doubts::{disturbances, influences, of_missing, placements_apart};
+use super::latitude::LatitudeDoubt;
 use super::triads::{force_triad, rate_triad};
 use crate::calibrate::assemble::{effect_values, of_the_gyro_unit, of_the_unit};
 use crate::calibrate::left_out::left_out;
@@ -82,7 +83,8 @@ pub fn written_down(
         misfits.extend(fit.missing().and_then(|missing| of_missing(&missing)));
     }
     warnings.extend(misfits);
-    warnings.extend(account.latitude.and_then(|l| latitude_in_doubt(fit, l)));
+    let doubt = account.latitude.and_then(|l| LatitudeDoubt::of(fit, l));
+    warnings.extend(doubt.map(|doubt| doubt.words()));
     influences(fit, warnings);
     let of_the_earth =
         |name: &str| account.keeps_the_earth && name.starts_with(earth_rotation().name());

@@ -1,0 +1,69 @@
+//! What may hold instead of a named effect, or beside it.
+
+use calib::discover::{Beside, EffectFinding, Findings};
+
+use crate::show;
+
+/// What cannot be told from a named effect, in a sentence each.
+pub fn ties(findings: &Findings) -> Vec<String> {
+    let mut all = Vec::new();
+    for effect in &findings.effects {
+        for (tie, shared) in effect.indistinguishable_from.iter().zip(&effect.shared) {
+            all.push(format!(
+                "{tie} would explain {:.0} % of what {} explains: these recordings cannot tell the two apart.",
+                100.0 * shared,
+                effect.name
+            ));
+        }
+        if let Some(doubt) = &effect.latitude_in_doubt {
+            all.push(format!(
+                "Another latitude would explain what {} explains. {doubt}",
+                effect.name
+            ));
+        }
+    }
+    all
+}
+
+/// What may be there beside a named effect, and what hangs on it.
+pub fn beside(findings: &Findings) -> Vec<String> {
+    let all = findings.effects.iter();
+    let of = |effect: &EffectFinding| {
+        let likely = effect
+            .may_be_beside
+            .iter()
+            .filter(|other| other.is_likely());
+        let likely: Vec<String> = likely.map(|other| likely_beside(effect, other)).collect();
+        likely.into_iter().chain(unknown_beside(effect))
+    };
+    all.flat_map(of).collect()
+}
+
+fn likely_beside(effect: &EffectFinding, other: &Beside) -> String {
+    let (own, name) = (&effect.name, &other.name);
+    format!(
+        "{name} may be there beside {own}: {} in one test, too weak to be named. With it the coefficients of {own} would change by \
+         up to {:.1} of their standard errors, which do not contain that. `calibrate --effects {own},{name}` fits both.",
+        show::probability(other.p_value),
+        other.largest_change
+    )
+}
+
+fn unknown_beside(effect: &EffectFinding) -> Option<String> {
+    let unknown = effect
+        .may_be_beside
+        .iter()
+        .filter(|other| !other.is_likely());
+    let unknown: Vec<&Beside> = unknown.collect();
+    let names: Vec<&str> = unknown.iter().map(|other| other.name.as_str()).collect();
+    let factors = unknown.iter().map(|other| other.largest_factor);
+    let own = &effect.name;
+    (!names.is_empty()).then(|| {
+        format!(
+            "Whether {} is there beside {own} these recordings do not show. The standard errors of {own} hold if it is not; with both \
+             they are up to {:.1} times as large.",
+            names.join(" or "),
+            factors.fold(1.0, f64::max)
+        )
+    })
+}
