@@ -89,13 +89,15 @@ impl Described {
         let of_jumps = |jumps: &Jumps| {
             let is_same = |s: &&Scatter| (s.sensor, s.axis) == (jumps.sensor, jumps.axis);
             match self.scatters.iter().find(is_same) {
-                // What may as well wander otherwise is not said to jump.
-                Some(wanders) if jumps.log_p > wanders.log_p - APART => Trial {
-                    log_p: jumps.log_p,
-                    statistic: jumps.statistic,
-                    dof: jumps.dof(),
-                    ..of_scatter(wanders)
-                },
+                // What may as well wander otherwise or go with the placement is not said to jump.
+                Some(wanders) if jumps.log_p > wanders.log_p - APART || wanders.is_forgotten() => {
+                    Trial {
+                        log_p: jumps.log_p,
+                        statistic: jumps.statistic,
+                        dof: jumps.dof(),
+                        ..of_scatter(wanders)
+                    }
+                }
                 _ => of_jumps(state, jumps),
             }
         };

@@ -35,14 +35,22 @@ pub struct Scatter {
 }
 
 impl Scatter {
-    /// What wanders, in words. What is forgotten within the shortest memory tried, which is that of one static interval, need
-    /// not go with time at all.
+    /// Whether it is forgotten within the shortest memory tried, which is that of one static interval: it need not go with time
+    /// at all.
+    pub fn is_forgotten(&self) -> bool {
+        self.memory <= MEMORIES[0]
+    }
+
+    /// What wanders, in words. Jumps to and fro have the covariance of a wandering.
     pub fn words(&self) -> String {
         let axis = ["x", "y", "z"][self.axis];
-        let how = if self.memory > MEMORIES[0] {
-            format!("wanders, with a memory of about {:.0} s", self.memory)
-        } else {
+        let how = if self.is_forgotten() {
             "differs from rest to rest, as one does that goes with the placement or jumps between rests".into()
+        } else {
+            format!(
+                "wanders or jumps, with a memory of about {:.0} s",
+                self.memory
+            )
         };
         format!("{}: the bias of axis {axis} {how}", self.sensor.name())
     }
