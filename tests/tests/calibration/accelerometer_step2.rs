@@ -1,7 +1,5 @@
 //! The second step of the stepwise accelerometer calibration, whose Jacobian has rank 6 of 9.
 
-#![allow(clippy::unwrap_used)]
-
 use solver::{Mask, Options, Parameters, Residual, Scalar, Variant, lit, solve};
 
 /// `‖T (A − b)‖ − g` for the nine elements of `T`, row by row.

@@ -1,5 +1,4 @@
 //! Placements in one plane leave parameters unknown: both methods must say which, and what to add.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use calib::Recording;
 use calib::calibrate::{Method, Request, calibrate};

@@ -1,5 +1,4 @@
 //! The study of conditions, small: stated errors hold, and no touch is named that was none.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use calib::calibrate::Method;
 use calib::recording::intervals::{Detector, segment};

@@ -1,5 +1,4 @@
 //! The heading is followed through turns that are used: it is another one in every recording, and behind a turn that is not.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use calib::Recording;
 use calib::calibrate::{Method, Request, calibrate};

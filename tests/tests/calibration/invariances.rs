@@ -1,5 +1,4 @@
 //! What a calibration must not depend on: where the clock starts, and what the axes are called.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use calib::Recording;
 use calib::calibrate::{Method, Request, calibrate};

@@ -1,5 +1,4 @@
 //! The joint method on simulated sessions: a small version of the coverage study.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use stillpoint_tests::coverage::{Row, SessionResult, run, summarise};
 

@@ -1,5 +1,4 @@
 //! Joint against stepwise on the phone's recordings, each left out in turn.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use stillpoint_tests::leave_one_out::leave_one_out;
 use stillpoint_tests::phone;

@@ -1,5 +1,4 @@
 //! A magnetometer from recording to corrected field.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use calib::calibrate::{Method, Request, calibrate};
 use calib::calibration::{Calibration, apply, effect_named};

@@ -1,5 +1,4 @@
 //! The magnetometer's study, small: errors beside the Cramér–Rao bound.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use sensor::Sensor;

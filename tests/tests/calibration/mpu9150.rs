@@ -1,5 +1,4 @@
 //! A five-dollar sensor in the hand: both methods on recordings whose rests all shake.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use calib::Recording;
 use calib::calibrate::{Method, Outcome, Request, calibrate};

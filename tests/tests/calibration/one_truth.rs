@@ -2,7 +2,6 @@
 //!
 //! A small version of `truth-study`: a device per effect and 30 placements to judge by; the whole at once is in the band
 //! that the study asks of each effect.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use calib::Error;
 use calib::calibrate::Method;

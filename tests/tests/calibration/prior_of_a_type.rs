@@ -1,5 +1,4 @@
 //! A prior of the type is worth what it can be worth at best; the large version is `prior-study`.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use stillpoint_tests::prior_study::{POPULATIONS, study};
 

@@ -1,7 +1,6 @@
 //! The source that a proposed formula is written as: compiled here as it stands.
 //!
-//! `STILLPOINT_BLESS=1 cargo test -p stillpoint-tests --test emitted_effect` writes the files again.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+//! `STILLPOINT_BLESS=1 cargo test -p stillpoint-tests --test discovery emitted_effect` writes the files again.
 
 use std::path::Path;
 

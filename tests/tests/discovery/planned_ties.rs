@@ -1,5 +1,4 @@
 //! Effects that one recording cannot tell apart, and the recording that is planned for them.
-#![allow(clippy::unwrap_used)]
 
 use stillpoint_tests::tie_study::{Outcome, TIES};
 

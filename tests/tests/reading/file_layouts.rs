@@ -1,7 +1,5 @@
 //! One recording in every layout that apps, loggers and robots write is read as that recording.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
-
 use std::ffi::OsString;
 use std::path::Path;
 

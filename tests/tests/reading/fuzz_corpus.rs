@@ -1,7 +1,5 @@
 //! What the fuzzers found worth keeping, run again: nothing panics, nothing takes long.
 
-#![allow(clippy::unwrap_used, clippy::panic)]
-
 use std::path::Path;
 use std::time::{Duration, Instant};
 

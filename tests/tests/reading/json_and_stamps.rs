@@ -1,7 +1,5 @@
 //! One recording as JSON and as texts with stamps in brackets, in two columns and in days: read as the plain table is.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
-
 use std::fmt::Write as _;
 
 use calib::recording::{ReadOptions, TimeUnit};

@@ -1,8 +1,6 @@
 //! `make_formats.py` beside the recordings writes a phone's recording in the layouts of programs; every one of them is
 //! read as that recording.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
-
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;

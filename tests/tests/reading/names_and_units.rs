@@ -1,7 +1,5 @@
 //! Names and units of columns that people give them: read rightly or asked about, never a sensor or a factor lost.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
-
 use std::fmt::Write as _;
 
 use calib::recording::{ReadOptions, Stream};

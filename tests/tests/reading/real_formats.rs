@@ -1,7 +1,5 @@
 //! Files as their programs wrote them: read sample by sample as other readers read them.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
-
 use std::path::Path;
 
 use calib::recording::{ReadOptions, Stream};

@@ -1,8 +1,6 @@
 //! No sensor is lost silently: in every layout one sensor's columns are renamed, removed or put elsewhere, and the file is
 //! read rightly or asked about.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
-
 use std::path::Path;
 
 use calib::recording::{Described, ReadOptions, Stream};

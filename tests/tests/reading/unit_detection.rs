@@ -1,8 +1,6 @@
 //! Recordings in units of many kinds, without a header or with a wrong one, slow and fast, with large biases: read rightly
 //! or asked about, never wrongly.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
-
 use std::fmt::Write as _;
 
 use calib::recording::{ReadOptions, Stream};

@@ -1,7 +1,5 @@
 //! Noise terms of simulated sensors, found again.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
 use calib::noise::{AllanCurve, NoiseTerm, identify, settling_time};
 use stillpoint_tests::noise_source::Coefficients;
 

@@ -1,5 +1,4 @@
 //! Guided sessions with a simulated phone and a simulated person.
-#![allow(clippy::unwrap_used)]
 
 use stillpoint_tests::live::sit;
 

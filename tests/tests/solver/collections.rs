@@ -1,7 +1,5 @@
 //! The default on published collections that it was not tuned on.
 
-#![allow(clippy::unwrap_used)]
-
 use solver::{Mask, Options, Report, solve};
 use stillpoint_tests::problems::{self, Case};
 

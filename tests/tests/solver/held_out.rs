@@ -1,7 +1,5 @@
 //! Endings on problems that no other collection holds, against the least costs known.
 
-#![allow(clippy::unwrap_used)]
-
 use stillpoint_tests::problems::{Case, held_out};
 
 /// What is counted as the least cost: 1e-6 of it apart, or 1e-12 where it is zero.

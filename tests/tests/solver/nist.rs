@@ -1,7 +1,5 @@
 //! The default solver on NIST's nonlinear regression problems.
 
-#![allow(clippy::unwrap_used)]
-
 use solver::{Mask, Options, Report, solve};
 use stillpoint_tests::needed_data::needed;
 use stillpoint_tests::problems::nist::Regression;

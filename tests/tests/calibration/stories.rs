@@ -1,5 +1,4 @@
 //! Simulated sessions calibrated without being told anything, against their truth.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use calib::Error;
 use calib::calibrate::{Outcome, Request, calibrate};

@@ -1,5 +1,4 @@
 //! What is read of simulated recordings: arrays as text, and how far two clocks are apart.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use calib::recording::{ReadOptions, Rows, Stream, clock_offset, to_csv};
 use calib::simulate::Spec;

@@ -1,5 +1,4 @@
 //! An effect says everything about itself: no other code knows it by name.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::path::{Path, PathBuf};
 

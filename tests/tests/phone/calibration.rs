@@ -1,5 +1,4 @@
 //! The main job on the phone's recordings, against figures recomputed from them independently.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use calib::calibrate::{Outcome, Request, calibrate, read_static_means};
 use calib::evaluate;

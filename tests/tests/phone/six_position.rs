@@ -1,7 +1,5 @@
 //! The six-position method on the phone's six recordings of five minutes.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
 use calib::intervals::{Detector, Moments};
 use calib::methods::six_position::{EarthRotation, Face, Placement, Six, SixPosition, placements};
 use calib::recording::Stream;

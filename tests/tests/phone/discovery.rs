@@ -1,5 +1,4 @@
 //! What is missing of a phone whose gyroscope is sampled at instants, without a filter before.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use calib::discover::{Findings, Request, discover};
 use stillpoint_tests::phone;

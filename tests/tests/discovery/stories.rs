@@ -1,5 +1,4 @@
 //! What is hidden in a session is named, and nothing where nothing is: the small version of `power-study`.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use stillpoint_tests::power::{Record, Row, run};
 

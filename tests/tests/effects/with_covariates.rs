@@ -1,5 +1,4 @@
 //! Effects that ask for more than the two signals, in recordings that were simulated with them.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use calib::calibrate::{Method, Outcome, Request, calibrate};
 use calib::calibration::effect_named;

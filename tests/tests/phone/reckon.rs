@@ -1,7 +1,5 @@
 //! The phone on a cart, six times 4.095 m, and in a walker's hand.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
 use calib::calibrate::{Request, calibrate};
 use calib::calibration::{Calibration, apply};
 use calib::intervals::Span;

@@ -1,5 +1,4 @@
 //! What every effect of the catalogue must hold to.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::collections::HashSet;
 

@@ -1,5 +1,4 @@
 //! Simulated sessions as an estimator sees them, against the truth they come with.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use calib::effects::catalogue_of;
 use calib::recording::intervals::{Detector, segment};

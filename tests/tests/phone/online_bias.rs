@@ -1,7 +1,5 @@
 //! Biases estimated again on the phone, and what held-out positions say of four calibrations.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
 use calib::calibrate::{Request, calibrate};
 use calib::calibration::{Calibration, apply};
 use calib::intervals::{Detector, Segmentation, segment};

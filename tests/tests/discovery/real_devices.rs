@@ -1,5 +1,4 @@
 //! What real devices do that a simulator does not think of: discovery names what a person would.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use calib::Recording;
 use calib::discover::{Discovery, Request, Verdict, discover};
