@@ -4,7 +4,8 @@ use std::borrow::Borrow;
 use std::sync::Arc;
 
 use estimate::calibrate::{
-    Account, Frame, not_in_one_plane, of_one_device, own_effects, refuse_unobservable, written_down,
+    Account, Frame, gyroscope_of_one_device, none_is_there_twice, not_in_one_plane, of_one_device,
+    own_effects, refuse_unobservable, without_copies, written_down,
 };
 use estimate::calibration::Calibration;
 use estimate::methods::joint::SensorNoise;
@@ -16,7 +17,7 @@ use super::enough::{enough_rests, enough_to_compare};
 use super::family::{Claim, effect_family};
 use super::fault::delay::delay;
 use super::fault::integrity::{SPOILT, disturbed, integrity, undersampled};
-use super::findings::late::{late, late_finding};
+use super::findings::late::{late, late_apart, late_finding};
 use super::findings::named::{Final, finding, parameters_of, ranked_claim};
 use super::findings::room::described;
 use super::findings::{FINDINGS_SCHEMA, Findings, Verdict};
@@ -30,6 +31,9 @@ use super::search::{Name, Search};
 use super::settle::{HeldShape, say_held, settle};
 use super::state::State;
 use super::visible::NEVER_VISIBLE;
+
+/// The chance that stamps which are late by the same in all recordings are said to be late by different times.
+const LATE_APART: f64 = 1e-3;
 
 /// The findings with the models behind them, for pictures.
 #[derive(Clone, Debug)]
@@ -52,9 +56,11 @@ pub fn discover<R: Borrow<Recording>>(
 ) -> Result<Discovery, Error> {
     let recordings: Vec<&Recording> = recordings.iter().map(R::borrow).collect();
     own_effects::grant_steps(&request.catalogue, recordings.iter().copied());
+    let (recordings, copies) = without_copies(recordings);
     let mut discovery = discover_all(&recordings, request)?;
     let warnings = &mut discovery.findings.calibration.warnings;
     warnings.extend(own_effects::left_out(&request.catalogue));
+    warnings.extend(copies);
     Ok(discovery)
 }
 
@@ -73,15 +79,18 @@ pub(super) fn discover_in(
         .map(|(r, choice)| static_means(r, &choice.segmentation))
         .collect();
     not_in_one_plane(&means)?;
+    let recordings: Vec<&Recording> = session.recordings.iter().map(|(r, _)| *r).collect();
     if !request.force_device {
-        let of = session.recordings.iter().map(|(recording, _)| *recording);
-        of_one_device(of.zip(means), request.gravity)?;
+        let cut = session.recordings.iter();
+        none_is_there_twice(cut.map(|(recording, choice)| (*recording, &choice.segmentation)))?;
+        of_one_device(&recordings, &means, request.gravity)?;
     }
     let base = State::fit(session, super::Extension::default())?;
     session.clocks = Some(base.fit.data.decided_clocks());
     session.base = Some(Arc::clone(&base.fit));
     refuse_unobservable(&base.fit)?;
     enough_to_compare(session, &base)?;
+    gyroscope_of_one_device(&base.fit, &recordings, request.force_device)?;
     let mut faults = integrity(session, &base);
     let is_spoilt = faults.iter().any(|fault| SPOILT.contains(&fault.name));
     let Judged {
@@ -92,7 +101,12 @@ pub(super) fn discover_in(
         true => Judged::nothing_looked_for(base),
         false => judged(session, request, base)?,
     };
-    let late = (!is_spoilt).then(|| late(&search.last, request)).flatten();
+    let apart = match is_spoilt {
+        true => Vec::new(),
+        false => late_apart(&search.last, request, LATE_APART),
+    };
+    let looks = !is_spoilt && apart.is_empty();
+    let late = looks.then(|| late(&search.last, request)).flatten();
     if let Some((effect, late)) = late {
         let mut extension = search.last.extension.clone();
         extension.effects.push((effect, Some((0, late.delay))));
@@ -106,6 +120,11 @@ pub(super) fn discover_in(
     let (proposed, with_formula) = proposed.unzip();
     let (mut calibration, held) = determined(session, request, &mut search, held)?;
     say_held(&mut calibration, &held);
+    calibration
+        .warnings
+        .extend(unknown_temperature(&search.last));
+    let another = gyroscope_of_one_device(&search.last.fit, &recordings, true)?;
+    calibration.warnings.extend(another);
     calibration.warnings.extend(search.spent.clone());
     let named = |name: &&Name| matches!(name.claim, Claim::Effect(_));
     let mut effects = Vec::new();
@@ -136,6 +155,7 @@ pub(super) fn discover_in(
     }
     let lasting = disturbed(&search.last, &faults, &search.either);
     faults.extend(lasting);
+    faults.extend(apart);
     faults.extend(undersampled(&search.last));
     let named = !effects.is_empty() || !faults.is_empty();
     let verdict = match (named, rest.is_some()) {
@@ -176,6 +196,17 @@ pub(super) fn discover_in(
         findings,
         search,
         with_formula,
+    })
+}
+
+/// What to say where a temperature is known of some recordings only.
+fn unknown_temperature(state: &State) -> Option<String> {
+    let without = state.fit.data.without_thermometer();
+    (!without.is_empty()).then(|| {
+        format!(
+            "{} has no temperature, others have one: effects of the temperature are not looked for. Leave it out to look for them",
+            without.join(", ")
+        )
     })
 }
 

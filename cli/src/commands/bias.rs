@@ -77,7 +77,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     args.device.check(&old, &[&recording])?;
     let (detector, _) = args.detector.detector()?;
     let segmentation = segment(&recording, &detector)?;
-    let mut new = old;
+    let mut new = old.of_recording(&recording).into_owned();
     let mut stretches = Vec::new();
     if !args.no_gyroscope {
         stretches = gyroscope_stretches(&new, &recording, &segmentation)?;

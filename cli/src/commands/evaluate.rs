@@ -88,6 +88,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let mut warnings = recording.warnings.clone();
     for (_, calibration) in &calibrations {
         args.device.check(calibration, &[&recording])?;
+        warnings.extend(calibration.doubts_biases_of(&recording));
     }
     let progress = spinner("comparing");
     let choice = cut(&recording, &detector, choose, args.gravity)?;

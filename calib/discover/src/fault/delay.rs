@@ -46,11 +46,24 @@ struct Turn {
 ///
 /// `None` with too few turns.
 pub fn delay(state: &State) -> Option<Delay> {
+    of_turns(&turns(state, |_| true))
+}
+
+/// The same of every recording by its own turns.
+pub fn delays(state: &State) -> Vec<(usize, Delay)> {
+    let recordings = 0..state.fit.data.sources.len();
+    let of = |recording| {
+        let own = turns(state, |of_turn| of_turn == recording);
+        Some((recording, of_turns(&own)?))
+    };
+    recordings.filter_map(of).collect()
+}
+
+/// The turns of the recordings that are wanted.
+fn turns(state: &State, is_wanted: impl Fn(usize) -> bool) -> Vec<Turn> {
     let gravity = state.fit.gravity;
-    let turns: Vec<Turn> = state
-        .sensitivities
-        .turns
-        .iter()
+    let all = state.sensitivities.turns.iter();
+    all.filter(|turn| is_wanted(state.fit.data.turns[turn.turn].recording))
         .map(|turn| {
             let mut sums = Turn {
                 a: Matrix4::zeros(),
@@ -70,13 +83,13 @@ pub fn delay(state: &State) -> Option<Delay> {
             }
             sums
         })
-        .collect();
-    (turns.len() >= 4 + SPARE_TURNS)
-        .then(|| of_turns(&turns))
-        .flatten()
+        .collect()
 }
 
 fn of_turns(turns: &[Turn]) -> Option<Delay> {
+    if turns.len() < 4 + SPARE_TURNS {
+        return None;
+    }
     let count = turns.len() as f64;
     let a: Matrix4<f64> = turns.iter().map(|t| t.a).sum();
     let b: Vector4<f64> = turns.iter().map(|t| t.b).sum();

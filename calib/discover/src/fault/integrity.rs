@@ -30,7 +30,7 @@ const GYROSCOPE: &str = "gyroscope";
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Integrity {
     /// `saturation`, `quantisation`, `dead_zone`, `rezeroing`, `lost_samples`, `outlying_turn`, `undersampled_motion`, `mount_slip` or
-    /// `disturbed_interval`.
+    /// `disturbed_interval`; `time_offset` where it is another in every recording.
     pub name: &'static str,
     /// The recording.
     pub recording: String,
@@ -59,7 +59,7 @@ pub struct Integrity {
 pub struct Size {
     /// In SI units.
     pub value: f64,
-    /// `rad`, `rad/s` or `m/s^2`.
+    /// `rad`, `rad/s`, `m/s^2` or `s`.
     pub unit: &'static str,
     /// How many times the noise of the readings the channel is off by where nothing is said of it; `None` of what is at one
     /// place.

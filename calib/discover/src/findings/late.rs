@@ -1,14 +1,17 @@
 //! Late stamps, which the moving accelerometer shows, as a finding.
 
 use estimate::calibration::Calibration;
+use recording::intervals::Span;
 use sensor::{AnyEffect, Model, Nature, Sensor};
 
 use super::EffectFinding;
 use super::named::parameters_of;
 use crate::family::is_late;
-use crate::fault::delay::{Delay, delay};
+use crate::fault::delay::{Delay, delay, delays};
+use crate::fault::integrity::{Integrity, Size};
 use crate::gap::channel::Channel;
 use crate::request::Request;
+use crate::score::log_tail;
 use crate::state::State;
 
 /// Stamps are late beyond what delays of the gyroscope do if by more standard errors than this.
@@ -24,6 +27,69 @@ pub fn late(state: &State, request: &Request) -> Option<(&'static dyn AnyEffect,
         return None;
     }
     (late_evidence(&found, candidates.len()) > request.threshold()).then_some((*effect, found))
+}
+
+/// Recordings whose stamps are late each in their own way, as their clocks were started apart: no error of the sensor. `alpha` is
+/// the chance that they are said to differ where they do not.
+pub fn late_apart(state: &State, request: &Request, alpha: f64) -> Vec<Integrity> {
+    let all = delays(state);
+    if !differ(&all, alpha) {
+        return Vec::new();
+    }
+    let needed = request.threshold() + (all.len() as f64).ln();
+    let candidates = request.candidates().len();
+    let late = all
+        .iter()
+        .filter(|(_, own)| late_evidence(own, candidates) > needed);
+    let fault = |(recording, own): &(usize, Delay)| {
+        let data = &state.fit.data;
+        let rests = data.rests.iter().filter(|r| r.recording == *recording);
+        let spans = rests.map(|rest| rest.span);
+        let span = spans.reduce(|a, b| Span {
+            from: a.from.min(b.from),
+            to: a.to.max(b.to),
+        })?;
+        let way = if own.delay < 0.0 { "early" } else { "late" };
+        Some(Integrity {
+            name: "time_offset",
+            recording: data.sources[*recording].name.clone(),
+            interval: None,
+            t0: span.from,
+            t1: span.to,
+            detail: format!(
+                "stamps of the accelerometer {:.2} ± {:.2} ms {way}, unlike in the other recordings",
+                1e3 * own.delay.abs(),
+                1e3 * own.std
+            ),
+            remedy: Some(
+                "the offset is of that recording alone and is in no calibration: start both sensors by one clock, or take it off \
+                 the accelerometer's stamps",
+            ),
+            indistinguishable_from: Vec::new(),
+            size: Some(Size {
+                value: own.delay.abs(),
+                unit: "s",
+                gap: None,
+            }),
+        })
+    };
+    late.filter_map(fault).collect()
+}
+
+/// Whether the delays of recordings differ by more than chance.
+fn differ(all: &[(usize, Delay)], alpha: f64) -> bool {
+    let weight = |own: &Delay| own.std.powi(-2);
+    let whole: f64 = all.iter().map(|(_, own)| weight(own)).sum();
+    let mean: f64 = all
+        .iter()
+        .map(|(_, own)| weight(own) * own.delay)
+        .sum::<f64>()
+        / whole;
+    let apart = all
+        .iter()
+        .map(|(_, own)| weight(own) * (own.delay - mean).powi(2));
+    let dof = all.len().saturating_sub(1) as f64;
+    log_tail(apart.sum(), dof) < alpha.ln()
 }
 
 /// The longest delay of an axis of the gyroscope against another in the model, s.

@@ -18,14 +18,14 @@ mod same_device;
 mod static_norm;
 mod stepwise;
 
-pub use checks::not_in_one_plane;
+pub use checks::{none_is_there_twice, not_in_one_plane, without_copies};
 pub use joint::{Account, LatitudeDoubt, refuse_unobservable, written_down};
 pub use magnetic::FIELDS;
 pub use means_file::read_static_means;
 pub use outcome::Outcome;
 pub use part_way::changes_part_way;
 pub use request::{Frame, GyroBias, Instant, Method, NOMINAL_RATES, Request};
-pub use same_device::of_one_device;
+pub use same_device::{gyroscope_of_one_device, of_one_device};
 pub use stepwise::gyroscope_data;
 
 use std::borrow::Borrow;
@@ -132,7 +132,10 @@ fn by_stamps(
     let mut warnings = Vec::new();
     let clean = recordings.iter().zip(&cleaned);
     let clean = clean.map(|(raw, cleaned)| cleaned.as_ref().map_or(*raw, |(clean, _)| clean));
-    let recordings = checks::without_repeats(clean, &mut warnings);
+    let (recordings, copies) = without_copies(clean);
+    warnings.extend(copies);
+    let own = recordings.iter().flat_map(|r| r.warnings.iter().cloned());
+    warnings.extend(own);
     for (recording, found) in cleaned.iter().flatten() {
         warnings.extend(found.iter().map(|f| format!("{}: {f}", recording.name)));
     }
@@ -141,6 +144,10 @@ fn by_stamps(
         .enumerate()
         .map(|(k, recording)| cut(recording, request, Some(k)))
         .collect::<Result<Vec<_>, _>>()?;
+    if !request.force_device {
+        let cut = choices.iter().map(|choice| &choice.segmentation);
+        none_is_there_twice(recordings.iter().copied().zip(cut))?;
+    }
     if request.method == Method::Joint {
         warnings.extend(within_budget(
             &recordings,

@@ -3,6 +3,7 @@
 use recording::{Error, Recording};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
+use crate::methods::joint::JointFit;
 use crate::methods::{AccelerometerFit, AccelerometerRequest, fit_accelerometer};
 use crate::residuals::StaticMean;
 
@@ -13,79 +14,186 @@ const LEVEL: f64 = 1e-7;
 /// may explain them.
 const SAME: f64 = 1e-3;
 
-/// Refuses recordings whose scale factors or misalignments differ by more than chance and misfit make,
-/// each fitted on its own; those too short for that are passed.
-pub(super) fn same_device(request: &AccelerometerRequest) -> Result<(), Error> {
-    if request.recordings.len() < 2 {
-        return Ok(());
-    }
-    let alone: Vec<(&String, AccelerometerFit)> = (0..request.recordings.len())
-        .filter_map(|k| {
-            let own = AccelerometerRequest {
-                recordings: vec![request.recordings[k].clone()],
-                names: vec![request.names[k].clone()],
-                ..request.clone()
-            };
-            let fit = fit_accelerometer(&own).ok()?;
-            (spare(&fit) > 1.0 && fit.fitted.rank == fit.fitted.free.len())
-                .then_some((&request.names[k], fit))
-        })
-        .collect();
-    for (k, (first, a)) in alone.iter().enumerate() {
-        for (second, b) in &alone[k + 1..] {
-            if let Some(words) = difference(a, b) {
-                return Err(Error::Input(format!(
-                    "{first} and {second}: {words}: recordings of different devices? (--force-device \
-                     if they are of one)"
-                )));
-            }
-        }
-    }
-    Ok(())
-}
+/// A gyroscope that differs by more is another: temperatures of a room and clocks of one maker do not make so much.
+const ANOTHER_GYROSCOPE: f64 = 3e-3;
 
-/// The same of recordings with their static means.
-pub fn of_one_device<'a>(
-    recordings: impl Iterator<Item = (&'a Recording, Vec<StaticMean>)>,
+/// What a kelvin may make of a scale factor or misalignment: several times what data sheets state.
+const PER_KELVIN: f64 = 5e-4;
+
+/// Refuses recordings whose scale factors or misalignments of the accelerometer differ by more than chance, misfit and their
+/// temperatures make, each fitted on its own; those too short for that are passed. What their temperatures may make is said.
+///
+/// # Errors
+/// The first two that differ, and in what.
+pub fn of_one_device(
+    recordings: &[&Recording],
+    means: &[Vec<StaticMean>],
     gravity: f64,
-) -> Result<(), Error> {
-    let (names, recordings) = recordings
-        .map(|(recording, means)| (recording.name.clone(), means))
-        .unzip();
-    same_device(&AccelerometerRequest {
-        recordings,
+) -> Result<Option<String>, Error> {
+    let celsius: Vec<Option<f64>> = recordings.iter().map(|r| celsius(r)).collect();
+    let names: Vec<String> = recordings.iter().map(|r| r.name.clone()).collect();
+    let request = AccelerometerRequest {
+        recordings: means.to_vec(),
         names,
         model: accelerometer::model(),
         gravity,
-    })
+    };
+    same_accelerometer(&request, &celsius)
+}
+
+/// The same of static means, at the temperatures that are known, °C.
+pub(super) fn same_accelerometer(
+    request: &AccelerometerRequest,
+    celsius: &[Option<f64>],
+) -> Result<Option<String>, Error> {
+    let count = request.recordings.len();
+    if count < 2 {
+        return Ok(None);
+    }
+    let alone = (0..count).filter_map(|k| {
+        let own = AccelerometerRequest {
+            recordings: vec![request.recordings[k].clone()],
+            names: vec![request.names[k].clone()],
+            ..request.clone()
+        };
+        let fit = fit_accelerometer(&own).ok()?;
+        let is_determined = spare(&fit) > 1.0 && fit.fitted.rank == fit.fitted.free.len();
+        is_determined.then_some((k, fit))
+    });
+    let alone: Vec<(usize, AccelerometerFit)> = alone.collect();
+    let mut warmer = None;
+    for (k, (first, a)) in alone.iter().enumerate() {
+        for (second, b) in &alone[k + 1..] {
+            let Some(difference) = difference(a, b) else {
+                continue;
+            };
+            let temperature = |k: usize| celsius.get(k).copied().flatten();
+            let between = Temperatures::of(temperature(*first), temperature(*second));
+            let (first, second) = (&request.names[*first], &request.names[*second]);
+            let words = &difference.words;
+            if difference.size > between.allowed() {
+                return Err(Error::Input(format!(
+                    "{first} and {second}: {words}: recordings of different devices{}? (--force-device if they are of one)",
+                    between.or_of_temperatures()
+                )));
+            }
+            warmer.get_or_insert_with(|| {
+                format!(
+                    "{first} and {second}: {words}{}: `stillpoint discover` looks for effects of the temperature",
+                    between.in_words()
+                )
+            });
+        }
+    }
+    Ok(warmer)
+}
+
+/// The same of the gyroscope by a fit to all: `recordings` are those of the fit.
+///
+/// # Errors
+/// The recording whose gyroscope is another.
+pub fn gyroscope_of_one_device(
+    fit: &JointFit,
+    recordings: &[&Recording],
+    force_device: bool,
+) -> Result<Option<String>, Error> {
+    let Some(apart) = fit.gyroscope_apart() else {
+        return Ok(None);
+    };
+    let size = apart.change.abs();
+    if apart.p_value > LEVEL || size < SAME {
+        return Ok(None);
+    }
+    let own = recordings[apart.recording];
+    let others = recordings.iter().filter(|other| other.name != own.name);
+    let between = others.map(|other| Temperatures::of(celsius(own), celsius(other)));
+    let allowed = between.map(|between| between.allowed());
+    let words = format!(
+        "{}: {} of the gyroscope differs by {:+.2} ± {:.2} % from that in the other recordings",
+        own.name,
+        apart.parameter.trim_start_matches("gyro."),
+        100.0 * apart.change,
+        100.0 * apart.std
+    );
+    let is_another = size > ANOTHER_GYROSCOPE.max(allowed.fold(0.0, f64::max));
+    if is_another && !force_device {
+        return Err(Error::Input(format!(
+            "{words}: is it of another device, or does its clock run fast or slow? (--force-device if they are of one)"
+        )));
+    }
+    Ok(Some(format!(
+        "{words}: was it at another temperature, or does its clock run fast or slow? The errors are enlarged to the misfit that this \
+         makes"
+    )))
+}
+
+/// Mean temperatures of two recordings, where they are known, °C.
+struct Temperatures(Option<[f64; 2]>);
+
+/// The mean temperature of a recording, where it is known.
+pub(super) fn celsius(recording: &Recording) -> Option<f64> {
+    let temperature = recording.temperature.as_ref()?;
+    temperature.mean(f64::NEG_INFINITY, f64::INFINITY)
+}
+
+impl Temperatures {
+    fn of(one: Option<f64>, other: Option<f64>) -> Self {
+        Self(one.zip(other).map(<[f64; 2]>::from))
+    }
+
+    /// What they may make of a scale factor or misalignment.
+    fn allowed(&self) -> f64 {
+        self.0
+            .map_or(0.0, |[one, other]| PER_KELVIN * (one - other).abs())
+    }
+
+    fn in_words(&self) -> String {
+        self.0.map_or_else(String::new, |[one, other]| {
+            format!(", at {one:.0} and {other:.0} °C")
+        })
+    }
+
+    /// What else may be the cause where they are not known.
+    fn or_of_temperatures(&self) -> &'static str {
+        match self.0 {
+            Some(_) => "",
+            None => ", or at very different temperatures",
+        }
+    }
 }
 
 fn spare(fit: &AccelerometerFit) -> f64 {
     fit.first.residuals.len() as f64 - fit.first.uncertainty.rank as f64
 }
 
-/// The first parameter in which two fits differ beyond chance, in words.
-fn difference(a: &AccelerometerFit, b: &AccelerometerFit) -> Option<String> {
+/// A parameter in which two fits differ.
+struct Difference {
+    /// As a share of the scale.
+    size: f64,
+    words: String,
+}
+
+/// The parameter in which two fits differ most, where that is beyond chance.
+fn difference(a: &AccelerometerFit, b: &AccelerometerFit) -> Option<Difference> {
     let law = StudentsT::new(0.0, 1.0, spare(a).min(spare(b))).ok()?;
-    a.fitted
-        .free
-        .iter()
-        .filter(|name| name.starts_with("accel.") && !name.contains(".b_"))
-        .find_map(|name| {
-            let (x, y) = (
-                a.fitted.parameters.get(name)?,
-                b.fitted.parameters.get(name)?,
-            );
-            let errors = [a, b].map(|fit| fit.fitted.standard_error(name));
-            let error = errors[0]?.hypot(errors[1]?);
-            let t = (x - y).abs() / error;
-            if !t.is_finite() {
-                return None;
-            }
-            let scale = a.unit.scale.max(b.unit.scale);
-            let other = (x - y).abs() > SAME * scale && 2.0 * law.sf(t) < LEVEL;
-            other.then(|| {
-                format!("{name} is {x:.5} in one and {y:.5} in the other ({t:.0} standard errors)")
-            })
+    let scale = a.unit.scale.max(b.unit.scale);
+    let of = |name: &String| {
+        let (x, y) = (
+            a.fitted.parameters.get(name)?,
+            b.fitted.parameters.get(name)?,
+        );
+        let errors = [a, b].map(|fit| fit.fitted.standard_error(name));
+        let t = (x - y).abs() / errors[0]?.hypot(errors[1]?);
+        let size = (x - y).abs() / scale;
+        let other = t.is_finite() && size > SAME && 2.0 * law.sf(t) < LEVEL;
+        other.then(|| Difference {
+            size,
+            words: format!(
+                "{name} is {x:.5} in one and {y:.5} in the other ({t:.0} standard errors)"
+            ),
         })
+    };
+    let names = a.fitted.free.iter();
+    let own = names.filter(|name| name.starts_with("accel.") && !name.contains(".b_"));
+    own.filter_map(of).max_by(|a, b| a.size.total_cmp(&b.size))
 }

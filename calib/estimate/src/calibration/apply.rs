@@ -16,7 +16,7 @@ const BETWEEN_STEPS: usize = 1 << 12;
 const AT_GRAVITY: f64 = 0.03;
 
 /// The corrected recording, each sensor on its own clock. A sensor that the calibration does not
-/// speak of stays raw, which a warning says.
+/// speak of stays raw, which a warning says. A recording that the calibration is made from has its own biases taken off.
 ///
 /// Where effects look at static intervals these are detected.
 ///
@@ -37,6 +37,9 @@ pub fn apply_with(
 ) -> Result<Recording, Error> {
     calibration.knows_its_effects()?;
     let doubt = belongs_to(calibration, recording)?;
+    let of_another = calibration.doubts_biases_of(recording);
+    let calibration = calibration.of_recording(recording);
+    let calibration = calibration.as_ref();
     let models = Models::of(calibration);
     let found = match intervals {
         None if looks_at_intervals(&models) => intervals_of(calibration, recording)?,
@@ -44,7 +47,9 @@ pub fn apply_with(
     };
     let truth = Truth::of(recording, intervals.or(found.as_ref()), models.clone())?;
     let mut corrected = recording.clone();
-    corrected.warnings.extend(doubt);
+    corrected
+        .warnings
+        .extend(doubt.into_iter().chain(of_another));
     if let (Some(field), true) = (
         &mut corrected.magnetometer,
         calibration.magnetometer.is_some(),

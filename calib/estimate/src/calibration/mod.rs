@@ -9,6 +9,7 @@ mod gravity;
 mod left_out;
 mod magnetic_field;
 mod misfit;
+mod of_recording;
 mod outside;
 mod provenance;
 mod reading_unit;

@@ -202,6 +202,8 @@ fn shifted(
     let change = back * residual;
     triad.bias = (Vector3::from(before) + change).into();
     triad.bias_std = (back.abs() * std).map(Some).into();
+    // It holds from now on, whichever recording it is applied to.
+    triad.recordings.clear();
     let bias = triad.bias;
     updated.history.push(BiasUpdate {
         sensor: sensor.prefix().into(),

@@ -16,6 +16,9 @@ use crate::residuals::{GravityNorm, OwnBias, StaticMean};
 /// Recordings get biases of their own where a common one is refuted at this level.
 const OWN_BIAS_LEVEL: f64 = 0.01;
 
+/// Biases of their own are cheap where no standard error of a scale factor or misalignment becomes larger by more than this.
+const CHEAP: f64 = 1.5;
+
 /// Steps that a fit may take: placements that determine the parameters need ten.
 const MOST_STEPS: usize = 200;
 
@@ -50,6 +53,8 @@ pub struct AccelerometerFit {
     pub unit: RawUnit,
     /// Whether each recording has a bias of its own.
     pub own_bias: bool,
+    /// Whether the recordings determine biases of their own almost for nothing.
+    pub own_bias_is_cheap: bool,
     /// Rests that disagree with all the others.
     pub outliers: Vec<Outlier>,
     /// The probability of so much difference between the recordings under one common bias.
@@ -86,9 +91,14 @@ pub fn fit_accelerometer(request: &AccelerometerRequest) -> Result<Accelerometer
         .map(|means| unit.means_to_si(means))
         .collect();
     let common = step_one(request, &near_si, false)?;
-    let (first, common_bias_p) = match request.recordings.len() {
-        0 | 1 => (common, None),
-        _ => choose_bias(common, step_one(request, &near_si, true)?),
+    let (first, common_bias_p, own_bias_is_cheap) = match request.recordings.len() {
+        0 | 1 => (common, None, false),
+        _ => {
+            let own = step_one(request, &near_si, true)?;
+            let is_cheap = is_cheap(&common, &own);
+            let (first, p) = choose_bias(common, own);
+            (first, p, is_cheap)
+        }
     };
     let shared = request.model.parameter_count();
     let own_bias = first.parameters.len() > shared;
@@ -101,6 +111,7 @@ pub fn fit_accelerometer(request: &AccelerometerRequest) -> Result<Accelerometer
         second,
         unit,
         own_bias,
+        own_bias_is_cheap,
         common_bias_p,
     })
 }
@@ -158,6 +169,16 @@ fn step_two(
         ..Options::default()
     };
     Ok(solve(&problem, &start, &mask, &options)?)
+}
+
+/// Whether biases of their own are determined, and leave the standard errors of scale factors and misalignments nearly as they are.
+fn is_cheap(common: &Report, own: &Report) -> bool {
+    let (one, each) = (&common.uncertainty, &own.uncertainty);
+    let growth = one.names.iter().enumerate().filter_map(|(k, name)| {
+        let own = each.names.iter().position(|other| other == name)?;
+        (!name.contains(".b_")).then(|| each.standard_error(own, 1.0) / one.standard_error(k, 1.0))
+    });
+    each.rank == each.names.len() && growth.fold(0.0, f64::max) < CHEAP
 }
 
 /// The fit with own biases where the F test refutes a common one, and that test's p-value.

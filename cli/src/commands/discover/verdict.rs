@@ -182,6 +182,7 @@ fn faults(findings: &Findings) -> String {
 /// The size of a fault in the unit that people read it in.
 fn of_fault(size: Size) -> String {
     let (factor, unit) = match size.unit {
+        "s" => (1e3, "ms"),
         "rad" => unit_of(Channel::Direction),
         "rad/s" => unit_of(Channel::StaticRate),
         _ => unit_of(Channel::StaticNorm),

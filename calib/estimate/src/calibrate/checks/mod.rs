@@ -7,6 +7,7 @@ mod mounting;
 mod norm;
 mod on_top;
 mod rests;
+mod twice;
 mod unknowable;
 
 pub(super) use coning::too_fast;
@@ -18,6 +19,7 @@ pub(super) use mounting::{gyroscope_gates, turned_axes};
 pub(super) use norm::the_norm_tells_them;
 pub(super) use on_top::corrected_before;
 pub(super) use rests::{disagreeing_rests, long_turns, restless};
+pub use twice::{none_is_there_twice, without_copies};
 pub(super) use unknowable::{refuse_attitude, refuse_unknowable};
 
 use nalgebra::Vector3;
@@ -35,28 +37,6 @@ const ENOUGH_RATE: f64 = 1000.0;
 
 /// Quiet stretches that are shown where none is quiet enough.
 const QUIETEST: usize = 3;
-
-/// The recordings without repeats of the same data.
-pub(super) fn without_repeats<'a>(
-    recordings: impl IntoIterator<Item = &'a Recording>,
-    warnings: &mut Vec<String>,
-) -> Vec<&'a Recording> {
-    let mut kept: Vec<&Recording> = Vec::new();
-    for recording in recordings {
-        let twin = kept.iter().find(|k| {
-            k.accelerometer == recording.accelerometer && k.gyroscope == recording.gyroscope
-        });
-        match twin {
-            Some(twin) => warnings.push(format!(
-                "{}: the same data as {}; counted once",
-                recording.name, twin.name
-            )),
-            None => kept.push(recording),
-        }
-        warnings.extend(recording.warnings.iter().cloned());
-    }
-    kept
-}
 
 /// What a user should know of how a recording was cut.
 pub(super) fn of_the_detector(recording: &Recording, choice: &Choice) -> Vec<String> {

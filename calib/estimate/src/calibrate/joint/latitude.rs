@@ -46,12 +46,17 @@ impl LatitudeDoubt {
         let sine = (self.seen / EARTH_RATE).clamp(-1.0, 1.0);
         format!(
             "--latitude {}: the earth's rotation would have a vertical part of {:.2e} rad/s, the recording shows {:.2e} ± {:.0e} \
-             rad/s, as at a latitude of {:.0}°: is its sign right?",
+             rad/s, as at a latitude of {:.0}°: is {} right?",
             self.latitude,
             self.given,
             self.seen,
             self.std,
-            sine.asin().to_degrees()
+            sine.asin().to_degrees(),
+            if self.given * self.seen < 0.0 {
+                "its sign"
+            } else {
+                "it"
+            }
         )
     }
 }

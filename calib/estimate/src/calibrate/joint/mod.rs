@@ -15,7 +15,7 @@ use super::checks;
 use super::cut::cut;
 use super::outcome::Outcome;
 use super::request::Request;
-use super::same_device::of_one_device;
+use super::same_device::{gyroscope_of_one_device, of_one_device};
 use crate::calibration::Calibration;
 use crate::methods::Choice;
 use crate::methods::earth::{self, on_the_earth};
@@ -42,7 +42,7 @@ pub fn calibrate(
     checks::enough_rests(recordings, &choices, &means)?;
     checks::not_in_one_plane(&means)?;
     if !request.force_device {
-        of_one_device(recordings.iter().copied().zip(means), request.gravity)?;
+        warnings.extend(of_one_device(recordings, &means, request.gravity)?);
     }
     let mut recordings = recordings.to_vec();
     let mut choices = choices;
@@ -84,6 +84,11 @@ pub fn calibrate(
             request.gravity,
         )
     })?;
+    warnings.extend(gyroscope_of_one_device(
+        &fit,
+        &recordings,
+        request.force_device,
+    )?);
     let chosen: Vec<&Choice> = choices.iter().collect();
     let account = Account {
         gravity: request.gravity,

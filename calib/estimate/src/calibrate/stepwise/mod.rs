@@ -10,7 +10,8 @@ use sensor::{AnyEffect, Model, Quantity};
 use super::cut::cut;
 use super::outcome::Outcome;
 use super::request::Request;
-use super::{assemble, checks, same_device};
+use super::same_device::{celsius, same_accelerometer};
+use super::{assemble, checks};
 use crate::calibration::{Calibration, RecordingClock};
 use crate::methods::joint::ClockMode;
 use crate::methods::{
@@ -148,7 +149,8 @@ fn accelerometer(
         gravity: request.gravity,
     };
     if !force_device {
-        same_device::same_device(&request)?;
+        let celsius: Vec<_> = recordings.iter().map(|r| celsius(r)).collect();
+        warnings.extend(same_accelerometer(&request, &celsius)?);
     }
     let mut fit = fit_accelerometer(&request)?;
     if choices.len() == request.recordings.len()

@@ -3,6 +3,7 @@
 mod add;
 pub(crate) mod budget;
 pub(crate) mod mean;
+mod temperature;
 
 use std::ops::Range;
 
@@ -119,6 +120,8 @@ pub struct Source {
     pub accelerometer: Option<SensorNoise>,
     /// Noise of the gyroscope, near SI units.
     pub gyroscope: Option<SensorNoise>,
+    /// Whether its temperature was recorded.
+    pub has_thermometer: bool,
     /// The time that walks of the biases are counted from while the noise is judged, s: the edge of a chunk
     /// near the middle. The biases of a fit are means over the rests.
     pub reference: f64,

@@ -2,6 +2,7 @@
 
 mod allowed_scatter;
 pub(crate) mod analysis;
+pub(crate) mod apart;
 pub(crate) mod channel;
 pub(crate) mod influence;
 mod known_noise;

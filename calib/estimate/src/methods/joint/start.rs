@@ -26,7 +26,8 @@ pub struct Start {
     pub force_unit: RawUnit,
     /// Unit of the gyroscope.
     pub rate_unit: RawUnit,
-    /// Whether the data refute one bias of the accelerometer for all recordings.
+    /// Whether the accelerometer has a bias of its own in every recording: where they determine it almost for nothing, or refute
+    /// one for all. A difference that is too small to be refuted is an error of several standard errors in a common bias.
     pub own_force_bias: bool,
     /// Parameters of the accelerometer's model near SI, for each recording.
     pub accelerometer: Vec<Vec<f64>>,
@@ -112,7 +113,7 @@ pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
         (guess.unit, guess.axes)
     };
     Ok(Start {
-        own_force_bias: fit.own_bias,
+        own_force_bias: fit.own_bias || fit.own_bias_is_cheap,
         force_unit,
         rate_unit: RawUnit {
             zero: mean_rate(request),

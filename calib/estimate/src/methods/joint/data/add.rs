@@ -108,6 +108,7 @@ impl Data {
             name: cut.recording.name.clone(),
             accelerometer: of_force,
             gyroscope: of_rate,
+            has_thermometer: cut.recording.temperature.is_some(),
             reference: middle_edge(&spans),
             clock,
             timing: 0.0,

@@ -1,0 +1,86 @@
+//! A calibration of several recordings as that of one of them.
+
+use std::borrow::Cow;
+
+use recording::Recording;
+use sensor::Sensor;
+
+use super::provenance::fingerprint;
+use super::{Calibration, RecordingBias};
+
+/// Biases of two recordings that differ by so many standard errors are not the same.
+const DIFFERENT: f64 = 3.0;
+
+impl Calibration {
+    /// The calibration with the biases of this recording, where it was made from this one among others; itself for any other,
+    /// with the biases of the last.
+    pub fn of_recording(&self, recording: &Recording) -> Cow<'_, Self> {
+        let Some(own) = self.place_of(recording) else {
+            return Cow::Borrowed(self);
+        };
+        let mut alone = self.clone();
+        for sensor in Sensor::ALL {
+            let Some(triad) = alone.triad_mut(sensor) else {
+                continue;
+            };
+            let biases = std::mem::take(&mut triad.recordings);
+            if let Some(found) = biases.into_iter().find(|bias| bias.recording == own) {
+                (triad.bias, triad.bias_std) = (found.bias, found.bias_std);
+                triad.bias_time = None;
+            }
+        }
+        Cow::Owned(alone)
+    }
+
+    /// The name of a recording among those that have a bias of their own.
+    fn place_of(&self, recording: &Recording) -> Option<String> {
+        let triads = Sensor::ALL.into_iter().filter_map(|s| self.triad(s));
+        if triads.into_iter().all(|triad| triad.recordings.is_empty()) {
+            return None;
+        }
+        let samples = fingerprint(recording);
+        let mut inputs = self.provenance.inputs.iter();
+        let own = inputs.find(|input| input.samples_sha256 == samples)?;
+        Some(own.recording.clone())
+    }
+
+    /// What to say to a recording that the calibration is not made from, where its recordings have different biases.
+    pub fn doubts_biases_of(&self, recording: &Recording) -> Option<String> {
+        let differ = |sensor: Sensor| {
+            let triad = self.triad(sensor)?;
+            let most = largest_difference(&triad.recordings)?;
+            let unit = triad
+                .units
+                .as_ref()
+                .map_or_else(String::new, |units| format!(" {}", units.reading));
+            Some(format!("{} by {most:.2e}{unit}", sensor.name()))
+        };
+        let differ: Vec<String> = Sensor::ALL.into_iter().filter_map(differ).collect();
+        let last = self.provenance.inputs.last()?;
+        (!differ.is_empty() && self.was_made_from(recording) == Some(false)).then(|| {
+            format!(
+                "{}: the biases of the calibration's recordings differ ({}), and this is none of them: those of the last, {}, are \
+                 taken off; `stillpoint bias` estimates them again from this recording's rests",
+                recording.name,
+                differ.join(", "),
+                last.recording
+            )
+        })
+    }
+}
+
+/// The largest difference of two recordings on an axis that is more than chance.
+fn largest_difference(biases: &[RecordingBias]) -> Option<f64> {
+    let pairs = biases
+        .iter()
+        .enumerate()
+        .flat_map(|(k, a)| biases[..k].iter().map(move |b| (a, b)));
+    let of_axes = pairs.flat_map(|(a, b)| {
+        (0..3).filter_map(move |axis| {
+            let change = (a.bias[axis] - b.bias[axis]).abs();
+            let std = a.bias_std[axis]?.hypot(b.bias_std[axis]?);
+            (change > DIFFERENT * std).then_some(change)
+        })
+    });
+    of_axes.reduce(f64::max)
+}
