@@ -197,19 +197,29 @@ impl State {
     ///
     /// None of several recordings: an instant belongs to one of them, and between them biases are their own.
     pub fn boundaries(&self) -> Vec<f64> {
-        if self.fit.data.sources.len() > 1 {
-            return Vec::new();
+        match self.fit.data.sources.len() {
+            1 => self.boundaries_in(0),
+            _ => Vec::new(),
         }
+    }
+
+    /// The same within one recording.
+    pub fn boundaries_in(&self, recording: usize) -> Vec<f64> {
+        let rests = &self.fit.data.rests;
         let means = self.sensitivities.means.iter();
         let mut middles: Vec<(f64, usize)> = means
             .map(|mean| (mean.truth.time, self.fit.data.chunks[mean.chunk].rest))
+            .filter(|(_, rest)| rests[*rest].recording == recording)
             .collect();
         middles.sort_by(|a, b| a.0.total_cmp(&b.0));
         middles.dedup_by(|a, b| (a.0 - b.0).abs() < 1.0);
         let most = middles.len().saturating_sub(BESIDE_A_STEP);
-        let last = self.fit.data.rests.len().saturating_sub(1);
+        let own = rests.iter().enumerate();
+        let mut own = own.filter(|(_, rest)| rest.recording == recording);
+        let first = own.next().map_or(0, |(k, _)| k);
+        let last = own.next_back().map_or(first, |(k, _)| k);
         let is_shown =
-            |before: usize, after: usize| before == after || (before > 0 && after < last);
+            |before: usize, after: usize| before == after || (before > first && after < last);
         middles
             .windows(2)
             .enumerate()

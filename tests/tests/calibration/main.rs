@@ -13,4 +13,5 @@ mod magnetometer_bound;
 mod mpu9150;
 mod one_truth;
 mod prior_of_a_type;
+mod several_recordings;
 mod stories;

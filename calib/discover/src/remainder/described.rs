@@ -80,7 +80,7 @@ impl Described {
             if let Some(turns) = turns.as_ref().filter(|_| -ranked.log_p > needed) {
                 ranked.log_p += ranked.evidence - turns.evidence_without(state, family, &ranked);
             }
-            of_shape(family, &ranked)
+            of_shape(state, family, &ranked)
         };
         let shapes = self.shapes.iter().flat_map(|(families, ranked)| {
             let each = ranked.iter();
@@ -141,17 +141,28 @@ fn of_jumps(state: &State, jumps: &Jumps) -> Trial {
     }
 }
 
-fn of_shape(family: &Family, ranked: &Ranked) -> Trial {
+fn of_shape(state: &State, family: &Family, ranked: &Ranked) -> Trial {
     let (shape, sensor) = match family.claim {
         Claim::Shape(shape, sensor) => (Some(shape), sensor),
         ref other => (None, other.sensor()),
     };
-    let value = family.hypotheses[ranked.hypothesis].shape.map(|(_, v)| v);
+    let way = &family.hypotheses[ranked.hypothesis];
+    let value = way.shape.map(|(_, v)| v);
     let period = value.filter(|_| shape == Some(Shape::Periodic));
+    let recording = way.place.filter(|_| shape == Some(Shape::OneRecording));
+    let recording = recording.map(|k| state.fit.data.sources[k].name.as_str());
     let of = sensor.name();
-    let words = match period {
-        Some(period) => format!("{of}: periodic with {period:.1} s"),
-        None => format!("{of}: {}", family.claim.name()),
+    let words = match (period, recording, value) {
+        (Some(period), ..) => format!("{of}: periodic with {period:.1} s"),
+        (_, Some(name), Some(t)) => {
+            format!(
+                "{of}: the bias steps {t:.0} s into {name}, in no other recording: look at that one alone"
+            )
+        }
+        (_, Some(name), None) => {
+            format!("{of}: the bias drifts in {name}, unlike in the others: look at that one alone")
+        }
+        _ => format!("{of}: {}", family.claim.name()),
     };
     let columns = family.columns_of(ranked.hypothesis);
     let change = Mat::from_fn(columns.ncols(), 1, |i, _| ranked.score.change[i]);

@@ -18,17 +18,20 @@ pub enum Shape {
     LastTurn,
     /// Products of the rates of two axes.
     RateProducts,
+    /// A bias that drifts, or steps once, in one of several recordings.
+    OneRecording,
 }
 
 impl Shape {
     /// All.
-    pub(super) const ALL: [Self; 6] = [
+    pub(super) const ALL: [Self; 7] = [
         Self::FineOrientation,
         Self::SlowTime,
         Self::Periodic,
         Self::Heading,
         Self::LastTurn,
         Self::RateProducts,
+        Self::OneRecording,
     ];
 
     /// The effect of the catalogue that has this shape. It is described and not named, as it has a time constant, a period or a heading
@@ -51,6 +54,7 @@ impl Shape {
             Self::Heading => "fixed to a horizontal direction of the room",
             Self::LastTurn => "a relaxation after each turn, by the direction of the turn",
             Self::RateProducts => "products of the rates of two axes",
+            Self::OneRecording => "the bias moves in one recording",
         }
     }
 }

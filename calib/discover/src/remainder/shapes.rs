@@ -25,6 +25,9 @@ const LEAST_PERIODS: f64 = 2.0;
 /// Time constants of a relaxation after a turn, s.
 const RELAXATIONS: [f64; 3] = [1.0, 3.0, 10.0];
 
+/// Time constants of a bias that settles in one recording, s.
+const SETTLINGS: [f64; 3] = [25.0, 75.0, 225.0];
+
 /// Typical sizes of an unknown bias, m/s² and rad/s.
 const TYPICAL: [f64; 2] = [5e-3, 1e-4];
 
@@ -43,21 +46,22 @@ pub fn shapes(state: &State) -> Vec<Family> {
         .collect()
 }
 
+/// Error vectors at an instant.
+type Errors<'a> = Box<dyn Fn(&Instant<'_>, &mut Vec<Vector3<f64>>) + 'a>;
+
 /// One way of a shape: a few error vectors at every instant.
-type Way<'a> = (
-    usize,
-    Box<dyn Fn(&Instant<'_>, &mut Vec<Vector3<f64>>) + 'a>,
-    Option<f64>,
-);
+type Way<'a> = (usize, Errors<'a>, Option<f64>);
 
 fn family(state: &State, scene: &Scene<'_>, shape: Shape, sensor: Sensor) -> Family {
     let typical = TYPICAL[usize::from(sensor == Sensor::Gyroscope)];
     let mut hypotheses = Vec::new();
     let mut parts = Vec::new();
     let mut first = 0;
-    for (mut count, errors, value) in ways(scene, shape, sensor) {
+    for ((mut count, errors, value), place) in ways(scene, shape, sensor) {
         let sampling = match shape {
-            Shape::SlowTime | Shape::Periodic | Shape::LastTurn => Sampling::Middle,
+            Shape::SlowTime | Shape::Periodic | Shape::LastTurn | Shape::OneRecording => {
+                Sampling::Middle
+            }
             _ => Sampling::Every,
         };
         let mut columns = error_columns(
@@ -75,7 +79,7 @@ fn family(state: &State, scene: &Scene<'_>, shape: Shape, sensor: Sensor) -> Fam
         parts.push(columns);
         hypotheses.push(Hypothesis {
             shape: value.map(|v| (0, v)),
-            place: None,
+            place,
             columns: first..first + count,
         });
         first += count;
@@ -90,8 +94,21 @@ fn family(state: &State, scene: &Scene<'_>, shape: Shape, sensor: Sensor) -> Fam
     }
 }
 
-fn ways<'a>(scene: &'a Scene<'a>, shape: Shape, sensor: Sensor) -> Vec<Way<'a>> {
+/// The ways of a shape, and the recording of one that is in one alone.
+fn ways<'a>(scene: &'a Scene<'a>, shape: Shape, sensor: Sensor) -> Vec<(Way<'a>, Option<usize>)> {
+    if shape == Shape::OneRecording {
+        let ways = scene.of_one_recording().into_iter();
+        return ways
+            .map(|(recording, way)| (way, Some(recording)))
+            .collect();
+    }
+    let ways = ways_of_all(scene, shape, sensor).into_iter();
+    ways.map(|way| (way, None)).collect()
+}
+
+fn ways_of_all<'a>(scene: &'a Scene<'a>, shape: Shape, sensor: Sensor) -> Vec<Way<'a>> {
     match shape {
+        Shape::OneRecording => Vec::new(),
         Shape::FineOrientation => fine_orientation(sensor),
         Shape::SlowTime => vec![(3 * COSINES, Box::new(|i, out| scene.cosines(i, out)), None)],
         Shape::Periodic => scene.periods(),
@@ -274,6 +291,42 @@ impl<'a> Scene<'a> {
         };
         let chunk = &self.state.fit.data.chunks[k];
         chunk.gyroscope.as_ref().or(chunk.accelerometer.as_ref())
+    }
+
+    /// Of several recordings a drift of each, and a step wherever it would show: biases begin anew in every recording.
+    fn of_one_recording(&self) -> Vec<(usize, Way<'_>)> {
+        let count = self.state.fit.data.sources.len();
+        let recordings = if count > 1 { 0..count } else { 0..0 };
+        let of = |recording: usize| {
+            let by_time = move |law: fn(f64, f64) -> f64, length: f64| -> Way<'_> {
+                let moved: Errors<'_> = Box::new(move |i, out| {
+                    let is_in = f64::from(u8::from(self.is_in(i, recording)));
+                    on_every_axis(&[is_in * law(i.truth.time, length)], out);
+                });
+                (3, moved, None)
+            };
+            let drift = by_time(|t, length| t / length, self.length());
+            let settles = SETTLINGS.map(|tau| by_time(|t, tau| (-t / tau).exp(), tau));
+            let step = move |t: f64| -> Way<'_> {
+                let moved: Errors<'_> = Box::new(move |i, out| {
+                    let is_after = self.is_in(i, recording) && i.truth.time > t;
+                    on_every_axis(&[f64::from(u8::from(is_after))], out);
+                });
+                (3, moved, Some(t))
+            };
+            let steps = self.state.boundaries_in(recording).into_iter().map(step);
+            let ways = std::iter::once(drift).chain(settles).chain(steps);
+            ways.map(move |way| (recording, way)).collect::<Vec<_>>()
+        };
+        recordings.flat_map(of).collect()
+    }
+
+    fn is_in(&self, i: &Instant<'_>, recording: usize) -> bool {
+        let data = &self.state.fit.data;
+        match i.place {
+            Place::Chunk(k) => data.rests[data.chunks[k].rest].recording == recording,
+            Place::Turn(k) => data.turns[k].recording == recording,
+        }
     }
 
     fn rest(&self, i: &Instant<'_>) -> Option<usize> {

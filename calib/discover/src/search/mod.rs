@@ -15,7 +15,7 @@ use std::f64::consts::LN_2;
 use std::rc::Rc;
 
 pub use either::Either;
-use estimate::methods::joint::Known;
+use estimate::methods::joint::{Data, Known};
 use faer::Mat;
 use outlying_turns::outlying_turns;
 pub(crate) use ranking::Ranking;
@@ -47,9 +47,13 @@ const MOST_LINEARISED: usize = 30_000_000;
 /// Fewest fits of a search, however long one takes.
 const FEWEST_FITS: usize = 6;
 
-/// How long a joint fit takes, in units of one that has a single static interval.
-fn cost_of_fit(static_intervals: usize) -> f64 {
-    (static_intervals as f64).powf(2.5)
+/// How long a joint fit takes, in units of one that has a single static interval. Recordings share few parameters and no noise.
+fn cost_of_fit(data: &Data) -> f64 {
+    let of = |recording: usize| {
+        let own = data.rests.iter().filter(|r| r.recording == recording);
+        (own.count() as f64).powf(2.5)
+    };
+    (0..data.sources.len()).map(of).sum()
 }
 
 /// Something named.
@@ -177,7 +181,7 @@ impl Search {
 /// As the joint fit.
 pub fn search(session: &Session<'_>, request: &Request, base: State) -> Result<Search, Error> {
     let candidates = request.candidates();
-    let most = MOST_WORK / cost_of_fit(base.fit.data.rests.len().max(1));
+    let most = MOST_WORK / cost_of_fit(&base.fit.data).max(1.0);
     let finder = Finder {
         session,
         catalogue: &candidates,

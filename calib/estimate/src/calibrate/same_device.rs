@@ -105,9 +105,11 @@ pub fn gyroscope_of_one_device(
         return Ok(None);
     }
     let own = recordings[apart.recording];
-    let others = recordings.iter().filter(|other| other.name != own.name);
-    let between = others.map(|other| Temperatures::of(celsius(own), celsius(other)));
-    let allowed = between.map(|between| between.allowed());
+    let others = recordings.iter().enumerate();
+    let others = others.filter(|(k, _)| *k != apart.recording);
+    let between = others.map(|(_, other)| Temperatures::of(celsius(own), celsius(other)));
+    let between: Vec<Temperatures> = between.collect();
+    let allowed = between.iter().map(Temperatures::allowed);
     let words = format!(
         "{}: {} of the gyroscope differs by {:+.2} ± {:.2} % from that in the other recordings",
         own.name,
@@ -118,7 +120,8 @@ pub fn gyroscope_of_one_device(
     let is_another = size > ANOTHER_GYROSCOPE.max(allowed.fold(0.0, f64::max));
     if is_another && !force_device {
         return Err(Error::Input(format!(
-            "{words}: is it of another device, or does its clock run fast or slow? (--force-device if they are of one)"
+            "{words}: is it of another device{}, or does its clock run fast or slow? (--force-device if they are of one)",
+            between.first().map_or("", Temperatures::or_of_temperatures)
         )));
     }
     Ok(Some(format!(

@@ -13,8 +13,8 @@ use crate::read_args::ReadArgs;
 
 /// Calibrates both sensors from one or more recordings of one device.
 ///
-/// Several recordings share scale factors and misalignments and have biases of their own where the
-/// data ask for it.
+/// Several recordings share scale factors and misalignments. Each has biases of its own where they
+/// determine them almost for nothing, and where the data ask for it.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Signs: at rest specific force is +g on the axis that points up; rates are right-handed about each axis.
