@@ -202,12 +202,16 @@ pub(super) fn discover_in(
 /// What to say where a temperature is known of some recordings only.
 fn unknown_temperature(state: &State) -> Option<String> {
     let without = state.fit.data.without_thermometer();
-    (!without.is_empty()).then(|| {
-        format!(
-            "{} has no temperature, others have one: effects of the temperature are not looked for. Leave it out to look for them",
-            without.join(", ")
-        )
-    })
+    let (have, them) = match without.len() {
+        0 => return None,
+        1 => ("has", "it"),
+        _ => ("have", "them"),
+    };
+    Some(format!(
+        "{} {have} no temperature, others have one: effects of the temperature are not looked for. Leave {them} out to look for \
+         them",
+        without.join(" and ")
+    ))
 }
 
 /// The calibration of a model.

@@ -257,7 +257,8 @@ fn a_bias_that_steps_in_one_recording_is_said_to_step_there() {
     steps.effects.insert("gyro_step".into(), given);
     let both = [recorded(&device, 1, "still"), recorded(&steps, 2, "moved")];
     let found = found(&recordings(&both), device.gravity).unwrap();
-    let said = found.unexplained.unwrap().shape;
-    assert!(said.contains("steps") && said.contains("moved"), "{said}");
+    let said = found.unexplained.unwrap();
+    assert!(said.shape.contains("the bias steps"), "{said:?}");
+    assert_eq!(said.recording.as_deref(), Some("moved"));
     assert_eq!(found.effects, []);
 }

@@ -43,6 +43,7 @@ pub fn described(
             statistic: found.statistic,
             dof: found.dof,
             shape: WORDS.into(),
+            recording: None,
             period: None,
             fitted_by: field,
             instead_of: Vec::new(),

@@ -158,6 +158,7 @@ fn asked_of(spec: &Spec, channel: Channel) -> Option<Formula> {
         rms: None,
         p_value: 1.0,
         shape: String::new(),
+        recording: None,
         period: None,
         fitted_by: None,
         instead_of: Vec::new(),

@@ -36,6 +36,8 @@ pub(super) struct Trial {
     pub of: Option<(Shape, Sensor)>,
     pub channel: Option<Channel>,
     pub period: Option<f64>,
+    /// The only recording that shows it.
+    pub recording: Option<String>,
     pub columns: Option<Shaped>,
     pub wandering: Option<(Sensor, usize)>,
     /// What the shape adds to the rows, white-whitened (`m × 1`).
@@ -116,6 +118,7 @@ fn of_scatter(scatter: &Scatter) -> Trial {
         of: None,
         channel: Some(channel_at_rest(scatter.sensor)),
         period: None,
+        recording: None,
         columns: None,
         wandering: Some((scatter.sensor, scatter.axis)),
         predicted: None,
@@ -132,6 +135,7 @@ fn of_jumps(state: &State, jumps: &Jumps) -> Trial {
         of: None,
         channel: Some(channel_at_rest(jumps.sensor)),
         period: None,
+        recording: None,
         predicted: Some(&columns * faer::Scale(jumps.change)),
         columns: Some(Shaped {
             columns,
@@ -155,12 +159,10 @@ fn of_shape(state: &State, family: &Family, ranked: &Ranked) -> Trial {
     let words = match (period, recording, value) {
         (Some(period), ..) => format!("{of}: periodic with {period:.1} s"),
         (_, Some(name), Some(t)) => {
-            format!(
-                "{of}: the bias steps {t:.0} s into {name}, in no other recording: look at that one alone"
-            )
+            format!("{of}: the bias steps {t:.0} s into {name}")
         }
         (_, Some(name), None) => {
-            format!("{of}: the bias drifts in {name}, unlike in the others: look at that one alone")
+            format!("{of}: the bias drifts in {name}")
         }
         _ => format!("{of}: {}", family.claim.name()),
     };
@@ -174,6 +176,7 @@ fn of_shape(state: &State, family: &Family, ranked: &Ranked) -> Trial {
         of: shape.map(|shape| (shape, sensor)),
         channel: None,
         period,
+        recording: recording.map(String::from),
         columns: Some(Shaped {
             columns: family.columns_of(ranked.hypothesis),
             noise: ranked.noise,

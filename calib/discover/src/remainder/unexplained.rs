@@ -36,6 +36,9 @@ pub struct Unexplained {
     pub shape: String,
     /// Period, where it has one, s.
     pub period: Option<f64>,
+    /// The only recording that shows it, of several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub recording: Option<String>,
     /// The effect of the catalogue that has its shape, for `calibrate --effects`.
     pub fitted_by: Option<&'static str>,
     /// Names that were withdrawn because this explains more than they do, or what they do.
@@ -144,6 +147,7 @@ pub fn rest_beside(state: &State, described: &Described, alpha: f64) -> Option<U
         dof: worst.dof,
         shape: worst.words.clone(),
         period: worst.period,
+        recording: worst.recording.clone(),
         fitted_by: worst.of.and_then(|(shape, sensor)| shape.effect(sensor)),
         instead_of: Vec::new(),
         columns: worst.columns.clone(),
@@ -176,6 +180,7 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
         of: None,
         channel,
         period: None,
+        recording: None,
         columns: None,
         wandering: None,
         predicted: None,
@@ -201,6 +206,7 @@ fn shapeless(state: &State, misfits: &[Misfit; 3]) -> Option<Vec<Trial>> {
             of: None,
             channel: Some(channel_at_rest(sensor)),
             period: None,
+            recording: None,
             columns: None,
             wandering: None,
             predicted: None,

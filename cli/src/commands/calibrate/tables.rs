@@ -7,6 +7,7 @@ use calib::calibration::{Calibration, MagneticField, RecordingField, Triad};
 use sensor::{PLACES, Sensor, base_names};
 
 use super::{clocks, joint, left_out};
+use crate::pages::session::short_names;
 use crate::show;
 
 /// Units of the readings of accelerometer and gyroscope.
@@ -157,9 +158,13 @@ pub fn field(calibration: &Calibration) -> String {
     if field.recordings.is_empty() {
         text.push_str(&of_place(&field.last, unit, ""));
     }
-    for own in &field.recordings {
-        let name = format!(" in {}", show::name(&own.recording));
-        text.push_str(&of_place(own, unit, &name));
+    let names: Vec<&str> = field
+        .recordings
+        .iter()
+        .map(|own| own.recording.as_str())
+        .collect();
+    for (own, name) in field.recordings.iter().zip(short_names(&names)) {
+        text.push_str(&of_place(own, unit, &format!(" in {name}")));
     }
     text + &uneven(field, unit)
 }
@@ -267,13 +272,13 @@ pub fn parameters(triad: &Triad, unit: &str, sensor: Sensor) -> Vec<[String; 4]>
     if triad.recordings.is_empty() {
         biases(&mut rows, "", &triad.bias, &triad.bias_std);
     }
-    for own in &triad.recordings {
-        biases(
-            &mut rows,
-            &format!(" in {}", show::name(&own.recording)),
-            &own.bias,
-            &own.bias_std,
-        );
+    let names: Vec<&str> = triad
+        .recordings
+        .iter()
+        .map(|own| own.recording.as_str())
+        .collect();
+    for (own, name) in triad.recordings.iter().zip(short_names(&names)) {
+        biases(&mut rows, &format!(" in {name}"), &own.bias, &own.bias_std);
     }
     rows
 }

@@ -198,6 +198,13 @@ fn unexplained(rest: &Unexplained, is_explained: bool) -> String {
         true => ", though the formula below does",
         false => "",
     };
+    if let Some(recording) = &rest.recording {
+        return format!(
+            "something remains that {} shows alone{by}: {}; `discover` with that recording only may name it",
+            show::name(recording),
+            remains(rest)
+        );
+    }
     match rest.fitted_by {
         Some(effect) => format!(
             "something remains that is described and not named{by}: {}; `calibrate --effects {effect}` fits it",
