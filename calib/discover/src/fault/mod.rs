@@ -3,3 +3,4 @@
 pub(super) mod delay;
 pub(super) mod integrity;
 pub(super) mod mixed;
+pub(super) mod undersampled;

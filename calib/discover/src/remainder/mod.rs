@@ -3,6 +3,7 @@
 mod biases;
 pub(super) mod by_interval;
 pub(super) mod described;
+mod harmonics;
 mod jumps;
 pub(super) mod scatter;
 pub(super) mod shape;

@@ -1,6 +1,8 @@
 //! What a disagreement looks like that no effect of the catalogue has.
 
 use effects::{relaxation, room_field};
+use estimate::methods::joint::Instant;
+use nalgebra::Vector3;
 use sensor::{AnyEffect, Sensor};
 
 /// A shape.
@@ -21,6 +23,12 @@ pub enum Shape {
     /// A bias that drifts, or steps once, in one of several recordings.
     OneRecording,
 }
+
+/// Error vectors at an instant.
+pub(super) type Errors<'a> = Box<dyn Fn(&Instant<'_>, &mut Vec<Vector3<f64>>) + 'a>;
+
+/// One way of a shape: a few error vectors at every instant.
+pub(super) type Way<'a> = (usize, Errors<'a>, Option<f64>);
 
 impl Shape {
     /// All.
