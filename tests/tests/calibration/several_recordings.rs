@@ -117,6 +117,26 @@ fn every_recording_of_a_calibration_has_its_own_biases_taken_off() {
     );
 }
 
+/// Two recordings of one bias know it better than the last of them.
+#[test]
+fn biases_that_agree_are_taken_together_for_another_recording() {
+    let device = device(67);
+    let sessions = [recorded(&device, 1, "one"), recorded(&device, 2, "other")];
+    let calibration = fitted(&recordings(&sessions), device.gravity)
+        .unwrap()
+        .calibration;
+    let third = recorded(&device, 3, "third").recording;
+    let alone = calibration.of_recording(&third);
+    let own = calibration.accelerometer.as_ref().unwrap();
+    let together = alone.accelerometer.as_ref().unwrap();
+    for axis in 0..3 {
+        let [a, b] = [0, 1].map(|k| own.recordings[k].bias[axis]);
+        let mean = together.bias[axis];
+        assert!(a.min(b) < mean && mean < a.max(b), "{a} {b}: {mean}");
+        assert!(together.bias_std[axis].unwrap() < own.bias_std[axis].unwrap());
+    }
+}
+
 #[test]
 fn a_recording_without_thermometer_is_given_no_temperature() {
     let device = device(61).with_effect("gyro_scale_temperature", 0.3);

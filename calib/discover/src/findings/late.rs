@@ -32,15 +32,15 @@ pub fn late(state: &State, request: &Request) -> Option<(&'static dyn AnyEffect,
 /// Recordings whose stamps are late each in their own way, as their clocks were started apart: no error of the sensor. `alpha` is
 /// the chance that they are said to differ where they do not.
 pub fn late_apart(state: &State, request: &Request, alpha: f64) -> Vec<Integrity> {
-    let all = delays(state);
-    if !differ(&all, alpha) {
+    let (all, candidates) = (delays(state), request.candidates());
+    let effect = candidates.iter().find(|e| is_late(**e));
+    let Some(effect) = effect.filter(|_| differ(&all, alpha)) else {
         return Vec::new();
-    }
+    };
     let needed = request.threshold() + (all.len() as f64).ln();
-    let candidates = request.candidates().len();
     let late = all
         .iter()
-        .filter(|(_, own)| late_evidence(own, candidates) > needed);
+        .filter(|(_, own)| late_evidence(own, candidates.len()) > needed);
     let fault = |(recording, own): &(usize, Delay)| {
         let data = &state.fit.data;
         let rests = data.rests.iter().filter(|r| r.recording == *recording);
@@ -51,7 +51,7 @@ pub fn late_apart(state: &State, request: &Request, alpha: f64) -> Vec<Integrity
         })?;
         let way = if own.delay < 0.0 { "early" } else { "late" };
         Some(Integrity {
-            name: "time_offset",
+            name: effect.name(),
             recording: data.sources[*recording].name.clone(),
             interval: None,
             t0: span.from,

@@ -12,19 +12,25 @@ use super::{Calibration, RecordingBias};
 const DIFFERENT: f64 = 3.0;
 
 impl Calibration {
-    /// The calibration with the biases of this recording, where it was made from this one among others; itself for any other,
-    /// with the biases of the last.
+    /// The calibration as it holds for one recording: with the biases of this one, where it was made from it among others; for
+    /// any other with their mean, weighed by their errors, or where they differ with those of the last.
     pub fn of_recording(&self, recording: &Recording) -> Cow<'_, Self> {
-        let Some(own) = self.place_of(recording) else {
+        let triads = Sensor::ALL.into_iter().filter_map(|s| self.triad(s));
+        if triads.into_iter().all(|triad| triad.recordings.is_empty()) {
             return Cow::Borrowed(self);
-        };
+        }
+        let own = self.name_of(recording);
         let mut alone = self.clone();
         for sensor in Sensor::ALL {
             let Some(triad) = alone.triad_mut(sensor) else {
                 continue;
             };
             let biases = std::mem::take(&mut triad.recordings);
-            if let Some(found) = biases.into_iter().find(|bias| bias.recording == own) {
+            let found = match &own {
+                Some(own) => biases.into_iter().find(|bias| bias.recording == *own),
+                None => mean(&biases),
+            };
+            if let Some(found) = found {
                 (triad.bias, triad.bias_std) = (found.bias, found.bias_std);
                 triad.bias_time = None;
             }
@@ -32,12 +38,19 @@ impl Calibration {
         Cow::Owned(alone)
     }
 
-    /// The name of a recording among those that have a bias of their own.
-    fn place_of(&self, recording: &Recording) -> Option<String> {
-        let triads = Sensor::ALL.into_iter().filter_map(|s| self.triad(s));
-        if triads.into_iter().all(|triad| triad.recordings.is_empty()) {
-            return None;
+    /// The calibration with the biases that stand for the device, whichever recording it is applied to.
+    pub(crate) fn with_one_bias(&self) -> Self {
+        let mut alone = self.clone();
+        for sensor in Sensor::ALL {
+            if let Some(triad) = alone.triad_mut(sensor) {
+                triad.recordings.clear();
+            }
         }
+        alone
+    }
+
+    /// The name of a recording that the calibration was made from.
+    fn name_of(&self, recording: &Recording) -> Option<String> {
         let samples = fingerprint(recording);
         let mut inputs = self.provenance.inputs.iter();
         let own = inputs.find(|input| input.samples_sha256 == samples)?;
@@ -67,6 +80,27 @@ impl Calibration {
             )
         })
     }
+}
+
+/// The mean of biases that do not differ, weighed by their errors.
+fn mean(biases: &[RecordingBias]) -> Option<RecordingBias> {
+    let mut mean = biases.last()?.clone();
+    if largest_difference(biases).is_some() {
+        return None;
+    }
+    for axis in 0..3 {
+        let (mut sum, mut weights) = (0.0, 0.0);
+        for own in biases {
+            let weight = own.bias_std[axis]?.powi(-2);
+            sum += weight * own.bias[axis];
+            weights += weight;
+        }
+        if !weights.is_finite() {
+            return None;
+        }
+        (mean.bias[axis], mean.bias_std[axis]) = (sum / weights, Some(weights.sqrt().recip()));
+    }
+    Some(mean)
 }
 
 /// The largest difference of two recordings on an axis that is more than chance.

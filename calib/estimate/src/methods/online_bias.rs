@@ -41,7 +41,8 @@ pub fn gyroscope_stretches(
     recording: &Recording,
     segmentation: &Segmentation,
 ) -> Result<Vec<Stretch>, Error> {
-    let corrected = apply_with(calibration, recording, Some(segmentation))?;
+    // What is left is that of the bias which is updated.
+    let corrected = apply_with(&calibration.with_one_bias(), recording, Some(segmentation))?;
     let (Some(stream), Some(_)) = (&corrected.gyroscope, &calibration.gyroscope) else {
         return Err(Error::NotEnough(format!(
             "{}: recording and calibration must both have a gyroscope",
