@@ -158,7 +158,7 @@ fn a_bias_that_goes_with_the_placement_does_not_jump_to_and_fro() {
         let spec = Spec::hand_held(seed).with_hidden(Hidden::Pattern(Pattern {
             sensor: Sensor::Accelerometer,
             axis: Axis::X,
-            amplitude: 3e-3,
+            amplitude: 8e-3,
             wavenumber: 7.0,
         }));
         let findings = of(&[spec.run().unwrap().recording], &spec).findings;
