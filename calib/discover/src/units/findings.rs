@@ -3,6 +3,7 @@
 use estimate::calibration::EffectParameter;
 use serde::Serialize;
 
+use crate::fault::integrity::Integrity;
 use crate::findings::Verdict;
 use crate::gap::channel::Channel;
 
@@ -42,7 +43,7 @@ pub struct SharedEffect {
 pub struct OwnEffect {
     /// Its name in the catalogue.
     pub name: String,
-    /// Whether another unit would show it, had it as much of it.
+    /// Whether another unit would show it, had it as much of it, and shows another size.
     pub others_would_show_it: bool,
     /// Its size.
     pub size: UnitSize,
@@ -89,6 +90,15 @@ pub struct UnitAlone {
     pub effects: Vec<String>,
     /// The faults of its recording, by name.
     pub integrity: Vec<String>,
+    /// The same with intervals, times and sizes.
+    pub faults: Vec<Integrity>,
     /// What it leaves unexplained.
     pub unexplained: Option<String>,
+    /// Why its evidence is not counted for the type, where it is not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub left_out: Option<String>,
+    /// What is to be known of its calibration.
+    pub warnings: Vec<String>,
+    /// Why its calibration is not to be used as it is.
+    pub failed_gates: Vec<String>,
 }

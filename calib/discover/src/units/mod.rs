@@ -181,7 +181,9 @@ impl Together<'_> {
         for h in held {
             let without = self.without(units, h.effect)?;
             let threshold = self.request.threshold();
-            let pooled = pool(&without, &self.candidates, threshold, &h.units);
+            // Of what one unit alone shows the others are asked too.
+            let among: &[bool] = if h.is_shared { &h.units } else { &[] };
+            let pooled = pool(&without, &self.candidates, threshold, among);
             let Some(place) = pooled
                 .iter()
                 .position(|p| p.effect.name() == h.effect.name())

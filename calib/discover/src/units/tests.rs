@@ -83,3 +83,36 @@ fn sizes_that_differ_from_unit_to_unit_are_said_to_differ() {
     assert!(agreement.p_value > 1e-3, "{agreement:?}");
     assert_eq!(agreement.dof, 9.0);
 }
+
+/// A clock of half the rate puts the gyroscope's scale at two: its unit says so, and is not asked for the type.
+#[test]
+fn a_unit_that_is_not_to_be_used_says_so_and_counts_for_nothing() {
+    let (mut recordings, request) = recordings(&[None, None, None]);
+    let unit = &mut recordings[2];
+    for stream in [&mut unit.accelerometer, &mut unit.gyroscope] {
+        let stream = stream.as_mut().unwrap();
+        stream.t.iter_mut().for_each(|t| *t *= 2.0);
+    }
+    let found = discover_units(&recordings, &request).unwrap();
+    let [one, other, wrong] = found.units.as_slice() else {
+        panic!("{found:?}");
+    };
+    assert_eq!((&one.left_out, &other.left_out), (&None, &None));
+    assert_eq!(wrong.failed_gates.len(), 1);
+    assert_eq!(wrong.left_out.as_ref(), wrong.failed_gates.first());
+    assert_eq!(found.shared, []);
+}
+
+#[test]
+fn a_unit_has_its_faults_with_interval_and_size() {
+    let (mut recordings, request) = recordings(&[None, None]);
+    let spec = Spec::hand_held(903).with_fault(simulate::Fault::Slip {
+        interval: 9,
+        angle: 4e-3,
+    });
+    recordings.push(spec.run().unwrap().recording);
+    let found = discover_units(&recordings, &request).unwrap();
+    let fault = &found.units[2].faults[0];
+    assert_eq!((fault.name, fault.interval), ("mount_slip", Some(10)));
+    assert!(fault.size.is_some());
+}

@@ -53,6 +53,11 @@ impl<'a> Unit<'a> {
         })
     }
 
+    /// Whether what it shows counts for the type.
+    pub fn is_counted(&self) -> bool {
+        self.alone.left_out.is_none()
+    }
+
     /// What it says alone.
     pub fn alone(&self) -> UnitAlone {
         self.alone.clone()
@@ -127,6 +132,19 @@ fn alone(recording: &Recording, findings: &Findings) -> UnitAlone {
         verdict: findings.verdict,
         effects: findings.effects.iter().map(|e| e.name.clone()).collect(),
         integrity,
+        faults: findings.integrity.clone(),
         unexplained: findings.unexplained.as_ref().map(|u| u.shape.clone()),
+        left_out: left_out(findings),
+        warnings: findings.calibration.warnings.clone(),
+        failed_gates: findings.calibration.failed_gates.clone(),
     }
+}
+
+/// Why what a unit shows says nothing of its type: a wrong axis, unit or latitude does to the readings what an error of the
+/// sensor may do.
+fn left_out(findings: &Findings) -> Option<String> {
+    let doubts = findings.effects.iter();
+    let mut doubts = doubts.filter_map(|effect| effect.latitude_in_doubt.clone());
+    let gate = findings.calibration.failed_gates.first().cloned();
+    gate.or_else(|| doubts.next())
 }

@@ -184,6 +184,7 @@ fn of_units(
     output: Option<Output>,
 ) -> Result<(), Failure> {
     let findings = units::look(recordings, request)?;
+    show::warn_all(&units::warnings(&findings));
     let json = show::json(&findings)?;
     if let Some(output) = output {
         output.write(json.as_bytes())?;
@@ -191,7 +192,8 @@ fn of_units(
     show::print(&match args.json {
         true => json,
         false => show::wrapped(&units::text(&findings)),
-    })
+    })?;
+    units::gate(&findings)
 }
 
 fn request(args: &Args) -> Result<Request, Failure> {

@@ -11,14 +11,14 @@ use comfy_table::CellAlignment;
 use super::held_out::refuse_twins;
 use super::words::gaps;
 use crate::commands::shared::inputs::spinner;
-use crate::exit::Failure;
+use crate::exit::{Failure, GATE};
 use crate::show;
 
 /// Chance below which sizes are said to differ.
 const DIFFER: f64 = 0.01;
 
 /// Units whose sizes stand side by side; of more only what they have in common is printed.
-const BESIDE: usize = 5;
+const BESIDE: usize = 3;
 
 /// Looks for what the units share.
 pub fn look(recordings: &[Recording], request: &Request) -> Result<UnitFindings, Failure> {
@@ -27,6 +27,39 @@ pub fn look(recordings: &[Recording], request: &Request) -> Result<UnitFindings,
     let findings = discover_units(recordings, request)?;
     spinner.finish_and_clear();
     Ok(findings)
+}
+
+/// What is to be known of the units' calibrations.
+pub fn warnings(findings: &UnitFindings) -> Vec<String> {
+    let of = |unit: &UnitAlone| {
+        let name = label(&unit.recording);
+        let own = unit.warnings.clone().into_iter();
+        own.map(move |warning| match warning.contains(&name) {
+            true => warning,
+            false => format!("{name}: {warning}"),
+        })
+        .collect::<Vec<_>>()
+    };
+    findings.units.iter().flat_map(of).collect()
+}
+
+/// Status 1 with the reasons where a unit's calibration is not to be used as it is.
+///
+/// # Errors
+/// The gates that failed, unit by unit.
+pub fn gate(findings: &UnitFindings) -> Result<(), Failure> {
+    let of = |unit: &UnitAlone| {
+        let name = label(&unit.recording);
+        let gates = unit.failed_gates.clone().into_iter();
+        gates
+            .map(move |gate| format!("{name}: {gate}"))
+            .collect::<Vec<_>>()
+    };
+    let reasons: Vec<String> = findings.units.iter().flat_map(of).collect();
+    match reasons.as_slice() {
+        [] => Ok(()),
+        reasons => Err(Failure::new(GATE, reasons.join("\nstillpoint: "))),
+    }
 }
 
 /// The findings for people.
@@ -60,7 +93,8 @@ fn label(recording: &str) -> String {
 
 /// The verdict in sentences.
 pub fn verdict(findings: &UnitFindings) -> String {
-    let count = findings.units.len();
+    let counted = findings.units.iter().filter(|unit| unit.left_out.is_none());
+    let count = counted.count();
     let mut sentences = Vec::new();
     for effect in &findings.shared {
         let ties = match effect.indistinguishable_from.as_slice() {
@@ -68,7 +102,7 @@ pub fn verdict(findings: &UnitFindings) -> String {
             ties => format!(" (or {})", ties.join(" or ")),
         };
         sentences.push(format!(
-            "The type lacks {}{ties}: {} show it together ({} over the whole catalogue). {}",
+            "The type lacks {}{ties}, by the evidence of {} together ({} over the whole catalogue). {}",
             effect.name,
             of_units(effect, count),
             show::probability(effect.adjusted_p_value),
@@ -80,7 +114,9 @@ pub fn verdict(findings: &UnitFindings) -> String {
             true => {
                 "others would show it, had they as much of it, and do not: it is that unit's, not the type's"
             }
-            false => "no other recording would show as much of it: whether the type has it is open",
+            false => {
+                "the others neither bear it out nor refute it: whether the type has it is open"
+            }
         };
         sentences.push(format!(
             "{} alone shows {}; {others}.",
@@ -89,9 +125,15 @@ pub fn verdict(findings: &UnitFindings) -> String {
         ));
     }
     if sentences.is_empty() {
+        let of = match count {
+            0 | 1 => {
+                return "Fewer than two units can be compared: each for itself is below.".into();
+            }
+            count => count,
+        };
         return format!(
-            "Nothing that the {count} units share is missing: the base models explain them to within their noise, but for \
-             what each says of its own recording."
+            "Nothing that the {of} units share is missing: the base models explain them to within their noise, but for what each \
+             says of its own recording."
         );
     }
     sentences.join(" ")
@@ -105,7 +147,7 @@ fn of_units(effect: &SharedEffect, count: usize) -> String {
         .count();
     match showing == count {
         true => format!("all {count} units"),
-        false => format!("{showing} of {count} units (the others could not)"),
+        false => format!("{showing} of {count} units"),
     }
 }
 
@@ -133,9 +175,13 @@ fn alone(unit: &UnitAlone) -> String {
             .iter()
             .map(|rest| format!("unexplained: {rest}")),
     );
-    match unit.verdict {
+    let says = match unit.verdict {
         Verdict::Nothing => "nothing is missing".into(),
         _ => parts.join("; "),
+    };
+    match &unit.left_out {
+        Some(why) => format!("not counted for the type: {why}; {says}"),
+        None => says,
     }
 }
 

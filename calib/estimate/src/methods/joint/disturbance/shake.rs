@@ -19,7 +19,7 @@ const FAR: f64 = 9.0;
 
 /// The quantile of windows by which a stretch has a usual variance of its own, and how many windows that takes.
 const LOW: f64 = 0.25;
-const ENOUGH: usize = 8;
+const ENOUGH: usize = 3;
 
 /// The quantile one standard deviation below the median.
 const BELOW: f64 = 0.158_655;
