@@ -323,7 +323,7 @@ fn units_of_one_type_share_a_name_and_keep_their_sizes() {
     assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
     let said = stdout(&run).replace('\n', " ");
     assert!(said.starts_with(&format!(
-        "The type lacks {HIDDEN}: all 2 units show it together"
+        "The type lacks {HIDDEN}, by the evidence of all 2 units"
     )));
     // Each has coefficients of its own.
     assert!(said.contains("differs from unit to unit"), "{said}");
