@@ -153,7 +153,8 @@ fn of_units(effect: &SharedEffect, count: usize) -> String {
 
 fn agreement(agreement: Option<&Agreement>) -> String {
     let Some(found) = agreement else {
-        return "Its sizes belong to each recording and are not compared.".into();
+        return "Its size is another one in every recording, so that sizes are not compared."
+            .into();
     };
     let of = format!(
         "chi² {:.1} of {:.0} degrees of freedom, {}",

@@ -56,7 +56,7 @@ pub(in crate::calibrate) fn turned_axes(fit: &RateEvidence<'_>) -> Option<String
         .fold(0.0, |a: f64, b| a.max(b.abs()));
     (fit.rms <= LOST && near_si.determinant() > 0.0 && largest > TURNED).then(|| {
         format!(
-            "the gyroscope's axes are turned against the accelerometer's: {}; T carries them over",
+            "the gyroscope's axes are turned against the accelerometer's: {}; the matrix T of the calibration turns them back",
             mounting(&near_si)
         )
     })

@@ -83,7 +83,7 @@ pub fn disturbances(fit: &JointFit, warnings: &mut Vec<String>) {
     if let Some(shaken) = fit.data.shakes_throughout() {
         warnings.push(format!(
             "{shaken} of {} static intervals shake more than the quiet parts of the recording: was the device \
-             held in the hand? They are weighted by their own noise, and touches are not told from it",
+             held in the hand? They are weighted by their own noise; a touch would look the same",
             fit.data.rests.len()
         ));
     }
@@ -91,7 +91,8 @@ pub fn disturbances(fit: &JointFit, warnings: &mut Vec<String>) {
         if source.moves_at_rest() {
             warnings.push(format!(
                 "{}: the device sways in its static intervals and comes back, as one that is held in the hand does: turns begin \
-                 and end off its mean attitude there, and creeping is not told from it. Lay it down for smaller errors",
+                 and end a little away from where it rested on the average, and a slow creep would look the same. Lay it down for smaller \
+                 errors",
                 name(place)
             ));
         }

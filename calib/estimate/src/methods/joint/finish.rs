@@ -137,9 +137,7 @@ impl Run<'_> {
                 span,
                 size: 0.0,
                 shook: true,
-                detail:
-                    "it broke a rest: what remains of it beyond the touch counts as part of a turn"
-                        .into(),
+                detail: "it cut a rest in two: the shorter part counts as part of a turn".into(),
             })
     }
 
