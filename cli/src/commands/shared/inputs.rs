@@ -166,7 +166,7 @@ pub struct DetectorArgs {
     /// Threshold as a multiple of the level at rest [default: chosen by the accelerometer's fit]
     #[arg(long, value_name = "FACTOR")]
     multiplier: Option<f64>,
-    /// Shortest static interval, s, without the ends that the window takes of it [default: 2, or down to 0.6 where only that
+    /// Shortest static interval, s, without the ends that the window takes of it [default: 2.5, or down to 0.6 where only that
     /// makes a calibration]
     #[arg(long, value_name = "SECONDS")]
     min_static: Option<f64>,

@@ -13,9 +13,9 @@ use crate::shown::figure;
 /// The share of windows that are taken to be at rest in any recording that can be calibrated.
 const QUIET_SHARE: f64 = 0.1;
 
-/// What is left of a rest of three seconds, s: the window sees the turns before and after it, and up to a second goes with
+/// What is left of a rest of three seconds, s: the window sees the turns before and after it, and up to half a second goes with
 /// their ends.
-const MIN_STATIC: f64 = 2.0;
+const MIN_STATIC: f64 = 2.5;
 
 /// Fewest samples in a window whose spread means something.
 const MIN_SAMPLES: f64 = 5.0;

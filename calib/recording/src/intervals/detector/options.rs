@@ -7,7 +7,7 @@ use crate::intervals::Detector;
 pub struct DetectorOptions {
     /// Factor on the threshold; chosen by the accelerometer's fit where it is not given.
     pub multiplier: Option<f64>,
-    /// Shortest static interval, s; 2, or down to 0.6 where only that makes a calibration.
+    /// Shortest static interval, s; 2.5, or down to 0.6 where only that makes a calibration.
     pub min_static: Option<f64>,
     /// Shortest motion, s; 0.5.
     pub min_dynamic: Option<f64>,
