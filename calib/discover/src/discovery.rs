@@ -91,7 +91,9 @@ pub(super) fn discover_in(
     session.base = Some(Arc::clone(&base.fit));
     refuse_unobservable(&base.fit)?;
     enough_to_compare(session, &base)?;
-    gyroscope_of_one_device(&base.fit, &recordings, request.force_device)?;
+    if !request.force_device {
+        gyroscope_of_one_device(&base.fit, &recordings, false)?;
+    }
     let mut faults = integrity(session, &base);
     let is_spoilt = faults.iter().any(|fault| SPOILT.contains(&fault.name));
     let Judged {

@@ -49,9 +49,10 @@ pub fn delay(state: &State) -> Option<Delay> {
     of_turns(&turns(state, |_| true))
 }
 
-/// The same of every recording by its own turns.
+/// The same of every recording by its own turns, where there are several.
 pub fn delays(state: &State) -> Vec<(usize, Delay)> {
-    let recordings = 0..state.fit.data.sources.len();
+    let count = state.fit.data.sources.len();
+    let recordings = if count > 1 { 0..count } else { 0..0 };
     let of = |recording| {
         let own = turns(state, |of_turn| of_turn == recording);
         Some((recording, of_turns(&own)?))

@@ -6,13 +6,10 @@ use estimate::methods::joint::effect_columns;
 use sensor::Sensor;
 
 use crate::score::{Score, log_tail, score};
-use crate::search::Name;
+use crate::search::{Name, VERTICAL};
 
 /// What a name explains beyond another latitude is by chance in more than this share of recordings.
 const BY_CHANCE: f64 = 0.01;
-
-/// The place of the vertical part among the parameters of the earth's rotation.
-const VERTICAL: usize = 2;
 
 /// The doubt about `latitude` that explains a name as well, up to what chance adds to its more parameters.
 pub fn instead_of(name: &Name, latitude: f64) -> Option<LatitudeDoubt> {

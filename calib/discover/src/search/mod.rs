@@ -18,7 +18,7 @@ pub use either::Either;
 use estimate::methods::joint::{Data, Known};
 use faer::Mat;
 use outlying_turns::outlying_turns;
-pub(crate) use ranking::Ranking;
+pub(crate) use ranking::{Ranking, VERTICAL};
 use recording::Error;
 use sensor::AnyEffect;
 use statrs::distribution::{ChiSquared, ContinuousCDF};

@@ -83,7 +83,7 @@ pub(super) enum Earth {
 }
 
 /// The place of the vertical part among the parameters of a rotation.
-const VERTICAL: usize = 2;
+pub(crate) const VERTICAL: usize = 2;
 
 /// A smaller variance, in the square of the earth's rate, is that of what is not seen.
 const UNSEEN: f64 = 1e-12;

@@ -180,12 +180,9 @@ impl Pooled {
         let mine = self.units.get(k)?.as_ref()?;
         let change = &mine.ranked.score.change;
         let shows = |(place, unit): (usize, &Unit<'_>)| {
-            let does = self.units[place]
-                .as_ref()
-                .is_some_and(|says| says.log_p < PERHAPS.ln());
             let own = self.units[place].as_ref();
-            let differs = own.is_some_and(|own| own.differs_from(&mine.ranked));
-            if does || !differs || unit.state.fit.data.misses_something_between_samples() {
+            let denies = |own: &Says| own.log_p >= PERHAPS.ln() && own.differs_from(&mine.ranked);
+            if !own.is_some_and(denies) || unit.state.fit.data.misses_something_between_samples() {
                 return false;
             }
             let family = effect_family(&unit.state, effect, &[]);

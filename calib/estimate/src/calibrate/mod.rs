@@ -90,15 +90,7 @@ fn state_inputs(
     gyro_recordings: &[&Recording],
     request: &Request,
 ) {
-    let same = |a: &Recording, b: &Recording| {
-        a.accelerometer == b.accelerometer && a.gyroscope == b.gyroscope
-    };
-    let mut counted: Vec<&Recording> = Vec::new();
-    for recording in recordings {
-        if !counted.iter().any(|other| same(other, recording)) {
-            counted.push(recording);
-        }
-    }
+    let (mut counted, _) = without_copies(recordings.iter().copied());
     counted.extend(gyro_recordings);
     let cut = outcome.choices.iter().map(|c| Some(&c.segmentation));
     let cut = cut.chain(std::iter::repeat(None));

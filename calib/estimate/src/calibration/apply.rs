@@ -16,9 +16,8 @@ const BETWEEN_STEPS: usize = 1 << 12;
 const AT_GRAVITY: f64 = 0.03;
 
 /// The corrected recording, each sensor on its own clock. A sensor that the calibration does not
-/// speak of stays raw, which a warning says. Of several
-/// recordings that the calibration is made from each has its own biases taken off, any other their mean, or where they differ
-/// those of the last.
+/// speak of stays raw, which a warning says. Of several recordings that the calibration is made from
+/// each has its own biases taken off, any other their mean, or where they differ those of the last.
 ///
 /// Where effects look at static intervals these are detected.
 ///

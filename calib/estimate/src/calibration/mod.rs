@@ -289,12 +289,15 @@ impl Calibration {
 
     /// Whether it was made from this recording among others; `None` where the file does not say from what.
     pub fn was_made_from(&self, recording: &Recording) -> Option<bool> {
-        let inputs = &self.provenance.inputs;
-        let own = || fingerprint(recording);
-        (!inputs.is_empty()).then(|| {
-            let own = own();
-            inputs.iter().any(|input| input.samples_sha256 == own)
-        })
+        let is_stated = !self.provenance.inputs.is_empty();
+        is_stated.then(|| self.input_of(recording).is_some())
+    }
+
+    /// What it says of this recording, where it was made from it.
+    fn input_of(&self, recording: &Recording) -> Option<&Input> {
+        let samples = fingerprint(recording);
+        let mut inputs = self.provenance.inputs.iter();
+        inputs.find(|input| input.samples_sha256 == samples)
     }
 
     /// The triad of a sensor.

@@ -5,7 +5,6 @@ use std::borrow::Cow;
 use recording::Recording;
 use sensor::Sensor;
 
-use super::provenance::fingerprint;
 use super::{Calibration, RecordingBias};
 
 /// Biases of two recordings that differ by so many standard errors are not the same.
@@ -19,14 +18,14 @@ impl Calibration {
         if triads.into_iter().all(|triad| triad.recordings.is_empty()) {
             return Cow::Borrowed(self);
         }
-        let own = self.name_of(recording);
+        let own = self.input_of(recording).map(|input| &input.recording);
         let mut alone = self.clone();
         for sensor in Sensor::ALL {
             let Some(triad) = alone.triad_mut(sensor) else {
                 continue;
             };
             let biases = std::mem::take(&mut triad.recordings);
-            let found = match &own {
+            let found = match own {
                 Some(own) => biases.into_iter().find(|bias| bias.recording == *own),
                 None => mean(&biases),
             };
@@ -47,14 +46,6 @@ impl Calibration {
             }
         }
         alone
-    }
-
-    /// The name of a recording that the calibration was made from.
-    fn name_of(&self, recording: &Recording) -> Option<String> {
-        let samples = fingerprint(recording);
-        let mut inputs = self.provenance.inputs.iter();
-        let own = inputs.find(|input| input.samples_sha256 == samples)?;
-        Some(own.recording.clone())
     }
 
     /// What to say to a recording that the calibration is not made from, where its recordings have different biases.

@@ -37,8 +37,12 @@ pub fn state(calibration: &mut Calibration, limits: Option<&Limits>) {
 
 /// Status 1 with the reasons where a quality gate failed or a limit is not kept.
 pub fn gate(calibration: &Calibration) -> Result<(), Failure> {
-    let reasons = reasons(calibration);
-    match reasons.as_slice() {
+    gate_for(&reasons(calibration))
+}
+
+/// Status 1 where there are reasons.
+pub fn gate_for(reasons: &[String]) -> Result<(), Failure> {
+    match reasons {
         [] => Ok(()),
         reasons => Err(Failure::new(GATE, reasons.join("\nstillpoint: "))),
     }
@@ -52,10 +56,7 @@ pub fn gate_of(judged: &[(String, Vec<LimitLine>)]) -> Result<(), Failure> {
         failed.map(words).collect::<Vec<_>>()
     };
     let reasons: Vec<String> = judged.iter().flat_map(of).collect();
-    match reasons.as_slice() {
-        [] => Ok(()),
-        reasons => Err(Failure::new(GATE, reasons.join("\nstillpoint: "))),
-    }
+    gate_for(&reasons)
 }
 
 /// Why not to use a calibration as it stands: its gates, then its limits.

@@ -29,12 +29,12 @@ pub fn ties(findings: &Findings) -> Vec<String> {
 pub fn beside(findings: &Findings) -> Vec<String> {
     let all = findings.effects.iter();
     let of = |effect: &EffectFinding| {
-        let likely = effect
-            .may_be_beside
-            .iter()
-            .filter(|other| other.is_likely());
+        let others = effect.may_be_beside.iter();
+        let (likely, unknown): (Vec<&Beside>, Vec<&Beside>) =
+            others.partition(|other| other.is_likely());
+        let likely = likely.into_iter();
         let likely: Vec<String> = likely.map(|other| likely_beside(effect, other)).collect();
-        likely.into_iter().chain(unknown_beside(effect))
+        likely.into_iter().chain(unknown_beside(effect, &unknown))
     };
     all.flat_map(of).collect()
 }
@@ -49,12 +49,7 @@ fn likely_beside(effect: &EffectFinding, other: &Beside) -> String {
     )
 }
 
-fn unknown_beside(effect: &EffectFinding) -> Option<String> {
-    let unknown = effect
-        .may_be_beside
-        .iter()
-        .filter(|other| !other.is_likely());
-    let unknown: Vec<&Beside> = unknown.collect();
+fn unknown_beside(effect: &EffectFinding, unknown: &[&Beside]) -> Option<String> {
     let names: Vec<&str> = unknown.iter().map(|other| other.name.as_str()).collect();
     let factors = unknown.iter().map(|other| other.largest_factor);
     let own = &effect.name;

@@ -10,8 +10,9 @@ use comfy_table::CellAlignment;
 
 use super::held_out::refuse_twins;
 use super::words::gaps;
+use crate::commands::calibrate::limits::gate_for;
 use crate::commands::shared::inputs::spinner;
-use crate::exit::{Failure, GATE};
+use crate::exit::Failure;
 use crate::show;
 
 /// Chance below which sizes are said to differ.
@@ -56,10 +57,7 @@ pub fn gate(findings: &UnitFindings) -> Result<(), Failure> {
             .collect::<Vec<_>>()
     };
     let reasons: Vec<String> = findings.units.iter().flat_map(of).collect();
-    match reasons.as_slice() {
-        [] => Ok(()),
-        reasons => Err(Failure::new(GATE, reasons.join("\nstillpoint: "))),
-    }
+    gate_for(&reasons)
 }
 
 /// The findings for people.
@@ -125,14 +123,11 @@ pub fn verdict(findings: &UnitFindings) -> String {
         ));
     }
     if sentences.is_empty() {
-        let of = match count {
-            0 | 1 => {
-                return "Fewer than two units can be compared: each for itself is below.".into();
-            }
-            count => count,
-        };
+        if count < 2 {
+            return "Fewer than two units can be compared: each for itself is below.".into();
+        }
         return format!(
-            "Nothing that the {of} units share is missing: the base models explain them to within their noise, but for what each \
+            "Nothing that the {count} units share is missing: the base models explain them to within their noise, but for what each \
              says of its own recording."
         );
     }

@@ -78,9 +78,7 @@ struct Begun {
 fn cut_up(cuts: &[Cut<'_>]) -> Data {
     let mut data = Data::default();
     cuts.iter().for_each(|cut| data.add(cut));
-    if !data.without_thermometer().is_empty() {
-        data.forget_temperature();
-    }
+    data.forget_what_some_know();
     data
 }
 
@@ -203,9 +201,7 @@ fn write_down(request: &JointRequest<'_>, data: &mut Data, cuts: &[Cut<'_>], mod
         let truth = by_models(cut, force, rate);
         data.know(k, &truth, cut.recording.start());
     }
-    if !data.without_thermometer().is_empty() {
-        data.forget_temperature();
-    }
+    data.forget_what_some_know();
 }
 
 impl Run<'_> {

@@ -20,8 +20,11 @@ impl Data {
         }
     }
 
-    /// Takes the temperature for unknown in all recordings.
-    pub(in crate::methods::joint) fn forget_temperature(&mut self) {
+    /// Takes the temperature for unknown in all recordings, where it is in some.
+    pub(in crate::methods::joint) fn forget_what_some_know(&mut self) {
+        if self.without_thermometer().is_empty() {
+            return;
+        }
         for chunk in &mut self.chunks {
             (chunk.temperature, chunk.thermal) = (None, [0.0; 2]);
         }
