@@ -22,6 +22,7 @@
 //! | minimise a quadratic cost over cones | [`ConeProgram`] |
 //! | know what the data say | [`Uncertainty`], [`profile_interval`], [`sandwich_covariance`] |
 //! | solve a graph: named blocks, manifolds, sparse, many small blocks with shared ones | [`Graph`], [`Manifold`], [`solve_graph`] |
+//! | read and solve pose graphs of g2o's files | `pose_graph`, with the feature `pose-graphs` |
 //!
 //! How a run goes: `iterate` steps from point to point by a *descent* (where to) and a *search* (how
 //! far) until the residual is nearly orthogonal to the Jacobian; `finish` takes the last steps,
@@ -49,6 +50,8 @@ mod minimise;
 mod multistart;
 mod options;
 mod parameters;
+#[cfg(feature = "pose-graphs")]
+pub mod pose_graph;
 mod report;
 mod residual;
 pub mod scalar;

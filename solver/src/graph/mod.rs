@@ -36,6 +36,8 @@ pub use uncertainty::Products;
 pub use uncertainty::null_space::NullVector;
 pub use uncertainty::profile::graph_profile;
 pub use variables::manifold::{Euclidean, Manifold, check_manifold};
+#[cfg(feature = "pose-graphs")]
+pub(crate) use variables::manifolds::wrapped;
 pub use variables::manifolds::{Direction, PlanarMotion, RigidMotion, Rotation};
 pub use variables::quaternion;
 pub use variables::rotation_vector::RotationVector;
