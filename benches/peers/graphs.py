@@ -45,7 +45,8 @@ def main():
     for name, words in cases(folder, sys.argv[3:]):
         ours, ceres = [], []
         for _ in range(rounds):
-            ours.append(run([OURS, *words]))
+            start = ["file"] if words[0] == "g2o" else []
+            ours.append(run([OURS, *words, *start]))
             ceres.append(run([CERES, *words]))
         middle = [statistics.median(r[k] for r in ours) for k in range(5)]
         other = [statistics.median(r[k] for r in ceres) for k in range(5)]

@@ -8,7 +8,7 @@
 Every solver is started anew for every run, in turns; its time is that of the processor from the problem in
 memory to the solution. All end where a step changes the cost by 1e-10 of itself; bundle adjustments are
 gauge free. The table shows medians of the times, and the time of this solver by that of the faster peer.
-The peers' pose graphs take their own factors (`log` of the whole error), so costs differ in the fifth digit.
+Pose graphs have the logarithm of the whole error, as the peers have, and begin at the file's poses.
 STILLPOINT_BINARIES=OURS:PEERS names the two binaries, if they are elsewhere.
 """
 
@@ -47,7 +47,7 @@ def solvers(file):
             yield f"apex {method}, own Jacobian", [PEERS, "apex", "bal", file, "free", method]
         yield "factrs, duals", [PEERS, "factrs", "bal", file, "free"]
     else:
-        yield "ours, duals", [OURS, "g2o", file]
+        yield "ours, duals", [OURS, "g2o", file, "logarithm", "file"]
         yield "apex, own Jacobian", [PEERS, "apex", "g2o", file]
         yield "factrs, duals", [PEERS, "factrs", "g2o", file]
 

@@ -106,7 +106,10 @@ struct Edge2 {
     T s = sin(a[2]), c = cos(a[2]), x = b[0] - a[0], y = b[1] - a[1];
     T turn = b[2] - a[2] - T(m[2]);
     turn -= T(2 * M_PI * std::round(Value(turn) / (2 * M_PI)));
-    T e[3] = {c * x + s * y - T(m[0]), c * y - s * x - T(m[1]), turn};
+    // The translation that is left, in the frame that the measured motion leads to, as g2o has it.
+    T dx = c * x + s * y - T(m[0]), dy = c * y - s * x - T(m[1]);
+    double sm = std::sin(m[2]), cm = std::cos(m[2]);
+    T e[3] = {T(cm) * dx + T(sm) * dy, T(cm) * dy - T(sm) * dx, turn};
     for (int i = 0; i < 3; i++) {
       r[i] = T(0);
       for (int k = i; k < 3; k++) r[i] += T(root[3 * i + k]) * e[k];
@@ -132,8 +135,9 @@ struct Edge3 {
     ceres::QuaternionProduct(inverse, qb, turned);
     T back[4] = {T(m[3]), T(-m[4]), T(-m[5]), T(-m[6])};
     ceres::QuaternionProduct(back, turned, turn);
-    T e[6];
-    for (int k = 0; k < 3; k++) e[k] = moved[k] - T(m[k]);
+    T e[6], missed[3];
+    for (int k = 0; k < 3; k++) missed[k] = moved[k] - T(m[k]);
+    ceres::UnitQuaternionRotatePoint(back, missed, e);
     ceres::QuaternionToAngleAxis(turn, e + 3);
     for (int i = 0; i < 6; i++) {
       r[i] = T(0);

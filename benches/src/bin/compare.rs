@@ -13,10 +13,11 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Parser, ValueEnum};
+use solver::pose_graph::{EdgeError, Indefinite, PoseGraph};
 use solver::{Comparison, Measure, Options, Table, Variant};
-use solver::{compare_graphs, compare_with, graph_variants};
+use solver::{Graph, compare_graphs, compare_with, graph_variants};
 use stillpoint_benches::curve_file::Curve;
-use stillpoint_benches::graphs::{bal::Bundle, g2o::PoseGraph};
+use stillpoint_benches::graphs::bal::Bundle;
 use stillpoint_tests::problems;
 use stillpoint_tests::problems::nist::{Model, Regression};
 
@@ -163,10 +164,16 @@ fn graph(file: &Path) -> Result<Table, Failure> {
         Some("bal") => {
             Bundle::read(&text).and_then(|b| b.graph(false, true).map_err(|e| e.to_string()))
         }
-        _ => PoseGraph::read(&text).and_then(|p| p.graph().map_err(|e| e.to_string())),
+        _ => poses(&text).map_err(|error| error.to_string()),
     };
     let graph = graph.map_err(|error| format!("{}: {error}", file.display()))?;
     Ok(compare_graphs(&stem(file), &graph, &graph_variants()))
+}
+
+/// A pose graph from the start that explains its edges better, that of the file or the chordal one.
+fn poses(text: &str) -> Result<Graph<'static>, Failure> {
+    let poses = PoseGraph::read(text, Indefinite::Refused)?.better_start()?;
+    Ok(poses.graph(EdgeError::Apart)?)
 }
 
 /// A file of NIST's.

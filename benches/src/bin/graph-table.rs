@@ -5,7 +5,7 @@
 //! … --bin graph-table -- make FOLDER [small]                                    files to compare on
 //! … --bin graph-table -- bal FILE auto|analytic fixed|free                      one line
 //! … --bin graph-table -- bal FILE auto fixed|free turned                         one line, cameras step by turns
-//! … --bin graph-table -- g2o FILE [DAMPING]                                     one line, another damping once a step fails
+//! … --bin graph-table -- g2o FILE [apart|logarithm|quaternion] [file|chordal] [repair]   one line, of the error and start named
 //! … --bin graph-table -- shared NUMBERS BLOCKS                                  one line
 //! ```
 //! A line: cost at the start and the end (½ ‖r‖²), steps, seconds of the processor from the problem in
@@ -17,10 +17,10 @@ use std::path::Path;
 use std::time::Duration;
 
 use rustix::time::{ClockId, clock_gettime};
+use solver::pose_graph::{EdgeError, Indefinite, PoseGraph};
 use solver::{Euclidean, Factor, Graph, GraphOptions, GraphReport, RotationVector, solve_graph};
 use stillpoint_benches::graphs::bal::Bundle;
 use stillpoint_benches::graphs::cameras::ring;
-use stillpoint_benches::graphs::g2o::PoseGraph;
 use stillpoint_benches::graphs::groups::{OWN, SPARE, groups, rows};
 use stillpoint_benches::graphs::walks::{Loops, planar, spatial};
 
@@ -44,21 +44,35 @@ fn main() -> Outcome<()> {
             let build = || Ok(bundle.graph_on(camera, false, gauge == "fixed")?);
             line(build, &options())
         }
-        ["g2o", file] => {
-            let poses = PoseGraph::read(&std::fs::read_to_string(file)?)?;
-            line(|| Ok(poses.graph()?), &options())
-        }
-        ["g2o", file, damping] => {
-            let poses = PoseGraph::read(&std::fs::read_to_string(file)?)?;
-            let options = GraphOptions {
-                first_damping: damping.parse()?,
-                ..options()
-            };
-            line(|| Ok(poses.graph()?), &options)
-        }
+        ["g2o", file, ref words @ ..] => pose_graph(file, words),
         ["shared", numbers, blocks] => shared(numbers.parse()?, blocks.parse()?),
         _ => Err("see the first lines of graph-table.rs".into()),
     }
+}
+
+/// A pose graph: the time includes that of its start.
+fn pose_graph(file: &str, words: &[&str]) -> Outcome<()> {
+    let (mut error, mut start, mut indefinite) = (EdgeError::Apart, "better", Indefinite::Refused);
+    for word in words {
+        match *word {
+            "apart" => error = EdgeError::Apart,
+            "logarithm" => error = EdgeError::Logarithm,
+            "quaternion" => error = EdgeError::Quaternion,
+            "repair" => indefinite = Indefinite::WithoutWrongTerms,
+            "file" | "chordal" => start = word,
+            _ => return Err(format!("{word}: see the first lines of graph-table.rs").into()),
+        }
+    }
+    let poses = PoseGraph::read(&std::fs::read_to_string(file)?, indefinite)?;
+    let build = || {
+        let poses = match start {
+            "file" => poses.clone(),
+            "chordal" => poses.chordal_start()?,
+            _ => poses.clone().better_start()?,
+        };
+        Ok(poses.graph(error)?)
+    };
+    line(build, &options())
 }
 
 /// Time of this thread on a processor, which leaves out what else the machine does.
@@ -168,11 +182,11 @@ fn table() -> Outcome<()> {
     for count in [300, 3_000] {
         show(
             &format!("plane {count}"),
-            planar(count, 7, Loops::Anywhere).graph()?,
+            planar(count, 7, Loops::Anywhere).graph(EdgeError::Apart)?,
         )?;
         show(
             &format!("space {count}"),
-            spatial(count, 7, Loops::Anywhere).graph()?,
+            spatial(count, 7, Loops::Anywhere).graph(EdgeError::Apart)?,
         )?;
     }
     for count in [2, 8, 32, 128] {

@@ -4,13 +4,11 @@
 //! | problem | residual | files | made up |
 //! |---|---|---|---|
 //! | bundle adjustment | [`reprojection`] | [`bal`] | [`cameras`] |
-//! | pose graph | [`poses`] | [`g2o`] | [`walks`] |
+//! | pose graph | [`solver::pose_graph`] | there | [`walks`] |
 //! | shared parameters | [`groups`] | | [`groups`] |
 
 pub mod bal;
 pub mod cameras;
-pub mod g2o;
 pub mod groups;
-pub mod poses;
 pub mod reprojection;
 pub mod walks;

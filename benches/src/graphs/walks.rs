@@ -2,10 +2,8 @@
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use solver::pose_graph::{PlanarEdge, PoseGraph, SpatialEdge};
 use solver::quaternion::{exponential, multiply, rotate, rotate_back};
-
-use super::g2o::PoseGraph;
-use super::poses::{Edge, PlanarEdge};
 
 /// Sigma of the measured way and turn, in m and rad, and of the same in the start.
 const WAY: f64 = 0.05;
@@ -124,18 +122,17 @@ pub fn spatial(count: usize, seed: u64, loops: Loops) -> PoseGraph {
             for i in 0..6 {
                 root[i * 7] = 1.0 / if i < 3 { WAY } else { TURN };
             }
-            graph
-                .edges
-                .push((partner as u32, k as u32, Edge { measured, root }));
+            let edge = SpatialEdge { measured, root };
+            graph.spatial_edges.push((partner as u32, k as u32, edge));
         }
     }
     // The truth, off by a few times the error of an edge.
     for pose in &truth {
         let turn = [(); 3].map(|()| noise(rng, 4.0 * TURN));
         let way = [(); 3].map(|()| noise(rng, 4.0 * WAY));
-        graph.poses.push(moved(pose, &way, &turn));
+        graph.spatial.push(moved(pose, &way, &turn));
     }
-    graph.poses[0] = truth[0];
+    graph.spatial[0] = truth[0];
     graph
 }
 
@@ -151,4 +148,26 @@ fn moved(a: &[f64; 7], way: &[f64; 3], turn: &[f64; 3]) -> [f64; 7] {
         q[2],
         q[3],
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use solver::pose_graph::{EdgeError, Indefinite};
+
+    use super::*;
+
+    #[test]
+    fn walks_are_the_same_after_a_file() {
+        for graph in [
+            planar(20, 3, Loops::Anywhere),
+            spatial(20, 3, Loops::Anywhere),
+        ] {
+            let read = PoseGraph::read(&graph.write(), Indefinite::Refused).unwrap();
+            let costs = [&graph, &read].map(|poses| {
+                let graph = poses.graph(EdgeError::Apart).unwrap();
+                graph.cost(graph.values())
+            });
+            assert!((costs[0] / costs[1] - 1.0).abs() < 1e-9, "{costs:?}");
+        }
+    }
 }

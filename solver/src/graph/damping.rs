@@ -8,7 +8,8 @@ const MOST: f64 = 1e20;
 
 /// How near to 1 the gain ratio is where a step did what the linearised problem said, and by what the damping falls
 /// then under Nielsen's rule, which by itself takes a third: from 1e-4 it would hold back the slow directions of a
-/// long chain for as many steps as it has to fall by powers of three.
+/// long chain for as many steps as it has to fall by powers of three. A second failure shows that it fell too far; from then on
+/// it falls by a third at most.
 const ALIKE: f64 = 0.1;
 const FALL: f64 = 0.01;
 
@@ -24,6 +25,8 @@ pub(crate) struct Lambda {
     rise: f64,
     /// What the damping begins at once a step has failed, until then.
     first: Option<f64>,
+    /// Whether it may fall by [`FALL`].
+    quick: bool,
 }
 
 impl Lambda {
@@ -34,6 +37,7 @@ impl Lambda {
             rule,
             rise: 2.0,
             first: Some(first),
+            quick: true,
         }
     }
 
@@ -41,7 +45,7 @@ impl Lambda {
     pub fn accepted(&mut self, ratio: f64) {
         let factor = match self.rule {
             Damping::Marquardt => 0.1,
-            Damping::Nielsen if (ratio - 1.0).abs() <= ALIKE => FALL,
+            Damping::Nielsen if self.quick && (ratio - 1.0).abs() <= ALIKE => FALL,
             Damping::Nielsen => (1.0 - (2.0 * ratio - 1.0).powi(3)).clamp(1.0 / 3.0, 2.0),
             Damping::DelayedGratification if ratio > 0.1 => 1.0 / 3.0,
             Damping::DelayedGratification => 1.0,
@@ -56,6 +60,7 @@ impl Lambda {
             self.value = first;
             return;
         }
+        self.quick = false;
         self.value *= match self.rule {
             Damping::Marquardt => 10.0,
             Damping::Nielsen => {
@@ -84,6 +89,18 @@ mod tests {
         assert_eq!(lambda.value, 1e-4);
         lambda.rejected();
         assert_eq!(lambda.value, 2e-4);
+    }
+
+    #[test]
+    fn the_quick_fall_ends_with_the_second_step_that_fails() {
+        let mut lambda = Lambda::new(Damping::Nielsen, 1e-4);
+        lambda.rejected();
+        lambda.accepted(1.0);
+        assert!((lambda.value / 1e-6 - 1.0).abs() < 1e-12);
+        lambda.rejected();
+        let before = lambda.value;
+        lambda.accepted(1.0);
+        assert!((lambda.value / before - 1.0 / 3.0).abs() < 1e-12);
     }
 
     #[test]

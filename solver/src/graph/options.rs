@@ -18,7 +18,8 @@ use crate::report::{Iteration, Termination};
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(default)]
 pub struct GraphOptions {
-    /// How the damping moves; Nielsen's falls by a hundred where the cost fell as promised, to a tenth.
+    /// How the damping moves; Nielsen's falls by a hundred where the cost fell as promised, to a tenth, until
+    /// a second step has failed.
     pub damping: Damping,
     /// The damping once a step has failed, relative to the squared column norms; the steps before are those of Gauss and
     /// Newton, with `1e-8` at most.

@@ -1,4 +1,4 @@
-//! Every line of the README's table of apps and loggers, run on a file as that program writes it.
+//! Every line of the manual's table of apps and loggers, run on a file as that program writes it.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
@@ -6,11 +6,11 @@ use std::process::Command;
 
 use stillpoint_tests::layouts::{Samples, layouts};
 
-const README: &str = include_str!("../../../README.md");
+const FILES: &str = include_str!("../../manual/files.md");
 
 /// The name and the command of every line of the table.
 fn lines() -> Vec<(&'static str, &'static str)> {
-    let table = README.split_once("| your app or logger |").unwrap().1;
+    let table = FILES.split_once("| your app or logger |").unwrap().1;
     let rows = table
         .lines()
         .skip(2)
