@@ -22,7 +22,7 @@
 //! | minimise a quadratic cost over cones | [`ConeProgram`] |
 //! | know what the data say | [`Uncertainty`], [`profile_interval`], [`sandwich_covariance`] |
 //! | solve a graph: named blocks, manifolds, sparse, many small blocks with shared ones | [`Graph`], [`Manifold`], [`solve_graph`] |
-//! | read and solve pose graphs of g2o's files | `pose_graph`, with the feature `pose-graphs` |
+//! | read and solve pose graphs and bundle adjustments | `pose_graph`, `bundle_adjustment`, with the features `pose-graphs`, `bundle-adjustment` |
 //!
 //! How a run goes: `iterate` steps from point to point by a *descent* (where to) and a *search* (how
 //! far) until the residual is nearly orthogonal to the Jacobian; `finish` takes the last steps,
@@ -34,6 +34,8 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+#[cfg(feature = "bundle-adjustment")]
+pub mod bundle_adjustment;
 mod check;
 mod clock;
 mod closure;

@@ -13,11 +13,11 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Parser, ValueEnum};
+use solver::bundle_adjustment::Bundle;
 use solver::pose_graph::{EdgeError, Indefinite, PoseGraph};
 use solver::{Comparison, Measure, Options, Table, Variant};
 use solver::{Graph, compare_graphs, compare_with, graph_variants};
 use stillpoint_benches::curve_file::Curve;
-use stillpoint_benches::graphs::bal::Bundle;
 use stillpoint_tests::problems;
 use stillpoint_tests::problems::nist::{Model, Regression};
 
@@ -161,13 +161,16 @@ fn curve(
 fn graph(file: &Path) -> Result<Table, Failure> {
     let text = std::fs::read_to_string(file)?;
     let graph = match file.extension().and_then(|e| e.to_str()) {
-        Some("bal") => {
-            Bundle::read(&text).and_then(|b| b.graph(false, true).map_err(|e| e.to_string()))
-        }
+        Some("bal") => bundle(&text).map_err(|error| error.to_string()),
         _ => poses(&text).map_err(|error| error.to_string()),
     };
     let graph = graph.map_err(|error| format!("{}: {error}", file.display()))?;
     Ok(compare_graphs(&stem(file), &graph, &graph_variants()))
+}
+
+/// A bundle adjustment, its gauge fixed.
+fn bundle(text: &str) -> Result<Graph<'static>, Failure> {
+    Ok(Bundle::read(text)?.graph(false, true)?)
 }
 
 /// A pose graph from the start that explains its edges better, that of the file or the chordal one.

@@ -17,9 +17,9 @@ use std::path::Path;
 use std::time::Duration;
 
 use rustix::time::{ClockId, clock_gettime};
+use solver::bundle_adjustment::Bundle;
 use solver::pose_graph::{EdgeError, Indefinite, PoseGraph};
 use solver::{Euclidean, Factor, Graph, GraphOptions, GraphReport, RotationVector, solve_graph};
-use stillpoint_benches::graphs::bal::Bundle;
 use stillpoint_benches::graphs::cameras::ring;
 use stillpoint_benches::graphs::groups::{OWN, SPARE, groups, rows};
 use stillpoint_benches::graphs::walks::{Loops, planar, spatial};

@@ -5,9 +5,7 @@ use std::f64::consts::TAU;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use solver::Residual;
-
-use super::bal::Bundle;
-use super::reprojection::Reprojection;
+use solver::bundle_adjustment::{Bundle, Reprojection};
 
 /// `cameras` on a ring of radius 6, `points` in a unit ball, each seen by `views` cameras (all, where
 /// there are fewer) with an error of half a pixel; the start is off by some percent.

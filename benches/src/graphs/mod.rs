@@ -3,12 +3,10 @@
 //!
 //! | problem | residual | files | made up |
 //! |---|---|---|---|
-//! | bundle adjustment | [`reprojection`] | [`bal`] | [`cameras`] |
+//! | bundle adjustment | [`solver::bundle_adjustment`] | there | [`cameras`] |
 //! | pose graph | [`solver::pose_graph`] | there | [`walks`] |
 //! | shared parameters | [`groups`] | | [`groups`] |
 
-pub mod bal;
 pub mod cameras;
 pub mod groups;
-pub mod reprojection;
 pub mod walks;

@@ -4,7 +4,9 @@
 //! Source: Agarwal, Snavely, Seitz and Szeliski, "Bundle adjustment in the large", 2010; the layout is
 //! that of its data sets.
 
-use solver::{Factor, Residual, Scalar};
+use crate::graph::Factor;
+use crate::residual::Residual;
+use crate::scalar::Scalar;
 
 /// Where a point was seen, in pixels: over a camera `(ω, t, f, k₁, k₂)` and a point `X`.
 #[derive(Clone, Copy, Debug)]
