@@ -18,6 +18,7 @@
 //! | write a variant or a linear solver of one's own | [`OwnVariant`], [`LinearMethod`] |
 //! | compare variants, as a table and a picture | [`compare`] |
 //! | start from many places | [`multi_start`], [`spread`] |
+//! | solve 10⁵ small problems of one shape | [`solve_batch`] |
 //! | watch the steps | [`solve_observed`] |
 //! | minimise a quadratic cost over cones | [`ConeProgram`] |
 //! | know what the data say | [`Uncertainty`], [`profile_interval`], [`sandwich_covariance`] |
@@ -34,6 +35,7 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod batch;
 #[cfg(feature = "bundle-adjustment")]
 pub mod bundle_adjustment;
 mod check;
@@ -61,6 +63,7 @@ mod search;
 mod solve;
 mod uncertainty;
 
+pub use batch::{Batch, BatchOptions, solve_batch};
 pub use check::{Mismatch, check_derivatives};
 /// A column-compressed matrix and the cones of a [`ConeProgram`].
 pub use clarabel::{algebra::CscMatrix, solver::SupportedConeT};
