@@ -143,6 +143,26 @@ impl From<Error> for Failure {
     }
 }
 
+impl From<::output::Error> for Failure {
+    fn from(error: ::output::Error) -> Self {
+        use ::output::Reason as R;
+        let path = shown_path(&error.path);
+        let why = error.reason;
+        let failure = match why {
+            R::Exists => Self::exists(format!(
+                "{path}: {why}; add --force to replace it or --skip-existing to keep it"
+            )),
+            R::Appeared => Self::exists(format!("{path}: {why}; add --force to replace it")),
+            R::Input(_) | R::Twice => Self::new(USAGE, format!("{path}: {why}")),
+            _ => Self::new(OUTPUT, format!("{path}: {why}")),
+        };
+        Self {
+            file: Some(path),
+            ..failure
+        }
+    }
+}
+
 impl From<live::Error> for Failure {
     fn from(error: live::Error) -> Self {
         use live::Error as E;
@@ -152,6 +172,8 @@ impl From<live::Error> for Failure {
                 "check that remote access is on (⋮, Allow remote access), that the phone's screen is on and that \
                  it is in the same network"
             }
+            E::File { .. } => "make room, or name a folder on another disk with --out",
+            E::Restless { .. } => "leave the experiment open and measure without clearing its data",
             E::NotPhyphox { .. } => "name the address that the app shows",
             E::NoSensor { .. } => {
                 "add a simple experiment with Accelerometer and Gyroscope in phyphox (+), open it and allow \

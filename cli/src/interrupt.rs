@@ -1,32 +1,11 @@
 //! Interrupts: what is half written goes, what had been there stays, exit 130.
 
-use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
 
 use crate::exit::{Failure, INTERRUPTED};
 use crate::show;
-
-/// What an interrupted run would leave behind.
-#[derive(Debug)]
-pub struct Leftovers {
-    /// Partial files.
-    pub files: Vec<PathBuf>,
-    /// Folders made for outputs, each after the one it lies in.
-    pub folders: Vec<PathBuf>,
-}
-
-static LEFTOVERS: Mutex<Leftovers> = Mutex::new(Leftovers {
-    files: Vec::new(),
-    folders: Vec::new(),
-});
-
-/// The leftovers. While they are held no interrupt ends the process, so that what is made or renamed
-/// meanwhile is never forgotten.
-pub fn hold() -> MutexGuard<'static, Leftovers> {
-    LEFTOVERS.lock().unwrap_or_else(PoisonError::into_inner)
-}
 
 /// Catches what asks the process to end. Where that cannot be done the system's own handling stays.
 pub fn install() {
@@ -51,13 +30,8 @@ pub fn give_way() {
 
 fn end() -> ! {
     // Held until the end: nothing is made any more.
-    let mut leftovers = hold();
-    for path in leftovers.files.drain(..) {
-        let _ = std::fs::remove_file(path);
-    }
-    for path in leftovers.folders.drain(..).rev() {
-        let _ = std::fs::remove_dir(path);
-    }
+    let mut leftovers = output::leftovers();
+    leftovers.remove();
     show::failure(&Failure::new(INTERRUPTED, "interrupted"));
     std::process::exit(i32::from(INTERRUPTED));
 }

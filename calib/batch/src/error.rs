@@ -39,3 +39,12 @@ pub enum Error {
         needed: usize,
     },
 }
+
+impl From<output::Error> for Error {
+    fn from(error: output::Error) -> Self {
+        Self::Output {
+            path: error.path.clone(),
+            source: error.into(),
+        }
+    }
+}

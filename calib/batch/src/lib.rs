@@ -29,7 +29,7 @@ pub use device::Options;
 pub use error::Error;
 pub use fault::Fault;
 pub use manifest::{Device, DeviceOptions, Manifest};
-pub use merge::{Merged, merge, to_csv};
+pub use merge::{Merged, merge, part_files, to_csv};
 pub use part::{PartHeader, part_name, part_text, timings_name};
 pub use population::{Session, fit_prior, prior_of};
 pub use record::{Finding, Misfit, Parameter, Record, Status, Timing};

@@ -24,7 +24,7 @@ pub struct Merged {
 pub fn merge(paths: &[PathBuf]) -> Result<Merged, Error> {
     let mut faults = Vec::new();
     let mut parts: Vec<(PathBuf, Part)> = Vec::new();
-    for path in files(paths)? {
+    for path in part_files(paths)? {
         let text = std::fs::read_to_string(&path);
         match text
             .map_err(|e| e.to_string())
@@ -110,7 +110,11 @@ fn commonest(parts: &[(PathBuf, Part)]) -> Option<PartHeader> {
     best.map(|(_, header)| header.clone())
 }
 
-fn files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Error> {
+/// The part files in `paths`; a folder stands for those in it.
+///
+/// # Errors
+/// [`Error::Io`] for a folder that cannot be read.
+pub fn part_files(paths: &[PathBuf]) -> Result<Vec<PathBuf>, Error> {
     let mut files = Vec::new();
     for path in paths {
         if !path.is_dir() {

@@ -317,19 +317,6 @@ mod claims {
     }
 }
 
-/// What the fuzzers kept, `tests/fuzz/run parquet` and the others.
-#[cfg(all(feature = "parquet", feature = "hdf5", feature = "xlsx"))]
-#[test]
-fn the_corpus_is_read_or_refused() {
-    for format in ["parquet", "hdf5", "xlsx"] {
-        let corpus = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/corpus");
-        let folder = std::path::Path::new(corpus).join(format);
-        for entry in std::fs::read_dir(folder).unwrap() {
-            let _ = texts(format, &std::fs::read(entry.unwrap().path()).unwrap());
-        }
-    }
-}
-
 /// Every file with bytes changed or cut gives tables or an error, and comes to an end.
 #[test]
 fn damage_is_an_error_or_harmless() {

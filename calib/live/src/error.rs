@@ -21,6 +21,22 @@ pub enum Error {
         /// What the last one met.
         cause: String,
     },
+    /// Its measurement begins again and again.
+    #[error("{address}: the measurement began anew {times} times")]
+    Restless {
+        /// The address asked.
+        address: String,
+        /// How often.
+        times: usize,
+    },
+    /// More text comes than a session has, or text without lines.
+    #[error("{name}: {what}")]
+    TooMuch {
+        /// The source.
+        name: String,
+        /// What there is too much of.
+        what: &'static str,
+    },
     /// Something answers that does not speak the protocol.
     #[error("{address}: not phyphox's remote access ({found})")]
     NotPhyphox {
@@ -57,11 +73,28 @@ pub enum Error {
 }
 
 impl Error {
+    /// Whether what had come before is a session all the same.
+    pub fn ends_a_session(&self) -> bool {
+        matches!(
+            self,
+            Self::Lost { .. } | Self::Restless { .. } | Self::TooMuch { .. }
+        )
+    }
+
     /// Names the file that an operation failed on.
     pub(crate) fn at(path: &std::path::Path) -> impl FnOnce(std::io::Error) -> Self + '_ {
         |cause| Self::File {
             path: path.to_owned(),
             cause,
+        }
+    }
+}
+
+impl From<output::Error> for Error {
+    fn from(error: output::Error) -> Self {
+        Self::File {
+            path: error.path.clone(),
+            cause: error.into(),
         }
     }
 }

@@ -45,5 +45,5 @@ pub use phyphox::Phyphox;
 pub use recorder::Recorder;
 pub use running::{Errors, Estimate};
 pub use session::{Aim, Placement, Session};
-pub use source::{Batch, Event, Finished, Opening, Source};
+pub use source::{Batch, Event, FILES, Finished, Opening, Source, Waits};
 pub use view::View;

@@ -1,13 +1,14 @@
 //! Lines of text from standard input, a serial port or a file that grows.
 
-use std::fs::{File, OpenOptions};
-use std::io::{ErrorKind, Read, Write};
+use std::fs::File;
+use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use std::time::{Duration, Instant};
 
 use calib::Recording;
 use calib::recording::{ReadOptions, Stream};
+use output::Growing;
 
 use crate::error::Error;
 use crate::serial;
@@ -23,6 +24,13 @@ const COMPLETE: Duration = Duration::from_secs(30);
 const SHARE: u32 = 4;
 /// Nothing is understood of fewer lines.
 const FEWEST_LINES: usize = 20;
+/// Most bytes of a session, twenty minutes at 1 kHz: all of them are in memory when they are read.
+const MOST: u64 = 128 << 20;
+/// Most bytes of a line.
+const LONGEST_LINE: usize = 1 << 20;
+
+/// Of the lines so far.
+type Told = Result<Kept, Error>;
 
 /// Text in any layout that [`Recording::read`] knows.
 ///
@@ -32,7 +40,7 @@ const FEWEST_LINES: usize = 20;
 #[derive(Debug)]
 pub struct Lines {
     name: String,
-    kept: Receiver<std::io::Result<Kept>>,
+    kept: Receiver<Told>,
     path: PathBuf,
     so_far: Kept,
     read: ReadOptions,
@@ -74,9 +82,9 @@ impl Lines {
         how: &Opening,
     ) -> Result<Self, Error> {
         let path = how.folder.join("lines.txt");
-        let file = OpenOptions::new().append(true).create_new(true).open(&path);
         let mut keeper = Keeper {
-            file: file.map_err(Error::at(&path))?,
+            name: name.clone(),
+            file: Growing::begin(&path)?,
             open_line: Vec::new(),
             kept: Kept::default(),
         };
@@ -104,7 +112,7 @@ impl Lines {
         loop {
             match self.kept.try_recv() {
                 Ok(kept) => {
-                    self.so_far = kept.map_err(Error::at(&self.path))?;
+                    self.so_far = kept?;
                     self.unread = true;
                 }
                 Err(TryRecvError::Empty) => return Ok(()),
@@ -194,7 +202,8 @@ impl Source for Lines {
 /// The file of lines, written before anybody is told.
 #[derive(Debug)]
 struct Keeper {
-    file: File,
+    name: String,
+    file: Growing,
     /// The beginning of a line whose end has not come.
     open_line: Vec<u8>,
     kept: Kept,
@@ -202,20 +211,34 @@ struct Keeper {
 
 impl Keeper {
     /// Writes the whole lines that there are now; nothing new where there are none.
-    fn take(&mut self, bytes: &[u8]) -> std::io::Result<Option<Kept>> {
+    fn take(&mut self, bytes: &[u8]) -> Result<Option<Kept>, Error> {
+        let too_much = |what| Error::TooMuch {
+            name: self.name.clone(),
+            what,
+        };
         self.open_line.extend(bytes);
         let Some(end) = self.open_line.iter().rposition(|b| *b == b'\n') else {
-            return Ok(None);
+            return match self.open_line.len() > LONGEST_LINE {
+                true => Err(too_much(
+                    "a line of more than 1 MB comes; lines of text expected",
+                )),
+                false => Ok(None),
+            };
         };
         let whole: Vec<u8> = self.open_line.drain(..=end).collect();
-        self.file.write_all(&whole)?;
+        if self.kept.bytes + whole.len() as u64 > MOST {
+            return Err(too_much(
+                "more than 128 MB of text came; write it to a file and calibrate that",
+            ));
+        }
+        self.file.append(&whole)?;
         self.kept.lines += whole.iter().filter(|b| **b == b'\n').count();
         self.kept.bytes += whole.len() as u64;
         Ok(Some(self.kept))
     }
 
     /// Ends the line that is open.
-    fn end(&mut self) -> std::io::Result<Option<Kept>> {
+    fn end(&mut self) -> Result<Option<Kept>, Error> {
         match self.open_line.is_empty() {
             true => Ok(None),
             false => self.take(b"\n"),
@@ -224,12 +247,7 @@ impl Keeper {
 }
 
 /// Keeps what `source` gives until it ends, or until a file that `grows` is complete, or nobody listens.
-fn keep(
-    source: &mut dyn Read,
-    keeper: &mut Keeper,
-    tell: &Sender<std::io::Result<Kept>>,
-    grows: bool,
-) {
+fn keep(source: &mut dyn Read, keeper: &mut Keeper, tell: &Sender<Told>, grows: bool) {
     let mut chunk = vec![0; CHUNK];
     let mut idle = Instant::now();
     loop {
@@ -257,6 +275,7 @@ fn keep(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::source::Waits;
     use std::sync::mpsc::SyncSender;
 
     /// What a test sends, as a stream of bytes.
@@ -280,6 +299,7 @@ mod tests {
             read: ReadOptions::default(),
             baud: 115_200,
             patience: Duration::ZERO,
+            waits: Waits::default(),
         };
         let lines = Lines::of("test".into(), Sent(sent), false, &how).unwrap();
         (send, lines)

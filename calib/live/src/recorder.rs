@@ -1,11 +1,10 @@
 //! The recording on disk: every batch is appended before it is looked at.
 
 use std::fmt::Write as _;
-use std::fs::{File, OpenOptions};
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use calib::recording::Stream;
+use output::Growing;
 
 use crate::error::Error;
 
@@ -19,7 +18,7 @@ const FILES: [(&str, &str); 2] = [("acc", "t,ax,ay,az\n"), ("gyro", "t,gx,gy,gz\
 #[derive(Debug)]
 pub struct Recorder {
     folder: PathBuf,
-    files: [File; 2],
+    files: [Growing; 2],
     restarts: u32,
 }
 
@@ -42,12 +41,7 @@ impl Recorder {
     /// # Errors
     /// A disk that takes no more.
     pub fn append(&mut self, accelerometer: &Stream, gyroscope: &Stream) -> Result<(), Error> {
-        for ((file, stream), (name, _)) in self
-            .files
-            .iter_mut()
-            .zip([accelerometer, gyroscope])
-            .zip(FILES)
-        {
+        for (file, stream) in self.files.iter_mut().zip([accelerometer, gyroscope]) {
             if stream.is_empty() {
                 continue;
             }
@@ -56,8 +50,7 @@ impl Recorder {
                 // Writing to memory does not fail.
                 let _ = writeln!(text, "{t},{},{},{}", v.x, v.y, v.z);
             }
-            let written = file.write_all(text.as_bytes());
-            written.map_err(Error::at(&self.folder.join(format!("{name}.csv"))))?;
+            file.append(text.as_bytes())?;
         }
         Ok(())
     }
@@ -85,13 +78,10 @@ impl Recorder {
     }
 }
 
-fn create(folder: &Path, which: usize) -> Result<File, Error> {
+fn create(folder: &Path, which: usize) -> Result<Growing, Error> {
     let (name, header) = FILES[which];
-    let path = folder.join(format!("{name}.csv"));
-    let file = OpenOptions::new().append(true).create_new(true).open(&path);
-    let mut file = file.map_err(Error::at(&path))?;
-    file.write_all(header.as_bytes())
-        .map_err(Error::at(&path))?;
+    let mut file = Growing::begin(&folder.join(format!("{name}.csv")))?;
+    file.append(header.as_bytes())?;
     Ok(file)
 }
 

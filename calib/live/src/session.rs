@@ -458,11 +458,16 @@ impl Session {
     }
 }
 
-/// Appends samples that are later than all before.
+/// Beyond these a step of time or a square of a reading is lost in rounding.
+const LATEST: f64 = 1e11;
+const LARGEST: f64 = 1e30;
+
+/// Appends samples that are later than all before. What no clock and no sensor says is left out.
 fn append(stream: &mut Option<Stream>, more: &Stream) {
     let stream = stream.get_or_insert_default();
+    let is_sample = |t: f64, v: &Vector3<f64>| t.abs() <= LATEST && v.amax() <= LARGEST;
     for (t, v) in more.t.iter().zip(&more.values) {
-        if stream.t.last().is_none_or(|last| t > last) {
+        if is_sample(*t, v) && stream.t.last().is_none_or(|last| t > last) {
             stream.t.push(*t);
             stream.values.push(*v);
         }

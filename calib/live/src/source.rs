@@ -8,6 +8,15 @@ use serde::Serialize;
 
 use crate::error::Error;
 
+/// What a session writes into its folder.
+pub const FILES: [&str; 5] = [
+    "lines.txt",
+    "phyphox.zip",
+    "received",
+    "received/acc.csv",
+    "received/gyro.csv",
+];
+
 /// Something that delivers samples while it is asked.
 pub trait Source {
     /// What came since the last call. Everything in it is on disk when it returns.
@@ -86,6 +95,24 @@ pub struct Finished {
     pub fallback: Option<String>,
 }
 
+/// How long a phone is waited for.
+#[derive(Clone, Copy, Debug)]
+pub struct Waits {
+    /// For an answer.
+    pub answer: Duration,
+    /// For the exported file, all attempts together: it takes the phone a while to write.
+    pub export: Duration,
+}
+
+impl Default for Waits {
+    fn default() -> Self {
+        Self {
+            answer: Duration::from_secs(5),
+            export: Duration::from_secs(120),
+        }
+    }
+}
+
 /// How to open a source.
 #[derive(Clone, Debug)]
 pub struct Opening {
@@ -97,4 +124,6 @@ pub struct Opening {
     pub baud: u32,
     /// How long a phone may not answer before it is lost, by the clock of [`Source::poll`].
     pub patience: Duration,
+    /// How long an answer of a phone may take.
+    pub waits: Waits,
 }

@@ -1,11 +1,11 @@
 //! A simulated recording as files.
 
-use std::io::{BufWriter, Write};
+use std::io::Write;
 use std::path::Path;
 
+use output::{Existing, Filled, Folder, Output};
 use recording::{Error, Temperature};
 use sensor::Sensor;
-use tempfile::NamedTempFile;
 
 use super::drift::DriftMeans;
 use super::simulation::Simulation;
@@ -62,33 +62,33 @@ impl Simulation {
     /// # Errors
     /// [`Error::Output`] where a file cannot be written, or exists and `force` is not set.
     pub fn write(&self, dir: &Path, force: bool) -> Result<Truth, Error> {
-        let refuse = |name: &str, source| Error::Output {
-            path: dir.join(name),
-            source,
+        let existing = match force {
+            true => Existing::Replace,
+            false => Existing::Refuse,
         };
-        std::fs::create_dir_all(dir).map_err(|e| refuse("", e))?;
-        if let Some(name) = FILES.iter().find(|name| !force && dir.join(name).exists()) {
-            return Err(refuse(name, std::io::ErrorKind::AlreadyExists.into()));
-        }
-        let mut files = self.files();
-        let mut write = |name: &str, sensor: Sensor| {
-            into_new_file(dir, |out| files.readings(sensor, out)).map_err(|e| refuse(name, e))
-        };
+        let folder = Folder::make(dir).map_err(refused)?;
+        let claim = |name: &str| Output::claim_in(dir, name, existing, &[]).map_err(refused);
         let sensors = Sensor::ALL.into_iter().zip(FILES);
-        let mut written = Vec::new();
-        for (sensor, name) in sensors.filter(|(sensor, _)| self.has(*sensor)) {
-            written.push((write(name, sensor)?, name));
+        let sensors = sensors.filter(|(sensor, _)| self.has(*sensor));
+        let readings: Vec<(Sensor, Output)> = sensors
+            .map(|(sensor, name)| Ok((sensor, claim(name)?)))
+            .collect::<Result<_, Error>>()?;
+        let json = claim(FILES[3])?;
+        let mut files = self.files();
+        let mut filled = Vec::new();
+        for (sensor, output) in readings {
+            let readings = output.fill(|out| files.readings(sensor, out));
+            filled.push(readings.map_err(refused)?);
         }
         let truth = files.truth();
-        let json = into_new_file(dir, |out| {
+        let json = json.fill(|out| {
             serde_json::to_writer_pretty(&mut *out, &truth)?;
             out.write_all(b"\n")
-        })
-        .map_err(|e| refuse(FILES[3], e))?;
-        written.push((json, FILES[3]));
-        for (file, name) in written {
-            publish(file, &dir.join(name), force).map_err(|e| refuse(name, e))?;
-        }
+        });
+        filled.push(json.map_err(refused)?);
+        let mut published = filled.into_iter().map(Filled::publish);
+        published.try_for_each(|done| done.map_err(refused))?;
+        drop(folder);
         Ok(truth)
     }
 }
@@ -122,35 +122,11 @@ fn row(
     writeln!(out)
 }
 
-/// A file beside its target, filled and synced, that disappears unless it is published.
-fn into_new_file(
-    dir: &Path,
-    fill: impl FnOnce(&mut BufWriter<&mut std::fs::File>) -> std::io::Result<()>,
-) -> std::io::Result<NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".stillpoint-");
-    // Temporary files are private; the result should have the permissions of any other file.
-    #[cfg(unix)]
-    let builder = {
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(std::fs::Permissions::from_mode(0o666))
-    };
-    let mut file = builder.tempfile_in(dir)?;
-    let mut out = BufWriter::new(file.as_file_mut());
-    fill(&mut out)?;
-    out.flush()?;
-    drop(out);
-    file.as_file().sync_all()?;
-    Ok(file)
-}
-
-fn publish(file: NamedTempFile, path: &Path, force: bool) -> std::io::Result<()> {
-    let done = if force {
-        file.persist(path)
-    } else {
-        file.persist_noclobber(path)
-    };
-    done.map(|_| ()).map_err(|e| e.error)
+fn refused(error: output::Error) -> Error {
+    Error::Output {
+        path: error.path.clone(),
+        source: error.into(),
+    }
 }
 
 #[cfg(test)]

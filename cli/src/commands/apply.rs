@@ -83,9 +83,9 @@ impl Target {
             });
         }
         let folder = Folder::make(path)?;
-        let acc = Output::claim(&path.join("acc.csv"), replace, inputs)?;
-        let gyro = Output::claim(&path.join("gyro.csv"), replace, inputs)?;
-        let mag = Output::claim(&path.join("mag.csv"), replace, inputs)?;
+        let acc = Output::claim_in(path, "acc.csv", replace, inputs)?;
+        let gyro = Output::claim_in(path, "gyro.csv", replace, inputs)?;
+        let mag = Output::claim_in(path, "mag.csv", replace, inputs)?;
         Ok(Self::Folder(Box::new([acc, gyro, mag]), folder))
     }
 

@@ -11,6 +11,8 @@ mod request;
 mod six_position;
 pub mod tables;
 
+use std::path::Path;
+
 use calib::Recording;
 use calib::calibrate::{Outcome, Request, calibrate};
 use calib::gravity::Gravity;
@@ -31,6 +33,19 @@ pub use arguments::Args;
 use arguments::Method;
 use request::{request, sections};
 
+/// Claims every output of the call.
+pub(super) fn claim(args: &Args, inputs: &[&Path]) -> Result<(Option<Output>, Pictures), Failure> {
+    let output = match &args.output {
+        Some(path) => Some(Output::claim(path, args.replace, inputs)?),
+        None => None,
+    };
+    let names = plot_names(args);
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let pictures = args.pictures.claim(&names, args.replace, inputs)?;
+    args.replace.end_if_all_exist()?;
+    Ok((output, pictures))
+}
+
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
     let mut inputs = args.recordings.paths();
@@ -49,16 +64,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     if let Some(prior) = &prior {
         prior::with_effects(prior, &mut request)?;
     }
-    let output = match &args.output {
-        Some(path) => Some(Output::claim(path, args.replace, &as_paths(&inputs))?),
-        None => None,
-    };
-    let names = plot_names(args);
-    let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let pictures = args
-        .pictures
-        .claim(&names, args.replace, &as_paths(&inputs))?;
-    args.replace.end_if_all_exist()?;
+    let (output, pictures) = claim(args, &as_paths(&inputs))?;
     let recordings = match args.recordings.read(&args.read) {
         Ok(recordings) => recordings,
         Err(failure) => return Err(refused(failure, pictures, &[], &request)),

@@ -50,7 +50,7 @@ struct Files {
 impl Files {
     fn claim(dir: &Path, replace: Replace) -> Result<Self, Failure> {
         let folder = Folder::make(dir)?;
-        let claim = |name: &str| Output::claim(&dir.join(name), replace, &[]);
+        let claim = |name: &str| Output::claim_in(dir, name, replace, &[]);
         Ok(Self {
             recording: claim("recording.csv")?,
             calibration: claim("cal.json")?,

@@ -79,6 +79,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .filter_map(|named| named.split_once('='));
     let mut inputs = vec![args.recording.clone()];
     inputs.extend(named.map(|(_, path)| PathBuf::from(path)));
+    inputs.extend(args.limits.limits.clone());
     let pictures = args
         .pictures
         .claim(&evaluation::PLOTS, args.replace, &as_paths(&inputs))?;

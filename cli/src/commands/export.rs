@@ -167,7 +167,7 @@ impl Outputs {
         let folder = Folder::make(path)?;
         let claims = names
             .iter()
-            .map(|name| Output::claim(&path.join(name), replace, inputs));
+            .map(|name| Output::claim_in(path, name, replace, inputs));
         Ok(Self {
             files: claims.collect::<Result<_, _>>()?,
             _folder: Some(folder),

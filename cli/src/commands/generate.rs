@@ -53,7 +53,7 @@ fn manual(dir: &Path, mut command: clap::Command, replace: Replace) -> Result<()
     let folder = Folder::make(dir)?;
     let mut claimed = Vec::new();
     for (name, command) in pages {
-        let output = Output::claim(&dir.join(format!("{name}.1")), replace, &[])?;
+        let output = Output::claim_in(dir, &format!("{name}.1"), replace, &[])?;
         let mut page = Vec::new();
         let written = Man::new(command).render(&mut page);
         written.map_err(|e| Failure::new(BUG, e.to_string()))?;

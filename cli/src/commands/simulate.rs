@@ -71,7 +71,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let _folder = Folder::make(folder)?;
     let claim = |name: &str| {
         let inputs = [spec.as_path()];
-        Output::claim(&folder.join(name), args.replace, &inputs)
+        Output::claim_in(folder, name, args.replace, &inputs)
     };
     let sensors = Sensor::ALL.into_iter().zip(FILES);
     let sensors = sensors.filter(|(sensor, _)| simulation.has(*sensor));

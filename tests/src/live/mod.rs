@@ -15,4 +15,4 @@ mod sitting;
 pub use person::{Habits, Person};
 pub use phone::Phone;
 pub use server::Server;
-pub use sitting::{KINDS, Sitting, kind, phone, sit};
+pub use sitting::{KINDS, Sitting, kind, phone, sit, sit_with};

@@ -62,6 +62,8 @@ pub struct Phone {
     pub sent: [usize; 2],
     /// Of these, samples in answers before the last: who asks again has taken them.
     pub taken: [usize; 2],
+    /// The exported file is of another session.
+    exports_another: bool,
     /// The last request, where waiting takes real time.
     asked: Option<Instant>,
 }
@@ -101,8 +103,15 @@ impl Phone {
             read: None,
             sent: [0; 2],
             taken: [0; 2],
+            exports_another: false,
             asked: None,
         }
+    }
+
+    /// Exports another session than the one it answered with: other readings at the same times.
+    pub fn exporting_another(mut self) -> Self {
+        self.exports_another = true;
+        self
     }
 
     /// Pauses by itself at these times, s.
@@ -328,7 +337,11 @@ impl Phone {
 
     fn export(&self) -> Vec<u8> {
         let table = |sensor: usize, header: &str| {
-            let row = |(t, v): &Sample| format!("{t:.9E},{:.9E},{:.9E},{:.9E}\n", v.x, v.y, v.z);
+            let shift = if self.exports_another { 0.01 } else { 0.0 };
+            let row = |(t, v): &Sample| {
+                let v = v.add_scalar(shift);
+                format!("{t:.9E},{:.9E},{:.9E},{:.9E}\n", v.x, v.y, v.z)
+            };
             let rows: String = self.buffers[sensor].iter().map(row).collect();
             format!("{header}\n{rows}")
         };

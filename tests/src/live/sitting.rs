@@ -5,7 +5,7 @@ use std::time::Duration;
 use calib::calibrate::calibrate;
 use calib::recording::ReadOptions;
 use calib::{Calibration, Recording};
-use live::{Aim, Instruction, Opening, Session, open};
+use live::{Aim, Instruction, Opening, Session, Waits, open};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -95,13 +95,22 @@ pub fn phone(seed: u64) -> Phone {
 /// # Errors
 /// What keeps the session from being held at all: no port, no folder, a phone that is lost for good.
 pub fn sit(seed: u64, planned: usize) -> Result<Sitting, Box<dyn std::error::Error>> {
-    let server = Server::start(phone(seed))?;
+    sit_with(phone(seed), planned)
+}
+
+/// Holds a session of `planned` placements with a phone.
+///
+/// # Errors
+/// As [`sit`].
+pub fn sit_with(phone: Phone, planned: usize) -> Result<Sitting, Box<dyn std::error::Error>> {
+    let server = Server::start(phone)?;
     let folder = tempfile::tempdir()?;
     let how = Opening {
         folder: folder.path().to_owned(),
         read: ReadOptions::default(),
         baud: 0,
         patience: PATIENCE,
+        waits: Waits::default(),
     };
     let mut source = open(&server.address, &how)?;
     let aim = Aim {

@@ -1,15 +1,17 @@
 //! Requests to the phone.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
+use calib::recording::shown::shown;
 use ureq::Agent;
 
-/// Longest wait for an answer.
-const TIMEOUT: Duration = Duration::from_secs(5);
-/// Longest wait for the exported file.
-const EXPORT_TIMEOUT: Duration = Duration::from_secs(120);
-/// Largest answer, bytes.
-const LARGEST: u64 = 512 << 20;
+use crate::source::Waits;
+
+/// Largest answers, bytes: of the experiment, its pauses and its commands; of samples, a quarter of an hour at 500 Hz; of the
+/// exported file.
+const SMALL: u64 = 4 << 20;
+const SAMPLES: u64 = 128 << 20;
+const EXPORT: u64 = 512 << 20;
 
 /// A phone's address.
 ///
@@ -17,41 +19,50 @@ const LARGEST: u64 = 512 << 20;
 #[derive(Debug)]
 pub(super) struct Client {
     pub(super) address: String,
+    pub(super) waits: Waits,
     agent: Agent,
 }
 
 impl Client {
-    pub(super) fn new(address: &str) -> Self {
+    pub(super) fn new(address: &str, waits: Waits) -> Self {
         let config = Agent::config_builder()
             .max_idle_connections(0)
             .max_redirects(0)
-            .timeout_global(Some(TIMEOUT))
+            .timeout_global(Some(waits.answer))
             .proxy(None)
             .user_agent("stillpoint")
             .build();
         Self {
             address: address.to_owned(),
+            waits,
             agent: Agent::new_with_config(config),
         }
     }
 
-    /// The answer to `path`.
+    /// The answer to `path`, a short one.
     pub(super) fn get(&self, path: &str) -> Result<Vec<u8>, String> {
-        self.get_within(path, TIMEOUT)
+        self.get_within(path, self.waits.answer, SMALL)
     }
 
-    /// The exported file: it takes the phone a while to write.
-    pub(super) fn export(&self, path: &str) -> Result<Vec<u8>, String> {
-        self.get_within(path, EXPORT_TIMEOUT)
+    /// The answer to `path`, which holds samples.
+    pub(super) fn samples(&self, path: &str) -> Result<Vec<u8>, String> {
+        self.get_within(path, self.waits.answer, SAMPLES)
     }
 
-    fn get_within(&self, path: &str, timeout: Duration) -> Result<Vec<u8>, String> {
+    /// The exported file, until an instant.
+    pub(super) fn export(&self, path: &str, until: Instant) -> Result<Vec<u8>, String> {
+        let left = until.saturating_duration_since(Instant::now());
+        self.get_within(path, left.max(Duration::from_millis(1)), EXPORT)
+    }
+
+    /// What an error says may be the phone's words.
+    fn get_within(&self, path: &str, timeout: Duration, most: u64) -> Result<Vec<u8>, String> {
         let request = self.agent.get(format!("{}{path}", self.address));
         let request = request.header("Connection", "close");
         let request = request.config().timeout_global(Some(timeout)).build();
-        let mut response = request.call().map_err(|e| e.to_string())?;
-        let body = response.body_mut().with_config().limit(LARGEST);
-        body.read_to_vec().map_err(|e| e.to_string())
+        let mut response = request.call().map_err(|e| shown(&e.to_string()))?;
+        let body = response.body_mut().with_config().limit(most);
+        body.read_to_vec().map_err(|e| shown(&e.to_string()))
     }
 }
 

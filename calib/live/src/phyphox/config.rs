@@ -1,6 +1,11 @@
 //! `/config`: which buffers hold which sensor.
 
+use calib::recording::shown::shown;
 use serde_json::Value;
+
+/// Longest name of a buffer, bytes, and most sets of an export: every request names them.
+const LONGEST: usize = 100;
+const SETS: usize = 64;
 
 /// The buffers of one sensor.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -33,12 +38,13 @@ impl Experiment {
             .iter()
             .find_map(|key| document.get(key)?.as_str());
         Some(Self {
-            title: title.unwrap_or("").to_owned(),
+            title: shown(title.unwrap_or("")),
             inputs: inputs.iter().filter_map(input).collect(),
             export_sets: document
                 .get("export")
                 .and_then(Value::as_array)
-                .map_or(0, Vec::len),
+                .map_or(0, Vec::len)
+                .min(SETS),
         })
     }
 
@@ -58,7 +64,7 @@ impl Experiment {
         if names.is_empty() {
             "none".to_owned()
         } else {
-            names.join(", ")
+            shown(&names.join(", "))
         }
     }
 }
@@ -70,7 +76,9 @@ fn buffers(outputs: &Value) -> Option<Buffers> {
             .as_array()?
             .iter()
             .find_map(|output| output.get(of)?.as_str());
-        named.map(str::to_owned)
+        named
+            .filter(|name| name.len() <= LONGEST)
+            .map(str::to_owned)
     };
     Some(Buffers {
         values: [name("x")?, name("y")?, name("z")?],

@@ -16,9 +16,10 @@ mod client;
 mod config;
 mod pauses;
 mod reply;
+mod sightings;
 
 use std::path::PathBuf;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use calib::Recording;
 use calib::recording::{ReadOptions, Stream};
@@ -28,8 +29,10 @@ use crate::recorder::Recorder;
 use crate::source::{Batch, Event, Finished, Opening, Source};
 use client::Client;
 use config::{Buffers, Experiment};
+use output::{Existing, Output};
 use pauses::Pauses;
 use reply::Reply;
+use sightings::Sightings;
 
 /// First wait after a request without an answer; doubled up to sixteen times that.
 const FIRST_WAIT: Duration = Duration::from_millis(250);
@@ -41,8 +44,16 @@ const BARREN: u32 = 40;
 const BEGUN_ANEW: f64 = 0.5;
 /// Times that the export is asked for again.
 const EXPORTS: u32 = 4;
+/// A measurement that begins anew more often is none.
+const RESTARTS: usize = 50;
+/// Most samples of a sensor, over an hour at 500 Hz: all of them are in memory.
+const MOST: usize = 2_000_000;
+/// The share of the samples seen that the exported file must hold.
+const SAME: f64 = 0.9;
 /// Folder of the samples as they came.
 const RECEIVED: &str = "received";
+/// The exported file.
+const EXPORT: &str = "phyphox.zip";
 /// CSV with comma and point, by phyphox's count of its formats.
 const FORMAT: usize = 1;
 
@@ -57,6 +68,12 @@ pub struct Phyphox {
     export: PathBuf,
     /// Last stamps of both sensors by the phone's clock, s.
     last: [Option<f64>; 2],
+    /// The same with pauses counted.
+    last_counted: [Option<f64>; 2],
+    sightings: [Sightings; 2],
+    restarts: usize,
+    /// Samples of both sensors so far.
+    taken: [usize; 2],
     pauses: Pauses,
     session: Option<String>,
     measuring: bool,
@@ -76,7 +93,7 @@ impl Phyphox {
     /// # Errors
     /// No answer, another server, an experiment without one of the sensors, a folder that cannot be written.
     pub fn connect(address: &str, how: &Opening) -> Result<Self, Error> {
-        let client = Client::new(address);
+        let client = Client::new(address, how.waits);
         let text = client.get("/config").map_err(|cause| Error::Lost {
             address: address.to_owned(),
             seconds: 0.0,
@@ -89,11 +106,15 @@ impl Phyphox {
         ];
         Ok(Self {
             recorder: Recorder::begin(&how.folder.join(RECEIVED))?,
-            export: how.folder.join("phyphox.zip"),
+            export: how.folder.join(EXPORT),
             client,
             experiment,
             sensors,
             last: [None; 2],
+            last_counted: [None; 2],
+            sightings: [Sightings::default(), Sightings::default()],
+            restarts: 0,
+            taken: [0; 2],
             pauses: Pauses::default(),
             session: None,
             measuring: false,
@@ -137,7 +158,7 @@ impl Phyphox {
         })
     }
 
-    fn taken(&mut self, reply: &Reply) -> Result<Batch, Error> {
+    fn take(&mut self, reply: &Reply, fresh: [Stream; 2]) -> Result<Batch, Error> {
         let mut batch = Batch::default();
         let events = &mut batch.events;
         if std::mem::take(&mut self.failures) > 0 {
@@ -146,11 +167,19 @@ impl Phyphox {
         if self.session.is_none() {
             self.ask_for_pauses();
         }
-        let fresh = [0, 1].map(|k| reply.samples(&self.sensors[k]));
         if self.has_begun_anew(reply, &fresh) {
+            self.restarts += 1;
+            if self.restarts > RESTARTS {
+                return Err(Error::Restless {
+                    address: self.client.address.clone(),
+                    times: self.restarts,
+                });
+            }
             events.push(Event::Restarted);
             self.recorder.restart()?;
             self.last = [None; 2];
+            self.last_counted = [None; 2];
+            self.sightings = [Sightings::default(), Sightings::default()];
             self.ask_for_pauses();
         }
         self.session = Some(reply.status.session.clone());
@@ -158,6 +187,14 @@ impl Phyphox {
         let [accelerometer, gyroscope] = fresh;
         batch.accelerometer = self.newer(0, accelerometer);
         batch.gyroscope = self.newer(1, gyroscope);
+        self.taken[0] += batch.accelerometer.len();
+        self.taken[1] += batch.gyroscope.len();
+        if self.taken.iter().any(|count| *count > MOST) {
+            return Err(Error::TooMuch {
+                name: self.client.address.clone(),
+                what: "more than 2,000,000 samples came; record on the phone and calibrate its file",
+            });
+        }
         let barren = batch.accelerometer.is_empty() && batch.gyroscope.is_empty();
         self.barren = if barren && self.measuring && self.barren < BARREN {
             self.barren + 1
@@ -167,6 +204,14 @@ impl Phyphox {
         self.recorder
             .append(&batch.accelerometer, &batch.gyroscope)?;
         Ok(batch)
+    }
+
+    /// The samples of both sensors in an answer.
+    fn understood(&self, text: &[u8]) -> Result<(Reply, [Stream; 2]), String> {
+        let reply = Reply::parse(text)?;
+        let of = |sensor: usize| reply.samples(&self.sensors[sensor]);
+        let fresh = [of(0)?, of(1)?];
+        Ok((reply, fresh))
     }
 
     /// Whether the app was started again or its data were cleared.
@@ -218,32 +263,44 @@ impl Phyphox {
         if let Some(t) = fresh.t.last().filter(|_| from < fresh.len()) {
             self.last[sensor] = Some(*t);
         }
-        Stream {
-            t: fresh.t[from..]
-                .iter()
-                .map(|t| self.pauses.counted(*t))
-                .collect(),
-            values: fresh.values[from..].to_vec(),
+        let mut newer = Stream::default();
+        for (t, reading) in fresh.t[from..].iter().zip(&fresh.values[from..]) {
+            // Pauses may be told otherwise than before.
+            let t = self.pauses.counted(*t);
+            if self.last_counted[sensor].is_none_or(|last| t > last) {
+                self.last_counted[sensor] = Some(t);
+                self.sightings[sensor].see(reading);
+                newer.t.push(t);
+                newer.values.push(*reading);
+            }
         }
+        newer
     }
 
-    /// The file of full precision, checked to be a recording of both sensors.
-    fn export(&self) -> Result<PathBuf, String> {
+    /// The file of full precision, checked to be a recording of both sensors and of this session.
+    fn export(&self, until: Instant) -> Result<PathBuf, String> {
         let sets = 0..self.experiment.export_sets.max(1);
         let sets: String = sets.map(|k| format!("&set{k}=On")).collect();
         let bytes = self
             .client
-            .export(&format!("/export?format={FORMAT}{sets}"))?;
+            .export(&format!("/export?format={FORMAT}{sets}"), until)?;
         let path = &self.export;
-        std::fs::write(path, &bytes).map_err(|e| format!("{}: {e}", path.display()))?;
+        let folder = path.parent().unwrap_or(path);
+        let output = Output::claim_in(folder, EXPORT, Existing::Replace, &[]);
+        let written = output.and_then(|output| output.write(&bytes));
+        written.map_err(|e| e.to_string())?;
         let recording =
             Recording::read(path, &ReadOptions::default()).map_err(|e| e.to_string())?;
-        let [accelerometer, gyroscope] =
-            [recording.accelerometer, recording.gyroscope].map(|s| s.map_or(0, |s| s.len()));
-        if accelerometer == 0 || gyroscope == 0 {
+        let streams = [recording.accelerometer, recording.gyroscope].map(Option::unwrap_or_default);
+        if streams.iter().any(Stream::is_empty) {
+            let [accelerometer, gyroscope] = streams.each_ref().map(Stream::len);
             return Err(format!(
                 "{accelerometer} and {gyroscope} samples in the exported file"
             ));
+        }
+        let mut seen = self.sightings.iter().zip(&streams);
+        if !seen.all(|(sightings, stream)| sightings.share_in(stream) >= SAME) {
+            return Err("it holds another session than the one that was guided".to_owned());
         }
         Ok(path.clone())
     }
@@ -251,10 +308,9 @@ impl Phyphox {
 
 impl Source for Phyphox {
     fn poll(&mut self, now: Duration) -> Result<Batch, Error> {
-        let answer = self.client.get(&self.path());
-        let reply = answer.and_then(|text| Reply::parse(&text));
-        let mut batch = match reply {
-            Ok(reply) => self.taken(&reply)?,
+        let answer = self.client.samples(&self.path());
+        let mut batch = match answer.and_then(|text| self.understood(&text)) {
+            Ok((reply, fresh)) => self.take(&reply, fresh)?,
             Err(cause) => self.no_answer(now, cause)?,
         };
         if !std::mem::replace(&mut self.greeted, true) {
@@ -268,13 +324,15 @@ impl Source for Phyphox {
         if self.started {
             let _ = self.client.get("/control?cmd=stop");
         }
-        let mut exported = self.export();
+        let until = Instant::now() + self.client.waits.export;
+        let mut exported = self.export(until);
         for attempt in 0..EXPORTS {
-            if exported.is_ok() {
+            let wait = FIRST_WAIT * 2u32.pow(attempt);
+            if exported.is_ok() || Instant::now() + wait >= until {
                 break;
             }
-            std::thread::sleep(FIRST_WAIT * 2u32.pow(attempt));
-            exported = self.export();
+            std::thread::sleep(wait);
+            exported = self.export(until);
         }
         let plain = self.recorder.folder().to_owned();
         Ok(match exported {
@@ -303,9 +361,8 @@ fn sensor(address: &str, experiment: &Experiment, source: &'static str) -> Resul
 }
 
 fn not_phyphox(address: &str, text: &[u8]) -> Error {
-    let begin = String::from_utf8_lossy(&text[..text.len().min(60)])
-        .trim()
-        .to_owned();
+    let begin = String::from_utf8_lossy(&text[..text.len().min(60)]);
+    let begin = calib::recording::shown::shown(begin.trim());
     Error::NotPhyphox {
         address: address.to_owned(),
         found: format!("`{begin}` from /config"),

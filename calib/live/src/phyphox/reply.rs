@@ -3,11 +3,24 @@
 use std::collections::HashMap;
 
 use calib::recording::Stream;
+use calib::recording::shown::shown;
 use nalgebra::Vector3;
 use serde::Deserialize;
 
 use super::client::encoded;
 use super::config::Buffers;
+
+/// The experiment's clock begins with it: a year at most, s.
+const LONGEST: f64 = 3e7;
+/// No sensor reads as much, m/s² or rad/s.
+const LARGEST: f64 = 1e5;
+/// Most values of a buffer in an answer: hours.
+const MOST: usize = 4_000_000;
+
+/// Whether this is a time of an experiment.
+pub(super) fn is_time(t: f64) -> bool {
+    (-1.0..=LONGEST).contains(&t)
+}
 
 /// The query for everything of a sensor that is newer than `since`; for all of it with `None`.
 pub(super) fn query(buffers: &Buffers, since: Option<f64>) -> String {
@@ -40,12 +53,37 @@ pub(super) struct Status {
 struct Part {
     #[serde(rename = "updateMode")]
     mode: String,
-    buffer: Vec<Option<f64>>,
+    #[serde(deserialize_with = "values")]
+    buffer: Vec<f64>,
+}
+
+/// Values, at most [`MOST`]; what is no number is NaN.
+fn values<'de, D: serde::Deserializer<'de>>(from: D) -> Result<Vec<f64>, D::Error> {
+    struct Values;
+    impl<'de> serde::de::Visitor<'de> for Values {
+        type Value = Vec<f64>;
+
+        fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+            write!(f, "at most {MOST} numbers")
+        }
+
+        fn visit_seq<A: serde::de::SeqAccess<'de>>(self, mut of: A) -> Result<Vec<f64>, A::Error> {
+            let mut values = Vec::new();
+            while let Some(value) = of.next_element::<Option<f64>>()? {
+                if values.len() == MOST {
+                    return Err(serde::de::Error::invalid_length(MOST + 1, &self));
+                }
+                values.push(value.unwrap_or(f64::NAN));
+            }
+            Ok(values)
+        }
+    }
+    from.deserialize_seq(Values)
 }
 
 impl Reply {
     pub(super) fn parse(text: &[u8]) -> Result<Self, String> {
-        serde_json::from_slice(text).map_err(|e| e.to_string())
+        serde_json::from_slice(text).map_err(|e| shown(&format!("no samples in its answer: {e}")))
     }
 
     /// Whether all of a sensor's buffers was sent, asked for or not.
@@ -56,20 +94,30 @@ impl Reply {
     }
 
     /// The samples of a sensor in order of time. Those without a number are left out.
-    pub(super) fn samples(&self, buffers: &Buffers) -> Stream {
+    ///
+    /// # Errors
+    /// A time or a reading that no phone has.
+    pub(super) fn samples(&self, buffers: &Buffers) -> Result<Stream, String> {
         let part = |name: &str| self.buffer.get(name).map_or(&[][..], |part| &part.buffer);
         let [x, y, z] = buffers.values.each_ref().map(|name| part(name));
         let mut stream = Stream::default();
         for (((t, x), y), z) in part(&buffers.time).iter().zip(x).zip(y).zip(z) {
-            let (Some(t), Some(x), Some(y), Some(z)) = (*t, *x, *y, *z) else {
+            let (t, reading) = (*t, Vector3::new(*x, *y, *z));
+            if t.is_nan() || reading.iter().any(|value| value.is_nan()) {
                 continue;
-            };
+            }
+            if !is_time(t) {
+                return Err(format!("it says that {t:e} s have passed"));
+            }
+            if let Some(value) = reading.iter().find(|value| value.abs() > LARGEST) {
+                return Err(format!("it reads {value:e}, as no sensor does"));
+            }
             if stream.t.last().is_none_or(|last| t > *last) {
                 stream.t.push(t);
-                stream.values.push(Vector3::new(x, y, z));
+                stream.values.push(reading);
             }
         }
-        stream
+        Ok(stream)
     }
 }
 
@@ -94,7 +142,7 @@ mod tests {
             "acc time":{"size":0,"updateMode":"partial", "buffer":[1.26E0,1.27E0,1.28E0]}
             },"status":{"session":"a1b2c3", "measuring":true, "timedRun":false, "countDown":0}}"#;
         let reply = Reply::parse(text.as_bytes()).unwrap();
-        let samples = reply.samples(&buffers);
+        let samples = reply.samples(&buffers).unwrap();
         assert_eq!(samples.t, [1.26, 1.28]);
         assert_eq!(samples.values[0], Vector3::new(1.0, 1.0, 9.806_650_1));
         assert!(

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use batch::{merge, to_csv};
+use batch::{merge, part_files, to_csv};
 
 use super::failure::failure;
 use super::{page, tables};
@@ -41,16 +41,14 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
-    let parts = as_paths(&args.parts);
+    let parts = part_files(&args.parts).map_err(failure)?;
     let claim = |wanted: bool, ending: &str| {
         let mut name = args.output.clone().into_os_string();
         if args.output.extension().is_none_or(|e| e != ending) {
             name.push(format!(".{ending}"));
         }
-        // Results may lie in the folder that the parts are in.
-        let files: Vec<_> = parts.iter().filter(|p| !p.is_dir()).copied().collect();
         wanted
-            .then(|| Output::claim(name.as_ref(), args.replace, &files))
+            .then(|| Output::claim(name.as_ref(), args.replace, &as_paths(&parts)))
             .transpose()
     };
     let jsonl = claim(args.jsonl || !(args.csv || args.report), "jsonl")?;

@@ -8,7 +8,7 @@ mod page;
 mod prior;
 mod tables;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use args::Action;
@@ -20,8 +20,8 @@ use batch::{
 use failure::failure;
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::exit::{Failure, GATE, OUTPUT, USAGE};
-use crate::output::{Output, Replace};
+use crate::exit::{Failure, GATE, USAGE};
+use crate::output::{Folder, Output, Replace};
 use crate::show;
 
 /// Runs the command.
@@ -46,13 +46,7 @@ pub fn run_command(args: &Args) -> Result<(), Failure> {
     let created_by = concat!("stillpoint ", env!("CARGO_PKG_VERSION"));
     let header = PartHeader::new(created_by, sha, args.shard, manifest.devices.len());
     refuse_within(folder, &manifest)?;
-    std::fs::create_dir_all(folder).map_err(|e| {
-        let why = format!(
-            "{}: cannot be made: {e}; choose a folder that can be written to",
-            show::path(folder)
-        );
-        Failure::new(OUTPUT, why)
-    })?;
+    let _made = Folder::make(folder)?;
     let part = folder.join(part_name(args.shard));
     if part.exists() && !args.resume && !args.force {
         return Err(Failure::exists(format!(
@@ -61,12 +55,12 @@ pub fn run_command(args: &Args) -> Result<(), Failure> {
         )));
     }
     // Claimed now, so that another run of this shard into this folder is refused at once.
-    let part = Output::claim(&part, Replace::forced(), &[])?;
-    let timings = Output::claim(
-        &folder.join(timings_name(args.shard)),
-        Replace::forced(),
-        &[],
-    )?;
+    let own = args.inputs.iter().chain(&args.prior);
+    let own = own.chain(&args.limits.limits);
+    let inputs: Vec<&Path> = own.map(PathBuf::as_path).collect();
+    let claim = |name: &str| Output::claim_in(folder, name, Replace::forced(), &inputs);
+    let part = claim(&part_name(args.shard))?;
+    let timings = claim(&timings_name(args.shard))?;
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let plan = Plan {
         manifest,
@@ -110,21 +104,24 @@ fn verdict(records: &[Record]) -> Result<(), Failure> {
     Err(Failure::new(GATE, why))
 }
 
-/// Refuses an output folder that is or lies in an input.
+/// Refuses an output folder that is or lies in an input, or whose results are inputs, through links.
 fn refuse_within(folder: &Path, manifest: &Manifest) -> Result<(), Failure> {
-    let Ok(out) = std::path::absolute(folder) else {
-        return Ok(());
-    };
-    let inputs = manifest.devices.iter().flat_map(|d| &d.inputs);
-    for input in inputs.filter_map(|path| std::path::absolute(path).ok()) {
-        if out.starts_with(&input) {
-            let why = format!(
-                "-o {}: is or lies in the input {}; choose another folder",
-                show::path(folder),
-                show::path(&input)
-            );
-            return Err(Failure::new(USAGE, why));
-        }
+    let resolved = |path: &Path| ::output::resolve(&std::path::absolute(path).unwrap_or_default());
+    let out = resolved(folder);
+    let results = out.join("devices");
+    for input in manifest.devices.iter().flat_map(|d| &d.inputs) {
+        let found = resolved(input);
+        let relation = match (out.starts_with(&found), found.starts_with(&results)) {
+            (true, _) => "is or lies in the input",
+            (_, true) => "its results would be written over the input",
+            _ => continue,
+        };
+        let why = format!(
+            "-o {}: {relation} {}; choose another folder",
+            show::path(folder),
+            show::path(input)
+        );
+        return Err(Failure::new(USAGE, why));
     }
     Ok(())
 }

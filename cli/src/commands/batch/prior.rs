@@ -9,7 +9,6 @@ use calib::prior::Prior;
 
 use super::failure::failure;
 use crate::commands::calibrate::limits::number;
-use crate::commands::shared::inputs::as_paths;
 use crate::exit::{Failure, INPUT};
 use crate::output::{Output, Replace};
 use crate::show;
@@ -41,18 +40,17 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
-    let output = Output::claim(&args.output, args.replace, &as_paths(&args.inputs))?;
+    let mut found = Vec::new();
+    for input in &args.inputs {
+        let named = |path: PathBuf| (name(input, &path), path);
+        found.extend(files(input)?.into_iter().map(named));
+    }
+    let inputs: Vec<&Path> = found.iter().map(|(_, path)| path.as_path()).collect();
+    let output = Output::claim(&args.output, args.replace, &inputs)?;
     args.replace.end_if_all_exist()?;
     let mut calibrations: Vec<(String, Calibration)> = Vec::new();
-    for input in &args.inputs {
-        for path in files(input)? {
-            let name = match input.is_dir() {
-                true => path.parent().and_then(Path::file_name),
-                false => path.file_stem(),
-            };
-            let name = name.unwrap_or_default().to_string_lossy().into_owned();
-            calibrations.push((name, load(&path)?));
-        }
+    for (name, path) in &found {
+        calibrations.push((name.clone(), load(path)?));
     }
     let informed = calibrations
         .iter()
@@ -70,6 +68,15 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let json = show::json(&prior)?;
     output.write(json.as_bytes())?;
     show::print(&if args.json { json } else { text(&prior) })
+}
+
+/// The device of a calibration: its folder in the output of a batch, else the file's name.
+fn name(input: &Path, path: &Path) -> String {
+    let name = match input.is_dir() {
+        true => path.parent().and_then(Path::file_name),
+        false => path.file_stem(),
+    };
+    name.unwrap_or_default().to_string_lossy().into_owned()
 }
 
 /// The calibrations at a path.

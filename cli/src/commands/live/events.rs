@@ -1,27 +1,22 @@
 //! What happens, for programs: a JSON document a line.
 
-use std::fs::{File, OpenOptions};
-use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use live::{Event, Instruction, View};
 use serde_json::{Value, json};
 
-use crate::exit::{Failure, OUTPUT};
-use crate::show;
+use crate::exit::Failure;
+use crate::output::Growing;
 
 /// A file of lines; nothing where none is asked for.
 #[derive(Debug)]
-pub(super) struct Events(Option<(PathBuf, File)>);
+pub(super) struct Events(Option<Growing>);
 
 impl Events {
-    pub(super) fn open(path: Option<&Path>) -> Result<Self, Failure> {
-        let Some(path) = path else {
-            return Ok(Self(None));
-        };
-        let file = OpenOptions::new().create(true).append(true).open(path);
-        let file = file.map_err(|error| refused(path, &error))?;
-        Ok(Self(Some((path.to_owned(), file))))
+    /// Begins the file, or goes on with it; it is none of `inputs`.
+    pub(super) fn open(path: Option<&Path>, inputs: &[&Path]) -> Result<Self, Failure> {
+        let file = path.map(|path| Growing::append_to(path, inputs));
+        Ok(Self(file.transpose()?))
     }
 
     pub(super) fn instruction(
@@ -39,20 +34,9 @@ impl Events {
     }
 
     fn line(&mut self, document: &Value) -> Result<(), Failure> {
-        let Some((path, file)) = &mut self.0 else {
-            return Ok(());
-        };
-        let written = file.write_all(format!("{document}\n").as_bytes());
-        written.map_err(|error| refused(path, &error))
+        match &mut self.0 {
+            Some(file) => Ok(file.append(format!("{document}\n").as_bytes())?),
+            None => Ok(()),
+        }
     }
-}
-
-fn refused(path: &Path, error: &std::io::Error) -> Failure {
-    Failure::new(
-        OUTPUT,
-        format!(
-            "{}: cannot be written: {error}; choose another file",
-            show::path(path)
-        ),
-    )
 }

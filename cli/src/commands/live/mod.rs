@@ -4,6 +4,7 @@ mod args;
 mod events;
 mod ordinary;
 mod screen;
+mod visitors;
 mod web;
 mod words;
 
@@ -13,7 +14,7 @@ use std::time::{Duration, Instant};
 pub use args::Args;
 use calib::calibrate::Request;
 use events::Events;
-use live::{Aim, Batch, Event, Instruction, Opening, Session, Source, View, open};
+use live::{Aim, Batch, Event, Instruction, Opening, Session, Source, View, Waits, open};
 use screen::Screen;
 use web::Web;
 
@@ -29,17 +30,19 @@ const PATIENCE: Duration = Duration::from_secs(180);
 pub fn run(args: &Args) -> Result<(), Failure> {
     check(args)?;
     ordinary::parse(args, Path::new("recording"))?;
-    ordinary::refuse_existing(args)?;
     let gravity = args.place.gravity()?;
-    let (path, folder) = folder(args)?;
+    // It goes in the end where nothing came.
+    let (path, _folder) = folder(args)?;
+    ordinary::refuse_outputs(args, &path)?;
     let how = Opening {
         folder: path.clone(),
         read: args.read.clone().into(),
         baud: args.baud,
         patience: PATIENCE,
+        waits: Waits::default(),
     };
+    let events = Events::open(args.events.as_deref(), &[Path::new(&args.source)])?;
     let mut source = open(&args.source, &how)?;
-    drop(folder);
     let aim = Aim {
         placements: args.placements.into(),
         hold: args.hold,
@@ -51,11 +54,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         },
     };
     show::say(&format!("recording in {}", show::path(&path)));
-    guide(args, source.as_mut(), Session::new(aim))?;
+    guide(args, source.as_mut(), events, Session::new(aim))?;
     let finished = source.finish()?;
     if let Some(reason) = &finished.fallback {
         show::warn(&format!(
-            "the phone's own file could not be fetched ({reason}): what came live, to eight digits, is calibrated"
+            "the phone's own file is not used ({reason}): what came live, to eight digits, is calibrated"
         ));
     }
     let recording = &finished.recording;
@@ -106,9 +109,13 @@ fn folder(args: &Args) -> Result<(PathBuf, Folder), Failure> {
 }
 
 /// The session, until enough is known or nothing comes any more.
-fn guide(args: &Args, source: &mut dyn Source, mut session: Session) -> Result<(), Failure> {
+fn guide(
+    args: &Args,
+    source: &mut dyn Source,
+    mut events: Events,
+    mut session: Session,
+) -> Result<(), Failure> {
     let screen = Screen::new();
-    let mut events = Events::open(args.events.as_deref())?;
     let web = args.web.then(Web::start).transpose()?;
     if let Some(web) = &web {
         screen.line(&format!(
@@ -120,7 +127,7 @@ fn guide(args: &Args, source: &mut dyn Source, mut session: Session) -> Result<(
     loop {
         let batch = match source.poll(begin.elapsed()) {
             Ok(batch) => batch,
-            Err(error @ live::Error::Lost { .. }) if !session.placements().is_empty() => {
+            Err(error) if error.ends_a_session() && !session.placements().is_empty() => {
                 screen.line(&format!("warning: {error}: the session ends here"));
                 break;
             }

@@ -1,14 +1,14 @@
 //! The ordinary calibration of what a session left.
 
 use std::ffi::OsString;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use clap::Parser;
 
 use super::args::Args;
 use crate::commands::calibrate;
+use crate::commands::shared::inputs::as_paths;
 use crate::exit::{Failure, USAGE};
-use crate::show;
 
 /// The command `calibrate` by itself.
 #[derive(Debug, Parser)]
@@ -56,16 +56,17 @@ pub(super) fn parse(args: &Args, recording: &Path) -> Result<calibrate::Args, Fa
     })
 }
 
-/// Refuses an output that is there before a session is held for it.
-pub(super) fn refuse_existing(args: &Args) -> Result<(), Failure> {
-    let replaced = args.replace.force() || args.replace.skip_existing();
-    match &args.output {
-        Some(path) if path.exists() && !replaced => Err(Failure::exists(format!(
-            "{}: exists already; add --force to replace it or --skip-existing to keep it",
-            show::path(path)
-        ))),
-        _ => Ok(()),
+/// Refuses, before a session is held for it, an output that cannot be written or would be written over what is read:
+/// the source, or what comes into `folder`.
+pub(super) fn refuse_outputs(args: &Args, folder: &Path) -> Result<(), Failure> {
+    let mut inputs = vec![PathBuf::from(&args.source)];
+    inputs.extend(live::FILES.map(|name| folder.join(name)));
+    if let Some(events) = &args.events {
+        ::output::refuse_input(events, &as_paths(&inputs))?;
+        inputs.push(events.clone());
     }
+    calibrate::claim(&parse(args, folder)?, &as_paths(&inputs))?;
+    Ok(())
 }
 
 /// Calibrates `recording`.

@@ -26,9 +26,10 @@ impl Screen {
         Self { bar }
     }
 
-    /// A line that stays.
+    /// A line that stays. What it quotes may hold others.
     pub(super) fn line(&self, text: &str) {
-        self.bar.suspend(|| show::say(text));
+        let text = text.replace('\n', "\\n");
+        self.bar.suspend(|| show::say(&text));
     }
 
     pub(super) fn event(&self, event: &Event) {

@@ -3,21 +3,17 @@
 //! The address holds a random token, requests must name this machine as their host (so that a name that an attacker points
 //! here is refused), and the page may run and load nothing but itself.
 
-use std::io::{Read, Write};
-use std::net::{SocketAddr, TcpListener, TcpStream};
+use std::net::{SocketAddr, TcpListener};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Duration;
 
 use live::{Direction, View};
 use serde_json::json;
 
+use super::visitors::Visitors;
 use super::words;
 use crate::exit::{Failure, OUTPUT};
 
 const PAGE: &str = include_str!("page.html");
-/// Longest request, bytes, and longest wait for it.
-const LONGEST: usize = 8 << 10;
-const PATIENCE: Duration = Duration::from_secs(2);
 
 /// What requests are answered with.
 #[derive(Debug)]
@@ -54,10 +50,7 @@ impl Web {
         let answering = Arc::clone(&shared);
         let thread = std::thread::Builder::new().name("page".into());
         let thread = thread.spawn(move || {
-            for stream in listener.incoming().flatten() {
-                // A browser that went away is no loss.
-                let _ = answer(stream, &answering);
-            }
+            Visitors::new(listener).serve(|request| answering.answer(request));
         });
         thread.map_err(|e| refused(e.to_string()))?;
         Ok(Self(shared))
@@ -94,29 +87,20 @@ fn random() -> Result<String, String> {
     Ok(bytes.iter().map(|b| format!("{b:02x}")).collect())
 }
 
-fn answer(mut stream: TcpStream, shared: &Shared) -> std::io::Result<()> {
-    stream.set_read_timeout(Some(PATIENCE))?;
-    stream.set_write_timeout(Some(PATIENCE))?;
-    let mut request = Vec::new();
-    let mut chunk = [0; 1024];
-    while !request.windows(4).any(|w| w == b"\r\n\r\n") && request.len() < LONGEST {
-        match stream.read(&mut chunk)? {
-            0 => break,
-            count => request.extend(&chunk[..count]),
-        }
-    }
-    let (status, kind, body) = shared.reply(&request);
-    let head = format!(
-        "HTTP/1.1 {status}\r\nContent-Type: {kind}; charset=utf-8\r\nContent-Length: {}\r\nContent-Security-Policy: {}\r\n\
-         X-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\nCross-Origin-Resource-Policy: same-origin\r\n\
-         Cache-Control: no-store\r\nConnection: close\r\n\r\n",
-        body.len(),
-        shared.policy
-    );
-    stream.write_all(&[head.as_bytes(), body.as_bytes()].concat())
-}
-
 impl Shared {
+    /// The whole answer to a request.
+    fn answer(&self, request: &[u8]) -> Vec<u8> {
+        let (status, kind, body) = self.reply(request);
+        let head = format!(
+            "HTTP/1.1 {status}\r\nContent-Type: {kind}; charset=utf-8\r\nContent-Length: {}\r\nContent-Security-Policy: {}\r\n\
+             X-Content-Type-Options: nosniff\r\nReferrer-Policy: no-referrer\r\nCross-Origin-Resource-Policy: same-origin\r\n\
+             Cache-Control: no-store\r\nConnection: close\r\n\r\n",
+            body.len(),
+            self.policy
+        );
+        [head.as_bytes(), body.as_bytes()].concat()
+    }
+
     /// Status, kind and content of the answer to a request.
     fn reply(&self, request: &[u8]) -> (&'static str, &'static str, String) {
         let mut headers = [httparse::EMPTY_HEADER; 64];

@@ -50,7 +50,9 @@ impl PictureArgs {
         if let Some(folder) = &self.plots {
             made = Some(Folder::make(folder)?);
             for name in names {
-                let file = |ending: &str| claim(&folder.join(format!("{name}{ending}")));
+                let file = |ending: &str| {
+                    Output::claim_in(folder, &format!("{name}{ending}"), replace, inputs)
+                };
                 plots.push(PlotFiles {
                     name: (*name).to_owned(),
                     svg: file(".svg")?,

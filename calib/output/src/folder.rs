@@ -2,9 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use super::refusal::refused;
-use crate::exit::Failure;
-use crate::interrupt;
+use crate::error::{Error, Reason};
+use crate::leftovers::leftovers;
 
 /// The folders that were made for an output. Those that hold nothing in the end are removed.
 #[derive(Debug, Default)]
@@ -17,13 +16,13 @@ impl Folder {
     /// Makes `path` and what it lies in, as far as it is not there.
     ///
     /// # Errors
-    /// Status 6 with the system's reason.
-    pub fn make(path: &Path) -> Result<Self, Failure> {
+    /// The system's reason.
+    pub fn make(path: &Path) -> Result<Self, Error> {
         let missing = |p: &&Path| !p.as_os_str().is_empty() && !p.is_dir();
         let missing: Vec<&Path> = path.ancestors().take_while(missing).collect();
         let mut folder = Self::default();
         for part in missing.into_iter().rev() {
-            let mut leftovers = interrupt::hold();
+            let mut leftovers = leftovers();
             match std::fs::create_dir(part) {
                 Ok(()) => {
                     leftovers.folders.push(part.to_owned());
@@ -33,19 +32,29 @@ impl Folder {
                 Err(_) if part.is_dir() => {}
                 Err(error) => {
                     drop(leftovers);
-                    let why =
-                        format!("cannot be made: {error}; choose a folder that can be written to");
-                    return Err(refused(part, &why));
+                    return Err(Reason::Folder(error).of(part));
                 }
             }
         }
         Ok(folder)
     }
+
+    /// Makes `path`, the last `own` parts of which we name ourselves: nobody has put a link in their place.
+    ///
+    /// # Errors
+    /// A link there; the system's reason.
+    pub fn make_own(path: &Path, own: usize) -> Result<Self, Error> {
+        let folder = Self::make(path)?;
+        match path.ancestors().take(own).find(|part| part.is_symlink()) {
+            Some(link) => Err(Reason::Linked.of(link)),
+            None => Ok(folder),
+        }
+    }
 }
 
 impl Drop for Folder {
     fn drop(&mut self) {
-        let mut leftovers = interrupt::hold();
+        let mut leftovers = leftovers();
         for path in self.made.iter().rev() {
             // It stays where something is in it.
             let _ = std::fs::remove_dir(path);

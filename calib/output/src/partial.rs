@@ -12,10 +12,8 @@ use std::time::{Duration, Instant};
 
 use tempfile::NamedTempFile;
 
-use super::refusal::{not_written, refused};
-use crate::exit::{Failure, USAGE};
-use crate::interrupt;
-use crate::show;
+use crate::error::{Error as OutputError, Reason};
+use crate::leftovers::leftovers;
 
 const MARK: &str = ".stillpoint-";
 const ENDING: &str = ".partial";
@@ -48,26 +46,26 @@ impl Partial {
     /// A partial file for `target`, which the user calls `named`.
     ///
     /// # Errors
-    /// Status 2 for another output of this run, 6 where a file of another run for it is locked or none can be made.
+    /// Another output of this process, a file of another run for it that is locked, or none can be made.
     pub fn create(
         named: &Path,
         target: &Path,
         replaced: Option<&Metadata>,
-    ) -> Result<Self, Failure> {
+    ) -> Result<Self, OutputError> {
         let name = target.file_name().map(stem);
-        let stem = name.ok_or_else(|| refused(named, "is no file name; name a file to write"))?;
-        let folder = target.parent().unwrap_or(Path::new("."));
+        let stem = name.ok_or_else(|| Reason::Nameless.of(named))?;
+        let folder = target.parent().filter(|p| !p.as_os_str().is_empty());
+        let folder = folder.unwrap_or(Path::new("."));
         // Runs that claim in one folder at the same time look one after the other.
         let _turn = turn(folder);
-        let mut leftovers = interrupt::hold();
+        let mut leftovers = leftovers();
         if let Some(process) = holder(folder, &stem) {
-            let shown = show::path(named);
-            if process == std::process::id().to_string() {
-                let why = format!("{shown}: given for two outputs; choose another name");
-                return Err(Failure::new(USAGE, why));
-            }
-            let why = format!("is being written by another run (process {process}); wait for it");
-            return Err(refused(named, &why));
+            let is_own = process == std::process::id().to_string();
+            let reason = match is_own {
+                true => Reason::Twice,
+                false => Reason::Held(process),
+            };
+            return Err(reason.of(named));
         }
         let prefix = format!(".{stem}{MARK}{}-", std::process::id());
         let mut builder = tempfile::Builder::new();
@@ -76,7 +74,7 @@ impl Partial {
             like_any_other_file(&mut builder);
         }
         let file = builder.tempfile_in(folder);
-        let file = file.map_err(|e| not_written(named, &e))?;
+        let file = file.map_err(|e| Reason::System(e).of(named))?;
         // A file system without locks costs the message about a second run, nothing else.
         let _ = file.as_file().try_lock();
         let path = file.path().to_owned();
@@ -98,7 +96,7 @@ impl Partial {
 
     /// Renames it to `target`, over another file only with `force`; it takes the permissions of the one `replaced`.
     pub fn publish(mut self, target: &Path, force: bool, replaced: Option<&Metadata>) -> Published {
-        let _leftovers = interrupt::hold();
+        let held = leftovers();
         let Some(file) = self.file.take() else {
             return Published::No(ErrorKind::NotFound.into());
         };
@@ -108,14 +106,9 @@ impl Partial {
             Ok(()) if force => file.persist(target).map_err(|e| e.error),
             Ok(()) => file.persist_noclobber(target).map_err(|e| e.error),
         };
+        drop(held);
         match persisted.map(|_| ()) {
-            Ok(()) => {
-                // The name is on the disk as well, where the folder can be synced.
-                if let Some(folder) = target.parent().and_then(|path| File::open(path).ok()) {
-                    let _ = folder.sync_all();
-                }
-                Published::Yes
-            }
+            Ok(()) => Published::Yes,
             Err(error) if error.kind() == ErrorKind::AlreadyExists => Published::Exists,
             Err(error) => Published::No(error),
         }
@@ -124,7 +117,7 @@ impl Partial {
 
 impl Drop for Partial {
     fn drop(&mut self) {
-        let mut leftovers = interrupt::hold();
+        let mut leftovers = leftovers();
         drop(self.file.take());
         leftovers.files.retain(|path| *path != self.path);
     }
