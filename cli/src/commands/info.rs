@@ -185,7 +185,7 @@ impl<'a> Facts<'a> {
         let statics = &self.choice.as_ref()?.segmentation.statics;
         Some((
             statics.len(),
-            statics.iter().map(|rest| rest.span.length()).sum(),
+            statics.iter().map(|rest| rest.span.length()).sum::<f64>() + 0.0,
         ))
     }
 

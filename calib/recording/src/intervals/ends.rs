@@ -45,8 +45,10 @@ const TURN_BEYOND_USUAL: f64 = 10.0;
 /// Steps from one stretch to the next, as a share of it.
 const PER_STRETCH: usize = 4;
 
-/// A rate that differs by so much from that of the interval's middle is no bias, rad/s (3 °/s), over ...
-const SWING: f64 = 0.052;
+/// A device whose rate differs by so much from that of the interval's middle for half of the time is in motion, rad/s (3 °/s) ...
+const MOVES: f64 = 0.052;
+/// ... and one whose rate differs by so much swings, as no hand at rest does, rad/s (6 °/s). Both of rates over ...
+const SWINGS: f64 = 0.105;
 /// ... so long, s: a hand's tremor of 6 Hz and more has turned back within it.
 const SMOOTH: f64 = 0.25;
 
@@ -110,8 +112,24 @@ impl<'a> Ends<'a> {
         complement(span, &turning_stretches(t, values, &bias, stretch, limit))
     }
 
-    /// Where within the interval the device swings: its rate, smoothed over a quarter of a second, leaves that of the middle by
-    /// more than 3 °/s, which no bias does.
+    /// Whether the device is in motion for half of the interval: its rate, smoothed over a quarter of a second, differs from that
+    /// of the middle by more than 3 °/s, which no bias does.
+    pub fn moves(&self, span: Span) -> bool {
+        let values = &self.stream.values[self.stamps.between(span.from, span.to)];
+        if values.len() < FEWEST || self.step <= 0.0 {
+            return false;
+        }
+        let bias = middle_rate(values);
+        let stretch = ((SMOOTH / self.step).round() as usize).clamp(3, values.len() / 3);
+        let means = values.chunks_exact(stretch).map(|part| {
+            let sum: Vector3<f64> = part.iter().sum();
+            (sum / stretch as f64 - bias).norm() * self.scale
+        });
+        median(means).is_some_and(|usual| usual > MOVES)
+    }
+
+    /// Where within the interval the device swings: its rate, smoothed over a quarter of a second, differs from that of the middle
+    /// by more than 6 °/s.
     pub fn swings(&self, span: Span) -> Vec<Span> {
         let samples = self.stamps.between(span.from, span.to);
         let (t, values) = (
@@ -123,7 +141,7 @@ impl<'a> Ends<'a> {
         }
         let bias = middle_rate(values);
         let stretch = ((SMOOTH / self.step).round() as usize).clamp(3, values.len() / 3);
-        let limit = SWING / self.scale * stretch as f64;
+        let limit = SWINGS / self.scale * stretch as f64;
         turning_stretches(t, values, &bias, stretch, limit)
     }
 
@@ -356,6 +374,8 @@ mod tests {
             found.iter().map(Span::length).sum::<f64>()
         };
         assert!(swung(|t| wave(t, 1.0)) > 8.0);
+        assert!(Ends::of(&turning(9.0, |t| 0.1 * wave(t, 0.7)), 1.0).moves(span));
+        assert!(!Ends::of(&turning(9.0, |t| 0.05 * wave(t, 6.0)), 1.0).moves(span));
         assert_eq!(swung(|t| 0.05 * wave(t, 6.0)), 0.0);
         assert_eq!(swung(|t| 0.05 * wave(t, 12.0)), 0.0);
     }

@@ -72,7 +72,8 @@ impl<'a> Survey<'a> {
         let trimmed = quiet.into_iter().map(|span| ends.trimmed(span));
         let parts = trimmed.flat_map(|span| self.without_swings(ends, span));
         let min_static = self.detector.min_static;
-        parts.filter(|span| span.lasts(min_static)).collect()
+        let rests = parts.filter(|span| span.lasts(min_static) && !ends.moves(*span));
+        rests.collect()
     }
 
     /// The parts of a quiet stretch between swings of the device.

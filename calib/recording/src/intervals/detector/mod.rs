@@ -20,11 +20,6 @@ const MIN_STATIC: f64 = 2.5;
 /// Fewest samples in a window whose spread means something.
 const MIN_SAMPLES: f64 = 5.0;
 
-/// Motion reaches so many times the level at rest somewhere, whatever the multiplier: below that noise alone may change. Between
-/// two samples of another clock a linear interpolation halves the variance, so that it beats by two and its square by four; the
-/// windows scatter beside.
-const CLEAR: f64 = 30.0;
-
 /// Samples that are judged together where all of them move or none does.
 const BLOCK: usize = 64;
 
@@ -134,10 +129,10 @@ impl<'a> Level<'a> {
         })
     }
 
-    /// The spans in which the statistic reaches `multiplier` times its level at rest, and thirty times somewhere.
+    /// The spans in which the statistic reaches `multiplier` times its level at rest.
     pub fn motion(&self, multiplier: f64) -> Vec<Span> {
         let threshold = multiplier * self.at_rest;
-        let mut spans: Vec<(Span, f64)> = Vec::new();
+        let mut spans: Vec<Span> = Vec::new();
         let mut moving = false;
         let chunks = self.t.chunks(BLOCK).zip(self.statistic.chunks(BLOCK));
         for ((stamps, statistic), &(least, largest)) in chunks.zip(&self.blocks) {
@@ -147,32 +142,26 @@ impl<'a> Level<'a> {
             if largest < threshold {
                 moving = false;
             } else if least >= threshold {
-                join(&mut spans, moving, Span { from, to }, largest);
+                join(&mut spans, moving, Span { from, to });
                 moving = true;
             } else {
                 for (&t, &v) in stamps.iter().zip(statistic) {
                     if v >= threshold {
-                        join(&mut spans, moving, Span { from: t, to: t }, v);
+                        join(&mut spans, moving, Span { from: t, to: t });
                     }
                     moving = v >= threshold;
                 }
             }
         }
-        let clear = CLEAR * self.at_rest;
-        let is_clear = |&(_, peak): &(Span, f64)| peak >= clear;
-        let spans = spans.into_iter().filter(is_clear);
-        spans.map(|(span, _)| span).collect()
+        spans
     }
 }
 
 /// Prolongs the last span by a motion that goes on, or begins another.
-fn join(spans: &mut Vec<(Span, f64)>, goes_on: bool, motion: Span, peak: f64) {
+fn join(spans: &mut Vec<Span>, goes_on: bool, motion: Span) {
     match spans.last_mut() {
-        Some((span, highest)) if goes_on => {
-            span.to = motion.to;
-            *highest = highest.max(peak);
-        }
-        _ => spans.push((motion, peak)),
+        Some(span) if goes_on => span.to = motion.to,
+        _ => spans.push(motion),
     }
 }
 
@@ -310,16 +299,15 @@ mod tests {
     /// Sample by sample, as the definition has it.
     fn one_by_one(level: &Level<'_>, multiplier: f64) -> Vec<Span> {
         let threshold = multiplier * level.at_rest;
-        let mut spans: Vec<(Span, f64)> = Vec::new();
+        let mut spans: Vec<Span> = Vec::new();
         let mut moving = false;
         for (&t, &v) in level.t.iter().zip(&level.statistic) {
             if v >= threshold {
-                join(&mut spans, moving, Span { from: t, to: t }, v);
+                join(&mut spans, moving, Span { from: t, to: t });
             }
             moving = v >= threshold;
         }
-        spans.retain(|(_, peak)| *peak >= CLEAR * level.at_rest);
-        spans.into_iter().map(|(span, _)| span).collect()
+        spans
     }
 
     #[test]
@@ -337,32 +325,5 @@ mod tests {
             found += spans.len();
         }
         assert!(found > 5);
-    }
-
-    #[test]
-    fn noise_that_beats_between_two_clocks_is_no_motion() {
-        // White noise at 99.70 Hz, read at 99.75 Hz on the line between its samples: half the variance every 20 s.
-        let mut state = 1u64;
-        let mut noise = || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
-            (state >> 40) as f64 / (1u64 << 23) as f64 - 1.0
-        };
-        let own: Vec<Vector3<f64>> = (0..9000)
-            .map(|_| Vector3::from_fn(|_, _| noise()))
-            .collect();
-        let t: Vec<f64> = (0..8900).map(|k| f64::from(k) / 99.75).collect();
-        let value = |t: &f64| {
-            let place = t * 99.70;
-            let (k, share) = (place as usize, place.fract());
-            own[k] * (1.0 - share) + own[k + 1] * share
-        };
-        let values = t.iter().map(value).collect();
-        let stream = Stream { t, values };
-        let level = Level::measure(&stream, &Detector::default()).unwrap();
-        let highest = level.statistic.iter().copied().fold(0.0, f64::max);
-        assert!(highest > 3.0 * level.at_rest, "it beats");
-        assert_eq!(level.motion(3.0), []);
     }
 }

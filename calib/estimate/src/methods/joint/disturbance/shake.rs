@@ -198,11 +198,11 @@ impl Law {
         }
     }
 
-    /// That of a stretch that shakes throughout: about its own centre, and no narrower than that of all.
+    /// That of a stretch that shakes throughout: about its own centre, and nowhere narrower than that of all.
     fn of_restless(&self, own: &[Window], count: usize) -> Self {
         let own = Self::of(own, count);
         Self {
-            centre: own.centre,
+            centre: own.centre.max(self.centre),
             spread: own.spread.max(self.spread),
             level: self.level,
         }
