@@ -257,7 +257,11 @@ fn trials_at(
 
 /// A fit to given intervals, whatever the multiplier.
 fn trial(survey: &Survey<'_>, found: &[Span], gravity: f64) -> (Trial, Option<Base<f64>>) {
-    let means: Vec<StaticMean> = placements(survey, found).map(bare_mean).collect();
+    let forces: Vec<Vector3<f64>> = found.iter().filter_map(|&s| survey.mean_force(s)).collect();
+    let means: Vec<StaticMean> = forces.iter().copied().map(bare_mean).collect();
+    let placements = placements(&forces);
+    // What is in pieces tells no more than the whole.
+    let by_pieces = (means.len() as f64 / placements.max(1) as f64).sqrt();
     let fit = NormFit::of(&means, survey.noise_of_means(found), gravity);
     let sound = fit.as_ref().filter(|fit| fit.sound);
     let detector = survey.detector();
@@ -266,33 +270,21 @@ fn trial(survey: &Survey<'_>, found: &[Span], gravity: f64) -> (Trial, Option<Ba
         window: detector.window,
         min_static: detector.min_static,
         static_intervals: found.len(),
-        placements: means.len(),
+        placements,
         plausible: fit.as_ref().is_some_and(|fit| fit.plausible),
         spare: sound.map(|fit| fit.spare),
         residual: fit.as_ref().map(|fit| fit.residual),
-        expected_error: sound.and_then(NormFit::expected_error),
+        expected_error: sound
+            .and_then(NormFit::expected_error)
+            .map(|error| error * by_pieces),
     };
     (trial, sound.map(|fit| fit.base))
 }
 
-/// The mean force of each placement, raw unit: neighbouring intervals with the same force are one, so that a rest in pieces does not
-/// count for many.
-fn placements(survey: &Survey<'_>, found: &[Span]) -> impl Iterator<Item = Vector3<f64>> {
-    let mut all: Vec<(Vector3<f64>, f64)> = Vec::new();
-    for &span in found {
-        let Some(force) = survey.mean_force(span) else {
-            continue;
-        };
-        match all.last_mut() {
-            Some((mean, length)) if (force - *mean).norm() < SAME_PLACEMENT * mean.norm() => {
-                let sum = *mean * *length + force * span.length();
-                *length += span.length();
-                *mean = sum / *length;
-            }
-            _ => all.push((force, span.length())),
-        }
-    }
-    all.into_iter().map(|(mean, _)| mean)
+/// Number of placements among intervals with these mean forces: neighbours with the same force are one.
+fn placements(forces: &[Vector3<f64>]) -> usize {
+    let is_same = |a: &Vector3<f64>, b: &Vector3<f64>| (a - b).norm() < SAME_PLACEMENT * a.norm();
+    forces.chunk_by(is_same).count()
 }
 
 #[cfg(test)]
@@ -333,16 +325,10 @@ mod tests {
     }
 
     #[test]
-    fn placements_count_once_however_often_they_are_interrupted() {
-        let session = spec(4, [5.0, 8.0]).run().unwrap();
-        let survey = Survey::of(&session.recording, &Detector::default()).unwrap();
-        let rests = survey.rests(100.0);
-        let halves = |rest: &Span| {
-            let middle = 0.5 * (rest.from + rest.to);
-            let (from, to) = (rest.from, rest.to);
-            [Span { from, to: middle }, Span { from: middle, to }]
-        };
-        let pieces: Vec<Span> = rests.iter().flat_map(halves).collect();
-        assert_eq!(placements(&survey, &pieces).count(), rests.len());
+    fn a_placement_counts_once_however_often_it_is_interrupted() {
+        let (up, level) = (9.8 * Vector3::z(), 9.8 * Vector3::x());
+        let near = up + Vector3::new(0.05, 0.0, 0.0);
+        assert_eq!(placements(&[up, near, up, level, up, up]), 3);
+        assert_eq!(placements(&[]), 0);
     }
 }
