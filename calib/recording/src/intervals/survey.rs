@@ -149,7 +149,8 @@ impl<'a> Survey<'a> {
         let [_, Some(gyroscope)] = &self.levels else {
             return Vec::new();
         };
-        let turned = self.without(gyroscope.motion(multiplier));
+        let mut turned = self.without(gyroscope.motion(multiplier));
+        turned.retain(|span| self.ends.as_ref().is_none_or(|ends| !ends.moves(*span)));
         let accelerometer = self.recording.accelerometer.as_ref();
         accelerometer.map_or_else(Vec::new, |stream| shaken(stream, &turned, quiet))
     }
