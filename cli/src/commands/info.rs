@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use calib::Recording;
 use calib::gravity::Gravity;
-use calib::intervals::Detector;
+use calib::intervals::{Detector, Rejected};
 use calib::methods::{Choice, cut};
 use calib::readings::findings;
 use calib::recording::{Described, FieldUnit, Stream, UnitBy};
@@ -147,10 +147,14 @@ impl<'a> Facts<'a> {
         let found = choice
             .iter()
             .flat_map(|choice| findings(recording, &choice.segmentation));
+        let rejected = choice
+            .iter()
+            .flat_map(|choice| Rejected::in_words(&choice.segmentation.rejected));
         let remarks = recording
             .warnings
             .iter()
             .cloned()
+            .chain(rejected)
             .chain(found.map(|finding| finding.to_string()));
         let command = match &recording.accelerometer {
             Some(_) => format!(
@@ -181,7 +185,7 @@ impl<'a> Facts<'a> {
         let statics = &self.choice.as_ref()?.segmentation.statics;
         Some((
             statics.len(),
-            statics.iter().map(|rest| rest.span.length()).sum(),
+            statics.iter().map(|rest| rest.span.length()).sum::<f64>() + 0.0,
         ))
     }
 

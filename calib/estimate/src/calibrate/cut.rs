@@ -2,6 +2,7 @@
 
 use recording::intervals::{Detector, Segmentation};
 use recording::{Error, Recording};
+use sensor::Quantity;
 
 use super::request::{Method, Request};
 use crate::methods::{self, Choice};
@@ -45,7 +46,14 @@ fn whole(recording: &Recording, request: &Request, k: Option<usize>) -> Result<C
     let (choose, gravity) = (request.choose_multiplier, request.gravity);
     let detector = Detector {
         creeping: request.method == Method::Joint,
+        shaken: request.detector.shaken || needs_vibration(request),
         ..request.detector
     };
     methods::cut(recording, &detector, choose, gravity).map_err(named)
+}
+
+/// Whether an effect asked for shows only where the device vibrates: rests that vibrate are kept then.
+fn needs_vibration(request: &Request) -> bool {
+    let mut needs = request.effects.iter().flat_map(|effect| effect.needs());
+    needs.any(|need| need == Quantity::Vibration)
 }

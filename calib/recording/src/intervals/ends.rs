@@ -25,6 +25,13 @@ const BEGUN: f64 = 0.25;
 /// How far an end reaches into the interval, s.
 const REACH: f64 = 2.0;
 
+/// What an end is compared with lies within this of it, s: a bias that walks for hours is not the same at both ends, and no
+/// end costs a look at the whole of a long interval.
+const NEAR: f64 = 60.0;
+
+/// Most looks at the ends of one interval.
+const MOST_LOOKS: usize = 1000;
+
 /// Fewest samples whose middle can be told from their ends.
 const FEWEST: usize = 12;
 
@@ -37,6 +44,13 @@ const TURN_BEYOND_USUAL: f64 = 10.0;
 
 /// Steps from one stretch to the next, as a share of it.
 const PER_STRETCH: usize = 4;
+
+/// A device whose rate differs by so much from that of the interval's middle for half of the time is in motion, rad/s (3 °/s) ...
+const MOVES: f64 = 0.052;
+/// ... and one whose rate differs by so much swings, as no hand at rest does, rad/s (6 °/s). Both of rates over ...
+const SWINGS: f64 = 0.105;
+/// ... so long, s: a hand's tremor of 6 Hz and more has turned back within it.
+const SMOOTH: f64 = 0.25;
 
 /// A gyroscope with what is looked up for each interval.
 #[derive(Clone, Debug)]
@@ -66,7 +80,10 @@ impl<'a> Ends<'a> {
     /// part.
     pub fn trimmed(&self, span: Span) -> Span {
         let (mut span, mut shares) = (span, [1.0; 2]);
-        while shares != [0.0; 2] {
+        for _ in 0..MOST_LOOKS {
+            if shares == [0.0; 2] {
+                break;
+            }
             let cut = self.cut(span, shares);
             let again = |moved: bool| if moved { AGAIN } else { 0.0 };
             shares = [again(cut.from > span.from), again(cut.to < span.to)];
@@ -92,19 +109,40 @@ impl<'a> Ends<'a> {
         let stretch = ((STRETCH / self.step) as usize).clamp(3, n / 3);
         let usual = usual_turn(values, &bias, stretch);
         let limit = (TURN / factor).max(TURN_BEYOND_USUAL * usual);
-        let mut sums = vec![Vector3::zeros()];
-        let mut sum = Vector3::zeros();
-        sums.extend(values.iter().map(|w| {
-            sum += w - bias;
-            sum
-        }));
-        let firsts = (0..n - stretch).step_by((stretch / PER_STRETCH).max(1));
-        let turning = firsts.filter(|&k| (sums[k + stretch] - sums[k]).norm() > limit);
-        let turning = turning.map(|k| Span {
-            from: t[k],
-            to: t[k + stretch],
+        complement(span, &turning_stretches(t, values, &bias, stretch, limit))
+    }
+
+    /// Whether the device is in motion for half of the interval: its rate, smoothed over a quarter of a second, differs from that
+    /// of the middle by more than 3 °/s, which no bias does.
+    pub fn moves(&self, span: Span) -> bool {
+        let values = &self.stream.values[self.stamps.between(span.from, span.to)];
+        if values.len() < FEWEST || self.step <= 0.0 {
+            return false;
+        }
+        let bias = middle_rate(values);
+        let stretch = ((SMOOTH / self.step).round() as usize).clamp(3, values.len() / 3);
+        let means = values.chunks_exact(stretch).map(|part| {
+            let sum: Vector3<f64> = part.iter().sum();
+            (sum / stretch as f64 - bias).norm() * self.scale
         });
-        complement(span, &union(turning.collect()))
+        median(means).is_some_and(|usual| usual > MOVES)
+    }
+
+    /// Where within the interval the device swings: its rate, smoothed over a quarter of a second, differs from that of the middle
+    /// by more than 6 °/s.
+    pub fn swings(&self, span: Span) -> Vec<Span> {
+        let samples = self.stamps.between(span.from, span.to);
+        let (t, values) = (
+            &self.stream.t[samples.clone()],
+            &self.stream.values[samples],
+        );
+        if values.len() < FEWEST || self.step <= 0.0 {
+            return Vec::new();
+        }
+        let bias = middle_rate(values);
+        let stretch = ((SMOOTH / self.step).round() as usize).clamp(3, values.len() / 3);
+        let limit = SWINGS / self.scale * stretch as f64;
+        turning_stretches(t, values, &bias, stretch, limit)
     }
 
     /// One reach of the ends without the turn in it, that turns by more than these shares of the limit; of a share of zero an
@@ -117,26 +155,53 @@ impl<'a> Ends<'a> {
             return span;
         }
         let factor = self.step * self.scale;
-        let bias = middle_rate(values);
-        let per_stretch = ((STRETCH / self.step) as usize).clamp(3, n / 3);
-        let usual = usual_turn(values, &bias, per_stretch) * factor;
-        let limit = REMAINDER.max(BEYOND_USUAL * usual) / factor;
         let reach = ((REACH / self.step) as usize).min(n / 2);
-        let turned = |share: f64, values: &mut dyn ExactSizeIterator<Item = &Vector3<f64>>| {
-            if share > 0.0 {
-                turned(values, &bias, share * limit)
-            } else {
-                0
+        let near = ((NEAR / self.step) as usize).clamp(FEWEST, n);
+        let turned = |share: f64,
+                      near: &[Vector3<f64>],
+                      end: &mut dyn ExactSizeIterator<Item = &Vector3<f64>>| {
+            if share <= 0.0 {
+                return 0;
             }
+            let bias = middle_rate(near);
+            let per_stretch = ((STRETCH / self.step) as usize).clamp(3, near.len() / 3);
+            let usual = usual_turn(near, &bias, per_stretch) * factor;
+            let limit = REMAINDER.max(BEYOND_USUAL * usual) / factor;
+            turned(end, &bias, share * limit)
         };
-        let after = turned(shares[0], &mut values[..reach].iter().rev());
-        let before = turned(shares[1], &mut values[n - reach..].iter());
+        let (first, last) = (&values[..near], &values[n - near..]);
+        let after = turned(shares[0], first, &mut values[..reach].iter().rev());
+        let before = turned(shares[1], last, &mut values[n - reach..].iter());
         let t = &self.stream.t[samples];
         Span {
             from: if after > 0 { t[after] } else { span.from },
             to: if before > 0 { t[n - before] } else { span.to },
         }
     }
+}
+
+/// The stretches of so many samples over which the rate less the bias sums up to more than the limit, overlapping ones made
+/// one.
+fn turning_stretches(
+    t: &[f64],
+    values: &[Vector3<f64>],
+    bias: &Vector3<f64>,
+    stretch: usize,
+    limit: f64,
+) -> Vec<Span> {
+    let mut sums = vec![Vector3::zeros()];
+    let mut sum = Vector3::zeros();
+    sums.extend(values.iter().map(|w| {
+        sum += w - bias;
+        sum
+    }));
+    let firsts = (0..values.len() - stretch).step_by((stretch / PER_STRETCH).max(1));
+    let turning = firsts.filter(|&k| (sums[k + stretch] - sums[k]).norm() > limit);
+    let turning = turning.map(|k| Span {
+        from: t[k],
+        to: t[k + stretch],
+    });
+    union(turning.collect())
 }
 
 /// The median over pieces of the mean rate, by axis.
@@ -284,5 +349,50 @@ mod tests {
         counts.values.iter_mut().for_each(|v| *v *= 1000.0);
         let cut = Ends::of(&counts, 1e-3).trimmed(whole);
         assert_eq!(cut, Ends::of(&stream(1e-3), 1.0).trimmed(whole));
+    }
+
+    /// 100 Hz for `seconds` with this rate about z, and noise of 1e-3 rad/s.
+    fn turning(seconds: f64, rate: impl Fn(f64) -> f64) -> Stream {
+        let mut stream = stream(1e-3);
+        let noise: Vec<f64> = stream.values.iter().map(|v| v.y).collect();
+        stream.t = (0..(100.0 * seconds) as usize)
+            .map(|k| 0.01 * k as f64)
+            .collect();
+        let value = |(k, &t): (usize, &f64)| {
+            let noise = |place: usize| noise[(k * place) % noise.len()];
+            Vector3::new(0.02 + noise(1), noise(3), rate(t) + noise(7))
+        };
+        stream.values = stream.t.iter().enumerate().map(value).collect();
+        stream
+    }
+
+    #[test]
+    fn a_device_that_swings_is_seen_and_a_hand_that_trembles_is_not() {
+        let span = Span { from: 0.0, to: 9.0 };
+        let swung = |rate: fn(f64) -> f64| {
+            let found = Ends::of(&turning(9.0, rate), 1.0).swings(span);
+            found.iter().map(Span::length).sum::<f64>()
+        };
+        assert!(swung(|t| wave(t, 1.0)) > 8.0);
+        assert!(Ends::of(&turning(9.0, |t| 0.1 * wave(t, 0.7)), 1.0).moves(span));
+        assert!(!Ends::of(&turning(9.0, |t| 0.05 * wave(t, 6.0)), 1.0).moves(span));
+        assert_eq!(swung(|t| 0.05 * wave(t, 6.0)), 0.0);
+        assert_eq!(swung(|t| 0.05 * wave(t, 12.0)), 0.0);
+    }
+
+    fn wave(t: f64, hertz: f64) -> f64 {
+        (std::f64::consts::TAU * hertz * t).sin()
+    }
+
+    #[test]
+    fn a_long_interval_with_a_bias_that_walks_stays_whole() {
+        let whole = Span {
+            from: 0.0,
+            to: 4000.0,
+        };
+        // 0.2 °/s in the course of it, as while a device warms up.
+        let stream = turning(4000.0, |t| 3.5e-3 * t / 4000.0);
+        let cut = Ends::of(&stream, 1.0).trimmed(whole);
+        assert!(cut.length() > 3990.0, "{cut:?}");
     }
 }

@@ -96,8 +96,11 @@ pub struct Segmentation {
 }
 
 impl Segmentation {
-    /// From given rests (in order, disjoint), such as sections picked by hand.
+    /// From given rests (in order, disjoint), such as sections picked by hand. One without samples is none, and is named among
+    /// those that are rejected.
     pub fn from_spans(recording: &Recording, spans: &[Span], multiplier: f64) -> Self {
+        let (spans, empty): (Vec<Span>, Vec<Span>) =
+            spans.iter().partition(|span| has_samples(recording, span));
         let statics = spans
             .iter()
             .map(|&span| static_interval(recording, span))
@@ -131,7 +134,7 @@ impl Segmentation {
         Self {
             statics,
             turns,
-            rejected: Vec::new(),
+            rejected: empty.into_iter().map(Rejected::without_samples).collect(),
             multiplier,
             level_at_rest: [None; 2],
         }
@@ -190,6 +193,14 @@ impl Segmentation {
     }
 }
 
+/// Whether the accelerometer, or else the gyroscope, has samples in a span.
+fn has_samples(recording: &Recording, span: &Span) -> bool {
+    let stream = recording.accelerometer.as_ref();
+    let stream = stream.or(recording.gyroscope.as_ref());
+    let is_sampled = |stream: &Stream| !stream.between(span.from, span.to).is_empty();
+    span.length() > 0.0 && stream.is_none_or(is_sampled)
+}
+
 fn static_interval(recording: &Recording, span: Span) -> StaticInterval {
     let moments = |stream: &Option<Stream>| {
         let stream = stream.as_ref()?;
@@ -234,4 +245,35 @@ fn fault(
         return Some(TurnFault::Empty);
     }
     (saturated > 0).then_some(TurnFault::Saturated { samples: saturated })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::intervals::Reason;
+    use nalgebra::Vector3;
+
+    #[test]
+    fn an_interval_without_samples_is_none_and_is_named() {
+        let t: Vec<f64> = (0..100).map(|k| 0.1 * f64::from(k)).collect();
+        let values = vec![Vector3::z(); t.len()];
+        let recording = Recording {
+            accelerometer: Some(Stream { t, values }),
+            ..Recording::default()
+        };
+        let span = |from: f64, to: f64| Span { from, to };
+        let given = [
+            span(0.0, 2.0),
+            span(3.0, 3.0),
+            span(5.0, 4.0),
+            span(6.01, 6.05),
+            span(7.0, 9.0),
+        ];
+        let cut = Segmentation::from_spans(&recording, &given, 100.0);
+        assert_eq!(cut.statics.len(), 2);
+        assert_eq!(cut.turns.len(), 1);
+        assert!(cut.statics.iter().all(|rest| rest.accelerometer.is_some()));
+        assert_eq!(cut.rejected.len(), 3);
+        assert!(cut.rejected.iter().all(|r| r.reason == Reason::Empty));
+    }
 }

@@ -6,6 +6,7 @@ use sensor::Base;
 use super::Moments;
 use super::detector::{Detector, Level, levels, motion};
 use super::ends::Ends;
+use super::rejected::{Reason, Rejected};
 use super::segmentation::Segmentation;
 use super::shaken::shaken;
 use super::spans::{Span, static_spans, union};
@@ -69,8 +70,19 @@ impl<'a> Survey<'a> {
             return quiet;
         };
         let trimmed = quiet.into_iter().map(|span| ends.trimmed(span));
+        let parts = trimmed.flat_map(|span| self.without_swings(ends, span));
         let min_static = self.detector.min_static;
-        trimmed.filter(|span| span.lasts(min_static)).collect()
+        let rests = parts.filter(|span| span.lasts(min_static) && !ends.moves(*span));
+        rests.collect()
+    }
+
+    /// The parts of a quiet stretch between swings of the device.
+    fn without_swings(&self, ends: &Ends<'_>, span: Span) -> Vec<Span> {
+        let (min_dynamic, min_static) = (self.detector.min_dynamic, self.detector.min_static);
+        match static_spans(span, &ends.swings(span), min_dynamic, min_static).as_slice() {
+            [whole] if *whole == span => vec![span],
+            parts => parts.iter().map(|part| ends.trimmed(*part)).collect(),
+        }
     }
 
     /// The quiet stretches without the turns in their middles.
@@ -137,9 +149,20 @@ impl<'a> Survey<'a> {
         let [_, Some(gyroscope)] = &self.levels else {
             return Vec::new();
         };
-        let turned = self.without(gyroscope.motion(multiplier));
+        let mut turned = self.without(gyroscope.motion(multiplier));
+        turned.retain(|span| self.ends.as_ref().is_none_or(|ends| !ends.moves(*span)));
         let accelerometer = self.recording.accelerometer.as_ref();
         accelerometer.map_or_else(Vec::new, |stream| shaken(stream, &turned, quiet))
+    }
+
+    /// The rests that vibrate clearly, whatever the multiplier, among those that are not taken.
+    fn vibrating(&self, multiplier: f64, rests: &[Span]) -> Vec<Span> {
+        let clear = multiplier.max(Detector::default().multiplier);
+        let mut quiet = rests.to_vec();
+        if clear > multiplier {
+            quiet.extend(self.rests(clear));
+        }
+        self.shaken(clear, &quiet)
     }
 
     /// The recording cut into static intervals and turns at a multiplier. `base` is the accelerometer as far
@@ -147,20 +170,26 @@ impl<'a> Survey<'a> {
     pub fn segment(&self, multiplier: f64, base: Option<&Base<f64>>) -> Segmentation {
         let level = |level: &Option<Level<'_>>| level.as_ref().map(|l| l.at_rest);
         let mut rests = self.without_turns(self.rests(multiplier));
+        let mut vibrating = Vec::new();
         if self.detector.shaken {
             rests.extend(self.shaken(multiplier, &rests));
             rests.sort_by(|a, b| a.from.total_cmp(&b.from));
+        } else {
+            vibrating = self.vibrating(multiplier, &rests);
         }
         let perfect = Base::identity();
         let base = base.unwrap_or(&perfect);
         let no_tilt = !self.detector.creeping;
-        let (statics, rejected) =
+        let (statics, mut rejected) =
             static_and_rejected(self.recording, rests, base, self.rate_scale, no_tilt);
-        Segmentation {
-            level_at_rest: self.levels.each_ref().map(level),
-            rejected,
-            ..Segmentation::from_spans(self.recording, &statics, multiplier)
-        }
+        rejected.extend(vibrating.into_iter().map(|span| Rejected {
+            span,
+            reason: Reason::Vibrating,
+        }));
+        let mut cut = Segmentation::from_spans(self.recording, &statics, multiplier);
+        cut.rejected.append(&mut rejected);
+        cut.level_at_rest = self.levels.each_ref().map(level);
+        cut
     }
 }
 

@@ -23,6 +23,9 @@ const ALONG: f64 = 2.5;
 /// A turn at more than this is one whatever else deviates, rad/s (1 °/s).
 const CERTAIN: f64 = 1.7e-2;
 
+/// A mean rate so far from the bias of the others is a turn about whatever axis, rad/s (3 °/s): so far no bias moves.
+const NO_BIAS: f64 = 0.052;
+
 /// Directions in which the intervals' own know the bias to less than this share of the best.
 const UNSEEN: f64 = 0.05;
 
@@ -40,7 +43,7 @@ pub(super) struct MeanRate {
     pub up: Vector3<f64>,
 }
 
-/// The turn about the vertical of each interval that turns, rad/s; `None` of the others.
+/// The turn of each interval that turns, rad/s: about the vertical, or faster than any bias moves; `None` of the others.
 pub(super) fn turning(rates: &[MeanRate]) -> Vec<Option<f64>> {
     let bias = bias(rates);
     let split = |rate: &MeanRate| {
@@ -62,8 +65,13 @@ pub(super) fn turning(rates: &[MeanRate]) -> Vec<Option<f64>> {
     let agreed = vertical as f64 >= MOST * deviating as f64;
     pairs()
         .map(|p| {
-            let along = p.1.0;
-            (turns(p) && (agreed || along.abs() > CERTAIN)).then_some(along)
+            let (along, across) = *p.1;
+            let about_the_vertical = turns(p) && (agreed || along.abs() > CERTAIN);
+            let any = along.hypot(across);
+            match about_the_vertical {
+                true => Some(along),
+                false => (any > NO_BIAS).then_some(any),
+            }
         })
         .collect()
 }
@@ -71,8 +79,7 @@ pub(super) fn turning(rates: &[MeanRate]) -> Vec<Option<f64>> {
 /// The bias from what lies across the vertical, where no turn about it reaches; the median rate along
 /// directions in which the orientations do not tell. Weights of Cauchy keep an outlier from counting.
 fn bias(rates: &[MeanRate]) -> Vector3<f64> {
-    let of_axis = |axis: usize| median(rates.iter().map(|r| r.mean[axis])).unwrap_or(0.0);
-    let start = Vector3::from_fn(|axis, _| of_axis(axis));
+    let start = Vector3::from_fn(|axis, _| usual_rate(rates.iter().map(|r| r.mean[axis])));
     let across = |rate: &MeanRate| Matrix3::identity() - rate.up * rate.up.transpose();
     let mut weights = vec![1.0; rates.len()];
     let mut bias = start;
@@ -106,6 +113,19 @@ fn bias(rates: &[MeanRate]) -> Vector3<f64> {
         }
     }
     bias
+}
+
+/// The median rate where half of the intervals and more have it, else the least: a rate table turns in most of them, and a bias is
+/// small beside its rates.
+fn usual_rate(rates: impl Iterator<Item = f64> + Clone) -> f64 {
+    let middle = median(rates.clone()).unwrap_or(0.0);
+    let is_near = |rate: &f64| (rate - middle).abs() < NO_BIAS;
+    let (near, all) = (rates.clone().filter(is_near).count(), rates.clone().count());
+    if 2 * near >= all {
+        return middle;
+    }
+    let least = rates.min_by(|a, b| a.abs().total_cmp(&b.abs()));
+    least.unwrap_or(middle)
 }
 
 #[cfg(test)]
@@ -175,5 +195,33 @@ mod tests {
         let mut all = rates(|_, _| Vector3::new(0.5, 0.0, 0.0));
         all.iter_mut().for_each(|rate| rate.up = Vector3::x());
         assert!(turning(&all).iter().all(Option::is_none));
+    }
+
+    #[test]
+    fn a_rate_table_turns_where_its_rate_is_not_the_least() {
+        let profile = [0.0, 10.0, 20.0, 40.0, -15.0, -30.0].map(degrees);
+        let of = |rate: &f64| MeanRate {
+            mean: Vector3::new(0.004, -0.002, 0.003 + rate),
+            error: 1e-4,
+            up: Vector3::z(),
+        };
+        let all: Vec<MeanRate> = profile.iter().map(of).collect();
+        let turns = turning(&all)
+            .iter()
+            .map(Option::is_some)
+            .collect::<Vec<_>>();
+        assert_eq!(turns, [false, true, true, true, true, true]);
+    }
+
+    #[test]
+    fn a_rate_that_no_bias_reaches_is_a_turn_about_whatever_axis() {
+        let found = turning(&rates(|k, _| match k {
+            4 => Vector3::new(0.5, -0.3, 0.2),
+            7 => Vector3::new(0.0, 0.09, 0.0),
+            _ => Vector3::zeros(),
+        }));
+        for (k, rate) in found.iter().enumerate() {
+            assert_eq!(rate.is_some(), [4, 7].contains(&k), "{k}");
+        }
     }
 }

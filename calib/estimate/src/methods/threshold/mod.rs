@@ -11,18 +11,25 @@ mod trial;
 
 pub use trial::Trial;
 
+use nalgebra::Vector3;
 use rayon::prelude::*;
-use recording::intervals::{Detector, Segmentation, Span, Survey};
+use recording::intervals::{Detector, Rejected, Segmentation, Span, Survey};
 use recording::watch::{Stage, step};
 use recording::{Error, Recording, figure};
 use sensor::Base;
 
-use self::plateau::plateau;
+use self::plateau::{most_placements, plateau};
 use self::trial::{NormFit, bare_mean};
 use crate::residuals::StaticMean;
 
 /// The multipliers tried.
 pub const MULTIPLIERS: [f64; 12] = [3.0, 1e1, 3e1, 1e2, 3e2, 1e3, 3e3, 1e4, 3e4, 1e5, 3e5, 1e6];
+
+/// Those tried beside where the best of them lie at their end: a quiet sensor in a hand that trembles.
+const IN_THE_HAND: [f64; 4] = [3e6, 1e7, 3e7, 1e8];
+
+/// Multipliers that are the end of those tried.
+const LAST: usize = 2;
 
 /// Spare placements below which a residual may be small by chance.
 const ENOUGH_SPARE: usize = 2;
@@ -35,6 +42,9 @@ const SHORTER: [(f64, f64, f64); 2] = [(0.5, 0.3, 1.0), (0.3, 0.3, 0.6)];
 const MANY_MORE: f64 = 1.5;
 /// ... or where the error is so many times smaller with as many.
 const FAR_BETTER: f64 = 4.0;
+
+/// Neighbours whose forces differ by less than this share are one placement, which something interrupted (0.5°).
+const SAME_PLACEMENT: f64 = 9e-3;
 
 /// A segmentation and how its multiplier was chosen.
 #[derive(Clone, Debug)]
@@ -56,7 +66,7 @@ impl Choice {
                 figure(length)
             )
         });
-        let rejected = self.segmentation.rejected.iter().map(ToString::to_string);
+        let rejected = Rejected::in_words(&self.segmentation.rejected);
         shortened.into_iter().chain(rejected).collect()
     }
 }
@@ -64,6 +74,8 @@ impl Choice {
 /// Cuts a recording at the multiplier that the accelerometer fit likes best: of those as good as
 /// the best, the middle of the longest run that finds the same number of intervals. Where no fit is
 /// possible, at the detector's own multiplier.
+///
+/// Where none is a calibration, the multiplier with the most placements that one accelerometer can have read.
 ///
 /// Where the static intervals asked for make no calibration, or shorter ones a far better one, the
 /// shorter ones are taken, if the detector allows it.
@@ -137,9 +149,14 @@ impl<'a> Attempt<'a> {
     fn of(recording: &'a Recording, detector: &Detector, gravity: f64) -> Result<Self, Error> {
         step(Stage::Cutting)?;
         let survey = Survey::of(recording, detector)?;
-        let found: Vec<Vec<Span>> = MULTIPLIERS.par_iter().map(|&m| survey.rests(m)).collect();
-        let (trials, bases) = trials(&survey, &found, gravity);
-        let (multiplier, chosen) = chosen(&trials, detector.multiplier);
+        let (mut trials, mut bases) = trials_at(&survey, &MULTIPLIERS, gravity);
+        let (mut multiplier, mut chosen) = choice(&trials, detector.multiplier);
+        if chosen.is_none_or(|k| k + LAST >= trials.len()) {
+            let (more, of_more) = trials_at(&survey, &IN_THE_HAND, gravity);
+            trials.extend(more);
+            bases.extend(of_more);
+            (multiplier, chosen) = choice(&trials, detector.multiplier);
+        }
         Ok(Self {
             survey,
             trials,
@@ -157,7 +174,20 @@ impl<'a> Attempt<'a> {
     /// Number of static intervals and error of the trial chosen.
     fn result(&self) -> Option<(usize, f64)> {
         let trial = &self.trials[self.chosen?];
-        Some((trial.static_intervals, trial.expected_error?))
+        Some((trial.placements, trial.expected_error?))
+    }
+
+    /// The trial at the multiplier chosen.
+    fn trial(&self) -> Option<&Trial> {
+        let chosen = |t: &&Trial| t.multiplier == self.multiplier;
+        self.trials.iter().find(chosen)
+    }
+
+    /// Whether this one, of shorter intervals, shows many more placements that one accelerometer can have read.
+    fn shows_many_more(&self, longer: &Self) -> bool {
+        let few = longer.trial().map_or(0, |t| t.placements);
+        let more = |t: &Trial| t.plausible && t.placements as f64 >= MANY_MORE * few as f64;
+        self.trial().is_some_and(more)
     }
 
     /// Whether the recording may hold many more intervals that are only too short.
@@ -172,7 +202,8 @@ impl<'a> Attempt<'a> {
     /// Whether this one, of shorter intervals, is to be preferred.
     fn beats(&self, longer: &Self) -> bool {
         match (self.result(), longer.result()) {
-            (None, _) => false,
+            (None, None) => self.shows_many_more(longer),
+            (None, Some(_)) => false,
             (Some(_), None) => true,
             (Some((many, error)), Some((few, other))) => {
                 let more = many as f64 >= MANY_MORE * few as f64 && MANY_MORE * error <= other;
@@ -183,25 +214,28 @@ impl<'a> Attempt<'a> {
 }
 
 /// The multiplier and its trial: the plateau of those with enough placements to check the fit, else the
-/// detector's own where that is a calibration, else any that is one, else the detector's own.
-fn chosen(trials: &[Trial], own: f64) -> (f64, Option<usize>) {
+/// detector's own where that is a calibration, else any that is one, else the one with the most placements, else the
+/// detector's own.
+fn choice(trials: &[Trial], own: f64) -> (f64, Option<usize>) {
     if let Some(k) = plateau(trials, ENOUGH_SPARE) {
-        return (MULTIPLIERS[k], Some(k));
+        return (trials[k].multiplier, Some(k));
     }
-    let is_own = |&k: &usize| MULTIPLIERS[k] == own && trials[k].expected_error.is_some();
-    match (0..trials.len()).find(is_own).or(plateau(trials, 1)) {
-        Some(k) => (MULTIPLIERS[k], Some(k)),
+    let is_own = |&k: &usize| trials[k].multiplier == own && trials[k].expected_error.is_some();
+    let known = (0..trials.len()).find(is_own).or(plateau(trials, 1));
+    match known.or(most_placements(trials)) {
+        Some(k) => (trials[k].multiplier, Some(k)),
         None => (own, None),
     }
 }
 
-/// The trials at all multipliers and the accelerometers they found; multipliers that find the same
+/// The trials at some multipliers and the accelerometers they found; multipliers that find the same
 /// intervals share a fit.
-fn trials(
+fn trials_at(
     survey: &Survey<'_>,
-    found: &[Vec<Span>],
+    multipliers: &[f64],
     gravity: f64,
 ) -> (Vec<Trial>, Vec<Option<Base<f64>>>) {
+    let found: Vec<Vec<Span>> = multipliers.par_iter().map(|&m| survey.rests(m)).collect();
     let runs: Vec<&[Vec<Span>]> = found.chunk_by(|a, b| a == b).collect();
     let tried: Vec<_> = runs
         .par_iter()
@@ -210,8 +244,8 @@ fn trials(
     let each = runs.iter().zip(tried);
     let repeated = each.flat_map(|(run, trial)| std::iter::repeat_n(trial, run.len()));
     repeated
-        .zip(MULTIPLIERS)
-        .map(|((trial, base), multiplier)| {
+        .zip(multipliers)
+        .map(|((trial, base), &multiplier)| {
             let trial = Trial {
                 multiplier,
                 ..trial
@@ -223,8 +257,11 @@ fn trials(
 
 /// A fit to given intervals, whatever the multiplier.
 fn trial(survey: &Survey<'_>, found: &[Span], gravity: f64) -> (Trial, Option<Base<f64>>) {
-    let means = found.iter().filter_map(|&span| survey.mean_force(span));
-    let means: Vec<StaticMean> = means.map(bare_mean).collect();
+    let forces: Vec<Vector3<f64>> = found.iter().filter_map(|&s| survey.mean_force(s)).collect();
+    let means: Vec<StaticMean> = forces.iter().copied().map(bare_mean).collect();
+    let placements = placements(&forces);
+    // What is in pieces tells no more than the whole.
+    let by_pieces = (means.len() as f64 / placements.max(1) as f64).sqrt();
     let fit = NormFit::of(&means, survey.noise_of_means(found), gravity);
     let sound = fit.as_ref().filter(|fit| fit.sound);
     let detector = survey.detector();
@@ -233,9 +270,65 @@ fn trial(survey: &Survey<'_>, found: &[Span], gravity: f64) -> (Trial, Option<Ba
         window: detector.window,
         min_static: detector.min_static,
         static_intervals: found.len(),
+        placements,
+        plausible: fit.as_ref().is_some_and(|fit| fit.plausible),
         spare: sound.map(|fit| fit.spare),
         residual: fit.as_ref().map(|fit| fit.residual),
-        expected_error: sound.and_then(NormFit::expected_error),
+        expected_error: sound
+            .and_then(NormFit::expected_error)
+            .map(|error| error * by_pieces),
     };
     (trial, sound.map(|fit| fit.base))
+}
+
+/// Number of placements among intervals with these mean forces: neighbours with the same force are one.
+fn placements(forces: &[Vector3<f64>]) -> usize {
+    let is_same = |a: &Vector3<f64>, b: &Vector3<f64>| (a - b).norm() < SAME_PLACEMENT * a.norm();
+    forces.chunk_by(is_same).count()
+}
+
+#[cfg(test)]
+mod tests {
+    use simulate::{Between, HandHeld, Motion, Resampled, Spec};
+
+    use super::*;
+
+    fn spec(seed: u64, rest: [f64; 2]) -> Spec {
+        let mut spec = Spec::hand_held(seed);
+        spec.motion = Motion::HandHeld(HandHeld {
+            placements: Some(14),
+            initial_rest: Some(20.0),
+            rest,
+            ..HandHeld::default()
+        });
+        spec
+    }
+
+    fn found(spec: &Spec) -> [usize; 2] {
+        let session = spec.run().unwrap();
+        let choice = cut(&session.recording, &Detector::default(), true, spec.gravity).unwrap();
+        let truth = session.truth.static_intervals.len();
+        [choice.segmentation.statics.len(), truth]
+    }
+
+    #[test]
+    fn a_gyroscope_between_the_stamps_of_another_clock_has_the_rests_of_the_device() {
+        for (seed, rate, own) in [(1, 99.75, 99.70), (2, 100.0, 99.9), (3, 50.0, 49.98)] {
+            for by in [Between::Linear, Between::Hold] {
+                let mut spec = spec(seed, [15.0, 35.0]);
+                spec.rate = rate;
+                spec.gyroscope.resampled = Some(Resampled { rate: own, by });
+                let [found, truth] = found(&spec);
+                assert_eq!(found, truth, "{rate} {own} {by:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_placement_counts_once_however_often_it_is_interrupted() {
+        let (up, level) = (9.8 * Vector3::z(), 9.8 * Vector3::x());
+        let near = up + Vector3::new(0.05, 0.0, 0.0);
+        assert_eq!(placements(&[up, near, up, level, up, up]), 3);
+        assert_eq!(placements(&[]), 0);
+    }
 }

@@ -27,6 +27,30 @@ pub(super) fn plateau(trials: &[Trial], spare: usize) -> Option<usize> {
     (!longest.is_empty()).then(|| longest.start + (longest.len() - 1) / 2)
 }
 
+/// The middle of the longest run of plausible trials with the most placements: where no calibration can be made of any, that is what
+/// the recording shows.
+pub(super) fn most_placements(trials: &[Trial]) -> Option<usize> {
+    let plausible = |t: &&Trial| t.plausible;
+    let most = trials
+        .iter()
+        .filter(plausible)
+        .map(|t| t.placements)
+        .max()?;
+    let is_best = |t: &Trial| t.plausible && t.placements == most;
+    let runs = trials.chunk_by(|a, b| {
+        is_best(a) == is_best(b) && (!is_best(a) || a.static_intervals == b.static_intervals)
+    });
+    let mut longest = 0..0;
+    let mut from = 0;
+    for run in runs {
+        if is_best(&run[0]) && run.len() > longest.len() {
+            longest = from..from + run.len();
+        }
+        from += run.len();
+    }
+    (!longest.is_empty()).then(|| longest.start + (longest.len() - 1) / 2)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -39,6 +63,8 @@ mod tests {
                 min_static: 3.0,
                 spare: (r > 0.0).then_some(3),
                 static_intervals,
+                placements: static_intervals,
+                plausible: r > 0.0,
                 residual: (r > 0.0).then_some(r),
                 expected_error: (r > 0.0).then_some(r),
             })
@@ -62,5 +88,21 @@ mod tests {
     #[test]
     fn without_a_fit_nothing_is_chosen() {
         assert_eq!(plateau(&trials(&[(2, 0.0), (3, 0.0)]), 1), None);
+        assert_eq!(most_placements(&trials(&[(2, 0.0), (3, 0.0)])), None);
+    }
+
+    #[test]
+    fn without_a_calibration_most_placements_count() {
+        let rows = [
+            (2, 0.0),
+            (11, 1.0),
+            (9, 1.0),
+            (10, 1.0),
+            (10, 1.0),
+            (10, 1.0),
+        ];
+        let mut trials = trials(&rows);
+        trials[1].placements = 10;
+        assert_eq!(most_placements(&trials), Some(4));
     }
 }

@@ -41,6 +41,12 @@ pub struct Trial {
     pub min_static: f64,
     /// Number of static intervals found.
     pub static_intervals: usize,
+    /// Number of placements among them: neighbours with the same force are one that was interrupted.
+    #[serde(skip)]
+    pub placements: usize,
+    /// Whether the fit can be that of a sensor, however well it is known.
+    #[serde(skip)]
+    pub plausible: bool,
     /// Placements beyond the number of parameters; `None` where the fit is no calibration: too few
     /// placements, parameters that no sensor has, or no end within the allowed steps.
     pub spare: Option<usize>,
@@ -62,6 +68,8 @@ pub(super) struct NormFit {
     leverage: f64,
     /// From readings to m/s².
     pub base: Base<f64>,
+    /// Whether it has the parameters of a sensor and leaves what a device at rest leaves, however well it is known.
+    pub plausible: bool,
     /// Whether it can be the calibration of a sensor.
     pub sound: bool,
 }
@@ -96,11 +104,10 @@ impl NormFit {
             spare,
             leverage: leverage(&report, &model, gravity),
             base: in_raw_unit(&near, &unit),
+            plausible: of_a_sensor(&near, gravity) && residual < STILL * gravity,
             sound: report.termination.converged() && report.uncertainty.rank == free,
         };
-        fit.sound &= of_a_sensor(&near, gravity)
-            && residual < STILL * gravity
-            && fit.error().is_some_and(|error| error < KNOWN_TO * gravity);
+        fit.sound &= fit.plausible && fit.error().is_some_and(|error| error < KNOWN_TO * gravity);
         Some(fit)
     }
 
@@ -198,6 +205,7 @@ mod tests {
             spare,
             leverage: 1.0,
             base: Base::identity(),
+            plausible: true,
             sound: true,
         };
         let (few, many) = (fit(1.8, 2), fit(2.4, 12));

@@ -21,6 +21,10 @@ const FAR: f64 = 9.0;
 const LOW: f64 = 0.25;
 const ENOUGH: usize = 3;
 
+/// A stretch with so many times the usual variance shakes throughout, and now more and now less: a hand and a machine are no
+/// white noise.
+const RESTLESS: f64 = 1.5;
+
 /// The quantile one standard deviation below the median.
 const BELOW: f64 = 0.158_655;
 
@@ -44,7 +48,8 @@ pub struct Shake {
 /// stretch is nearly normal (Wilson and Hilferty 1931), with the median and the lower spread of all windows.
 /// So noise that a low pass, a held sample or heavy tails make uneven does not pass for a touch; white noise
 /// is the least that is granted. Squares are over the usual variance, the median of all windows, or that of
-/// the stretch itself where it shakes throughout, as on a table that vibrates; `step` is the converter's.
+/// the stretch itself where it shakes throughout, as on a table that vibrates; what such a stretch does by chance is seen in its own
+/// windows. `step` is the converter's.
 pub fn shakes(stream: &Stream, stretches: &[Span], step: &Vector3<f64>) -> Vec<Shake> {
     let Some(interval) = stream.median_step().filter(|s| *s > 0.0) else {
         return Vec::new();
@@ -60,17 +65,24 @@ pub fn shakes(stream: &Stream, stretches: &[Span], step: &Vector3<f64>) -> Vec<S
     }
     let [low, middle] = [LOW, 0.5].map(|share| quantile3(&every, share));
     let least = step.map(|s| (0.25 * s * s).max(FLOOR * FLOOR));
-    let windows: Vec<Window> = cut
+    let least = middle.sup(&least);
+    let in_stretch = |(k, stretch): (usize, &Stretch<'_>)| {
+        let own = stretch.usual(&low, &middle);
+        let windows = stretch.windows(k, count, &own.sup(&least));
+        (windows, (0..3).any(|i| own[i] > RESTLESS * least[i]))
+    };
+    let by_stretch: Vec<(Vec<Window>, bool)> = cut.iter().enumerate().map(in_stretch).collect();
+    let windows = || by_stretch.iter().flat_map(|(windows, _)| windows);
+    let law = Law::of(windows(), count);
+    let laws: Vec<Law> = by_stretch
         .iter()
-        .enumerate()
-        .flat_map(|(k, stretch)| {
-            let own = stretch.usual(&low, &middle);
-            stretch.windows(k, count, &own.sup(&middle).sup(&least))
+        .map(|(windows, is_restless)| match is_restless {
+            true => law.of_restless(windows, count),
+            false => law,
         })
         .collect();
-    let law = Law::of(&windows, count);
     let mut found: Vec<Shake> = Vec::new();
-    for window in windows.iter().filter(|w| law.is_beyond_chance(w)) {
+    for window in windows().filter(|w| laws[w.stretch].is_beyond_chance(w)) {
         let shake = Shake {
             stretch: window.stretch,
             time: window.time,
@@ -161,6 +173,7 @@ struct Window {
 }
 
 /// What chance does to the cube roots.
+#[derive(Clone, Copy)]
 struct Law {
     centre: f64,
     spread: f64,
@@ -169,19 +182,29 @@ struct Law {
 }
 
 impl Law {
-    fn of(windows: &[Window], count: usize) -> Self {
-        let roots: Vec<f64> = windows.iter().map(|w| w.root).collect();
+    fn of<'a>(windows: impl IntoIterator<Item = &'a Window>, count: usize) -> Self {
+        let roots: Vec<f64> = windows.into_iter().map(|w| w.root).collect();
         let of_roots = |share| quantile(&roots, share).unwrap_or(0.0);
         let centre = of_roots(0.5);
         let below = centre - of_roots(BELOW);
         let n = 3.0 * count as f64;
         let least = n.cbrt() * (2.0 / (9.0 * n)).sqrt();
         // A quantile of so many windows is itself off by chance.
-        let doubt = 1.0 + 2.0 / (windows.len() as f64).sqrt();
+        let doubt = 1.0 + 2.0 / (roots.len() as f64).sqrt();
         Self {
             centre: centre.max(n.cbrt() * (1.0 - 2.0 / (9.0 * n))),
             spread: doubt * below.max(least),
-            level: CHANCE / windows.len() as f64,
+            level: CHANCE / roots.len() as f64,
+        }
+    }
+
+    /// That of a stretch that shakes throughout: about its own centre, and nowhere narrower than that of all.
+    fn of_restless(&self, own: &[Window], count: usize) -> Self {
+        let own = Self::of(own, count);
+        Self {
+            centre: own.centre.max(self.centre),
+            spread: own.spread.max(self.spread),
+            level: self.level,
         }
     }
 
@@ -274,6 +297,19 @@ mod tests {
         let found = shakes(&stream, &eight_seconds(&stream), &Vector3::zeros());
         let places: Vec<usize> = found.iter().map(|s| s.stretch).collect();
         assert_eq!(places, [20]);
+    }
+
+    #[test]
+    fn a_stretch_that_a_hand_shakes_now_more_and_now_less_is_no_touch() {
+        let mut stream = still(|_| {});
+        // 8 Hz that swells and fades with 1.3 Hz, for the whole of one stretch.
+        for k in 8_000..8_800 {
+            let t = 0.01 * k as f64;
+            let swell = 1.0 + 0.6 * (8.2 * t).sin();
+            stream.values[k].y += 0.08 * swell * (50.0 * t).sin();
+        }
+        let found = shakes(&stream, &eight_seconds(&stream), &Vector3::zeros());
+        assert_eq!(found, []);
     }
 
     #[test]

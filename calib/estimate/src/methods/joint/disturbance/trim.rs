@@ -15,6 +15,8 @@ const OFF: f64 = 4.0;
 const SHAKES: f64 = 5.0;
 /// What is cut off in any case, s: motion that is still smaller than the noise.
 const GUARD: f64 = 0.1;
+/// What is cut off either end at most, as a share of the rest: something of a short one is left, whatever its ends do.
+const MOST_CUT: f64 = 1.0 / 3.0;
 /// Differences below this share of the reading are rounding.
 const ROUNDING: f64 = 1e-12;
 /// The same of the cube root of a variance.
@@ -31,7 +33,11 @@ pub fn quiet_part<'a>(streams: impl Iterator<Item = &'a Stream>, rest: Span) -> 
         part.from = part.from.max(own.from);
         part.to = part.to.min(own.to);
     }
-    part
+    let most = MOST_CUT * rest.length();
+    Span {
+        from: part.from.min(rest.from + most),
+        to: part.to.max(rest.to - most),
+    }
 }
 
 fn quiet_in(stream: &Stream, rest: Span) -> Span {
@@ -162,5 +168,19 @@ mod tests {
         assert!(before.from < 10.5, "{before:?}");
         assert!((after.from - 10.7).abs() < 1e-9, "{after:?}");
         assert_eq!(before.to, after.to);
+    }
+
+    #[test]
+    fn a_third_of_a_short_rest_is_left_whatever_its_ends_do() {
+        let t: Vec<f64> = (0..100).map(|k| f64::from(k) * 0.01).collect();
+        // Motion at both ends of a rest of .6 s: to be sure, .35 s would go at either.
+        let beside = |t: f64| (t - 0.5).abs() > 0.13;
+        let value = |&t: &f64| Vector3::new(if beside(t) { 30.0 * t } else { 1e-3 * t }, 0.0, 9.8);
+        let values = t.iter().map(value).collect();
+        let stream = Stream { t, values };
+        let rest = Span { from: 0.2, to: 0.8 };
+        let part = quiet_part([&stream].into_iter(), rest);
+        assert!(part.length() > 0.19, "{part:?}");
+        assert!(part.from > rest.from && part.to < rest.to, "{part:?}");
     }
 }
