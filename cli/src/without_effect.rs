@@ -33,6 +33,31 @@ pub static WITHOUT_EFFECT: &[WithoutEffect] = &[
         "keeps devices that are complete; the bytes are the same",
     ),
     of(
+        "info",
+        "--flip",
+        "shows how readings are read, not the readings",
+    ),
+    of(
+        "allan",
+        "--flip",
+        "the sign of a reading changes no deviation",
+    ),
+    of(
+        "plan",
+        "--gyro-unit",
+        "a plan goes by the readings of the accelerometer",
+    ),
+    of(
+        "live",
+        "--placements",
+        "guides the session; what was recorded is calibrated",
+    ),
+    of(
+        "live",
+        "--hold",
+        "guides the session; what was recorded is calibrated",
+    ),
+    of(
         "live",
         "--baud",
         "the speed of a serial port; other sources have none",

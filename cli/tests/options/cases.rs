@@ -1,29 +1,45 @@
 //! A call for each option, on an input on which it matters.
 
+/// Options of one procedure of `reckon`; how a recording is read is looked at in the other alone, for the published one takes the
+/// accelerometer at a rate that it assumes.
+const IN_BOTH: [&str; 11] = [
+    "--mode",
+    "--ending",
+    "--motion",
+    "--distance",
+    "--level",
+    "--vertical",
+    "--gravity",
+    "--high-pass",
+    "--low-pass",
+    "--assumed-rate",
+    "--picked-by",
+];
+
 /// What the calls of a command are made of: `REC` is the recording, `OUT` a name that is not there yet.
-pub fn bases(command: &str) -> Vec<&'static str> {
+pub fn bases(command: &str, option: &str) -> Vec<&'static str> {
     match command {
         "demo" => vec!["demo"],
         "info" => vec!["info REC"],
         "calibrate" => vec![
             "calibrate REC --json",
-            "calibrate REC --json --method joint",
             "calibrate REC --json --method stepwise",
             "calibrate REC --json --method six-position",
         ],
         "batch" => vec!["batch REC.d -o OUT", "batch REC.d -o OUT --discover"],
         "batch merge" => vec!["batch merge parts -o OUT"],
-        "batch prior" => vec!["batch prior cal.json cal2.json cal3.json -o OUT"],
+        "batch prior" => vec!["batch prior fleet -o OUT"],
         "live" => vec!["live - --out OUT --poll 0"],
         "segment" => vec!["segment REC --json"],
         "apply" => vec!["apply cal.json REC"],
         "convert" => vec!["convert REC -o OUT.csv"],
         "allan" => vec!["allan REC --json"],
         "bias" => vec!["bias cal.json REC --json"],
-        "reckon" => vec![
+        "reckon" if IN_BOTH.contains(&option) => vec![
             "reckon REC --json --calibration c=cal.json",
             "reckon REC --json --calibration c=cal.json --procedure published",
         ],
+        "reckon" => vec!["reckon REC --json --calibration c=cal.json"],
         "evaluate" => vec!["evaluate REC --json --calibration c=cal.json"],
         "simulate" => vec!["simulate spec.toml -o OUT"],
         "discover" => vec!["discover REC --json"],
@@ -116,7 +132,7 @@ pub fn case(command: &str, option: &str) -> Option<(&'static str, &'static str)>
         ("reckon", "--picked-by") => "--picked-by c",
         ("simulate", "--example") => "--example",
         ("discover", "--validation") => "--validation good2.csv",
-        ("discover", "--alpha") => "--alpha 0.4",
+        ("discover", "--alpha") => return Some(("effect.csv", "--alpha 1e-60")),
         ("discover", "--noise") => "--noise noise.json",
         ("discover", "--flicker") => "--flicker",
         ("discover", "--units") => "good2.csv | --units",
@@ -159,12 +175,12 @@ pub fn case(command: &str, option: &str) -> Option<(&'static str, &'static str)>
         "--gravity" => (good, "--gravity 9.78"),
         "--latitude" => (good, "--latitude 10"),
         "--altitude" => (good, "--latitude 10 | --altitude 3000"),
-        "--multiplier" => (good, "--multiplier 3"),
-        "--min-static" => (good, "--min-static 4.5"),
-        "--min-dynamic" => (good, "--min-dynamic 3"),
+        "--multiplier" => (good, "--multiplier 0.5"),
+        "--min-static" => (good, "--min-static 30"),
+        "--min-dynamic" => (good, "--min-dynamic 30"),
         "--window" => (good, "--window 2"),
         "--initial-static" => (good, "--initial-static 9"),
-        "--format" => ("short.csv", "--format imu_tk"),
+        "--format" => ("short.csv", "--format ulog"),
         "--entry" => ("several", "--entry a.csv"),
         "--topic" => ("log.ulg", "--topic none"),
         "--instance" => ("log.ulg", "--instance 3"),
@@ -177,7 +193,7 @@ pub fn case(command: &str, option: &str) -> Option<(&'static str, &'static str)>
         "--time-format" => ("dates.csv", "--time-format %d.%m.%YT%H:%M:%S%.f"),
         "--accel-unit" => (good, "--accel-unit g"),
         "--gyro-unit" => (good, "--gyro-unit deg/s"),
-        "--flip" => (good, "--flip gx"),
+        "--flip" => (good, "--flip ax"),
         "--max-rows" => ("short.csv", "--max-rows 10"),
         "--max-bytes" => ("short.csv", "--max-bytes 100"),
         _ => return None,

@@ -6,8 +6,12 @@ use std::path::Path;
 use calib::recording::to_csv;
 use calib::simulate::Spec;
 use file_formats::make;
+use serde_json::Value;
 
 use crate::common::{json, status, stderr, stillpoint};
+
+/// Devices of a type.
+const DEVICES: usize = 70;
 
 /// A row: stamp, specific force, rate.
 type Row = [f64; 7];
@@ -145,6 +149,10 @@ pub fn folder() -> tempfile::TempDir {
         ("good.csv", good.clone()),
         ("good2.csv", session(12, "")),
         ("other.csv", session(13, "")),
+        (
+            "effect.csv",
+            session(11, "[effects.gyro_g_sensitivity]\nsize = 0.1\n"),
+        ),
         (
             "field.csv",
             session(
@@ -293,8 +301,8 @@ fn made(path: &Path) {
     };
     run("calibrate good.csv -o cal.json");
     run("calibrate good2.csv -o cal2.json");
-    run("calibrate other.csv -o cal3.json");
-    run("batch prior cal.json cal2.json cal3.json -o prior.json");
+    fleet(path);
+    run("batch prior fleet -o prior.json");
     run("allan still.csv -o noise.json");
     run("batch good.csv.d -o parts");
     let cut = json(&run("segment good.csv --json"));
@@ -304,4 +312,36 @@ fn made(path: &Path) {
         let _ = writeln!(sections, "{},{}", from + 0.5, to - 0.5);
     }
     std::fs::write(path.join("sections.csv"), sections).unwrap();
+}
+
+/// A batch of so many devices of one type that a prior can be made of them: `cal.json` with other numbers.
+fn fleet(path: &Path) {
+    let text = std::fs::read_to_string(path.join("cal.json")).unwrap();
+    let mut calibration: Value = serde_json::from_str(&text).unwrap();
+    for hash in ["numbers_sha256", "basis_sha256"] {
+        calibration.as_object_mut().unwrap().remove(hash);
+    }
+    for device in 0..DEVICES {
+        let mut own = calibration.clone();
+        let mut count = 0;
+        for sensor in ["accelerometer", "gyroscope"] {
+            let size = if sensor == "gyroscope" { 0.01 } else { 0.1 };
+            for axis in 0..3 {
+                let mut add = |entry: &mut Value, size: f64| {
+                    count += 1;
+                    let value = entry.as_f64().unwrap() + size * noise(97 * device + count);
+                    *entry = value.into();
+                };
+                add(&mut own[sensor]["bias"][axis], size);
+                for other in 0..3 {
+                    if !own[sensor]["T_std"][axis][other].is_null() {
+                        add(&mut own[sensor]["T"][axis][other], 5e-3);
+                    }
+                }
+            }
+        }
+        let folder = path.join(format!("fleet/devices/{device}"));
+        std::fs::create_dir_all(&folder).unwrap();
+        std::fs::write(folder.join("cal.json"), own.to_string()).unwrap();
+    }
 }

@@ -141,6 +141,7 @@ fn refuse_other_procedure(args: &Args) -> Result<(), Failure> {
         ("--mode", args.mode.is_some(), equations),
         ("--ending", args.ending.is_some(), equations),
         ("--motion", !args.motion.is_empty(), equations),
+        ("--distance", args.distance.is_some(), equations),
         ("--level", !level.is_empty(), published),
         ("--vertical", !vertical.is_empty(), published),
         ("--gravity", gravity.is_some(), published),
