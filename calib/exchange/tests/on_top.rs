@@ -152,19 +152,21 @@ fn parameters_that_are_not_those_of_the_sensor_are_refused() {
         ("", "no CAL_ACC0_XOFF in it"),
         (ARDUPILOT, "no CAL_ACC0_XOFF in it"),
         (
-            &PX4.replace("ACC0_ZOFF", "ACC1_ZOFF"),
+            PX4.replace("ACC0_ZOFF", "ACC1_ZOFF").as_str(),
             "no CAL_ACC0_ZOFF in it",
         ),
         (
-            &PX4.replace("SENS_BOARD_ROT\t0", "SENS_BOARD_ROT\t6"),
+            PX4.replace("SENS_BOARD_ROT\t0", "SENS_BOARD_ROT\t6")
+                .as_str(),
             "SENS_BOARD_ROT",
         ),
         (
-            &PX4.replace("CAL_ACC0_ROT\t-1", "CAL_ACC0_ROT\t4"),
+            PX4.replace("CAL_ACC0_ROT\t-1", "CAL_ACC0_ROT\t4").as_str(),
             "CAL_ACC0_ROT",
         ),
         (
-            &PX4.replace("CAL_ACC0_XOFF\t0.5", "CAL_ACC0_XOFF\tabc"),
+            PX4.replace("CAL_ACC0_XOFF\t0.5", "CAL_ACC0_XOFF\tabc")
+                .as_str(),
             "line 2",
         ),
         ("CAL_ACC0_XOFF", "line 1"),
