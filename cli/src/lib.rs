@@ -17,6 +17,8 @@ mod report;
 mod show;
 mod terminal;
 mod threads;
+#[doc(hidden)]
+pub mod without_effect;
 
 pub use commands::shared::figures;
 
@@ -48,6 +50,14 @@ struct Cli {
     terminal: terminal::TerminalArgs,
     #[command(subcommand)]
     command: commands::Command,
+}
+
+/// The command line, for tests that go over it.
+#[doc(hidden)]
+pub fn command() -> clap::Command {
+    let mut command = Cli::command();
+    command.build();
+    command
 }
 
 /// Runs the command in `args`, the program's name first, to its end, and gives its exit status. The process is the

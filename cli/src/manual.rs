@@ -9,6 +9,9 @@ pub mod experiment {}
 #[doc = include_str!("../manual/calibration_file.md")]
 pub mod calibration_file {}
 
+#[doc = include_str!("../manual/options.md")]
+pub mod options {}
+
 #[doc = include_str!("../manual/files.md")]
 pub mod files {}
 

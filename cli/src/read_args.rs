@@ -76,6 +76,31 @@ pub struct ReadArgs {
 }
 
 impl ReadArgs {
+    /// The first of them that was given.
+    pub fn given(&self) -> Option<&'static str> {
+        let limits = ReadOptions::default();
+        let given = [
+            ("--format", self.format.is_some()),
+            ("--entry", self.entry.is_some()),
+            ("--topic", !self.topic.is_empty()),
+            ("--instance", self.instance.is_some()),
+            ("--columns", self.columns.is_some()),
+            ("--skip-bad-rows", self.skip_bad_rows > 0),
+            ("--na", self.na == Na::Drop),
+            ("--sort-time", self.sort_time),
+            ("--rate", self.rate.is_some()),
+            ("--time-unit", self.time_unit.is_some()),
+            ("--time-format", self.time_format.is_some()),
+            ("--accel-unit", self.accel_unit.is_some()),
+            ("--gyro-unit", self.gyro_unit.is_some()),
+            ("--flip", !self.flip.is_empty()),
+            ("--max-rows", self.max_rows != limits.max_rows),
+            ("--max-bytes", self.max_bytes != limits.max_bytes),
+        ];
+        let first = given.into_iter().find(|(_, given)| *given);
+        first.map(|(option, _)| option)
+    }
+
     /// Whether nothing is asked for that a well-formed file would not do by itself.
     pub fn are_default(&self) -> bool {
         let given = [

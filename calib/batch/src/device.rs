@@ -95,7 +95,7 @@ impl Options {
             .as_ref()
             .map_or_else(Vec::new, |l| judge(l, &calibration));
         lines.extend(built_in(&calibration));
-        calibration.limits = lines;
+        calibration.state_limits(lines);
         Ok((calibration, findings))
     }
 }

@@ -1,7 +1,7 @@
 //! What there is to export.
 
 use calib::Calibration;
-use calib::calibration::TriadUnits;
+use calib::calibration::{Readings, TriadUnits, system_name};
 use calib::effects::force_sensitivity;
 use nalgebra::{Matrix3, Vector3};
 use sensor::{Base, Sensor};
@@ -123,6 +123,37 @@ impl<'a> Source<'a> {
         Some(TriadUnits::of(sensor, triad.base().scale()).reading)
     }
 
+    /// The sensors whose readings a system had corrected before the calibration, with the system.
+    fn corrected_before(&self) -> Vec<(Sensor, &str)> {
+        let corrected = |sensor: Sensor| {
+            self.calibration.triad(sensor)?;
+            match self.calibration.readings(sensor) {
+                Readings::CorrectedBy(by) | Readings::Mixed(by) => Some((sensor, by)),
+                Readings::NotStated | Readings::Restored { .. } => None,
+            }
+        };
+        Sensor::ALL.into_iter().filter_map(corrected).collect()
+    }
+
+    /// What to say where a system other than the target had corrected the readings before: `target` itself replaces what it
+    /// had applied.
+    pub(crate) fn on_top_of(&self, target: &str) -> Option<String> {
+        let before: Vec<(Sensor, &str)> = self.corrected_before();
+        let others: Vec<_> = before.into_iter().filter(|(_, by)| *by != target).collect();
+        let (_, by) = *others.first()?;
+        let sensors: Vec<&str> = others
+            .iter()
+            .filter(|(_, other)| *other == by)
+            .map(|(s, _)| s.name())
+            .collect();
+        Some(format!(
+            "{} had corrected the readings of the {} before: these parameters are on top of that. Use them on readings that are \
+             corrected in the same way, not on those of the sensor, and calibrate again when that correction changes",
+            system_name(by),
+            sensors.join(" and the ")
+        ))
+    }
+
     /// Where it comes from, in lines of comment that begin with `mark`: printable ASCII without what could end a comment of
     /// any language.
     pub fn provenance(&self, mark: &str) -> String {
@@ -134,6 +165,16 @@ impl<'a> Source<'a> {
                 calibration.method, calibration.gravity
             ),
         ];
+        for (sensor, by) in self.corrected_before() {
+            lines.push(format!(
+                "on top of what {} had applied to the readings of the {} before",
+                system_name(by),
+                sensor.name()
+            ));
+        }
+        if calibration.edited().is_some() {
+            lines.push("EDITED since the calibration was written".into());
+        }
         if let Some(hash) = &calibration.provenance.numbers_sha256 {
             lines.push(format!("numbers_sha256 {hash}"));
         }

@@ -105,7 +105,14 @@ pub fn export(
     source: &Source<'_>,
     settings: &Settings,
 ) -> Result<Export, Error> {
-    let Written { files, notes } = target.write(source, settings)?;
+    let Written { files, mut notes } = target.write(source, settings)?;
+    notes.extend(source.on_top_of(target.name()));
+    notes.extend(
+        source
+            .calibration
+            .edited()
+            .map(|edited| edited.in_words().to_owned()),
+    );
     Ok(Export {
         files,
         lost: losses(source, &target.keeps(source)),

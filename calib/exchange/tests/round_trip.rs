@@ -783,7 +783,8 @@ fn what_cannot_be_imported_is_refused_with_its_place() {
     let said = |text: &str| import::kalibr(text).unwrap_err().to_string();
     assert!(said("").contains("empty"));
     assert!(said("a: [1, 2").contains("line"), "{}", said("a: [1, 2"));
-    assert!(said("rostopic: /imu0\n").contains("accelerometers.M: missing"));
+    assert!(said("rostopic: /imu0\n").contains("no accelerometers and no gyroscopes"));
+    assert!(said("accelerometers: {}\n").contains("accelerometers.M: missing"));
     let yaml = text(&device(), "kalibr");
     let singular = yaml.replacen("    - [", "    - [0.0, 0.0, 0.0]\n    - [", 1);
     assert!(

@@ -46,13 +46,15 @@ pub fn calibrate(recordings: &[Recording], request: &Request) -> Result<Calibrat
         let mut solved = under(request.watch.as_ref(), || {
             six_position::calibrate(&all, &how.detector, gravity, first_order)
         })?;
-        solved.calibration.limits = built_in(&solved.calibration);
+        let limits = built_in(&solved.calibration);
+        solved.calibration.state_limits(limits);
         return Ok(Calibration::of(solved.calibration));
     }
     let mut outcome = under(request.watch.as_ref(), || {
         calibrate_all(&all, &turned, &how)
     })?;
-    outcome.calibration.limits = built_in(&outcome.calibration);
+    let limits = built_in(&outcome.calibration);
+    outcome.calibration.state_limits(limits);
     Ok(Calibration::made(outcome, recordings))
 }
 

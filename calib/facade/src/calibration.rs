@@ -347,7 +347,8 @@ pub fn apply_watched(
     let (own, raw) = (calibration.as_ref(), recording.as_ref());
     under(watch, || {
         check_units(own, raw)?;
-        let doubts = doubts(own, raw)?;
+        let mut doubts = doubts(own, raw)?;
+        doubts.extend(own.edited().map(|edited| edited.in_words().to_owned()));
         let mut corrected = calib::calibration::apply(own, raw)?;
         corrected.warnings.extend(doubts);
         Ok(corrected.into())

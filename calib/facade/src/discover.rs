@@ -134,7 +134,7 @@ pub fn discover(recordings: &[Recording], request: &Request) -> Result<Findings,
             discovery.findings.validation = validate(validation, &how, &discovery)?;
         }
         let calibration = &mut discovery.findings.calibration;
-        calibration.limits = built_in(calibration);
+        calibration.state_limits(built_in(calibration));
         Ok(discovery)
     })?;
     Ok(Findings(Arc::new(discovery)))

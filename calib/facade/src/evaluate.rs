@@ -1,6 +1,7 @@
 //! What a calibration is worth on a recording that it has not seen.
 
 use calib::calibration::{check_units, doubts};
+use calib::gravity::GravitySource;
 use calib::methods::cut;
 
 use crate::watch::under;
@@ -40,7 +41,11 @@ pub fn evaluate(
             check_units(calibration, recording)?;
             doubts(calibration, recording)?;
         }
-        let choice = cut(recording, &how.detector, how.choose_multiplier, how.gravity)?;
-        calib::evaluate(recording, &choice.segmentation, calibration, how.gravity)
+        let gravity = match (how.gravity_source, calibration) {
+            (GravitySource::Assumed, Some(calibration)) => calibration.gravity,
+            _ => how.gravity,
+        };
+        let choice = cut(recording, &how.detector, how.choose_multiplier, gravity)?;
+        calib::evaluate(recording, &choice.segmentation, calibration, gravity)
     })
 }

@@ -6,7 +6,7 @@ use std::io::Read;
 use crate::bytes::{Bytes, Fields};
 use crate::format::Format;
 use crate::stream::Recorder;
-use crate::{Content, Error, Limits, Quantity, Wanted};
+use crate::{Content, Correction, Error, Limits, Quantity, Wanted};
 
 /// `.BIN` logs: raw batches `ACC` and `GYR` where they are, else `IMU`, which is corrected.
 #[derive(Debug)]
@@ -272,13 +272,7 @@ impl File {
             parameter("AHRS_ORIENTATION".to_owned()).is_some_and(|rotation| rotation != 0.0);
         let mut undone = false;
         let mut complete = true;
-        for stream in self
-            .recorder
-            .content
-            .streams
-            .iter_mut()
-            .filter(|stream| stream.processed)
-        {
+        for stream in self.recorder.content.corrected() {
             let number = match stream.instance {
                 0 => String::new(),
                 instance => (u64::from(instance) + 1).to_string(),
@@ -293,6 +287,11 @@ impl File {
                 Quantity::AngularRate => (axes(&format!("GYR{number}OFFS")), [Some(1.0); 3]),
                 _ => continue,
             };
+            let mut correction = Correction {
+                by: "ardupilot",
+                undone: false,
+            };
+            stream.correction = Some(correction);
             let known = |of: [Option<f64>; 3]| Some([of[0]?, of[1]?, of[2]?]);
             let pair = known(offset)
                 .zip(known(scale).map(|scale| scale.map(|s| if s == 0.0 { 1.0 } else { s })));
@@ -305,6 +304,8 @@ impl File {
                     sample[axis] = sample[axis] / scale[axis] + offset[axis];
                 }
             }
+            correction.undone = true;
+            stream.correction = Some(correction);
             undone = true;
         }
         let words = match (undone, complete) {

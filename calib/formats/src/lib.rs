@@ -37,5 +37,5 @@ pub use error::Error;
 pub use format::{Format, ReadSeek};
 pub use limits::Limits;
 pub use registry::{FORMATS, recognise};
-pub use stream::{Content, Quantity, Stream, Wanted};
+pub use stream::{Content, Correction, Quantity, Stream, Wanted};
 pub use tables::{TABULAR, Tabular, catches_panics, write_parquet};

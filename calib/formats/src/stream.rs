@@ -24,6 +24,8 @@ pub struct Stream {
     pub quantity: Quantity,
     /// Corrected by the device already: taken where nothing else is there.
     pub processed: bool,
+    /// Who corrected it, and whether that is taken off again.
+    pub correction: Option<Correction>,
     /// The values are in the unit of `quantity`; otherwise in one that the file does not state.
     pub in_si: bool,
     /// Unit of a magnetometer, where the format states it: `T`, `µT`, `gauss`.
@@ -42,6 +44,7 @@ impl Stream {
             instance,
             quantity,
             processed: false,
+            correction: None,
             in_si: true,
             unit: None,
             stamps: Vec::new(),
@@ -62,6 +65,15 @@ impl Stream {
     }
 }
 
+/// What the system that recorded a stream made of its readings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Correction {
+    /// The system: `px4`, `ardupilot`.
+    pub by: &'static str,
+    /// Taken off again: the readings are those of the sensor.
+    pub undone: bool,
+}
+
 /// What a file holds.
 #[derive(Clone, Debug, Default)]
 pub struct Content {
@@ -75,6 +87,25 @@ pub struct Content {
     pub warnings: Vec<String>,
     /// Why reading ended before the file did.
     pub cut: Option<String>,
+}
+
+impl Content {
+    /// The corrected streams that are read, for no stream of what the sensor itself reads is beside them.
+    pub(crate) fn corrected(&mut self) -> impl Iterator<Item = &mut Stream> {
+        let has_samples = |stream: &&Stream| !stream.stamps.is_empty();
+        let raw: Vec<Quantity> = self
+            .streams
+            .iter()
+            .filter(has_samples)
+            .filter(|s| !s.processed)
+            .map(|s| s.quantity)
+            .collect();
+        let corrected = self
+            .streams
+            .iter_mut()
+            .filter(|s| s.processed && !s.stamps.is_empty());
+        corrected.filter(move |s| !raw.contains(&s.quantity))
+    }
 }
 
 /// Which streams are wanted.

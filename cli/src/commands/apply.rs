@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use calib::Recording;
-use calib::calibration::{apply, load};
+use calib::calibration::apply;
 use calib::recording::{field_names, stream_to_csv, to_csv, to_parquet};
 
-use crate::commands::shared::inputs::{DeviceArgs, read};
+use crate::commands::shared::inputs::{DeviceArgs, load, read};
 use crate::exit::{Failure, USAGE};
 use crate::output::{Filled, Folder, Output, Replace};
 use crate::read_args::ReadArgs;

@@ -6,13 +6,13 @@ mod updates;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use calib::calibration::{Calibration, load};
+use calib::calibration::Calibration;
 use calib::intervals::segment;
 use calib::methods::online_bias::{
     LONG_ENOUGH, Stretch, gyroscope_stretches, update_accelerometer, update_gyroscope,
 };
 
-use crate::commands::shared::inputs::{DetectorArgs, DeviceArgs, read};
+use crate::commands::shared::inputs::{DetectorArgs, DeviceArgs, load, read};
 use crate::commands::shared::pictures::{PictureArgs, named};
 use crate::exit::Failure;
 use crate::output::{Output, Replace};

@@ -6,6 +6,7 @@ pub mod joint;
 mod leave_out;
 pub mod left_out;
 pub mod limits;
+pub mod methods;
 pub mod prior;
 mod request;
 mod six_position;

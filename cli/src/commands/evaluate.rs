@@ -3,16 +3,16 @@
 use std::path::PathBuf;
 
 use calib::calibrate::{STANDARD_GRAVITY, changes_part_way};
-use calib::calibration::load;
 use calib::limits::{LimitLine, judge_on};
 use calib::methods::cut;
 use calib::readings::{findings, without_spikes};
-use calib::{Evaluation, evaluate};
+use calib::recording::figure;
+use calib::{Calibration, Evaluation, evaluate};
 use serde_json::json;
 
 use crate::commands::calibrate::limits::{self, LimitArgs};
 use crate::commands::shared::inputs::{
-    DetectorArgs, DeviceArgs, as_paths, check_gravity, read, spinner,
+    DetectorArgs, DeviceArgs, as_paths, check_gravity, load, read, spinner,
 };
 use crate::commands::shared::pictures::PictureArgs;
 use crate::exit::{Failure, USAGE};
@@ -38,9 +38,9 @@ pub struct Args {
     /// A calibration and what to call it
     #[arg(long, value_name = "NAME=FILE")]
     calibration: Vec<String>,
-    /// Local gravity, m/s²
-    #[arg(long, value_name = "M/S²", default_value_t = STANDARD_GRAVITY)]
-    gravity: f64,
+    /// Local gravity, m/s², that all are compared with [default: that of each calibration, of raw readings that of the first]
+    #[arg(long, value_name = "M/S²")]
+    gravity: Option<f64>,
     /// Print JSON instead of a table
     #[arg(long)]
     json: bool,
@@ -72,7 +72,8 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         let why = "--limits: there is no calibration to judge; add --calibration NAME=FILE";
         return Err(Failure::new(USAGE, why));
     }
-    check_gravity(args.gravity)?;
+    args.gravity.map_or(Ok(()), check_gravity)?;
+    let gravities = Gravities::of(args.gravity, &calibrations);
     let named = args
         .calibration
         .iter()
@@ -87,12 +88,13 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let (detector, choose) = args.detector.detector()?;
     let recording = read(&args.recording, &args.read)?.decimated();
     let mut warnings = recording.warnings.clone();
+    warnings.extend(gravities.differ(&calibrations));
     for (_, calibration) in &calibrations {
         args.device.check(calibration, &[&recording])?;
         warnings.extend(calibration.doubts_biases_of(&recording));
     }
     let progress = spinner("comparing");
-    let choice = cut(&recording, &detector, choose, args.gravity)?;
+    let choice = cut(&recording, &detector, choose, gravities.raw)?;
     // What is wrong with the readings is in every misfit.
     let spikes = without_spikes(&recording).map_or_else(Vec::new, |(_, found)| found);
     for found in findings(&recording, &choice.segmentation)
@@ -101,10 +103,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     {
         warnings.push(format!("{}: {found}", recording.name));
     }
-    let measure = |c| evaluate(&recording, &choice.segmentation, c, args.gravity);
-    let mut rows: Vec<(String, Evaluation)> = vec![("raw".into(), measure(None)?)];
+    let measure = |c, gravity| evaluate(&recording, &choice.segmentation, c, gravity);
+    let mut rows: Vec<(String, Evaluation)> = vec![("raw".into(), measure(None, gravities.raw)?)];
     for (name, calibration) in &calibrations {
-        rows.push((name.clone(), measure(Some(calibration))?));
+        let left = measure(Some(calibration), gravities.of_calibration(calibration))?;
+        rows.push((name.clone(), left));
     }
     progress.finish_and_clear();
     // Misfits of a recording in which something changes say nothing of a calibration.
@@ -116,7 +119,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     warnings.extend(changes_part_way(
         &recording,
         &choice.segmentation,
-        args.gravity,
+        gravities.raw,
         gyroscope,
     ));
     show::warn_all(&warnings);
@@ -131,7 +134,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             &named,
             &rows,
             (&HEADER, &cells(&rows)),
-            (args.gravity, &warnings),
+            (&gravities.rows(&calibrations), &warnings),
         )?;
         pictures.write(&plots, &page)?;
     }
@@ -141,14 +144,17 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .filter_map(|((name, c), (_, e))| Some((name.clone(), judge_on(limits.as_ref()?, c, e))))
         .collect();
     if args.json {
-        let row = |(name, e): &(String, Evaluation)| {
+        let row = |((name, e), gravity): (&(String, Evaluation), f64)| {
             let own = judged.iter().find(|(judged, _)| judged == name);
             match own {
-                Some((_, lines)) => json!({"name": name, "misfit": e, "limits": lines}),
-                None => json!({"name": name, "misfit": e}),
+                Some((_, lines)) => {
+                    json!({"name": name, "gravity": gravity, "misfit": e, "limits": lines})
+                }
+                None => json!({"name": name, "gravity": gravity, "misfit": e}),
             }
         };
-        let rows: Vec<_> = rows.iter().map(row).collect();
+        let rows = rows.iter().zip(gravities.rows(&calibrations)).map(row);
+        let rows: Vec<_> = rows.collect();
         show::print(&show::json(&rows)?)?;
     } else {
         let verdict = |(name, lines): &(String, Vec<LimitLine>)| {
@@ -158,6 +164,46 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         show::print(&(verdicts + &table(&rows).to_string() + &fields(&rows)))?;
     }
     limits::gate_of(&judged)
+}
+
+/// The gravity that each row is compared with.
+struct Gravities {
+    given: Option<f64>,
+    raw: f64,
+}
+
+impl Gravities {
+    /// As given, else of each calibration its own and of the raw readings that of the first.
+    fn of(given: Option<f64>, calibrations: &[(String, Calibration)]) -> Self {
+        let first = calibrations
+            .first()
+            .map(|(_, calibration)| calibration.gravity);
+        let raw = given.or(first).unwrap_or(STANDARD_GRAVITY);
+        Self { given, raw }
+    }
+
+    fn of_calibration(&self, calibration: &Calibration) -> f64 {
+        self.given.unwrap_or(calibration.gravity)
+    }
+
+    /// Of every row: the raw readings, then the calibrations.
+    fn rows(&self, calibrations: &[(String, Calibration)]) -> Vec<f64> {
+        let own = calibrations.iter().map(|(_, c)| self.of_calibration(c));
+        std::iter::once(self.raw).chain(own).collect()
+    }
+
+    /// What is said where they differ.
+    fn differ(&self, calibrations: &[(String, Calibration)]) -> Option<String> {
+        let is_other = |(_, c): &(String, Calibration)| self.of_calibration(c) != self.raw;
+        calibrations.iter().any(is_other).then(|| {
+            let own = calibrations.iter().map(|(name, c)| format!("{} {} m/s²", show::name(name), figure(c.gravity)));
+            format!(
+                "the calibrations were made for different gravities ({}): each is compared with its own, the raw readings with \
+                 that of the first; --gravity compares all with one",
+                own.collect::<Vec<_>>().join(", ")
+            )
+        })
+    }
 }
 
 const HEADER: [&str; 6] = [

@@ -3,11 +3,11 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use calib::calibration::load;
 use calib::noise::NOISE_SCHEMA;
 use exchange::{Form, Settings, Source, TARGETS, Target, by_name, export};
 use serde_json::json;
 
+use crate::commands::shared::inputs::load;
 use crate::exit::{Failure, INPUT, USAGE};
 use crate::output::{Filled, Folder, Output, Replace};
 use crate::show;
@@ -32,7 +32,8 @@ pub struct Args {
     /// Which of several sensors of a kind, from 0, for PX4 and ArduPilot
     #[arg(long, value_name = "N", default_value_t = 0)]
     instance: usize,
-    /// The parameters that were in force while the recording was logged, for ArduPilot, which logs corrected readings
+    /// The parameters that were in force while the recording was logged, for PX4 (sensor_combined) and ArduPilot (IMU), which
+    /// log corrected readings: the calibration is put together with them
     #[arg(long, value_name = "FILE.param")]
     logged_with: Option<PathBuf>,
     #[command(flatten)]
@@ -105,11 +106,18 @@ fn refuse_useless(args: &Args) -> Result<(), Failure> {
     let useless = [
         ("--noise", args.noise.is_some(), &["kalibr"][..]),
         ("--instance", args.instance > 0, &["px4", "ardupilot"]),
-        ("--logged-with", args.logged_with.is_some(), &["ardupilot"]),
+        (
+            "--logged-with",
+            args.logged_with.is_some(),
+            &["px4", "ardupilot"],
+        ),
     ];
     for (option, given, targets) in useless {
         if given && !targets.contains(&name) {
-            let why = format!("{option} means nothing to {name}; leave it out");
+            let why = format!(
+                "{option} is for {} and means nothing to {name}; leave it out",
+                targets.join(" and ")
+            );
             return Err(Failure::new(USAGE, why));
         }
     }

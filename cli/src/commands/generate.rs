@@ -4,10 +4,13 @@ use std::path::{Path, PathBuf};
 
 use clap_complete::Shell;
 use clap_mangen::Man;
+use comfy_table::CellAlignment;
 
+use crate::commands::calibrate::methods::OF_METHODS;
 use crate::exit::{BUG, Failure};
 use crate::output::{Filled, Folder, Output, Replace};
 use crate::show;
+use crate::without_effect::WITHOUT_EFFECT;
 
 /// Writes completions of a shell to standard output, or manual pages into a folder.
 #[derive(Debug, clap::Args)]
@@ -17,11 +20,14 @@ Example:
   stillpoint generate --man man1/")]
 pub struct Args {
     /// The shell to complete for
-    #[arg(long, value_name = "SHELL", required_unless_present = "man")]
+    #[arg(long, value_name = "SHELL", required_unless_present_any = ["man", "options"])]
     completions: Option<Shell>,
     /// Write a manual page for every command into this folder
     #[arg(long, value_name = "DIR", conflicts_with = "completions")]
     man: Option<PathBuf>,
+    /// Print the options that change no result, and those that not every method of `calibrate` follows
+    #[arg(long, conflicts_with_all = ["completions", "man"])]
+    options: bool,
     #[command(flatten)]
     replace: Replace,
 }
@@ -33,10 +39,37 @@ pub fn run(args: &Args, mut whole: clap::Command) -> Result<(), Failure> {
         clap_complete::generate(shell, &mut whole, "stillpoint", &mut text);
         return show::print(&String::from_utf8_lossy(&text));
     }
+    if args.options {
+        return show::print(&options());
+    }
     match &args.man {
         Some(dir) => manual(dir, whole, args.replace),
         None => Ok(()),
     }
+}
+
+/// The tables of the manual.
+fn options() -> String {
+    let left = |header: &[&str]| {
+        let mut table = show::table(header);
+        for column in table.column_iter_mut() {
+            column.set_cell_alignment(CellAlignment::Left);
+        }
+        table
+    };
+    let mut without = left(&["command", "option", "why it changes no result"]);
+    for own in WITHOUT_EFFECT {
+        let command = match own.command {
+            "" => "every",
+            command => command,
+        };
+        without.add_row([command, own.option, own.reason]);
+    }
+    let mut methods = left(&["option of calibrate", "methods that follow it"]);
+    for own in &OF_METHODS {
+        methods.add_row([own.option, &own.in_words()]);
+    }
+    format!("{without}\n\n{methods}")
 }
 
 fn manual(dir: &Path, mut command: clap::Command, replace: Replace) -> Result<(), Failure> {

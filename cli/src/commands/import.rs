@@ -12,7 +12,7 @@ use crate::show;
 /// Reads a calibration of imu_tk or Kalibr, so that `evaluate` compares it with others on your own recording.
 ///
 /// imu_tk: the texts of accelerometer and gyroscope, in this order, or a folder with acc.calib and gyro.calib. Kalibr: its
-/// imu.yaml of the model scale-misalignment.
+/// imu.yaml, also as the crate imu-calib writes it.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Example:
@@ -71,7 +71,14 @@ fn read(files: &[PathBuf], from: Option<From>) -> Result<Calibration, Failure> {
             import::imu_tk(&read_text(acc)?, &read_text(gyro)?)
         }
         _ => {
-            let why = "one imu.yaml of Kalibr, or two texts of imu_tk (accelerometer, gyroscope) expected; name those";
+            let said = match from {
+                Some(From::Kalibr) => "--from kalibr: ",
+                Some(From::ImuTk) => "--from imu_tk: ",
+                None => "",
+            };
+            let why = format!(
+                "{said}one imu.yaml of Kalibr, or two texts of imu_tk (accelerometer, gyroscope) expected; name those"
+            );
             return Err(Failure::new(USAGE, why));
         }
     };

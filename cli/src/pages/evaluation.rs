@@ -1,5 +1,6 @@
 //! The page of an evaluation: calibrations side by side on a recording that they have not seen.
 
+use calib::calibrate::STANDARD_GRAVITY;
 use calib::intervals::Segmentation;
 use calib::{Calibration, Evaluation, Recording};
 
@@ -15,7 +16,8 @@ const OF_USE: f64 = 0.9;
 /// A calibration by its name, with what it leaves.
 pub type Named<'a> = (&'a str, &'a Calibration);
 
-/// Page and pictures; `rows` are the raw readings and then every calibration.
+/// Page and pictures; `rows`, and the `gravities` they are compared with, are of the raw readings and then of every
+/// calibration.
 ///
 /// # Errors
 /// As [`Session::of`].
@@ -25,14 +27,16 @@ pub fn page(
     calibrations: &[Named<'_>],
     rows: &[(String, Evaluation)],
     (header, cells): (&[&str], &[Vec<String>]),
-    (gravity, warnings): (f64, &[String]),
+    (gravities, warnings): (&[f64], &[String]),
 ) -> Result<(Report, Vec<(String, Picture)>), calib::Error> {
     let cut = || std::iter::once((recording, segmentation));
     let mut sessions = Vec::new();
-    for (name, calibration) in calibrations {
-        sessions.push((*name, Session::of(cut(), Some(calibration), gravity)?));
+    let of_raw = gravities.first().copied().unwrap_or(STANDARD_GRAVITY);
+    let own = |k: usize| gravities.get(k + 1).copied().unwrap_or(of_raw);
+    for (k, (name, calibration)) in calibrations.iter().enumerate() {
+        sessions.push((*name, Session::of(cut(), Some(calibration), own(k))?));
     }
-    let raw = Session::of(cut(), None, gravity)?;
+    let raw = Session::of(cut(), None, of_raw)?;
     let first = sessions.first().map_or(&raw, |(_, session)| session);
     let coverage = covered(first);
     let (level, sentence, next) = judged(rows, warnings);
@@ -99,9 +103,17 @@ pub fn page(
         .fold(report, |report, (_, picture)| report.plot(picture));
     report = report.table(first.table());
     let mut rows = provenance::of_recordings(std::slice::from_ref(recording));
-    rows.push(["gravity".into(), format!("{gravity} m/s²")]);
-    for (name, calibration) in calibrations {
-        let made = format!("{}, by {}", calibration.method, calibration.created_by);
+    rows.push(["gravity".into(), format!("{of_raw} m/s²")]);
+    for (k, (name, calibration)) in calibrations.iter().enumerate() {
+        let made = match own(k) {
+            gravity if gravity == of_raw => {
+                format!("{}, by {}", calibration.method, calibration.created_by)
+            }
+            gravity => format!(
+                "{}, by {}, gravity {gravity} m/s²",
+                calibration.method, calibration.created_by
+            ),
+        };
         rows.push([format!("calibration {}", show::name(name)), made]);
     }
     Ok((report.provenance(rows), pictures))

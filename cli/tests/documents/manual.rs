@@ -52,3 +52,8 @@ fn the_phone_experiment_gives_what_the_manual_shows() {
 fn the_reference_of_specifications_is_the_one_that_the_program_prints() {
     run("simulation.md", &[]);
 }
+
+#[test]
+fn the_options_without_effect_are_those_that_the_program_knows() {
+    run("options.md", &[]);
+}

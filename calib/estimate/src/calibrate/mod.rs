@@ -32,7 +32,8 @@ use std::borrow::Borrow;
 
 use recording::intervals::{Segmentation, Span, Turn, TurnFault};
 use recording::readings::{FASTEST_HAND, Finding, tremor, without_spikes};
-use recording::{Error, Recording};
+use recording::{AppliedBefore, Error, Recording};
+use sensor::Sensor;
 
 use self::cut::cut;
 use self::stepwise::{NO_GYROSCOPE, stepwise};
@@ -56,6 +57,7 @@ pub fn calibrate<R: Borrow<Recording>>(
     let recordings: Vec<&Recording> = recordings.iter().map(R::borrow).collect();
     let gyro_recordings: Vec<&Recording> = gyro_recordings.iter().map(R::borrow).collect();
     let request = request.decided(&recordings);
+    request.refuse_ignored()?;
     calibrate_all(&recordings, &gyro_recordings, &request)
 }
 
@@ -97,7 +99,23 @@ fn state_inputs(
     let multipliers = outcome.choices.iter().map(|c| c.segmentation.multiplier);
     let options = Options::of(request, multipliers.collect());
     let all = counted.into_iter().zip(cut);
-    outcome.calibration.state_inputs(all, Some(options));
+    let reads_zero: Vec<bool> = all
+        .clone()
+        .map(|(recording, cut)| cut.is_some_and(|cut| checks::reads_zero_at_rest(recording, cut)))
+        .collect();
+    let calibration = &mut outcome.calibration;
+    calibration.state_inputs(all, Some(options));
+    let inputs = calibration.provenance.inputs.iter_mut();
+    for (input, _) in inputs.zip(reads_zero).filter(|(_, reads_zero)| *reads_zero) {
+        let gyroscope = AppliedBefore::by(AppliedBefore::UNKNOWN, Sensor::Gyroscope);
+        let claims = &mut input.applied_before;
+        if !claims.iter().any(|claim| claim.sensor == gyroscope.sensor) {
+            claims.push(gyroscope);
+        }
+    }
+    let mixed = calibration.mixed_corrections();
+    calibration.warnings.extend(mixed);
+    calibration.seal();
 }
 
 /// Calibrates by the clock that was asked for.

@@ -3,8 +3,8 @@
 use std::borrow::Borrow;
 
 use nalgebra::Vector3;
-use recording::Recording;
 use recording::intervals::{Detector, Span};
+use recording::{Error, Recording};
 use sensor::AnyEffect;
 use serde::{Deserialize, Serialize};
 
@@ -103,14 +103,37 @@ impl Request {
     /// assumed step, means from a table).
     pub fn usual_method<R: Borrow<Recording>>(&self, recordings: &[R]) -> Method {
         let without_force = |r: &R| r.borrow().accelerometer.is_none();
-        let as_published = self.integrator != Integrator::default()
-            || self.gyro_bias != GyroBias::default()
-            || self.nominal_step.is_some()
-            || !self.static_means.is_empty();
-        if as_published || recordings.iter().any(without_force) {
+        if self.of_stepwise().is_some() || recordings.iter().any(without_force) {
             Method::Stepwise
         } else {
             Method::Joint
+        }
+    }
+
+    /// The first thing asked for that the stepwise method alone does.
+    fn of_stepwise(&self) -> Option<&'static str> {
+        let asked = [
+            ("an integrator", self.integrator != Integrator::default()),
+            ("the bias of a turn", self.gyro_bias != GyroBias::default()),
+            ("a nominal rate", self.nominal_step.is_some()),
+            ("a table of static means", !self.static_means.is_empty()),
+        ];
+        asked
+            .into_iter()
+            .find(|(_, is_asked)| *is_asked)
+            .map(|(what, _)| what)
+    }
+
+    /// Refuses what the method would ignore.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] with it.
+    pub(super) fn refuse_ignored(&self) -> Result<(), Error> {
+        match self.of_stepwise().filter(|_| self.method == Method::Joint) {
+            Some(what) => Err(Error::Usage(format!(
+                "{what} is of the stepwise method and means nothing to the joint one; ask for the method stepwise, or leave it out"
+            ))),
+            None => Ok(()),
         }
     }
 

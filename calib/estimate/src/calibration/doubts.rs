@@ -39,13 +39,7 @@ const FINE: (f64, f64) = (1.0, 0.1);
 /// axes.
 pub fn doubts(calibration: &Calibration, recording: &Recording) -> Result<Vec<String>, Error> {
     let mut said = Vec::new();
-    if calibration.was_edited() == Some(true) {
-        said.push(
-            "the calibration was edited since it was written: gravity, a sensor or an effect is not what `calibrate` \
-             found (its numbers_sha256 differs)"
-                .to_owned(),
-        );
-    }
+    said.extend(calibration.doubts_corrections_of(recording));
     let found = cut(recording, &Detector::default(), true, calibration.gravity);
     let Ok(choice) = found else { return Ok(said) };
     let segmentation = &choice.segmentation;

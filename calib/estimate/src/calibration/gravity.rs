@@ -60,12 +60,13 @@ fn in_words(source: GravitySource, gravity: f64) -> Option<String> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use crate::calibration::Calibration;
     use crate::gravity::{GravitySource, STANDARD_GRAVITY};
     use crate::methods::six_position::{Face, Placement, Six, SixPosition};
 
-    fn perfect() -> Calibration {
+    /// The calibration of a perfect accelerometer.
+    pub(in crate::calibration) fn perfect() -> Calibration {
         let placement = |face: &Face| Placement {
             label: face.name().into(),
             accelerometer: face.direction() * STANDARD_GRAVITY,

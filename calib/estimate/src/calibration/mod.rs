@@ -1,5 +1,6 @@
 //! The result: `cal.json`, and what it says of a raw reading.
 
+mod applied_before;
 mod apply;
 mod check;
 mod clock;
@@ -16,6 +17,7 @@ mod reading_unit;
 mod units;
 mod values;
 
+pub use applied_before::{Readings, system_name};
 pub use apply::{apply, apply_with};
 pub use check::FINDINGS_SCHEMA;
 pub use check::refuse_newer;
@@ -29,7 +31,7 @@ pub use magnetic_field::{MagneticField, RecordingField};
 pub use misfit::{Remainder, TO_DISCOVER, WITH_WALKS, WITHOUT_WALKS};
 pub use outside::Outside;
 pub use provenance::{
-    Input, Options, Provenance, SIGN_CONVENTION, SensorInput, TemperatureInput, fingerprint,
+    Edited, Input, Options, Provenance, SIGN_CONVENTION, SensorInput, TemperatureInput, fingerprint,
 };
 pub use reading_unit::TriadUnits;
 pub use units::check_units;
@@ -265,6 +267,12 @@ impl Calibration {
         let inputs = inputs.map(|(r, intervals)| Input::of(r, intervals, scales));
         self.provenance = Provenance::of(inputs.collect(), options);
         self.state_units();
+        self.seal();
+    }
+
+    /// Writes down how it was judged against limits.
+    pub fn state_limits(&mut self, limits: Vec<LimitLine>) {
+        self.limits = limits;
         self.seal();
     }
 

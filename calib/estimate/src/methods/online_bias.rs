@@ -213,7 +213,7 @@ fn shifted(
         bias_before: before,
         bias,
     });
-    updated.seal();
+    updated.seal_again(calibration);
     Ok(updated)
 }
 

@@ -29,8 +29,8 @@ pub fn imu_tk(accelerometer: &str, gyroscope: &str) -> Result<Calibration, Error
     let warning = "imported from imu_tk: it states no errors".to_owned();
     Ok(calibration(
         "imu_tk",
-        &accelerometer,
-        &gyroscope,
+        Some(&accelerometer),
+        Some(&gyroscope),
         None,
         vec![warning],
     ))

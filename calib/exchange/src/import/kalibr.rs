@@ -1,4 +1,4 @@
-//! Kalibr's `imu.yaml`.
+//! Kalibr's `imu.yaml`, and that of the crate imu-calib, which adds the biases.
 
 use calib::Calibration;
 use nalgebra::{Matrix3, Vector3};
@@ -6,85 +6,244 @@ use saphyr::{LoadableYamlNode as _, Yaml};
 use sensor::Base;
 
 use super::calibration;
+use super::yaml::{matrix_of, number_list};
 use crate::error::Error;
 
 /// A file larger than this is no calibration, bytes.
 const LARGEST: usize = 1 << 20;
 
-/// A calibration of Kalibr (scale-misalignment): `a_m = M_a a + b`, `w_m = M_g C w + A C a + b` as
-/// `T_a = M_a⁻¹`, `T_g = (M_g C)⁻¹`, `G = T_g A C`; the biases are not in the file.
+/// Kalibr's models of an IMU.
+const CALIBRATED: &str = "calibrated";
+const SCALE_MISALIGNMENT: &str = "scale-misalignment";
+const SIZE_EFFECT: &str = "scale-misalignment-size-effect";
+
+/// How far `C Cᵀ` of a rotation that was written with a few digits may be from the identity.
+const NO_ROTATION: f64 = 1e-3;
+
+/// A calibration of Kalibr: `a_m = M_a a + b_a`, `w_m = M_g C w + A C a + b_g` as `T_a = M_a⁻¹`, `T_g = (M_g C)⁻¹`,
+/// `G = T_g A C`. Kalibr itself writes no biases; imu-calib writes them as `b` beside `M`.
 ///
 /// # Errors
-/// No YAML, a missing or misshapen matrix, and one without inverse.
+/// No YAML, an unknown model, a missing or misshapen matrix, and one without inverse.
+///
+/// # Examples
+/// ```
+/// let yaml = "imu0:\n  model: calibrated\n  accelerometers:\n    M: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n    b: [0.1, 0.2, 0.3]\n";
+/// let calibration = stillpoint_exchange::import::kalibr(yaml)?;
+/// assert_eq!(calibration.accelerometer.map(|a| a.bias), Some([0.1, 0.2, 0.3]));
+/// # Ok::<(), stillpoint_exchange::Error>(())
+/// ```
 pub fn kalibr(text: &str) -> Result<Calibration, Error> {
-    let input = |place: &str, what: String| Error::Input {
-        place: place.into(),
-        what,
-    };
     if text.len() > LARGEST {
-        return Err(input("", "a file of over 1 MB is no imu.yaml".into()));
+        return Err(input("", "a file of over 1 MB is no imu.yaml"));
     }
+    let text = text.trim_start_matches('\u{feff}');
     let documents = Yaml::load_from_str(text).map_err(|e| {
         let at = format!(
             "line {}, column {}: ",
             e.marker().line(),
             e.marker().col() + 1
         );
-        input(&at, format!("no YAML: {}", e.info()))
+        input(&at, &format!("no YAML: {}", e.info()))
     })?;
-    let root = documents.first();
-    let root = root.ok_or_else(|| input("", "the file is empty".into()))?;
-    // A result has the IMUs under imu0, imu1 …; a configuration has one at the top.
-    let root = root.as_mapping_get("imu0").unwrap_or(root);
-    let matrix = |sensor: &str, key: &str| {
-        let place = format!("{sensor}.{key}: ");
-        let found = root
-            .as_mapping_get(sensor)
-            .and_then(|s| s.as_mapping_get(key));
-        let found = found.ok_or_else(|| {
-            let what = "missing; an imu.yaml of Kalibr's model scale-misalignment has it";
-            input(&place, what.into())
-        })?;
-        rows(found).ok_or_else(|| input(&place, "three rows of three numbers expected".into()))
-    };
-    let inverse = |m: Matrix3<f64>, place: &str| {
-        let singular = || input(place, "the matrix has no inverse".into());
-        m.try_inverse().ok_or_else(singular)
-    };
-    let m_a = matrix("accelerometers", "M")?;
-    let (m_g, a) = (matrix("gyroscopes", "M")?, matrix("gyroscopes", "A")?);
-    let c = matrix("gyroscopes", "C_gyro_i")?;
-    let t_a = inverse(m_a, "accelerometers.M: ")?;
-    let t_g = inverse(m_g * c, "gyroscopes.M: ")?;
-    let g = t_g * a * c;
-    let of = |t: Matrix3<f64>| Base {
-        t,
-        bias: Vector3::zeros(),
-    };
-    let warnings = vec![
-        "imported from Kalibr: it states no errors, and its file has no biases (they are 0 here); `stillpoint bias` estimates \
-         them from a recording"
-            .to_owned(),
-    ];
-    Ok(calibration(
+    let root = documents
+        .first()
+        .ok_or_else(|| input("", "the file is empty"))?;
+    let mut warnings = Vec::new();
+    let imu = Imu::first_of(root, &mut warnings)?;
+    let model = imu.model()?;
+    let accelerometer = imu.accelerometer(model)?;
+    let gyroscope = imu.gyroscope(model)?;
+    if accelerometer.is_none() && gyroscope.is_none() {
+        let what = "no accelerometers and no gyroscopes in it: it states noise alone and corrects nothing; run Kalibr with \
+                    --imu-models scale-misalignment";
+        return Err(input("", what));
+    }
+    warnings.extend(imu.unread());
+    if model == SIZE_EFFECT {
+        let what = "the places of the accelerometer's axes (rx_i, ry_i, rz_i) are not read: they matter in turns only";
+        warnings.push(what.into());
+    }
+    warnings.push(imu.worth(accelerometer.is_some(), gyroscope.is_some()));
+    let (rates, g) = gyroscope.unzip();
+    let calibration = calibration(
         "kalibr",
-        &of(t_a),
-        &of(t_g),
-        Some(&g),
+        accelerometer.as_ref(),
+        rates.as_ref(),
+        g.as_ref(),
         warnings,
-    ))
+    );
+    Ok(calibration)
 }
 
-fn rows(value: &Yaml<'_>) -> Option<Matrix3<f64>> {
-    let number = |v: &Yaml<'_>| {
-        let number = v.as_floating_point().or(v.as_integer().map(|i| i as f64));
-        number.filter(|v| v.is_finite())
+/// One IMU of the file.
+struct Imu<'a> {
+    root: &'a Yaml<'a>,
+}
+
+/// A sensor's entry and the keys of it that are read.
+const SENSORS: [(&str, &[&str]); 2] = [
+    ("accelerometers", &["M", "b", "rx_i", "ry_i", "rz_i"]),
+    ("gyroscopes", &["M", "A", "C_gyro_i", "b"]),
+];
+
+impl<'a> Imu<'a> {
+    /// The first: a result has them under imu0, imu1 …; a configuration has one at the top.
+    fn first_of(root: &'a Yaml<'a>, warnings: &mut Vec<String>) -> Result<Self, Error> {
+        let Some(entries) = root.as_mapping() else {
+            return Err(input(
+                "",
+                "keys and values expected, as in an imu.yaml of Kalibr",
+            ));
+        };
+        let names = entries.keys().filter_map(Yaml::as_str);
+        let is_imu = |name: &&str| {
+            name.strip_prefix("imu")
+                .is_some_and(|k| k.parse::<u32>().is_ok())
+        };
+        let mut names: Vec<&str> = names.filter(is_imu).collect();
+        names.sort_unstable();
+        let Some(first) = names.first() else {
+            return Ok(Self { root });
+        };
+        if names.len() > 1 {
+            warnings.push(format!(
+                "of {} the first is read; leave the others out of the file to import another",
+                names.join(", ")
+            ));
+        }
+        let root = root.as_mapping_get(first).unwrap_or(root);
+        Ok(Self { root })
+    }
+
+    fn model(&self) -> Result<&'static str, Error> {
+        let Some(model) = self.root.as_mapping_get("model") else {
+            return Ok(SCALE_MISALIGNMENT);
+        };
+        let known = [CALIBRATED, SCALE_MISALIGNMENT, SIZE_EFFECT];
+        let found = model
+            .as_str()
+            .and_then(|own| known.into_iter().find(|known| *known == own));
+        found.ok_or_else(|| {
+            let own = model.as_str().unwrap_or_default();
+            input(
+                "model: ",
+                &format!("\"{own}\" found, one of {} expected", known.join(", ")),
+            )
+        })
+    }
+
+    /// `M_a⁻¹` and the bias.
+    fn accelerometer(&self, model: &str) -> Result<Option<Base<f64>>, Error> {
+        let Some(sensor) = self.root.as_mapping_get("accelerometers") else {
+            return Ok(None);
+        };
+        let m = entry(sensor, "accelerometers", "M", model)?;
+        Ok(Some(Base {
+            t: inverse(m, "accelerometers.M: ")?,
+            bias: bias(sensor, "accelerometers")?,
+        }))
+    }
+
+    /// `(M_g C)⁻¹` and the bias, and `G`.
+    fn gyroscope(&self, model: &str) -> Result<Option<(Base<f64>, Matrix3<f64>)>, Error> {
+        let name = "gyroscopes";
+        let Some(sensor) = self.root.as_mapping_get(name) else {
+            return Ok(None);
+        };
+        let m = entry(sensor, name, "M", model)?;
+        let c = entry(sensor, name, "C_gyro_i", model)?;
+        let a = match sensor.as_mapping_get("A") {
+            None if model == CALIBRATED => Matrix3::zeros(),
+            _ => entry(sensor, name, "A", model)?,
+        };
+        if (c * c.transpose() - Matrix3::identity()).amax() > NO_ROTATION || c.determinant() < 0.0 {
+            return Err(input(
+                "gyroscopes.C_gyro_i: ",
+                "no rotation; its rows are of length 1 and at right angles",
+            ));
+        }
+        let t = inverse(m * c, "gyroscopes.M: ")?;
+        let base = Base {
+            t,
+            bias: bias(sensor, name)?,
+        };
+        Ok(Some((base, t * a * c)))
+    }
+
+    /// What the import is worth.
+    fn worth(&self, has_force: bool, has_rate: bool) -> String {
+        let there = [has_force, has_rate];
+        let without = SENSORS.iter().zip(there).filter(|((name, _), there)| {
+            let sensor = self.root.as_mapping_get(name);
+            *there && sensor.is_none_or(|sensor| sensor.as_mapping_get("b").is_none())
+        });
+        let without: Vec<&str> = without.map(|((name, _), _)| *name).collect();
+        match without[..] {
+            [] => "imported from Kalibr's form: it states no errors".into(),
+            [one] if there == [true, true] => format!(
+                "imported from Kalibr: it states no errors, and its {one} have no bias (it is 0 here); `stillpoint bias` estimates \
+                 it from a recording"
+            ),
+            _ => "imported from Kalibr: it states no errors, and its file has no biases (they are 0 here); `stillpoint bias` \
+                  estimates them from a recording"
+                .into(),
+        }
+    }
+
+    /// What is said of a sensor's entries that nothing here knows.
+    fn unread(&self) -> Vec<String> {
+        let mut said = Vec::new();
+        for (name, known) in SENSORS {
+            let entries = self.root.as_mapping_get(name).and_then(Yaml::as_mapping);
+            let keys = entries
+                .into_iter()
+                .flat_map(|e| e.keys())
+                .filter_map(Yaml::as_str);
+            for key in keys.filter(|key| !known.contains(key)) {
+                let shown: String = key.chars().take(40).filter(|c| !c.is_control()).collect();
+                said.push(format!(
+                    "{name}.{shown} is not read: Kalibr has no such entry"
+                ));
+            }
+        }
+        said
+    }
+}
+
+/// A matrix of a sensor. What Kalibr's model `calibrated` leaves out is the identity.
+fn entry(sensor: &Yaml<'_>, name: &str, key: &str, model: &str) -> Result<Matrix3<f64>, Error> {
+    let place = format!("{name}.{key}: ");
+    match sensor.as_mapping_get(key) {
+        Some(found) => {
+            matrix_of(found).ok_or_else(|| input(&place, "three rows of three numbers expected"))
+        }
+        None if model == CALIBRATED => Ok(Matrix3::identity()),
+        None => {
+            let what = format!("missing; an imu.yaml of Kalibr's model {model} has it");
+            Err(input(&place, &what))
+        }
+    }
+}
+
+/// The bias of a sensor, 0 where the file has none.
+fn bias(sensor: &Yaml<'_>, name: &str) -> Result<Vector3<f64>, Error> {
+    let Some(found) = sensor.as_mapping_get("b") else {
+        return Ok(Vector3::zeros());
     };
-    let row = |v: &Yaml<'_>| -> Option<Vec<f64>> {
-        let all: Option<Vec<f64>> = v.as_vec()?.iter().map(number).collect();
-        all.filter(|row| row.len() == 3)
-    };
-    let all: Option<Vec<Vec<f64>>> = value.as_vec()?.iter().map(row).collect();
-    let all = all.filter(|rows| rows.len() == 3)?;
-    Some(Matrix3::from_fn(|i, j| all[i][j]))
+    let three = number_list(found).filter(|all| all.len() == 3);
+    let three = three.ok_or_else(|| input(&format!("{name}.b: "), "three numbers expected"))?;
+    Ok(Vector3::from_column_slice(&three))
+}
+
+fn inverse(m: Matrix3<f64>, place: &str) -> Result<Matrix3<f64>, Error> {
+    m.try_inverse()
+        .ok_or_else(|| input(place, "the matrix has no inverse"))
+}
+
+fn input(place: &str, what: &str) -> Error {
+    Error::Input {
+        place: place.into(),
+        what: what.into(),
+    }
 }

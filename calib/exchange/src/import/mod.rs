@@ -2,6 +2,7 @@
 
 mod imu_tk;
 mod kalibr;
+mod yaml;
 
 pub use imu_tk::imu_tk;
 pub use kalibr::kalibr;
@@ -19,8 +20,8 @@ use crate::source::rows;
 /// A calibration without errors, of another tool.
 fn calibration(
     tool: &str,
-    accelerometer: &Base<f64>,
-    gyroscope: &Base<f64>,
+    accelerometer: Option<&Base<f64>>,
+    gyroscope: Option<&Base<f64>>,
     g_sensitivity: Option<&Matrix3<f64>>,
     warnings: Vec<String>,
 ) -> Calibration {
@@ -29,10 +30,11 @@ fn calibration(
         schema: SCHEMA.into(),
         created_by: concat!("stillpoint ", env!("CARGO_PKG_VERSION"), " import").into(),
         gravity: STANDARD_GRAVITY,
-        gravity_source: GravitySource::Given,
+        // The files do not say it.
+        gravity_source: GravitySource::Assumed,
         method: tool.into(),
-        accelerometer: Some(triad(Sensor::Accelerometer, accelerometer)),
-        gyroscope: Some(triad(Sensor::Gyroscope, gyroscope)),
+        accelerometer: accelerometer.map(|base| triad(Sensor::Accelerometer, base)),
+        gyroscope: gyroscope.map(|base| triad(Sensor::Gyroscope, base)),
         magnetometer: None,
         magnetic_field: None,
         effects: effects.map(of_g_sensitivity).into_iter().collect(),

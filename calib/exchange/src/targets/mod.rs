@@ -4,6 +4,7 @@ mod ardupilot;
 mod c_header;
 mod document;
 mod imu_tk;
+mod in_force;
 mod kalibr;
 mod matlab;
 mod npz;

@@ -2,6 +2,9 @@
 
 use std::fmt::Write as _;
 
+use sensor::Sensor;
+
+use super::in_force::{Controller, Names};
 use crate::error::Error;
 use crate::kept::Kept;
 use crate::source::{Source, by_axis};
@@ -28,7 +31,7 @@ impl Target for Px4 {
     }
 
     fn about(&self) -> &'static str {
-        "PX4 parameters (CAL_ACC0_XOFF, CAL_ACC0_XSCALE, CAL_GYRO0_XOFF, ...); --instance for another sensor"
+        "PX4 parameters (CAL_ACC0_XOFF, CAL_ACC0_XSCALE, CAL_GYRO0_XOFF, ...); --instance for another sensor; --logged-with the parameters of the log"
     }
 
     fn keeps(&self, source: &Source<'_>) -> Kept {
@@ -45,18 +48,34 @@ impl Target for Px4 {
                 MOST - 1
             )));
         }
+        let controller = Controller {
+            system: "px4",
+            turning: vec![
+                "SENS_BOARD_ROT".into(),
+                format!("CAL_ACC{k}_ROT"),
+                format!("CAL_GYRO{k}_ROT"),
+            ],
+            raw: "sensor_accel and sensor_gyro",
+        };
         let mut text = String::from("# Onboard parameters for Vehicle 1\n#\n");
         text.push_str(&source.provenance("#"));
+        text.push_str(Controller::remark(settings));
         text.push_str("#\n# Vehicle-Id Component-Id Name Value Type\n");
         let mut put = |name: String, value: f64| {
             // PX4 keeps 32-bit floats.
             let _ = writeln!(text, "1\t1\t{name}\t{:?}\t{REAL32}", value as f32);
         };
         if let Some(base) = &source.accelerometer {
-            for (axis, value) in by_axis(base.bias) {
+            let names = Names {
+                offset: format!("CAL_ACC{k}_{{axis}}OFF"),
+                scale: Some(format!("CAL_ACC{k}_{{axis}}SCALE")),
+            };
+            let sensor = (Sensor::Accelerometer, base);
+            let raw = controller.for_raw(source, sensor, &names, settings)?;
+            for (axis, value) in by_axis(raw.bias) {
                 put(format!("CAL_ACC{k}_{axis}OFF"), value);
             }
-            for (axis, value) in by_axis(base.t.diagonal()) {
+            for (axis, value) in by_axis(raw.t.diagonal()) {
                 let (least, most) = SCALES;
                 if !(least..=most).contains(&value) {
                     return Err(Error::Range {
@@ -65,21 +84,35 @@ impl Target for Px4 {
                         value,
                         least,
                         most,
-                        next: "is a unit wrong?",
+                        next: "was the recording made with its parameters in force (--logged-with), or is a unit wrong?",
                     });
                 }
                 put(format!("CAL_ACC{k}_{axis}SCALE"), value);
             }
         }
         if let Some(base) = &source.gyroscope {
-            for (axis, value) in by_axis(base.bias) {
+            let names = Names {
+                offset: format!("CAL_GYRO{k}_{{axis}}OFF"),
+                scale: None,
+            };
+            let sensor = (Sensor::Gyroscope, base);
+            let raw = controller.for_raw(source, sensor, &names, settings)?;
+            for (axis, value) in by_axis(raw.bias) {
                 put(format!("CAL_GYRO{k}_{axis}OFF"), value);
             }
         }
+        let mut notes = vec![format!(
+            "PX4 uses them where CAL_ACC{k}_ID and CAL_GYRO{k}_ID are the sensors' own: let it calibrate once, then load these"
+        )];
+        if Controller::is_unknown(source, settings) {
+            notes.push(
+                "they are for what the sensors read (sensor_accel, sensor_gyro): if the recording is from sensor_combined, which \
+                 PX4 has corrected, give the parameters that were in force by --logged-with FILE.params"
+                    .into(),
+            );
+        }
         Ok(Written {
-            notes: vec![format!(
-                "PX4 uses them where CAL_ACC{k}_ID and CAL_GYRO{k}_ID are the sensors' own: let it calibrate once, then load these"
-            )],
+            notes,
             ..Written::text(text)
         })
     }

@@ -6,7 +6,7 @@
 use std::collections::HashMap;
 
 use crate::bytes::Fields;
-use crate::{Content, Quantity};
+use crate::{Content, Correction, Quantity};
 
 /// Parameters by name.
 #[derive(Debug, Default)]
@@ -74,26 +74,29 @@ fn mounting(rotation: f64) -> Option<[(usize, f64); 3]> {
 
 /// Takes the corrections off the streams of `sensor_combined` where the log has them, and says what was done.
 pub(super) fn undo(content: &mut Content, parameters: &Parameters, selected: Option<[u32; 2]>) {
-    if !content
-        .streams
-        .iter()
-        .any(|stream| stream.processed && !stream.stamps.is_empty())
-    {
+    if content.corrected().next().is_none() {
         return;
     }
     let mounting = mounting(parameters.get("SENS_BOARD_ROT").unwrap_or(0.0));
     let mut undone = Vec::new();
-    for stream in content.streams.iter_mut().filter(|stream| stream.processed) {
+    let mut left = false;
+    for stream in content.corrected() {
         let (kind, at) = match stream.quantity {
             Quantity::SpecificForce => ("ACC", 0),
             Quantity::AngularRate => ("GYRO", 1),
             _ => continue,
         };
+        let mut correction = Correction {
+            by: "px4",
+            undone: false,
+        };
+        stream.correction = Some(correction);
         let sensor = match selected {
             Some(ids) => parameters.sensor(kind, ids[at]),
             None => parameters.only(kind),
         };
         let Some((sensor, mounting)) = sensor.zip(mounting) else {
+            left = true;
             continue;
         };
         let value = |what: &str, axis: &str, default: f64| {
@@ -106,6 +109,7 @@ pub(super) fn undo(content: &mut Content, parameters: &Parameters, selected: Opt
             _ => [1.0; 3],
         };
         if scale.iter().any(|scale| !(0.5..2.0).contains(scale)) {
+            left = true;
             continue;
         }
         for sample in &mut stream.values {
@@ -118,10 +122,14 @@ pub(super) fn undo(content: &mut Content, parameters: &Parameters, selected: Opt
             }
             *sample = raw;
         }
+        correction.undone = true;
+        stream.correction = Some(correction);
         undone.push(format!("CAL_{kind}{sensor}"));
     }
-    content.warnings.push(match undone.len() {
-        2 => format!("sensor_combined is what PX4 has corrected; its {} and {} are taken off again", undone[0], undone[1]),
-        _ => "sensor_combined is what PX4 has corrected by parameters that the log does not tell in full: the calibration is on top of PX4's own".to_owned(),
+    content.warnings.push(if left {
+        "sensor_combined is what PX4 has corrected by parameters that the log does not tell in full: the calibration is on top of PX4's own".to_owned()
+    } else {
+        let are = if undone.len() == 1 { "is" } else { "are" };
+        format!("sensor_combined is what PX4 has corrected; its {} {are} taken off again", undone.join(" and "))
     });
 }

@@ -11,7 +11,7 @@ use crate::formats::format::Format;
 use crate::recording::assemble::assemble;
 use crate::recording::options::Role;
 use crate::recording::samples::{Pushed, Samples};
-use crate::recording::{Magnetometer, ReadOptions, Recording};
+use crate::recording::{AppliedBefore, Magnetometer, ReadOptions, Recording};
 use crate::rows::table::Table;
 use crate::shown::{shown, shown_list};
 use crate::source::Source;
@@ -154,8 +154,13 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
     let origin = origin.copied().filter(|first| first.abs() >= EPOCH);
     let origin = origin.map_or(0, |first| first - first.rem_euclid(1_000_000_000));
     let mut tables = Vec::new();
+    let mut applied_before = Vec::new();
     for (sensor, stream) in [(Sensor::Accelerometer, accel), (Sensor::Gyroscope, gyro)] {
         if let Some(stream) = stream {
+            applied_before.extend(stream.correction.map(|correction| AppliedBefore {
+                undone: correction.undone,
+                ..AppliedBefore::by(correction.by, sensor)
+            }));
             tables.push(table(name, sensor, stream, origin, options)?);
         }
     }
@@ -176,6 +181,7 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
     let mut recording = assemble(name.to_owned(), tables, options)?;
     recording.magnetometer = field.and_then(|field| magnetometer(name, field, origin));
     recording.warnings.extend(warnings);
+    recording.description.applied_before = applied_before;
     Ok(recording)
 }
 

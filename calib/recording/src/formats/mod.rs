@@ -9,7 +9,7 @@ mod imu_tk;
 pub(crate) mod known_texts;
 mod measured;
 mod phones;
-mod robots;
+pub(crate) mod robots;
 mod tables;
 mod texts;
 

@@ -7,9 +7,10 @@ use sensor::Sensor;
 use super::magnetometer::Magnetometer;
 use super::options::{ReadOptions, Role};
 use super::samples::Samples;
-use super::{Described, Recording, Stream, Temperature, UnitBy};
+use super::{AppliedBefore, Described, Recording, Stream, Temperature, UnitBy};
 use crate::Error;
 use crate::clock::{held, time};
+use crate::formats::robots::ardupilot_text;
 use crate::header::unclear;
 use crate::recording::{checks, thermometer};
 use crate::rows::sort;
@@ -124,6 +125,11 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
             .iter_mut()
             .for_each(|value| *value = -*value);
     }
+    if table.corrected_by.is_none() && ardupilot_text::is_imu(&table.names) {
+        table.corrected_by = Some("ardupilot");
+        let remark = format!("{}: {}", table.name, ardupilot_text::REMARK);
+        recording.warnings.push(remark);
+    }
     describe(recording, &table, options);
     let Table { name, stated, .. } = table;
     recording
@@ -193,6 +199,10 @@ fn describe(recording: &mut Recording, table: &Table, options: &ReadOptions) {
     for (sensor, samples, unit_by) in sensors {
         if samples.t.is_empty() {
             continue;
+        }
+        if let Some(system) = table.corrected_by {
+            let applied = AppliedBefore::by(system, sensor);
+            recording.description.applied_before.push(applied);
         }
         let is_of = |role: &Role| match role {
             Role::Time => true,

@@ -1,6 +1,7 @@
 //! Where the samples of a recording come from, for `info`.
 
 use sensor::Sensor;
+use serde::{Deserialize, Serialize};
 
 /// What decided the unit of a sensor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,4 +40,32 @@ pub struct Description {
     pub format: &'static str,
     /// The sensors.
     pub sensors: Vec<Described>,
+    /// What systems had made of the readings before they were recorded.
+    pub applied_before: Vec<AppliedBefore>,
+}
+
+/// A correction that a system had applied to the readings of a sensor before they were recorded.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct AppliedBefore {
+    /// `accelerometer`, `gyroscope` or `magnetometer`.
+    pub sensor: String,
+    /// The system: `px4`, `ardupilot`, `ios`, or [`AppliedBefore::UNKNOWN`].
+    pub by: String,
+    /// Taken off again by the reader: the readings are those of the sensor.
+    #[serde(default)]
+    pub undone: bool,
+}
+
+impl AppliedBefore {
+    /// A system that the readings show and nobody names.
+    pub const UNKNOWN: &'static str = "unknown";
+
+    /// Of a sensor, still in its readings.
+    pub fn by(system: &str, sensor: Sensor) -> Self {
+        Self {
+            sensor: sensor.name().into(),
+            by: system.into(),
+            undone: false,
+        }
+    }
 }

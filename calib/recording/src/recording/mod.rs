@@ -24,7 +24,7 @@ pub(crate) mod write;
 
 pub use arrays::Rows;
 pub use content::Recording;
-pub use description::{Described, Description, UnitBy};
+pub use description::{AppliedBefore, Described, Description, UnitBy};
 pub use magnetometer::Magnetometer;
 pub use options::{ColumnMap, ReadOptions, Role};
 pub use stream::{Gap, INSTANT, Stream, Temperature, is_before};

@@ -52,6 +52,7 @@ impl Recording {
     }
 
     fn of_source(source: Source, options: &ReadOptions) -> Result<Self, Error> {
+        refuse_choice(&source, options)?;
         let format = match options.format {
             Some(name) => Some(formats::by_name(name).map_err(Error::Usage)?),
             None => formats::recognise(&source),
@@ -79,6 +80,22 @@ impl Recording {
             options,
         )
     }
+}
+
+/// Refuses options that choose among what a file of this kind holds only one of.
+fn refuse_choice(source: &Source, options: &ReadOptions) -> Result<(), Error> {
+    let (has_entry, has_topic) = (options.entry.is_some(), !options.topics.is_empty());
+    let why = match source {
+        Source::Text(_) | Source::Binary(_) if has_entry => {
+            "--entry names a file within a folder or an archive, and this is one file"
+        }
+        Source::Text(_) if has_topic => "--topic chooses within a log or a bag, and this is a text",
+        _ => return Ok(()),
+    };
+    Err(Error::Usage(format!(
+        "{}: {why}; leave it out",
+        source.name()
+    )))
 }
 
 /// A recording of one file per sensor.

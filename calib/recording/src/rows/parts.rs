@@ -39,6 +39,8 @@ pub(crate) struct Part {
     pub change: Option<Change>,
     /// What the user should know of it.
     pub remark: Option<String>,
+    /// The system that had corrected the readings before.
+    pub corrected_by: Option<&'static str>,
 }
 
 impl Part {
@@ -124,6 +126,7 @@ impl Part {
         stated.gyro = self.gyro_unit.or(stated.gyro);
         stated.field = self.field_unit.or(stated.field);
         table.negated = self.negated;
+        table.corrected_by = self.corrected_by.or(table.corrected_by);
         if let Some(remark) = &self.remark {
             table.warnings.push(format!("{}: {remark}", table.name));
         }

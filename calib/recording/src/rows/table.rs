@@ -46,6 +46,8 @@ pub(crate) struct Table {
     pub clock: Clock,
     /// The accelerometer reads -1 g on the axis that points up.
     pub negated: bool,
+    /// The system that had corrected the readings before.
+    pub corrected_by: Option<&'static str>,
     /// What was noticed.
     pub warnings: Vec<String>,
 }

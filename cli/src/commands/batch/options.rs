@@ -9,8 +9,29 @@ use calib::prior::Prior;
 use super::args::{Args, BatchMethod};
 use crate::exit::{Failure, USAGE};
 
+/// Refuses options that the search for effects leaves nothing to do for.
+fn refuse_with_discover(args: &Args) -> Result<(), Failure> {
+    let decided = [
+        ("--method", !matches!(args.method, BatchMethod::Auto)),
+        ("--effects", !args.effects.is_empty()),
+    ];
+    match decided
+        .into_iter()
+        .find(|(_, given)| args.discover && *given)
+    {
+        Some((option, _)) => Err(Failure::new(
+            USAGE,
+            format!(
+                "{option} means nothing with --discover, which finds the effects of each device in the joint fit; leave one of the two out"
+            ),
+        )),
+        None => Ok(()),
+    }
+}
+
 /// What every device is calibrated by.
 pub fn of(args: &Args) -> Result<Options, Failure> {
+    refuse_with_discover(args)?;
     let gravity = args.place.gravity()?;
     let (detector, choose_multiplier) = args.detector.detector()?;
     let prior = args.prior.as_deref().map(Prior::read).transpose()?;

@@ -4,11 +4,11 @@ use std::path::{Path, PathBuf};
 
 use batch::prior_of;
 use calib::Calibration;
-use calib::calibration::load;
 use calib::prior::Prior;
 
 use super::failure::failure;
 use crate::commands::calibrate::limits::number;
+use crate::commands::shared::inputs::load;
 use crate::exit::{Failure, INPUT};
 use crate::output::{Output, Replace};
 use crate::show;

@@ -60,22 +60,22 @@ pub struct Args {
     /// Recording to take the gyroscope's turns from instead
     #[arg(long, value_name = "RECORDING")]
     pub(super) gyro_recording: Vec<PathBuf>,
-    /// Frame of the accelerometer's matrix
-    #[arg(long, value_enum, default_value_t = FrameArg::Triangular)]
-    pub(super) frame: FrameArg,
-    /// How the rate is integrated over a turn
-    #[arg(long, value_enum, default_value_t = IntegratorArg::Exponential)]
-    pub(super) integrator: IntegratorArg,
-    /// Where the bias of a turn is taken from
-    #[arg(long, value_enum, default_value_t = GyroBiasArg::Adjacent)]
-    pub(super) gyro_bias: GyroBiasArg,
-    /// Assume this sampling rate in turns instead of the time stamps, Hz (to reproduce published
+    /// Frame of the accelerometer's matrix [default: triangular]
+    #[arg(long, value_enum)]
+    pub(super) frame: Option<FrameArg>,
+    /// With `--method stepwise`: how the rate is integrated over a turn [default: exponential]
+    #[arg(long, value_enum)]
+    pub(super) integrator: Option<IntegratorArg>,
+    /// With `--method stepwise`: where the bias of a turn is taken from [default: adjacent]
+    #[arg(long, value_enum)]
+    pub(super) gyro_bias: Option<GyroBiasArg>,
+    /// With `--method stepwise`: assume this sampling rate in turns instead of the time stamps, Hz (to reproduce published
     /// figures)
     #[arg(long, value_name = "HZ")]
     pub(super) nominal_rate: Option<f64>,
-    /// By which clock the turns are integrated
-    #[arg(long, value_enum, default_value_t = ClockArg::Auto)]
-    pub(super) clock: ClockArg,
+    /// By which clock the turns are integrated [default: auto]
+    #[arg(long, value_enum)]
+    pub(super) clock: Option<ClockArg>,
     /// Strength of the magnetic field of the place, µT: the magnetometer's scale is then absolute, else its `T` has
     /// determinant 1
     #[arg(long, value_name = "UT")]
@@ -92,7 +92,7 @@ pub struct Args {
         allow_hyphen_values = true
     )]
     pub(super) leave_out: Vec<LeftOut>,
-    /// Table of static means (columns `ax,ay,az`) for the accelerometer, instead of the recordings'
+    /// With `--method stepwise`: table of static means (columns `ax,ay,az`) for the accelerometer, instead of the recordings'
     #[arg(long, value_name = "FILE")]
     pub(super) static_means: Option<PathBuf>,
     /// Take the recordings to be of one device even where they disagree
@@ -118,8 +118,17 @@ pub struct Args {
     pub(super) read: ReadArgs,
 }
 
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub(super) enum Method {
+impl Args {
+    /// Reads the recording so, where nothing else is said of that.
+    pub fn read_as(&mut self, read: &ReadArgs) {
+        if self.read.given().is_none() {
+            self.read = read.clone();
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Method {
     /// Joint; stepwise where a recording has no accelerometer, or where an option is the stepwise method's alone
     Auto,
     /// Accelerometer first, then the gyroscope by propagated gravity (Liu et al. 2021)

@@ -32,7 +32,7 @@ impl LimitArgs {
 pub fn state(calibration: &mut Calibration, limits: Option<&Limits>) {
     let mut lines = limits.map_or_else(Vec::new, |limits| judge(limits, calibration));
     lines.extend(built_in(calibration));
-    calibration.limits = lines;
+    calibration.state_limits(lines);
 }
 
 /// Status 1 with the reasons where a quality gate failed or a limit is not kept.

@@ -10,72 +10,18 @@ use nalgebra::Vector3;
 use sensor::AnyEffect;
 
 use super::arguments::{Args, FrameArg, GyroBiasArg, IntegratorArg, Method};
+use super::methods;
 use crate::commands::shared::inputs::own_effects;
 use crate::exit::{Failure, USAGE};
 
-/// Refuses options that the method would ignore.
-fn check_method(args: &Args) -> Result<(), Failure> {
-    let six = matches!(args.method, Method::SixPosition);
-    let joint = matches!(args.method, Method::Joint);
-    let senseless = [
-        (
-            "--first-order",
-            args.first_order && !six,
-            "--method six-position",
-        ),
-        (
-            "--sections",
-            !args.sections.is_empty() && six,
-            "--method stepwise or joint",
-        ),
-        (
-            "--leave-out",
-            !args.leave_out.is_empty() && six,
-            "--method stepwise or joint",
-        ),
-        (
-            "--static-means",
-            args.static_means.is_some() && (six || joint),
-            "--method stepwise",
-        ),
-        (
-            "--effects",
-            !args.effects.is_empty() && six,
-            "--method stepwise or joint",
-        ),
-        (
-            "--prior",
-            args.prior.is_some() && six,
-            "--method stepwise or joint",
-        ),
-        (
-            "--gyro-recording",
-            !args.gyro_recording.is_empty() && six,
-            "--method stepwise or joint",
-        ),
-        (
-            "--nominal-rate",
-            args.nominal_rate.is_some() && six,
-            "--method stepwise",
-        ),
-    ];
-    for (option, given, method) in senseless {
-        if given {
-            let why = format!(
-                "{option} means nothing with this method; use it with {method}, or leave it out"
-            );
-            return Err(Failure::new(USAGE, why));
-        }
-    }
-    Ok(())
-}
-
 /// The request to the library.
 pub(super) fn request(args: &Args) -> Result<Request, Failure> {
-    check_method(args)?;
+    let method = methods::method(args)?;
+    refuse_unread(args)?;
     let gravity = args.place.gravity()?;
     let (detector, choose_multiplier) = args.detector.detector()?;
     let own = own_effects(&args.effect_file)?;
+    refuse_unnamed(&own, &args.effects)?;
     let effects = args
         .effects
         .iter()
@@ -112,7 +58,7 @@ pub(super) fn request(args: &Args) -> Result<Request, Failure> {
         None => Vec::new(),
     };
     Ok(Request {
-        method: match args.method {
+        method: match method {
             Method::Auto => calib::calibrate::Method::Auto,
             Method::Joint => calib::calibrate::Method::Joint,
             Method::Stepwise | Method::SixPosition => calib::calibrate::Method::Stepwise,
@@ -124,26 +70,55 @@ pub(super) fn request(args: &Args) -> Result<Request, Failure> {
         sections: Vec::new(),
         left_out: Vec::new(),
         frame: match args.frame {
-            FrameArg::Triangular => Frame::Triangular,
-            FrameArg::Symmetric => Frame::Symmetric,
+            None | Some(FrameArg::Triangular) => Frame::Triangular,
+            Some(FrameArg::Symmetric) => Frame::Symmetric,
         },
         integrator: match args.integrator {
-            IntegratorArg::Exponential => Integrator::Exponential,
-            IntegratorArg::FirstOrderNormalized => Integrator::FirstOrderNormalized,
-            IntegratorArg::FirstOrder => Integrator::FirstOrder,
+            None | Some(IntegratorArg::Exponential) => Integrator::Exponential,
+            Some(IntegratorArg::FirstOrderNormalized) => Integrator::FirstOrderNormalized,
+            Some(IntegratorArg::FirstOrder) => Integrator::FirstOrder,
         },
         gyro_bias: match args.gyro_bias {
-            GyroBiasArg::Adjacent => GyroBias::Adjacent,
-            GyroBiasArg::Initial => GyroBias::Initial,
+            None | Some(GyroBiasArg::Adjacent) => GyroBias::Adjacent,
+            Some(GyroBiasArg::Initial) => GyroBias::Initial,
         },
         nominal_step,
         effects,
         latitude: args.place.latitude,
         force_device: args.force_device,
-        clock: args.clock.mode(),
+        clock: args.clock.unwrap_or_default().mode(),
         field: args.field,
         static_means,
     })
+}
+
+/// Refuses options that others leave nothing to do for.
+fn refuse_unread(args: &Args) -> Result<(), Failure> {
+    let by_hand = !args.sections.is_empty() && args.gyro_recording.is_empty();
+    match args.detector.given().filter(|_| by_hand) {
+        Some(option) => Err(Failure::new(
+            USAGE,
+            format!(
+                "{option} finds static intervals, and --sections gives them; leave one of the two out"
+            ),
+        )),
+        None => Ok(()),
+    }
+}
+
+/// Refuses a file of effects of which none is named.
+fn refuse_unnamed(own: &[&'static dyn AnyEffect], named: &[String]) -> Result<(), Failure> {
+    let is_named = |effect: &&&dyn AnyEffect| named.iter().any(|name| name == effect.name());
+    match own.first() {
+        Some(first) if !own.iter().any(|effect| is_named(&effect)) => Err(Failure::new(
+            USAGE,
+            format!(
+                "--effect-file: none of its effects is fitted; name it, as in --effects {}",
+                first.name()
+            ),
+        )),
+        _ => Ok(()),
+    }
 }
 
 fn catalogue_names(own: &[&'static dyn AnyEffect]) -> String {

@@ -47,7 +47,11 @@ pub(super) fn parse(args: &Args, recording: &Path) -> Result<calibrate::Args, Fa
     );
     call.extend(args.calibrate.iter().map(OsString::from));
     let parsed = Ordinary::try_parse_from(call);
-    parsed.map(|ordinary| ordinary.args).map_err(|error| {
+    let as_it_came = |mut ordinary: Ordinary| {
+        ordinary.args.read_as(&args.read);
+        ordinary.args
+    };
+    parsed.map(as_it_came).map_err(|error| {
         let words = error.render().to_string();
         Failure::new(
             USAGE,

@@ -58,9 +58,9 @@ pub struct Args {
     /// Noise of a placement beyond white noise, mm/s²: what your calibrations leave
     #[arg(long, value_name = "MM/S²", default_value_t = 0.0)]
     pub(super) misfit: f64,
-    /// Local gravity, m/s²
-    #[arg(long, value_name = "M/S²", default_value_t = calib::calibrate::STANDARD_GRAVITY)]
-    pub(super) gravity: f64,
+    /// Local gravity, m/s² [default: that of the calibration, else 9.80665]
+    #[arg(long, value_name = "M/S²")]
+    pub(super) gravity: Option<f64>,
     /// Write the plan as JSON
     #[arg(short, value_name = "FILE")]
     pub(super) output: Option<PathBuf>,
@@ -139,13 +139,13 @@ impl Args {
         Ok(())
     }
 
-    pub(super) fn noise(&self) -> Noise {
+    pub(super) fn noise(&self, gravity: f64) -> Noise {
         let rate = Noise::default().rate;
         Noise {
             // Turns that tell nothing leave the accelerometer alone.
             rate: if self.accelerometer_only { 1e3 } else { rate },
             placement: 1e-3 * self.misfit,
-            gravity: self.gravity,
+            gravity,
             ..Noise::default()
         }
     }

@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use calib::calibration::load;
 use calib::methods::{accelerometer_unit, cut, static_means};
 use nalgebra::Vector3;
 use plan::{
@@ -12,7 +11,7 @@ use serde_json::Value;
 
 use super::args::Args;
 use super::rivals::Rivals;
-use crate::commands::shared::inputs::read as read_recording;
+use crate::commands::shared::inputs::{load, read as read_recording};
 use crate::exit::{Failure, INPUT};
 use crate::show;
 
@@ -64,6 +63,18 @@ fn document(path: &Path) -> Option<Value> {
     schema.starts_with("stillpoint.").then_some(document)
 }
 
+/// Whether it is no document of ours.
+pub fn is_recording(path: &Path) -> bool {
+    document(path).is_none()
+}
+
+/// The gravity of a calibration or of findings.
+pub fn gravity(path: &Path) -> Option<f64> {
+    let document = document(path)?;
+    let own = document.get("calibration").unwrap_or(&document);
+    own.get("gravity")?.as_f64()
+}
+
 fn of_calibration(
     path: &Path,
     document: &Value,
@@ -98,12 +109,12 @@ fn of_recording(
 ) -> Result<Input, Failure> {
     let (detector, choose) = args.detector.detector()?;
     let recording = read_recording(path, &args.read)?.decimated();
-    let choice = cut(&recording, &detector, choose, args.gravity)?;
+    let choice = cut(&recording, &detector, choose, noise.gravity)?;
     let means: Vec<Vector3<f64>> = static_means(&recording, &choice.segmentation)
         .iter()
         .map(|mean| mean.raw)
         .collect();
-    let unit = accelerometer_unit(&means, args.gravity);
+    let unit = accelerometer_unit(&means, noise.gravity);
     let ups: Vec<Vector3<f64>> = means
         .iter()
         .map(|raw| {

@@ -10,19 +10,21 @@ use std::path::{Path, PathBuf};
 
 pub use args::Args;
 use args::By;
+use calib::calibrate::STANDARD_GRAVITY;
 use calib::discover::{Aim, Design};
 use known::Input;
 use nalgebra::Vector3;
 use plan::{Criterion, Efficiency, ForceMatrix, Plan, REQUIREMENT, finest};
 use serde_json::{Value, json};
 
-use crate::exit::Failure;
+use crate::commands::shared::inputs::check_gravity;
+use crate::exit::{Failure, USAGE};
 use crate::output::Output;
 use crate::show;
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
-    crate::commands::shared::inputs::check_gravity(args.gravity)?;
+    args.gravity.map_or(Ok(()), check_gravity)?;
     args.check()?;
     let inputs: Vec<&Path> = args.input.iter().map(PathBuf::as_path).collect();
     let claim = |path: &Option<PathBuf>| {
@@ -33,7 +35,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     };
     let (output, report) = (claim(&args.output)?, claim(&args.report)?);
     args.replace.end_if_all_exist()?;
-    let (noise, timing, words) = (args.noise(), args.timing(), args.words());
+    refuse_unread(args)?;
+    let own = args.input.as_deref().and_then(known::gravity);
+    let gravity = args.gravity.or(own).unwrap_or(STANDARD_GRAVITY);
+    let (noise, timing, words) = (args.noise(gravity), args.timing(), args.words());
     let input = match &args.input {
         Some(path) => Some(known::read(path, args, &noise, &timing)?),
         None => None,
@@ -41,7 +46,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let start = input.as_ref().map(|input| input.known).unwrap_or_default();
     let rivals = input.as_ref().map(|input| &input.rivals);
     let aim = match rivals.filter(|rivals| !rivals.is_empty()) {
-        Some(rivals) => Some(rivals.separate(args, &timing)?),
+        Some(rivals) => Some(rivals.separate(args, gravity, &timing)?),
         None => None,
     };
     let found = match &aim {
@@ -65,7 +70,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     let mut notes = notes(args, input.as_ref(), aim.as_ref());
     notes.extend(efficiency.as_ref().map(efficiency_words));
     notes.extend(rivals::words(&ties));
-    let extra = json!({"ties": ties, "efficiency": efficiency});
+    let extra = json!({"ties": ties, "efficiency": efficiency, "noise": noise});
     let document = show::json(&document(args, input.as_ref(), &found, extra, &notes))?;
     if let Some(output) = output {
         output.write(document.as_bytes())?;
@@ -84,6 +89,20 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             args.accelerometer_only,
         )
     })
+}
+
+/// Refuses options about a recording where there is none.
+fn refuse_unread(args: &Args) -> Result<(), Failure> {
+    if args.input.as_deref().is_some_and(known::is_recording) {
+        return Ok(());
+    }
+    match args.detector.given().or(args.read.given()) {
+        Some(option) => Err(Failure::new(
+            USAGE,
+            format!("{option} is about a recording: name one, or leave it out"),
+        )),
+        None => Ok(()),
+    }
 }
 
 /// The placements of the session, or those to add.
@@ -153,7 +172,6 @@ fn document(
         "created_by": concat!("stillpoint ", env!("CARGO_PKG_VERSION")),
         "requirement": REQUIREMENT,
         "parameters": plan::parameter_names(),
-        "noise": args.noise(),
         "timing": args.timing(),
         "input": input.map(|input| &input.name),
         "coverage": input.and_then(|input| input.coverage.as_ref()),

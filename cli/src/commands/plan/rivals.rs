@@ -100,8 +100,8 @@ impl Rivals {
     }
 
     /// The recording that tells them apart.
-    pub fn separate(&self, args: &Args, timing: &Timing) -> Result<Aim, Failure> {
-        let catalogue = Request::new(args.gravity).catalogue;
+    pub fn separate(&self, args: &Args, gravity: f64, timing: &Timing) -> Result<Aim, Failure> {
+        let catalogue = Request::new(gravity).catalogue;
         let known =
             |tie: &&Rivalry| tie.named.is_known(&catalogue) && tie.other.is_known(&catalogue);
         let ties: Vec<Rivalry> = self.ties.iter().filter(known).cloned().collect();
@@ -120,7 +120,7 @@ impl Rivals {
         let conditions = Conditions {
             white: self.white,
             noise: BiasNoise::walks(self.walks),
-            gravity: args.gravity,
+            gravity,
             timing: *timing,
             warmed: args.temperature,
             catalogue,

@@ -5,7 +5,6 @@ mod solve;
 
 use std::path::PathBuf;
 
-use calib::calibration::load;
 use calib::intervals::Span;
 use calib::reckon::published::Procedure;
 use calib::reckon::{Ending, Mode};
@@ -13,7 +12,7 @@ use clap::ValueEnum;
 use nalgebra::Vector3;
 use solve::{Known, Named, Run};
 
-use crate::commands::shared::inputs::{as_paths, numbers, read};
+use crate::commands::shared::inputs::{as_paths, load, numbers, read};
 use crate::commands::shared::pictures::{PictureArgs, named};
 use crate::exit::{Failure, USAGE};
 use crate::output::{Output, Replace};
@@ -38,12 +37,12 @@ pub struct Args {
     /// A calibration and what to call it; the raw readings are always there as `raw`
     #[arg(long, value_name = "NAME=FILE")]
     calibration: Vec<String>,
-    /// Where the attitude comes from
-    #[arg(long, value_enum, default_value_t = ModeArg::Full)]
-    mode: ModeArg,
-    /// What the end of the motion is known to be
-    #[arg(long, value_enum, default_value_t = EndingArg::Attitude)]
-    ending: EndingArg,
+    /// Where the attitude comes from [default: full]
+    #[arg(long, value_enum)]
+    mode: Option<ModeArg>,
+    /// What the end of the motion is known to be [default: attitude]
+    #[arg(long, value_enum)]
+    ending: Option<EndingArg>,
     /// When the motion was, s, for each recording in turn [default: found]
     #[arg(long, value_name = "T0,T1", value_parser = numbers::<2>)]
     motion: Vec<[f64; 2]>,
@@ -109,21 +108,65 @@ struct PublishedArgs {
     /// Axis that gravity is taken off, for each recording in turn [default: z]
     #[arg(long, value_name = "AXIS", value_delimiter = ',')]
     vertical: Vec<AxisArg>,
-    /// Gravity taken off, m/s²
-    #[arg(long, value_name = "M/S²", default_value_t = Procedure::default().gravity)]
-    gravity: f64,
-    /// Cutoff of the high-pass filter, Hz
-    #[arg(long, value_name = "HZ", default_value_t = Procedure::default().high_pass)]
-    high_pass: f64,
-    /// Cutoff of the low-pass filter, Hz
-    #[arg(long, value_name = "HZ", default_value_t = Procedure::default().low_pass)]
-    low_pass: f64,
-    /// Sampling rate assumed instead of the time stamps, Hz
-    #[arg(long, value_name = "HZ", default_value_t = Procedure::default().rate)]
-    assumed_rate: f64,
-    /// Calibration whose readings pick the samples in motion for all
-    #[arg(long, value_name = "NAME", default_value = solve::AUTHORS_PROPOSED)]
-    picked_by: String,
+    /// Gravity taken off, m/s² [default: 9.79]
+    #[arg(long, value_name = "M/S²")]
+    gravity: Option<f64>,
+    /// Cutoff of the high-pass filter, Hz [default: 0.001]
+    #[arg(long, value_name = "HZ")]
+    high_pass: Option<f64>,
+    /// Cutoff of the low-pass filter, Hz [default: 3]
+    #[arg(long, value_name = "HZ")]
+    low_pass: Option<f64>,
+    /// Sampling rate assumed instead of the time stamps, Hz [default: 100]
+    #[arg(long, value_name = "HZ")]
+    assumed_rate: Option<f64>,
+    /// Calibration whose readings pick the samples in motion for all [default: authors-proposed]
+    #[arg(long, value_name = "NAME")]
+    picked_by: Option<String>,
+}
+
+/// Refuses options of the procedure that was not asked for.
+fn refuse_other_procedure(args: &Args) -> Result<(), Failure> {
+    let PublishedArgs {
+        level,
+        vertical,
+        gravity,
+        high_pass,
+        low_pass,
+        assumed_rate,
+        picked_by,
+    } = &args.published;
+    let (equations, published) = (ProcedureArg::Equations, ProcedureArg::Published);
+    let own = [
+        ("--mode", args.mode.is_some(), equations),
+        ("--ending", args.ending.is_some(), equations),
+        ("--motion", !args.motion.is_empty(), equations),
+        ("--distance", args.distance.is_some(), equations),
+        ("--level", !level.is_empty(), published),
+        ("--vertical", !vertical.is_empty(), published),
+        ("--gravity", gravity.is_some(), published),
+        ("--high-pass", high_pass.is_some(), published),
+        ("--low-pass", low_pass.is_some(), published),
+        ("--assumed-rate", assumed_rate.is_some(), published),
+        ("--picked-by", picked_by.is_some(), published),
+    ];
+    let other = own
+        .into_iter()
+        .find(|(_, given, of)| *given && *of != args.procedure);
+    let Some((option, _, of)) = other else {
+        return Ok(());
+    };
+    let why = match of {
+        ProcedureArg::Published => {
+            format!(
+                "{option} is of the published procedure: add --procedure published, or leave it out"
+            )
+        }
+        ProcedureArg::Equations => {
+            format!("{option} means nothing to --procedure published: leave one of the two out")
+        }
+    };
+    Err(Failure::new(USAGE, why))
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -135,6 +178,7 @@ enum AxisArg {
 
 /// Runs the command.
 pub fn run(args: &Args) -> Result<(), Failure> {
+    refuse_other_procedure(args)?;
     let files = args
         .calibration
         .iter()
@@ -195,35 +239,38 @@ fn run_of(
         (None, None) => Known::Nothing,
     };
     if args.procedure == ProcedureArg::Published {
-        let published = &args.published;
+        let (published, usual) = (&args.published, Procedure::default());
         let level = each(&published.level, k, args, "--level")?;
         let procedure = Procedure {
-            level: level.unwrap_or(Procedure::default().level),
+            level: level.unwrap_or(usual.level),
             vertical: each(&published.vertical, k, args, "--vertical")?.unwrap_or(AxisArg::Z)
                 as usize,
-            gravity: published.gravity,
-            high_pass: published.high_pass,
-            low_pass: published.low_pass,
-            rate: published.assumed_rate,
+            gravity: published.gravity.unwrap_or(usual.gravity),
+            high_pass: published.high_pass.unwrap_or(usual.high_pass),
+            low_pass: published.low_pass.unwrap_or(usual.low_pass),
+            rate: published.assumed_rate.unwrap_or(usual.rate),
         };
         return solve::published(
             recording,
             calibrations,
             &procedure,
-            &published.picked_by,
+            published
+                .picked_by
+                .as_deref()
+                .unwrap_or(solve::AUTHORS_PROPOSED),
             known,
         );
     }
     let span = each(&args.motion, k, args, "--motion")?;
     let span = span.map(|[from, to]| Span { from, to });
     let mode = match args.mode {
-        ModeArg::Full => Mode::Full,
-        ModeArg::Level => Mode::Level,
+        None | Some(ModeArg::Full) => Mode::Full,
+        Some(ModeArg::Level) => Mode::Level,
     };
     let ending = match args.ending {
-        EndingArg::Free => Ending::Free,
-        EndingArg::Velocity => Ending::Velocity,
-        EndingArg::Attitude => Ending::Attitude,
+        Some(EndingArg::Free) => Ending::Free,
+        Some(EndingArg::Velocity) => Ending::Velocity,
+        None | Some(EndingArg::Attitude) => Ending::Attitude,
     };
     solve::equations(recording, calibrations, span, mode, ending, known)
 }

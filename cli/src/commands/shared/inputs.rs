@@ -170,9 +170,9 @@ pub struct DetectorArgs {
     /// makes a calibration]
     #[arg(long, value_name = "SECONDS")]
     min_static: Option<f64>,
-    /// Shortest motion, s
-    #[arg(long, value_name = "SECONDS", default_value_t = 0.5)]
-    min_dynamic: f64,
+    /// Shortest motion, s [default: 0.5]
+    #[arg(long, value_name = "SECONDS")]
+    min_dynamic: Option<f64>,
     /// Window in which the spread is measured, s [default: 1, shorter for shorter static intervals]
     #[arg(long, value_name = "SECONDS")]
     window: Option<f64>,
@@ -183,12 +183,27 @@ pub struct DetectorArgs {
 }
 
 impl DetectorArgs {
+    /// The first of its options that was given.
+    pub fn given(&self) -> Option<&'static str> {
+        let given = [
+            ("--multiplier", self.multiplier.is_some()),
+            ("--min-static", self.min_static.is_some()),
+            ("--min-dynamic", self.min_dynamic.is_some()),
+            ("--window", self.window.is_some()),
+            ("--initial-static", self.initial_static.is_some()),
+        ];
+        given
+            .into_iter()
+            .find(|(_, given)| *given)
+            .map(|(option, _)| option)
+    }
+
     /// The detector, and whether its multiplier is left to the fit.
     pub fn detector(&self) -> Result<(Detector, bool), Failure> {
         let options = DetectorOptions {
             multiplier: self.multiplier,
             min_static: self.min_static,
-            min_dynamic: Some(self.min_dynamic),
+            min_dynamic: self.min_dynamic,
             window: self.window,
             initial_static: self.initial_static,
         };
@@ -197,6 +212,15 @@ impl DetectorArgs {
             Failure::new(USAGE, format!("--{flag}: a positive number expected"))
         })
     }
+}
+
+/// Reads a calibration, and says so where it was edited since it was written.
+pub fn load(path: &Path) -> Result<Calibration, Failure> {
+    let calibration = calib::calibration::load(path)?;
+    if let Some(edited) = calibration.edited() {
+        show::warn(&format!("{}: {}", show::path(path), edited.in_words()));
+    }
+    Ok(calibration)
 }
 
 /// Reads a recording and shows its warnings.

@@ -17,7 +17,7 @@ pub(super) use determined::{
 };
 pub(super) use mounting::{gyroscope_gates, turned_axes};
 pub(super) use norm::the_norm_tells_them;
-pub(super) use on_top::corrected_before;
+pub(super) use on_top::{corrected_before, reads_zero_at_rest};
 pub(super) use rests::{disagreeing_rests, long_turns, restless};
 pub use twice::{none_is_there_twice, without_copies};
 pub(super) use unknowable::{refuse_attitude, refuse_unknowable};

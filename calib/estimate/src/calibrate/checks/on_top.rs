@@ -12,11 +12,29 @@ const SHARE: f64 = 0.8;
 /// Fewest static intervals.
 const FEWEST: usize = 6;
 
-/// Says where the gyroscope reads nothing at rest, as no sensor does by itself.
+/// Says where the gyroscope reads nothing at rest.
 pub(in crate::calibrate) fn corrected_before(
     recording: &Recording,
     segmentation: &Segmentation,
 ) -> Option<String> {
+    reads_zero_at_rest(recording, segmentation).then(|| {
+        format!(
+            "{}: the gyroscope reads zero at rest on all axes to within its noise: the system that recorded it has \
+             taken the bias off. These parameters are on top of the system's, and hold as long as it does not change \
+             them; record uncalibrated readings where there are any",
+            recording.name
+        )
+    })
+}
+
+/// Whether the gyroscope reads nothing at rest, as no sensor does by itself.
+pub(in crate::calibrate) fn reads_zero_at_rest(
+    recording: &Recording,
+    segmentation: &Segmentation,
+) -> bool {
+    if recording.gyroscope.is_none() {
+        return false;
+    }
     let means: Vec<_> = segmentation
         .statics
         .iter()
@@ -24,7 +42,7 @@ pub(in crate::calibrate) fn corrected_before(
         .filter(|m| m.count > 1 && m.white_of_mean() > 0.0)
         .collect();
     if means.len() < FEWEST {
-        return None;
+        return false;
     }
     let is_zero = |axis: usize| {
         let near = means
@@ -36,14 +54,7 @@ pub(in crate::calibrate) fn corrected_before(
             && near.count() as f64 >= SHARE * means.len() as f64
             && is_zero_together(means.iter().map(|m| m.mean[axis]))
     };
-    (0..3).all(is_zero).then(|| {
-        format!(
-            "{}: the gyroscope reads zero at rest on all axes to within its noise: the system that recorded it has \
-             taken the bias off. These parameters are on top of the system's, and hold as long as it does not change \
-             them; record uncalibrated readings where there are any",
-            recording.name
-        )
-    })
+    (0..3).all(is_zero)
 }
 
 /// Whether the mean over all intervals is zero to within its standard error by their scatter: beside a hand's tremor any bias is

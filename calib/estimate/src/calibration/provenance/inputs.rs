@@ -1,7 +1,7 @@
 //! What a calibration was made from: recordings, options, conventions.
 
 use recording::intervals::{Moments, Segmentation, StaticInterval};
-use recording::{Recording, Stream};
+use recording::{AppliedBefore, Recording, Stream};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -29,6 +29,9 @@ pub struct Provenance {
     /// SHA-256 of what corrects a reading, as it was written ([`Calibration::seal`](crate::calibration::Calibration::seal)): another one shows an edit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub numbers_sha256: Option<String>,
+    /// The same of everything else that decides what the calibration is used for; absent in files of older versions.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub basis_sha256: Option<String>,
 }
 
 impl Provenance {
@@ -40,6 +43,7 @@ impl Provenance {
             inputs,
             options,
             numbers_sha256: None,
+            basis_sha256: None,
         }
     }
 }
@@ -64,6 +68,9 @@ pub struct Input {
     /// The thermometer.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub temperature: Option<TemperatureInput>,
+    /// What systems had made of the readings before they were recorded.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub applied_before: Vec<AppliedBefore>,
 }
 
 /// The samples of one sensor.
@@ -193,6 +200,7 @@ impl Input {
                     mean: all.iter().sum::<f64>() / all.len() as f64,
                 })
             }),
+            applied_before: recording.description.applied_before.clone(),
         }
     }
 }

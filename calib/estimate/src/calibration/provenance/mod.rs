@@ -3,6 +3,8 @@
 mod inputs;
 mod seal;
 
+pub use seal::Edited;
+
 pub use inputs::{
     Input, Options, Provenance, SIGN_CONVENTION, SensorInput, TemperatureInput, fingerprint,
 };

@@ -1,22 +1,76 @@
-//! The hash of what corrects a reading: another one shows an edit.
+//! The hashes of a calibration as it was written: other ones show an edit.
 
+use serde::Serialize;
 use sha2::{Digest, Sha256};
 
-use super::inputs::hexadecimal;
+use super::inputs::{Provenance, hexadecimal};
 use crate::calibration::Calibration;
 
+/// The part of a calibration that is not as it was written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Edited {
+    /// Gravity, a sensor or an effect: what corrects a reading.
+    Numbers,
+    /// Method, covariance, gates, inputs or another entry that says what the numbers are worth.
+    Basis,
+}
+
+impl Edited {
+    /// What is said of it.
+    pub fn in_words(self) -> &'static str {
+        match self {
+            Self::Numbers => {
+                "the calibration was edited since it was written: gravity, a sensor or an effect is not what `calibrate` \
+                 found (its numbers_sha256 differs)"
+            }
+            Self::Basis => {
+                "the calibration was edited since it was written: method, covariance, limits, inputs or another entry beside \
+                 the parameters is not what `calibrate` wrote (its basis_sha256 differs)"
+            }
+        }
+    }
+}
+
 impl Calibration {
-    /// Writes down the hash of gravity, both sensors and the effects.
+    /// Writes down the hashes of what corrects a reading and of everything that says what that is worth.
     pub fn seal(&mut self) {
         self.provenance.numbers_sha256 = self.numbers();
+        self.provenance.basis_sha256 = self.basis();
+    }
+
+    /// The same after a change, but not of a calibration that had been edited: it stays so.
+    pub fn seal_again(&mut self, before: &Self) {
+        if before.edited().is_none() {
+            self.seal();
+        }
+    }
+
+    /// The part that is not as it was written; `None` where all is or no hash was.
+    pub fn edited(&self) -> Option<Edited> {
+        let differs = |sealed: &Option<String>, now: fn(&Self) -> Option<String>| {
+            sealed.is_some() && *sealed != now(self)
+        };
+        let Provenance {
+            numbers_sha256,
+            basis_sha256,
+            ..
+        } = &self.provenance;
+        if differs(numbers_sha256, Self::numbers) {
+            Some(Edited::Numbers)
+        } else if differs(basis_sha256, Self::basis) {
+            Some(Edited::Basis)
+        } else {
+            None
+        }
     }
 
     /// Whether gravity, a sensor or an effect is not as it was written; `None` where no hash was.
     pub fn was_edited(&self) -> Option<bool> {
-        let sealed = self.provenance.numbers_sha256.as_ref()?;
-        Some(Some(sealed) != self.numbers().as_ref())
+        self.provenance.numbers_sha256.as_ref()?;
+        Some(self.edited() == Some(Edited::Numbers))
     }
 
+    /// Of gravity, both sensors and the effects.
     fn numbers(&self) -> Option<String> {
         let all = (
             self.gravity,
@@ -29,5 +83,118 @@ impl Calibration {
             text += &serde_json::to_string(magnetometer).ok()?;
         }
         Some(hexadecimal(&Sha256::digest(text)))
+    }
+
+    /// Of everything else. A new entry has to be put among those that decide or those that do not.
+    fn basis(&self) -> Option<String> {
+        let Self {
+            gravity_source,
+            method,
+            magnetic_field,
+            parameters,
+            covariance,
+            misfit,
+            left_out,
+            failed_gates,
+            limits,
+            prior,
+            clocks,
+            history,
+            provenance,
+            // In the hash of the numbers.
+            gravity: _,
+            accelerometer: _,
+            gyroscope: _,
+            magnetometer: _,
+            effects: _,
+            // Words and names.
+            schema: _,
+            created_by: _,
+            warnings: _,
+        } = self;
+        let Provenance {
+            sign_convention,
+            inputs,
+            options,
+            version: _,
+            numbers_sha256: _,
+            basis_sha256: _,
+        } = provenance;
+        let mut hash = Sha256::new();
+        add(&mut hash, &(gravity_source, method, magnetic_field))?;
+        add(&mut hash, &(parameters, covariance, misfit, left_out))?;
+        add(&mut hash, &(failed_gates, limits, prior, clocks, history))?;
+        add(&mut hash, &(sign_convention, inputs, options))?;
+        Some(hexadecimal(&hash.finalize()))
+    }
+}
+
+fn add(hash: &mut Sha256, part: &impl Serialize) -> Option<()> {
+    hash.update(serde_json::to_string(part).ok()?);
+    Some(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::calibration::BiasUpdate;
+    use crate::calibration::gravity::tests::perfect;
+    use crate::gravity::GravitySource;
+
+    fn written_and_read(calibration: &Calibration) -> Calibration {
+        let text = serde_json::to_string(calibration).unwrap();
+        serde_json::from_str(&text).unwrap()
+    }
+
+    #[test]
+    fn every_entry_that_decides_is_under_a_seal() {
+        let whole = written_and_read(&perfect());
+        assert_eq!(whole.edited(), None);
+        let edits: [(fn(&mut Calibration), Edited); 8] = [
+            (|c| c.gravity += 1e-4, Edited::Numbers),
+            (|c| c.method = "joint".into(), Edited::Basis),
+            (|c| c.covariance[0][0] *= 0.5, Edited::Basis),
+            (|c| c.parameters[0] = "accel.s_q".into(), Edited::Basis),
+            (|c| c.gravity_source = GravitySource::Assumed, Edited::Basis),
+            (|c| c.failed_gates.push("a gate".into()), Edited::Basis),
+            (|c| c.history.clear(), Edited::Basis),
+            (|c| c.provenance.sign_convention.clear(), Edited::Basis),
+        ];
+        for (k, (edit, found)) in edits.into_iter().enumerate() {
+            let mut edited = whole.clone();
+            edited.history.push(BiasUpdate {
+                sensor: "accel".into(),
+                recording: "r".into(),
+                rests: 1,
+                bias_before: [0.0; 3],
+                bias: [0.0; 3],
+            });
+            edited.seal();
+            edit(&mut edited);
+            assert_eq!(written_and_read(&edited).edited(), Some(found), "edit {k}");
+            // What is done to it afterwards does not hide it.
+            let mut later = edited.clone();
+            later.seal_again(&edited);
+            assert_eq!(later.edited(), Some(found), "edit {k}");
+        }
+    }
+
+    #[test]
+    fn files_of_before_verify_by_the_hash_that_they_have() {
+        let mut old = perfect();
+        old.provenance.basis_sha256 = None;
+        assert_eq!(written_and_read(&old).edited(), None);
+        old.bias_moved();
+        assert_eq!(written_and_read(&old).edited(), Some(Edited::Numbers));
+        old.provenance.numbers_sha256 = None;
+        assert_eq!(written_and_read(&old).edited(), None);
+    }
+
+    impl Calibration {
+        fn bias_moved(&mut self) {
+            if let Some(triad) = &mut self.accelerometer {
+                triad.bias[0] += 0.1;
+            }
+        }
     }
 }

@@ -74,6 +74,13 @@ pub fn calibrate<R: Borrow<Recording>>(
     let solution = SixPosition::solve(&six, gravity.value);
     let mut calibration = solution.calibration(first_order)?;
     calibration.carry_gravity(gravity.source);
+    let uncut = recordings.iter().map(|recording| {
+        let recording: &Recording = recording.borrow();
+        (recording, None)
+    });
+    calibration.state_inputs(uncut, None);
+    let mixed = calibration.mixed_corrections();
+    calibration.warnings.extend(mixed);
     Ok(Solved {
         calibration,
         solution,

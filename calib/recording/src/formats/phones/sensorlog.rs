@@ -68,6 +68,7 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
         let remark = "SensorLog: motionRotationRate is taken, from which iOS has subtracted its own bias; switch on the gyroscope (gyroRotation) for what the sensor reads";
         Some(Part {
             remark: Some(remark.to_owned()),
+            corrected_by: Some("ios"),
             ..part
         })
     });

@@ -1,5 +1,6 @@
 //! What robots, drones and their tools write as text.
 
+pub(crate) mod ardupilot_text;
 pub(crate) mod kalibr;
 pub(crate) mod px4_text;
 pub(crate) mod ros_text;

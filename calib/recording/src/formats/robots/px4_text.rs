@@ -34,6 +34,7 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
         remark: Some(
             "sensor_combined is what PX4 has already corrected by its own calibration: this one is on top of it; sensor_accel and sensor_gyro are what the sensors read".to_owned(),
         ),
+        corrected_by: Some("px4"),
         ..Part::default()
     }])
 }

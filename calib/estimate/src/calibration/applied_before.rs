@@ -1,0 +1,209 @@
+//! What a system had made of the readings that a calibration is of: it is on top of that.
+
+use recording::{AppliedBefore, Recording};
+use sensor::Sensor;
+
+use super::Calibration;
+
+/// The readings of a sensor that a calibration is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Readings<'a> {
+    /// Nothing is stated of them.
+    NotStated,
+    /// Those of the sensor: what the system had applied was taken off again.
+    Restored {
+        /// The system.
+        by: &'a str,
+    },
+    /// Corrected by a system.
+    CorrectedBy(&'a str),
+    /// Corrected in some recordings by this system, and in others not, or by another.
+    Mixed(&'a str),
+}
+
+/// What a system is called.
+pub fn system_name(by: &str) -> &str {
+    match by {
+        "px4" => "PX4",
+        "ardupilot" => "ArduPilot",
+        "ios" => "iOS",
+        AppliedBefore::UNKNOWN => "the system that recorded them",
+        other => other,
+    }
+}
+
+/// The claim of a recording about one of its sensors.
+fn claim(applied: &[AppliedBefore], sensor: Sensor) -> Readings<'_> {
+    let found = applied.iter().find(|claim| claim.sensor == sensor.name());
+    match found {
+        Some(claim) if claim.undone => Readings::Restored { by: &claim.by },
+        Some(claim) => Readings::CorrectedBy(&claim.by),
+        None => Readings::NotStated,
+    }
+}
+
+impl Calibration {
+    /// What its recordings state of a sensor's readings.
+    pub fn readings(&self, sensor: Sensor) -> Readings<'_> {
+        let inputs = self.provenance.inputs.iter();
+        let inputs = inputs.filter(|input| match sensor {
+            Sensor::Accelerometer => input.accelerometer.is_some(),
+            Sensor::Gyroscope => input.gyroscope.is_some(),
+            Sensor::Magnetometer => true,
+        });
+        let claims: Vec<Readings<'_>> = inputs.map(|i| claim(&i.applied_before, sensor)).collect();
+        let Some(first) = claims.first().copied() else {
+            return Readings::NotStated;
+        };
+        let corrected = claims.iter().find_map(|claim| match claim {
+            Readings::CorrectedBy(by) => Some(*by),
+            _ => None,
+        });
+        match corrected {
+            Some(by) if claims.iter().any(|claim| *claim != first) => Readings::Mixed(by),
+            _ => first,
+        }
+    }
+
+    /// What to say where its own recordings, or it and a recording that it is used on, were corrected differently before.
+    pub fn doubts_corrections_of(&self, recording: &Recording) -> Option<String> {
+        let other = &recording.description.applied_before;
+        let differ = |sensor: &Sensor| {
+            self.triad(*sensor)?;
+            match (self.readings(*sensor), claim(other, *sensor)) {
+                (Readings::CorrectedBy(own), Readings::Restored { .. }) => Some((*sensor, own, "")),
+                (Readings::CorrectedBy(own), Readings::CorrectedBy(by)) if own != by => {
+                    Some((*sensor, own, by))
+                }
+                (Readings::Restored { .. } | Readings::NotStated, Readings::CorrectedBy(by)) => {
+                    Some((*sensor, "", by))
+                }
+                _ => None,
+            }
+        };
+        let named =
+            |(_, own, by): &(Sensor, &str, &str)| ![*own, *by].contains(&AppliedBefore::UNKNOWN);
+        let (sensor, own, by) = Sensor::ALL.iter().filter_map(differ).find(named)?;
+        let of = |by: &str| match by {
+            "" => "are those of the sensor".to_owned(),
+            by => format!("were corrected by {} before", system_name(by)),
+        };
+        Some(format!(
+            "{}: the readings of the {} {}, and those that the calibration is of {}: it does not hold for them; use it on \
+             readings of one kind",
+            recording.name,
+            sensor.name(),
+            of(by),
+            match (own, self.readings(sensor)) {
+                ("", Readings::NotStated) => "are not said to be".to_owned(),
+                (own, _) => of(own),
+            }
+        ))
+    }
+
+    /// What to say where its recordings were not all corrected alike before.
+    pub fn mixed_corrections(&self) -> Option<String> {
+        let mixed = Sensor::ALL
+            .into_iter()
+            .find_map(|sensor| match self.readings(sensor) {
+                Readings::Mixed(by) if by != AppliedBefore::UNKNOWN => Some((sensor, by)),
+                _ => None,
+            });
+        let (sensor, by) = mixed?;
+        let inputs = self.provenance.inputs.iter();
+        let is = |input: &&super::Input| {
+            claim(&input.applied_before, sensor) == Readings::CorrectedBy(by)
+        };
+        let (corrected, others): (Vec<_>, Vec<_>) = inputs.partition(is);
+        let names = |inputs: &[&super::Input]| {
+            let names: Vec<&str> = inputs.iter().map(|i| i.recording.as_str()).collect();
+            names.join(", ")
+        };
+        Some(format!(
+            "{}: {} had corrected the readings of the {} before, and not those of {}: one calibration does not hold for both; \
+             calibrate them apart",
+            names(&corrected),
+            system_name(by),
+            sensor.name(),
+            names(&others)
+        ))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::calibration::Input;
+
+    fn input(name: &str, by: Option<(&str, bool)>) -> Input {
+        let claim = by.map(|(by, undone)| AppliedBefore {
+            undone,
+            ..AppliedBefore::by(by, Sensor::Accelerometer)
+        });
+        let stream = recording::Stream {
+            t: vec![0.0, 0.01],
+            values: vec![nalgebra::Vector3::z() * 9.8; 2],
+        };
+        let mut made = Recording {
+            name: name.into(),
+            accelerometer: Some(stream),
+            ..Recording::default()
+        };
+        made.description.applied_before = claim.into_iter().collect();
+        Input::of(&made, None, [Some(1.0), None])
+    }
+
+    fn of(inputs: Vec<Input>) -> Calibration {
+        let mut calibration = crate::calibration::gravity::tests::perfect();
+        calibration.provenance.inputs = inputs;
+        calibration
+    }
+
+    #[test]
+    fn a_claim_is_that_of_all_recordings_or_mixed() {
+        let px4 = Some(("px4", false));
+        let readings = |inputs| {
+            let calibration = of(inputs);
+            (
+                calibration.readings(Sensor::Accelerometer) == Readings::CorrectedBy("px4"),
+                calibration.mixed_corrections(),
+            )
+        };
+        assert_eq!(
+            readings(vec![input("a", px4), input("b", px4)]),
+            (true, None)
+        );
+        let (alike, said) = readings(vec![input("a", px4), input("b", None)]);
+        assert!(
+            !alike
+                && said.is_some_and(|said| said.contains("a: PX4") && said.contains("those of b"))
+        );
+        let restored = of(vec![input("a", Some(("px4", true)))]);
+        assert_eq!(
+            restored.readings(Sensor::Accelerometer),
+            Readings::Restored { by: "px4" }
+        );
+        assert_eq!(
+            of(vec![]).readings(Sensor::Accelerometer),
+            Readings::NotStated
+        );
+    }
+
+    #[test]
+    fn another_state_of_the_readings_is_said_and_the_same_is_not() {
+        let recording = |by: Option<(&str, bool)>| {
+            let mut made = Recording::default();
+            let claims = input("a", by).applied_before;
+            made.description.applied_before = claims;
+            made
+        };
+        let (px4, restored) = (Some(("px4", false)), Some(("px4", true)));
+        let said = |own, other| of(vec![input("a", own)]).doubts_corrections_of(&recording(other));
+        assert!(
+            said(px4, px4).is_none() && said(None, None).is_none() && said(px4, None).is_none()
+        );
+        assert!(said(None, restored).is_none());
+        assert!(said(px4, restored).is_some() && said(None, px4).is_some());
+        assert!(said(restored, px4).is_some() && said(px4, Some(("ardupilot", false))).is_some());
+    }
+}

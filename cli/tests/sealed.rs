@@ -1,0 +1,176 @@
+//! Calibrations that are used again: as they were written, edited, for another gravity.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod common;
+
+use std::path::Path;
+
+use common::{folder, json, status, stderr, stillpoint};
+use serde_json::Value;
+
+fn run(path: &Path, call: &str) -> std::process::Output {
+    stillpoint(path, &call.split(' ').collect::<Vec<_>>())
+}
+
+fn done(path: &Path, call: &str) -> std::process::Output {
+    let output = run(path, call);
+    assert!(status(&output) < 2, "{call}: {}", stderr(&output));
+    output
+}
+
+#[test]
+fn what_any_command_writes_verifies_and_an_edit_of_what_decides_does_not() {
+    let (_dir, path) = folder();
+    std::fs::write(path.join("limits.toml"), "[accelerometer]\nintervals = 5\n").unwrap();
+    let identity = "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]";
+    std::fs::write(
+        path.join("imu.yaml"),
+        format!("accelerometers:\n  M: {identity}\n"),
+    )
+    .unwrap();
+    for call in [
+        "calibrate good.csv -o joint.json --limits limits.toml",
+        "calibrate good.csv -o stepwise.json --method stepwise --latitude 48",
+        "bias joint.json good.csv -o bias.json --accelerometer --no-gyroscope",
+        "discover good.csv -o findings.json",
+        "import imu.yaml -o imported.json",
+        "batch good.csv.d -o batch",
+    ] {
+        if call.starts_with("batch") {
+            std::fs::create_dir(path.join("good.csv.d")).unwrap();
+            std::fs::copy(path.join("good.csv"), path.join("good.csv.d/good.csv")).unwrap();
+        }
+        done(&path, call);
+    }
+    for (k, file) in [
+        "joint.json",
+        "stepwise.json",
+        "bias.json",
+        "findings.json",
+        "imported.json",
+        "batch/devices/good/cal.json",
+    ]
+    .iter()
+    .enumerate()
+    {
+        let said = stderr(&done(&path, &format!("export {file} --to c -o {k}.h")));
+        assert!(!said.contains("edited"), "{file}: {said}");
+        assert!(
+            std::fs::read_to_string(path.join(file))
+                .unwrap()
+                .contains("basis_sha256")
+        );
+    }
+    let whole: Value =
+        serde_json::from_slice(&std::fs::read(path.join("joint.json")).unwrap()).unwrap();
+    let edits: [(&str, Value); 8] = [
+        ("/method", "stepwise".into()),
+        ("/covariance/0/0", 1e-12.into()),
+        ("/accelerometer/bias_std/0", 1e-9.into()),
+        ("/gyroscope/T/0/0", 1.02.into()),
+        ("/gravity_source", serde_json::json!({"kind": "given"})),
+        ("/limits", Value::Array(Vec::new())),
+        ("/inputs/0/samples_sha256", "0".into()),
+        ("/effects", Value::Array(Vec::new())),
+    ];
+    for (pointer, value) in edits {
+        let mut edited = whole.clone();
+        let entry = edited.pointer_mut(pointer).unwrap();
+        let is_other = *entry != value;
+        *entry = value;
+        std::fs::write(path.join("edited.json"), edited.to_string()).unwrap();
+        for call in [
+            "export edited.json --to px4 -o e.params --force",
+            "apply edited.json good.csv -o a.csv --force --force-device",
+            "evaluate good.csv --calibration e=edited.json",
+        ] {
+            let output = done(&path, call);
+            assert_eq!(
+                stderr(&output).contains("was edited since"),
+                is_other,
+                "{pointer}: {call}: {}",
+                stderr(&output)
+            );
+        }
+    }
+    // What is made of an edited one stays so.
+    let mut edited = whole.clone();
+    edited["method"] = "stepwise".into();
+    std::fs::write(path.join("edited.json"), edited.to_string()).unwrap();
+    done(
+        &path,
+        "bias edited.json good.csv -o later.json --accelerometer --no-gyroscope",
+    );
+    assert!(
+        stderr(&done(&path, "export later.json --to c -o later.h")).contains("was edited since")
+    );
+    // Another layout of the same document is no edit.
+    std::fs::write(path.join("compact.json"), whole.to_string()).unwrap();
+    assert!(!stderr(&done(&path, "export compact.json --to c -o compact.h")).contains("edited"));
+}
+
+#[test]
+fn evaluate_compares_each_calibration_with_its_own_gravity_unless_told_otherwise() {
+    let (_dir, path) = folder();
+    done(&path, "calibrate good.csv -o high.json --gravity 9.78");
+    done(&path, "calibrate good.csv -o low.json --gravity 9.83");
+    let norm = |call: &str| {
+        let output = done(&path, call);
+        let rows = json(&output);
+        let of = |k: usize| 1e3 * rows[k]["misfit"]["modulus_rms"].as_f64().unwrap();
+        let count = rows.as_array().unwrap().len();
+        ((1..count).map(of).collect::<Vec<f64>>(), stderr(&output))
+    };
+    let (alone, said) = norm("evaluate good.csv --json --calibration high=high.json");
+    assert!(
+        alone[0] < 3.0 && !said.contains("different gravities"),
+        "{alone:?} {said}"
+    );
+    let (both, said) =
+        norm("evaluate good.csv --json --calibration high=high.json --calibration low=low.json");
+    assert!(
+        both.iter().all(|v| *v < 3.0)
+            && said.contains("high 9.78 m/s²")
+            && said.contains("--gravity"),
+        "{both:?} {said}"
+    );
+    let (told, said) = norm(
+        "evaluate good.csv --json --calibration high=high.json --calibration low=low.json --gravity 9.83",
+    );
+    assert!(
+        told[0] > 45.0 && told[1] < 3.0 && !said.contains("different gravities"),
+        "{told:?} {said}"
+    );
+}
+
+#[test]
+fn an_option_of_the_stepwise_method_asks_for_it_and_is_refused_by_another() {
+    let (_dir, path) = folder();
+    for option in [
+        "--integrator exponential",
+        "--integrator first-order",
+        "--gyro-bias adjacent",
+        "--gyro-bias initial",
+        "--nominal-rate 100",
+    ] {
+        let auto = json(&done(&path, &format!("calibrate good.csv --json {option}")));
+        assert_eq!(auto["method"], "stepwise", "{option}");
+        let name = option.split(' ').next().unwrap();
+        for method in ["joint", "six-position"] {
+            let refused = run(
+                &path,
+                &format!("calibrate good.csv --method {method} {option}"),
+            );
+            assert_eq!(status(&refused), 2, "{option}");
+            let said = stderr(&refused);
+            assert!(
+                said.contains(name) && said.contains("--method stepwise"),
+                "{said}"
+            );
+        }
+    }
+    assert_eq!(
+        json(&done(&path, "calibrate good.csv --json"))["method"],
+        "joint"
+    );
+}
