@@ -35,6 +35,7 @@ fn calibration(
         gyroscope: Some(triad(Sensor::Gyroscope, gyroscope)),
         magnetometer: None,
         magnetic_field: None,
+        not_calibrated: Vec::new(),
         effects: effects.map(of_g_sensitivity).into_iter().collect(),
         parameters: Vec::new(),
         covariance: Vec::new(),

@@ -66,6 +66,9 @@ pub struct Args {
     /// How the rate is integrated over a turn
     #[arg(long, value_enum, default_value_t = IntegratorArg::Exponential)]
     pub(super) integrator: IntegratorArg,
+    /// Calibrate this sensor alone, whatever else was recorded
+    #[arg(long, value_enum, value_name = "SENSOR")]
+    pub(super) sensor: Option<SensorArg>,
     /// Where the bias of a turn is taken from
     #[arg(long, value_enum, default_value_t = GyroBiasArg::Adjacent)]
     pub(super) gyro_bias: GyroBiasArg,
@@ -128,6 +131,12 @@ pub(super) enum Method {
     Joint,
     /// Each axis once up and once down, from six recordings or one
     SixPosition,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(super) enum SensorArg {
+    /// Needs static intervals and no turn
+    Accelerometer,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use recording::Error;
 
-use super::coverage::refusal;
+use super::coverage::{open_by_directions, refusal};
 use crate::methods::{AccelerometerFit, AccelerometerRequest, Ending, Fitted, GyroscopeFit};
 
 /// A gyroscope that misses gravity by this much after the fit is not understood, rad.
@@ -89,6 +89,11 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
         );
         return Err(Error::NotEnough(refusal(directions, &unknown)));
     }
+    if !fit.ending.termination.converged()
+        && let Some(open) = open_by_directions(directions)
+    {
+        return Err(Error::NotEnough(refusal(directions, &open)));
+    }
     if !fit.ending.termination.converged() {
         return Err(Error::NotConverged(format!(
             "the accelerometer's fit stopped after {} steps ({:?}); is the gravity of {} m/s² right, \
@@ -120,6 +125,17 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
     Ok(())
 }
 
+/// `known to 0.31 % only`, or not known: an error of a scale factor or of a bias, as a share.
+fn share_in_words(error: f64, of: &str) -> String {
+    if error >= 1.0 || !error.is_finite() {
+        return "is not known".into();
+    }
+    let percent = 100.0 * error;
+    // Two digits, and no more decimals than a person reads.
+    let decimals = (1.0 - percent.log10().floor()).clamp(0.0, 4.0) as usize;
+    format!("is known to {percent:.decimals$} %{of} only")
+}
+
 /// `; accel.s_z is known to 0.31 % only`: the parameter with the largest error, a bias against gravity.
 fn least_known(fit: &ForceEvidence<'_>) -> String {
     let fitted = fit.fitted;
@@ -143,7 +159,7 @@ fn least_known(fit: &ForceEvidence<'_>) -> String {
         } else {
             ""
         };
-        format!("; {name} is known to {:.2} %{of} only", 100.0 * error)
+        format!("; {name} {}", share_in_words(error, of))
     })
 }
 
@@ -257,10 +273,31 @@ fn weak_parameters(fitted: &Fitted, scale: f64, size: f64) -> Vec<Weak> {
                 let relative = std / scale;
                 (relative > RELATIVE_WARN).then(|| Weak {
                     name: name.clone(),
-                    words: format!("{name} is known to {:.1} % only", 100.0 * relative),
+                    words: format!("{name} {}", share_in_words(relative, "")),
                     refused: relative > RELATIVE_REFUSE,
                 })
             }
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_share_beyond_the_whole_is_not_known_and_a_small_one_has_two_digits() {
+        let words = [2.5e15, 1.2, f64::NAN, 0.314, 0.0567, 0.00031, 4e-6];
+        let words = words.map(|error| share_in_words(error, ""));
+        let expected = [
+            "is not known",
+            "is not known",
+            "is not known",
+            "is known to 31 % only",
+            "is known to 5.7 % only",
+            "is known to 0.031 % only",
+            "is known to 0.0004 % only",
+        ];
+        assert_eq!(words, expected);
+    }
 }
