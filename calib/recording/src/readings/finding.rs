@@ -140,8 +140,14 @@ impl Finding {
             })
             .collect();
         places.sort_by_key(|place| (place.0, place.1));
-        // Both sensors of one table are in the same rows.
-        places.dedup_by_key(|place| place.0);
+        // Both sensors of one table are in the same rows, or nearly.
+        places.dedup_by(|next, last| {
+            let same = next.0 <= last.1;
+            if same {
+                *last = (last.0, last.1.max(next.1), last.2, last.3.max(next.3));
+            }
+            same
+        });
         let rows = places.iter().map(|place| place.1 + 1 - place.0).sum();
         (!places.is_empty()).then_some(Self::Frozen {
             sensors,

@@ -46,6 +46,11 @@ pub struct Frozen {
 }
 
 impl Frozen {
+    /// Whether it lies between two stamps: the interruption there is the one that leaving it out makes.
+    pub fn is_between(&self, from: f64, to: f64) -> bool {
+        self.span.from < to && from < self.span.to
+    }
+
     /// Whether a sample at `t` is a repetition.
     fn repeats(&self, t: f64) -> bool {
         self.span.from < t && t < self.span.to
@@ -101,13 +106,18 @@ fn frozen_runs(values: &[Vector3<f64>]) -> Vec<Range<usize>> {
     };
     let begins = |run: &Range<usize>| run.start > 0 && leaps(run.start - 1, run.start);
     let ends = |run: &Range<usize>| run.end < values.len() && leaps(run.end - 1, run.end);
+    let (low, high) = extremes(values);
+    // A dead zone reads zero on all axes, a sensor at its range an extreme.
+    let is_excluded = |v: &Vector3<f64>| {
+        *v == Vector3::zeros() || (0..3).all(|axis| v[axis] == low[axis] || v[axis] == high[axis])
+    };
     let found: Vec<Range<usize>> = runs
         .iter()
         .enumerate()
         .filter(|(k, run)| {
             run.len() >= SHORTEST && begins(run) && ends(run) && usual.is_no_chance(*k, run.len())
         })
-        .filter(|(_, run)| values[run.start] != Vector3::zeros())
+        .filter(|(_, run)| !is_excluded(&values[run.start]))
         .map(|(_, run)| run.clone())
         .collect();
     let repeated: usize = found.iter().map(|run| run.len() - 1).sum();
@@ -154,6 +164,17 @@ impl Usual {
         let times = length as f64 / self.held as f64;
         times >= 2.0 && runs as f64 * share.powf(times - 1.0) < CHANCE
     }
+}
+
+/// The smallest and the largest reading of each axis.
+fn extremes(values: &[Vector3<f64>]) -> (Vector3<f64>, Vector3<f64>) {
+    let whole = (
+        Vector3::repeat(f64::INFINITY),
+        Vector3::repeat(f64::NEG_INFINITY),
+    );
+    values
+        .iter()
+        .fold(whole, |(low, high), v| (low.inf(v), high.sup(v)))
 }
 
 /// The smallest step between readings of each axis; infinite where it never changes.
@@ -240,6 +261,15 @@ mod tests {
             };
             assert!(found.start <= run.start && found.end >= run.end);
         }
+    }
+
+    #[test]
+    fn readings_at_the_range_of_all_axes_are_cut_off_and_not_frozen() {
+        let values: Vec<_> = readings(9, 0.1)
+            .iter()
+            .map(|v| (v - Vector3::repeat(3.7)).map(|x| x.clamp(-8.0, 8.0)))
+            .collect();
+        assert!(frozen_runs(&values).is_empty());
     }
 
     #[test]

@@ -272,7 +272,8 @@ fn finish<U>(
     };
     let frozen = frozen(sensor, &stream);
     let stream = held::without_held(name, sensor, stream, &mut warnings);
-    let gaps = stream.gaps();
+    let mut gaps = stream.gaps();
+    gaps.retain(|gap| !frozen.iter().any(|f| f.is_between(gap.t0, gap.t1)));
     checks::bursts(name, sensor, &stream, &gaps, &mut warnings);
     checks::gaps(name, sensor, &gaps, &mut warnings);
     let stream = without_frozen(stream, &frozen);
