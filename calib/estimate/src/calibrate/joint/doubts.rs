@@ -88,7 +88,7 @@ pub fn disturbances(fit: &JointFit, warnings: &mut Vec<String>) {
         ));
     }
     for (place, source) in fit.data.sources.iter().enumerate() {
-        if source.moves_at_rest() {
+        if source.sways() {
             warnings.push(format!(
                 "{}: the device sways in its static intervals and comes back, as one that is held in the hand does: turns begin \
                  and end a little away from where it rested on the average, and a slow creep would look the same. Lay it down for smaller \
