@@ -225,9 +225,10 @@ fn recorded(record: Record, calibration: &Calibration, findings: Option<&Finding
     if belongs == Some(false) {
         reasons.push("prior".to_owned());
     }
-    let status = match reasons.is_empty() {
-        true => Status::Pass,
-        false => Status::Fail,
+    let status = match (calibration.not_calibrated.is_empty(), reasons.is_empty()) {
+        (false, _) => Status::NotEnough,
+        (_, true) => Status::Pass,
+        (_, false) => Status::Fail,
     };
     let (force, rate) = (
         calibration.accelerometer.as_ref(),

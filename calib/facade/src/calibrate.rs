@@ -53,6 +53,14 @@ pub fn calibrate(recordings: &[Recording], request: &Request) -> Result<Calibrat
     let mut outcome = under(request.watch.as_ref(), || {
         calibrate_all(&all, &turned, &how)
     })?;
+    if let Some(own) = outcome.calibration.not_calibrated.first() {
+        let words = format!(
+            "the {} is not calibrated: {}; for the accelerometer alone give its readings alone",
+            own.sensor.name(),
+            own.text
+        );
+        return Err(calib::Error::NotEnough(words).into());
+    }
     let limits = built_in(&outcome.calibration);
     outcome.calibration.state_limits(limits);
     Ok(Calibration::made(outcome, recordings))

@@ -78,6 +78,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     for gate in &calibration.failed_gates {
         show::warn(&format!("the calibration failed a gate: {gate}"));
     }
+    calibration
+        .bias_alone()
+        .iter()
+        .for_each(|said| show::warn(said));
     for note in &export.notes {
         show::note(&format!("note: {note}"));
     }

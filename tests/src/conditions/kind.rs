@@ -59,6 +59,8 @@ const PATTERNS: &[(&str, Kind)] = &[
     ("touched", Kind::Touched),
     ("mount_slip", Kind::Crept),
     ("crept", Kind::Crept),
+    ("as from a creep", Kind::Crept),
+    ("noisier", Kind::Shakes),
     ("would move by", Kind::Influence),
     ("undersampled", Kind::Undersampled),
     ("sample faster", Kind::Undersampled),

@@ -177,7 +177,8 @@ pub fn disturbed(state: &State, seen: &[Integrity], either: &[Either]) -> Vec<In
                     "mount_slip",
                     Size::at_one_place(crept, "rad"),
                     format!(
-                        "the device crept by {:.3}° while it should have rested",
+                        "gravity drifts by {:.3}° where the device should have rested, as from a creep of the device \
+                         or a warm-up of the sensor",
                         crept.to_degrees()
                     ),
                 ),

@@ -18,11 +18,12 @@ pub fn undersampled(state: &State) -> Vec<Integrity> {
         .into_iter()
         .filter(|u| u.is_evident);
     let found = evident.filter_map(|found| {
+        let left = Left::of(state, found.recording);
         let turns: Vec<String> = found
             .turns
             .iter()
             .take(SHOWN)
-            .map(|(turn, _, angle)| format!("{} ({:.2}°)", turn + 1, angle.to_degrees()))
+            .map(|(turn, _, _)| format!("{}{}", turn + 1, left.of_turn(*turn)))
             .collect();
         let spans = found.turns.iter().map(|(_, span, _)| *span);
         let first = spans.clone().min_by(|a, b| a.from.total_cmp(&b.from))?;
@@ -37,15 +38,15 @@ pub fn undersampled(state: &State) -> Vec<Integrity> {
             t1: last.to,
             indistinguishable_from: Vec::new(),
             size: Some(Size {
-                value: found.rms,
+                value: left.rms(),
                 unit: "rad",
-                gap: Some(over_the_readings(state, found.recording)),
+                gap: Some(left.over_the_readings(state)),
             }),
             detail: format!(
                 "the rate jumps between samples and {:.2} ({low:.2} to {high:.2}) of each jump is missing in the \
-                 angle: {:.2}° rms per turn, most in turns {}",
+                 angle: {:.2}° rms are left after the turns, most of it expected in turns {}",
                 found.share.value,
-                found.rms.to_degrees(),
+                left.rms().to_degrees(),
                 turns.join(", ")
             ),
         })
@@ -53,20 +54,57 @@ pub fn undersampled(state: &State) -> Vec<Integrity> {
     found.collect()
 }
 
-/// How many times what the noise of the readings makes of the turns of a recording they are expected to miss, with what is
-/// missing between samples.
-fn over_the_readings(state: &State, recording: usize) -> f64 {
-    let fit = &state.fit;
-    let noise = fit.rows().noise(fit.parameters.values());
-    let share = fit.data.sources[recording].clock.sampling.value;
-    let (mut whole, mut of_readings) = (0.0, 0.0);
-    for (k, turn) in fit.data.turns.iter().enumerate() {
-        if turn.recording == recording {
-            let row = fit.first_rows[1] + 2 * k;
-            let all = noise.variance[row] + noise.variance[row + 1];
-            whole += all;
-            of_readings += all - share * share * noise.by_share[k].trace();
+/// What is left of gravity's direction after the turns of a recording.
+struct Left {
+    recording: usize,
+    /// Place of each turn in the recording's segmentation, and the angle, rad.
+    angles: Vec<(usize, f64)>,
+}
+
+impl Left {
+    fn of(state: &State, recording: usize) -> Self {
+        let turns = state.fit.data.turns.iter().zip(&state.fit.chords);
+        let own = turns.filter(|(turn, _)| turn.recording == recording);
+        Self {
+            recording,
+            angles: own.map(|(turn, chord)| (turn.turn, *chord)).collect(),
         }
     }
-    (whole / of_readings).sqrt()
+
+    fn square(&self) -> f64 {
+        self.angles.iter().map(|(_, angle)| angle * angle).sum()
+    }
+
+    /// Root mean square over the turns, rad.
+    fn rms(&self) -> f64 {
+        (self.square() / self.angles.len().max(1) as f64).sqrt()
+    }
+
+    /// ` (0.41°)` of one turn.
+    fn of_turn(&self, turn: usize) -> String {
+        let own = self.angles.iter().find(|(place, _)| *place == turn);
+        own.map_or_else(String::new, |(_, angle)| {
+            format!(" ({:.2}°)", angle.to_degrees())
+        })
+    }
+
+    /// How many times what the noise of the readings makes of the turns that is.
+    fn over_the_readings(&self, state: &State) -> f64 {
+        let fit = &state.fit;
+        let noise = fit.rows().noise(fit.parameters.values());
+        let share = fit.data.sources[self.recording].clock.sampling.value;
+        let of_readings: f64 = fit
+            .data
+            .turns
+            .iter()
+            .enumerate()
+            .filter(|(_, turn)| turn.recording == self.recording)
+            .map(|(k, _)| {
+                let row = fit.first_rows[1] + 2 * k;
+                let all = noise.variance[row] + noise.variance[row + 1];
+                all - share * share * noise.by_share[k].trace()
+            })
+            .sum();
+        (self.square() / of_readings).sqrt()
+    }
 }

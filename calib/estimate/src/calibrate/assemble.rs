@@ -124,6 +124,7 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         gyroscope: gyroscope_triad,
         magnetometer: None,
         magnetic_field: None,
+        not_calibrated: Vec::new(),
         effects,
         parameters: table.names,
         covariance: table.covariance,
@@ -279,7 +280,10 @@ fn resting_gyroscope(turning: &[(&Recording, &Segmentation)], table: &mut Table)
         dynamic_intervals: None,
         rank: 3,
         condition: 1.0,
-        unobservable: Vec::new(),
+        unobservable: vec![
+            "gyro scale factors and misalignments: there is no gravity to see them by, they are those of a perfect sensor"
+                .into(),
+        ],
         units: None,
         recordings: Vec::new(),
     };

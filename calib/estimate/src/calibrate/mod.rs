@@ -17,7 +17,9 @@ mod rest_bias;
 mod same_device;
 mod static_norm;
 mod stepwise;
+mod unusable_turns;
 
+pub(crate) use checks::few_directions;
 pub use checks::{none_is_there_twice, not_in_one_plane, without_copies};
 pub use joint::{Account, LatitudeDoubt, refuse_unobservable, written_down};
 pub use magnetic::FIELDS;
@@ -30,13 +32,14 @@ pub use stepwise::gyroscope_data;
 
 use std::borrow::Borrow;
 
-use recording::intervals::{Segmentation, Span, Turn, TurnFault};
+use recording::intervals::{Segmentation, Span};
 use recording::readings::{FASTEST_HAND, Finding, tremor, without_spikes};
 use recording::{AppliedBefore, Error, Recording};
 use sensor::Sensor;
 
 use self::cut::cut;
 use self::stepwise::{NO_GYROSCOPE, stepwise};
+use self::unusable_turns::TurnCount;
 use crate::calibration::Options;
 use crate::methods::Choice;
 use crate::methods::joint::{ClockMode, MOST_STATIC_INTERVALS, within_budget};
@@ -174,6 +177,9 @@ fn by_stamps(
         request,
         warnings: &warnings,
     };
+    if request.accelerometer_alone {
+        return parts.accelerometer_alone(choices);
+    }
     let refused = match parts.fitted(choices.clone()) {
         Err(Error::NotEnough(reason)) => reason,
         Err(Error::NotConverged(reason)) => {
@@ -245,15 +251,25 @@ impl Parts<'_> {
         }
     }
 
-    /// The accelerometer alone, where saturated turns are why the gyroscope is not known; it is said.
-    fn without_gyroscope(&self, choices: Vec<Choice>, reason: &str) -> Option<Outcome> {
-        let turns = || choices.iter().flat_map(|c| &c.segmentation.turns);
-        let saturated = |t: &&Turn| matches!(t.fault, Some(TurnFault::Saturated { .. }));
-        let lost = turns().filter(saturated).count();
-        if lost == 0 || !self.gyro_recordings.is_empty() {
+    /// The accelerometer, with the reason in the place of the gyroscope, where the turns are why that one is not known.
+    fn without_gyroscope(&self, choices: Vec<Choice>, refused: &str) -> Option<Outcome> {
+        if !self.gyro_recordings.is_empty() {
             return None;
         }
-        let of = turns().count();
+        let count = TurnCount::of_cut(choices.iter().map(|choice| &choice.segmentation));
+        let reason = count.reason()?;
+        let cut = choices.iter().map(|choice| &choice.segmentation);
+        let known = self.recordings.iter().copied().zip(cut);
+        let mark = count.mark(reason, refused, known.last());
+        let mut outcome = self.accelerometer_alone(choices).ok()?;
+        let calibration = &mut outcome.calibration;
+        calibration.failed_gates.push(mark.gate());
+        calibration.not_calibrated.push(mark);
+        Some(outcome)
+    }
+
+    /// The accelerometer as if nothing else had been recorded.
+    fn accelerometer_alone(&self, choices: Vec<Choice>) -> Result<Outcome, Error> {
         let bare: Vec<Recording> = self
             .recordings
             .iter()
@@ -276,14 +292,9 @@ impl Parts<'_> {
             recordings: &bare.iter().collect::<Vec<_>>(),
             ..*self
         };
-        let mut outcome = parts.fitted(only_force.collect()).ok()?;
+        let mut outcome = parts.fitted(only_force.collect())?;
         outcome.choices = choices;
-        let calibration = &mut outcome.calibration;
-        calibration.warnings.retain(|w| w != NO_GYROSCOPE);
-        calibration.warnings.push(format!(
-            "the gyroscope is not calibrated: it is saturated in {lost} of {of} turns, and the others are \
-             not enough ({reason}); turn more slowly or set a larger range"
-        ));
-        Some(outcome)
+        outcome.calibration.warnings.retain(|w| w != NO_GYROSCOPE);
+        Ok(outcome)
     }
 }

@@ -88,6 +88,8 @@ pub struct Request {
     pub latitude: Option<f64>,
     /// Take the recordings to be of one device even where they disagree.
     pub force_device: bool,
+    /// Whether the accelerometer alone is asked for.
+    pub accelerometer_alone: bool,
     /// By which clock the turns are integrated. What is left to the data are the stamps in the stepwise method, as
     /// published.
     pub clock: ClockMode,
@@ -167,6 +169,7 @@ impl Default for Request {
             effects: Vec::new(),
             latitude: None,
             force_device: false,
+            accelerometer_alone: false,
             clock: ClockMode::default(),
             field: None,
             static_means: Vec::new(),

@@ -48,6 +48,7 @@ pub fn apply_with(
     };
     let truth = Truth::of(recording, intervals.or(found.as_ref()), models.clone())?;
     let mut corrected = recording.clone();
+    corrected.warnings.extend(calibration.bias_alone());
     corrected
         .warnings
         .extend(doubt.into_iter().chain(of_another));
@@ -75,10 +76,17 @@ pub fn apply_with(
                 stream.values.iter_mut().for_each(|v| *v = base.correct(v));
             }
             Some(_) => correct(stream, sensor, &truth, &models)?,
-            None => corrected.warnings.push(format!(
-                "the calibration has no {}: its readings are left as they are",
-                sensor.name()
-            )),
+            None => corrected.warnings.push(match calibration.why_not(sensor) {
+                Some(own) => format!(
+                    "the {} is not calibrated ({}): its readings are left as they are",
+                    sensor.name(),
+                    own.reason.in_words()
+                ),
+                None => format!(
+                    "the calibration has no {}: its readings are left as they are",
+                    sensor.name()
+                ),
+            }),
         }
     }
     Ok(corrected)

@@ -6,6 +6,7 @@ use recording::shown::{shown, shown_path};
 use recording::{Error, figure};
 use sensor::AnyEffect;
 
+use super::not_calibrated::marks;
 use super::{Calibration, Outside, SCHEMA, Triad};
 
 /// Largest ratio of the singular values of `T`: sensitivities of one chip differ by a tenth, units of its axes not at all.
@@ -125,7 +126,13 @@ fn parse(text: &str, outside: &[&'static dyn AnyEffect]) -> Result<Calibration, 
             ));
         }
     }
-    let mut calibration: Calibration = serde_json::from_str(text).map_err(|e| {
+    let is_whole = marks(&any).is_ok_and(|marks| marks.is_empty());
+    let read = match is_whole {
+        // The text has lines and columns.
+        true => Calibration::deserialize(&mut serde_json::Deserializer::from_str(text)),
+        false => Calibration::from_value(any),
+    };
+    let mut calibration = read.map_err(|e| {
         let what = shown(&e.to_string());
         format!("{}:{}: {what}", e.line(), e.column())
     })?;

@@ -10,6 +10,7 @@ mod gravity;
 mod left_out;
 mod magnetic_field;
 mod misfit;
+mod not_calibrated;
 mod of_recording;
 mod outside;
 mod provenance;
@@ -29,6 +30,7 @@ pub use frame::in_symmetric_frame;
 pub use left_out::{Enlarged, LeftOut};
 pub use magnetic_field::{MagneticField, RecordingField};
 pub use misfit::{Remainder, TO_DISCOVER, WITH_WALKS, WITHOUT_WALKS};
+pub use not_calibrated::{NotCalibrated, NotCalibratedReason};
 pub use outside::Outside;
 pub use provenance::{
     Edited, Input, Options, Provenance, SIGN_CONVENTION, SensorInput, TemperatureInput, fingerprint,
@@ -52,6 +54,7 @@ pub const SCHEMA: &str = "stillpoint.calibration/1";
 /// A calibration of one device, as written to `cal.json`. SI units unless the readings are raw
 /// counts: then `T` is SI units per count and `bias` is in counts.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(remote = "Self")]
 pub struct Calibration {
     /// [`SCHEMA`].
     pub schema: String,
@@ -74,6 +77,9 @@ pub struct Calibration {
     /// The field in which it was calibrated.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub magnetic_field: Option<MagneticField>,
+    /// Sensors that were recorded and are not calibrated; each stands in its sensor's place in the file.
+    #[serde(skip)]
+    pub not_calibrated: Vec<NotCalibrated>,
     /// Effects on top of the base models.
     pub effects: Vec<EffectValues>,
     /// Names in the order of the covariance.

@@ -37,6 +37,7 @@ fn calibration(
         gyroscope: gyroscope.map(|base| triad(Sensor::Gyroscope, base)),
         magnetometer: None,
         magnetic_field: None,
+        not_calibrated: Vec::new(),
         effects: effects.map(of_g_sensitivity).into_iter().collect(),
         parameters: Vec::new(),
         covariance: Vec::new(),

@@ -2,6 +2,8 @@
 
 use nalgebra::Vector3;
 
+use crate::readings::Excursion;
+
 /// So many equal readings in a row at the extreme of an axis are its rail, not a peak: noise alone
 /// keeps a peak from repeating to the last digit.
 const RUN_AT_RAIL: usize = 5;
@@ -27,11 +29,16 @@ pub struct Rails {
 impl Rails {
     /// Looks for a flat top or bottom of each axis, which readings in steps do not round off.
     pub fn of(values: &[Vector3<f64>]) -> Self {
+        let far = Excursion::of(values);
         let sides = [0, 1, 2].map(|axis| {
             let upwards: Vec<f64> = values.iter().map(|v| v[axis]).collect();
             let downwards: Vec<f64> = upwards.iter().map(|v| -v).collect();
             let (step, longest) = (least_step(&upwards), longest_by_chance(&upwards));
-            [downwards, upwards].map(|values| (rail(&values, step, longest), values))
+            let ends = [(downwards, -1.0), (upwards, 1.0)];
+            ends.map(|(values, sign)| {
+                let found = rail(&values, step, longest);
+                (found.filter(|end| far.reached(axis, sign * end)), values)
+            })
         });
         let known = sides.iter().flatten().find_map(|(rail, _)| *rail);
         let rails = sides.map(|axis| {
@@ -126,6 +133,18 @@ mod tests {
         let rails = Rails::of(&values);
         assert!(rails.reached(&Vector3::new(8.0, 0.0, 0.0)));
         assert!(!rails.reached(&Vector3::new(7.9, 10.0, 0.0)));
+    }
+
+    #[test]
+    fn a_coarse_reading_at_rest_is_no_rail_where_the_device_turns_one_way_only() {
+        let rate = |k: usize| match k % 400 {
+            0..100 => 2.0 * (k as f64 % 400.0 * 0.0314).sin(),
+            _ => 0.0,
+        };
+        let values: Vec<_> = (0..4000)
+            .map(|k| Vector3::repeat(((rate(k) - 0.03) / 0.04).round() * 0.04))
+            .collect();
+        assert!(!Rails::of(&values).reached(&Vector3::repeat(-0.04)));
     }
 
     #[test]

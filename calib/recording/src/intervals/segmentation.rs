@@ -58,6 +58,8 @@ pub struct Turn {
 pub enum TurnFault {
     /// No samples for a while.
     Gap(Span),
+    /// The gyroscope repeats one reading.
+    Frozen(Span),
     /// Readings at the end of the range.
     Saturated {
         /// Number of samples there.
@@ -73,6 +75,12 @@ impl std::fmt::Display for TurnFault {
             Self::Gap(span) => {
                 write!(f, "gap of {:.2} s at t = {:.2} s", span.length(), span.from)
             }
+            Self::Frozen(span) => write!(
+                f,
+                "frozen for {:.2} s at t = {:.2} s",
+                span.length(),
+                span.from
+            ),
             Self::Saturated { samples } => write!(f, "{samples} saturated gyroscope samples"),
             Self::Empty => write!(f, "no gyroscope samples"),
         }
@@ -119,7 +127,9 @@ impl Segmentation {
                 let (samples, fault) = match gyroscope {
                     Some(stream) => {
                         let samples = stream.between(span.from, span.to);
-                        (samples.clone(), fault(stream, samples, span, step, &rails))
+                        let fault = frozen(recording, &span)
+                            .or_else(|| fault(stream, samples.clone(), span, step, &rails));
+                        (samples, fault)
                     }
                     None => (0..0, Some(TurnFault::Empty)),
                 };
@@ -215,6 +225,14 @@ fn static_interval(recording: &Recording, span: Span) -> StaticInterval {
             .as_ref()
             .and_then(|t| t.mean(span.from, span.to)),
     }
+}
+
+/// The fault of a turn in which the gyroscope repeats one reading.
+fn frozen(recording: &Recording, turn: &Span) -> Option<TurnFault> {
+    let own = recording.frozen.iter();
+    let mut own = own.filter(|frozen| frozen.sensor == Sensor::Gyroscope);
+    own.find(|frozen| frozen.span.touches(turn))
+        .map(|frozen| TurnFault::Frozen(frozen.span))
 }
 
 fn fault(

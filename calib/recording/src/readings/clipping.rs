@@ -3,7 +3,8 @@
 use nalgebra::Vector3;
 
 use super::finding::Finding;
-use super::of_sensor::{FIRST_ROW, OfSensor};
+use super::of_sensor::{FIRST_ROW, OfSensor, least_step};
+use crate::order_statistic::nth_smallest;
 
 /// So many equal readings in a row at an extreme are no peak.
 const RUN: usize = 3;
@@ -11,6 +12,42 @@ const RUN: usize = 3;
 const FEWEST: usize = 6;
 /// An axis whose readings repeat in more than this share elsewhere is coarse, and repeats at its peaks too.
 const REPEATS: f64 = 0.2;
+
+/// The end of a range lies at least this share of the sensor's largest excursion from an axis's usual reading ...
+const FAR: f64 = 0.5;
+/// ... and so many of its least steps.
+const STEPS: f64 = 4.0;
+
+/// How far from its usual reading an axis has to be to be cut off: nearer, a reading repeats because the device rests.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Excursion {
+    usual: Vector3<f64>,
+    least: Vector3<f64>,
+}
+
+impl Excursion {
+    /// Of a sensor.
+    pub fn of(values: &[Vector3<f64>]) -> Self {
+        let usual = Vector3::from_fn(|axis, _| {
+            let column = values.iter().map(move |v| v[axis]);
+            nth_smallest(column, values.len() / 2).unwrap_or(0.0)
+        });
+        let largest = values
+            .iter()
+            .map(|v| (v - usual).amax())
+            .fold(0.0, f64::max);
+        let steps = |axis| STEPS * least_step(values, axis).unwrap_or(0.0);
+        Self {
+            usual,
+            least: Vector3::from_fn(|axis, _| f64::max(FAR * largest, steps(axis))),
+        }
+    }
+
+    /// Whether a reading is so far.
+    pub fn reached(&self, axis: usize, value: f64) -> bool {
+        (value - self.usual[axis]).abs() >= self.least[axis]
+    }
+}
 
 /// Where an axis is cut off, from below and from above; infinite where it is not.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,7 +80,10 @@ pub(crate) fn limits(values: &[Vector3<f64>], axis: usize) -> Limits {
         equal += usize::from(pair[0][axis] == pair[1][axis]);
     }
     let coarse = equal as f64 > REPEATS * all as f64;
-    let cut_off = |limit: f64| !coarse && low < high && in_runs(column(), limit) >= FEWEST;
+    let far = Excursion::of(values);
+    let cut_off = |limit: f64| {
+        !coarse && low < high && in_runs(column(), limit) >= FEWEST && far.reached(axis, limit)
+    };
     Limits {
         low: if cut_off(low) { low } else { f64::NEG_INFINITY },
         high: if cut_off(high) { high } else { f64::INFINITY },
@@ -107,6 +147,17 @@ mod tests {
             Vector3::new(v.min(limit), v, 0.5 * v)
         };
         (0..2000).map(value).collect()
+    }
+
+    #[test]
+    fn a_reading_that_repeats_at_rest_is_no_limit_though_none_is_lower() {
+        let value = |k: usize| {
+            let turns = f64::max(0.0, (0.01 * k as f64).sin() - 0.5);
+            let rate = 4.0 * turns - 0.027 + ((k * k % 97) as f64) * 2e-5;
+            Vector3::repeat((rate / 0.04).round() * 0.04)
+        };
+        let coarse: Vec<_> = (0..4000).map(value).collect();
+        assert_eq!(limits(&coarse, 0).low, f64::NEG_INFINITY);
     }
 
     #[test]

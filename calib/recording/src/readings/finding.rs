@@ -5,10 +5,13 @@ use std::fmt;
 use sensor::Sensor;
 use serde::Serialize;
 
+use super::frozen::Frozen;
 use crate::shown::figure;
 
 /// Most rows or intervals that a sentence lists.
 const LISTED: usize = 8;
+/// Most places with rows and times.
+const PLACES: usize = 3;
 
 /// Fewer zeros at rest than this share are those of turns.
 const IN_TURNS: f64 = 0.005;
@@ -27,6 +30,15 @@ pub enum Finding {
         rows: usize,
         /// Time of the first, s.
         time: f64,
+    },
+    /// Rows repeat one reading for longer than chance and steps of the readings make it.
+    Frozen {
+        /// The sensors, by name.
+        sensors: Vec<&'static str>,
+        /// How many rows repeat the one before.
+        rows: usize,
+        /// Where, the first of one sensor each: first and last row, begin and end in s.
+        places: Vec<(usize, usize, f64, f64)>,
     },
     /// An axis is cut off at the end of its range.
     Clipped {
@@ -101,12 +113,48 @@ pub enum Finding {
         intervals: Vec<usize>,
         /// The spread of the noisiest over that of the usual one.
         ratio: f64,
+        /// Whether these are all from one on to the end, or from the first to one, and equally noisy.
+        from_here_on: bool,
     },
     /// The rate wavers in the quietest stretches as in a hand.
     HandHeld {
         /// Root mean square of the wavering rate, rad/s.
         rate: f64,
     },
+}
+
+impl Finding {
+    /// What is said of readings that repeat one; `None` of none.
+    pub(crate) fn of_frozen(frozen: &[Frozen]) -> Option<Self> {
+        let mut sensors: Vec<&str> = frozen.iter().map(|f| f.sensor.name()).collect();
+        sensors.dedup();
+        let mut places: Vec<_> = frozen
+            .iter()
+            .map(|f| {
+                (
+                    f.first_row,
+                    f.first_row + f.rows - 1,
+                    f.span.from,
+                    f.span.to,
+                )
+            })
+            .collect();
+        places.sort_by_key(|place| (place.0, place.1));
+        // Both sensors of one table are in the same rows, or nearly.
+        places.dedup_by(|next, last| {
+            let same = next.0 <= last.1;
+            if same {
+                *last = (last.0, last.1.max(next.1), last.2, last.3.max(next.3));
+            }
+            same
+        });
+        let rows = places.iter().map(|place| place.1 + 1 - place.0).sum();
+        (!places.is_empty()).then_some(Self::Frozen {
+            sensors,
+            rows,
+            places,
+        })
+    }
 }
 
 /// The sensor's name for JSON.
@@ -142,6 +190,29 @@ impl fmt::Display for Finding {
                 "the last {rows} rows, from row {first_row} (t = {time:.3} s) on, repeat one reading on all \
                  axes: erased memory, left out"
             ),
+            Self::Frozen {
+                sensors,
+                rows,
+                places,
+            } => {
+                let one = |place: &(usize, usize, f64, f64)| {
+                    let (first, last, from, to) = place;
+                    format!("rows {first} to {last}, t = {from:.2} to {to:.2} s")
+                };
+                let shown: Vec<String> = places.iter().take(PLACES).map(one).collect();
+                let more = match places.len().saturating_sub(PLACES) {
+                    0 => String::new(),
+                    more => format!("; and {more} more"),
+                };
+                write!(
+                    f,
+                    "{rows} rows repeat the reading of the {} before them, in {} place{} ({}{more}): they are frozen and left out",
+                    sensors.join(" and the "),
+                    places.len(),
+                    if places.len() == 1 { "" } else { "s" },
+                    shown.join("; ")
+                )
+            }
             Self::Clipped {
                 sensor,
                 axis,
@@ -223,18 +294,23 @@ impl fmt::Display for Finding {
                 sensor,
                 intervals,
                 ratio,
+                from_here_on,
             } => write!(
                 f,
-                "the {} is up to {ratio:.1} times noisier in static interval{} {} than in the others: \
-                 it vibrated there, or a hand held it",
+                "the {} is up to {ratio:.1} times noisier in static interval{} {} than in the others{}",
                 sensor.name(),
                 if intervals.len() == 1 { "" } else { "s" },
-                listed(intervals)
+                listed(intervals),
+                if *from_here_on {
+                    ": from there on something is different, such as the range or the filter; split the recording there"
+                } else {
+                    ", as from vibration or a hand; lay the device down there too"
+                }
             ),
             Self::HandHeld { rate } => write!(
                 f,
-                "the device was held in the hand (its rate wavers by {:.0} mrad/s in the quietest \
-                 stretches): lay it down",
+                "the device never lies still (its rate wavers by {:.0} mrad/s in the quietest stretches, as in a \
+                 hand): lay it down",
                 1e3 * rate
             ),
         }

@@ -32,19 +32,24 @@ pub fn tremor(recording: &Recording) -> Option<f64> {
     if pieces < 5 || !is_si(recording) {
         return None;
     }
-    let mut windows: Vec<(f64, f64)> = stream
+    let mut windows: Vec<(f64, f64, f64)> = stream
         .values
         .chunks_exact(per_piece * pieces)
         .map(|window| wavering(window, per_piece))
         .collect();
     windows.sort_by(|a, b| a.0.total_cmp(&b.0));
     let quiet = (QUIET_SHARE * windows.len() as f64) as usize;
-    let &(rate, ratio) = windows.get(quiet)?;
+    let &(rate, ratio, _) = windows.get(quiet)?;
+    // What goes on turning is no hand that holds still.
+    let turning = median(windows[..=quiet].iter().map(|window| window.2))?;
+    if turning > FASTEST_HAND {
+        return None;
+    }
     (rate > OF_A_HAND && (per_piece == 1 || ratio > BEYOND_NOISE)).then_some(rate)
 }
 
-/// The standard deviation of the means of pieces, and its ratio to that of independent samples.
-fn wavering(window: &[Vector3<f64>], per_piece: usize) -> (f64, f64) {
+/// The standard deviation of the means of pieces, its ratio to that of independent samples, and the mean rate.
+fn wavering(window: &[Vector3<f64>], per_piece: usize) -> (f64, f64, f64) {
     let mean_of =
         |values: &[Vector3<f64>]| values.iter().sum::<Vector3<f64>>() / values.len().max(1) as f64;
     let mean = mean_of(window);
@@ -63,7 +68,8 @@ fn wavering(window: &[Vector3<f64>], per_piece: usize) -> (f64, f64) {
         .map(|pair| (pair[1] - pair[0]).norm_squared());
     let noise = differences.sum::<f64>() / 6.0 / (window.len() - 1).max(1) as f64;
     let independent = noise / per_piece as f64;
-    (between.sqrt(), (between / independent.max(1e-300)).sqrt())
+    let ratio = (between / independent.max(1e-300)).sqrt();
+    (between.sqrt(), ratio, mean.norm())
 }
 
 /// Whether the readings can be rad/s: those of an accelerometer beside it in m/s².
@@ -102,5 +108,13 @@ mod tests {
         assert!((found / 0.05 - 1.0).abs() < 0.5, "{found}");
         assert_eq!(super::tremor(&recording(0.0, 0.02)), None);
         assert_eq!(super::tremor(&recording(0.001, 0.001)), None);
+    }
+
+    #[test]
+    fn a_table_that_turns_all_the_time_is_no_hand() {
+        let mut table = recording(0.05, 0.001);
+        let stream = table.gyroscope.as_mut().unwrap();
+        stream.values.iter_mut().for_each(|w| w.z += 0.5);
+        assert_eq!(super::tremor(&table), None);
     }
 }

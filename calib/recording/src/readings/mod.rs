@@ -1,13 +1,14 @@
 //! What the readings themselves show of a sensor or of how it was recorded, before any model is fitted.
 //!
 //! ```text
-//! file ──► Recording (stuck axes refused, an erased tail cut) ──► without_spikes ──► intervals ──► findings
+//! file ──► Recording (stuck axes refused, an erased tail and frozen rows cut) ──► without_spikes ──► intervals ──► findings
 //! ```
 
 mod clipping;
 mod dead_zone;
 mod erased_tail;
 mod finding;
+mod frozen;
 mod hand;
 mod level;
 mod of_sensor;
@@ -19,10 +20,12 @@ mod stopped;
 mod stuck;
 mod vibration;
 
-pub(crate) use clipping::limits;
+pub(crate) use clipping::{Excursion, limits};
 pub use dead_zone::{DeadZone, dead_zones};
 pub(crate) use erased_tail::cut_erased_tail;
 pub use finding::Finding;
+pub use frozen::Frozen;
+pub(crate) use frozen::{frozen, without_frozen};
 pub use hand::FASTEST_HAND;
 pub use hand::tremor;
 pub(crate) use level::{LevelChange, level_change};

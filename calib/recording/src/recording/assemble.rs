@@ -12,6 +12,7 @@ use crate::Error;
 use crate::clock::{held, time};
 use crate::formats::robots::ardupilot_text;
 use crate::header::unclear;
+use crate::readings::{Finding, Frozen, frozen, without_frozen};
 use crate::recording::{checks, thermometer};
 use crate::rows::sort;
 use crate::rows::table::Table;
@@ -91,6 +92,10 @@ pub(crate) fn assemble(
             .push(format!("{}: {found}", recording.name));
     }
     crate::readings::refuse_stopped(&recording)?;
+    if let Some(found) = Finding::of_frozen(&recording.frozen) {
+        let words = format!("{}: {found}", recording.name);
+        recording.warnings.push(words);
+    }
     flip(&mut recording, &options.flip);
     overlap(&recording)?;
     thermometer::check_clock(&mut recording);
@@ -152,17 +157,19 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
         // Its unit is decided when the accelerometer is known.
         || finish(&name, Sensor::Gyroscope, table.gyro, |_, _| Ok(())),
     );
-    if let Some((stream, unit, mut warnings)) = accelerometer? {
+    if let Some((stream, unit, mut noticed)) = accelerometer? {
         recording.accelerometer = Some(scaled(stream, unit.scale()));
-        recording.warnings.append(&mut warnings);
+        recording.warnings.append(&mut noticed.warnings);
+        recording.frozen.append(&mut noticed.frozen);
         let sensors = recording.description.sensors.iter_mut();
         sensors
             .filter(|described| described.sensor == Sensor::Accelerometer)
             .for_each(|described| described.unit = unit.name());
     }
-    if let Some((stream, (), mut warnings)) = gyroscope? {
+    if let Some((stream, (), mut noticed)) = gyroscope? {
         recording.gyroscope = Some(stream);
-        recording.warnings.append(&mut warnings);
+        recording.warnings.append(&mut noticed.warnings);
+        recording.frozen.append(&mut noticed.frozen);
     }
     if !table.temperature.is_empty() {
         let unit = stated.temperature.unwrap_or(TemperatureUnit::Celsius);
@@ -243,14 +250,21 @@ fn overridden(name: &str, stated: Stated, options: &ReadOptions) -> impl Iterato
     })
 }
 
-/// The stream of one sensor, checked, held values removed, times the scale of its unit; and what was
-/// noticed. `None` without samples.
+/// What was noticed of the samples of one sensor.
+#[derive(Default)]
+struct Noticed {
+    warnings: Vec<String>,
+    frozen: Vec<Frozen>,
+}
+
+/// The stream of one sensor, checked, held and frozen values removed; its unit, and what was noticed. `None` without
+/// samples.
 fn finish<U>(
     name: &str,
     sensor: Sensor,
     samples: Samples,
     unit: impl FnOnce(&Stream, &mut Vec<String>) -> Result<U, Error>,
-) -> Result<Option<(Stream, U, Vec<String>)>, Error> {
+) -> Result<Option<(Stream, U, Noticed)>, Error> {
     if samples.t.is_empty() {
         return Ok(None);
     }
@@ -266,12 +280,15 @@ fn finish<U>(
         t: samples.t,
         values: samples.values,
     };
+    let frozen = frozen(sensor, &stream);
     let stream = held::without_held(name, sensor, stream, &mut warnings);
-    let gaps = stream.gaps();
+    let mut gaps = stream.gaps();
+    gaps.retain(|gap| !frozen.iter().any(|f| f.is_between(gap.t0, gap.t1)));
     checks::bursts(name, sensor, &stream, &gaps, &mut warnings);
     checks::gaps(name, sensor, &gaps, &mut warnings);
+    let stream = without_frozen(stream, &frozen);
     let unit = unit(&stream, &mut warnings)?;
-    Ok(Some((stream, unit, warnings)))
+    Ok(Some((stream, unit, Noticed { warnings, frozen })))
 }
 
 fn scaled(mut stream: Stream, scale: f64) -> Stream {
@@ -286,7 +303,9 @@ fn refuse_swapped(recording: &Recording) -> Result<(), Error> {
     let (Some(accel), Some(gyro)) = (&recording.accelerometer, &recording.gyroscope) else {
         return Ok(());
     };
-    if accel.len() != gyro.len() || rests::accelerometer([&accel.values, &gyro.values]) != Some(1) {
+    // On a rate table the rate is another in every placement, but gravity is where it should be.
+    let told = rests::accelerometer([&accel.values, &gyro.values]);
+    if accel.len() != gyro.len() || told != Some(1) || rests::has_gravity(&accel.values) {
         return Ok(());
     }
     Err(in_file(

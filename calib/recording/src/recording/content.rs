@@ -5,6 +5,7 @@ use sensor::Sensor;
 use super::description::Description;
 use super::magnetometer::Magnetometer;
 use super::stream::{Stream, Temperature};
+use crate::readings::Frozen;
 
 /// One recording of one device.
 #[derive(Clone, Debug, Default)]
@@ -19,6 +20,8 @@ pub struct Recording {
     pub temperature: Option<Temperature>,
     /// Magnetic field, as the file has it.
     pub magnetometer: Option<Magnetometer>,
+    /// Where a sensor repeated one reading; the repetitions are left out of its stream.
+    pub frozen: Vec<Frozen>,
     /// What the reader noticed and went on with.
     pub warnings: Vec<String>,
     /// Where the samples come from.

@@ -101,6 +101,12 @@ pub(crate) fn accelerometer(sensors: [&[Vector3<f64>]; 2]) -> Option<usize> {
     told(shares(usual_distance)).or_else(|| told(shares(|means| moments(means).1.sqrt())))
 }
 
+/// Whether a sensor reads more all the time than it changes by: an accelerometer in one attitude, and no gyroscope.
+pub(crate) fn has_gravity(values: &[Vector3<f64>]) -> bool {
+    let (mean, square) = moments(&values[..values.len().min(LOOKED_AT)]);
+    mean.norm() > square.sqrt()
+}
+
 /// The median distance from the median of every axis.
 fn usual_distance(means: &[Vector3<f64>]) -> f64 {
     let middle =
@@ -163,6 +169,16 @@ pub(crate) fn sphere(means: &[Vector3<f64>]) -> Option<(Vector3<f64>, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_sensor_that_always_reads_about_the_same_has_gravity_and_one_that_turns_has_not() {
+        let wave = |k: usize| Vector3::new(0.2, 2.0 * (0.1 * k as f64).sin(), 0.1);
+        let [turning, resting]: [Vec<_>; 2] = [0.0, 9.8].map(|g| {
+            let readings = (0..1000).map(|k| wave(k) + Vector3::z() * g);
+            readings.collect()
+        });
+        assert!(has_gravity(&resting) && !has_gravity(&turning));
+    }
 
     /// Rests in eight directions, quarter turns between them.
     fn sensors(bias: f64) -> [Vec<Vector3<f64>>; 2] {

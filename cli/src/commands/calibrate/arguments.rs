@@ -66,6 +66,9 @@ pub struct Args {
     /// With `--method stepwise`: how the rate is integrated over a turn [default: exponential]
     #[arg(long, value_enum)]
     pub(super) integrator: Option<IntegratorArg>,
+    /// Calibrate this sensor alone, whatever else was recorded
+    #[arg(long, value_enum, value_name = "SENSOR")]
+    pub(super) sensor: Option<SensorArg>,
     /// With `--method stepwise`: where the bias of a turn is taken from [default: adjacent]
     #[arg(long, value_enum)]
     pub(super) gyro_bias: Option<GyroBiasArg>,
@@ -137,6 +140,12 @@ pub enum Method {
     Joint,
     /// Each axis once up and once down, from six recordings or one
     SixPosition,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(super) enum SensorArg {
+    /// Needs static intervals and no turn
+    Accelerometer,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]

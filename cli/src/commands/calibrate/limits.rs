@@ -6,7 +6,7 @@ use calib::Calibration;
 use calib::calibration::Triad;
 use calib::limits::{Bound, Limit, LimitLine, Limits, built_in, judge, read_limits};
 
-use crate::exit::{Failure, GATE};
+use crate::exit::{Failure, GATE, NOT_ENOUGH};
 use crate::{report, show};
 
 /// Limits that the result must keep.
@@ -35,9 +35,13 @@ pub fn state(calibration: &mut Calibration, limits: Option<&Limits>) {
     calibration.state_limits(lines);
 }
 
-/// Status 1 with the reasons where a quality gate failed or a limit is not kept.
+/// Status 1 with the reasons where a quality gate failed or a limit is not kept, 4 where a sensor is not calibrated.
 pub fn gate(calibration: &Calibration) -> Result<(), Failure> {
-    gate_for(&reasons(calibration))
+    let failed = gate_for(&reasons(calibration));
+    match calibration.not_calibrated.is_empty() {
+        true => failed,
+        false => failed.map_err(|failure| Failure::new(NOT_ENOUGH, failure.message)),
+    }
 }
 
 /// Status 1 where there are reasons.

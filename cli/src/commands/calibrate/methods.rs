@@ -18,7 +18,7 @@ const BOTH: &[Method] = &[Method::Stepwise, Method::Joint];
 const SIX_POSITION: &[Method] = &[Method::SixPosition];
 
 /// The options that are not every method's.
-pub static OF_METHODS: [OfMethods; 15] = [
+pub static OF_METHODS: [OfMethods; 16] = [
     of("--integrator", STEPWISE, |args| args.integrator.is_some()),
     of("--gyro-bias", STEPWISE, |args| args.gyro_bias.is_some()),
     of("--nominal-rate", STEPWISE, |args| {
@@ -39,6 +39,7 @@ pub static OF_METHODS: [OfMethods; 15] = [
     }),
     of("--sections", BOTH, |args| !args.sections.is_empty()),
     of("--leave-out", BOTH, |args| !args.leave_out.is_empty()),
+    of("--sensor", BOTH, |args| args.sensor.is_some()),
     of("--force-device", BOTH, |args| args.force_device),
 ];
 

@@ -7,7 +7,7 @@ use calib::intervals::{Span, read_sections};
 use calib::recording::figure;
 use calib::residuals::Integrator;
 use nalgebra::Vector3;
-use sensor::AnyEffect;
+use sensor::{AnyEffect, Sensor};
 
 use super::arguments::{Args, FrameArg, GyroBiasArg, IntegratorArg, Method};
 use super::methods;
@@ -38,6 +38,19 @@ pub(super) fn request(args: &Args) -> Result<Request, Failure> {
             })
         })
         .collect::<Result<Vec<_>, _>>()?;
+    let of_another = |effect: &&&'static dyn AnyEffect| effect.sensor() != Sensor::Accelerometer;
+    if let Some(effect) = effects
+        .iter()
+        .find(of_another)
+        .filter(|_| args.sensor.is_some())
+    {
+        let why = format!(
+            "--effects {}: it is one of the {}, and --sensor accelerometer leaves that out",
+            effect.name(),
+            effect.sensor().name()
+        );
+        return Err(Failure::new(USAGE, why));
+    }
     let nominal_step = match args.nominal_rate {
         Some(rate) if NOMINAL_RATES.contains(&rate) => Some(rate.recip()),
         Some(rate) => {
@@ -86,6 +99,7 @@ pub(super) fn request(args: &Args) -> Result<Request, Failure> {
         effects,
         latitude: args.place.latitude,
         force_device: args.force_device,
+        accelerometer_alone: args.sensor.is_some(),
         clock: args.clock.unwrap_or_default().mode(),
         field: args.field,
         static_means,

@@ -14,7 +14,7 @@ use solve::{Known, Named, Run};
 
 use crate::commands::shared::inputs::{as_paths, load, numbers, read};
 use crate::commands::shared::pictures::{PictureArgs, named};
-use crate::exit::{Failure, USAGE};
+use crate::exit::{Failure, NOT_ENOUGH, USAGE};
 use crate::output::{Output, Replace};
 use crate::read_args::ReadArgs;
 use crate::show;
@@ -308,7 +308,19 @@ fn calibrations(args: &Args) -> Result<Vec<Named>, Failure> {
                 ),
             ));
         }
-        all.push(Named::file(name, load(path.as_ref())?));
+        let calibration = load(path.as_ref())?;
+        if let Some(own) = calibration.not_calibrated.first() {
+            return Err(Failure::new(
+                NOT_ENOUGH,
+                format!(
+                    "--calibration {named}: the {} is not calibrated ({}), and the motion needs both sensors; calibrate a \
+                     recording with turns that can be used",
+                    own.sensor.name(),
+                    own.reason.in_words()
+                ),
+            ));
+        }
+        all.push(Named::file(name, calibration));
     }
     Ok(all)
 }

@@ -1,6 +1,6 @@
 //! Which orientations were recorded.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, SMatrix, Vector3};
 use recording::Error;
 
 use crate::residuals::StaticMean;
@@ -24,6 +24,79 @@ pub(in crate::calibrate) fn refusal(directions: &[Vector3<f64>], unknown: &str) 
     let parts = parts.into_iter().filter(|part| !part.is_empty());
     let parts: Vec<String> = parts.collect();
     format!("{}: {unknown}; {}", found.found(), parts.join("; "))
+}
+
+/// Directions nearer than this are the same placement again, rad (4°): what they differ by is a placement that is not
+/// repeated exactly, and shows scale factors and misalignments badly.
+const SAME: f64 = 0.07;
+
+/// A combination of parameters of which the directions show less than this share of the best is open.
+const UNSEEN: f64 = 0.02;
+
+/// The parameters that the norm shows, in the order of the columns of [`shown_by_norm`].
+const BY_NORM: [&str; 9] = [
+    "accel.s_x",
+    "accel.s_y",
+    "accel.s_z",
+    "accel.alpha_yz",
+    "accel.alpha_zy",
+    "accel.alpha_zx",
+    "accel.b_x",
+    "accel.b_y",
+    "accel.b_z",
+];
+
+/// What the norm of specific force along a direction shows of scale factors, misalignments and biases: its derivatives.
+fn shown_by_norm(u: &Vector3<f64>) -> [f64; 9] {
+    let (x, y, z) = (u.x, u.y, u.z);
+    [x * x, y * y, z * z, x * y, x * z, y * z, x, y, z]
+}
+
+/// What so few directions leave open however often they are recorded, in words; `None` where they determine all.
+pub(in crate::calibrate) fn open_by_directions(directions: &[Vector3<f64>]) -> Option<String> {
+    let distinct = distinct(directions);
+    let rows = SMatrix::<f64, 9, 9>::from_fn(|i, j| {
+        distinct
+            .iter()
+            .map(|u| shown_by_norm(u)[i] * shown_by_norm(u)[j])
+            .sum()
+    });
+    let seen = rows.symmetric_eigen();
+    let least = (UNSEEN * UNSEEN) * seen.eigenvalues.max();
+    let open: Vec<&str> = (0..BY_NORM.len())
+        .filter(|&k| {
+            let vectors = seen.eigenvalues.iter().enumerate();
+            let unseen = vectors.filter(|(_, value)| **value <= least);
+            let share: f64 = unseen.map(|(j, _)| seen.eigenvectors[(k, j)].powi(2)).sum();
+            share > 0.1
+        })
+        .map(|k| BY_NORM[k])
+        .collect();
+    (!open.is_empty()).then(|| {
+        format!(
+            "these {} directions, however often recorded, do not show {}",
+            distinct.len(),
+            open.join(", ")
+        )
+    })
+}
+
+/// Why the raw means of too few directions are refused; `None` where they are enough.
+pub(crate) fn few_directions(raw: &[Vector3<f64>]) -> Option<String> {
+    let directions: Vec<Vector3<f64>> = raw.iter().map(Vector3::normalize).collect();
+    let open = open_by_directions(&directions)?;
+    Some(refusal(&directions, &open))
+}
+
+/// One direction for each placement that was repeated.
+fn distinct(directions: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
+    let mut all: Vec<Vector3<f64>> = Vec::new();
+    for direction in directions {
+        if all.iter().all(|other| other.angle(direction) > SAME) {
+            all.push(*direction);
+        }
+    }
+    all
 }
 
 /// Refuses placements that lie in one plane to within what no fit can use: it would run along what it cannot
@@ -62,6 +135,25 @@ mod tests {
             across * cos + other * sin
         };
         (0..7).map(at).collect()
+    }
+
+    #[test]
+    fn six_faces_however_often_leave_the_misalignments_open_and_edges_show_them() {
+        let mut tumbled = Vec::new();
+        for k in 0..30 {
+            let tilt = 0.01 * f64::from(k % 7);
+            let faces = [Vector3::x(), Vector3::y(), Vector3::z()];
+            let face = faces[k as usize % 3] * if k % 2 == 0 { 1.0 } else { -1.0 };
+            tumbled.push((face + Vector3::new(tilt, -tilt, tilt) * 0.5).normalize());
+        }
+        let open = open_by_directions(&tumbled).unwrap();
+        assert!(
+            open.ends_with("do not show accel.alpha_yz, accel.alpha_zy, accel.alpha_zx"),
+            "{open}"
+        );
+        let edges = [(1.0, 1.0, 0.0), (1.0, 0.0, 1.0), (0.0, -1.0, 1.0)];
+        tumbled.extend(edges.map(|(x, y, z)| Vector3::new(x, y, z).normalize()));
+        assert_eq!(open_by_directions(&tumbled), None);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use recording::Error;
 
-use super::coverage::refusal;
+use super::coverage::{open_by_directions, refusal};
 use crate::methods::{AccelerometerFit, AccelerometerRequest, Ending, Fitted, GyroscopeFit};
 
 /// A gyroscope that misses gravity by this much after the fit is not understood, rad.
@@ -22,6 +22,8 @@ pub(in crate::calibrate) struct ForceEvidence<'a> {
     pub fitted: &'a Fitted,
     /// Direction of specific force in every rest, body frame.
     pub directions: Vec<Vector3<f64>>,
+    /// The same as the readings show them: a fit that does not end may have lost them.
+    pub seen: Vec<Vector3<f64>>,
     /// SI units per raw unit.
     pub scale: f64,
     /// Local gravity, m/s².
@@ -50,6 +52,7 @@ impl<'a> ForceEvidence<'a> {
         Self {
             fitted: &fit.fitted,
             directions: directions(fit, request),
+            seen: seen(request),
             scale: fit.unit.scale,
             gravity: request.gravity,
             ending: (&fit.first).into(),
@@ -89,6 +92,11 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
         );
         return Err(Error::NotEnough(refusal(directions, &unknown)));
     }
+    if !fit.ending.termination.converged()
+        && let Some(open) = open_by_directions(&fit.seen)
+    {
+        return Err(Error::NotEnough(refusal(&fit.seen, &open)));
+    }
     if !fit.ending.termination.converged() {
         return Err(Error::NotConverged(format!(
             "the accelerometer's fit stopped after {} steps ({:?}); is the gravity of {} m/s² right, \
@@ -120,6 +128,17 @@ pub(in crate::calibrate) fn accelerometer_is_determined(
     Ok(())
 }
 
+/// `known to 0.31 % only`, or not known: an error of a scale factor or of a bias, as a share.
+fn share_in_words(error: f64, decimals: usize, of: &str) -> String {
+    if error >= 1.0 || !error.is_finite() {
+        return "is not known".into();
+    }
+    let percent = 100.0 * error;
+    // Two digits at least, and no more decimals than a person reads.
+    let decimals = decimals.max((1.0 - percent.log10().floor()).clamp(0.0, 4.0) as usize);
+    format!("is known to {percent:.decimals$} %{of} only")
+}
+
 /// `; accel.s_z is known to 0.31 % only`: the parameter with the largest error, a bias against gravity.
 fn least_known(fit: &ForceEvidence<'_>) -> String {
     let fitted = fit.fitted;
@@ -143,7 +162,7 @@ fn least_known(fit: &ForceEvidence<'_>) -> String {
         } else {
             ""
         };
-        format!("; {name} is known to {:.2} %{of} only", 100.0 * error)
+        format!("; {name} {}", share_in_words(error, 2, of))
     })
 }
 
@@ -199,6 +218,11 @@ pub(in crate::calibrate) fn gyroscope_is_determined(
             .map(|w| format!("{} ({turns} turns)", w.words)),
     );
     Ok(())
+}
+
+fn seen(request: &AccelerometerRequest) -> Vec<Vector3<f64>> {
+    let means = request.recordings.iter().flatten();
+    means.map(|mean| mean.raw.normalize()).collect()
 }
 
 fn directions(fit: &AccelerometerFit, request: &AccelerometerRequest) -> Vec<Vector3<f64>> {
@@ -257,10 +281,31 @@ fn weak_parameters(fitted: &Fitted, scale: f64, size: f64) -> Vec<Weak> {
                 let relative = std / scale;
                 (relative > RELATIVE_WARN).then(|| Weak {
                     name: name.clone(),
-                    words: format!("{name} is known to {:.1} % only", 100.0 * relative),
+                    words: format!("{name} {}", share_in_words(relative, 1, "")),
                     refused: relative > RELATIVE_REFUSE,
                 })
             }
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_share_beyond_the_whole_is_not_known_and_a_small_one_has_two_digits() {
+        let words = [2.5e15, 1.2, f64::NAN, 0.314, 0.0567, 0.00031, 4e-6];
+        let words = words.map(|error| share_in_words(error, 1, ""));
+        let expected = [
+            "is not known",
+            "is not known",
+            "is not known",
+            "is known to 31.4 % only",
+            "is known to 5.7 % only",
+            "is known to 0.031 % only",
+            "is known to 0.0004 % only",
+        ];
+        assert_eq!(words, expected);
+    }
 }

@@ -11,6 +11,7 @@ mod twice;
 mod unknowable;
 
 pub(super) use coning::too_fast;
+pub(crate) use coverage::few_directions;
 pub use coverage::not_in_one_plane;
 pub(super) use determined::{
     ForceEvidence, RateEvidence, accelerometer_is_determined, gyroscope_is_determined,

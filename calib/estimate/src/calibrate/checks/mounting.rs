@@ -26,11 +26,17 @@ pub(in crate::calibrate) fn gyroscope_gates(fit: &RateEvidence<'_>, si: bool) ->
         ));
     }
     if near_si.determinant() < 0.0 {
-        failed.push(format!(
-            "the gyroscope's axes are left-handed against the accelerometer's: {}{}",
-            mounting(&near_si),
-            flip_in_words(&near_si)
-        ));
+        failed.push(match is_left_handed(&near_si) {
+            true => format!(
+                "the gyroscope's axes are left-handed against the accelerometer's: {}{}",
+                mounting(&near_si),
+                flip_in_words(&near_si)
+            ),
+            // No axis is turned or flipped so: the matrix is none of a sensor.
+            false => "the gyroscope's matrix is that of no sensor (det T < 0, and no axis is flipped): the turns do not \
+                      show its axes; turn the device about each of them between static intervals"
+                .into(),
+        });
     }
     let ratio = base.t.trace() / 3.0;
     if si && fit.rms <= LOST && COMMON_SCALES.contains(&ratio) && all_off(&base.t) {
@@ -76,10 +82,9 @@ fn flip_in_words(t: &Matrix3<f64>) -> String {
     }
 }
 
-/// `its y is flipped`, or which axis of the sensor lies on which of the body.
-fn mounting(t: &Matrix3<f64>) -> String {
-    let axes = ["x", "y", "z"];
-    let nearest = |row: usize| {
+/// The sensor's axis nearest to each of the body's, and whether it points the other way.
+fn nearest(t: &Matrix3<f64>) -> [(usize, bool); 3] {
+    [0, 1, 2].map(|row| {
         let column = (0..3).fold(0, |best, k| {
             if t[(row, k)].abs() > t[(row, best)].abs() {
                 k
@@ -88,8 +93,22 @@ fn mounting(t: &Matrix3<f64>) -> String {
             }
         });
         (column, t[(row, column)] < 0.0)
-    };
-    let rows: Vec<(usize, bool)> = (0..3).map(nearest).collect();
+    })
+}
+
+/// Whether the nearest axes are a mirror of the body's: each once, and an odd number of exchanges and flips.
+fn is_left_handed(t: &Matrix3<f64>) -> bool {
+    let mut mirrored = Matrix3::zeros();
+    for (row, (column, negative)) in nearest(t).into_iter().enumerate() {
+        mirrored[(row, column)] = if negative { -1.0 } else { 1.0 };
+    }
+    mirrored.determinant() < 0.0
+}
+
+/// `its y is flipped`, or which axis of the sensor lies on which of the body.
+fn mounting(t: &Matrix3<f64>) -> String {
+    let axes = ["x", "y", "z"];
+    let rows = nearest(t);
     let in_order = rows
         .iter()
         .enumerate()
@@ -109,4 +128,19 @@ fn mounting(t: &Matrix3<f64>) -> String {
         })
         .collect::<Vec<_>>()
         .join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_axes_that_are_flipped_or_exchanged_are_left_handed() {
+        let flipped = Matrix3::new(1.0, 0.01, 0.0, 0.0, -1.0, 0.0, 0.02, 0.0, 1.0);
+        assert!(is_left_handed(&flipped));
+        let exchanged = Matrix3::new(0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0);
+        assert!(is_left_handed(&exchanged));
+        let undetermined = Matrix3::new(1.0, 0.9, 0.8, 0.9, 1.0, 0.95, -0.5, 0.9, 1.0);
+        assert!(!is_left_handed(&undetermined));
+    }
 }

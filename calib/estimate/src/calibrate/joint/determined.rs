@@ -1,12 +1,13 @@
 //! Whether the data determine what a joint fit estimates.
 
+use nalgebra::Vector3;
 use recording::Error;
 use recording::averages::root_mean_square;
 use sensor::Sensor;
 
 use crate::calibrate::checks;
 use crate::methods::Fitted;
-use crate::methods::joint::JointFit;
+use crate::methods::joint::{JointFit, Rest};
 
 /// Refuses a fit that leaves combinations of parameters open: no effect beside them closes those.
 ///
@@ -35,11 +36,23 @@ pub fn check_force(
     let evidence = checks::ForceEvidence {
         fitted,
         directions: fit.directions(),
+        seen: seen(fit),
         scale: fit.force_unit.scale,
         gravity: fit.gravity,
         ending: fit.ending,
     };
     checks::accelerometer_is_determined(&evidence, warnings)
+}
+
+/// The direction of the mean reading in every static interval.
+fn seen(fit: &JointFit) -> Vec<Vector3<f64>> {
+    let of_rest = |rest: &Rest| {
+        let chunks = fit.data.chunks[rest.chunks.clone()].iter();
+        let means = chunks.filter_map(|chunk| chunk.accelerometer);
+        let sum: Vector3<f64> = means.map(|m| m.value * m.count as f64).sum();
+        sum.try_normalize(0.0)
+    };
+    fit.data.rests.iter().filter_map(of_rest).collect()
 }
 
 /// Refuses or warns; the gates that the gyroscope fails.

@@ -88,7 +88,7 @@ pub fn disturbances(fit: &JointFit, warnings: &mut Vec<String>) {
         ));
     }
     for (place, source) in fit.data.sources.iter().enumerate() {
-        if source.moves_at_rest() {
+        if source.sways() {
             warnings.push(format!(
                 "{}: the device sways in its static intervals and comes back, as one that is held in the hand does: turns begin \
                  and end a little away from where it rested on the average, and a slow creep would look the same. Lay it down for smaller \
@@ -103,9 +103,14 @@ pub fn disturbances(fit: &JointFit, warnings: &mut Vec<String>) {
                 "static interval",
                 "the bias stepped within it, so that its mean is not used",
             ),
-            Disturbance::MountSlip | Disturbance::SuddenSlip => (
+            Disturbance::MountSlip => (
                 "static interval",
-                "the device crept while it should have rested (mount_slip); its creep is fitted",
+                "the readings drift while the device should have rested (mount_slip), as from a creep of the device or a \
+                 warm-up of the sensor; the drift is fitted",
+            ),
+            Disturbance::SuddenSlip => (
+                "static interval",
+                "the device moved while it should have rested (mount_slip); its move is fitted",
             ),
             Disturbance::DisturbedInterval => (
                 "static interval",

@@ -11,14 +11,15 @@ use super::triads::{force_triad, rate_triad};
 use crate::calibrate::assemble::{effect_values, of_the_gyro_unit, of_the_unit};
 use crate::calibrate::left_out::left_out;
 use crate::calibrate::request::Frame;
+use crate::calibrate::unusable_turns::TurnCount;
 use crate::calibrate::{checks, clocks};
 use crate::calibration::{
-    Calibration, Provenance, RecordingClock, Remainder, SCHEMA, TO_DISCOVER, Triad, WITH_WALKS,
-    in_symmetric_frame,
+    Calibration, NotCalibrated, NotCalibratedReason, Provenance, RecordingBias, RecordingClock,
+    Remainder, SCHEMA, TO_DISCOVER, Triad, WITH_WALKS, in_symmetric_frame,
 };
 use crate::gravity::GravitySource;
-use crate::methods::Choice;
 use crate::methods::joint::{Channel, JointFit};
+use crate::methods::{Choice, Fitted};
 
 /// What a calibration has to say beside the fit.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +36,28 @@ pub struct Account {
     pub frame: Frame,
     /// Whether the caller names what the models lack: no warning points to that search then.
     pub names_what_is_missing: bool,
+}
+
+/// What stands in the place of a gyroscope that no turn shows.
+fn without_a_turn(
+    fit: &JointFit,
+    rate: &Fitted,
+    recordings: &[&Recording],
+    choices: &[&Choice],
+) -> NotCalibrated {
+    let turns = choices.iter().map(|choice| choice.segmentation.turns.len());
+    let lost = fit.data.lost.iter().map(|turn| &turn.fault);
+    let count = TurnCount::of(turns.sum(), lost);
+    let triad = rate_triad(fit, rate, recordings);
+    let bias = RecordingBias {
+        recording: recordings
+            .last()
+            .map_or_else(String::new, |r| r.name.clone()),
+        bias: triad.bias,
+        bias_std: triad.bias_std,
+    };
+    let reason = NotCalibratedReason::NoUsableTurn;
+    NotCalibrated::gyroscope(reason, count.in_words(), Some(bias))
 }
 
 /// The fit as a [`Calibration`], checked; `warnings` stay outside.
@@ -60,12 +83,20 @@ pub fn written_down(
         ));
         warnings.extend(checks::long_turns(recording, segmentation));
     }
-    if let Some(rate) = &rate {
+    let turned = rate.as_ref().filter(|_| !fit.chords.is_empty());
+    if let Some(rate) = turned {
         failed_gates.extend(check_rate(fit, rate, warnings)?);
     }
+    let not_calibrated: Vec<NotCalibrated> = rate
+        .as_ref()
+        .filter(|_| turned.is_none())
+        .map(|rate| without_a_turn(fit, rate, recordings, choices))
+        .into_iter()
+        .collect();
+    failed_gates.extend(not_calibrated.iter().map(NotCalibrated::gate));
     failed_gates.extend(placements_apart(fit));
     warnings.extend(of_the_unit(&fit.force_unit));
-    if rate.is_some() {
+    if turned.is_some() {
         warnings.extend(of_the_gyro_unit(&fit.rate_unit, fit.force_unit.is_si()));
     }
     warnings.extend(clocks::doubts(fit));
@@ -88,9 +119,11 @@ pub fn written_down(
     influences(fit, warnings);
     let of_the_earth =
         |name: &str| account.keeps_the_earth && name.starts_with(earth_rotation().name());
-    let all = fit.fitted_where(|name| !of_the_earth(name));
+    let of_a_lost_gyroscope = |name: &str| turned.is_none() && name.starts_with("gyro");
+    let all = fit.fitted_where(|name| !of_the_earth(name) && !of_a_lost_gyroscope(name));
+    let of_turns = turned.map(|_| effect_values(&fit.models[1], &all));
     let effects = effect_values(&fit.models[0], &all)
-        .chain(effect_values(&fit.models[1], &all))
+        .chain(of_turns.into_iter().flatten())
         .filter(|effect| !of_the_earth(&effect.name))
         .collect();
     let chi2 = |channel: Channel| {
@@ -107,12 +140,13 @@ pub fn written_down(
             reduced_chi2: chi2(Channel::Force),
             ..force_triad(fit, &force, recordings)
         }),
-        gyroscope: rate.as_ref().map(|rate| Triad {
+        gyroscope: turned.map(|rate| Triad {
             reduced_chi2: chi2(Channel::Direction),
             ..rate_triad(fit, rate, recordings)
         }),
         magnetometer: None,
         magnetic_field: None,
+        not_calibrated,
         effects,
         left_out: left_out(fit, &all),
         parameters: all.free,

@@ -149,6 +149,15 @@ impl Source {
     pub fn moves_at_rest(&self) -> bool {
         self.noise_shares.iter().any(|share| *share < 1.0)
     }
+
+    /// Whether it does so by a sensor that shows it: readings in steps wider than the noise come and go by themselves.
+    pub fn sways(&self) -> bool {
+        let sensors = [&self.accelerometer, &self.gyroscope].into_iter();
+        let mut shares = sensors.zip(self.noise_shares);
+        shares.any(|(noise, share)| {
+            share < 1.0 && noise.is_some_and(|noise| noise.rounding.amax() == 0.0)
+        })
+    }
 }
 
 /// All recordings.

@@ -8,6 +8,7 @@ use sensor::{BASE_PARAMETERS, Base, Model};
 use super::JointRequest;
 use super::data::Data;
 use super::data::budget::Steps;
+use crate::calibrate::few_directions;
 use crate::methods::joint::rows::chart::Chart;
 use crate::methods::{
     AccelerometerRequest, RawUnit, accelerometer_unit, fit_accelerometer, gyroscope_guess,
@@ -71,6 +72,9 @@ pub fn start(request: &JointRequest<'_>) -> Result<Start, Error> {
     let (first, gravity) = (&fit.first, request.gravity);
     let left = (2.0 * first.cost / first.residuals.len().max(1) as f64).sqrt();
     if !first.termination.converged() && left > NOT_STILL * gravity {
+        if let Some(reason) = few_directions(&raw) {
+            return Err(Error::NotEnough(reason));
+        }
         return Err(Error::NotConverged(format!(
             "the accelerometer's fit stopped after {} steps ({:?}) and leaves {left:.2} m/s² of the norms; is the gravity of \
              {gravity} m/s² right, and was the device still in the intervals that `segment` shows?",

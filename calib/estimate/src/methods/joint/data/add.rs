@@ -94,11 +94,18 @@ impl Data {
                 force: (f, nf),
                 rate: (r, nr),
             };
-            self.look_for_touches(&pair, &spans, first);
+            self.look_for_touches(cut, &pair, &spans, first);
         }
         let streams = [(force, &of_force), (rate, &of_rate)];
         let known = streams.into_iter().filter_map(|(s, n)| s.zip(n.as_ref()));
         self.look_for_shakes(known, first);
+        // Frozen rows are left out and named: what is missing there is no gap.
+        let is_frozen = |gap: &Span| {
+            let mut frozen = cut.recording.frozen.iter();
+            frozen.any(|own| own.is_between(gap.from, gap.to))
+        };
+        self.gaps
+            .retain(|(rest, gap)| *rest < first || !is_frozen(gap));
         let clock = match rate {
             Some(rate) => self.add_turns(cut, rate, of_rate.as_ref(), &spans, first),
             None => SourceClock::default(),
@@ -132,8 +139,15 @@ impl Data {
     }
 
     /// Touches that broke a rest in two or off its end.
-    fn look_for_touches(&mut self, pair: &Pair<'_>, spans: &[Span], first: usize) {
+    fn look_for_touches(&mut self, cut: &Cut<'_>, pair: &Pair<'_>, spans: &[Span], first: usize) {
+        let is_frozen = |k: usize| {
+            let turn = cut.segmentation.turns.get(k);
+            turn.is_some_and(|turn| matches!(turn.fault, Some(TurnFault::Frozen(_))))
+        };
         for (k, ends) in spans.windows(2).enumerate() {
+            if is_frozen(k) {
+                continue;
+            }
             let chunks = self.rests[first + k].chunks.clone();
             let after = self.rests[first + k + 1].chunks.start;
             let force = |chunk: &Chunk| Some(chunk.accelerometer?.value);

@@ -1,0 +1,287 @@
+//! Rows that repeat the reading before them, in a sensor that never reads the same for so long.
+
+use std::ops::Range;
+
+use nalgebra::Vector3;
+use sensor::Sensor;
+
+use crate::intervals::Span;
+use crate::order_statistic::nth_smallest;
+use crate::recording::Stream;
+
+/// Fewer equal readings in a row are left to chance and to the clock.
+const SHORTEST: usize = 4;
+
+/// Runs of equal readings on either side of one that show what is usual there ...
+const AROUND: usize = 400;
+/// ... and the fewest that show anything.
+const FEWEST_AROUND: usize = 60;
+
+/// A slower sensor holds its value for the length of most runs: of nine in ten no longer than this.
+const HELD_SHARE: f64 = 0.9;
+/// Values that are held for longer than so many rows are those of no slower sensor.
+const LONGEST_HELD: usize = 20;
+
+/// Runs that chance makes in fewer recordings than this are no chance.
+const CHANCE: f64 = 0.01;
+
+/// The reading leaves the repeated one by more than so many of its least steps: where it changes by one, it repeats because
+/// nothing moves.
+const LEAP: f64 = 1.5;
+
+/// Repeated readings that are more of the recording than this are how the sensor reads.
+const MOST: f64 = 0.2;
+
+/// A sensor's readings that repeat one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frozen {
+    /// The sensor.
+    pub sensor: Sensor,
+    /// The first row that repeats the one before, counted as in [`super::Finding`].
+    pub first_row: usize,
+    /// How many do.
+    pub rows: usize,
+    /// From the reading that is repeated to the next other one, s.
+    pub span: Span,
+}
+
+impl Frozen {
+    /// Whether it lies between two stamps: the interruption there is the one that leaving it out makes.
+    pub fn is_between(&self, from: f64, to: f64) -> bool {
+        self.span.from < to && from < self.span.to
+    }
+
+    /// Whether a sample at `t` is a repetition.
+    fn repeats(&self, t: f64) -> bool {
+        self.span.from < t && t < self.span.to
+    }
+}
+
+/// Where a sensor repeats one reading for longer than chance, steps of the readings and a slower clock make it.
+pub(crate) fn frozen(sensor: Sensor, stream: &Stream) -> Vec<Frozen> {
+    let of = |run: Range<usize>| Frozen {
+        sensor,
+        first_row: run.start + 1 + super::of_sensor::FIRST_ROW,
+        rows: run.len() - 1,
+        span: Span {
+            from: stream.t[run.start],
+            to: stream.t[run.end],
+        },
+    };
+    frozen_runs(&stream.values).into_iter().map(of).collect()
+}
+
+/// The stream without the repetitions.
+pub(crate) fn without_frozen(stream: Stream, frozen: &[Frozen]) -> Stream {
+    if frozen.is_empty() {
+        return stream;
+    }
+    // The spans are in order and apart.
+    let is_repeated = |t: f64| {
+        let next = frozen.partition_point(|f| f.span.to <= t);
+        frozen.get(next).is_some_and(|f| f.repeats(t))
+    };
+    let samples = stream.t.into_iter().zip(stream.values);
+    let (t, values) = samples.filter(|(t, _)| !is_repeated(*t)).unzip();
+    Stream { t, values }
+}
+
+/// The runs, each from the reading that is repeated to its last repetition.
+fn frozen_runs(values: &[Vector3<f64>]) -> Vec<Range<usize>> {
+    let mut begin = 0;
+    let runs: Vec<Range<usize>> = values
+        .chunk_by(|a, b| a == b)
+        .map(|run| {
+            begin += run.len();
+            begin - run.len()..begin
+        })
+        .collect();
+    let Some(usual) = Usual::of(&runs) else {
+        return Vec::new();
+    };
+    let least = least_steps(values);
+    let leaps = |from: usize, to: usize| {
+        let step = values[to] - values[from];
+        (0..3).any(|axis| step[axis].abs() > LEAP * least[axis])
+    };
+    let begins = |run: &Range<usize>| run.start > 0 && leaps(run.start - 1, run.start);
+    let ends = |run: &Range<usize>| run.end < values.len() && leaps(run.end - 1, run.end);
+    let (low, high) = extremes(values);
+    // A dead zone reads zero on all axes, a sensor at its range an extreme.
+    let is_excluded = |v: &Vector3<f64>| {
+        *v == Vector3::zeros() || (0..3).all(|axis| v[axis] == low[axis] || v[axis] == high[axis])
+    };
+    let found: Vec<Range<usize>> = runs
+        .iter()
+        .enumerate()
+        .filter(|(k, run)| {
+            run.len() >= SHORTEST && begins(run) && ends(run) && usual.is_no_chance(*k, run.len())
+        })
+        .filter(|(_, run)| !is_excluded(&values[run.start]))
+        .map(|(_, run)| run.clone())
+        .collect();
+    let repeated: usize = found.iter().map(|run| run.len() - 1).sum();
+    if repeated as f64 > MOST * values.len() as f64 {
+        return Vec::new();
+    }
+    found
+}
+
+/// How long readings usually repeat.
+struct Usual {
+    /// Rows for which a slower sensor holds its value; 1 of one that is read once.
+    held: usize,
+    /// Number of the runs before each that are longer.
+    longer: Vec<usize>,
+}
+
+impl Usual {
+    /// Of runs; `None` where they are no slower sensor's.
+    fn of(runs: &[Range<usize>]) -> Option<Self> {
+        let rank = (HELD_SHARE * runs.len().saturating_sub(1) as f64) as usize;
+        let lengths = runs.iter().map(|run| run.len() as f64);
+        let held = nth_smallest(lengths, rank)? as usize;
+        let mut longer = vec![0; runs.len() + 1];
+        for (k, run) in runs.iter().enumerate() {
+            longer[k + 1] = longer[k] + usize::from(run.len() > held);
+        }
+        (held <= LONGEST_HELD).then_some(Self { held, longer })
+    }
+
+    /// Whether a run of this length is none of those that repeat by chance where it is: a share `s` of the runs around is
+    /// longer than usual, and of `n` runs `n s^(m−1)` last `m` times as long.
+    fn is_no_chance(&self, k: usize, length: usize) -> bool {
+        let runs = self.longer.len() - 1;
+        let share = |from: usize, to: usize| {
+            let longer = self.longer[to] - self.longer[from];
+            (to - from >= FEWEST_AROUND).then(|| (longer + 1) as f64 / (to - from + 2) as f64)
+        };
+        let before = share(k.saturating_sub(AROUND), k);
+        let after = share(k + 1, (k + 1 + AROUND).min(runs));
+        let Some(share) = before.into_iter().chain(after).reduce(f64::max) else {
+            return false;
+        };
+        let times = length as f64 / self.held as f64;
+        times >= 2.0 && runs as f64 * share.powf(times - 1.0) < CHANCE
+    }
+}
+
+/// The smallest and the largest reading of each axis.
+fn extremes(values: &[Vector3<f64>]) -> (Vector3<f64>, Vector3<f64>) {
+    let whole = (
+        Vector3::repeat(f64::INFINITY),
+        Vector3::repeat(f64::NEG_INFINITY),
+    );
+    values
+        .iter()
+        .fold(whole, |(low, high), v| (low.inf(v), high.sup(v)))
+}
+
+/// The smallest step between readings of each axis; infinite where it never changes.
+fn least_steps(values: &[Vector3<f64>]) -> [f64; 3] {
+    [0, 1, 2].map(|axis| super::of_sensor::least_step(values, axis).unwrap_or(f64::INFINITY))
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
+    use super::*;
+
+    const ROWS: usize = 12_000;
+
+    /// Ten rests and turns at 100 Hz, read in steps of so many standard deviations of the noise.
+    fn readings(seed: u64, step: f64) -> Vec<Vector3<f64>> {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mut noise = move || (0..12).map(|_| random.random::<f64>() - 0.5).sum::<f64>();
+        let value = |k: usize| {
+            let phase = (k % 1200) as f64;
+            let turn = if phase < 300.0 {
+                50.0 * (phase * std::f64::consts::PI / 300.0).sin()
+            } else {
+                0.0
+            };
+            let mut axis = |size: f64| ((3.7 + size * turn + noise()) / step).round() * step;
+            Vector3::new(axis(1.0), axis(-0.6), axis(0.3))
+        };
+        (0..ROWS).map(value).collect()
+    }
+
+    fn freeze(values: &mut [Vector3<f64>], run: Range<usize>) {
+        let first = values[run.start];
+        values[run].fill(first);
+    }
+
+    #[test]
+    fn rows_that_repeat_are_found_one_by_one_whatever_their_length() {
+        for (seed, length) in [(1, 4), (2, 10), (3, 30), (4, 200)] {
+            let mut values = readings(seed, 0.1);
+            let runs: Vec<Range<usize>> = (0..9)
+                .map(|k| 500 + 1130 * k..500 + 1130 * k + length)
+                .collect();
+            runs.iter().for_each(|run| freeze(&mut values, run.clone()));
+            assert_eq!(frozen_runs(&values), runs);
+        }
+    }
+
+    #[test]
+    fn a_single_one_is_found() {
+        let mut values = readings(5, 0.1);
+        freeze(&mut values, 3650..3660);
+        assert_eq!(frozen_runs(&values), [3650..3660]);
+    }
+
+    #[test]
+    fn readings_in_any_steps_repeat_at_rest_by_themselves() {
+        for (k, step) in [1e-6, 0.01, 0.1, 0.3, 1.0, 1.5, 2.0, 3.0, 5.0, 10.0, 20.0]
+            .into_iter()
+            .enumerate()
+        {
+            for seed in 0..5 {
+                let found = frozen_runs(&readings(100 * k as u64 + seed, step));
+                assert!(found.is_empty(), "{step}: {found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_slower_sensor_holds_its_values() {
+        let fine = readings(7, 0.1);
+        for held in [2.0, 2.5, 3.3, 5.0] {
+            let mut values: Vec<_> = (0..ROWS)
+                .map(|k| fine[(k as f64 / held) as usize])
+                .collect();
+            assert!(frozen_runs(&values).is_empty(), "{held}");
+            // And may freeze itself, for longer than it holds them.
+            let run = 5100..5160;
+            freeze(&mut values, run.clone());
+            let [found] = &frozen_runs(&values)[..] else {
+                panic!("{held}")
+            };
+            assert!(found.start <= run.start && found.end >= run.end);
+        }
+    }
+
+    #[test]
+    fn readings_at_the_range_of_all_axes_are_cut_off_and_not_frozen() {
+        let values: Vec<_> = readings(9, 0.1)
+            .iter()
+            .map(|v| (v - Vector3::repeat(3.7)).map(|x| x.clamp(-8.0, 8.0)))
+            .collect();
+        assert!(frozen_runs(&values).is_empty());
+    }
+
+    #[test]
+    fn repetitions_are_left_out_of_the_stream() {
+        let mut values = readings(8, 0.1);
+        freeze(&mut values, 3650..3660);
+        let t = (0..ROWS).map(|k| 0.01 * k as f64).collect();
+        let stream = Stream { t, values };
+        let found = frozen(Sensor::Gyroscope, &stream);
+        let left = without_frozen(stream, &found);
+        assert_eq!(left.len(), ROWS - 9);
+        assert_eq!(left.t[3651], 0.01 * 3660.0);
+        assert_eq!((found[0].first_row, found[0].rows), (3653, 9));
+    }
+}
