@@ -80,6 +80,7 @@ pub fn case(command: &str, option: &str) -> Option<(&'static str, &'static str)>
         ("calibrate" | "batch", "--prior") => "--prior prior.json",
         ("calibrate", "--gyro-recording") => "--gyro-recording good2.csv",
         ("calibrate", "--frame") => "--frame symmetric",
+        ("calibrate", "--sensor") => "--sensor accelerometer",
         ("calibrate", "--integrator") => "--integrator first-order",
         ("calibrate", "--gyro-bias") => "--gyro-bias initial",
         ("calibrate", "--nominal-rate") => "--nominal-rate 101",
