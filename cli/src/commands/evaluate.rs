@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use calib::calibrate::{STANDARD_GRAVITY, changes_part_way};
+use calib::calibrate::{STANDARD_GRAVITY, changes_part_way, implausible};
 use calib::calibration::load;
 use calib::limits::{LimitLine, judge_on};
 use calib::methods::cut;
@@ -118,6 +118,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         args.gravity,
         gyroscope,
     ));
+    let first = calibrations.first().map(|(_, calibration)| calibration);
+    let said = implausible(&recording, &choice.segmentation, first, args.gravity);
+    warnings.extend(said.gates);
+    warnings.extend(said.warnings);
     show::warn_all(&warnings);
     if pictures.wanted() {
         let named: Vec<_> = calibrations

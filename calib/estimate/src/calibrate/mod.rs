@@ -18,7 +18,10 @@ mod same_device;
 mod static_norm;
 mod stepwise;
 
-pub use checks::{none_is_there_twice, not_in_one_plane, without_copies};
+pub use checks::{
+    Said, implausible, implausible_base, none_is_there_twice, none_is_turned, not_in_one_plane,
+    without_copies,
+};
 pub use joint::{Account, LatitudeDoubt, refuse_unobservable, written_down};
 pub use magnetic::FIELDS;
 pub use means_file::read_static_means;
@@ -139,6 +142,8 @@ fn by_stamps(
     if !request.force_device {
         let cut = choices.iter().map(|choice| &choice.segmentation);
         none_is_there_twice(recordings.iter().copied().zip(cut))?;
+        let cut = choices.iter().map(|choice| &choice.segmentation);
+        none_is_turned(recordings.iter().copied().zip(cut), request.gravity)?;
     }
     if request.method == Method::Joint {
         warnings.extend(within_budget(

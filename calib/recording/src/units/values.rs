@@ -11,6 +11,7 @@ use crate::recording::options::Role;
 use crate::recording::samples::Samples;
 use crate::shown::figure;
 use crate::source::place::{at_line, in_file};
+use crate::units::repeated;
 
 /// Samples from which on statistics mean something.
 pub(crate) const ENOUGH: usize = 100;
@@ -75,7 +76,7 @@ pub(crate) fn check(
             ));
         }
     }
-    Ok(())
+    repeated::refuse(name, sensor, samples)
 }
 
 /// Smallest and largest value of each axis.
