@@ -10,6 +10,10 @@ const COARSEST: f64 = 0.011;
 const TURNED: f64 = 0.87;
 /// Noise along a reading that was normalised is no more than this share of that across it, squared.
 const FLAT: f64 = 0.1;
+/// A row is noise rather than a turn where it leaves the line through its neighbours by this part of their distance ...
+const JUMPS: f64 = 0.25;
+/// ... and one in so many rows is.
+const NOISY: f64 = 0.02;
 /// Noise that is no more than so many steps is that of rounding.
 const ROUNDING: f64 = 4.0;
 
@@ -43,20 +47,23 @@ fn least_step(values: &[Vector3<f64>]) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Second differences lie across the readings, or are those of rounding.
+/// Second differences of rows that do not turn lie across the readings, or are those of rounding. Readings without any noise are
+/// of no sensor.
 fn has_no_noise_along(values: &[Vector3<f64>], step: f64) -> bool {
     let (mut along, mut all, mut count) = (0.0, 0.0, 0.0);
     for three in values.windows(3) {
         let second = three[2] - 2.0 * three[1] + three[0];
-        let by = second.dot(&three[1]) / three[1].norm();
-        // Of a turn the reading curves towards the middle.
-        let curved = (three[2] - three[0]).norm_squared() / (4.0 * three[1].norm());
-        along += (by + curved).powi(2);
+        let is_noise = second.norm() > JUMPS * (three[2] - three[0]).norm();
+        if !is_noise || second.norm_squared() == 0.0 {
+            continue;
+        }
+        along += (second.dot(&three[1]) / three[1].norm()).powi(2);
         all += second.norm_squared();
         count += 1.0;
     }
     let across = (all - along).max(0.0) / 2.0;
-    along <= FLAT * across || all <= count * (ROUNDING * step).powi(2)
+    count >= NOISY * values.len() as f64
+        && (along <= FLAT * across || all <= count * (ROUNDING * step).powi(2))
 }
 
 #[cfg(test)]

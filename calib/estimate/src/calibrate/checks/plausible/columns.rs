@@ -126,9 +126,9 @@ impl Columns {
     }
 }
 
-/// Five significant digits, without trailing zeros.
+/// Six significant digits, without trailing zeros.
 fn short(value: f64) -> String {
-    let decimals = (4.0 - value.abs().max(1e-12).log10().floor()).clamp(0.0, 12.0) as usize;
+    let decimals = (5.0 - value.abs().max(1e-12).log10().floor()).clamp(0.0, 12.0) as usize;
     let text = format!("{value:.decimals$}");
     match text.contains('.') {
         true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),

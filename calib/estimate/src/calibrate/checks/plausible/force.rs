@@ -3,7 +3,7 @@
 use super::Said;
 use super::apart::ForceFit;
 use super::columns::Columns;
-use super::scales::{Scales, cause};
+use super::scales::{Scales, cause, rounded};
 use crate::gravity::STANDARD_GRAVITY;
 
 /// All axes off by so much, alike to this part of it, are the unit or gravity rather than the sensor ...
@@ -68,7 +68,7 @@ pub(super) fn said(fit: &ForceFit<'_>, columns: &Columns) -> Said {
         let (why, by) = match GRAVITY.contains(&share) {
             true if bias < 0.0 => ("gravity was taken off it", STANDARD_GRAVITY),
             true => ("gravity was added to it", -STANDARD_GRAVITY),
-            false => ("a constant was added to it", -bias),
+            false => ("a constant was added to it", rounded(-bias)),
         };
         said.gate(format!(
             "the accelerometer's {} has its zero at {bias:+.2} m/s², as no sensor has: {why}; read it with {}",
@@ -96,7 +96,7 @@ fn of_all(fit: &ForceFit<'_>, columns: &Columns, scales: &Scales, said: &mut Sai
         100.0 * off,
         if common > 1.0 { "more" } else { "less" },
         fit.gravity,
-        columns.scaled(&[(0, undone), (1, undone), (2, undone)])
+        columns.scaled(&[0, 1, 2].map(|axis| (axis, undone)))
     );
     match off > BEYOND {
         true => said.gate(words),

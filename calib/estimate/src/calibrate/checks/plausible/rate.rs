@@ -4,7 +4,7 @@ use super::Said;
 use super::apart::RateFit;
 use super::axes::SignedAxes;
 use super::columns::Columns;
-use super::scales::{Scales, cause};
+use super::scales::{Scales, cause, rounded};
 use crate::calibrate::checks::determined::LOST;
 
 /// An element of the gyroscope's matrix this far from that of aligned axes is no misalignment.
@@ -103,11 +103,12 @@ fn of_scales(fit: &RateFit<'_>, columns: &Columns, scales: &Scales, said: &mut S
         return;
     }
     let all = scales.all_off(COMMON_SCALE);
+    let all = all.filter(|ratio| scales.tell(ratio.ln().abs()));
     if let Some(ratio) = all.filter(|ratio| si && COMMON_SCALES.contains(ratio)) {
         said.gate(format!(
             "the gyroscope's scale is {ratio:.3} on all axes: a wrong time base (nominal rate) or \
              unit rather than a sensor error; if its unit is wrong, read it with {}",
-            columns.scaled(&[(0, ratio), (1, ratio), (2, ratio)])
+            columns.scaled(&[0, 1, 2].map(|axis| (axis, rounded(ratio))))
         ));
     }
 }

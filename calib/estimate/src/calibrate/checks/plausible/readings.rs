@@ -8,6 +8,7 @@ use sensor::{Base, Sensor, inverse};
 use super::apart::{ForceFit, RateFit};
 use super::columns::Columns;
 use super::{Said, force, rate};
+use crate::calibrate::checks::determined::LOST;
 use crate::calibrate::part_way::gyroscope_by_turns;
 use crate::calibration::Calibration;
 use crate::methods::{RawUnit, accelerometer_unit};
@@ -89,6 +90,7 @@ pub fn implausible(
         .map(|f| f.map(|f| base.correct(&f).normalize()));
     let up: Vec<Option<Vector3<f64>>> = up.collect();
     let rate = by_turns(recording, segmentation, &up, rate_base);
+    let rate = rate.filter(|(_, missed, _)| *missed <= LOST);
     if let Some((t, missed, std)) = rate {
         let rate_fit = RateFit {
             base: Base {

@@ -98,8 +98,14 @@ pub(super) fn cause(factor: f64) -> (String, f64) {
     let near = |known: &&(f64, &str, f64)| (factor / known.0 - 1.0).abs() < OWN;
     match CAUSES.iter().find(near) {
         Some((_, words, undone)) => ((*words).to_owned(), *undone),
-        None => (format!("{factor:.3} times"), factor.recip()),
+        None => (format!("{factor:.3} times"), rounded(factor.recip())),
     }
+}
+
+/// Four significant digits: no more is known of a factor.
+pub(super) fn rounded(value: f64) -> f64 {
+    let unit = 10f64.powf(value.abs().log10().floor() - 3.0);
+    (value / unit).round() * unit
 }
 
 #[cfg(test)]
