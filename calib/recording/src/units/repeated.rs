@@ -49,14 +49,15 @@ pub(super) fn refuse(name: &str, sensor: Sensor, samples: &Samples) -> Result<()
         name,
         samples.line(0),
         format!(
-            "the {}'s {} in every row: {} is not measured, but repeated; correct the program that wrote the file, or name the column that holds it, as in --columns {}=NAME",
+            "the {}'s {} in every row: {} not measured, but repeated; correct the program that wrote the file, or name the column that holds it, as in --columns {}=NAME",
             sensor.name(),
             said.join(" and "),
             found
                 .iter()
                 .map(|repeat| called(repeat.axis))
                 .collect::<Vec<_>>()
-                .join(" and "),
+                .join(" and ")
+                + if found.len() > 1 { " are" } else { " is" },
             called(first.axis)
         ),
     ))

@@ -89,18 +89,21 @@ fn of_all(fit: &ForceFit<'_>, columns: &Columns, scales: &Scales, said: &mut Sai
         return;
     }
     let (_, undone) = cause(common);
-    let words = format!(
-        "the accelerometer reads gravity as {:.3} m/s², {:.1} % {} than {:.3}, on all axes alike: it has another unit or range, or --gravity is \
-         another; read it with {}",
+    let reads = format!(
+        "the accelerometer reads gravity as {:.3} m/s², {:.1} % {} than {:.3}, on all axes alike",
         common * fit.gravity,
         100.0 * off,
         if common > 1.0 { "more" } else { "less" },
-        fit.gravity,
-        columns.scaled(&[0, 1, 2].map(|axis| (axis, undone)))
+        fit.gravity
     );
+    let read = columns.scaled(&[0, 1, 2].map(|axis| (axis, undone)));
     match off > BEYOND {
-        true => said.gate(words),
-        false => said.warn(words),
+        true => said.gate(format!(
+            "{reads}: it has another unit or range, or --gravity is another; read it with {read}"
+        )),
+        false => said.warn(format!(
+            "{reads}: T carries it back; if the factor to m/s² was wrong, read it with {read}"
+        )),
     }
 }
 

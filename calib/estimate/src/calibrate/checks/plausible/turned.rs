@@ -11,16 +11,16 @@ use crate::methods::{AccelerometerRequest, fit_accelerometer, static_means};
 
 /// What a bias may move by from one recording to the next without telling of axes: of an accelerometer, m/s², and a
 /// gyroscope, rad/s.
-const FORCE_BIAS: f64 = 0.01;
-const RATE_BIAS: f64 = 5e-4;
+const FORCE_BIAS: f64 = 0.007;
+const RATE_BIAS: f64 = 4e-4;
 /// The same of a scale factor or misalignment.
 const ELEMENT: f64 = 1.5e-3;
 /// Turned axes are named where they take so much off the sum of squares ...
-const GAIN: f64 = 35.0;
+const GAIN: f64 = 20.0;
 /// ... and leave no more than this share of it, ...
 const LEFT: f64 = 0.2;
 /// ... and no more than this for each number.
-const EACH: f64 = 4.0;
+const EACH: f64 = 2.5;
 
 /// What a recording by itself tells of its device, in the axes of its readings: bias and scale matrix of the accelerometer,
 /// bias of the gyroscope, each with its variance.
