@@ -47,8 +47,8 @@ fn least_step(values: &[Vector3<f64>]) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Second differences of rows that do not turn lie across the readings, or are those of rounding. Readings without any noise are
-/// of no sensor.
+/// Second differences of rows that do not turn leave the length as it is, or are those of rounding. Readings without any noise
+/// are of no sensor.
 fn has_no_noise_along(values: &[Vector3<f64>], step: f64) -> bool {
     let (mut along, mut all, mut count) = (0.0, 0.0, 0.0);
     for three in values.windows(3) {
@@ -57,7 +57,8 @@ fn has_no_noise_along(values: &[Vector3<f64>], step: f64) -> bool {
         if !is_noise || second.norm_squared() == 0.0 {
             continue;
         }
-        along += (second.dot(&three[1]) / three[1].norm()).powi(2);
+        let lengths = [0, 1, 2].map(|k| three[k].norm());
+        along += (lengths[2] - 2.0 * lengths[1] + lengths[0]).powi(2);
         all += second.norm_squared();
         count += 1.0;
     }
