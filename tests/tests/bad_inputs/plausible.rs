@@ -3,7 +3,7 @@
 use calib::simulate::{HandHeld, Motion};
 
 use crate::bench::{Bench, Run};
-use crate::device::{HEADER, Row, csv, good, lines, spec, rows, spoilt, table};
+use crate::device::{HEADER, Row, csv, good, lines, rows, spec, spoilt, table};
 
 const G: f64 = 9.80665;
 const SI: &str = "t (s),ax (m/s^2),ay (m/s^2),az (m/s^2),gx (rad/s),gy (rad/s),gz (rad/s)";
@@ -30,7 +30,9 @@ fn an_axis_in_another_unit_or_range_fails_the_gate_by_every_method_with_what_men
         (6, 0.9, "stepwise", "gz=gz*"),
     ] {
         let content = csv(&column(at, |v| v * factor));
-        calibrate(content, &["--method", method]).ends(1).says(&[option]);
+        calibrate(content, &["--method", method])
+            .ends(1)
+            .says(&[option]);
     }
     let content = csv(&column(3, |v| v * 2.0));
     calibrate(&content, &["--columns", "az=az*0.5"]).ends(0);
@@ -41,7 +43,9 @@ fn an_axis_in_another_unit_or_range_fails_the_gate_by_every_method_with_what_men
 #[test]
 fn all_axes_of_a_wrong_scale_and_gravity_that_was_taken_off_fail_the_gate() {
     let large = spoilt(|_, row| row[1..4].iter_mut().for_each(|v| *v *= 1.1));
-    calibrate(csv(&large), &[]).ends(1).says(&["on all axes alike", "ax=ax*"]);
+    calibrate(csv(&large), &[])
+        .ends(1)
+        .says(&["on all axes alike", "ax=ax*"]);
     let off = csv(&column(3, |v| v - G));
     calibrate(&off, &[]).ends(1).says(&["az=az+9.80665"]);
     calibrate(&off, &["--columns", "az=az+9.80665"]).ends(0);
@@ -132,9 +136,17 @@ fn a_recording_in_turned_axes_is_not_merged_with_the_others() {
     }
     bench.write("b.csv", csv(&second));
     let run = bench.run(&["calibrate", "a.csv", "b.csv"]);
-    run.ends(3).says(&["b.csv", "turned", "--columns 'ax=ay,ay=-ax,gx=gy,gy=-gx'"]);
+    run.ends(3)
+        .says(&["b.csv", "turned", "--columns 'ax=ay,ay=-ax,gx=gy,gy=-gx'"]);
     bench
-        .run(&["convert", "b.csv", "--columns", "ax=ay,ay=-ax,gx=gy,gy=-gx", "-o", "c.csv"])
+        .run(&[
+            "convert",
+            "b.csv",
+            "--columns",
+            "ax=ay,ay=-ax,gx=gy,gy=-gx",
+            "-o",
+            "c.csv",
+        ])
         .ends(0);
     bench.run(&["calibrate", "a.csv", "c.csv"]).ends(0);
 }
