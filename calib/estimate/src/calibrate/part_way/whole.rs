@@ -22,7 +22,7 @@ const SCALES: [f64; 5] = [
     0.5,
 ];
 
-/// What carries the rates of a recording to those of the turns.
+/// The matrix that carries the rates of a recording to those of the turns.
 pub(in crate::calibrate) struct ByTurns {
     /// To rad/s.
     pub t: Matrix3<f64>,

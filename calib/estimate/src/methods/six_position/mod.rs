@@ -84,7 +84,7 @@ pub fn calibrate<R: Borrow<Recording>>(
     })
 }
 
-/// What gravity, and the turns in a recording of all placements, say against the readings.
+/// Everything that gravity, and the turns in a recording of all placements, say against the readings.
 fn implausible_in<R: Borrow<Recording>>(
     recordings: &[R],
     detector: &Detector,

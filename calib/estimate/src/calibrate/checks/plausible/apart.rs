@@ -4,8 +4,6 @@ use nalgebra::Matrix3;
 use recording::Recording;
 use sensor::{Base, Sensor, base_names};
 
-use super::columns::Columns;
-use super::{Said, force, rate};
 use crate::methods::{Fitted, RawUnit};
 
 /// An accelerometer as a fit has it.
@@ -28,26 +26,12 @@ pub(in crate::calibrate) struct RateFit<'a> {
     pub scale: f64,
     /// By how much the turns miss gravity after the fit, rad.
     pub missed: f64,
-    /// Whether the accelerometer reads m/s².
+    /// True where the accelerometer reads m/s².
     pub force_is_si: bool,
     pub recordings: &'a [&'a Recording],
 }
 
-impl ForceFit<'_> {
-    /// What is said of it.
-    pub fn said(&self) -> Said {
-        force::said(self, &Columns::of(self.recordings, Sensor::Accelerometer))
-    }
-}
-
 impl RateFit<'_> {
-    /// What is said of it.
-    pub fn said(&self) -> Said {
-        let own = Columns::of(self.recordings, Sensor::Gyroscope);
-        let force = Columns::of(self.recordings, Sensor::Accelerometer);
-        rate::said(self, &own, &force)
-    }
-
     /// `T` of readings near SI units.
     pub(super) fn near_si(&self) -> Matrix3<f64> {
         self.base.t / self.scale

@@ -84,7 +84,7 @@ impl SignedAxes {
         }
     }
 
-    /// What undoes them.
+    /// The axes that undo them.
     pub fn inverse(&self) -> Self {
         Self::nearest(&self.matrix().transpose()).unwrap_or(*self)
     }

@@ -5,7 +5,7 @@ use sensor::Sensor;
 
 use super::axes::SignedAxes;
 
-/// Where the axes of a sensor come from.
+/// The columns that the axes of a sensor come from.
 #[derive(Clone, Debug)]
 pub(super) struct Columns {
     /// Names of the axes' roles: `ax`, …
@@ -14,7 +14,7 @@ pub(super) struct Columns {
     names: [String; 3],
     /// The unit of the file in SI units; `None` for counts, and where nobody says.
     unit: Option<f64>,
-    /// Whether the readings are counts by what the file or the user says.
+    /// True for counts by what the file or the user says.
     counts: bool,
 }
 
@@ -70,7 +70,7 @@ impl Columns {
         }
     }
 
-    /// Whether the readings are in SI units by what the file or the user says; where nobody does, `otherwise`.
+    /// True for readings in SI units by what the file or the user says; where nobody does, `otherwise`.
     pub fn is_si(&self, otherwise: bool) -> bool {
         match (self.unit, self.counts) {
             (Some(_), _) => true,

@@ -1,5 +1,7 @@
 //! An accelerometer against gravity: its unit, the scale of its axes, and gravity that was taken off.
 
+use sensor::Sensor;
+
 use super::Said;
 use super::apart::ForceFit;
 use super::columns::Columns;
@@ -20,7 +22,14 @@ const BIASED: f64 = 0.7;
 /// Such a bias is gravity itself.
 const GRAVITY: std::ops::Range<f64> = 0.9..1.1;
 
-/// What is said of an accelerometer.
+impl ForceFit<'_> {
+    /// Gravity's word on it.
+    pub fn said(&self) -> Said {
+        said(self, &Columns::of(self.recordings, Sensor::Accelerometer))
+    }
+}
+
+/// Gravity's word on an accelerometer.
 pub(super) fn said(fit: &ForceFit<'_>, columns: &Columns) -> Said {
     let mut said = Said::default();
     let Some(scales) = Scales::of(&fit.base.t, &fit.std) else {
@@ -107,7 +116,7 @@ fn of_all(fit: &ForceFit<'_>, columns: &Columns, scales: &Scales, said: &mut Sai
     }
 }
 
-/// What counts turned out to be.
+/// The size of counts.
 fn counts(fit: &ForceFit<'_>) -> Option<String> {
     let unit = &fit.unit;
     (!unit.is_si()).then(|| {

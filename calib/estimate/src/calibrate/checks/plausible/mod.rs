@@ -1,4 +1,4 @@
-//! What the readings, the turns and gravity tell of a sensor's unit, scale, axes and hand, for every method and command.
+//! A sensor's unit, scale, axes and hand against gravity and the turns, for every method and command.
 //!
 //! ```text
 //! static means ──► ellipsoid of gravity ──► unit, scale of an axis or of all, gravity taken off    `force`
@@ -34,12 +34,12 @@ pub(in crate::calibrate) fn signed_axes() -> Vec<Matrix3<f64>> {
         .collect()
 }
 
-/// What is said of sensors that cannot be as they are read.
+/// Findings on sensors that cannot be as they are read.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Said {
     /// Reasons not to use a result as it stands.
     pub gates: Vec<String>,
-    /// What a user should know.
+    /// Findings that a user should know.
     pub warnings: Vec<String>,
 }
 

@@ -1,5 +1,7 @@
 //! A gyroscope against the turns that the accelerometer saw: its unit, the scale of its axes, and how they lie.
 
+use sensor::Sensor;
+
 use super::Said;
 use super::apart::RateFit;
 use super::axes::SignedAxes;
@@ -15,7 +17,16 @@ const COMMON_SCALE: f64 = 0.03;
 /// The same to a factor of two, the commonest of wrong rates, and the sensor's own errors on top.
 const COMMON_SCALES: std::ops::RangeInclusive<f64> = 0.45..=2.2;
 
-/// What is said of a gyroscope.
+impl RateFit<'_> {
+    /// The turns' word on it.
+    pub fn said(&self) -> Said {
+        let own = Columns::of(self.recordings, Sensor::Gyroscope);
+        let force = Columns::of(self.recordings, Sensor::Accelerometer);
+        said(self, &own, &force)
+    }
+}
+
+/// The turns' word on a gyroscope.
 pub(super) fn said(fit: &RateFit<'_>, columns: &Columns, force: &Columns) -> Said {
     let mut said = Said::default();
     if fit.missed > LOST {
@@ -113,7 +124,7 @@ fn of_scales(fit: &RateFit<'_>, columns: &Columns, scales: &Scales, said: &mut S
     }
 }
 
-/// What the readings turned out to be, if not rad/s.
+/// The unit of readings that are not in rad/s.
 fn unit(fit: &RateFit<'_>) -> Option<String> {
     let scale = fit.scale;
     if scale == 1.0 || (fit.force_is_si && (0.3..3.0).contains(&scale)) {

@@ -17,10 +17,10 @@ use crate::methods::{RawUnit, accelerometer_unit};
 const UNKNOWNS: usize = 6;
 /// Placements determine it where the smallest singular value is this share of the largest.
 const DETERMINED: f64 = 0.1;
-/// What misalignments make of a placement's square at least, as a share: readings as they are, and corrected ones.
+/// Least error of a placement's square by misalignments, as a share: readings as they are, and corrected ones.
 const MISFIT: [f64; 2] = [0.02, 0.004];
 
-/// What gravity at rest and the turns between say against the readings of a recording, corrected by a calibration where there is
+/// Everything that gravity at rest and the turns between say against the readings of a recording, corrected by a calibration where there is
 /// one.
 ///
 /// # Examples
@@ -110,7 +110,7 @@ pub fn implausible(
     said
 }
 
-/// What gravity says against an accelerometer's base that was found otherwise, `base` taking the readings to m/s².
+/// Everything that gravity says against an accelerometer's base that was found otherwise, `base` taking the readings to m/s².
 pub fn implausible_base(base: Base<f64>, recordings: &[&Recording], gravity: f64) -> Said {
     let size = base.t.determinant().abs().cbrt();
     let unit = RawUnit {
@@ -141,7 +141,7 @@ fn unit_scale(t: &Matrix3<f64>) -> f64 {
     }
 }
 
-/// What carries the (corrected) rates to rad/s by the turns, by how much they miss gravity, rad, and the error of its elements.
+/// The matrix that carries the (corrected) rates to rad/s by the turns, by how much they miss gravity, rad, and the error of its elements.
 fn by_turns(
     recording: &Recording,
     segmentation: &Segmentation,

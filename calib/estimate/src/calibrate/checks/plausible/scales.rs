@@ -1,4 +1,4 @@
-//! How much an axis reads per unit of the signal, beside the other axes.
+//! The readings of an axis per unit of the signal, beside those of the other axes.
 
 use nalgebra::{Matrix3, Vector3};
 use sensor::inverse;
@@ -49,7 +49,7 @@ impl Scales {
         self.sizes.max() / self.sizes.min() - 1.0
     }
 
-    /// Whether a share of them is known.
+    /// True where a share of them is known.
     pub fn tell(&self, share: f64) -> bool {
         share > KNOWN * self.errors.amax()
     }

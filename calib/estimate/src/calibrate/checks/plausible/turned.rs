@@ -9,7 +9,7 @@ use super::axes::SignedAxes;
 use super::columns::Columns;
 use crate::methods::{AccelerometerRequest, fit_accelerometer, static_means};
 
-/// What a bias may move by from one recording to the next without telling of axes: of an accelerometer, m/s², and a
+/// Change of a bias from one recording to the next without telling of axes: of an accelerometer, m/s², and a
 /// gyroscope, rad/s.
 const FORCE_BIAS: f64 = 0.007;
 const RATE_BIAS: f64 = 4e-4;
@@ -22,7 +22,7 @@ const LEFT: f64 = 0.2;
 /// ... and no more than this for each number.
 const EACH: f64 = 2.5;
 
-/// What a recording by itself tells of its device, in the axes of its readings: bias and scale matrix of the accelerometer,
+/// Everything that a recording by itself tells of its device, in the axes of its readings: bias and scale matrix of the accelerometer,
 /// bias of the gyroscope, each with its variance.
 struct Own {
     force: (Vector3<f64>, Vector3<f64>),
