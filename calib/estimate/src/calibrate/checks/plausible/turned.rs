@@ -105,7 +105,8 @@ fn own(recording: &Recording, segmentation: &Segmentation, gravity: f64) -> Opti
     Some(Own {
         force: (bias, bias_std),
         elements: (t.transpose() * t, 2.0 * worst),
-        rate: (rates.len() > 2 && is_si).then_some((mean, scatter.sqrt())),
+        // Twice the standard error: a bias that drifts in the one drifts from one to the other.
+        rate: (rates.len() > 2 && is_si).then_some((mean, 2.0 * (scatter / n).sqrt())),
     })
 }
 
