@@ -91,7 +91,7 @@ const CAUSES: [(f64, &str, f64); 4] = [
     ),
 ];
 /// A sensor's own scale error beside such a factor.
-const OWN: f64 = 0.05;
+const OWN: f64 = 0.08;
 
 /// `twice`, and the factor that undoes it.
 pub(super) fn cause(factor: f64) -> (String, f64) {
