@@ -62,7 +62,7 @@ pub struct ReadArgs {
     #[arg(long, value_name = "UNIT")]
     pub gyro_unit: Option<GyroUnit>,
 
-    /// Read these axes with the other sign, as `gx` or `ax,gz`.
+    /// Read these axes with the other sign, as `gx` or `ax,mz`.
     #[arg(long, value_name = "AXIS,...", value_delimiter = ',', value_parser = axis)]
     pub flip: Vec<Role>,
 
@@ -125,8 +125,8 @@ impl ReadArgs {
 /// The axis of a sensor by its column's name.
 fn axis(name: &str) -> Result<Role, String> {
     Role::from_name(name.trim())
-        .filter(|role| matches!(role, Role::Accel(_) | Role::Gyro(_)))
-        .ok_or_else(|| format!("`{name}` is none of ax, ay, az, gx, gy, gz"))
+        .filter(|role| matches!(role, Role::Accel(_) | Role::Gyro(_) | Role::Field(_)))
+        .ok_or_else(|| format!("`{name}` is none of ax, ay, az, gx, gy, gz, mx, my, mz"))
 }
 
 /// What to do with rows that lack a number.

@@ -4,8 +4,8 @@ use std::borrow::Borrow;
 use std::sync::Arc;
 
 use estimate::calibrate::{
-    Account, Frame, gyroscope_of_one_device, none_is_there_twice, not_in_one_plane, of_one_device,
-    own_effects, refuse_unobservable, without_copies, written_down,
+    Account, Frame, gyroscope_of_one_device, none_is_there_twice, none_is_turned, not_in_one_plane,
+    of_one_device, own_effects, refuse_unobservable, without_copies, written_down,
 };
 use estimate::calibration::Calibration;
 use estimate::methods::joint::SensorNoise;
@@ -83,7 +83,9 @@ pub(super) fn discover_in(
     let recordings: Vec<&Recording> = session.recordings.iter().map(|(r, _)| *r).collect();
     if !request.force_device {
         let cut = session.recordings.iter();
-        none_is_there_twice(cut.map(|(recording, choice)| (*recording, &choice.segmentation)))?;
+        let cut = cut.map(|(recording, choice)| (*recording, &choice.segmentation));
+        none_is_there_twice(cut.clone())?;
+        none_is_turned(cut, request.gravity)?;
         of_one_device(&recordings, &means, request.gravity)?;
     }
     let base = State::fit(session, super::Extension::default())?;

@@ -6,6 +6,7 @@ mod updates;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
+use calib::calibrate::implausible;
 use calib::calibration::Calibration;
 use calib::intervals::segment;
 use calib::methods::online_bias::{
@@ -77,6 +78,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     args.device.check(&old, &[&recording])?;
     let (detector, _) = args.detector.detector()?;
     let segmentation = segment(&recording, &detector)?;
+    let said = implausible(&recording, &segmentation, Some(&old), old.gravity);
+    said.gates
+        .iter()
+        .chain(&said.warnings)
+        .for_each(|words| show::warn(words));
     let mut new = old.of_recording(&recording).into_owned();
     let mut stretches = Vec::new();
     if !args.no_gyroscope {

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use calib::calibrate::{STANDARD_GRAVITY, changes_part_way};
+use calib::calibrate::{STANDARD_GRAVITY, changes_part_way, implausible};
 use calib::limits::{LimitLine, judge_on};
 use calib::methods::cut;
 use calib::readings::{findings, without_spikes};
@@ -122,6 +122,10 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         gravities.raw,
         gyroscope,
     ));
+    let first = calibrations.first().map(|(_, calibration)| calibration);
+    let said = implausible(&recording, &choice.segmentation, first, gravities.raw);
+    warnings.extend(said.gates);
+    warnings.extend(said.warnings);
     show::warn_all(&warnings);
     if pictures.wanted() {
         let named: Vec<_> = calibrations

@@ -18,6 +18,7 @@ mod logs;
 mod motion;
 #[cfg(unix)]
 mod outputs;
+mod plausible;
 mod reading;
 mod time;
 mod values;

@@ -15,7 +15,7 @@ use crate::calibration::{
     SCHEMA, TO_DISCOVER, Triad, WITHOUT_WALKS, effect_named,
 };
 use crate::methods::joint::Channel;
-use crate::methods::{AccelerometerFit, Choice, Fitted, GyroscopeFit, RawUnit};
+use crate::methods::{AccelerometerFit, Choice, Fitted, GyroscopeFit};
 
 /// What the stages left.
 pub(super) struct Parts<'a> {
@@ -56,16 +56,31 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         for (recording, choice) in recordings.iter().zip(choices) {
             warnings.extend(checks::long_turns(recording, &choice.segmentation));
         }
-        warnings.extend(of_the_unit(&fit.unit));
+        let said = checks::ForceFit {
+            base: Base::from_parameters(fit.fitted.parameters.values()),
+            std: checks::diagonal_std(&fit.fitted, Sensor::Accelerometer),
+            unit: fit.unit,
+            gravity: request.gravity,
+            recordings,
+        }
+        .said();
+        said.add_to(&mut failed_gates, &mut warnings);
         accelerometer_triad(fit, recordings, norms.as_ref(), request)
     });
     let gyroscope_triad = match (gyroscope, accelerometer) {
         (Some(fit), Some(force)) => {
             table.add(&fit.fitted);
-            let si = force.unit.is_si();
-            failed_gates.extend(checks::gyroscope_gates(&checks::RateEvidence::of(fit), si));
-            warnings.extend(of_the_gyro_unit(&fit.unit, si));
-            warnings.extend(checks::turned_axes(&checks::RateEvidence::of(fit)));
+            let turned: Vec<&Recording> = turning.iter().map(|(recording, _)| *recording).collect();
+            let said = checks::RateFit {
+                base: Base::from_parameters(fit.fitted.parameters.values()),
+                std: checks::diagonal_std(&fit.fitted, Sensor::Gyroscope),
+                scale: fit.unit.scale,
+                missed: fit.rms(),
+                force_is_si: force.unit.is_si(),
+                recordings: &turned,
+            }
+            .said();
+            said.add_to(&mut failed_gates, &mut warnings);
             Some(gyroscope_triad(fit, force, turning, request, &mut table))
         }
         _ => resting_gyroscope(turning, &mut table),
@@ -374,38 +389,5 @@ pub(super) fn effect_values<'a>(
                 .is_none()
                 .then_some(Outside(*effect)),
         }
-    })
-}
-
-/// What the accelerometer's readings turned out to be, if not m/s².
-pub(super) fn of_the_unit(unit: &RawUnit) -> Option<String> {
-    let scale = unit.scale;
-    (!unit.is_si()).then(|| {
-        if (9.0..10.5).contains(&scale) {
-            "the accelerometer's readings look like units of g: T carries them to m/s²".into()
-        } else if (9.0..10.5).contains(&scale.recip()) {
-            "the accelerometer's readings look like m/s² that were read as units of g: T carries them back".into()
-        } else {
-            format!(
-                "the accelerometer's readings are raw counts: one is about {scale:.4e} m/s², zero lies \
-                 near {:.0}, {:.0}, {:.0}",
-                unit.zero.x, unit.zero.y, unit.zero.z
-            )
-        }
-    })
-}
-
-/// What the gyroscope's readings turned out to be, if not rad/s.
-pub(super) fn of_the_gyro_unit(unit: &RawUnit, accelerometer_is_si: bool) -> Option<String> {
-    let scale = unit.scale;
-    if scale == 1.0 || (accelerometer_is_si && (0.3..3.0).contains(&scale)) {
-        return None;
-    }
-    Some(if (scale.to_degrees() - 1.0).abs() < 0.15 {
-        "the gyroscope's readings look like degrees per second: T carries them to rad/s".into()
-    } else if (scale.to_radians() - 1.0).abs() < 0.15 {
-        "the gyroscope's readings look like rad/s that were read as degrees per second: T carries them back".into()
-    } else {
-        format!("the gyroscope's readings are raw counts: one is about {scale:.4e} rad/s")
     })
 }

@@ -20,7 +20,10 @@ mod stepwise;
 mod unusable_turns;
 
 pub(crate) use checks::few_directions;
-pub use checks::{none_is_there_twice, not_in_one_plane, without_copies};
+pub use checks::{
+    Said, implausible, implausible_base, none_is_there_twice, none_is_turned, not_in_one_plane,
+    without_copies,
+};
 pub use joint::{Account, LatitudeDoubt, refuse_unobservable, written_down};
 pub use magnetic::FIELDS;
 pub use means_file::read_static_means;
@@ -160,6 +163,8 @@ fn by_stamps(
     if !request.force_device {
         let cut = choices.iter().map(|choice| &choice.segmentation);
         none_is_there_twice(recordings.iter().copied().zip(cut))?;
+        let cut = choices.iter().map(|choice| &choice.segmentation);
+        none_is_turned(recordings.iter().copied().zip(cut), request.gravity)?;
     }
     if request.method == Method::Joint {
         warnings.extend(within_budget(

@@ -18,7 +18,9 @@ use crate::rows::sort;
 use crate::rows::table::Table;
 use crate::shown::figure;
 use crate::source::place::in_file;
-use crate::units::{AccelUnit, GyroUnit, Stated, TemperatureUnit, TimeUnit, decide, rests, values};
+use crate::units::{
+    AccelUnit, GyroUnit, Stated, TemperatureUnit, TimeUnit, decide, swapped, values,
+};
 
 /// The recording called `name` that `tables`, on one clock, hold.
 pub(crate) fn assemble(
@@ -67,6 +69,7 @@ pub(crate) fn assemble(
         let strange = table.strange[1].clone();
         (table.name.clone(), table.stated.gyro, strange)
     });
+    swapped::refuse(&tables)?;
     for table in tables {
         add(&mut recording, table, options)?;
     }
@@ -85,7 +88,6 @@ pub(crate) fn assemble(
             .filter(|described| described.sensor == Sensor::Gyroscope)
             .for_each(|described| described.unit = unit.name());
     }
-    refuse_swapped(&recording)?;
     if let Some(found) = crate::readings::cut_erased_tail(&mut recording) {
         recording
             .warnings
@@ -298,31 +300,22 @@ fn scaled(mut stream: Stream, scale: f64) -> Stream {
     stream
 }
 
-/// Refuses sensors whose names are each other's: a mean that turns from rest to rest is an accelerometer's.
-fn refuse_swapped(recording: &Recording) -> Result<(), Error> {
-    let (Some(accel), Some(gyro)) = (&recording.accelerometer, &recording.gyroscope) else {
-        return Ok(());
-    };
-    // On a rate table the rate is another in every placement, but gravity is where it should be.
-    let told = rests::accelerometer([&accel.values, &gyro.values]);
-    if accel.len() != gyro.len() || told != Some(1) || rests::has_gravity(&accel.values) {
-        return Ok(());
-    }
-    Err(in_file(
-        &recording.name,
-        "the columns of the gyroscope turn with gravity from rest to rest, and those of the accelerometer do not: their names are swapped; say which is which with --columns",
-    ))
-}
-
 /// Turns the sign of axes.
 fn flip(recording: &mut Recording, axes: &[Role]) {
     for role in axes {
         let (stream, axis) = match role {
-            Role::Accel(axis) => (&mut recording.accelerometer, *axis),
-            Role::Gyro(axis) => (&mut recording.gyroscope, *axis),
-            Role::Time | Role::Temperature | Role::Field(_) => continue,
+            Role::Accel(axis) => (recording.accelerometer.as_mut(), *axis),
+            Role::Gyro(axis) => (recording.gyroscope.as_mut(), *axis),
+            Role::Field(axis) => (
+                recording
+                    .magnetometer
+                    .as_mut()
+                    .map(|field| &mut field.stream),
+                *axis,
+            ),
+            Role::Time | Role::Temperature => continue,
         };
-        for value in stream.iter_mut().flat_map(|stream| &mut stream.values) {
+        for value in stream.into_iter().flat_map(|stream| &mut stream.values) {
             value[axis] = -value[axis];
         }
     }

@@ -1,5 +1,6 @@
 //! Units that nobody stated, told from the samples.
 
+use super::direction::is_direction;
 use super::rests::{rest_throughout, rests, sphere};
 use super::turn_unit::{turn_unit, wrong_by};
 use crate::Error;
@@ -7,7 +8,7 @@ use crate::order_statistic::nth_smallest;
 use crate::recording::Stream;
 use crate::shown::shown;
 use crate::source::place::in_file;
-use crate::units::{AccelUnit, GyroUnit, values};
+use crate::units::{AccelUnit, GyroUnit, STANDARD_GRAVITY, values};
 
 /// Rates beyond this are no hand-held motion in rad/s (29 turns per second): the unit is another.
 const FASTEST: f64 = 180.0;
@@ -30,6 +31,10 @@ const KNOWN: [std::ops::Range<f64>; 3] = [0.8..1.25, 7.5..12.5, 100.0..f64::INFI
 const LEAST: f64 = 4.0;
 /// Samples looked at.
 const LOOKED_AT: usize = 360_000;
+/// Gravity in a unit as a share of what it should be, where another unit is offered.
+const NEAR_GRAVITY: std::ops::Range<f64> = 0.88..1.14;
+/// A length keeps its size where the middle half of the samples lies within this ratio.
+const STEADY: f64 = 0.9;
 
 /// What is said of a sensor's unit.
 #[derive(Clone, Copy, Debug)]
@@ -60,10 +65,15 @@ pub(crate) fn accel_unit(
     said: Said<'_, AccelUnit>,
     warnings: &mut Vec<String>,
 ) -> Result<AccelUnit, Error> {
+    refuse_direction(name, stream)?;
     let stated = said.given.or(said.stated);
     // A bias of half of gravity hides it from the median, but not from the sphere that the rests lie on.
-    let by_rests = stated.is_none().then(|| gravity_at_rest(stream)).flatten();
+    let by_rests = gravity_at_rest(stream);
     let norm = by_rests.unwrap_or_else(|| median_norm(stream));
+    if let Some(unit) = stated.filter(|unit| *unit != AccelUnit::Counts) {
+        refuse_other_gravity(name, stream, by_rests, unit, said.given.is_some())?;
+    }
+    let by_rests = by_rests.filter(|_| stated.is_none());
     if by_rests.is_some_and(|level| !KNOWN.iter().any(|range| range.contains(&level))) {
         return Err(in_file(
             name,
@@ -115,6 +125,72 @@ pub(crate) fn accel_unit(
     Ok(unit)
 }
 
+/// Refuses readings of one length in every row: their size was divided out, and with it what gravity says of them.
+fn refuse_direction(name: &str, stream: &Stream) -> Result<(), Error> {
+    let values = &stream.values[..stream.len().min(LOOKED_AT)];
+    if values.len() < values::ENOUGH || !is_direction(values) {
+        return Ok(());
+    }
+    Err(in_file(
+        name,
+        format!(
+            "the accelerometer's readings have the same length, {:.4}, in every row, while the device turns too: they were normalised to a direction, and no force is left in them; record the accelerometer before it is normalised (\"raw\" or \"uncalibrated\")",
+            median_norm(stream)
+        ),
+    ))
+}
+
+/// Refuses a unit in which gravity at rest would be another than the earth's, and names the one in which it is.
+fn refuse_other_gravity(
+    name: &str,
+    stream: &Stream,
+    by_rests: Option<f64>,
+    unit: AccelUnit,
+    given: bool,
+) -> Result<(), Error> {
+    let steady = || Some(median_norm(stream)).filter(|_| keeps_its_length(stream));
+    let Some(radius) = by_rests.or_else(steady) else {
+        return Ok(());
+    };
+    let in_unit = radius * unit.scale();
+    if KNOWN[1].contains(&in_unit) {
+        return Ok(());
+    }
+    let share = |unit: &AccelUnit| radius * unit.scale() / STANDARD_GRAVITY;
+    let right = AccelUnit::PHYSICAL
+        .into_iter()
+        .find(|unit| NEAR_GRAVITY.contains(&share(unit)));
+    let by = if given { "--accel-unit" } else { "the file" };
+    let (found, so) = match right {
+        Some(right) => (
+            format!("gravity in {}, not in", right.name()),
+            format!("--accel-unit {}", right.name()),
+        ),
+        // Readings about zero are those of a sensor without gravity, which is said elsewhere.
+        None if by_rests.is_none() || in_unit < LEAST / 4.0 => return Ok(()),
+        None => (
+            format!("{:.2} times gravity in", in_unit / STANDARD_GRAVITY),
+            "--accel-unit counts, which takes the scale from gravity".to_owned(),
+        ),
+    };
+    Err(in_file(
+        name,
+        format!(
+            "at rest the accelerometer reads {radius:.4} in all directions, which is {found} {}, as {by} says; read it with {so}",
+            unit.name()
+        ),
+    ))
+}
+
+/// True where the readings of most rows have about one length.
+fn keeps_its_length(stream: &Stream) -> bool {
+    let length = |k: usize| {
+        let norms = stream.values.iter().map(nalgebra::Vector3::norm);
+        nth_smallest(norms, stream.len() * k / 4).unwrap_or(0.0)
+    };
+    stream.len() >= values::ENOUGH && length(1) > STEADY * length(3)
+}
+
 /// Refuses a unit that is written in the file and not known, where the samples do not tell it either.
 fn unknown_unit(name: &str, sensor: &str, unit: &str, option: &str, column: &str) -> Error {
     in_file(
@@ -145,35 +221,20 @@ pub(crate) fn gyro_unit(
     said: Said<'_, GyroUnit>,
     warnings: &mut Vec<String>,
 ) -> Result<GyroUnit, Error> {
+    let stated = said.given.or(said.stated);
+    let by_turns = accel.and_then(|accel| turn_unit(accel, stream));
+    if let Some(unit) = stated {
+        let by = match said.given {
+            Some(_) => "--gyro-unit says",
+            None => "the file states",
+        };
+        refuse_other_turns(name, stream, accel, by_turns, (unit, by))?;
+        if by_turns.is_none() {
+            refuse_restless_rest(name, stream, accel, unit)?;
+        }
+    }
     if let Some(unit) = said.given {
         return Ok(unit);
-    }
-    let stated = said.stated;
-    let by_turns = accel.and_then(|accel| turn_unit(accel, stream));
-    if let (Some(stated), Some(told)) = (stated.filter(|unit| unit.is_told()), by_turns)
-        && stated != told
-    {
-        return Err(in_file(
-            name,
-            format!(
-                "the file states {} for the gyroscope, but its turns are those that the accelerometer saw in {}; say the unit, as in --gyro-unit {}",
-                stated.name(),
-                told.name(),
-                told.name()
-            ),
-        ));
-    }
-    if let (Some(stated), Some(accel), None) =
-        (stated.filter(|unit| unit.is_told()), accel, by_turns)
-        && let Some(factor) = wrong_by(accel, stream, stated)
-    {
-        return Err(in_file(
-            name,
-            format!(
-                "the file states {} for the gyroscope, but its turns went about {factor:.2} times as far by what the accelerometer saw: the unit is another, or that of the time; say which, as in --time-unit us, --gyro-unit counts, or --columns t=NAME for another clock",
-                stated.name()
-            ),
-        ));
     }
     if let Some(unit) = stated {
         return match turns_as_a_hand(stream, unit) {
@@ -202,7 +263,7 @@ pub(crate) fn gyro_unit(
         .map(nalgebra::Vector3::amax)
         .fold(0.0, f64::max);
     if by_turns.is_none() {
-        refuse_restless_rest(name, stream, accel)?;
+        refuse_restless_rest(name, stream, accel, GyroUnit::RadiansPerSecond)?;
     }
     let integers = values::are_integers(stream.values.iter());
     let (unit, why) = match (by_turns, fastest) {
@@ -230,29 +291,73 @@ pub(crate) fn gyro_unit(
     Ok(unit)
 }
 
+/// Refuses a unit in which the turns are not those that the accelerometer saw; `by` says who states it.
+fn refuse_other_turns(
+    name: &str,
+    stream: &Stream,
+    accel: Option<&Stream>,
+    by_turns: Option<GyroUnit>,
+    (unit, by): (GyroUnit, &str),
+) -> Result<(), Error> {
+    let Some(accel) = accel.filter(|_| unit.is_told()) else {
+        return Ok(());
+    };
+    let why = match by_turns {
+        Some(told) if told == unit => return Ok(()),
+        Some(told) => format!(
+            "its turns are those that the accelerometer saw in {}; say the unit, as in --gyro-unit {}",
+            told.name(),
+            told.name()
+        ),
+        None => match wrong_by(accel, stream, unit) {
+            None => return Ok(()),
+            Some(factor) => format!(
+                "its turns went about {factor:.2} times as far by what the accelerometer saw: the unit is another, or that of the time; say which, as in --time-unit us, --gyro-unit counts, or --columns t=NAME for another clock"
+            ),
+        },
+    };
+    Err(in_file(
+        name,
+        format!("{by} {} for the gyroscope, but {why}", unit.name()),
+    ))
+}
+
 /// Whether an accelerometer rests from beginning to end, its noise a small part of gravity.
 fn lies_still(values: &[nalgebra::Vector3<f64>]) -> bool {
     rest_throughout(values).is_some_and(|(noise, mean)| noise < SHAKEN * mean.norm())
 }
 
-/// Refuses a gyroscope that rests throughout, as the accelerometer beside it does, and would be no gyroscope in rad/s:
+/// Refuses a gyroscope that rests throughout, as the accelerometer beside it does, and would be no gyroscope in `unit`:
 /// no turn tells its unit.
-fn refuse_restless_rest(name: &str, stream: &Stream, accel: Option<&Stream>) -> Result<(), Error> {
-    if stream.len() < ENOUGH_OF_A_REST || accel.is_none_or(|accel| !lies_still(&accel.values)) {
+fn refuse_restless_rest(
+    name: &str,
+    stream: &Stream,
+    accel: Option<&Stream>,
+    unit: GyroUnit,
+) -> Result<(), Error> {
+    let lies_still = || accel.is_some_and(|accel| lies_still(&accel.values));
+    if unit == GyroUnit::Counts || stream.len() < ENOUGH_OF_A_REST || !lies_still() {
         return Ok(());
     }
     let Some((noise, mean)) = rest_throughout(&stream.values) else {
         return Ok(());
     };
-    if noise <= NOISIEST && mean.amax() <= MOST_BIASED {
+    let [noise, bias] = [noise, mean.amax()].map(|raw| raw * unit.scale());
+    if noise <= NOISIEST && bias <= MOST_BIASED {
         return Ok(());
     }
+    let other = match unit {
+        GyroUnit::RadiansPerSecond => GyroUnit::DegreesPerSecond,
+        _ => GyroUnit::Counts,
+    };
     Err(in_file(
         name,
         format!(
-            "the gyroscope rests throughout, so that no turn tells its unit, and in rad/s its noise would be {:.1} and its bias {:.1} deg/s, as no gyroscope has; say the unit, as in --gyro-unit deg/s",
+            "the gyroscope rests throughout, so that no turn tells its unit, and in {} its noise would be {:.1} and its bias {:.1} deg/s, as no gyroscope has; say the unit, as in --gyro-unit {}",
+            unit.name(),
             noise.to_degrees(),
-            mean.amax().to_degrees()
+            bias.to_degrees(),
+            other.name()
         ),
     ))
 }

@@ -1,8 +1,11 @@
 //! Units of the columns: as stated in the header or by the user, or told from the size of gravity.
 
 pub(crate) mod decide;
+mod direction;
 pub(crate) mod field;
+pub(crate) mod repeated;
 pub(crate) mod rests;
+pub(crate) mod swapped;
 pub(crate) mod turn_unit;
 pub(crate) mod values;
 
@@ -202,6 +205,15 @@ impl TimeUnit {
 }
 
 impl AccelUnit {
+    /// All but counts.
+    pub(crate) const PHYSICAL: [Self; 5] = [
+        Self::MetresPerSecondSquared,
+        Self::G,
+        Self::MilliG,
+        Self::Gal,
+        Self::FeetPerSecondSquared,
+    ];
+
     /// m/s² per unit; 1 for counts.
     pub fn scale(self) -> f64 {
         match self {

@@ -11,9 +11,15 @@ use crate::recording::options::Role;
 use crate::recording::samples::Samples;
 use crate::shown::figure;
 use crate::source::place::{at_line, in_file};
+use crate::units::repeated;
+use crate::units::rests::{rests, sphere};
 
 /// Samples from which on statistics mean something.
 pub(crate) const ENOUGH: usize = 100;
+/// A zero is another than 0 by this share of gravity.
+const FAR: f64 = 0.5;
+/// Samples looked at for it.
+const LOOKED_AT: usize = 360_000;
 /// No unit makes a sensor's largest reading smaller.
 const TINIEST: f64 = 1e-9;
 /// A step that a 16-bit register can only take by overflowing: from one rail to the other.
@@ -29,9 +35,11 @@ pub(crate) fn check(
     samples: &Samples,
     warnings: &mut Vec<String>,
 ) -> Result<(), Error> {
+    repeated::refuse(name, sensor, samples)?;
     if sensor == Sensor::Accelerometer
         && samples.t.len() >= ENOUGH
         && let Some(change) = level_change(&samples.values)
+        && !is_about_another_zero(&samples.values)
     {
         return Err(of_another_level(name, samples, &change));
     }
@@ -76,6 +84,16 @@ pub(crate) fn check(
         }
     }
     Ok(())
+}
+
+/// True for means at rest that lie on one sphere about a zero that is not 0: its norm changes with the attitude alone.
+fn is_about_another_zero(values: &[Vector3<f64>]) -> bool {
+    let values = &values[..values.len().min(LOOKED_AT)];
+    let means: Vec<_> = rests(values, values)
+        .iter()
+        .map(|rest| rest.means[0])
+        .collect();
+    sphere(&means).is_some_and(|(centre, radius)| centre.norm() > FAR * radius)
 }
 
 /// Smallest and largest value of each axis.

@@ -3,9 +3,9 @@
 mod coning;
 mod coverage;
 mod determined;
-mod mounting;
 mod norm;
 mod on_top;
+mod plausible;
 mod rests;
 mod twice;
 mod unknowable;
@@ -16,9 +16,10 @@ pub use coverage::not_in_one_plane;
 pub(super) use determined::{
     ForceEvidence, RateEvidence, accelerometer_is_determined, gyroscope_is_determined,
 };
-pub(super) use mounting::{gyroscope_gates, turned_axes};
 pub(super) use norm::the_norm_tells_them;
 pub(super) use on_top::{corrected_before, reads_zero_at_rest};
+pub(super) use plausible::{ForceFit, RateFit, diagonal_std, signed_axes, turned_field};
+pub use plausible::{Said, implausible, implausible_base, none_is_turned};
 pub(super) use rests::{disagreeing_rests, long_turns, restless};
 pub use twice::{none_is_there_twice, without_copies};
 pub(super) use unknowable::{refuse_attitude, refuse_unknowable};

@@ -1,12 +1,45 @@
 //! The sensors of a calibration from a joint fit.
 
 use recording::Recording;
-use sensor::{BASE_PARAMETERS, Sensor};
+use recording::averages::root_mean_square;
+use sensor::{BASE_PARAMETERS, Base, Sensor};
 
 use crate::calibrate::assemble::triad;
+use crate::calibrate::checks;
 use crate::calibration::{BiasTime, RecordingBias, Triad};
 use crate::methods::Fitted;
 use crate::methods::joint::JointFit;
+
+/// The accelerometer as it is held against gravity.
+pub fn force_fit<'a>(
+    fit: &JointFit,
+    fitted: &Fitted,
+    recordings: &'a [&'a Recording],
+) -> checks::ForceFit<'a> {
+    checks::ForceFit {
+        base: Base::from_parameters(fitted.parameters.values()),
+        std: checks::diagonal_std(fitted, Sensor::Accelerometer),
+        unit: fit.force_unit,
+        gravity: fit.gravity,
+        recordings,
+    }
+}
+
+/// The gyroscope as it is held against the turns.
+pub fn rate_fit<'a>(
+    fit: &JointFit,
+    fitted: &Fitted,
+    recordings: &'a [&'a Recording],
+) -> checks::RateFit<'a> {
+    checks::RateFit {
+        base: Base::from_parameters(fitted.parameters.values()),
+        std: checks::diagonal_std(fitted, Sensor::Gyroscope),
+        scale: fit.rate_unit.scale,
+        missed: root_mean_square(&fit.chords),
+        force_is_si: fit.force_unit.is_si(),
+        recordings,
+    }
+}
 
 /// The accelerometer.
 pub fn force_triad(fit: &JointFit, fitted: &Fitted, recordings: &[&Recording]) -> Triad {

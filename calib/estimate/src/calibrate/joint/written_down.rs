@@ -7,8 +7,8 @@ use sensor::Sensor;
 use super::determined::{check_force, check_rate};
 use super::doubts::{disturbances, influences, of_missing, placements_apart};
 use super::latitude::LatitudeDoubt;
-use super::triads::{force_triad, rate_triad};
-use crate::calibrate::assemble::{effect_values, of_the_gyro_unit, of_the_unit};
+use super::triads::{force_fit, force_triad, rate_fit, rate_triad};
+use crate::calibrate::assemble::effect_values;
 use crate::calibrate::left_out::left_out;
 use crate::calibrate::request::Frame;
 use crate::calibrate::unusable_turns::TurnCount;
@@ -85,7 +85,7 @@ pub fn written_down(
     }
     let turned = rate.as_ref().filter(|_| !fit.chords.is_empty());
     if let Some(rate) = turned {
-        failed_gates.extend(check_rate(fit, rate, warnings)?);
+        check_rate(fit, rate, warnings)?;
     }
     let not_calibrated: Vec<NotCalibrated> = rate
         .as_ref()
@@ -95,9 +95,11 @@ pub fn written_down(
         .collect();
     failed_gates.extend(not_calibrated.iter().map(NotCalibrated::gate));
     failed_gates.extend(placements_apart(fit));
-    warnings.extend(of_the_unit(&fit.force_unit));
-    if turned.is_some() {
-        warnings.extend(of_the_gyro_unit(&fit.rate_unit, fit.force_unit.is_si()));
+    let said = force_fit(fit, &force, recordings).said();
+    said.add_to(&mut failed_gates, warnings);
+    if let Some(rate) = turned {
+        let said = rate_fit(fit, rate, recordings).said();
+        said.add_to(&mut failed_gates, warnings);
     }
     warnings.extend(clocks::doubts(fit));
     disturbances(fit, warnings);

@@ -15,6 +15,7 @@ use inertial::Inertial;
 use recording::{Error, FieldUnit, Recording};
 use sensor::{AnyEffect, Sensor};
 
+use super::checks::turned_field;
 use super::outcome::Outcome;
 use super::request::{Method, Request};
 use crate::methods::magnetic::{MagneticRequest, fit_magnetometer};
@@ -111,11 +112,19 @@ fn fitted(
             recordings: &names,
             unit,
             strength_given: request.field.is_some(),
-            latitude: request.latitude,
             missing,
             updates_others: request.method == Method::Joint,
         },
     );
+    let calibration = &mut outcome.calibration;
+    let written = calibration.magnetometer.as_ref();
+    let written = written.zip(calibration.magnetic_field.as_ref());
+    let turned = written.and_then(|(triad, field)| {
+        let with_field: Vec<&Recording> = with_field.iter().map(|&k| recordings[k]).collect();
+        let inclination = field.last.inclination;
+        turned_field(&triad.base().t, inclination, request.latitude, &with_field)
+    });
+    calibration.warnings.extend(turned);
     Ok(())
 }
 

@@ -13,10 +13,6 @@ use crate::methods::magnetic::{Field, MagneticFit, OwnBias};
 /// Turns and headings that disagree by chance in fewer cases than this do not correct the gyroscope.
 const CONTRADICTION: f64 = 1e-3;
 
-/// Inclinations and latitudes beyond this have a sign that cannot be mistaken, degrees: the magnetic equator is nowhere
-/// farther from the other.
-const PLAIN: f64 = 25.0;
-
 /// A field that differs by more than this share of itself from place to place is worth a warning.
 const UNEVEN: f64 = 0.02;
 
@@ -29,8 +25,6 @@ pub struct Written<'a> {
     pub recordings: &'a [&'a str],
     pub unit: Option<FieldUnit>,
     pub strength_given: bool,
-    /// Latitude, degrees north, if it is known.
-    pub latitude: Option<f64>,
     /// An effect that the readings go with and the model lacks, and the probability of so much by chance.
     pub missing: Option<(&'static dyn AnyEffect, f64)>,
     /// Whether accelerometer and gyroscope are corrected by what the magnetometer says.
@@ -145,20 +139,6 @@ fn field(written: &Written<'_>) -> MagneticField {
     }
 }
 
-/// Says where the field points to the other hemisphere: a sign is wrong.
-fn wrong_hemisphere(fit: &MagneticFit, latitude: f64) -> Option<String> {
-    let inclination = fit.fields.last()?.inclination.to_degrees();
-    let plain = latitude.abs() > PLAIN && inclination.abs() > PLAIN;
-    (plain && inclination * latitude < 0.0).then(|| {
-        format!(
-            "the magnetic field points {:.0}° {} the horizontal, at a latitude of {latitude}°: the signs of an odd number of the \
-             magnetometer's axes, or of all of the accelerometer's, are wrong; headings by the corrected field may be turned",
-            inclination.abs(),
-            if inclination < 0.0 { "above" } else { "below" }
-        )
-    })
-}
-
 /// Two significant digits.
 fn short(v: f64) -> String {
     let decimals = (1.0 - v.abs().max(1e-12).log10().floor()).clamp(0.0, 12.0) as usize;
@@ -200,11 +180,6 @@ fn warnings(written: &Written<'_>) -> Vec<String> {
             short(fit.residual_rms / fit.reduced_chi2.sqrt())
         ));
     }
-    all.extend(
-        written
-            .latitude
-            .and_then(|latitude| wrong_hemisphere(fit, latitude)),
-    );
     all.extend(written.missing.map(|(effect, p)| {
         format!(
             "the readings of the magnetometer go with {} (p = {p:.0e}), which the model lacks: its errors do not cover that; \

@@ -16,6 +16,9 @@ mod rest;
 mod turn;
 mod turns;
 mod weigh;
+mod whole;
+
+pub(super) use whole::gyroscope_by_turns;
 
 use change::{Change, Kind, Place};
 use nalgebra::{Matrix3, Vector3};
@@ -124,6 +127,11 @@ fn is_reflected(found: &[Change]) -> bool {
     found
         .iter()
         .any(|c| matches!(c.kind, Kind::Flipped(..) | Kind::Swapped(..)))
+}
+
+/// The axes in every order with every sign.
+fn signed_axes() -> impl Iterator<Item = Matrix3<f64>> {
+    super::checks::signed_axes().into_iter()
 }
 
 /// The sound turns between static intervals whose directions are known, or as many of them as the budget allows, evenly

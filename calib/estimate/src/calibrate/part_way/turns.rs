@@ -122,14 +122,14 @@ fn named(turns: &[Turning<'_>], carried: &[Carried], t: &Matrix3<f64>, limit: f6
     named
 }
 
-fn all_carried(turns: &[Turning<'_>], t: &Matrix3<f64>) -> Vec<Carried> {
+pub(super) fn all_carried(turns: &[Turning<'_>], t: &Matrix3<f64>) -> Vec<Carried> {
     let carry = |turn: &Turning<'_>| turn.rates.carry(t, &turn.before, &turn.after);
     turns.iter().map(carry).collect()
 }
 
 /// The step of the matrix that most turns agree on: weights `1 / (1 + (q / 3 s)²)`, `s` the median of the misses
 /// (Cauchy's, Holland & Welsch 1977).
-fn robust_step(carried: &[Carried]) -> Option<Matrix3<f64>> {
+pub(super) fn robust_step(carried: &[Carried]) -> Option<Matrix3<f64>> {
     let mut step = DVector::zeros(BASE);
     for _ in 0..WEIGHINGS {
         let missed: Vec<f64> = carried.iter().map(|c| left(c, &step).norm()).collect();

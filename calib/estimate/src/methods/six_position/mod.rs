@@ -13,10 +13,11 @@ pub use placement::{Face, Placement, Six, placements};
 use std::borrow::Borrow;
 
 use nalgebra::{Matrix3, Matrix3x6, Vector3};
-use recording::intervals::Detector;
+use recording::intervals::{Detector, segment};
 use recording::{Error, Recording};
 use sensor::{Base, Sensor, base_names, inverse};
 
+use crate::calibrate::{Said, implausible, implausible_base};
 use crate::calibration::{Calibration, Provenance, SCHEMA, Triad};
 use crate::gravity::{Gravity, GravitySource};
 
@@ -73,6 +74,8 @@ pub fn calibrate<R: Borrow<Recording>>(
     let six = placements(recordings, detector, gravity.value)?;
     let solution = SixPosition::solve(&six, gravity.value);
     let mut calibration = solution.calibration(first_order)?;
+    let said = implausible_in(recordings, detector, &solution)?;
+    said.add_to(&mut calibration.failed_gates, &mut calibration.warnings);
     calibration.carry_gravity(gravity.source);
     let uncut = recordings.iter().map(|recording| {
         let recording: &Recording = recording.borrow();
@@ -86,6 +89,24 @@ pub fn calibrate<R: Borrow<Recording>>(
         solution,
         labels: six.placements().each_ref().map(|p| p.label.clone()),
     })
+}
+
+/// Everything that gravity, and the turns in a recording of all placements, say against the readings.
+fn implausible_in<R: Borrow<Recording>>(
+    recordings: &[R],
+    detector: &Detector,
+    solution: &SixPosition,
+) -> Result<Said, Error> {
+    if let [one] = recordings {
+        let one = one.borrow();
+        let cut = segment(one, detector)?;
+        return Ok(implausible(one, &cut, None, solution.gravity));
+    }
+    let all: Vec<&Recording> = recordings.iter().map(R::borrow).collect();
+    let base = solution.base();
+    Ok(base.map_or_else(Said::default, |base| {
+        implausible_base(base, &all, solution.gravity)
+    }))
 }
 
 impl SixPosition {

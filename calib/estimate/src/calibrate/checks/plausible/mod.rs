@@ -1,0 +1,60 @@
+//! A sensor's unit, scale, axes and hand against gravity and the turns, for every method and command.
+//!
+//! ```text
+//! static means ──► ellipsoid of gravity ──► unit, scale of an axis or of all, gravity taken off    `force`
+//! turns ─────────► gravity carried ───────► unit, scale, axes, hand                                `rate`
+//! magnetic field ─► above or below the horizontal ► axes, hand                                     `field`
+//! recordings ────► biases and scale factors ► axes of one recording turned against another's       `turned`
+//! ```
+//! Every cause is named with the option that reads the recording rightly. What is beyond any sensor fails a gate; what a sensor
+//! might be is a warning. Units that the file or the user states wrongly are refused by the reader.
+
+mod apart;
+mod axes;
+mod columns;
+mod field;
+mod force;
+mod rate;
+mod readings;
+mod scales;
+mod turned;
+
+pub(in crate::calibrate) use apart::{ForceFit, RateFit, diagonal_std};
+pub(in crate::calibrate) use field::turned_field;
+pub use readings::{implausible, implausible_base};
+pub use turned::none_is_turned;
+
+use nalgebra::Matrix3;
+
+/// The axes in every order with every sign.
+pub(in crate::calibrate) fn signed_axes() -> Vec<Matrix3<f64>> {
+    axes::SignedAxes::all()
+        .iter()
+        .map(axes::SignedAxes::matrix)
+        .collect()
+}
+
+/// Findings on sensors that cannot be as they are read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Said {
+    /// Reasons not to use a result as it stands.
+    pub gates: Vec<String>,
+    /// Findings that a user should know.
+    pub warnings: Vec<String>,
+}
+
+impl Said {
+    fn gate(&mut self, words: String) {
+        self.gates.push(words);
+    }
+
+    fn warn(&mut self, words: String) {
+        self.warnings.push(words);
+    }
+
+    /// Adds to the gates and the warnings of a calibration.
+    pub fn add_to(self, gates: &mut Vec<String>, warnings: &mut Vec<String>) {
+        gates.extend(self.gates);
+        warnings.extend(self.warnings);
+    }
+}

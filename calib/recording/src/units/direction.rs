@@ -1,0 +1,106 @@
+//! Readings whose length was divided out: a direction of gravity instead of a force.
+
+use nalgebra::Vector3;
+
+/// Lengths of a normalised reading agree to this share of it, ...
+const SAME: f64 = 3e-4;
+/// ... or to a step in which the readings were written, if that is no coarser than this share.
+const COARSEST: f64 = 0.011;
+/// The device turns by more than this, cosine of 30°.
+const TURNED: f64 = 0.87;
+/// Noise along a reading that was normalised is no more than this share of that across it, squared.
+const FLAT: f64 = 0.1;
+/// A row is noise rather than a turn where it leaves the line through its neighbours by this part of their distance ...
+const JUMPS: f64 = 0.25;
+/// ... and one in so many rows is.
+const NOISY: f64 = 0.02;
+/// Noise that is no more than so many steps is that of rounding.
+const ROUNDING: f64 = 4.0;
+
+/// True for readings of the same length in every row, the turns among them, whose noise lies across them: a sensor that reads a
+/// force has noise along it, and turns add to its length.
+pub(super) fn is_direction(values: &[Vector3<f64>]) -> bool {
+    let Some(first) = values.first() else {
+        return false;
+    };
+    let length = values.iter().map(Vector3::norm).sum::<f64>() / values.len() as f64;
+    if !(length > 0.0 && length.is_finite()) {
+        return false;
+    }
+    let step = least_step(values);
+    let allowed = (SAME * length).max(if step <= COARSEST * length { step } else { 0.0 });
+    let same = |value: &Vector3<f64>| (value.norm() - length).abs() <= allowed;
+    let turns = values
+        .iter()
+        .any(|value| value.dot(first) < TURNED * length * length);
+    turns && values.iter().all(same) && has_no_noise_along(values, step)
+}
+
+/// The smallest change of an axis from row to row.
+fn least_step(values: &[Vector3<f64>]) -> f64 {
+    let changes = values.windows(2).flat_map(|pair| {
+        let change = pair[1] - pair[0];
+        [change.x.abs(), change.y.abs(), change.z.abs()]
+    });
+    changes
+        .filter(|change| *change > 0.0)
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// Second differences of rows that do not turn leave the length as it is, or are those of rounding. Readings without any noise
+/// are of no sensor.
+fn has_no_noise_along(values: &[Vector3<f64>], step: f64) -> bool {
+    let (mut along, mut all, mut count) = (0.0, 0.0, 0.0);
+    for three in values.windows(3) {
+        let second = three[2] - 2.0 * three[1] + three[0];
+        let is_noise = second.norm() > JUMPS * (three[2] - three[0]).norm();
+        if !is_noise || second.norm_squared() == 0.0 {
+            continue;
+        }
+        let lengths = [0, 1, 2].map(|k| three[k].norm());
+        along += (lengths[2] - 2.0 * lengths[1] + lengths[0]).powi(2);
+        all += second.norm_squared();
+        count += 1.0;
+    }
+    let across = (all - along).max(0.0) / 2.0;
+    count >= NOISY * values.len() as f64
+        && (along <= FLAT * across || all <= count * (ROUNDING * step).powi(2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rests and turns of an accelerometer with noise.
+    fn readings() -> Vec<Vector3<f64>> {
+        let noise = |k: usize, i: usize| 0.02 * ((k * k * 7 + k * 13 + i * 31) as f64).sin();
+        let value = |k: usize| {
+            let at = (k / 200) as f64 + ((k % 200) as f64 / 100.0 - 1.0).max(0.0);
+            let (sin, cos) = (0.7 * at).sin_cos();
+            let up = Vector3::new(sin, cos * (0.4 * at).cos(), cos * (0.4 * at).sin());
+            up * 9.8 + Vector3::from_fn(|i, _| noise(k, i))
+        };
+        (0..2000).map(value).collect()
+    }
+
+    #[test]
+    fn readings_of_one_length_in_turns_too_are_a_direction_however_they_are_rounded() {
+        let readings = readings();
+        assert!(!is_direction(&readings));
+        for digits in [2, 3, 4, 9] {
+            let unit = 10f64.powi(digits);
+            let round = |v: &Vector3<f64>| v.normalize().map(|x| (x * unit).round() / unit);
+            let normalised: Vec<_> = readings.iter().map(round).collect();
+            assert!(is_direction(&normalised), "{digits} digits");
+            let of_gravity: Vec<_> = normalised.iter().map(|v| v * 9.80665).collect();
+            assert!(is_direction(&of_gravity), "{digits} digits");
+        }
+    }
+
+    #[test]
+    fn a_good_sensor_that_turns_slowly_reads_a_force() {
+        let quiet = |v: &Vector3<f64>| v.normalize() * 9.8 + (v - v.normalize() * 9.8) * 0.05;
+        let readings: Vec<_> = readings().iter().map(quiet).collect();
+        assert!(!is_direction(&readings));
+    }
+}
