@@ -201,10 +201,17 @@ pub(crate) fn gyro_unit(
         .iter()
         .map(nalgebra::Vector3::amax)
         .fold(0.0, f64::max);
+    let integers = values::are_integers(stream.values.iter());
+    if by_turns.is_none() && rate_at_restless_rest(stream, accel).is_some() && integers {
+        warnings.push(format!(
+            "{name}: gyroscope taken as raw counts, kept as they are (whole numbers, and no gyroscope at rest reads that much in \
+             rad/s); --gyro-unit overrides"
+        ));
+        return Ok(GyroUnit::Counts);
+    }
     if by_turns.is_none() {
         refuse_restless_rest(name, stream, accel)?;
     }
-    let integers = values::are_integers(stream.values.iter());
     let (unit, why) = match (by_turns, fastest) {
         (Some(GyroUnit::RadiansPerSecond), _) => return Ok(GyroUnit::RadiansPerSecond),
         (Some(unit), _) => (
@@ -235,18 +242,24 @@ fn lies_still(values: &[nalgebra::Vector3<f64>]) -> bool {
     rest_throughout(values).is_some_and(|(noise, mean)| noise < SHAKEN * mean.norm())
 }
 
-/// Refuses a gyroscope that rests throughout, as the accelerometer beside it does, and would be no gyroscope in rad/s:
-/// no turn tells its unit.
-fn refuse_restless_rest(name: &str, stream: &Stream, accel: Option<&Stream>) -> Result<(), Error> {
+/// Noise and mean of a gyroscope that rests throughout, as the accelerometer beside it does, and would be no gyroscope in
+/// rad/s.
+fn rate_at_restless_rest(
+    stream: &Stream,
+    accel: Option<&Stream>,
+) -> Option<(f64, nalgebra::Vector3<f64>)> {
     if stream.len() < ENOUGH_OF_A_REST || accel.is_none_or(|accel| !lies_still(&accel.values)) {
-        return Ok(());
+        return None;
     }
-    let Some((noise, mean)) = rest_throughout(&stream.values) else {
+    rest_throughout(&stream.values)
+        .filter(|(noise, mean)| *noise > NOISIEST || mean.amax() > MOST_BIASED)
+}
+
+/// Refuses such a gyroscope: no turn tells its unit.
+fn refuse_restless_rest(name: &str, stream: &Stream, accel: Option<&Stream>) -> Result<(), Error> {
+    let Some((noise, mean)) = rate_at_restless_rest(stream, accel) else {
         return Ok(());
     };
-    if noise <= NOISIEST && mean.amax() <= MOST_BIASED {
-        return Ok(());
-    }
     Err(in_file(
         name,
         format!(
