@@ -2,24 +2,34 @@
 
 use nalgebra::Vector3;
 use recording::intervals::Span;
-use recording::{Recording, Stream};
+use recording::{AccelUnit, GyroUnit, Recording, Stream};
+use sensor::Sensor;
 
 use super::allan::{AllanAccumulator, AllanCurve};
+use super::changes::{Drift, Step, drift, steps};
+use super::held::{Held, Repeats};
+use super::lost::{Piece, Regular};
 use super::stillness::{Spreads, Stillness};
-
-/// Samples looked at before the sampling interval is known.
-const HEAD: usize = 256;
-
-/// A step longer than this many sampling intervals is a gap.
-const GAP_STEPS: f64 = 1.5;
 
 /// The curves of the three axes of a sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SensorCurves {
-    /// x, y, z.
+    /// x, y, z; samples that were bridged count.
     pub axes: [AllanCurve; 3],
     /// Gaps that no difference reaches across.
     pub gaps: usize,
+    /// Single samples and short stretches that are missing, bridged by straight lines; samples.
+    pub bridged: usize,
+    /// Steps of the mean, by axis.
+    pub steps: [Vec<Step>; 3],
+    /// Drift of the mean, by axis, where it has no steps.
+    pub drift: [Option<Drift>; 3],
+    /// Readings that repeat the one before.
+    pub held: Held,
+    /// From the first sample to the last, s.
+    pub covered: Span,
+    /// Whether the readings are counts, and not in SI units.
+    pub in_counts: bool,
 }
 
 /// The curves of a recording at rest.
@@ -43,7 +53,18 @@ impl RecordingCurves {
         } = &mut accumulator;
         feed(accelerometer, recording.accelerometer.as_ref(), within);
         feed(gyroscope, recording.gyroscope.as_ref(), within);
-        accumulator.finish()
+        let mut curves = accumulator.finish();
+        for described in &recording.description.sensors {
+            let (own, counts) = match described.sensor {
+                Sensor::Accelerometer => (&mut curves.accelerometer, AccelUnit::Counts.name()),
+                Sensor::Gyroscope => (&mut curves.gyroscope, GyroUnit::Counts.name()),
+                Sensor::Magnetometer => continue,
+            };
+            if let Some(own) = own {
+                own.in_counts = described.unit == counts;
+            }
+        }
+        curves
     }
 }
 
@@ -67,7 +88,7 @@ impl RecordingAccumulator {
     /// The curves, and whether they are of a rest.
     pub(super) fn finish(mut self) -> RecordingCurves {
         let sensors = [&mut self.accelerometer, &mut self.gyroscope];
-        let stillness = Stillness::of(sensors.map(|sensor| std::mem::take(&mut sensor.spreads)));
+        let stillness = Stillness::of(sensors.map(|sensor| sensor.spreads.clone()));
         RecordingCurves {
             accelerometer: self.accelerometer.finish(),
             gyroscope: self.gyroscope.finish(),
@@ -89,69 +110,75 @@ impl SensorCurves {
 #[derive(Debug, Default)]
 pub struct SensorAccumulator {
     axes: [AllanAccumulator; 3],
+    regular: Regular,
     spreads: Spreads,
-    head: Vec<(f64, Vector3<f64>)>,
-    limit: Option<f64>,
-    last: Option<f64>,
-    time: f64,
-    steps: usize,
+    repeats: Repeats,
     gaps: usize,
+    bridged: usize,
 }
 
 impl SensorAccumulator {
     /// The next sample; stamps ascend.
     pub fn push(&mut self, t: f64, value: Vector3<f64>) {
         self.spreads.push(t, &value);
-        match self.limit {
-            Some(limit) => self.add(t, value, limit),
-            None => {
-                self.head.push((t, value));
-                if self.head.len() == HEAD {
-                    self.settle();
-                }
-            }
-        }
+        self.repeats.push(t, &value);
+        let Self {
+            axes,
+            regular,
+            gaps,
+            bridged,
+            ..
+        } = self;
+        regular.push(t, value, &mut |piece| add(axes, gaps, bridged, piece));
     }
 
     /// The curves; the sampling interval is the mean step without gaps. `None` with fewer than two
     /// samples.
     pub fn finish(mut self) -> Option<SensorCurves> {
-        if self.limit.is_none() {
-            self.settle();
-        }
-        let step = self.time / self.steps as f64;
-        (self.steps > 0).then(|| SensorCurves {
+        let Self {
+            axes,
+            regular,
+            gaps,
+            bridged,
+            ..
+        } = &mut self;
+        let step = regular.finish(&mut |piece| add(axes, gaps, bridged, piece))?;
+        let covered = self.spreads.covered()?;
+        let means = self.spreads.means();
+        let steps = means.each_ref().map(|axis| steps(axis));
+        let drift = std::array::from_fn(|k| {
+            let is_steady = steps[k].is_empty();
+            is_steady.then(|| drift(&means[k])).flatten()
+        });
+        Some(SensorCurves {
             axes: self.axes.map(|axis| axis.finish(step)),
             gaps: self.gaps,
+            bridged: self.bridged,
+            steps,
+            drift,
+            held: self.repeats.held(),
+            covered,
+            in_counts: false,
         })
     }
+}
 
-    /// Takes the sampling interval from the samples held back, and lets them through.
-    fn settle(&mut self) {
-        let head = std::mem::take(&mut self.head);
-        let (t, values) = head.iter().copied().unzip();
-        let step = Stream { t, values }.median_step().unwrap_or(f64::INFINITY);
-        let limit = GAP_STEPS * step;
-        self.limit = Some(limit);
-        head.into_iter()
-            .for_each(|(t, value)| self.add(t, value, limit));
-    }
-
-    fn add(&mut self, t: f64, value: Vector3<f64>, limit: f64) {
-        if let Some(last) = self.last.replace(t) {
-            if t - last > limit {
-                self.axes.iter_mut().for_each(AllanAccumulator::gap);
-                self.gaps += 1;
-            } else {
-                self.time += t - last;
-                self.steps += 1;
-            }
+fn add(axes: &mut [AllanAccumulator; 3], gaps: &mut usize, bridged: &mut usize, piece: Piece) {
+    let value = match piece {
+        Piece::Read(value) => value,
+        Piece::Bridge(value) => {
+            *bridged += 1;
+            value
         }
-        self.axes
-            .iter_mut()
-            .zip(value.iter())
-            .for_each(|(axis, y)| axis.push(*y));
-    }
+        Piece::Gap => {
+            axes.iter_mut().for_each(AllanAccumulator::gap);
+            *gaps += 1;
+            return;
+        }
+    };
+    axes.iter_mut()
+        .zip(value.iter())
+        .for_each(|(axis, y)| axis.push(*y));
 }
 
 #[cfg(test)]
@@ -167,6 +194,36 @@ mod tests {
         assert_eq!(curves.gaps, 1);
         assert!((curves.axes[0].step - 0.01).abs() < 1e-12);
         assert_eq!(curves.axes[0].samples, 1000);
+    }
+
+    /// A number between 0 and 1 for every place, as if by chance.
+    fn by_chance(k: usize) -> f64 {
+        let z = (k as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        let z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    #[test]
+    fn samples_lost_singly_leave_the_curve_as_it_was() {
+        let stream = |is_lost: &dyn Fn(usize) -> bool| {
+            let kept: Vec<usize> = (0..40_000).filter(|&k| !is_lost(k)).collect();
+            Stream {
+                t: kept.iter().map(|&k| k as f64 * 0.01).collect(),
+                values: kept
+                    .iter()
+                    .map(|&k| Vector3::repeat(by_chance(k)))
+                    .collect(),
+            }
+        };
+        let whole = SensorCurves::of(&stream(&|_| false)).unwrap();
+        let lossy = SensorCurves::of(&stream(&|k| k % 1999 == 1000)).unwrap();
+        assert_eq!((lossy.gaps, lossy.bridged), (0, 20));
+        let pairs = whole.axes[0].points.iter().zip(&lossy.axes[0].points);
+        for (a, b) in pairs.filter(|(a, _)| a.factor < 2500) {
+            assert!((b.deviation / a.deviation - 1.0).abs() < 0.1, "{a:?} {b:?}");
+        }
+        assert_eq!(whole.axes[0].points.len(), lossy.axes[0].points.len());
     }
 
     #[test]

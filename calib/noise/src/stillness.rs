@@ -3,6 +3,8 @@
 use nalgebra::Vector3;
 use recording::intervals::{Span, complement, union};
 
+use super::changes::Mean;
+
 /// Length of a block in which the spread is measured, s.
 const BLOCK: f64 = 1.0;
 
@@ -16,13 +18,15 @@ const QUIET_SHARE: f64 = 0.1;
 /// times its noise; the noise of one second repeats to a tenth.
 const MOVING: f64 = 10.0;
 
-/// The spread of one sensor's readings, block by block: one number a second, however long the
+/// The spread and the mean of one sensor's readings, block by block: a few numbers a second, however long the
 /// recording.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Spreads {
-    closed: Vec<(Span, f64)>,
+    closed: Vec<(Span, f64, Vector3<f64>)>,
     open: Option<Block>,
+    first: Option<f64>,
     last: Option<Vector3<f64>>,
+    latest: f64,
     resolution: Option<f64>,
 }
 
@@ -66,6 +70,8 @@ impl Block {
 impl Spreads {
     /// The next sample; stamps ascend.
     pub(super) fn push(&mut self, t: f64, value: &Vector3<f64>) {
+        self.first.get_or_insert(t);
+        self.latest = t;
         if let Some(last) = self.last.replace(*value) {
             let steps = (value - last).map(f64::abs);
             for &step in steps.iter().filter(|step| **step > 0.0) {
@@ -75,32 +81,49 @@ impl Spreads {
         let mut block = self.open.take().unwrap_or_else(|| Block::starting(t));
         block.add(t, value);
         if block.is_full() {
-            self.closed.push((block.span, block.spread()));
+            self.closed.push((block.span, block.spread(), block.mean));
         } else {
             self.open = Some(block);
         }
+    }
+
+    /// From the first sample to the last.
+    pub(super) fn covered(&self) -> Option<Span> {
+        let to = self.latest;
+        self.first.map(|from| Span { from, to })
+    }
+
+    /// The means of the blocks, by axis.
+    pub(super) fn means(&self) -> [Vec<Mean>; 3] {
+        let blocks = &self.closed;
+        std::array::from_fn(|k| {
+            blocks
+                .iter()
+                .map(|(span, _, mean)| (*span, mean[k]))
+                .collect()
+        })
     }
 
     /// The time covered, and the blocks that move. The level at rest is that of the quietest tenth,
     /// and at least a step of the readings: a coarse sensor at rest shows the same number for seconds.
     fn motions(mut self) -> (Option<Span>, Vec<Span>) {
         if let Some(block) = self.open.take().filter(|block| block.count >= FEWEST) {
-            self.closed.push((block.span, block.spread()));
+            self.closed.push((block.span, block.spread(), block.mean));
         }
         let whole = self.closed.first().zip(self.closed.last());
-        let whole = whole.map(|((first, _), (last, _))| Span {
+        let whole = whole.map(|((first, ..), (last, ..))| Span {
             from: first.from,
             to: last.to,
         });
-        let mut spreads: Vec<f64> = self.closed.iter().map(|(_, spread)| *spread).collect();
+        let mut spreads: Vec<f64> = self.closed.iter().map(|(_, spread, _)| *spread).collect();
         if spreads.is_empty() {
             return (whole, Vec::new());
         }
         let rank = (QUIET_SHARE * (spreads.len() - 1) as f64) as usize;
         let quiet = *spreads.select_nth_unstable_by(rank, f64::total_cmp).1;
         let limit = MOVING * quiet.max(self.resolution.unwrap_or(0.0));
-        let moving = self.closed.iter().filter(|(_, spread)| *spread > limit);
-        (whole, moving.map(|(span, _)| *span).collect())
+        let moving = self.closed.iter().filter(|(_, spread, _)| *spread > limit);
+        (whole, moving.map(|(span, ..)| *span).collect())
     }
 }
 

@@ -1,6 +1,7 @@
 //! The result of an Allan analysis, as written to `noise.json`.
 
 use recording::Error;
+use recording::intervals::Span;
 use sensor::Sensor;
 use serde::{Deserialize, Serialize};
 
@@ -9,6 +10,7 @@ use super::curves::{RecordingCurves, SensorCurves};
 use super::identify::{NoiseTerms, identify};
 use super::settling::settling_time;
 use super::term::NoiseTerm;
+use super::warnings;
 
 /// The schema this version writes.
 pub const NOISE_SCHEMA: &str = "stillpoint.noise/1";
@@ -40,8 +42,35 @@ pub struct SensorNoise {
     pub step: f64,
     /// Gaps in the recording.
     pub gaps: usize,
+    /// Samples that are missing singly or a few at a time, bridged by straight lines.
+    #[serde(default)]
+    pub bridged: usize,
+    /// The unit of the readings: m/s², rad/s, or counts.
+    #[serde(default)]
+    pub unit: String,
+    /// The densities that filters take; null without terms.
+    #[serde(default)]
+    pub densities: Option<Densities>,
+    /// Stretches in which the readings stand still: begin and end, s.
+    #[serde(default)]
+    pub held: Vec<[f64; 2]>,
     /// x, y, z.
     pub axes: [AxisNoise; 3],
+}
+
+/// White noise and random walk of three axes as filters take them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Densities {
+    /// White noise.
+    pub noise_density: [f64; 3],
+    /// rad/s/√Hz, m/s²/√Hz, or counts/√Hz.
+    pub noise_density_unit: String,
+    /// Random walk of the bias; zero where the fit does without.
+    pub random_walk: [f64; 3],
+    /// Upper end of its interval; null where the recording does not bound it.
+    pub random_walk_upper: [Option<f64>; 3],
+    /// rad/s²/√Hz, m/s³/√Hz, or counts/s/√Hz.
+    pub random_walk_unit: String,
 }
 
 /// Noise of one axis.
@@ -51,6 +80,12 @@ pub struct AxisNoise {
     pub terms: Vec<TermValue>,
     /// Relative misfit of `σ²` beyond its scatter; the intervals include it.
     pub model_error: Option<f64>,
+    /// Steps of the mean: when, s, and by how much.
+    #[serde(default)]
+    pub steps: Vec<[f64; 2]>,
+    /// How far the mean drifts, where it goes as smoothly as no noise does; else null.
+    #[serde(default)]
+    pub drift: Option<f64>,
     /// The Allan deviation.
     pub curve: Vec<CurvePoint>,
 }
@@ -62,8 +97,11 @@ pub struct TermValue {
     pub term: NoiseTerm,
     /// Its name for this sensor.
     pub name: String,
-    /// SI unit.
+    /// SI unit, or counts.
     pub unit: String,
+    /// The unit in which filters take the same number; null for other terms.
+    #[serde(default)]
+    pub density_unit: Option<String>,
     /// Coefficient; zero where the fit does without.
     pub value: f64,
     /// Lower end of the interval; above zero where the data need the term.
@@ -103,18 +141,7 @@ impl NoiseSummary {
         let mut sensor = |curves: &Option<SensorCurves>, sensor: Sensor| {
             let curves = curves.as_ref()?;
             let fits = curves.axes.each_ref().map(identify);
-            for (axis, fit) in ["x", "y", "z"].iter().zip(&fits) {
-                warnings.extend(
-                    warning(fit.as_ref()).map(|w| format!("{} {axis}: {w}", sensor.prefix())),
-                );
-            }
-            if curves.gaps > 0 {
-                warnings.push(format!(
-                    "{}: {} gaps in the recording; no difference reaches across",
-                    sensor.prefix(),
-                    curves.gaps
-                ));
-            }
+            warnings.extend(warnings::of_sensor(curves, &fits, sensor));
             if sensor == Sensor::Gyroscope {
                 settling = fits
                     .iter()
@@ -148,19 +175,6 @@ impl NoiseSummary {
     }
 }
 
-/// What is wrong with a fit, if anything.
-fn warning(fit: Option<&NoiseTerms>) -> Option<String> {
-    match fit {
-        None => Some("too short, or a signal that never changes: no noise terms".into()),
-        Some(fit) if fit.model_error > 0.0 => Some(format!(
-            "five noise terms miss the Allan variance by {:.0} % (a filter, a resonance or a motion); \
-             the intervals include that",
-            100.0 * fit.model_error
-        )),
-        Some(_) => None,
-    }
-}
-
 fn sensor_noise(
     curves: &SensorCurves,
     fits: &[Option<NoiseTerms>; 3],
@@ -169,27 +183,84 @@ fn sensor_noise(
     let axis = |k: usize| AxisNoise {
         terms: fits[k]
             .as_ref()
-            .map(|fit| terms(fit, sensor))
+            .map(|fit| terms(fit, sensor, curves.in_counts))
             .unwrap_or_default(),
         model_error: fits[k].as_ref().map(|fit| fit.model_error),
+        steps: curves.steps[k].iter().map(|s| [s.t, s.size]).collect(),
+        drift: curves.drift[k].map(|drift| drift.change),
         curve: points(&curves.axes[k], fits[k].as_ref()),
     };
+    let unit = if curves.in_counts {
+        "counts"
+    } else {
+        NoiseTerm::BiasInstability.unit(sensor)
+    };
+    let held = curves.held.stretches.iter();
     SensorNoise {
-        samples: curves.axes[0].samples,
+        samples: curves.axes[0].samples - curves.bridged,
         step: curves.axes[0].step,
         gaps: curves.gaps,
+        bridged: curves.bridged,
+        unit: unit.into(),
+        densities: densities(fits, sensor, curves.in_counts),
+        held: held.map(|&Span { from, to }| [from, to]).collect(),
         axes: [axis(0), axis(1), axis(2)],
     }
 }
 
-fn terms(fit: &NoiseTerms, sensor: Sensor) -> Vec<TermValue> {
-    let value = |e: &super::identify::Estimate| TermValue {
-        term: e.term,
-        name: e.term.name(sensor).into(),
-        unit: e.term.unit(sensor).into(),
-        value: e.value,
-        lower: e.interval.lower,
-        upper: e.interval.upper.is_finite().then_some(e.interval.upper),
+/// The unit of a term, and that of a density.
+fn units(term: NoiseTerm, sensor: Sensor, in_counts: bool) -> (&'static str, Option<&'static str>) {
+    let density = match term {
+        _ if !in_counts => term.density_unit(sensor),
+        NoiseTerm::WhiteNoise => Some("counts/√Hz"),
+        NoiseTerm::RandomWalk => Some("counts/s/√Hz"),
+        _ => None,
+    };
+    let unit = if in_counts {
+        term.unit_in_counts()
+    } else {
+        term.unit(sensor)
+    };
+    (unit, density)
+}
+
+fn densities(fits: &[Option<NoiseTerms>; 3], sensor: Sensor, in_counts: bool) -> Option<Densities> {
+    let [Some(x), Some(y), Some(z)] = fits else {
+        return None;
+    };
+    let of = |term: NoiseTerm| [x, y, z].map(|fit| *fit.get(term));
+    let unit = |term: NoiseTerm| {
+        units(term, sensor, in_counts)
+            .1
+            .unwrap_or_default()
+            .to_owned()
+    };
+    let walks = of(NoiseTerm::RandomWalk);
+    Some(Densities {
+        noise_density: of(NoiseTerm::WhiteNoise).map(|e| e.value),
+        noise_density_unit: unit(NoiseTerm::WhiteNoise),
+        random_walk: walks.map(|e| e.value),
+        random_walk_upper: walks.map(|e| bounded(e.interval.upper)),
+        random_walk_unit: unit(NoiseTerm::RandomWalk),
+    })
+}
+
+fn bounded(upper: f64) -> Option<f64> {
+    upper.is_finite().then_some(upper)
+}
+
+fn terms(fit: &NoiseTerms, sensor: Sensor, in_counts: bool) -> Vec<TermValue> {
+    let value = |e: &super::identify::Estimate| {
+        let (unit, density_unit) = units(e.term, sensor, in_counts);
+        TermValue {
+            term: e.term,
+            name: e.term.name(sensor).into(),
+            unit: unit.into(),
+            density_unit: density_unit.map(str::to_owned),
+            value: e.value,
+            lower: e.interval.lower,
+            upper: bounded(e.interval.upper),
+        }
     };
     fit.estimates.iter().map(value).collect()
 }
@@ -212,4 +283,104 @@ fn points(curve: &AllanCurve, fit: Option<&NoiseTerms>) -> Vec<CurvePoint> {
             }
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+    use recording::{Described, Recording, Stream, UnitBy};
+
+    use super::*;
+
+    /// A number between 0 and 1 for every place, as if by chance.
+    fn by_chance(k: usize) -> f64 {
+        let z = (k as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        let z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// Ten minutes at 50 Hz with `noise` of a sample, whole numbers, and a step of the x axis at 305 s.
+    fn at_rest(unit: &'static str, step: f64) -> Recording {
+        let value = |k: usize| {
+            let noise = 10.0 * by_chance(k);
+            Vector3::new(
+                noise.round() + if k >= 305 * 50 { step } else { 0.0 },
+                noise.round(),
+                noise.round() + 16_384.0,
+            )
+        };
+        let described = Described {
+            sensor: Sensor::Accelerometer,
+            source: "rest.csv".into(),
+            columns: Vec::new(),
+            unused: Vec::new(),
+            unit,
+            unit_by: UnitBy::Data,
+            turned: false,
+        };
+        let mut recording = Recording {
+            accelerometer: Some(Stream {
+                t: (0..30_000).map(|k| k as f64 * 0.02).collect(),
+                values: (0..30_000).map(value).collect(),
+            }),
+            ..Recording::default()
+        };
+        recording.description.sensors.push(described);
+        recording
+    }
+
+    fn summary(unit: &'static str, step: f64) -> NoiseSummary {
+        NoiseSummary::of(&RecordingCurves::of(&at_rest(unit, step), None)).unwrap()
+    }
+
+    #[test]
+    fn noise_of_counts_is_in_counts() {
+        let noise = summary("counts", 0.0).accelerometer.unwrap();
+        assert_eq!(noise.unit, "counts");
+        let white = &noise.axes[0].terms[NoiseTerm::WhiteNoise as usize];
+        assert_eq!(
+            (white.unit.as_str(), white.density_unit.as_deref()),
+            ("counts·√s", Some("counts/√Hz"))
+        );
+        let text = format!("{noise:?}");
+        assert!(!text.contains("m/s"), "{text}");
+    }
+
+    #[test]
+    fn densities_are_the_terms_in_the_units_of_filters() {
+        let noise = summary("m/s^2", 0.0).accelerometer.unwrap();
+        let densities = noise.densities.unwrap();
+        assert_eq!(densities.noise_density_unit, "m/s²/√Hz");
+        assert_eq!(densities.random_walk_unit, "m/s³/√Hz");
+        let white = |k: usize| noise.axes[k].terms[NoiseTerm::WhiteNoise as usize].value;
+        assert_eq!(densities.noise_density, [white(0), white(1), white(2)]);
+    }
+
+    #[test]
+    fn a_step_is_said_with_its_time_its_size_and_a_stretch_without_it() {
+        let found = summary("m/s^2", 4.0);
+        let [step] = found.accelerometer.unwrap().axes[0].steps[..] else {
+            panic!("{:?}", found.warnings);
+        };
+        assert!(
+            (step[0] - 305.0).abs() < 2.5 && (step[1] - 4.0).abs() < 0.8,
+            "{step:?}"
+        );
+        let said = found
+            .warnings
+            .iter()
+            .find(|w| w.contains("steps by"))
+            .unwrap();
+        assert!(
+            said.starts_with("accel x steps by") && said.contains("--rest 0,30"),
+            "{said}"
+        );
+        assert!(
+            summary("m/s^2", 0.0)
+                .warnings
+                .iter()
+                .all(|w| !w.contains("steps by"))
+        );
+    }
 }

@@ -87,4 +87,26 @@ impl NoiseTerm {
             (Self::Ramp, Sensor::Magnetometer) => "µT/s",
         }
     }
+
+    /// The unit of its coefficient where the readings are counts.
+    pub fn unit_in_counts(self) -> &'static str {
+        match self {
+            Self::Quantisation => "counts·s",
+            Self::WhiteNoise => "counts·√s",
+            Self::BiasInstability => "counts",
+            Self::RandomWalk => "counts/√s",
+            Self::Ramp => "counts/s",
+        }
+    }
+
+    /// The unit in which filters take the same number: 1 √s is 1/√Hz.
+    pub fn density_unit(self, sensor: Sensor) -> Option<&'static str> {
+        match (self, sensor) {
+            (Self::WhiteNoise, Sensor::Gyroscope) => Some("rad/s/√Hz"),
+            (Self::WhiteNoise, Sensor::Accelerometer) => Some("m/s²/√Hz"),
+            (Self::RandomWalk, Sensor::Gyroscope) => Some("rad/s²/√Hz"),
+            (Self::RandomWalk, Sensor::Accelerometer) => Some("m/s³/√Hz"),
+            _ => None,
+        }
+    }
 }

@@ -26,13 +26,14 @@ pub mod toml_place;
 mod units;
 pub mod watch;
 
-pub use clock::even::{EvenClock, Stamps, bursts, even_clock};
-pub use clock::offset::{clock_drift, clock_offset};
+pub use clock::drift::{ClockDrift, clock_drift};
+pub use clock::even::{Bursts, EvenClock, Stamps, bursts, even_clock};
+pub use clock::offset::clock_offset;
 pub use did_you_mean::did_you_mean;
 pub use error::Error;
 pub use recording::*;
 pub use rows::plain;
-pub use shown::figure;
+pub use shown::{figure, significant};
 pub use source::{Input, batches, cut, pipeline};
 pub use text_file::read_text;
 pub use toml_place::explain_toml;

@@ -55,6 +55,12 @@ pub fn figure(value: f64) -> String {
     }
 }
 
+/// A number with so many significant digits.
+pub fn significant(value: f64, digits: usize) -> String {
+    let rounded = format!("{value:.*e}", digits.saturating_sub(1));
+    figure(rounded.parse().unwrap_or(value))
+}
+
 /// A path, safe to print.
 pub fn shown_path(path: &Path) -> String {
     shown(&path.to_string_lossy())
@@ -62,7 +68,13 @@ pub fn shown_path(path: &Path) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{figure, shown_list};
+    use super::{figure, shown_list, significant};
+
+    #[test]
+    fn significant_digits_are_rounded_and_end_without_zeros() {
+        let shown = [49.982_736, 0.050_01, 12_345.6, 100.0].map(|v| significant(v, 3));
+        assert_eq!(shown, ["50", "0.05", "12300", "100"]);
+    }
 
     #[test]
     fn a_list_of_names_is_cut_and_says_so() {

@@ -93,6 +93,18 @@ fn sensors(summary: &NoiseSummary) -> impl Iterator<Item = (&'static str, Sensor
     gyroscope.into_iter().chain(accelerometer)
 }
 
+/// The unit in which a term is shown, and how many of it make that of the readings.
+fn shown_unit(term: NoiseTerm, sensor: Sensor, noise: &SensorNoise) -> (&'static str, f64) {
+    match is_in_counts(noise) {
+        true => (term.unit_in_counts(), 1.0),
+        false => human(term, sensor),
+    }
+}
+
+fn is_in_counts(noise: &SensorNoise) -> bool {
+    noise.unit == "counts"
+}
+
 /// The unit people use for a term, and how many of it make the SI unit.
 fn human(term: NoiseTerm, sensor: Sensor) -> (&'static str, f64) {
     let degree = 1f64.to_degrees();
@@ -143,26 +155,38 @@ fn significant(v: f64) -> String {
     format!("{v:.decimals$}")
 }
 
-/// Header and rows of the table of one sensor.
+/// Rows of the table of one sensor: the terms in the units of data sheets, and the two that filters take as densities.
 fn rows(sensor: Sensor, noise: &SensorNoise) -> Vec<[String; 5]> {
-    NoiseTerm::ALL
+    let row = |name: &str, term: NoiseTerm, unit: &str, factor: f64| {
+        let axis = |k: usize| {
+            let value = noise.axes[k].terms.iter().find(|t| t.term == term);
+            value.map_or("?".into(), |value| cell(value, factor))
+        };
+        [name.into(), unit.into(), axis(0), axis(1), axis(2)]
+    };
+    let mut rows: Vec<_> = NoiseTerm::ALL
         .into_iter()
         .map(|term| {
-            let (unit, factor) = human(term, sensor);
-            let axis = |k: usize| {
-                let value = noise.axes[k].terms.iter().find(|t| t.term == term);
-                value.map_or("?".into(), |value| cell(value, factor))
-            };
-            [
-                term.name(sensor).into(),
-                unit.into(),
-                axis(0),
-                axis(1),
-                axis(2),
-            ]
+            let (unit, factor) = shown_unit(term, sensor, noise);
+            row(term.name(sensor), term, unit, factor)
         })
-        .collect()
+        .collect();
+    // Counts are in these units already.
+    if !is_in_counts(noise) {
+        let densities = DENSITIES.into_iter();
+        rows.extend(densities.filter_map(|(term, name)| {
+            let unit = term.density_unit(sensor)?;
+            Some(row(name, term, unit, 1.0))
+        }));
+    }
+    rows
 }
+
+/// What filters call the terms that they take.
+const DENSITIES: [(NoiseTerm, &str); 2] = [
+    (NoiseTerm::WhiteNoise, "noise density"),
+    (NoiseTerm::RandomWalk, "bias random walk"),
+];
 
 const HEADER: [&str; 5] = ["term", "unit", "x", "y", "z"];
 
@@ -184,7 +208,7 @@ fn text(summary: &NoiseSummary) -> String {
 }
 
 fn extent(noise: &SensorNoise) -> String {
-    let seconds = noise.samples as f64 * noise.step;
+    let seconds = (noise.samples + noise.bridged) as f64 * noise.step;
     let length = match seconds {
         s if s < 120.0 => format!("{s:.1} s"),
         s if s < 7200.0 => format!("{:.1} min", s / 60.0),
@@ -193,10 +217,18 @@ fn extent(noise: &SensorNoise) -> String {
     let gaps = if noise.gaps == 0 {
         String::new()
     } else {
-        format!(", {} gaps", noise.gaps)
+        format!(
+            ", {} gap{}",
+            noise.gaps,
+            if noise.gaps == 1 { "" } else { "s" }
+        )
+    };
+    let bridged = match noise.bridged {
+        0 => String::new(),
+        missing => format!(", {missing} missing and bridged"),
     };
     format!(
-        "{} samples at {:.2} Hz, {length}{gaps}",
+        "{} samples at {:.2} Hz, {length}{bridged}{gaps}",
         noise.samples,
         1.0 / noise.step
     )
@@ -220,6 +252,7 @@ fn plot(sensor: Sensor, noise: &SensorNoise) -> Plot {
         Sensor::Accelerometer => ("accelerometer", "m/s²"),
         Sensor::Magnetometer => ("magnetometer", "µT"),
     };
+    let unit = if is_in_counts(noise) { "counts" } else { unit };
     let mut plot = Plot::new(
         format!("Allan deviation of the {name}"),
         Axis::log("averaging time τ, s"),
@@ -312,7 +345,7 @@ fn sentence(summary: &NoiseSummary) -> String {
 
 /// The white noise of a sensor: the mean over its axes.
 fn figure(name: &str, sensor: Sensor, noise: &SensorNoise) -> Figure {
-    let (unit, factor) = human(NoiseTerm::WhiteNoise, sensor);
+    let (unit, factor) = shown_unit(NoiseTerm::WhiteNoise, sensor, noise);
     let terms = noise.axes.iter().flat_map(|axis| &axis.terms);
     let white: Vec<f64> = terms
         .filter(|t| t.term == NoiseTerm::WhiteNoise)

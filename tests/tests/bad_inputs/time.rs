@@ -207,6 +207,36 @@ fn case_072_stamps_of_arrival_in_bursts() {
 }
 
 #[test]
+fn case_072_stamps_that_are_coarser_than_the_rate() {
+    let usual = calibrate(csv(good()), &["--json"]);
+    // Read every 16 ms and stamped then, alike or a little apart: one or two rows of 100 Hz at a time.
+    for apart in [0.0, 2e-3] {
+        let read = |k: usize| {
+            let polls = good()[k][0] / 0.016;
+            0.016 * (polls.ceil() + apart * (1.0 + polls - polls.ceil()))
+        };
+        let run = calibrate(csv(&spoilt(|k, row| row[0] = read(k))), &["--json"]);
+        run.ends(0).says(&["even clock", "Hz"]);
+        for k in 0..3 {
+            let scale = |run: &Run| run.json()["gyroscope"]["T"][k][k].as_f64().unwrap();
+            let (found, expected) = (scale(&run), scale(&usual));
+            assert!(
+                (found / expected - 1.0).abs() < 1e-3,
+                "{found} and {expected}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_rate_that_the_stamps_contradict_is_noticed() {
+    let wrong = calibrate(csv(good()), &["--rate", "101"]);
+    wrong.says(&["by its stamps the rate is 100 Hz and not 101", "--rate 100"]);
+    let right = calibrate(csv(good()), &["--rate", "100"]);
+    right.is_silent_on(&["by its stamps"]);
+}
+
+#[test]
 fn case_075_thirty_kilohertz() {
     use calib::simulate::{HandHeld, Motion, Spec};
     let mut spec = Spec::hand_held(1);

@@ -1,6 +1,9 @@
 //! What the clocks of the recordings leave in doubt, and recordings on an even clock.
 
-use recording::{Recording, Stamps, Stream, bursts, clock_drift, clock_offset, even_clock};
+use recording::{
+    ClockDrift, Recording, Stamps, Stream, bursts, clock_drift, clock_offset, even_clock,
+    significant,
+};
 
 use crate::methods::joint::{ClockState, JointFit};
 
@@ -18,10 +21,12 @@ pub(super) fn doubts(fit: &JointFit) -> Vec<String> {
         if clock.state == ClockState::Uncountable {
             doubts.push(format!(
                 "{}: the stamps of the gyroscope scatter by {:.1} ms about steps of {:.1} ms: lost samples cannot be \
-                 told from late ones, and the stamps are taken as they are. Record with the sensor's own stamps",
+                 told from late ones, and the stamps are taken as they are. Record with the sensor's own stamps, or take the rows \
+                 as evenly spaced: --rate {}",
                 source.name,
                 1e3 * clock.scatter,
-                1e3 * clock.step
+                1e3 * clock.step,
+                significant(1.0 / clock.step, 6)
             ));
         }
         let scatters = clock.scatter > 0.0 && clock.state != ClockState::Uncountable;
@@ -84,10 +89,16 @@ pub(crate) fn without_bursts(recordings: &[&Recording]) -> Option<(Vec<Recording
                 continue;
             };
             warnings.push(format!(
-                "{}: the stamps of the {sensor} come in bursts of {:.0} samples: they say when the samples were read, not \
-                 when they were taken. An even clock through all of them is used instead; record with the sensor's own \
+                "{}: the stamps of the {sensor} come in bursts of {} samples: they say when the samples were read, not \
+                 when they were taken. An even clock through all of them is used instead, {} Hz{}; record with the sensor's own \
                  stamps",
-                recording.name, found.size
+                recording.name,
+                significant(found.size, 2),
+                significant(1.0 / found.step, 6),
+                match found.lost {
+                    0 => String::new(),
+                    lost => format!(" with {lost} samples missing"),
+                }
             ));
             stream.t = found.even;
         }
@@ -136,12 +147,18 @@ fn late(recording: &str, (offset, other): (f64, Option<f64>)) -> String {
 }
 
 /// That one clock runs faster than the other.
-fn running(recording: &str, drift: f64) -> String {
+fn running(recording: &str, drift: ClockDrift) -> String {
     format!(
-        "{recording}: the clock of the gyroscope runs {:.0} ppm {} than that of the accelerometer, by when they move: one of \
+        "{recording}: the clock of the gyroscope runs {:.0} ± {:.0} ppm {} than that of the accelerometer, by {} turns: one of \
          the two is wrong by that, and the gyroscope's scale factors with it if it is its own. Say the rate by \
          --rate, or stamp both by one clock",
-        1e6 * drift.abs(),
-        if drift > 0.0 { "faster" } else { "slower" }
+        1e6 * drift.value.abs(),
+        1e6 * drift.error,
+        if drift.value > 0.0 {
+            "faster"
+        } else {
+            "slower"
+        },
+        drift.turns
     )
 }

@@ -120,8 +120,10 @@ fn densities(source: &Source<'_>, settings: &Settings) -> (String, Vec<String>) 
     };
     put("update_rate", rate);
     let own = |of: fn(&calib::calibration::Input) -> Option<f64>| input.and_then(of);
-    let force = noise.and_then(|n| n.accelerometer.as_ref());
-    let turn = noise.and_then(|n| n.gyroscope.as_ref());
+    // Densities of counts are none of a filter's units.
+    let in_si = |sensor: &&SensorNoise| sensor.unit != "counts";
+    let force = noise.and_then(|n| n.accelerometer.as_ref()).filter(in_si);
+    let turn = noise.and_then(|n| n.gyroscope.as_ref()).filter(in_si);
     let white_of_force = own(|i| i.accelerometer.as_ref()?.noise_density);
     let white_of_rate = own(|i| i.gyroscope.as_ref()?.noise_density);
     for (name, noise, white) in [

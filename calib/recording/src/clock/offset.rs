@@ -56,39 +56,26 @@ pub fn clock_offset(early: &Stream, late: &Stream) -> Option<(f64, Option<f64>)>
     (evident && found.abs() > LEAST).then(|| (found, other.map(|(lag, _)| lag as f64 * STRETCH)))
 }
 
-/// Drifts below this change of the offset between the two halves are left to the fits, s.
-const LEAST_CHANGE: f64 = 0.06;
-
-/// By which share the stamps of `other` run faster than those of `own` for the same motion; `None` where the offsets of the
-/// two halves differ by no more than 0.06 s, and where the two do not move alike.
-pub fn clock_drift(own: &Stream, other: &Stream) -> Option<f64> {
-    let (from, to) = common(own, other)?;
-    let half = ((to - from) / STRETCH / 2.0) as usize;
+/// The offsets of the first and the second half, s, and the middles of the halves; `None` where the two do not move alike in both.
+pub(super) fn offsets_of_halves(early: &Stream, late: &Stream) -> Option<[(f64, f64); 2]> {
+    let (from, to) = common(early, late)?;
+    let half = (((to - from) / STRETCH / 2.0) as usize).min(MOST);
     if half < ENOUGH {
         return None;
     }
-    let offset = |begin: f64| {
-        let (a, b) = (activity(own, begin, half), activity(other, begin, half));
-        let at = |lag: i64| correlation(&a, &b, lag);
-        let farthest = FARTHEST_OF_HALVES as i64;
-        let best = (1 - farthest..farthest).max_by(|x, y| at(*x).total_cmp(&at(*y)))?;
-        // The vertex of the parabola through the best three.
-        let (before, peak, after) = (at(best - 1), at(best), at(best + 1));
-        let bend = before - 2.0 * peak + after;
-        let vertex = if bend < 0.0 {
-            0.5 * (before - after) / bend
-        } else {
-            0.0
-        };
-        (peak > ALIKE).then_some(STRETCH * (best as f64 + vertex))
-    };
     let length = half as f64 * STRETCH;
-    let change = offset(from + length)? - offset(from)?;
-    (change.abs() > LEAST_CHANGE).then_some(change / length)
+    let offset = |begin: f64| {
+        let (a, b) = (activity(early, begin, half), activity(late, begin, half));
+        let farthest = FARTHEST_OF_HALVES as i64;
+        let all = (1 - farthest..farthest).map(|lag| (lag, correlation(&a, &b, lag)));
+        let (best, peak) = all.max_by(|x, y| x.1.total_cmp(&y.1))?;
+        (peak > ALIKE).then_some((begin + 0.5 * length, STRETCH * best as f64))
+    };
+    Some([offset(from)?, offset(from + length)?])
 }
 
 /// The time in which both sensors have samples; `None` where they share their stamps.
-fn common(a: &Stream, b: &Stream) -> Option<(f64, f64)> {
+pub(super) fn common(a: &Stream, b: &Stream) -> Option<(f64, f64)> {
     if a.t == b.t {
         return None;
     }

@@ -13,7 +13,7 @@ use crate::clock::{held, time};
 use crate::formats::robots::ardupilot_text;
 use crate::header::unclear;
 use crate::readings::{Finding, Frozen, frozen, without_frozen};
-use crate::recording::{checks, thermometer};
+use crate::recording::{checks, packets, thermometer};
 use crate::rows::sort;
 use crate::rows::table::Table;
 use crate::shown::figure;
@@ -21,6 +21,16 @@ use crate::source::place::in_file;
 use crate::units::{
     AccelUnit, GyroUnit, Stated, TemperatureUnit, TimeUnit, decide, swapped, values,
 };
+
+/// What is said where stamps are not used.
+const IGNORED: &str = "--rate was given: time stamps are ignored";
+
+impl Recording {
+    /// Whether there are stamps that a given rate stands for.
+    pub(super) fn has_ignored_stamps(&self) -> bool {
+        self.warnings.iter().any(|warning| warning == IGNORED)
+    }
+}
 
 /// The recording called `name` that `tables`, on one clock, hold.
 pub(crate) fn assemble(
@@ -35,19 +45,21 @@ pub(crate) fn assemble(
     if options.sort_time {
         sort::by_time(&mut tables);
     }
-    for Table {
-        name, accel, gyro, ..
-    } in &tables
-    {
-        for samples in [accel, gyro] {
-            checks::order(name, samples, &mut recording.warnings)?;
-        }
-    }
     if options.rate.is_none() {
         time::to_seconds(&mut tables, options, &mut recording.warnings)?;
     } else if tables.iter().any(|table| table.has_time) {
-        let words = "--rate was given: time stamps are ignored".to_owned();
-        recording.warnings.push(words);
+        recording.warnings.push(IGNORED.to_owned());
+    }
+    for Table {
+        name, accel, gyro, ..
+    } in &mut tables
+    {
+        for (sensor, samples) in [(Sensor::Accelerometer, accel), (Sensor::Gyroscope, gyro)] {
+            recording
+                .warnings
+                .extend(packets::apart(name, sensor, samples));
+            checks::order(name, samples, &mut recording.warnings)?;
+        }
     }
     // Who says which columns are what knows what is left. Before magnetometers and thermometers are taken out: theirs
     // may be all that is understood.

@@ -6,6 +6,7 @@ use super::samples::Samples;
 use super::stream::extreme_steps;
 use super::{Gap, Stream};
 use crate::Error;
+use crate::shown::significant;
 use crate::source::place::in_file;
 
 /// Repeated rows and equal stamps.
@@ -64,9 +65,9 @@ pub(crate) fn bursts(
     let median = Some(least).filter(in_bursts).and(stream.median_step());
     if let Some(median) = median.filter(in_bursts) {
         warnings.push(format!(
-            "{name}: stamps of the {} come in bursts (median step {median:.4} s, mean {mean:.4} s), as of arrival; --rate {:.1} reads the rows as evenly spaced",
+            "{name}: stamps of the {} come in bursts (median step {median:.4} s, mean {mean:.4} s), as of arrival; --rate {} reads the rows as evenly spaced",
             sensor.name(),
-            1.0 / mean
+            significant(1.0 / mean, 6)
         ));
     }
 }

@@ -7,6 +7,7 @@ use sensor::Sensor;
 
 use super::assemble;
 use super::content::Recording;
+use super::given_rate;
 use super::options::ReadOptions;
 use crate::Error;
 use crate::formats;
@@ -25,7 +26,10 @@ impl Recording {
     /// is missing (a rate for rows without stamps) or impossible.
     pub fn read(path: &Path, options: &ReadOptions) -> Result<Self, Error> {
         options.check()?;
-        Self::of_source(Source::open(path, options)?, options)
+        let mut recording = Self::of_source(Source::open(path, options)?, options)?;
+        let contradicted = given_rate::contradicted(path, options, &recording);
+        recording.warnings.extend(contradicted);
+        Ok(recording)
     }
 
     /// Reads a file that is in memory; `name` is what messages call it.

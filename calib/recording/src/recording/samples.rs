@@ -32,6 +32,8 @@ pub(crate) struct Samples {
     pub repeats: Repeats,
     /// Rows merged with another of the same stamp.
     pub merged: usize,
+    /// Rows with the stamp of the sample at this place that are no samples of their own, and whether they are in its mean.
+    pub extra: Vec<(usize, Vector3<f64>, bool)>,
 }
 
 /// Rows that repeat earlier ones.
@@ -55,6 +57,30 @@ impl Samples {
             merged_into_last: 1,
             ..Self::default()
         }
+    }
+
+    /// The same, numbered from the line of the first on.
+    pub fn beginning_at(mut self, line: u64) -> Self {
+        self.lines = vec![(0, line)];
+        self
+    }
+
+    /// All rows, those that share a stamp apart.
+    pub fn unmerged(&self) -> (Vec<f64>, Vec<Vector3<f64>>) {
+        let rows = self.t.len() + self.extra.len();
+        let (mut t, mut values) = (Vec::with_capacity(rows), Vec::with_capacity(rows));
+        let mut extra = self.extra.chunk_by(|a, b| a.0 == b.0).peekable();
+        for (k, (&stamp, &mean)) in self.t.iter().zip(&self.values).enumerate() {
+            let own = extra.next_if(|own| own[0].0 == k).unwrap_or_default();
+            let others = own.iter().filter(|row| row.2);
+            let (sum, count) =
+                others.fold((Vector3::zeros(), 1.0), |(s, n), row| (s + row.1, n + 1.0));
+            t.push(stamp);
+            values.push(mean * count - sum);
+            t.extend(own.iter().map(|_| stamp));
+            values.extend(own.iter().map(|row| row.1));
+        }
+        (t, values)
     }
 
     /// None yet, with memory for `count`.
@@ -98,6 +124,7 @@ impl Samples {
     pub fn make_room(&mut self) -> Result<(), ()> {
         one_more(&mut self.t)?;
         one_more(&mut self.values)?;
+        one_more(&mut self.extra)?;
         one_more(&mut self.lines)
     }
 
@@ -105,6 +132,9 @@ impl Samples {
         let at = self.t.partition_point(|&s| s < t);
         if self.t.get(at) == Some(&t) && self.values.get(at) == Some(&value) {
             self.repeat(line);
+            if t == last {
+                self.extra.push((at, value, false));
+            }
             return Pushed::Repeat;
         }
         if t < last {
@@ -126,6 +156,7 @@ impl Samples {
     fn merge(&mut self, value: Vector3<f64>) {
         self.merged += 1;
         self.merged_into_last += 1;
+        self.extra.push((self.t.len() - 1, value, true));
         if let Some(mean) = self.values.last_mut() {
             *mean += (value - *mean) / self.merged_into_last as f64;
         }

@@ -262,10 +262,18 @@ pub(crate) fn gyro_unit(
         .iter()
         .map(nalgebra::Vector3::amax)
         .fold(0.0, f64::max);
-    if by_turns.is_none() {
-        refuse_restless_rest(name, stream, accel, GyroUnit::RadiansPerSecond)?;
-    }
     let integers = values::are_integers(stream.values.iter());
+    let si = GyroUnit::RadiansPerSecond;
+    if by_turns.is_none() && integers && rate_at_restless_rest(stream, accel, si).is_some() {
+        warnings.push(format!(
+            "{name}: gyroscope taken as raw counts, kept as they are (whole numbers, and no gyroscope at rest reads that much in \
+             rad/s); --gyro-unit overrides"
+        ));
+        return Ok(GyroUnit::Counts);
+    }
+    if by_turns.is_none() {
+        refuse_restless_rest(name, stream, accel, si)?;
+    }
     let (unit, why) = match (by_turns, fastest) {
         (Some(GyroUnit::RadiansPerSecond), _) => return Ok(GyroUnit::RadiansPerSecond),
         (Some(unit), _) => (
@@ -327,25 +335,32 @@ fn lies_still(values: &[nalgebra::Vector3<f64>]) -> bool {
     rest_throughout(values).is_some_and(|(noise, mean)| noise < SHAKEN * mean.norm())
 }
 
-/// Refuses a gyroscope that rests throughout, as the accelerometer beside it does, and would be no gyroscope in `unit`:
-/// no turn tells its unit.
+/// Noise and bias in rad/s of a gyroscope that rests throughout, as the accelerometer beside it does, and would be no gyroscope
+/// in `unit`.
+fn rate_at_restless_rest(
+    stream: &Stream,
+    accel: Option<&Stream>,
+    unit: GyroUnit,
+) -> Option<[f64; 2]> {
+    let lies_still = || accel.is_some_and(|accel| lies_still(&accel.values));
+    if unit == GyroUnit::Counts || stream.len() < ENOUGH_OF_A_REST || !lies_still() {
+        return None;
+    }
+    let (noise, mean) = rest_throughout(&stream.values)?;
+    let found = [noise, mean.amax()].map(|raw| raw * unit.scale());
+    Some(found).filter(|[noise, bias]| *noise > NOISIEST || *bias > MOST_BIASED)
+}
+
+/// Refuses such a gyroscope: no turn tells its unit.
 fn refuse_restless_rest(
     name: &str,
     stream: &Stream,
     accel: Option<&Stream>,
     unit: GyroUnit,
 ) -> Result<(), Error> {
-    let lies_still = || accel.is_some_and(|accel| lies_still(&accel.values));
-    if unit == GyroUnit::Counts || stream.len() < ENOUGH_OF_A_REST || !lies_still() {
-        return Ok(());
-    }
-    let Some((noise, mean)) = rest_throughout(&stream.values) else {
+    let Some([noise, bias]) = rate_at_restless_rest(stream, accel, unit) else {
         return Ok(());
     };
-    let [noise, bias] = [noise, mean.amax()].map(|raw| raw * unit.scale());
-    if noise <= NOISIEST && bias <= MOST_BIASED {
-        return Ok(());
-    }
     let other = match unit {
         GyroUnit::RadiansPerSecond => GyroUnit::DegreesPerSecond,
         _ => GyroUnit::Counts,

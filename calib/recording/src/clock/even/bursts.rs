@@ -1,18 +1,32 @@
-//! Stamps of samples that arrive in bursts: the stamps say when the host read them.
+//! Stamps of samples that arrive in bursts, coarser than the rate: they say when the host read the samples.
 
 use super::line::lines;
 
 /// A step shorter than this share of the mean is within a burst.
 const WITHIN: f64 = 0.2;
 
-/// Share of such steps from which stamps come in bursts.
+/// Share of such steps from which stamps come in bursts, whatever the other steps are.
 const MANY: f64 = 0.4;
+
+/// The same where hardly any step is of a length between: samples arrive together or one after the other.
+const SOME: f64 = 0.02;
+const BETWEEN: std::ops::Range<f64> = WITHIN..0.7;
+const FEWER: f64 = 0.1;
 
 /// Seconds on either side that a sample's time is taken from.
 const REACH: f64 = 15.0;
 
 /// An interruption: this many mean steps, beyond a whole burst.
-const INTERRUPTION: f64 = 5.0;
+const INTERRUPTION: f64 = 20.0;
+
+/// Steps that the period is looked for over.
+const LAG: usize = 512;
+
+/// Samples after one that tell whether it is late, beyond two bursts.
+const AHEAD: usize = 16;
+
+/// Samples that arrive late by more than the longest usual step, as a share: more, and no even clock is behind.
+const LATER: f64 = 0.02;
 
 /// Samples that arrive together, and the even clock behind them.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,40 +35,155 @@ pub struct Bursts {
     pub size: f64,
     /// The even clock, s.
     pub even: Vec<f64>,
+    /// Its mean step, s.
+    pub step: f64,
+    /// Steps without a sample.
+    pub lost: u64,
 }
 
-/// The even clock behind stamps that come in bursts; `None` where they do not.
+/// The even clock behind stamps that come in bursts, or several with one stamp; `None` where they do not.
 pub fn bursts(t: &[f64]) -> Option<Bursts> {
     let whole = t.last()? - t.first()?;
-    let mean = whole / (t.len() - 1) as f64;
-    let count = t
-        .windows(2)
-        .filter(|pair| pair[1] - pair[0] < WITHIN * mean)
-        .count();
-    if t.len() < 100 || (count as f64) < MANY * (t.len() - 1) as f64 {
+    let least = t.windows(2).map(|pair| pair[1] - pair[0]);
+    let least = least.fold(f64::INFINITY, f64::min);
+    if t.len() < 100 || least >= WITHIN * whole / (t.len() - 1) as f64 {
         return None;
     }
-    let size = (t.len() - 1) as f64 / (t.len() - 1 - count) as f64;
-    let most = (INTERRUPTION + 2.0 * size) * mean;
+    let period = period(t)?;
+    let steps: Vec<f64> = t
+        .windows(2)
+        .map(|pair| (pair[1] - pair[0]) / period)
+        .collect();
+    let count = steps.iter().filter(|step| **step < WITHIN).count();
+    let between = steps.iter().filter(|step| BETWEEN.contains(step)).count() as f64;
+    let share = count as f64 / steps.len() as f64;
+    let together = share > SOME && between < FEWER * count as f64;
+    if share < MANY && !together {
+        return None;
+    }
+    let size = steps.len() as f64 / (steps.len() - count).max(1) as f64;
+    let most = (INTERRUPTION + 2.0 * size) * period;
+    let ahead = AHEAD + (2.0 * size) as usize;
+    let runs: Vec<&[f64]> = t.chunk_by(|a, b| b - a <= most).collect();
+    // Over a burst its error adds up: the usual time over many steps is that of whole bursts.
+    let period = mean_step(&runs, period).unwrap_or(period);
     let mut even = Vec::with_capacity(t.len());
-    for run in t.chunk_by(|a, b| b - a <= most) {
-        let ticks: Vec<u32> = (0..).take(run.len()).collect();
-        let step = match run {
-            [first, .., last] => (last - first) / (run.len() - 1) as f64,
-            _ => mean,
+    let (mut time, mut passed, mut lost) = (0.0, 0_u64, 0);
+    for run in runs {
+        let ticks = ticks(run, period, ahead);
+        let last = ticks.last().copied().unwrap_or(0);
+        let step = if last > 0 {
+            (run[run.len() - 1] - run[0]) / f64::from(last)
+        } else {
+            period
         };
-        let steady = |k: usize| run[0] + k as f64 * step;
+        let steady = |k: usize| run[0] + f64::from(ticks[k]) * step;
         let excess: Vec<f64> = (0..run.len()).map(|k| run[k] - steady(k)).collect();
         let line = lines(&ticks, &excess, REACH / step);
         even.extend((0..run.len()).map(|k| steady(k) + line[k]));
+        time += even[even.len() - 1] - even[even.len() - run.len()];
+        passed += u64::from(last);
+        lost += u64::from(last + 1) - run.len() as u64;
     }
     let increases = even.windows(2).all(|pair| pair[0] < pair[1]);
-    increases.then_some(Bursts { size, even })
+    (increases && passed > 0 && (share >= MANY || is_behind(&even, t, &steps, period))).then(|| {
+        Bursts {
+            size,
+            even,
+            step: time / passed as f64,
+            lost,
+        }
+    })
+}
+
+/// The usual time over many steps, per step.
+fn period(t: &[f64]) -> Option<f64> {
+    let lag = LAG.min(t.len() / 4);
+    let over = t.windows(lag + 1).map(|w| w[lag] - w[0]);
+    let middle = t.len().saturating_sub(lag) / 2;
+    let usual = crate::order_statistic::nth_smallest(over, middle)?;
+    Some(usual / lag as f64).filter(|period| *period > 0.0)
+}
+
+/// The mean step within runs, from the beginning of a burst to that of another.
+fn mean_step(runs: &[&[f64]], period: f64) -> Option<f64> {
+    let begins = |run: &[f64], k: &usize| run[*k] - run[k - 1] >= WITHIN * period;
+    let (mut time, mut steps) = (0.0, 0);
+    for run in runs {
+        let first = (1..run.len()).find(|k| begins(run, k));
+        let last = (1..run.len()).rfind(|k| begins(run, k));
+        if let Some((first, last)) = first.zip(last) {
+            time += run[last] - run[first];
+            steps += last - first;
+        }
+    }
+    (steps > 0 && time > 0.0).then(|| time / steps as f64)
+}
+
+/// Steps between the first sample and each. Samples are late by chance, so that steps are counted between the least late
+/// of those that follow, `min_j (t_{k+j} − j P)`.
+fn ticks(t: &[f64], period: f64, ahead: usize) -> Vec<u32> {
+    let envelope = |k: usize| {
+        let window = &t[k..t.len().min(k + ahead)];
+        let expected = window.iter().enumerate();
+        let all = expected.map(|(j, t)| t - j as f64 * period);
+        all.fold(f64::INFINITY, f64::min)
+    };
+    let mut last = envelope(0);
+    let mut tick = 0;
+    (0..t.len())
+        .map(|k| {
+            if k > 0 {
+                let now = envelope(k);
+                // With few samples left a late one looks like one that follows a loss.
+                let steps = if k + ahead <= t.len() {
+                    ((now - last) / period).round().max(1.0)
+                } else {
+                    1.0
+                };
+                tick += steps as u32;
+                last = now;
+            }
+            tick
+        })
+        .collect()
+}
+
+/// Whether hardly any stamp is farther from the even clock than the host lets samples wait.
+fn is_behind(even: &[f64], t: &[f64], steps: &[f64], period: f64) -> bool {
+    let rank = steps.len() * 19 / 20;
+    let longest = crate::order_statistic::nth_smallest(steps.iter().copied(), rank);
+    let most = longest.unwrap_or(0.0).max(1.0) * period;
+    let late = even.iter().zip(t).filter(|(e, t)| (*t - *e).abs() > most);
+    (late.count() as f64) < LATER * t.len() as f64
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Arrival of even samples of `rate` at a host that reads every `poll` s, with a number of samples lost.
+    fn arrived(rate: f64, poll: f64, lost: &[usize]) -> (Vec<f64>, Vec<f64>) {
+        let truth = (0..20_000_usize).filter(|k| !lost.contains(k));
+        let truth: Vec<f64> = truth.map(|k| k as f64 / rate).collect();
+        let read = truth.iter().enumerate().map(|(k, t)| {
+            let jitter = 2e-2 * poll * (k as f64 * 0.7).sin().abs();
+            (t / poll).ceil() * poll + jitter
+        });
+        let mut read: Vec<f64> = read.collect();
+        for k in 1..read.len() {
+            read[k] = read[k].max(read[k - 1]);
+        }
+        (truth, read)
+    }
+
+    /// By how much the even clock scatters about the truth, s.
+    fn scatter(found: &Bursts, truth: &[f64]) -> f64 {
+        let late: Vec<f64> = found.even.iter().zip(truth).map(|(a, b)| a - b).collect();
+        let mean = late.iter().sum::<f64>() / late.len() as f64;
+        let worst = late.iter().map(|l| (l - mean).abs());
+        worst.fold(0.0, f64::max)
+    }
 
     #[test]
     fn samples_that_arrive_by_tens_are_on_an_even_clock_again() {
@@ -65,8 +194,60 @@ mod tests {
         let found = bursts(&arrived).unwrap();
         assert!((found.size - 10.0).abs() < 0.1);
         // A burst is stamped when its last sample is taken: all are late by the same, some 50 ms.
-        let late: Vec<f64> = found.even.iter().zip(&truth).map(|(a, b)| a - b).collect();
-        assert!(late.iter().all(|l| (l - late[10_000]).abs() < 2e-3));
+        assert!(scatter(&found, &truth) < 2e-3);
         assert_eq!(bursts(&truth), None);
+    }
+
+    #[test]
+    fn stamps_coarser_than_the_rate_have_their_even_clock_behind_them() {
+        for (rate, poll) in [
+            (50.0, 0.032),
+            (100.0, 0.016),
+            (200.0, 0.016),
+            (104.0, 0.02),
+            (119.0, 0.01),
+        ] {
+            let (truth, read) = arrived(rate, poll, &[]);
+            let found = bursts(&read).unwrap();
+            assert!(
+                (found.step * rate - 1.0).abs() < 2e-5,
+                "{rate} Hz: {}",
+                found.step
+            );
+            assert!(scatter(&found, &truth) < 0.2 * poll, "{rate} Hz");
+            assert_eq!(found.lost, 0);
+        }
+    }
+
+    #[test]
+    fn a_hundred_samples_with_the_stamp_of_a_second_are_on_an_even_clock() {
+        let stamps: Vec<f64> = (0..12_000)
+            .map(|k| (f64::from(k) / 104.0).floor())
+            .collect();
+        let found = bursts(&stamps).unwrap();
+        assert!((found.step * 104.0 - 1.0).abs() < 5e-3, "{}", found.step);
+        assert_eq!(found.lost, 0);
+    }
+
+    #[test]
+    fn samples_lost_on_the_way_are_counted() {
+        let (truth, read) = arrived(50.0, 0.032, &[2000, 5000, 5001, 9000]);
+        let found = bursts(&read).unwrap();
+        assert_eq!(found.lost, 4);
+        assert!(scatter(&found, &truth) < 0.01);
+    }
+
+    #[test]
+    fn stamps_that_scatter_by_chance_are_no_bursts() {
+        let scattered = |share: f64| -> Vec<f64> {
+            let by_chance =
+                |k: u32| f64::from(k.wrapping_mul(2_654_435_761) >> 8) / f64::from(1 << 24) - 0.5;
+            (0..5000)
+                .map(|k| 0.01 * (f64::from(k) + share * by_chance(k)))
+                .collect()
+        };
+        for share in [0.05, 0.5, 0.9] {
+            assert_eq!(bursts(&scattered(share)), None, "{share}");
+        }
     }
 }

@@ -14,7 +14,7 @@ mod line;
 mod scatter;
 mod ticks;
 
-pub use bursts::bursts;
+pub use bursts::{Bursts, bursts};
 use line::lines;
 
 /// Samples on either side of one that its time is taken from, s: longer than the beat of most rates with a
@@ -63,7 +63,7 @@ pub enum Stamps {
     Uncountable {
         /// Root mean square of the scatter, in steps.
         share: f64,
-        /// Median step, s.
+        /// Mean step without interruptions, s.
         step: f64,
     },
 }
@@ -92,7 +92,10 @@ pub fn even_clock(t: &[f64]) -> Stamps {
         worst = worst.max(share);
     }
     if worst > COUNTED {
-        return Stamps::Uncountable { share: worst, step };
+        return Stamps::Uncountable {
+            share: worst,
+            step: mean_step(t, step),
+        };
     }
     let squares = t.iter().zip(&clock.even).map(|(s, e)| (s - e).powi(2));
     clock.scatter = (squares.sum::<f64>() / t.len() as f64).sqrt();
@@ -100,6 +103,14 @@ pub fn even_clock(t: &[f64]) -> Stamps {
         return Stamps::Exact;
     }
     Stamps::Scattered(clock)
+}
+
+/// Mean step of stamps without interruptions: steps of stamps that come two at a time have no usual one.
+fn mean_step(t: &[f64], usual: f64) -> f64 {
+    let steps = t.windows(2).map(|pair| pair[1] - pair[0]);
+    let steps = steps.filter(|step| *step <= INTERRUPTION * usual);
+    let (sum, count) = steps.fold((0.0, 0.0), |(s, n), step| (s + step, n + 1.0));
+    sum / f64::max(count, 1.0)
 }
 
 /// Whether whole multiples of one step lie between the stamps.

@@ -1,0 +1,271 @@
+//! Changes of the mean within a rest that are no noise: steps, and drift in one direction.
+
+use recording::intervals::Span;
+
+/// Means on either side of a place that are compared, in blocks.
+const WINDOWS: [usize; 5] = [2, 8, 32, 128, 512];
+
+/// Windows that a record must hold for their usual difference to be known.
+const HELD: usize = 16;
+
+/// A step is larger than so many times the usual difference.
+const EVIDENT: f64 = 8.0;
+
+/// A step happens at once and lasts: nearer to it and farther from it the difference is the same up to this share.
+const SAME: f64 = 0.6;
+/// Nearer is this part of the window, farther so many blocks.
+const NEARER: usize = 8;
+const FARTHER: usize = 16;
+
+/// Standard deviation of a normal variable over its median absolute deviation.
+const MAD: f64 = 1.4826;
+
+/// Steps that are kept.
+const KEPT: usize = 20;
+
+/// Means that the record is divided into where a drift is looked for.
+const PARTS: usize = 64;
+
+/// A curve explains so much of them that no random walk goes so smoothly: one leaves 5 % of its own.
+const SMOOTH: f64 = 0.998;
+
+/// The same where what is left is white, as a random walk never leaves it: its neighbours differ by this share of twice its variance.
+const EXPLAINED: f64 = 0.9;
+const WHITE: f64 = 0.7;
+
+/// Mean of a block of samples.
+pub(super) type Mean = (Span, f64);
+
+/// A step of the mean.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// When, s.
+    pub t: f64,
+    /// By how much, in the unit of the samples.
+    pub size: f64,
+}
+
+/// A drift of the mean.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drift {
+    /// From when to when, s.
+    pub span: Span,
+    /// From the first sixteenth to the last, in the unit of the samples.
+    pub change: f64,
+}
+
+/// Steps of a mean, in order.
+///
+/// The difference of the means on either side of every place is compared with the usual one, so that white noise, flicker
+/// noise and a random walk of any size have their share; a step happens at once and lasts.
+pub(super) fn steps(means: &[Mean]) -> Vec<Step> {
+    let mut found: Vec<Step> = Vec::new();
+    let prefix = prefix(means);
+    for width in WINDOWS.into_iter().take_while(|w| HELD * w <= means.len()) {
+        let differences = differences(means, &prefix, width);
+        let mut sorted: Vec<f64> = differences.iter().map(|d| d.1).collect();
+        let Some(usual) = median(&mut sorted) else {
+            continue;
+        };
+        let mut away: Vec<f64> = differences.iter().map(|d| (d.1 - usual).abs()).collect();
+        let scale = MAD * median(&mut away).unwrap_or(0.0);
+        let mut evident: Vec<(usize, f64)> = differences
+            .into_iter()
+            .map(|(k, d)| (k, d - usual))
+            .filter(|(_, d)| scale > 0.0 && d.abs() > EVIDENT * scale)
+            .collect();
+        evident.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+        let reach = 2.0 * width as f64 * (means[1].0.from - means[0].0.from);
+        for (k, size) in evident {
+            let step = Step {
+                t: means[k].0.from,
+                size,
+            };
+            let is_known = found.iter().any(|s| (s.t - step.t).abs() <= reach);
+            if !is_known && found.len() < KEPT && is_abrupt(&prefix, k, width, size) {
+                found.push(step);
+            }
+        }
+    }
+    found.sort_by(|a, b| a.t.total_cmp(&b.t));
+    found
+}
+
+/// The mean after less the mean before, the block in which a step may lie left out; by the block.
+fn differences(means: &[Mean], prefix: &[f64], width: usize) -> Vec<(usize, f64)> {
+    let usual = means[means.len() - 1].0.to - means[0].0.from;
+    let usual = usual / means.len() as f64;
+    let whole = |k: &usize| {
+        let lasts = means[k + width].0.to - means[k - width].0.from;
+        lasts < 1.5 * usual * (2 * width + 1) as f64
+    };
+    (width..means.len() - width)
+        .filter(whole)
+        .map(|k| (k, difference(prefix, k, width)))
+        .collect()
+}
+
+fn difference(prefix: &[f64], k: usize, width: usize) -> f64 {
+    let after = prefix[k + 1 + width] - prefix[k + 1];
+    let before = prefix[k] - prefix[k - width];
+    (after - before) / width as f64
+}
+
+/// Whether a step happens within a part of the window, and lasts.
+fn is_abrupt(prefix: &[f64], k: usize, width: usize, size: f64) -> bool {
+    let room = k.min(prefix.len() - 2 - k);
+    let is_same =
+        |width: usize| (SAME..1.0 / SAME).contains(&(difference(prefix, k, width) / size));
+    room >= 2 && is_same((width / NEARER).max(2)) && is_same(room.min(FARTHER.max(width)))
+}
+
+fn prefix(means: &[Mean]) -> Vec<f64> {
+    let first = means.first().map_or(0.0, |m| m.1);
+    let sums = means.iter().scan(0.0, |sum, (_, mean)| {
+        *sum += mean - first;
+        Some(*sum)
+    });
+    std::iter::once(0.0).chain(sums).collect()
+}
+
+fn median(values: &mut [f64]) -> Option<f64> {
+    let middle = values.len() / 2;
+    (!values.is_empty()).then(|| *values.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
+/// A drift of a mean that goes so smoothly that no noise explains it: a curve of third order through the means.
+pub(super) fn drift(means: &[Mean]) -> Option<Drift> {
+    if means.len() < 2 * PARTS {
+        return None;
+    }
+    let prefix = prefix(means);
+    let edge = |k: usize| k * means.len() / PARTS;
+    let parts: Vec<f64> = (0..PARTS)
+        .map(|k| (prefix[edge(k + 1)] - prefix[edge(k)]) / (edge(k + 1) - edge(k)) as f64)
+        .collect();
+    let left = without_polynomial(&parts, 3);
+    let square = |values: &[f64]| values.iter().map(|v| v * v).sum::<f64>();
+    let total = square(&without_polynomial(&parts, 0));
+    let neighbours: f64 = left.windows(2).map(|w| (w[1] - w[0]).powi(2)).sum();
+    let explained = 1.0 - square(&left) / total;
+    let is_white = neighbours > 2.0 * WHITE * square(&left);
+    if !(explained > SMOOTH || (explained > EXPLAINED && is_white)) {
+        return None;
+    }
+    let end = PARTS / 16;
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+    Some(Drift {
+        span: Span {
+            from: means[0].0.from,
+            to: means[means.len() - 1].0.to,
+        },
+        change: mean(&parts[PARTS - end..]) - mean(&parts[..end]),
+    })
+}
+
+/// The values less the polynomial through them, by orthogonal polynomials of their place.
+fn without_polynomial(values: &[f64], order: usize) -> Vec<f64> {
+    let n = values.len();
+    let x = |k: usize| 2.0 * (k as f64 + 0.5) / n as f64 - 1.0;
+    let mut basis: Vec<Vec<f64>> = Vec::new();
+    let mut left = values.to_vec();
+    for power in 0..=order {
+        let mut column: Vec<f64> = (0..n).map(|k| x(k).powi(power as i32)).collect();
+        for other in &basis {
+            take_off(&mut column, other);
+        }
+        take_off(&mut left, &column);
+        basis.push(column);
+    }
+    left
+}
+
+fn take_off(values: &mut [f64], column: &[f64]) {
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let share = dot(values, column) / dot(column, column).max(f64::MIN_POSITIVE);
+    values
+        .iter_mut()
+        .zip(column)
+        .for_each(|(v, c)| *v -= share * c);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Means of a second with white noise of 1 and a random walk of `walk` a second.
+    fn noise(seed: u64, count: usize, walk: f64) -> Vec<f64> {
+        let mut state = seed.wrapping_mul(2_654_435_761).wrapping_add(12_345);
+        let mut uniform = move || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as f64 / f64::from(1_u32 << 31) - 0.5
+        };
+        let mut normal = move || (0..12).map(|_| uniform()).sum::<f64>();
+        let mut level = 0.0;
+        (0..count)
+            .map(|_| {
+                level += walk * normal();
+                level + normal()
+            })
+            .collect()
+    }
+
+    fn means(values: impl IntoIterator<Item = f64>) -> Vec<Mean> {
+        let span = |k: f64| Span {
+            from: k,
+            to: k + 1.0,
+        };
+        values
+            .into_iter()
+            .zip(0..)
+            .map(|(v, k)| (span(f64::from(k)), v))
+            .collect()
+    }
+
+    #[test]
+    fn a_step_is_found_with_its_time_and_size_beside_any_noise() {
+        for walk in [0.0, 0.1] {
+            let stepped = noise(3, 1200, walk).into_iter().enumerate();
+            let stepped = stepped.map(|(k, v)| if k >= 305 { v + 8.0 } else { v });
+            let found = steps(&means(stepped));
+            let [step] = found[..] else {
+                panic!("{walk}: {found:?}");
+            };
+            assert!(
+                (step.t - 305.0).abs() <= 3.0 && (step.size - 8.0).abs() < 2.5,
+                "{step:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn noise_and_excursions_have_no_steps() {
+        for seed in 0..60 {
+            let walk = [0.0, 0.03, 0.3, 3.0][seed as usize % 4];
+            let mut quiet = noise(seed, 700, walk);
+            assert_eq!(steps(&means(quiet.clone())), [], "seed {seed}");
+            quiet[300] += 300.0 * walk.max(1.0);
+            assert_eq!(steps(&means(quiet)), [], "seed {seed}, excursion");
+        }
+    }
+
+    #[test]
+    fn a_warm_up_and_a_ramp_are_drifts_and_a_random_walk_is_none() {
+        for (walk, by) in [(0.0, 30.0), (0.02, 30.0)] {
+            let clean = noise(5, 1800, walk);
+            let warm = |k: usize| by * (1.0 - (-(k as f64) / 500.0).exp());
+            let line = |k: usize| by * k as f64 / 1800.0;
+            for shape in [&warm as &dyn Fn(usize) -> f64, &line] {
+                let values = clean.iter().enumerate().map(|(k, v)| v + shape(k));
+                let found = drift(&means(values)).unwrap();
+                assert!((found.change / by - 0.9).abs() < 0.15, "{found:?}");
+            }
+        }
+        for seed in 0..60 {
+            let walk = [0.0, 0.03, 0.3, 3.0][seed as usize % 4];
+            assert_eq!(drift(&means(noise(seed, 900, walk))), None, "seed {seed}");
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! A rate that the user gave, against the stamps that it replaces.
+
+use std::path::Path;
+
+use super::content::Recording;
+use super::options::ReadOptions;
+use super::stream::Stream;
+use crate::clock::even::{Stamps, bursts, even_clock};
+use crate::shown::{figure, significant};
+
+/// Rates that differ by less are those of two good oscillators.
+const SAME: f64 = 5e-4;
+
+/// A rate that differs by more than this factor is not compared: the stamps are of another unit, or count samples.
+const ANOTHER: f64 = 3.0;
+
+/// Fewest samples that tell a rate.
+const FEWEST: usize = 200;
+
+/// Samples beyond which a second look takes too long.
+const MOST: usize = 20_000_000;
+
+/// What is said where the stamps tell another rate than the one that was given; a second look at the file at `path`.
+pub(super) fn contradicted(
+    path: &Path,
+    options: &ReadOptions,
+    by_rate: &Recording,
+) -> Option<String> {
+    let given = options.rate?;
+    let longer = by_rate
+        .gyroscope
+        .as_ref()
+        .or(by_rate.accelerometer.as_ref())?;
+    // What was read of a pipe is gone.
+    let can_be_read_again =
+        std::fs::metadata(path).is_ok_and(|data| data.is_file() || data.is_dir());
+    if !by_rate.has_ignored_stamps() || !can_be_read_again || longer.len() > MOST {
+        return None;
+    }
+    let stamped = ReadOptions {
+        rate: None,
+        ..options.clone()
+    };
+    let stamped = Recording::read(path, &stamped).ok()?;
+    let stream = stamped
+        .gyroscope
+        .as_ref()
+        .or(stamped.accelerometer.as_ref())?;
+    let (rate, lost, error) = rate_by_stamps(stream)?;
+    let off = given / rate - 1.0;
+    let differs =
+        off.abs() > SAME.max(3.0 * error) && (ANOTHER.recip()..ANOTHER).contains(&(given / rate));
+    let missing = match lost {
+        0 => String::new(),
+        lost => format!(", and {lost} samples are missing, which --rate passes over"),
+    };
+    differs.then(|| {
+        format!(
+            "{}: by its stamps the rate is {} Hz and not {}{missing}: angles between rests come out {} % too {}. Say --rate {}, or \
+             leave --rate out",
+            by_rate.name,
+            significant(rate, 6),
+            figure(given),
+            significant((100.0 * off).abs(), 2),
+            if off > 0.0 { "small" } else { "large" },
+            significant(rate, 6)
+        )
+    })
+}
+
+/// The rate while samples came, how many are missing, and the relative error of the rate.
+fn rate_by_stamps(stream: &Stream) -> Option<(f64, u64, f64)> {
+    let t = &stream.t;
+    let whole = t.last()? - t.first()?;
+    if t.len() < FEWEST {
+        return None;
+    }
+    if let Some(found) = bursts(t) {
+        let wait = found.size * found.step;
+        return Some((found.step.recip(), found.lost, wait / whole));
+    }
+    match even_clock(t) {
+        Stamps::Exact => {
+            let usual = stream.median_step()?;
+            let steps = t.windows(2).map(|pair| pair[1] - pair[0]);
+            let whole_steps = steps.map(|step| (step / usual).round());
+            let ticks: f64 = whole_steps.sum();
+            Some((
+                ticks / whole,
+                (ticks as u64 + 1).saturating_sub(t.len() as u64),
+                0.0,
+            ))
+        }
+        Stamps::Scattered(clock) => {
+            let lost = clock.lost;
+            let usual = (clock.even.last()? - clock.even.first()?) / clock.ticks.max(1) as f64;
+            // Where the clock was lost in interruptions, ticks are fewer than the time.
+            let is_whole = (usual / clock.step - 1.0).abs() < 0.05;
+            is_whole.then(|| (usual.recip(), lost, clock.scatter / whole))
+        }
+        Stamps::Uncountable { .. } => None,
+    }
+}

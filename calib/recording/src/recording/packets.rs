@@ -1,0 +1,122 @@
+//! Rows that share their stamps because the stamps are coarser than the rate: samples of one packet, or of one tick of a coarse
+//! clock.
+
+use nalgebra::Vector3;
+use sensor::Sensor;
+
+use super::samples::Samples;
+use crate::clock::even::{Bursts, bursts};
+use crate::order_statistic::nth_smallest;
+use crate::shown::significant;
+
+/// Share of the rows from which shared stamps are those of packets.
+const SHARE: f64 = 0.02;
+
+/// Rows with one stamp differ from each other by no more than this, in usual differences of rows as far apart as a packet is
+/// long: several devices in one table differ from row to row, and not from packet to packet.
+const ALIKE: f64 = 2.0;
+
+/// The rows of packets apart again, on the even clock behind their stamps (s); what is said of it. Other samples stay as they are.
+pub(crate) fn apart(name: &str, sensor: Sensor, samples: &mut Samples) -> Option<String> {
+    let rows = samples.t.len() + samples.extra.len();
+    if (samples.extra.len() as f64) < SHARE * rows as f64
+        || 2 * samples.merged < samples.extra.len()
+    {
+        return None;
+    }
+    let (t, values) = samples.unmerged();
+    if !of_one_device(&t, &values) {
+        return None;
+    }
+    let Bursts {
+        even, step, size, ..
+    } = bursts(&t)?;
+    let line = samples.line(0);
+    *samples = Samples::of(even, values).beginning_at(line);
+    Some(format!(
+        "{name}: {} rows of the {} share their stamps with others ({} with one stamp on average): the stamps are coarser than the \
+         rate. The even clock behind them is used, {} Hz; --rate takes another",
+        rows - distinct(&t),
+        sensor.name(),
+        significant(size, 2),
+        significant(1.0 / step, 6)
+    ))
+}
+
+fn distinct(t: &[f64]) -> usize {
+    t.chunk_by(|a, b| a == b).count()
+}
+
+fn of_one_device(t: &[f64], values: &[Vector3<f64>]) -> bool {
+    let size = (t.len() as f64 / distinct(t) as f64).round().max(2.0) as usize;
+    let within = (1..t.len()).filter(|&k| t[k] == t[k - 1]);
+    let within: Vec<f64> = within.map(|k| (values[k] - values[k - 1]).norm()).collect();
+    let packets = values.windows(size + 1).map(|w| (w[size] - w[0]).norm());
+    let middle = |n: usize| n / 2;
+    let usual = nth_smallest(packets, middle(values.len().saturating_sub(size)));
+    let own = nth_smallest(within.iter().copied(), middle(within.len()));
+    own.zip(usual)
+        .is_some_and(|(own, usual)| own <= ALIKE * usual)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn samples(stamp: impl Fn(usize) -> f64, value: impl Fn(usize) -> f64) -> Samples {
+        let mut samples = Samples::default();
+        for k in 0..4000 {
+            let noise = ((k * k * 31) % 101) as f64 * 1e-3;
+            samples.push(
+                stamp(k),
+                Vector3::new(value(k) + noise, noise, 9.8),
+                k as u64 + 2,
+            );
+        }
+        samples
+    }
+
+    #[test]
+    fn samples_of_packets_with_one_stamp_are_on_an_even_clock() {
+        for size in [2, 5, 12] {
+            let packets = |k: usize| (k - k % size + size - 1) as f64 * 0.01;
+            let mut found = samples(packets, |k| k as f64);
+            let said = apart("a.csv", Sensor::Gyroscope, &mut found).unwrap();
+            assert!(
+                said.contains("100 Hz") || said.contains("99.9") || said.contains("100.0"),
+                "{said}"
+            );
+            assert_eq!(found.t.len(), 4000);
+            assert!(
+                (found.values[777].x - 777.0).abs() < 0.11,
+                "{}",
+                found.values[777].x
+            );
+            let steps = found.t.windows(2).map(|w| w[1] - w[0]);
+            assert!(steps.into_iter().all(|step| (step - 0.01).abs() < 2e-4));
+        }
+    }
+
+    #[test]
+    fn stamps_rounded_to_twenty_milliseconds_are_the_same() {
+        let rounded = |k: usize| (k as f64 * 0.0098 / 0.02).round() * 0.02;
+        let mut found = samples(rounded, |k| k as f64);
+        assert!(apart("a.csv", Sensor::Gyroscope, &mut found).is_some());
+        assert_eq!(found.t.len(), 4000);
+    }
+
+    #[test]
+    fn devices_that_take_turns_and_rows_written_twice_are_not_taken_for_packets() {
+        let pairs = |k: usize| (k / 2) as f64 * 0.01;
+        let mut two = samples(pairs, |k| if k % 2 == 0 { 0.0 } else { 5.0 });
+        let before = two.clone();
+        assert_eq!(apart("a.csv", Sensor::Gyroscope, &mut two), None);
+        assert_eq!(two, before);
+        let mut twice = Samples::default();
+        for k in 0..4000_usize {
+            let value = Vector3::repeat((k / 2) as f64);
+            twice.push(pairs(k), value, k as u64);
+        }
+        assert_eq!(apart("a.csv", Sensor::Gyroscope, &mut twice), None);
+    }
+}
