@@ -16,7 +16,8 @@ use crate::rows::sort;
 use crate::rows::table::Table;
 use crate::shown::figure;
 use crate::source::place::in_file;
-use crate::units::{AccelUnit, GyroUnit, Stated, TemperatureUnit, TimeUnit, decide, rests, values};
+use crate::units::field::FieldUnit;
+use crate::units::{AccelUnit, GyroUnit, Stated, TimeUnit, decide, rests, values};
 
 /// The recording called `name` that `tables`, on one clock, hold.
 pub(crate) fn assemble(
@@ -47,10 +48,11 @@ pub(crate) fn assemble(
     }
     // Who says which columns are what knows what is left. Before magnetometers and thermometers are taken out: theirs
     // may be all that is understood.
-    if options.columns.0.is_empty() {
+    if !options.columns.names_a_sensor() {
         unclear::refuse(&tables)?;
     }
-    recording.magnetometer = Magnetometer::taken(&mut tables);
+    recording.warnings.extend(unclear::unread_field(&tables));
+    recording.magnetometer = Magnetometer::taken(&mut tables, options.mag_unit);
     thermometer::join(&mut tables)?;
     let unused: Vec<String> = tables
         .iter()
@@ -93,20 +95,17 @@ pub(crate) fn assemble(
     flip(&mut recording, &options.flip);
     overlap(&recording)?;
     thermometer::check_clock(&mut recording);
-    for (present, missing) in [
-        (
-            recording.accelerometer.is_some(),
-            "no accelerometer: gyroscope only",
-        ),
-        (
-            recording.gyroscope.is_some(),
-            "no gyroscope: accelerometer only",
-        ),
-    ] {
-        if !present {
-            recording.warnings.push(format!("{missing}{unused}"));
-        }
-    }
+    let sensors = [&recording.accelerometer, &recording.gyroscope].map(Option::is_some);
+    let missing = match (sensors, recording.magnetometer.is_some()) {
+        ([true, true], _) => None,
+        ([true, false], _) => Some("no gyroscope: accelerometer only"),
+        ([false, true], _) => Some("no accelerometer: gyroscope only"),
+        ([false, false], true) => Some("no accelerometer and no gyroscope: magnetometer only"),
+        ([false, false], false) => Some("no sensor"),
+    };
+    recording
+        .warnings
+        .extend(missing.map(|missing| format!("{missing}{unused}")));
     // What is true of a row is true of both sensors in it, but said once.
     let mut said = HashSet::new();
     recording
@@ -125,6 +124,14 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
             .for_each(|value| *value = -*value);
     }
     describe(recording, &table, options);
+    let celsius = match table.temperature.is_empty() {
+        true => None,
+        false => checks::celsius(&table, options, &mut recording.warnings),
+    };
+    let celsius = celsius.map(|celsius| Temperature {
+        t: std::mem::take(&mut table.temperature_t),
+        celsius,
+    });
     let Table { name, stated, .. } = table;
     recording
         .warnings
@@ -158,16 +165,7 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
         recording.gyroscope = Some(stream);
         recording.warnings.append(&mut warnings);
     }
-    if !table.temperature.is_empty() {
-        let unit = stated.temperature.unwrap_or(TemperatureUnit::Celsius);
-        let celsius: Vec<f64> = table.temperature.iter().map(|&r| unit.celsius(r)).collect();
-        if checks::temperature(&name, &celsius, &mut recording.warnings) {
-            recording.temperature = Some(Temperature {
-                t: table.temperature_t,
-                celsius,
-            });
-        }
-    }
+    recording.temperature = celsius.or(recording.temperature.take());
     Ok(())
 }
 
@@ -220,10 +218,12 @@ fn overridden(name: &str, stated: Stated, options: &ReadOptions) -> impl Iterato
     let time = options.time_unit.map(TimeUnit::name);
     let accel = options.accel_unit.map(AccelUnit::name);
     let gyro = options.gyro_unit.map(GyroUnit::name);
+    let mag = options.mag_unit.map(FieldUnit::name);
     let units = [
         ("--time-unit", time, stated.time.map(TimeUnit::name)),
         ("--accel-unit", accel, stated.accel.map(AccelUnit::name)),
         ("--gyro-unit", gyro, stated.gyro.map(GyroUnit::name)),
+        ("--mag-unit", mag, stated.field.map(FieldUnit::name)),
     ];
     units.into_iter().filter_map(move |(option, given, said)| {
         let (given, said) = given.zip(said).filter(|(given, said)| given != said)?;
