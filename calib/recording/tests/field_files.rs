@@ -309,6 +309,10 @@ fn a_magnetometer_alone_is_called_so() {
         found.warnings,
         ["no accelerometer and no gyroscope: magnetometer only"]
     );
+    let warm = read(&table("t,mx,my,mz,temp", |k| {
+        format!("{:.3},{},25.0", s.t[k], xyz(&s.field[k], 1.0))
+    }));
+    assert!(warm.is_magnetometer_only());
 }
 
 #[test]
@@ -391,7 +395,7 @@ fn a_decoded_blackbox_is_read_in_its_units() {
     };
     let settings = "\"Product\",\"Blackbox flight data recorder by Nicholas Sherlock\"\n"
         .to_owned()
-        + &"\"setting\",\"1\"\n".repeat(120)
+        + &"\"setting\",\"1\"\n".repeat(400)
         + "\"acc_1G\",\"2048\"\n";
     let found = read(&(settings + &table(header, row)));
     is_it(&found, &s, 1e-4);

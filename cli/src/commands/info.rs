@@ -206,7 +206,10 @@ impl<'a> Facts<'a> {
     }
 
     fn rests(&self) -> Option<(usize, f64)> {
-        let statics = &self.choice.as_ref()?.segmentation.statics;
+        // A magnetometer alone shows no rest.
+        let choice = self.choice.as_ref();
+        let choice = choice.filter(|_| !self.recording.is_magnetometer_only())?;
+        let statics = &choice.segmentation.statics;
         Some((
             statics.len(),
             statics.iter().map(|rest| rest.span.length()).sum(),

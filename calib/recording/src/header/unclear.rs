@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use sensor::Sensor;
 
-use super::names::take_apart;
+use super::names::{compact, take_apart};
 use super::suggest::{completed, entry, suggestion};
 use super::triads::triads;
 use crate::Error;
@@ -158,7 +158,8 @@ fn is_magnetic(stem: &str) -> bool {
     ];
     let stem = stem.to_lowercase();
     let has = |words: &[&str]| words.iter().any(|word| stem.contains(word));
-    has(&["mag", "compass"]) && !has(&OTHERS)
+    let is_called = matches!(compact(&stem).as_str(), "b" | "h") || has(&["mag", "compass"]);
+    is_called && !has(&OTHERS)
 }
 
 /// Refuses tables of both sensors that hold another of a kind: a second device, or a filtered copy.

@@ -53,7 +53,11 @@ pub(crate) fn assemble(
     }
     recording.warnings.extend(unclear::unread_field(&tables));
     recording.magnetometer = Magnetometer::taken(&mut tables, options.mag_unit);
-    thermometer::join(&mut tables)?;
+    match recording.magnetometer.is_some() && !tables.iter().any(Table::has_sensor) {
+        // A temperature beside it is of no use without the sensors.
+        true => tables.clear(),
+        false => thermometer::join(&mut tables)?,
+    }
     let unused: Vec<String> = tables
         .iter()
         .flat_map(|table| table.unused.clone())

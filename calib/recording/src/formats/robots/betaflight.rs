@@ -3,11 +3,14 @@
 //! Source: betaflight/blackbox-tools, `blackbox_decode.c`: stamps in µs, the gyroscope in deg/s, the accelerometer in counts of
 //! which the log's header calls `acc_1G` one g, or in the unit behind its name. The board's frame is forward, left, up.
 
+use std::io::Read;
+
 use crate::formats::texts::TextFormat;
 use crate::header::look::{Look, cells, numbered};
 use crate::header::names::take_apart;
 use crate::recording::options::Role;
 use crate::rows::parts::Part;
+use crate::source::rewrite::rewritten;
 use crate::units::{AccelUnit, GyroUnit, TimeUnit};
 
 /// A decoded blackbox.
@@ -72,6 +75,7 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     Some(vec![Part {
         columns,
         time_unit: Some(TimeUnit::Microseconds),
+        change: Some(below_settings),
         accel_unit,
         gyro_unit,
         remark: Some(format!(
@@ -79,6 +83,17 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
         )),
         ..Part::default()
     }])
+}
+
+/// The table without the settings above it, which may be more lines than rows are looked at.
+fn below_settings(text: Box<dyn Read + Send>) -> Box<dyn Read + Send> {
+    let mut begun = false;
+    rewritten(text, move |line, out| {
+        begun |= memchr::memmem::find(line, b"loopIteration").is_some();
+        if begun {
+            out.extend_from_slice(line);
+        }
+    })
 }
 
 /// Counts of one g, as the header above the names says it.
