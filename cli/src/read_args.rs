@@ -1,7 +1,7 @@
 //! Options of every command that reads a recording.
 
 use calib::recording::formats::{self, Format};
-use calib::recording::{AccelUnit, ColumnMap, GyroUnit, ReadOptions, Role, TimeUnit};
+use calib::recording::{AccelUnit, ColumnMap, FieldUnit, GyroUnit, ReadOptions, Role, TimeUnit};
 use clap::{Args, ValueEnum};
 
 /// How recordings are read; a well-formed file needs none of these.
@@ -26,7 +26,7 @@ pub struct ReadArgs {
     pub instance: Option<u32>,
 
     /// Which column is what, by name or by number from 1: `t=timestamp,ax=acc_x,ay=acc_y,az=acc_z`;
-    /// roles are t, ax, ay, az, gx, gy, gz, temp.
+    /// roles are t, ax, ay, az, gx, gy, gz, temp, mx, my, mz.
     #[arg(long, value_name = "ROLE=COLUMN,...")]
     pub columns: Option<ColumnMap>,
 
@@ -61,6 +61,10 @@ pub struct ReadArgs {
     /// Unit of the gyroscope: rad/s, deg/s, mdeg/s or counts.
     #[arg(long, value_name = "UNIT")]
     pub gyro_unit: Option<GyroUnit>,
+
+    /// Unit of the magnetometer: uT, nT, mT, T, G, mG or counts.
+    #[arg(long, value_name = "UNIT")]
+    pub mag_unit: Option<FieldUnit>,
 
     /// Read these axes with the other sign, as `gx` or `ax,mz`.
     #[arg(long, value_name = "AXIS,...", value_delimiter = ',', value_parser = axis)]
@@ -114,6 +118,7 @@ impl ReadArgs {
             self.time_format.is_some(),
             self.accel_unit.is_some(),
             self.gyro_unit.is_some(),
+            self.mag_unit.is_some(),
             !self.flip.is_empty(),
         ];
         let limits = ReadOptions::default();
@@ -151,6 +156,7 @@ impl From<ReadArgs> for ReadOptions {
             time_format: args.time_format,
             accel_unit: args.accel_unit,
             gyro_unit: args.gyro_unit,
+            mag_unit: args.mag_unit,
             flip: args.flip,
             entry: args.entry,
             topics: args.topic,

@@ -168,6 +168,12 @@ fn read_with_own(read: &ReadOptions, own: &DeviceOptions) -> Result<ReadOptions,
                 .map_err(|_| Error::Usage(format!("gyro_unit `{unit}`: no unit")))?,
         );
     }
+    if let Some(unit) = &own.mag_unit {
+        read.mag_unit = Some(
+            unit.parse()
+                .map_err(|_| Error::Usage(format!("mag_unit `{unit}`: no unit")))?,
+        );
+    }
     Ok(read)
 }
 

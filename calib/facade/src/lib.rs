@@ -51,7 +51,9 @@ pub use calib::calibrate::{Frame, GyroBias};
 pub use calib::discover::{EffectFinding, Verdict};
 pub use calib::intervals::DetectorOptions;
 pub use calib::methods::joint::ClockMode;
-pub use calib::recording::{AccelUnit, ColumnMap, GyroUnit, ReadOptions, Rows, TimeUnit};
+pub use calib::recording::{
+    AccelUnit, ColumnMap, FieldUnit, GyroUnit, ReadOptions, Rows, TimeUnit,
+};
 pub use calib::residuals::Integrator;
 pub use calib::watch::{Progress, Stage};
 pub use calibrate::calibrate;

@@ -3,7 +3,7 @@
 /// What a message calls an option of the command, and what it is called here.
 ///
 /// An entry for every flag that a message of the libraries names; a test reads their sources.
-const OPTIONS: [(&str, &str); 31] = [
+const OPTIONS: [(&str, &str); 32] = [
     ("--accel-file", "`Recording::from_pair`"),
     ("--accel-unit", "`ReadOptions::accel_unit`"),
     ("--altitude", "`Request::altitude`"),
@@ -20,6 +20,7 @@ const OPTIONS: [(&str, &str); 31] = [
     ("--gyro-unit", "`ReadOptions::gyro_unit`"),
     ("--instance", "`ReadOptions::instance`"),
     ("--latitude", "`Request::latitude`"),
+    ("--mag-unit", "`ReadOptions::mag_unit`"),
     ("--max-bytes", "`ReadOptions::max_bytes`"),
     ("--max-rows", "`ReadOptions::max_rows`"),
     ("--method", "`Request::method`"),

@@ -13,6 +13,7 @@
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod ardupilot;
+mod blackbox;
 mod bytes;
 pub mod container;
 #[cfg(test)]

@@ -10,6 +10,7 @@ pub static FORMATS: &[&dyn Format] = &[
     &crate::ros::mcap::Mcap,
     &crate::ros::bag::Bag,
     &crate::ros::db3::Db3,
+    &crate::blackbox::Blackbox,
     &crate::sensor_logger_json::SensorLoggerJson,
 ];
 

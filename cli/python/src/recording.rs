@@ -1,6 +1,7 @@
 //! Recordings.
 
 use std::path::PathBuf;
+use std::str::FromStr;
 
 use numpy::{PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray1, PyReadwriteArray2};
 use pyo3::prelude::*;
@@ -24,6 +25,16 @@ pub fn sensor(py: Python<'_>, name: &str) -> PyResult<Sensor> {
             format!("sensor: `{name}` found, one of {known} expected"),
         )
     })
+}
+
+/// The unit of that spelling, if one is given.
+fn unit<U: FromStr<Err = String>>(
+    py: Python<'_>,
+    option: &str,
+    spelling: Option<String>,
+) -> PyResult<Option<U>> {
+    let unit = spelling.map(|text| text.parse::<U>()).transpose();
+    unit.map_err(|words| usage(py, format!("{option}: {words}")))
 }
 
 #[pymethods]
@@ -69,6 +80,9 @@ impl Recording {
         na_drop: bool,
         sort_time: bool,
         skip_bad_rows: usize,
+        accel_unit: Option<String>,
+        gyro_unit: Option<String>,
+        mag_unit: Option<String>,
     ) -> PyResult<Self> {
         let columns = columns.map(|text| text.parse::<ColumnMap>()).transpose();
         let columns = columns.map_err(|words| usage(py, format!("columns: {words}")))?;
@@ -78,6 +92,9 @@ impl Recording {
             na_drop,
             sort_time,
             skip_bad_rows,
+            accel_unit: unit(py, "accel_unit", accel_unit)?,
+            gyro_unit: unit(py, "gyro_unit", gyro_unit)?,
+            mag_unit: unit(py, "mag_unit", mag_unit)?,
             ..ReadOptions::default()
         };
         let read = py.detach(|| match gyro_file {

@@ -29,6 +29,9 @@ class Recording:
         na_drop: bool,
         sort_time: bool,
         skip_bad_rows: int,
+        accel_unit: Optional[str],
+        gyro_unit: Optional[str],
+        mag_unit: Optional[str],
     ) -> "Recording": ...
     @property
     def name(self) -> str: ...

@@ -85,6 +85,9 @@ class Recording:
         na_drop: bool = False,
         sort_time: bool = False,
         skip_bad_rows: int = 0,
+        accel_unit: Optional[str] = None,
+        gyro_unit: Optional[str] = None,
+        mag_unit: Optional[str] = None,
     ) -> "Recording":
         """The recording in a file or a folder of any known format, recognised by its content.
 
@@ -96,12 +99,24 @@ class Recording:
             na_drop: leave out rows with missing numbers.
             sort_time: sort rows by time.
             skip_bad_rows: broken rows that may be left out.
+            accel_unit: unit of the accelerometer, such as ``g``; by the file and its readings where none is given.
+            gyro_unit: unit of the gyroscope, such as ``deg/s``.
+            mag_unit: unit of the magnetometer: ``uT``, ``nT``, ``mT``, ``T``, ``G``, ``mG`` or ``counts``.
 
         Raises:
             InputError: no recording, with file, line and column.
         """
         read = _native.Recording.from_file(
-            path, gyro_file, columns, rate, na_drop, sort_time, skip_bad_rows
+            path,
+            gyro_file,
+            columns,
+            rate,
+            na_drop,
+            sort_time,
+            skip_bad_rows,
+            accel_unit,
+            gyro_unit,
+            mag_unit,
         )
         return cls._of(read)
 

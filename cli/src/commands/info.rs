@@ -1,16 +1,19 @@
 //! `info`: what is in a file, and the command that would calibrate it.
 
+mod log;
 mod ours;
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use calib::Recording;
+use calib::calibrate::ALONE;
 use calib::gravity::Gravity;
 use calib::intervals::{Detector, Rejected};
 use calib::methods::{Choice, cut};
 use calib::readings::findings;
 use calib::recording::{Described, FieldUnit, Stream, UnitBy};
+use log::Log;
 use ours::Ours;
 use sensor::Sensor;
 use serde_json::{Value, json};
@@ -45,7 +48,15 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             pages.push(ours.page(path));
             continue;
         }
-        let recording = read(path, &args.read)?;
+        let recording = match read(path, &args.read) {
+            Ok(recording) => recording,
+            Err(refused) => {
+                let log = Log::of(path, &args.read, refused)?;
+                documents.push(log.document());
+                pages.push(log.page());
+                continue;
+            }
+        };
         let facts = Facts::of(path, &recording);
         if args.json {
             documents.push(facts.document());
@@ -111,6 +122,22 @@ impl Clock {
             longest_gap: gaps.iter().map(|gap| gap.t1 - gap.t0).fold(0.0, f64::max),
         })
     }
+
+    /// The row of a table for people.
+    fn row(&self, sensor: &str, unit: &str) -> [String; 7] {
+        [
+            sensor.to_owned(),
+            unit.to_owned(),
+            self.samples.to_string(),
+            format!("{:.2}", self.duration),
+            format!("{:.2}", self.rate),
+            format!("{:.3}", 1e3 * self.jitter),
+            match self.gaps {
+                0 => "none".to_owned(),
+                count => format!("{count}, to {:.3} s", self.longest_gap),
+            },
+        ]
+    }
 }
 
 fn decided(by: UnitBy) -> &'static str {
@@ -157,6 +184,7 @@ impl<'a> Facts<'a> {
             .chain(rejected)
             .chain(found.map(|finding| finding.to_string()));
         let command = match &recording.accelerometer {
+            None if recording.is_magnetometer_only() => format!("none: {ALONE}"),
             Some(_) => format!(
                 "stillpoint calibrate {} -o cal.json",
                 super::convert::command_line(path)
@@ -182,7 +210,10 @@ impl<'a> Facts<'a> {
     }
 
     fn rests(&self) -> Option<(usize, f64)> {
-        let statics = &self.choice.as_ref()?.segmentation.statics;
+        // A magnetometer alone shows no rest.
+        let choice = self.choice.as_ref();
+        let choice = choice.filter(|_| !self.recording.is_magnetometer_only())?;
+        let statics = &choice.segmentation.statics;
         Some((
             statics.len(),
             statics.iter().map(|rest| rest.span.length()).sum::<f64>() + 0.0,
@@ -263,18 +294,13 @@ impl<'a> Facts<'a> {
             let Some(clock) = self.recording.stream(sensor.sensor).and_then(Clock::of) else {
                 continue;
             };
-            table.add_row([
-                sensor.sensor.name().to_owned(),
-                sensor.unit.to_owned(),
-                clock.samples.to_string(),
-                format!("{:.2}", clock.duration),
-                format!("{:.2}", clock.rate),
-                format!("{:.3}", 1e3 * clock.jitter),
-                match clock.gaps {
-                    0 => "none".to_owned(),
-                    count => format!("{count}, to {:.3} s", clock.longest_gap),
-                },
-            ]);
+            table.add_row(clock.row(sensor.sensor.name(), sensor.unit));
+        }
+        if let Some(field) = &self.recording.magnetometer
+            && let Some(clock) = Clock::of(&field.stream)
+        {
+            let unit = field.unit.map_or("not stated", FieldUnit::name);
+            table.add_row(clock.row(Sensor::Magnetometer.name(), unit));
         }
         let _ = writeln!(text, "{table}\n");
         for sensor in &description.sensors {
@@ -328,6 +354,7 @@ impl<'a> Facts<'a> {
             Some((count, length)) => {
                 let _ = writeln!(text, "static intervals: {count}, {length:.1} s in all");
             }
+            None if self.recording.is_magnetometer_only() => {}
             None => text.push_str("static intervals: none found\n"),
         }
         for remark in &self.remarks {

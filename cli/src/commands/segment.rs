@@ -66,6 +66,11 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     )?;
     args.replace.end_if_all_exist()?;
     let recording = read(&args.recording, &args.read)?.decimated();
+    if recording.is_magnetometer_only() {
+        let words = "a magnetometer alone shows no rest; record the accelerometer beside it";
+        let words = format!("{}: {words}", show::name(&recording.name));
+        return Err(Failure::from(calib::Error::NotEnough(words)));
+    }
     let progress = spinner("finding static intervals");
     let choice = cut(&recording, &detector, choose, gravity)?;
     progress.finish_and_clear();

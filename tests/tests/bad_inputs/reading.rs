@@ -181,3 +181,101 @@ fn a_magnetometer_that_never_changes_is_kept_and_not_calibrated() {
         assert_eq!(again["unit"], "gauss", "{converted}");
     }
 }
+
+/// A page without its line breaks.
+fn one_line(page: &str) -> String {
+    page.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn a_magnetometer_alone_is_described_rightly_and_what_is_missing_is_said() {
+    let rows = good()
+        .iter()
+        .map(|r| format!("{},{},{},{}\n", r[0], 4.0 * r[1], 4.0 * r[2], 4.0 * r[3]));
+    let text = format!("t,mx (uT),my (uT),mz (uT)\n{}", rows.collect::<String>());
+    let bench = Bench::with("r.csv", text);
+    let info = one_line(&bench.run(&["info", "r.csv"]).ends(0).stdout);
+    for part in [
+        "magnetometer",
+        "µT",
+        "magnetometer only",
+        "record the accelerometer",
+    ] {
+        assert!(info.contains(part), "{part}: {info}");
+    }
+    for part in [
+        "gyroscope only",
+        "accelerometer only",
+        " inf",
+        "static intervals",
+    ] {
+        assert!(!info.contains(part), "{part}: {info}");
+    }
+    bench
+        .run(&["calibrate", "r.csv"])
+        .ends(4)
+        .says(&["a magnetometer alone", "record the accelerometer"])
+        .is_silent_on(&["gyroscope only", "accelerometer only", "inf s"]);
+}
+
+#[test]
+fn a_log_of_several_sensors_is_listed_and_not_refused() {
+    let stamps = || good().iter().map(|r| (r[0] * 1e9) as i64);
+    let rows = |first: usize| -> file_formats::make::Rows {
+        let values = good()
+            .iter()
+            .map(|r| [r[first], r[first + 1], r[first + 2]]);
+        stamps().zip(values).collect()
+    };
+    let (force, rate) = (rows(1), rows(4));
+    let topics = [
+        ("sensor_accel", 0, &force),
+        ("sensor_gyro", 0, &rate),
+        ("sensor_accel", 2, &force),
+        ("sensor_gyro", 2, &rate),
+    ];
+    let bench = Bench::with("a.ulg", file_formats::make::ulog(&topics, &[]));
+    bench
+        .run(&["calibrate", "a.ulg"])
+        .ends(3)
+        .says(&["--instance 0"]);
+    let info = one_line(&bench.run(&["info", "a.ulg"]).ends(0).stdout);
+    for part in [
+        "sensor_gyro 2",
+        "--instance 2",
+        "calibrate a.ulg --instance 0",
+    ] {
+        assert!(info.contains(part), "{part}: {info}");
+    }
+    let listed = bench.run(&["info", "a.ulg", "--json"]).ends(0).json();
+    assert_eq!(
+        listed["files"][0]["streams"].as_array().map(Vec::len),
+        Some(4)
+    );
+    bench.run(&["info", "a.ulg", "--instance", "2"]).ends(0);
+}
+
+#[test]
+fn a_table_of_static_means_may_have_tabs_and_no_names() {
+    let means: String = (0..14)
+        .map(|k| {
+            let (a, b) = (f64::from(k) * 0.9, f64::from(k % 5) - 2.0);
+            let up = nalgebra::Vector3::new(a.cos(), a.sin(), b).normalize() * 9.8;
+            format!("{:.4}\t{:.4}\t{:.4}\n", up.x, up.y, up.z)
+        })
+        .collect();
+    let bench = Bench::with("means.txt", means);
+    bench.write("a.csv", csv(good()));
+    let call = [
+        "calibrate",
+        "a.csv",
+        "--static-means",
+        "means.txt",
+        "--json",
+    ];
+    let found = bench.run(&call).json();
+    assert!(
+        found["accelerometer"]["T"][0][0].as_f64().is_some(),
+        "{found}"
+    );
+}

@@ -1,8 +1,10 @@
 //! A device of a manifest.
 
+use std::ffi::OsStr;
+use std::fmt::Write as _;
 use std::path::PathBuf;
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 /// How one device is calibrated, where that differs from the others.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -35,6 +37,9 @@ pub struct DeviceOptions {
     /// Unit of the gyroscope.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gyro_unit: Option<String>,
+    /// Unit of the magnetometer.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mag_unit: Option<String>,
 }
 
 /// One device.
@@ -43,6 +48,7 @@ pub struct Device {
     /// Its name, once in a manifest.
     pub id: String,
     /// Its recordings.
+    #[serde(serialize_with = "spelled_paths")]
     pub inputs: Vec<PathBuf>,
     /// Lot.
     pub lot: Option<String>,
@@ -52,4 +58,20 @@ pub struct Device {
     pub time: Option<String>,
     /// Its own options.
     pub options: DeviceOptions,
+}
+
+/// A name of a file in letters, bytes that are none of UTF-8 as `\xe9`: different names stay different.
+pub(super) fn spelled(name: &OsStr) -> String {
+    let mut text = String::new();
+    for chunk in name.as_encoded_bytes().utf8_chunks() {
+        text.push_str(chunk.valid());
+        for byte in chunk.invalid() {
+            let _ = write!(text, "\\x{byte:02x}");
+        }
+    }
+    text
+}
+
+fn spelled_paths<S: Serializer>(paths: &[PathBuf], to: S) -> Result<S::Ok, S::Error> {
+    to.collect_seq(paths.iter().map(|path| spelled(path.as_os_str())))
 }

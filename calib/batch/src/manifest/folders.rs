@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::device::{Device, DeviceOptions};
+use super::device::{Device, DeviceOptions, spelled};
 use crate::error::Error;
 use crate::hash::members;
 
@@ -27,7 +27,7 @@ pub(super) fn devices(folder: &Path) -> Result<Vec<Device>, Error> {
             false => path.file_stem(),
         };
         Device {
-            id: without_ending(&name.unwrap_or_default().to_string_lossy()),
+            id: without_ending(&spelled(name.unwrap_or_default())),
             inputs: vec![path],
             lot: None,
             station: None,
@@ -42,4 +42,30 @@ pub(super) fn devices(folder: &Path) -> Result<Vec<Device>, Error> {
 fn without_ending(name: &str) -> String {
     let inner = name.strip_suffix(".csv").or(name.strip_suffix(".txt"));
     inner.unwrap_or(name).to_owned()
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+
+    use super::*;
+    use crate::Manifest;
+
+    #[test]
+    fn names_that_are_not_utf_8_are_devices_of_their_own() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in [&b"caf\xe9.csv"[..], b"caf\xe8.csv", "café.csv".as_bytes()] {
+            std::fs::write(folder.path().join(OsStr::from_bytes(name)), "t,ax\n").unwrap();
+        }
+        let manifest = Manifest::read(&[folder.path().to_owned()]).unwrap();
+        let mut ids: Vec<&str> = manifest.devices.iter().map(|d| d.id.as_str()).collect();
+        ids.sort_unstable();
+        assert_eq!(ids, ["caf\\xe8", "caf\\xe9", "café"]);
+        // The devices are in the sum that parts of one run have in common.
+        let fewer = Manifest {
+            devices: manifest.devices[1..].to_vec(),
+        };
+        assert_ne!(manifest.sha256(""), fewer.sha256(""));
+    }
 }

@@ -11,7 +11,7 @@ use crate::error::Error;
 const KEYS: [&str; 5] = ["id", "inputs", "lot", "station", "time"];
 /// Options that are numbers, words and lists.
 const NUMBERS: [&str; 5] = ["gravity", "latitude", "multiplier", "min_static", "rate"];
-const WORDS: [&str; 3] = ["method", "accel_unit", "gyro_unit"];
+const WORDS: [&str; 4] = ["method", "accel_unit", "gyro_unit", "mag_unit"];
 const LISTS: [&str; 1] = ["effects"];
 
 /// The devices of a manifest file; paths are relative to its folder.
@@ -168,6 +168,7 @@ fn device(entry: Map<String, Value>, folder: &Path) -> Result<Device, String> {
             min_static: number("min_static")?,
             rate: number("rate")?,
             accel_unit: word("accel_unit")?,
+            mag_unit: word("mag_unit")?,
             gyro_unit: word("gyro_unit")?,
         },
     })

@@ -7,7 +7,6 @@ mod cut;
 mod joint;
 mod left_out;
 mod magnetic;
-mod means_file;
 mod noise;
 mod outcome;
 pub mod own_effects;
@@ -25,10 +24,10 @@ pub use checks::{
     without_copies,
 };
 pub use joint::{Account, LatitudeDoubt, refuse_unobservable, written_down};
-pub use magnetic::FIELDS;
-pub use means_file::read_static_means;
+pub use magnetic::{ALONE, FIELDS};
 pub use outcome::Outcome;
 pub use part_way::changes_part_way;
+pub use recording::read_static_means;
 pub use request::{Frame, GyroBias, Instant, Method, NOMINAL_RATES, Request};
 pub use same_device::{gyroscope_of_one_device, of_one_device};
 pub use stepwise::gyroscope_data;
@@ -64,6 +63,7 @@ pub fn calibrate<R: Borrow<Recording>>(
     let gyro_recordings: Vec<&Recording> = gyro_recordings.iter().map(R::borrow).collect();
     let request = request.decided(&recordings);
     request.refuse_ignored()?;
+    magnetic::refuse_alone(&recordings)?;
     calibrate_all(&recordings, &gyro_recordings, &request)
 }
 

@@ -1,13 +1,12 @@
 //! Binary and structured files, read by `stillpoint-formats`: streams to tables, and the choice among several.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
-
 use file_formats::{Content, Quantity, Stream, Wanted};
 use nalgebra::Vector3;
 use sensor::Sensor;
 
 use crate::Error;
 use crate::formats::format::Format;
+use crate::formats::log_streams;
 use crate::recording::assemble::assemble;
 use crate::recording::options::Role;
 use crate::recording::samples::{Pushed, Samples};
@@ -15,8 +14,8 @@ use crate::recording::{AppliedBefore, Magnetometer, ReadOptions, Recording};
 use crate::rows::table::Table;
 use crate::shown::{shown, shown_list};
 use crate::source::Source;
-use crate::source::files::limits;
 use crate::source::place::in_file;
+use crate::units::field::FieldUnit;
 use crate::units::{AccelUnit, GyroUnit, TimeUnit};
 
 /// The format of `stillpoint-formats` that is called so.
@@ -45,7 +44,7 @@ impl Format for Measured {
     }
 
     fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
-        let Source::Binary(mut binary) = source else {
+        let Source::Binary(binary) = source else {
             return Err(crate::formats::format::mismatch(
                 source.name(),
                 self,
@@ -63,26 +62,7 @@ impl Format for Measured {
             topics: options.topics.clone(),
             instance: options.instance,
         };
-        let limits = limits(options);
-        // Unpackers of other projects are within.
-        let read = AssertUnwindSafe(|| match &binary.path {
-            Some(path) => {
-                let mut file = std::fs::File::open(path)?;
-                binary.format.read_seekable(&mut file, &wanted, limits)
-            }
-            None => binary.format.read(&mut binary.reader, &wanted, limits),
-        });
-        let content = catch_unwind(read).unwrap_or_else(|_| {
-            let words = "the reader of this format gave up at damage that it does not understand";
-            Err(file_formats::Error::Damaged {
-                at: 0,
-                what: words.to_owned(),
-            })
-        });
-        let content = content.map_err(|error| in_file(&name, error.to_string()))?;
-        if let Some(file) = binary.unchanged {
-            file.check()?;
-        }
+        let content = log_streams::content(binary, &wanted, options)?;
         recording(&name, content, options)
     }
 }
@@ -179,14 +159,19 @@ fn recording(name: &str, content: Content, options: &ReadOptions) -> Result<Reco
         .map(|words| format!("{name}: {words}"))
         .collect();
     let mut recording = assemble(name.to_owned(), tables, options)?;
-    recording.magnetometer = field.and_then(|field| magnetometer(name, field, origin));
+    recording.magnetometer = field.and_then(|field| magnetometer(name, field, origin, options));
     recording.warnings.extend(warnings);
     recording.description.applied_before = applied_before;
     Ok(recording)
 }
 
 /// The magnetometer in a stream.
-fn magnetometer(file: &str, stream: Stream, origin: i64) -> Option<Magnetometer> {
+fn magnetometer(
+    file: &str,
+    stream: Stream,
+    origin: i64,
+    options: &ReadOptions,
+) -> Option<Magnetometer> {
     let t: Vec<f64> = stream.stamps.iter().map(|t| seconds(*t, origin)).collect();
     let values: Vec<Vector3<f64>> = stream.values.into_iter().map(Vector3::from).collect();
     let column = |axis: usize| {
@@ -196,8 +181,9 @@ fn magnetometer(file: &str, stream: Stream, origin: i64) -> Option<Magnetometer>
             format!("{}.{letter}", stream.source),
         )
     };
+    let stated = stream.unit.and_then(|unit| unit.parse().ok());
     Some(Magnetometer {
-        unit: stream.unit.and_then(|unit| unit.parse().ok()),
+        unit: options.mag_unit.or(stated).and_then(FieldUnit::known),
         source: format!("{file} ({})", shown(&stream.source)),
         columns: (0..3).map(column).collect(),
         ..Magnetometer::of(&t, &values)?

@@ -7,6 +7,7 @@ mod folder;
 pub(crate) mod format;
 mod imu_tk;
 pub(crate) mod known_texts;
+mod log_streams;
 mod measured;
 mod phones;
 pub(crate) mod robots;
@@ -14,8 +15,9 @@ mod tables;
 mod texts;
 
 pub use file_formats::catches_panics;
-use phones::{androsensor, phyphox, physics_toolbox, sensor_logger, sensorlog};
-use robots::{kalibr, px4_text, ros_text, serial, trackers};
+pub use log_streams::{LogContents, LogStream};
+use phones::{androsensor, phyphox, physics_toolbox, sensor_logger, sensorlog, sensorstream};
+use robots::{betaflight, kalibr, px4_text, razor, ros_text, serial, trackers, vmu931};
 use texts::{brackets, clock_text, date_and_time, long, tagged, wide};
 
 pub use crate::formats::format::Format;
@@ -49,16 +51,21 @@ pub static FORMATS: &[&dyn Format] = &[
     &measured::Measured("bag"),
     &measured::Measured("db3"),
     &measured::Measured("sensor_logger_json"),
+    &measured::Measured("blackbox"),
     &bundle::Bundle { recognise },
     &physics_toolbox::PHYSICS_TOOLBOX,
     &sensorlog::SENSORLOG,
     &androsensor::ANDROSENSOR,
+    &sensorstream::SENSORSTREAM,
     &ros_text::ROSTOPIC,
     &ros_text::ROS2_TOPIC,
     &kalibr::KALIBR,
     &px4_text::SENSOR_COMBINED,
     &trackers::XSENS,
     &trackers::SHIMMER,
+    &betaflight::BETAFLIGHT,
+    &razor::RAZOR,
+    &vmu931::VMU931,
     &tagged::GET_SENSOR_DATA,
     &tagged::GNSS_LOGGER,
     &tagged::VECTORNAV,

@@ -6,6 +6,8 @@ use crate::recording::options::Role;
 
 /// Lines looked at.
 const LINES: usize = 60;
+/// Lines looked at for a header below a list of settings.
+const FAR: usize = 1000;
 
 /// The first lines of a text.
 #[derive(Debug)]
@@ -20,13 +22,23 @@ impl Look {
         let lines = text
             .split(['\n', '\r'])
             .filter(|line| !line.trim().is_empty());
-        let lines: Vec<String> = lines.take(LINES).map(str::to_owned).collect();
+        let lines: Vec<String> = lines.take(FAR).map(str::to_owned).collect();
         Self { lines }
     }
 
     /// The lines that are not blank.
     pub fn lines(&self) -> impl Iterator<Item = &str> {
+        self.far_lines().take(LINES)
+    }
+
+    /// The same, and as many more as a list of settings may have above the rows.
+    pub fn far_lines(&self) -> impl Iterator<Item = &str> {
         self.lines.iter().map(String::as_str)
+    }
+
+    /// As [`Self::header`], also below a list of settings.
+    pub fn far_header(&self, is_header: impl Fn(&[String]) -> bool) -> Option<Vec<String>> {
+        self.far_lines().map(cells).find(|names| is_header(names))
     }
 
     /// Names of columns: the cells of the first line, a comment or not, that `is_header` holds for.

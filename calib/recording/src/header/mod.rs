@@ -3,6 +3,7 @@
 pub(crate) mod affine;
 pub(crate) mod by_unit;
 pub(crate) mod dialect;
+pub(crate) mod gravity;
 pub(crate) mod look;
 pub(crate) mod names;
 pub(crate) mod preface;
@@ -20,6 +21,7 @@ use sensor::Sensor;
 use super::units::{Stated, TimeUnit, looks_like_unit};
 use crate::header::affine::Affine;
 use crate::header::by_unit::by_unit;
+use crate::header::gravity::Split;
 use crate::header::names::{is_like_time, may_be_linear, role_of, take_apart};
 use crate::header::suggest::{nearest, suggestion};
 use crate::header::triads::Triad;
@@ -37,6 +39,8 @@ pub(crate) struct Layout {
     pub time: Option<usize>,
     /// Specific force, x y z.
     pub accel: Option<[usize; 3]>,
+    /// Gravity in columns of its own, which those of the accelerometer lack.
+    pub gravity: Option<Split>,
     /// Angular rate, x y z.
     pub gyro: Option<[usize; 3]>,
     /// Temperature.
@@ -67,6 +71,7 @@ impl Layout {
     ) -> Result<Self, String> {
         let mut roles = roles_by_map(&names, map)?;
         roles_by_name(&names, only, &mut roles)?;
+        let gravity = gravity::summed(&names, map, only, &mut roles);
         let by_unit = by_unit(&names, only, &mut roles);
         of_the_one(&names, only, &mut roles);
         let times = likely_times(&names, &roles);
@@ -78,6 +83,7 @@ impl Layout {
             affine: affines(&names, map),
             names,
             by_unit,
+            gravity,
             times,
             ..Self::default()
         };
@@ -175,7 +181,8 @@ impl Layout {
     /// True for a column that has a role.
     pub fn is_read(&self, column: usize) -> bool {
         let triads = self.accel.iter().chain(&self.gyro).chain(&self.field);
-        let triads = triads.flatten().copied();
+        let gravity = self.gravity.iter().flat_map(|split| split.gravity);
+        let triads = triads.flatten().copied().chain(gravity);
         let mut read = triads.chain(self.time).chain(self.temperature);
         read.any(|read| read == column)
     }
@@ -197,7 +204,12 @@ impl Layout {
         };
         let axes = |triad: Option<[usize; 3]>| triad.into_iter().flatten().enumerate();
         let time = self.time.map(|column| (Role::Time, called(column)));
-        let accel = axes(self.accel).map(|(axis, column)| (Role::Accel(axis), called(column)));
+        let accel = axes(self.accel).map(|(axis, column)| {
+            let gravity = self.gravity.map(|split| split.gravity[axis]);
+            let gravity =
+                gravity.map_or_else(String::new, |column| format!(" + {}", called(column)));
+            (Role::Accel(axis), called(column) + &gravity)
+        });
         let gyro = axes(self.gyro).map(|(axis, column)| (Role::Gyro(axis), called(column)));
         let field = axes(self.field).map(|(axis, column)| (Role::Field(axis), called(column)));
         let temperature = self

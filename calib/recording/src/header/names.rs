@@ -3,6 +3,7 @@
 use sensor::Sensor;
 
 use crate::recording::options::Role;
+use crate::units::field::FieldUnit;
 use crate::units::{self, AccelUnit, GyroUnit};
 
 /// Names that mean the time, without unit and punctuation.
@@ -132,6 +133,19 @@ const FIELD: &[&str] = &[
     "rawmag",
     "magraw",
     "magnetometeruncalibrated",
+    "magnetic",
+    "magnet",
+    "magfield",
+    "bfield",
+    "geomagneticfield",
+    "magneticfluxdensity",
+    "magneticinduction",
+    "compass",
+    "magadc",
+    "imumagneticfield",
+    "maguncalibrated",
+    "uncalmag",
+    "magnetfeld",
 ];
 /// Names of temperature columns.
 const TEMPERATURE: &[&str] = &[
@@ -166,6 +180,11 @@ pub(crate) fn is_like_time(name: &str) -> bool {
 /// True for the name of an accelerometer's column that may be without gravity: `Linear Acceleration X`.
 pub(crate) fn may_be_linear(name: &str) -> bool {
     take_apart(name).0.starts_with("lin")
+}
+
+/// True for a stem, without its axis and in small letters, that a magnetometer is called by.
+pub(crate) fn is_field(stem: &str) -> bool {
+    FIELD.contains(&stem)
 }
 
 /// The sensor that a stem, without its axis and in small letters, is called after.
@@ -231,7 +250,8 @@ fn before_axis(name: &str) -> Option<(String, &str)> {
             .parse()
             .is_ok_and(|unit: GyroUnit| unit != GyroUnit::Counts);
     let is_sensor = sensor_of(&word).is_some() && is_unit;
-    is_sensor.then(|| (word + &axis.to_lowercase(), unit))
+    let is_field = FIELD.contains(&word.as_str()) && unit.parse::<FieldUnit>().is_ok();
+    (is_sensor || is_field).then(|| (word + &axis.to_lowercase(), unit))
 }
 
 /// A name and the unit behind an underscore; one of a sensor may have underscores itself: `gyro_x_deg_per_sec`.
@@ -244,7 +264,13 @@ fn behind_underscores(name: &str) -> Option<(&str, &str)> {
     let long = splits.iter().skip(1).rev();
     let of_sensor = long.copied().find(|(_, unit)| units::is_of_sensor(unit));
     let last = splits.first().copied();
-    of_sensor.or_else(|| last.filter(|(_, unit)| units::is_unit(unit)))
+    // `mag_x_T` has a unit, `acc_t` has none.
+    let of_field = |(word, unit): &(&str, &str)| {
+        let word = compact(word);
+        let stem = word.strip_suffix(['x', 'y', 'z']).unwrap_or(&word);
+        is_field(stem) && unit.parse::<FieldUnit>().is_ok()
+    };
+    of_sensor.or_else(|| last.filter(|split| units::is_unit(split.1) || of_field(split)))
 }
 
 /// A name without punctuation, in small letters.
@@ -305,14 +331,15 @@ fn axis_and_stem<'a>(word: &'a str, unit: &str) -> Option<(usize, &'a str)> {
         return Some((axis, &word[..at]));
     }
     if let Some(index) = ["0", "1", "2"].iter().position(|index| *index == unit)
-        && sensor_of(word).is_some()
+        && (sensor_of(word).is_some() || FIELD.contains(&word))
     {
         return Some((index, word));
     }
     // Of `x` before a letter or two nobody knows what it means.
     let first = word.chars().next().and_then(axis)?;
     let stem = &word[1..];
-    (stem.len() > 2 && sensor_of(stem).is_some()).then_some((first, stem))
+    let is_known = sensor_of(stem).is_some() || FIELD.contains(&stem);
+    (stem.len() > 2 && is_known).then_some((first, stem))
 }
 
 /// The sensor that a file is named after, so that columns called x, y, z mean something.

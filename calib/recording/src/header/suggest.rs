@@ -49,9 +49,11 @@ pub(crate) fn completed(
         let at = names.iter().position(|other| other == name);
         at.map_or_else(|| name.clone(), |at| entry(names, at))
     };
+    // A sum with gravity is found again without being named.
+    let is_column = |name: &String| names.contains(name) || name.parse::<usize>().is_ok();
     let known = roles
         .iter()
-        .filter(|(role, _)| !matches!(role, Role::Field(_)));
+        .filter(|(role, name)| !matches!(role, Role::Field(_)) && is_column(name));
     let known = known.map(|(role, name)| format!("{}={}", role.name(), called(name)));
     let role = |axis| Role::axis(missing, axis);
     let axes = triad.iter().enumerate();

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use sensor::Sensor;
 
-use super::names::take_apart;
+use super::names::{compact, take_apart};
 use super::suggest::{completed, entry, suggestion};
 use super::triads::triads;
 use crate::Error;
@@ -12,7 +12,7 @@ use crate::recording::options::Role;
 use crate::rows::table::Table;
 use crate::shown::shown_list;
 use crate::source::place::in_file;
-use crate::units::is_of_sensor;
+use crate::units::{is_of_field, is_of_sensor};
 
 /// Words in the names of columns that are no accelerometer and no gyroscope.
 const OTHERS: [&str; 62] = [
@@ -113,6 +113,53 @@ pub(crate) fn refuse(tables: &[Table]) -> Result<(), Error> {
         }
     }
     Ok(())
+}
+
+/// What is said of columns that look like a magnetometer's and are not read, where none is read.
+pub(crate) fn unread_field(tables: &[Table]) -> Option<String> {
+    if tables.iter().any(|table| !table.magnetometer.t.is_empty()) {
+        return None;
+    }
+    tables.iter().find_map(|table| {
+        let found = triads(&table.unclear);
+        let field = found.iter().find(|triad| {
+            let names = triad.columns.map(|at| &table.unclear[at]);
+            is_magnetic(&triad.stem)
+                || names
+                    .iter()
+                    .all(|name| take_apart(name).1.is_some_and(is_of_field))
+        })?;
+        let names = field.columns.map(|at| &table.unclear[at]);
+        let places = names.map(|name| table.names.iter().position(|other| other == name));
+        let mut words = format!(
+            "{}: the columns {} look like a magnetometer's and are not read",
+            table.name,
+            shown_list(names.into_iter())
+        );
+        if let ([Some(x), Some(y), Some(z)], true) = (places, table.by_names) {
+            let [x, y, z] = [x, y, z].map(|at| entry(&table.names, at));
+            words += &format!("; --columns 'mx={x},my={y},mz={z}' reads them");
+        }
+        Some(words)
+    })
+}
+
+/// True for the stem of a magnetometer's columns: not for a magnitude, and not for what is worked out.
+fn is_magnetic(stem: &str) -> bool {
+    const OTHERS: [&str; 8] = [
+        "magnitude",
+        "bias",
+        "offset",
+        "cov",
+        "std",
+        "var",
+        "head",
+        "dec",
+    ];
+    let stem = stem.to_lowercase();
+    let has = |words: &[&str]| words.iter().any(|word| stem.contains(word));
+    let is_called = matches!(compact(&stem).as_str(), "b" | "h") || has(&["mag", "compass"]);
+    is_called && !has(&OTHERS)
 }
 
 /// Refuses tables of both sensors that hold another of a kind: a second device, or a filtered copy.

@@ -18,9 +18,8 @@ use crate::rows::sort;
 use crate::rows::table::Table;
 use crate::shown::figure;
 use crate::source::place::in_file;
-use crate::units::{
-    AccelUnit, GyroUnit, Stated, TemperatureUnit, TimeUnit, decide, swapped, values,
-};
+use crate::units::field::FieldUnit;
+use crate::units::{AccelUnit, GyroUnit, Stated, TimeUnit, decide, swapped, values};
 
 /// What is said where stamps are not used.
 const IGNORED: &str = "--rate was given: time stamps are ignored";
@@ -63,11 +62,16 @@ pub(crate) fn assemble(
     }
     // Who says which columns are what knows what is left. Before magnetometers and thermometers are taken out: theirs
     // may be all that is understood.
-    if options.columns.0.is_empty() {
+    if !options.columns.names_a_sensor() {
         unclear::refuse(&tables)?;
     }
-    recording.magnetometer = Magnetometer::taken(&mut tables);
-    thermometer::join(&mut tables)?;
+    recording.warnings.extend(unclear::unread_field(&tables));
+    recording.magnetometer = Magnetometer::taken(&mut tables, options.mag_unit);
+    match recording.magnetometer.is_some() && !tables.iter().any(Table::has_sensor) {
+        // A temperature beside it is of no use without the sensors.
+        true => tables.clear(),
+        false => thermometer::join(&mut tables)?,
+    }
     let unused: Vec<String> = tables
         .iter()
         .flat_map(|table| table.unused.clone())
@@ -113,20 +117,17 @@ pub(crate) fn assemble(
     flip(&mut recording, &options.flip);
     overlap(&recording)?;
     thermometer::check_clock(&mut recording);
-    for (present, missing) in [
-        (
-            recording.accelerometer.is_some(),
-            "no accelerometer: gyroscope only",
-        ),
-        (
-            recording.gyroscope.is_some(),
-            "no gyroscope: accelerometer only",
-        ),
-    ] {
-        if !present {
-            recording.warnings.push(format!("{missing}{unused}"));
-        }
-    }
+    let sensors = [&recording.accelerometer, &recording.gyroscope].map(Option::is_some);
+    let missing = match (sensors, recording.magnetometer.is_some()) {
+        ([true, true], _) => None,
+        ([true, false], _) => Some("no gyroscope: accelerometer only"),
+        ([false, true], _) => Some("no accelerometer: gyroscope only"),
+        ([false, false], true) => Some("no accelerometer and no gyroscope: magnetometer only"),
+        ([false, false], false) => Some("no sensor"),
+    };
+    recording
+        .warnings
+        .extend(missing.map(|missing| format!("{missing}{unused}")));
     // What is true of a row is true of both sensors in it, but said once.
     let mut said = HashSet::new();
     recording
@@ -150,6 +151,14 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
         recording.warnings.push(remark);
     }
     describe(recording, &table, options);
+    let celsius = match table.temperature.is_empty() {
+        true => None,
+        false => checks::celsius(&table, options, &mut recording.warnings),
+    };
+    let celsius = celsius.map(|celsius| Temperature {
+        t: std::mem::take(&mut table.temperature_t),
+        celsius,
+    });
     let Table { name, stated, .. } = table;
     recording
         .warnings
@@ -185,16 +194,7 @@ fn add(recording: &mut Recording, mut table: Table, options: &ReadOptions) -> Re
         recording.warnings.append(&mut noticed.warnings);
         recording.frozen.append(&mut noticed.frozen);
     }
-    if !table.temperature.is_empty() {
-        let unit = stated.temperature.unwrap_or(TemperatureUnit::Celsius);
-        let celsius: Vec<f64> = table.temperature.iter().map(|&r| unit.celsius(r)).collect();
-        if checks::temperature(&name, &celsius, &mut recording.warnings) {
-            recording.temperature = Some(Temperature {
-                t: table.temperature_t,
-                celsius,
-            });
-        }
-    }
+    recording.temperature = celsius.or(recording.temperature.take());
     Ok(())
 }
 
@@ -251,10 +251,12 @@ fn overridden(name: &str, stated: Stated, options: &ReadOptions) -> impl Iterato
     let time = options.time_unit.map(TimeUnit::name);
     let accel = options.accel_unit.map(AccelUnit::name);
     let gyro = options.gyro_unit.map(GyroUnit::name);
+    let mag = options.mag_unit.map(FieldUnit::name);
     let units = [
         ("--time-unit", time, stated.time.map(TimeUnit::name)),
         ("--accel-unit", accel, stated.accel.map(AccelUnit::name)),
         ("--gyro-unit", gyro, stated.gyro.map(GyroUnit::name)),
+        ("--mag-unit", mag, stated.field.map(FieldUnit::name)),
     ];
     units.into_iter().filter_map(move |(option, given, said)| {
         let (given, said) = given.zip(said).filter(|(given, said)| given != said)?;

@@ -2,12 +2,16 @@
 
 use sensor::Sensor;
 
+use super::options::{ReadOptions, Role};
 use super::samples::Samples;
 use super::stream::extreme_steps;
-use super::{Gap, Stream};
+use super::{Gap, Stream, temperature_counts};
 use crate::Error;
-use crate::shown::significant;
+use crate::header::suggest::entry;
+use crate::rows::table::Table;
+use crate::shown::{figure, significant};
 use crate::source::place::in_file;
+use crate::units::TemperatureUnit;
 
 /// Repeated rows and equal stamps.
 pub(crate) fn order(
@@ -92,24 +96,77 @@ pub(crate) fn gaps(name: &str, sensor: Sensor, gaps: &[Gap], warnings: &mut Vec<
 /// Sensors are hardly ever hotter than this, °C: those that are heated against drift stay below it.
 const HOT: f64 = 62.0;
 
-/// True if the readings can be temperatures in °C.
-pub(crate) fn temperature(name: &str, celsius: &[f64], warnings: &mut Vec<String>) -> bool {
+/// The readings of a thermometer in °C; none, and a warning that says what would make them °C, where they are none.
+pub(crate) fn celsius(
+    table: &Table,
+    options: &ReadOptions,
+    warnings: &mut Vec<String>,
+) -> Option<Vec<f64>> {
+    let (name, readings) = (&table.name, &table.temperature);
+    let stated = table.stated.temperature;
+    let unit = stated.unwrap_or(TemperatureUnit::Celsius);
+    let celsius: Vec<f64> = readings.iter().map(|&r| unit.celsius(r)).collect();
     let possible = celsius.iter().all(|c| (-60.0..=150.0).contains(c));
     let least = celsius.iter().copied().fold(f64::INFINITY, f64::min);
     let most = celsius.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    if possible && least > HOT {
-        let of = |fahrenheit: f64| (fahrenheit - 32.0) / 1.8;
-        warnings.push(format!(
-            "{name}: temperatures of {least:.1} to {most:.1} are taken as °C: if they are °F ({:.1} to {:.1} °C), call the column \
-             `temp [F]`; if they are right, leave it",
-            of(least),
-            of(most)
-        ));
+    let made = table
+        .roles
+        .iter()
+        .any(|(role, _)| *role == Role::Temperature && options.columns.makes(*role));
+    let counts = stated == Some(TemperatureUnit::Counts) && !made;
+    let jumps = possible && stated.is_none() && !made && temperature_counts::jump(readings);
+    if possible && !counts && !jumps {
+        if least > HOT {
+            let of = |fahrenheit: f64| (fahrenheit - 32.0) / 1.8;
+            warnings.push(format!(
+                "{name}: temperatures of {least:.1} to {most:.1} are taken as °C: if they are °F ({:.1} to {:.1} °C), call the column \
+                 `temp [F]`; if they are right, leave it",
+                of(least),
+                of(most)
+            ));
+        }
+        return Some(celsius);
     }
-    if !possible {
-        warnings.push(format!(
-            "{name}: temperatures beyond -60 to 150 °C, left out; a unit in the column's name, as in `temp [K]`, helps"
-        ));
-    }
-    possible
+    let why = match (counts, jumps) {
+        (true, _) => "are counts of the sensor by the column's name, and no °C".to_owned(),
+        (_, true) => "jump from row to row as counts of a sensor do, and no °C".to_owned(),
+        _ => "are beyond -60 to 150 °C".to_owned(),
+    };
+    let open = stated.is_none() || counts;
+    let offered = open.then(|| temperature_counts::formulas(readings, &entries(table, options)));
+    let advice = match offered.flatten() {
+        Some(formulas) => format!(
+            "the formula of the sensor's data sheet makes °C of them, as in {formulas}"
+        ),
+        None if open => {
+            "the formula of the sensor's data sheet makes them °C, as in --columns temp=NAME/340+36.53, and so does a unit in the column's name, as `temp [K]`".to_owned()
+        }
+        None => "the unit in the column's name is another, as in `temp [K]`".to_owned(),
+    };
+    warnings.push(format!(
+        "{name}: temperatures of {} to {} {why}, left out; {advice}",
+        figure(least),
+        figure(most)
+    ));
+    None
+}
+
+/// The entries of `--columns` that read this table as it is read, the temperature's last.
+fn entries(table: &Table, options: &ReadOptions) -> String {
+    let temperature = table
+        .roles
+        .iter()
+        .find(|(role, _)| *role == Role::Temperature);
+    let column = temperature.map_or("NAME", |(_, name)| name);
+    let at = table.names.iter().position(|name| name == column);
+    let own = at.map_or_else(|| column.to_owned(), |at| entry(&table.names, at));
+    let is_other = |(role, _): &&(Role, String)| *role != Role::Temperature;
+    let others: &[(Role, String)] = match (options.columns.0.is_empty(), table.names.is_empty()) {
+        (false, _) => &options.columns.0,
+        (true, true) => &table.roles,
+        (true, false) => &[],
+    };
+    let others = others.iter().filter(is_other);
+    let others = others.map(|(role, column)| format!("{}={column},", role.name()));
+    others.collect::<String>() + "temp=" + &own
 }

@@ -47,12 +47,20 @@ impl Recording {
         }
     }
 
-    /// The earliest time stamp, s.
+    /// The earliest time stamp of what is calibrated, s; of the magnetometer, where it is alone.
     pub fn start(&self) -> f64 {
-        [&self.accelerometer, &self.gyroscope]
-            .into_iter()
-            .flatten()
-            .filter_map(|stream| stream.t.first().copied())
-            .fold(f64::INFINITY, f64::min)
+        let calibrated = [&self.accelerometer, &self.gyroscope];
+        let field = self.magnetometer.as_ref().map(|field| &field.stream);
+        let first = |stream: &Stream| stream.t.first().copied();
+        let earliest = calibrated.into_iter().flatten().filter_map(first);
+        let earliest = earliest.reduce(f64::min);
+        let earliest = earliest.or_else(|| field.and_then(first));
+        earliest.unwrap_or(f64::INFINITY)
+    }
+
+    /// True where a magnetometer is all there is.
+    pub fn is_magnetometer_only(&self) -> bool {
+        let others = [&self.accelerometer, &self.gyroscope];
+        self.magnetometer.is_some() && others.iter().all(|stream| stream.is_none())
     }
 }

@@ -66,14 +66,14 @@ impl Magnetometer {
         })
     }
 
-    /// The first one of `tables`, which then have none.
-    pub(crate) fn taken(tables: &mut Vec<Table>) -> Option<Self> {
+    /// The first one of `tables`, which then have none; `given` is the unit that an option says.
+    pub(crate) fn taken(tables: &mut Vec<Table>, given: Option<FieldUnit>) -> Option<Self> {
         let found = tables.iter_mut().find_map(|table| {
             let Samples { t, values, .. } = std::mem::take(&mut table.magnetometer);
             let columns = table.roles.iter();
             let columns = columns.filter(|(role, _)| matches!(role, Role::Time | Role::Field(_)));
             Some(Self {
-                unit: table.stated.field,
+                unit: given.or(table.stated.field).and_then(FieldUnit::known),
                 source: table.name.clone(),
                 columns: columns
                     .map(|(role, name)| (role.name(), name.clone()))

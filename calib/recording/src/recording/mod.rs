@@ -21,7 +21,9 @@ pub(crate) mod packets;
 mod read;
 pub(crate) mod samples;
 pub(crate) mod stream;
+pub(crate) mod temperature_counts;
 pub(crate) mod thermometer;
+pub(crate) mod with_gravity;
 pub(crate) mod write;
 
 pub use arrays::Rows;

@@ -5,7 +5,9 @@ use std::str::FromStr;
 use sensor::Sensor;
 
 use crate::Error;
+use crate::header::affine;
 use crate::shown::figure;
+use crate::units::field::FieldUnit;
 use crate::units::{AccelUnit, GyroUnit, TimeUnit};
 
 /// How to read a recording. The default reads every well-formed file and guesses nothing silently.
@@ -31,6 +33,8 @@ pub struct ReadOptions {
     pub accel_unit: Option<AccelUnit>,
     /// Unit of the gyroscope; from the header when `None`, else rad/s.
     pub gyro_unit: Option<GyroUnit>,
+    /// Unit of the magnetometer; from the header or the format when `None`.
+    pub mag_unit: Option<FieldUnit>,
     /// Axes of sensors to read with the other sign.
     pub flip: Vec<Role>,
     /// The file within a folder or an archive.
@@ -58,6 +62,7 @@ impl Default for ReadOptions {
             time_format: None,
             accel_unit: None,
             gyro_unit: None,
+            mag_unit: None,
             flip: Vec::new(),
             entry: None,
             topics: Vec::new(),
@@ -147,6 +152,20 @@ impl Role {
 pub struct ColumnMap(pub Vec<(Role, String)>);
 
 impl ColumnMap {
+    /// True if it makes something of a role's column: a factor, an offset, the other sign.
+    pub(crate) fn makes(&self, role: Role) -> bool {
+        let makes = |(other, column): &(Role, String)| {
+            *other == role && affine::take_apart(column).is_some()
+        };
+        self.0.iter().any(makes)
+    }
+
+    /// True if it names a column of the accelerometer or of the gyroscope.
+    pub(crate) fn names_a_sensor(&self) -> bool {
+        let is_sensor = |role: &Role| matches!(role, Role::Accel(_) | Role::Gyro(_));
+        self.0.iter().any(|(role, _)| is_sensor(role))
+    }
+
     /// True if it names the columns of a thermometer and no others.
     pub(crate) fn is_of_a_thermometer(&self) -> bool {
         let names = |wanted: Role| self.0.iter().any(|(role, _)| *role == wanted);

@@ -41,6 +41,7 @@ impl Rows<'_> {
         self.whole(line)?;
         let accel = self.triad(line, layout.accel)?;
         let gyro = self.triad(line, layout.gyro)?;
+        let gravity = self.triad(line, layout.gravity.map(|split| split.gravity))?;
         let field = self.field(line);
         let temperature = match layout
             .temperature
@@ -56,7 +57,12 @@ impl Rows<'_> {
             return Err(Trouble::Missing(self.at(line, 0, words.to_owned())));
         }
         let t = self.stamp(line)?;
-        self.keep(t, accel, gyro, Others { temperature, field }, line)
+        let others = Others {
+            temperature,
+            field,
+            gravity,
+        };
+        self.keep(t, accel, gyro, others, line)
     }
 
     /// The magnetometer's reading; `None` where a number is missing, which is no reason to leave the row out.

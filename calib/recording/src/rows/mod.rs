@@ -47,6 +47,8 @@ enum Trouble {
 struct Others {
     temperature: Option<f64>,
     field: Option<Vector3<f64>>,
+    /// What the accelerometer's columns lack.
+    gravity: Option<Vector3<f64>>,
 }
 
 /// The loop over rows.
@@ -183,6 +185,7 @@ impl<'a> Rows<'a> {
             let others = Others {
                 temperature: layout.temperature.map(|_| row[plain::TEMPERATURE]),
                 field: layout.field.map(|_| triad(row, plain::FIELD)),
+                gravity: layout.gravity.map(|_| triad(row, plain::GRAVITY)),
             };
             let kept = self.keep(t, accel, gyro, others, line);
             self.count(kept, line.number)?;
@@ -249,7 +252,11 @@ impl<'a> Rows<'a> {
         others: Others,
         line: Line<'_>,
     ) -> Result<(), Trouble> {
-        let Others { temperature, field } = others;
+        let Others {
+            temperature,
+            field,
+            gravity,
+        } = others;
         if let Some(value) = accel {
             let pushed = push(
                 &mut self.table.accel,
@@ -269,6 +276,12 @@ impl<'a> Rows<'a> {
                 self.options.sort_time,
             );
             self.in_order(pushed, t, line)?;
+        }
+        if let Some(value) = gravity {
+            let samples = &mut self.table.gravity;
+            if push(samples, t, value, line.number, self.options.sort_time).is_none() {
+                return self.in_order(None, t, line);
+            }
         }
         if let Some(value) = field {
             let samples = &mut self.table.magnetometer;

@@ -37,6 +37,8 @@ pub(crate) struct Part {
     pub padded: bool,
     /// How the text becomes rows.
     pub change: Option<Change>,
+    /// The rate that its program has unless it was told another, Hz, where the rows have no stamps.
+    pub usual_rate: Option<f64>,
     /// What the user should know of it.
     pub remark: Option<String>,
     /// The system that had corrected the readings before.
@@ -101,14 +103,23 @@ impl Part {
             None => input,
         };
         let mut columns = self.of_sensor(&options.columns);
-        if columns.is_empty() {
-            columns.clone_from(&self.columns);
+        // Who names no sensor's column says more, not otherwise.
+        if columns.is_empty() || !options.columns.names_a_sensor() {
+            let given: Vec<Role> = columns.iter().map(|(role, _)| *role).collect();
+            let own = self.columns.iter();
+            columns.extend(own.filter(|(role, _)| !given.contains(role)).cloned());
         }
         let options = ReadOptions {
             columns: ColumnMap(columns),
             na_drop: options.na_drop || self.padded,
             ..options.clone()
         };
+        if let (Some(usual), None) = (self.usual_rate, options.rate) {
+            return Err(Error::Usage(format!(
+                "{}: its rows have no time; say the sampling rate in Hz, as in --rate {usual}, which its program has unless it was changed",
+                input.name
+            )));
+        }
         let mut table = Table::read(input, self.only, origin, &options)?;
         if let Some(sensor) = self.only {
             table.keep_only(sensor)?;
@@ -125,7 +136,7 @@ impl Part {
         stated.accel = self.accel_unit.or(stated.accel);
         stated.gyro = self.gyro_unit.or(stated.gyro);
         stated.field = self.field_unit.or(stated.field);
-        table.negated = self.negated;
+        table.negated |= self.negated;
         table.corrected_by = self.corrected_by.or(table.corrected_by);
         if let Some(remark) = &self.remark {
             table.warnings.push(format!("{}: {remark}", table.name));

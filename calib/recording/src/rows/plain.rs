@@ -17,7 +17,7 @@ use crate::source::batches::{Batch, is_too_long};
 use crate::source::lines::{end_of_line, lines};
 
 /// The numbers of a row, in the file's units, by place; those without a column are 0.
-pub type Row = [f64; 11];
+pub type Row = [f64; 14];
 /// Place of the stamp.
 pub const STAMP: usize = 0;
 /// First place of the accelerometer.
@@ -28,6 +28,8 @@ pub const GYRO: usize = 4;
 pub const TEMPERATURE: usize = 7;
 /// First place of the magnetometer.
 pub const FIELD: usize = 8;
+/// First place of gravity in columns of its own.
+pub const GRAVITY: usize = 11;
 
 /// What is read from a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,6 +82,7 @@ impl Plain {
             (ACCEL, layout.accel),
             (GYRO, layout.gyro),
             (FIELD, layout.field),
+            (GRAVITY, layout.gravity.map(|split| split.gravity)),
         ] {
             for (place, column) in (first..).zip(triad.into_iter().flatten()) {
                 set(column, Slot::Number(place))?;

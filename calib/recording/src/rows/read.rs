@@ -8,8 +8,8 @@ use crate::header::affine::Affine;
 use crate::header::sniff::Start;
 use crate::header::suggest::{entry, suggestion};
 use crate::header::unnamed::with_temperature;
-use crate::recording::memory;
 use crate::recording::options::{ReadOptions, Role};
+use crate::recording::{memory, with_gravity};
 use crate::rows::Rows;
 use crate::rows::table::Table;
 use crate::shown::shown_list;
@@ -68,6 +68,9 @@ impl Table {
         Rows::new(&mut table, &start, options).read(batches)?;
         unchanged.map_or(Ok(()), |file| file.check())?;
         apply(&mut table, &start.layout.affine);
+        if let Some(split) = &start.layout.gravity {
+            with_gravity::of_columns(&mut table, split)?;
+        }
         if start.undecided {
             table.decide_roles(&start)?;
         } else if start.told_by_norm && rests::at_one_reading(&table.accel.values) {

@@ -16,6 +16,8 @@ pub(crate) struct Table {
     pub name: String,
     /// Accelerometer.
     pub accel: Samples,
+    /// Gravity, until it is added to what the accelerometer's columns hold.
+    pub gravity: Samples,
     /// Gyroscope.
     pub gyro: Samples,
     /// Magnetometer.

@@ -7,6 +7,8 @@ use std::str::FromStr;
 pub enum FieldUnit {
     /// Tesla.
     Tesla,
+    /// Thousandths of a tesla.
+    Millitesla,
     /// Millionths of a tesla; the earth's field is 25 to 65 of them.
     Microtesla,
     /// Thousandths of those.
@@ -15,14 +17,17 @@ pub enum FieldUnit {
     Gauss,
     /// Thousandths of a gauss.
     Milligauss,
+    /// Raw counts: kept as they are, in a unit that nobody knows.
+    Counts,
 }
 
 impl FieldUnit {
-    /// Its size in millionths of a tesla.
+    /// Its size in millionths of a tesla; 1 for counts.
     pub fn in_microtesla(self) -> f64 {
         match self {
             Self::Tesla => 1e6,
-            Self::Microtesla => 1.0,
+            Self::Millitesla => 1e3,
+            Self::Microtesla | Self::Counts => 1.0,
             Self::Nanotesla => 1e-3,
             Self::Gauss => 100.0,
             Self::Milligauss => 0.1,
@@ -33,11 +38,18 @@ impl FieldUnit {
     pub fn name(self) -> &'static str {
         match self {
             Self::Tesla => "T",
+            Self::Millitesla => "mT",
             Self::Microtesla => "µT",
             Self::Nanotesla => "nT",
             Self::Gauss => "gauss",
             Self::Milligauss => "mgauss",
+            Self::Counts => "counts",
         }
+    }
+
+    /// The unit, unless it is counts.
+    pub fn known(self) -> Option<Self> {
+        (self != Self::Counts).then_some(self)
     }
 }
 
@@ -47,11 +59,15 @@ impl FromStr for FieldUnit {
     fn from_str(text: &str) -> Result<Self, String> {
         match text.trim().replace('μ', "µ").to_lowercase().as_str() {
             "t" | "tesla" => Ok(Self::Tesla),
-            "µt" | "ut" | "microtesla" => Ok(Self::Microtesla),
-            "nt" | "nanotesla" => Ok(Self::Nanotesla),
+            "mt" | "millitesla" => Ok(Self::Millitesla),
+            "µt" | "ut" | "microtesla" | "microteslas" => Ok(Self::Microtesla),
+            "nt" | "nanotesla" | "nanoteslas" => Ok(Self::Nanotesla),
             "gauss" | "g" | "gs" => Ok(Self::Gauss),
             "mgauss" | "mg" | "milligauss" => Ok(Self::Milligauss),
-            _ => Err("unknown unit; known: T, µT, nT, gauss, mgauss".to_owned()),
+            "counts" | "lsb" | "raw" | "adc" => Ok(Self::Counts),
+            _ => Err(
+                "unknown unit; known: T, mT, µT, uT, nT, G, gauss, mG, mgauss, counts".to_owned(),
+            ),
         }
     }
 }

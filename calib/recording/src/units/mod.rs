@@ -114,6 +114,8 @@ unit! {
         Kelvin = "k" | "kelvin",
         /// Degrees Fahrenheit.
         Fahrenheit = "f" | "°f" | "degf" | "fahrenheit",
+        /// Raw counts of the sensor, which are no temperature until its formula is known.
+        Counts = "counts" | "lsb" | "raw" | "adc",
     }
 }
 
@@ -158,6 +160,16 @@ pub(crate) fn is_unit(text: &str) -> bool {
         || text.parse::<AccelUnit>().is_ok()
         || text.parse::<GyroUnit>().is_ok()
         || text.parse::<TemperatureUnit>().is_ok()
+        || is_of_field(text)
+}
+
+/// True if `text` spells a unit of a magnetic field that is no other quantity's: `acc_g` and `dist_mt` are none.
+pub(crate) fn is_of_field(text: &str) -> bool {
+    let is_plain = matches!(normal(text).as_str(), "t" | "g" | "gs" | "mg" | "mt");
+    !is_plain
+        && text
+            .parse::<FieldUnit>()
+            .is_ok_and(|unit| unit.known().is_some())
 }
 
 /// True if `text` spells a unit of an accelerometer or a gyroscope.
@@ -250,10 +262,10 @@ impl GyroUnit {
 }
 
 impl TemperatureUnit {
-    /// A reading in °C.
+    /// A reading in °C; counts as they are.
     pub fn celsius(self, reading: f64) -> f64 {
         match self {
-            Self::Celsius => reading,
+            Self::Celsius | Self::Counts => reading,
             Self::Kelvin => reading - 273.15,
             Self::Fahrenheit => (reading - 32.0) / 1.8,
         }

@@ -21,7 +21,7 @@ use crate::read_args::ReadArgs;
     after_help = "\
 A manifest has a line per device (CSV with a header, JSON lines, or TOML with [[device]]); paths are
 relative to it. Its columns are id, inputs, lot, station, time, gravity, latitude, method, effects,
-multiplier, min_static, rate, accel_unit, gyro_unit; only `inputs` is required:
+multiplier, min_static, rate, accel_unit, gyro_unit, mag_unit; only `inputs` is required:
   id,inputs,lot,gravity,method
   A7,A7/morning.csv;A7/evening.csv,L12,9.8055,joint
 

@@ -23,6 +23,9 @@ use crate::methods::magnetic::{MagneticRequest, fit_magnetometer};
 /// Strengths of a magnetic field that may be given, µT. The earth's is 22 to 67.
 pub const FIELDS: std::ops::RangeInclusive<f64> = 1.0..=1000.0;
 
+/// What a magnetometer by itself lacks.
+pub const ALONE: &str = "a magnetometer alone: its offset and axes are found against gravity, which only the accelerometer sees; record the accelerometer, and best the gyroscope, of the same device beside it, at rest in twelve attitudes or more";
+
 /// The outcome with its magnetometer; with a warning that says why where that cannot be calibrated.
 ///
 /// # Errors
@@ -54,6 +57,17 @@ pub(super) fn with_magnetometer(
             Ok(outcome)
         }
         Err(other) => Err(other),
+    }
+}
+
+/// Refuses recordings of a magnetometer and nothing else.
+///
+/// # Errors
+/// [`Error::NotEnough`] with what to record beside it.
+pub(super) fn refuse_alone(recordings: &[&Recording]) -> Result<(), Error> {
+    match recordings.iter().find(|r| r.is_magnetometer_only()) {
+        Some(alone) => Err(Error::NotEnough(format!("{}: {ALONE}", alone.name))),
+        None => Ok(()),
     }
 }
 

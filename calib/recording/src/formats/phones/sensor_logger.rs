@@ -1,14 +1,12 @@
 //! Sensor Logger: a file per sensor, some with gravity and some without, and a file of what was set.
 
-use nalgebra::Vector3;
 use sensor::Sensor;
 
 use crate::Error;
 use crate::formats::format::Format;
 use crate::header::look::{Look, cells};
 use crate::recording::assemble::assemble;
-use crate::recording::samples::Samples;
-use crate::recording::{ReadOptions, Recording};
+use crate::recording::{ReadOptions, Recording, with_gravity};
 use crate::rows::parts::Part;
 use crate::rows::table::Table;
 use crate::source::Source;
@@ -176,21 +174,11 @@ impl Reader<'_> {
     fn sum(&self) -> Result<Table, Error> {
         let mut linear = self.table(PARTS[0], Sensor::Accelerometer, None)?;
         let gravity = self.table(PARTS[1], Sensor::Accelerometer, linear.clock.origin)?;
-        let mut sum = Samples::default();
-        let mut at = 0;
-        for (index, (t, value)) in linear.accel.t.iter().zip(&linear.accel.values).enumerate() {
-            while gravity.accel.t.get(at).is_some_and(|other| other < t) {
-                at += 1;
-            }
-            if gravity.accel.t.get(at) == Some(t) {
-                let both: Vector3<f64> = value + gravity.accel.values[at];
-                sum.push(*t, both, linear.accel.line(index));
-            }
-        }
-        if 2 * sum.t.len() < linear.accel.t.len() {
-            let words = "Accelerometer.csv is without gravity, and Gravity.csv has other stamps, so that their sum is not what the sensor read; record again with \"Total Acceleration\" or \"Accelerometer (Uncalibrated)\" switched on";
-            return Err(in_file(&self.files.name, words));
-        }
+        let sum = with_gravity::sum(&linear.accel, &gravity.accel);
+        let sum = sum.map_err(|words| {
+            let advice = "record again with \"Total Acceleration\" or \"Accelerometer (Uncalibrated)\" switched on";
+            in_file(&self.files.name, format!("{words}; {advice}"))
+        })?;
         linear.accel = sum;
         Ok(linear)
     }

@@ -37,7 +37,7 @@ impl Format for TextFormat {
         let input = text(source, self)?;
         let name = input.name.clone();
         let mut parts = (self.parts)(input.look()).unwrap_or_default();
-        if !options.columns.0.is_empty() || parts.is_empty() {
+        if options.columns.names_a_sensor() || parts.is_empty() {
             // What the user says of the columns goes over what is known of the format.
             parts.truncate(1);
             parts.resize_with(1, Part::default);

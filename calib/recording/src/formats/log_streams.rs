@@ -1,0 +1,192 @@
+//! What a log holds, for a person to choose from: bags, flight logs.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+
+use file_formats::{Content, Quantity, Stream, Wanted};
+
+use crate::Error;
+use crate::recording::content::Recording;
+use crate::recording::options::ReadOptions;
+use crate::source::files::limits;
+use crate::source::place::in_file;
+use crate::source::{Binary, Source};
+
+/// The streams of sensors in a log.
+#[derive(Clone, Debug)]
+pub struct LogContents {
+    /// The name of the format.
+    pub format: &'static str,
+    /// The streams, by sensor.
+    pub streams: Vec<LogStream>,
+}
+
+/// One sensor's stream in a log.
+#[derive(Clone, Debug)]
+pub struct LogStream {
+    /// `accelerometer`, `gyroscope`, `magnetometer` or `thermometer`.
+    pub sensor: &'static str,
+    /// The topic, message or variable.
+    pub source: String,
+    /// Which of several of one source.
+    pub instance: u32,
+    /// Its samples.
+    pub samples: usize,
+    /// Their mean rate, Hz.
+    pub rate: f64,
+    /// Corrected by the device already.
+    pub processed: bool,
+    /// The option that chooses it; none for the only one of its kind.
+    pub option: Option<String>,
+}
+
+impl LogContents {
+    /// True where a sensor that is calibrated is there more than once.
+    pub fn has_choice(&self) -> bool {
+        let mut calibrated = self.streams.iter().filter(|s| s.is_calibrated());
+        calibrated.any(|stream| stream.option.is_some())
+    }
+
+    /// The option that chooses the first of them.
+    pub fn first_option(&self) -> Option<&str> {
+        let of = |s: &&LogStream| s.is_calibrated() && !s.processed && s.option.is_some();
+        let first = self.streams.iter().find(of);
+        let first = first.or_else(|| self.streams.iter().find(|s| s.option.is_some()));
+        first?.option.as_deref()
+    }
+}
+
+impl LogStream {
+    fn is_calibrated(&self) -> bool {
+        matches!(self.sensor, "accelerometer" | "gyroscope")
+    }
+}
+
+impl Recording {
+    /// The streams in the log at `path`; `None` for a file that is no log.
+    ///
+    /// # Errors
+    /// As [`Recording::read`], but for streams among which nobody has chosen.
+    pub fn streams_in(path: &Path, options: &ReadOptions) -> Result<Option<LogContents>, Error> {
+        let Source::Binary(binary) = Source::open(path, options)? else {
+            return Ok(None);
+        };
+        let format = binary.format.name();
+        let content = content(binary, &Wanted::default(), options)?;
+        Ok(Some(LogContents {
+            format,
+            streams: listed(&content.streams),
+        }))
+    }
+}
+
+/// What is wanted of a file.
+pub(super) fn content(
+    mut binary: Binary,
+    wanted: &Wanted,
+    options: &ReadOptions,
+) -> Result<Content, Error> {
+    let limits = limits(options);
+    // Unpackers of other projects are within.
+    let read = AssertUnwindSafe(|| match &binary.path {
+        Some(path) => {
+            let mut file = std::fs::File::open(path)?;
+            binary.format.read_seekable(&mut file, wanted, limits)
+        }
+        None => binary.format.read(&mut binary.reader, wanted, limits),
+    });
+    let content = catch_unwind(read).unwrap_or_else(|_| {
+        let words = "the reader of this format gave up at damage that it does not understand";
+        Err(file_formats::Error::Damaged {
+            at: 0,
+            what: words.to_owned(),
+        })
+    });
+    let content = content.map_err(|error| in_file(&binary.name, error.to_string()))?;
+    if let Some(file) = binary.unchanged {
+        file.check()?;
+    }
+    Ok(content)
+}
+
+fn listed(streams: &[Stream]) -> Vec<LogStream> {
+    let mut sorted: Vec<&Stream> = streams.iter().collect();
+    sorted.sort_by_key(|s| (s.quantity, s.processed, s.instance, s.source.clone()));
+    sorted.iter().map(|stream| of(stream, &sorted)).collect()
+}
+
+fn of(stream: &Stream, all: &[&Stream]) -> LogStream {
+    let alike = || all.iter().filter(|other| other.quantity == stream.quantity);
+    let of_source = alike()
+        .filter(|other| other.source == stream.source)
+        .count();
+    let instance = (of_source > 1).then(|| format!("--instance {}", stream.instance));
+    let sources = alike().any(|other| other.source != stream.source);
+    let topic = sources.then(|| format!("--topic {}", crate::shown::shown(&stream.source)));
+    let options: Vec<String> = topic.into_iter().chain(instance).collect();
+    LogStream {
+        sensor: match stream.quantity {
+            Quantity::SpecificForce => "accelerometer",
+            Quantity::AngularRate => "gyroscope",
+            Quantity::MagneticField => "magnetometer",
+            Quantity::Temperature => "thermometer",
+        },
+        source: stream.source.clone(),
+        instance: stream.instance,
+        samples: stream.stamps.len(),
+        rate: stream.rate(),
+        processed: stream.processed,
+        option: (!options.is_empty()).then(|| options.join(" ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stream(source: &str, instance: u32, quantity: Quantity, processed: bool) -> Stream {
+        Stream {
+            processed,
+            stamps: vec![0, 10_000_000],
+            values: vec![[0.0; 3]; 2],
+            ..Stream::new(source, instance, quantity)
+        }
+    }
+
+    #[test]
+    fn every_stream_of_several_has_the_option_that_chooses_it() {
+        let streams = [
+            stream("sensor_accel", 1, Quantity::SpecificForce, false),
+            stream("sensor_accel", 0, Quantity::SpecificForce, false),
+            stream("sensor_combined", 0, Quantity::SpecificForce, true),
+            stream("sensor_gyro", 0, Quantity::AngularRate, false),
+            stream("sensor_mag", 0, Quantity::MagneticField, false),
+        ];
+        let contents = LogContents {
+            format: "ulog",
+            streams: listed(&streams),
+        };
+        let options: Vec<_> = contents
+            .streams
+            .iter()
+            .map(|s| s.option.as_deref())
+            .collect();
+        assert_eq!(
+            options,
+            [
+                Some("--topic sensor_accel --instance 0"),
+                Some("--topic sensor_accel --instance 1"),
+                Some("--topic sensor_combined"),
+                None,
+                None
+            ]
+        );
+        assert!(contents.has_choice());
+        assert_eq!(contents.streams[0].rate, 100.0);
+        let bag = listed(&[
+            stream("/a", 0, Quantity::SpecificForce, false),
+            stream("/b", 0, Quantity::SpecificForce, false),
+        ]);
+        assert_eq!(bag[1].option.as_deref(), Some("--topic /b"));
+    }
+}

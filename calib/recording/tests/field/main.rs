@@ -1,0 +1,8 @@
+//! Files of programs met in the field: what they hold is read as it was meant, or what is missing is said with the option
+//! that helps.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
+
+mod columns;
+mod formats;
+mod session;
