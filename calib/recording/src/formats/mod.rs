@@ -14,8 +14,8 @@ mod tables;
 mod texts;
 
 pub use file_formats::catches_panics;
-use phones::{androsensor, phyphox, physics_toolbox, sensor_logger, sensorlog};
-use robots::{kalibr, px4_text, ros_text, serial, trackers};
+use phones::{androsensor, phyphox, physics_toolbox, sensor_logger, sensorlog, sensorstream};
+use robots::{betaflight, kalibr, px4_text, razor, ros_text, serial, trackers};
 use texts::{brackets, clock_text, date_and_time, long, tagged, wide};
 
 pub use crate::formats::format::Format;
@@ -53,9 +53,12 @@ pub static FORMATS: &[&dyn Format] = &[
     &physics_toolbox::PHYSICS_TOOLBOX,
     &sensorlog::SENSORLOG,
     &androsensor::ANDROSENSOR,
+    &sensorstream::SENSORSTREAM,
     &ros_text::ROSTOPIC,
     &ros_text::ROS2_TOPIC,
     &kalibr::KALIBR,
+    &betaflight::BETAFLIGHT,
+    &razor::RAZOR,
     &px4_text::SENSOR_COMBINED,
     &trackers::XSENS,
     &trackers::SHIMMER,

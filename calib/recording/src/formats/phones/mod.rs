@@ -5,3 +5,4 @@ pub(crate) mod phyphox;
 pub(crate) mod physics_toolbox;
 pub(crate) mod sensor_logger;
 pub(crate) mod sensorlog;
+pub(crate) mod sensorstream;

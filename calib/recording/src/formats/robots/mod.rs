@@ -1,7 +1,9 @@
 //! What robots, drones and their tools write as text.
 
+pub(crate) mod betaflight;
 pub(crate) mod kalibr;
 pub(crate) mod px4_text;
+pub(crate) mod razor;
 pub(crate) mod ros_text;
 pub(crate) mod serial;
 pub(crate) mod trackers;
