@@ -3,7 +3,7 @@
 /// What a message calls an option of the command, and what it is called here.
 ///
 /// An entry for every flag that a message of the libraries names; a test reads their sources.
-const OPTIONS: [(&str, &str); 31] = [
+const OPTIONS: [(&str, &str); 32] = [
     ("--accel-file", "`Recording::from_pair`"),
     ("--accel-unit", "`ReadOptions::accel_unit`"),
     ("--altitude", "`Request::altitude`"),
@@ -18,7 +18,7 @@ const OPTIONS: [(&str, &str); 31] = [
     ("--gravity", "`Request::gravity`"),
     ("--gyro-file", "`Recording::from_pair`"),
     ("--gyro-unit", "`ReadOptions::gyro_unit`"),
-    ("--instance", "`ReadOptions::instance`"),
+    ("--instance", "`ReadOptions::device`"),
     ("--latitude", "`Request::latitude`"),
     ("--max-bytes", "`ReadOptions::max_bytes`"),
     ("--max-rows", "`ReadOptions::max_rows`"),
@@ -28,6 +28,7 @@ const OPTIONS: [(&str, &str); 31] = [
     ("--multiplier", "`DetectorOptions::multiplier`"),
     ("--na", "`ReadOptions::na_drop`"),
     ("--noise", "`Request::walks`"),
+    ("--part", "`ReadOptions::part`"),
     ("--rate", "`ReadOptions::rate`"),
     ("--skip-bad-rows", "`ReadOptions::skip_bad_rows`"),
     ("--sort-time", "`ReadOptions::sort_time`"),

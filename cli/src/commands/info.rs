@@ -15,7 +15,7 @@ use ours::Ours;
 use sensor::Sensor;
 use serde_json::{Value, json};
 
-use crate::commands::shared::inputs::read;
+use crate::commands::shared::inputs::read_all;
 use crate::exit::Failure;
 use crate::read_args::ReadArgs;
 use crate::show;
@@ -45,12 +45,12 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             pages.push(ours.page(path));
             continue;
         }
-        let recording = read(path, &args.read)?;
-        let facts = Facts::of(path, &recording);
-        if args.json {
-            documents.push(facts.document());
-        } else {
-            pages.push(facts.page());
+        for recording in read_all(path, &args.read)? {
+            let facts = Facts::of(path, &recording, &args.read);
+            match args.json {
+                true => documents.push(facts.document()),
+                false => pages.push(facts.page()),
+            }
         }
     }
     if args.json {
@@ -135,7 +135,7 @@ fn sign(sensor: &Described) -> Option<&'static str> {
 }
 
 impl<'a> Facts<'a> {
-    fn of(path: &Path, recording: &'a Recording) -> Self {
+    fn of(path: &Path, recording: &'a Recording, read: &ReadArgs) -> Self {
         let gravity = Gravity::of(None, None, None).value;
         let choice = cut(
             &recording.clone().decimated(),
@@ -154,8 +154,9 @@ impl<'a> Facts<'a> {
             .chain(found.map(|finding| finding.to_string()));
         let command = match &recording.accelerometer {
             Some(_) => format!(
-                "stillpoint calibrate {} -o cal.json",
-                super::convert::command_line(path)
+                "stillpoint calibrate {}{} -o cal.json",
+                super::convert::command_line(path),
+                read.command_line()
             ),
             None => {
                 "none: a calibration needs an accelerometer, and there is none in it".to_owned()

@@ -10,9 +10,9 @@ use super::samples::Samples;
 use super::{Described, Recording, Stream, Temperature, UnitBy};
 use crate::Error;
 use crate::clock::{held, time};
+use crate::devices::mixed;
 use crate::header::unclear;
-use crate::recording::{checks, thermometer};
-use crate::rows::sort;
+use crate::recording::{checks, sessions, thermometer};
 use crate::rows::table::Table;
 use crate::shown::figure;
 use crate::source::place::in_file;
@@ -28,16 +28,23 @@ pub(crate) fn assemble(
         name,
         ..Recording::default()
     };
-    if options.sort_time {
-        sort::by_time(&mut tables);
-    }
-    for Table {
-        name, accel, gyro, ..
-    } in &tables
-    {
-        for samples in [accel, gyro] {
-            checks::order(name, samples, &mut recording.warnings)?;
+    let part = sessions::take_one(
+        &recording.name,
+        &mut tables,
+        options,
+        &mut recording.warnings,
+    )?;
+    recording.name.push_str(&part);
+    for table in &mut tables {
+        for (sensor, samples) in [
+            (Sensor::Accelerometer, &mut table.accel),
+            (Sensor::Gyroscope, &mut table.gyro),
+        ] {
+            mixed::refuse(&table.name, sensor, samples)?;
+            checks::order(&table.name, samples, &mut recording.warnings)?;
+            samples.merge_twins();
         }
+        table.magnetometer.merge_twins();
     }
     if options.rate.is_none() {
         time::to_seconds(&mut tables, options, &mut recording.warnings)?;
@@ -52,6 +59,14 @@ pub(crate) fn assemble(
     }
     recording.magnetometer = Magnetometer::taken(&mut tables);
     thermometer::join(&mut tables)?;
+    // A column that one sensor leaves is another's.
+    let read: HashSet<String> = tables
+        .iter()
+        .flat_map(|table| table.roles.iter().map(|(_, column)| column.clone()))
+        .collect();
+    for table in &mut tables {
+        table.unused.retain(|column| !read.contains(column));
+    }
     let unused: Vec<String> = tables
         .iter()
         .flat_map(|table| table.unused.clone())
@@ -198,7 +213,8 @@ fn describe(recording: &mut Recording, table: &Table, options: &ReadOptions) {
             Role::Time => true,
             Role::Accel(_) | Role::Temperature => sensor == Sensor::Accelerometer,
             Role::Gyro(_) => sensor == Sensor::Gyroscope,
-            Role::Field(_) => false,
+            Role::TimeOf(of) => *of == sensor,
+            Role::Field(_) | Role::Device => false,
         };
         let columns = table.roles.iter().filter(|(role, _)| is_of(role));
         recording.description.sensors.push(Described {
@@ -291,7 +307,7 @@ fn flip(recording: &mut Recording, axes: &[Role]) {
         let (stream, axis) = match role {
             Role::Accel(axis) => (&mut recording.accelerometer, *axis),
             Role::Gyro(axis) => (&mut recording.gyroscope, *axis),
-            Role::Time | Role::Temperature | Role::Field(_) => continue,
+            _ => continue,
         };
         for value in stream.iter_mut().flat_map(|stream| &mut stream.values) {
             value[axis] = -value[axis];
