@@ -125,7 +125,7 @@ fn was_given(word: &str) -> bool {
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
         let code = match error {
-            Error::Usage(_) => USAGE,
+            Error::Usage(_) | Error::Parts { .. } => USAGE,
             Error::NotEnough(_) => NOT_ENOUGH,
             Error::Output { .. } => OUTPUT,
             Error::NotConverged(_) | Error::Solver(_) => NOT_CONVERGED,

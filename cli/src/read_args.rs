@@ -1,7 +1,9 @@
 //! Options of every command that reads a recording.
 
 use calib::recording::formats::{self, Format};
-use calib::recording::{AccelUnit, ColumnMap, FieldUnit, GyroUnit, ReadOptions, Role, TimeUnit};
+use calib::recording::{
+    AccelUnit, ColumnMap, FieldUnit, GyroUnit, ReadOptions, Role, TimeUnit, figure,
+};
 use clap::{Args, ValueEnum};
 
 /// How recordings are read; a well-formed file needs none of these.
@@ -21,12 +23,18 @@ pub struct ReadArgs {
     #[arg(long, value_name = "TOPIC,...", value_delimiter = ',')]
     pub topic: Vec<String>,
 
-    /// Which of several sensors alike in a log, as `0`.
+    /// Which of several devices: sensors alike in a log, as `0`, or rows of a table by what its column of devices holds,
+    /// as `1` or `left`; `all` takes the rows of a table for those of one device.
     #[arg(long, value_name = "N")]
-    pub instance: Option<u32>,
+    pub instance: Option<String>,
 
-    /// Which column is what, by name or by number from 1: `t=timestamp,ax=acc_x,ay=acc_y,az=acc_z`;
-    /// roles are t, ax, ay, az, gx, gy, gz, temp, mx, my, mz.
+    /// Which recording, from 1, of a file in which the clock begins again (a reboot, two logs in one file).
+    #[arg(long, value_name = "N")]
+    pub part: Option<usize>,
+
+    /// Which column is what, by name or by number from 1: `t=timestamp,ax=acc_x,ay=acc_y,az=acc_z`; roles are t, ax, ay, az,
+    /// gx, gy, gz, temp, mx, my, mz, `ta`, `tg` and `tm` for stamps of one sensor, and `device` for what tells devices apart.
+    /// A sign, a factor and an offset may go with it: `az=-acc_z`, `temp=raw/340+36.53`; `t=cycles/168e6` gives seconds.
     #[arg(long, value_name = "ROLE=COLUMN,...")]
     pub columns: Option<ColumnMap>,
 
@@ -112,6 +120,7 @@ impl ReadArgs {
             self.entry.is_some(),
             !self.topic.is_empty(),
             self.instance.is_some(),
+            self.part.is_some(),
             self.columns.is_some(),
             self.rate.is_some(),
             self.time_unit.is_some(),
@@ -124,6 +133,66 @@ impl ReadArgs {
         let limits = ReadOptions::default();
         let limited = self.max_rows < limits.max_rows || self.max_bytes < limits.max_bytes;
         !limited && !given.contains(&true)
+    }
+}
+
+impl ReadArgs {
+    /// The options that were given, as a shell takes them, each with a blank before it.
+    pub fn command_line(&self) -> String {
+        let limits = ReadOptions::default();
+        let list = |words: Vec<String>| (!words.is_empty()).then(|| words.join(","));
+        let above = |value: u64, usual: u64| (value != usual).then(|| value.to_string());
+        let axes = self.flip.iter().map(|role| role.name().to_owned());
+        let given = [
+            (
+                "--format",
+                self.format.map(|format| format.name().to_owned()),
+            ),
+            ("--entry", self.entry.clone()),
+            ("--topic", list(self.topic.clone())),
+            ("--instance", self.instance.clone()),
+            ("--part", self.part.map(|part| part.to_string())),
+            ("--columns", self.columns.as_ref().map(ColumnMap::to_string)),
+            ("--skip-bad-rows", above(self.skip_bad_rows as u64, 0)),
+            ("--na", (self.na == Na::Drop).then(|| "drop".to_owned())),
+            ("--rate", self.rate.map(figure)),
+            (
+                "--time-unit",
+                self.time_unit.map(|unit| unit.name().to_owned()),
+            ),
+            ("--time-format", self.time_format.clone()),
+            (
+                "--accel-unit",
+                self.accel_unit.map(|unit| unit.name().to_owned()),
+            ),
+            (
+                "--gyro-unit",
+                self.gyro_unit.map(|unit| unit.name().to_owned()),
+            ),
+            ("--flip", list(axes.collect())),
+            ("--max-rows", above(self.max_rows, limits.max_rows)),
+            ("--max-bytes", above(self.max_bytes, limits.max_bytes)),
+            ("--sort-time", self.sort_time.then(String::new)),
+        ];
+        let written = given
+            .into_iter()
+            .filter_map(|(option, value)| match value?.as_str() {
+                "" => Some(format!(" {option}")),
+                // A value that begins like an option has to stand behind the sign of equality.
+                value if value.starts_with('-') => Some(format!(" {option}={}", quoted(value))),
+                value => Some(format!(" {option} {}", quoted(value))),
+            });
+        written.collect()
+    }
+}
+
+/// A word as a shell takes it.
+pub fn quoted(word: &str) -> String {
+    let plain =
+        |c: char| c.is_alphanumeric() || matches!(c, '/' | '.' | '_' | '-' | '+' | '=' | ',');
+    match !word.is_empty() && word.chars().all(plain) {
+        true => word.to_owned(),
+        false => format!("'{}'", word.replace('\'', "'\\''")),
     }
 }
 
@@ -146,6 +215,9 @@ pub enum Na {
 impl From<ReadArgs> for ReadOptions {
     fn from(args: ReadArgs) -> Self {
         Self {
+            instance: args.instance.as_deref().and_then(|n| n.parse().ok()),
+            device: args.instance,
+            part: args.part,
             format: args.format.map(|format| format.name()),
             columns: args.columns.unwrap_or_default(),
             skip_bad_rows: args.skip_bad_rows,
@@ -160,9 +232,79 @@ impl From<ReadArgs> for ReadOptions {
             flip: args.flip,
             entry: args.entry,
             topics: args.topic,
-            instance: args.instance,
             max_rows: args.max_rows,
             max_bytes: args.max_bytes,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::{Command, FromArgMatches};
+
+    use super::*;
+
+    fn parsed(words: &[String]) -> ReadArgs {
+        let command = ReadArgs::augment_args(Command::new("x"));
+        let matches =
+            command.try_get_matches_from(std::iter::once("x".to_owned()).chain(words.to_vec()));
+        ReadArgs::from_arg_matches(&matches.unwrap()).unwrap()
+    }
+
+    #[test]
+    fn every_option_that_is_given_is_written_so_that_it_is_read_again() {
+        let command = ReadArgs::augment_args(Command::new("x"));
+        for arg in command.get_arguments() {
+            let option = format!("--{}", arg.get_long().unwrap());
+            let value = match arg.get_id().as_str() {
+                "format" => Some("csv"),
+                "columns" => Some("az=-acc z,t=2"),
+                "na" => Some("drop"),
+                "time_unit" => Some("ms"),
+                "accel_unit" => Some("m/s^2"),
+                "gyro_unit" => Some("deg/s"),
+                "flip" => Some("ax,gz"),
+                "time_format" => Some("%H:%M it's"),
+                _ if arg.get_action().takes_values() => Some("7"),
+                _ => None,
+            };
+            let words: Vec<String> = std::iter::once(option.as_str())
+                .chain(value)
+                .map(str::to_owned)
+                .collect();
+            let given = parsed(&words);
+            let line = given.command_line();
+            assert!(
+                line.starts_with(&format!(" {option}")),
+                "{option}: `{line}`"
+            );
+            let again = shlex(&line);
+            assert_eq!(
+                format!("{:?}", parsed(&again)),
+                format!("{given:?}"),
+                "{line}"
+            );
+        }
+        assert_eq!(parsed(&[]).command_line(), "");
+    }
+
+    /// The words of a line, quotes taken off.
+    fn shlex(line: &str) -> Vec<String> {
+        let (mut words, mut word, mut quoted, mut escaped) =
+            (Vec::new(), String::new(), false, false);
+        for c in line.trim().chars() {
+            match c {
+                _ if escaped => {
+                    word.push(c);
+                    escaped = false;
+                }
+                '\'' => quoted = !quoted,
+                '\\' if !quoted => escaped = true,
+                ' ' if !quoted => words.extend(Some(std::mem::take(&mut word))),
+                c => word.push(c),
+            }
+        }
+        words.extend((!word.is_empty()).then_some(word));
+        words
     }
 }

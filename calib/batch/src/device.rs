@@ -102,19 +102,25 @@ impl Options {
 
 /// The recordings at a path: one, or where a folder is none, each of its members.
 fn recordings_at(path: &Path, options: &ReadOptions) -> Result<Vec<Recording>, Error> {
-    let read = |path: &Path| Recording::read(path, options).map(Recording::decimated);
+    let read = |path: &Path| {
+        let all = Recording::read_all(path, options)?;
+        Ok(all
+            .into_iter()
+            .map(Recording::decimated)
+            .collect::<Vec<_>>())
+    };
     let whole = read(path);
     let members: Vec<PathBuf> = match (&whole, path.is_dir()) {
         (Err(_), true) => hash::members(path).unwrap_or_default(),
         _ => Vec::new(),
     };
     if members.len() < 2 {
-        return whole.map(|one| vec![one]);
+        return whole;
     }
     let each: Result<Vec<_>, _> = members.iter().map(|member| read(member)).collect();
     match (each, whole) {
         (Err(_), Err(first)) => Err(first),
-        (each, _) => each,
+        (each, _) => each.map(|each| each.into_iter().flatten().collect()),
     }
 }
 
@@ -212,7 +218,7 @@ pub(crate) fn refused(record: Record, status: Status, reason: String) -> Record 
 
 fn status_of(error: &Error) -> Status {
     match error {
-        Error::Usage(_) => Status::Usage,
+        Error::Usage(_) | Error::Parts { .. } => Status::Usage,
         Error::NotEnough(_) => Status::NotEnough,
         Error::NotConverged(_) | Error::Solver(_) => Status::NotConverged,
         Error::Output { .. } => Status::Output,

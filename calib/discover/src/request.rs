@@ -9,7 +9,7 @@ use estimate::methods::earth::on_the_earth;
 use estimate::methods::joint::{
     BiasNoise, ClockMode, DecidedClock, JointFit, JointRequest, MOST_IN_A_SEARCH, within_budget,
 };
-use estimate::methods::{Choice, cut};
+use estimate::methods::{Choice, cut, cut_several};
 use recording::intervals::Detector;
 use recording::{Error, Recording};
 use sensor::{AnyEffect, Nature, Role};
@@ -137,10 +137,9 @@ impl<'a> Session<'a> {
         };
         let choose = request.choose_multiplier;
         let all: Vec<&Recording> = recordings.iter().map(R::borrow).collect();
-        let mut choices = all
-            .iter()
-            .map(|recording| cut(recording, &detector, choose, request.gravity))
-            .collect::<Result<Vec<_>, Error>>()?;
+        let mut choices = cut_several(all.len(), &detector, |k, detector| {
+            cut(all[k], detector, choose, request.gravity)
+        })?;
         let cut_down = within_budget(&all, &mut choices, MOST_IN_A_SEARCH);
         Ok(Self {
             cut_down,

@@ -110,7 +110,7 @@ impl Error {
     fn from_calib(error: &calib::Error) -> Self {
         use calib::Error as E;
         let kind = match error {
-            E::Usage(_) => ErrorKind::Usage,
+            E::Usage(_) | E::Parts { .. } => ErrorKind::Usage,
             E::NotEnough(_) => ErrorKind::NotEnoughInformation,
             E::NotConverged(_) | E::Solver(_) => ErrorKind::NotConverged,
             E::Output { .. } => ErrorKind::Output,

@@ -16,6 +16,15 @@ use super::curves::{RecordingAccumulator, RecordingCurves, SensorAccumulator};
 /// The columns of the plain CSV recording.
 const COLUMNS: [&[u8]; 7] = [b"t", b"ax", b"ay", b"az", b"gx", b"gy", b"gz"];
 
+/// Columns that may follow them.
+const OTHERS: [&[u8]; 4] = [b"temp", b"mx", b"my", b"mz"];
+
+/// Steps between seconds of a recording, s: others are of another unit, or count the rows.
+const STEPS: std::ops::Range<f64> = 1e-4..1.0;
+
+/// Rows from which it is seen whether two devices wrote them by turns.
+const FIRST: usize = 10_000;
+
 /// Bytes in which the header must be found, comments included.
 const HEAD: u64 = 1 << 16;
 
@@ -41,10 +50,12 @@ pub fn curves_of_long_csv(path: &Path, within: Option<Span>) -> Option<Recording
         last: f64::NEG_INFINITY,
         header_met: false,
         rows: Vec::new(),
+        first: Vec::new(),
     };
     let fed = parse_all(&mut batches, &plain, |batch, blocks| {
         feed.take(batch, blocks).ok_or(())
     });
+    feed.check_first()?;
     let whole = fed.is_ok() && matches!(batches.stop(), Stop::End);
     whole.then(|| feed.accumulator.finish())
 }
@@ -60,6 +71,8 @@ struct Feed {
     header_met: bool,
     /// The rows of a batch.
     rows: Vec<Row>,
+    /// The first rows of all.
+    first: Vec<Row>,
 }
 
 impl Feed {
@@ -112,6 +125,9 @@ impl Feed {
     /// `None` where time does not ascend or the first reading of all is no gravity.
     fn check(&mut self) -> Option<()> {
         for row in &self.rows {
+            if self.first.len() < FIRST {
+                self.first.push(*row);
+            }
             let first = self.last == f64::NEG_INFINITY;
             let force = Vector3::new(row[ACCEL], row[ACCEL + 1], row[ACCEL + 2]);
             if row[STAMP] <= self.last || (first && !GRAVITY.contains(&force.norm())) {
@@ -120,6 +136,18 @@ impl Feed {
             self.last = row[STAMP];
         }
         Some(())
+    }
+
+    /// `None` where the first rows are in another unit of time, or of several devices by turns.
+    fn check_first(&self) -> Option<()> {
+        let steps = self.first.windows(2).map(|w| w[1][STAMP] - w[0][STAMP]);
+        let known = recording::averages::median(steps).is_none_or(|step| STEPS.contains(&step));
+        let mixed = [ACCEL, GYRO].iter().any(|&at| {
+            let value = |row: &Row| Vector3::new(row[at], row[at + 1], row[at + 2]);
+            let values: Vec<Vector3<f64>> = self.first.iter().map(value).collect();
+            recording::devices_in_turn(&values).is_some()
+        });
+        (known && !mixed).then_some(())
     }
 }
 
@@ -147,7 +175,10 @@ fn look(path: &Path) -> Option<Look> {
     let rows: Vec<&[u8]> = lines.collect();
     let (_, rows) = rows.split_last()?;
     let tail = usual_tail(rows.iter().map(|row| last_cell(row)), b'.');
-    names.starts_with(&COLUMNS).then_some(Look {
+    // Of another column the reader finds out whether it tells devices apart.
+    let others = names.get(COLUMNS.len()..)?;
+    let known = others.iter().all(|name| OTHERS.contains(name));
+    (names.starts_with(&COLUMNS) && known).then_some(Look {
         width: names.len(),
         tail: tail.filter(|_| names.len() == COLUMNS.len()),
     })
@@ -243,7 +274,7 @@ mod tests {
         let row = |k: usize| {
             format!(
                 "{:.2},0.10,0.20,9.80,0.01,0.02,{:.2}\n",
-                k as f64,
+                0.5 * k as f64,
                 value(k, 0)
             )
         };

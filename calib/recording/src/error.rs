@@ -31,6 +31,14 @@ pub enum Error {
     /// A file holds something that is no recording. The message begins with `file:line:column`.
     #[error("{0}")]
     Input(String),
+    /// A file holds several recordings, of which one has to be chosen.
+    #[error("{message}")]
+    Parts {
+        /// Where the second begins, and how to choose.
+        message: String,
+        /// How many there are.
+        count: usize,
+    },
     /// The recording does not determine the parameters.
     #[error("{0}")]
     NotEnough(String),

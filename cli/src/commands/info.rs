@@ -18,7 +18,7 @@ use ours::Ours;
 use sensor::Sensor;
 use serde_json::{Value, json};
 
-use crate::commands::shared::inputs::read;
+use crate::commands::shared::inputs::read_all;
 use crate::exit::Failure;
 use crate::read_args::ReadArgs;
 use crate::show;
@@ -48,20 +48,21 @@ pub fn run(args: &Args) -> Result<(), Failure> {
             pages.push(ours.page(path));
             continue;
         }
-        let recording = match read(path, &args.read) {
-            Ok(recording) => recording,
+        match read_all(path, &args.read) {
+            Ok(recordings) => {
+                for recording in recordings {
+                    let facts = Facts::of(path, &recording, &args.read);
+                    match args.json {
+                        true => documents.push(facts.document()),
+                        false => pages.push(facts.page()),
+                    }
+                }
+            }
             Err(refused) => {
                 let log = Log::of(path, &args.read, refused)?;
                 documents.push(log.document());
                 pages.push(log.page());
-                continue;
             }
-        };
-        let facts = Facts::of(path, &recording);
-        if args.json {
-            documents.push(facts.document());
-        } else {
-            pages.push(facts.page());
         }
     }
     if args.json {
@@ -162,7 +163,7 @@ fn sign(sensor: &Described) -> Option<&'static str> {
 }
 
 impl<'a> Facts<'a> {
-    fn of(path: &Path, recording: &'a Recording) -> Self {
+    fn of(path: &Path, recording: &'a Recording, read: &ReadArgs) -> Self {
         let gravity = Gravity::of(None, None, None).value;
         let choice = cut(
             &recording.clone().decimated(),
@@ -186,8 +187,9 @@ impl<'a> Facts<'a> {
         let command = match &recording.accelerometer {
             None if recording.is_magnetometer_only() => format!("none: {ALONE}"),
             Some(_) => format!(
-                "stillpoint calibrate {} -o cal.json",
-                super::convert::command_line(path)
+                "stillpoint calibrate {}{} -o cal.json",
+                super::convert::command_line(path),
+                read.command_line()
             ),
             None => {
                 "none: a calibration needs an accelerometer, and there is none in it".to_owned()

@@ -103,6 +103,102 @@ fn case_070_a_counter_that_wraps() {
         .says(&["starts again", "2 times"]);
 }
 
+/// Rows of which a counter of milliseconds begins again after each of `at`.
+fn rebooted(at: &[usize]) -> String {
+    let mut begun = 0.0;
+    let mut line = |(k, row): (usize, &Row)| {
+        if at.contains(&k) {
+            begun = row[0] - 0.3;
+        }
+        let line = crate::device::line(row);
+        let (_, values) = line.split_once(',').unwrap();
+        format!("{:.0},{values}", (row[0] - begun) * 1000.0)
+    };
+    let header = HEADER.replacen('t', "millis", 1);
+    let rows: Vec<String> = good().iter().enumerate().map(&mut line).collect();
+    table(&header, &rows)
+}
+
+#[test]
+fn a_counter_that_begins_again_makes_two_recordings_of_one_device() {
+    let text = rebooted(&[7000]);
+    let run = calibrate(&text, &[]);
+    run.ends(0)
+        .says(&["the clock begins again", "r.csv#1 and r.csv#2"]);
+    run.is_silent_on(&["--sort-time"]);
+    let bench = Bench::with("r.csv", &text);
+    let one = bench.run(&["convert", "r.csv", "-o", "plain.csv"]);
+    one.ends(2)
+        .says(&["r.csv:7002", "2 recordings", "--part 1"]);
+    one.is_silent_on(&["--sort-time"]);
+    bench
+        .run(&["convert", "r.csv", "--part", "2", "-o", "plain.csv"])
+        .ends(0);
+    let info = bench.run(&["info", "r.csv"]);
+    assert!(info.stdout.contains("r.csv#1") && info.stdout.contains("r.csv#2"));
+}
+
+#[test]
+fn a_short_boot_before_the_recording_is_left_out() {
+    calibrate(rebooted(&[40]), &[])
+        .ends(0)
+        .says(&["after 40 rows; they are left out"]);
+}
+
+#[test]
+fn devices_in_one_table_are_asked_for_by_every_command() {
+    let rows = good().iter().flat_map(|row| {
+        let line = crate::device::line(row);
+        let (t, values) = line.split_once(',').unwrap();
+        let other = crate::device::line(&row.map(|v| v + 0.2));
+        let (_, others) = other.split_once(',').unwrap();
+        [format!("{t},A,{values}"), format!("{t},B,{others}")]
+    });
+    let header = HEADER.replacen("t,", "t,unit,", 1);
+    let bench = Bench::with("r.csv", table(&header, &rows.collect::<Vec<_>>()));
+    bench
+        .run(&["calibrate", "r.csv", "--instance", "A", "-o", "cal.json"])
+        .ends(0);
+    for call in [
+        &["calibrate", "r.csv"][..],
+        &["discover", "r.csv"],
+        &["info", "r.csv"],
+        &["allan", "r.csv"],
+        &["convert", "r.csv", "-o", "plain.csv"],
+        &["apply", "cal.json", "r.csv"],
+    ] {
+        let run = bench.run(call);
+        run.ends(2)
+            .says(&["rows of 2 devices", "`unit`", "`A`", "--instance A"]);
+    }
+    let line = bench.run(&["info", "r.csv", "--instance", "A"]);
+    let command = "to calibrate: stillpoint calibrate r.csv --instance A";
+    assert!(line.ends(0).stdout.contains(command), "{line:#?}");
+}
+
+#[test]
+fn two_files_without_headers_may_share_their_column_numbers() {
+    let bench = Bench::new();
+    let pick = |columns: [usize; 4]| {
+        let line = |row: &Row| columns.map(|k| format!("{:.6}", row[k])).join(",");
+        good().iter().map(line).collect::<Vec<_>>().join("\n") + "\n"
+    };
+    bench.write("a.txt", pick([1, 2, 3, 0]));
+    bench.write("g.txt", pick([4, 5, 6, 0]));
+    let columns = "t=4,ax=1,ay=2,az=3,gx=1,gy=2,gz=3";
+    bench
+        .run(&[
+            "calibrate",
+            "--accel-file",
+            "a.txt",
+            "--gyro-file",
+            "g.txt",
+            "--columns",
+            columns,
+        ])
+        .ends(0);
+}
+
 #[test]
 fn case_071_gaps_of_a_third_of_a_second_and_of_ten_minutes() {
     for length in [0.3, 600.0] {

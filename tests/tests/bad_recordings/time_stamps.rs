@@ -120,7 +120,8 @@ fn row_61_rows_repeated_out_of_order_say_nothing_new() {
 #[test]
 fn row_62_equal_stamps_are_merged_to_their_mean() {
     let mut lines = rows(200);
-    lines.insert(51, "0.5000,1,2,3,4,5,6".to_owned());
+    let usual = lines[51].split_once(',').unwrap().1.to_owned();
+    lines.insert(51, format!("0.5000,{usual}"));
     let text = file(HEADER, &lines);
     let recording = read(text, &ReadOptions::default()).unwrap();
     assert!(
@@ -134,7 +135,20 @@ fn row_62_equal_stamps_are_merged_to_their_mean() {
         usual.accelerometer.unwrap(),
     );
     assert_eq!(merged.t, usual.t);
-    assert!((merged.values[50].x - (usual.values[50].x + 1.0) / 2.0).abs() < 1e-12);
+    let mean = (usual.values[50].x + usual.values[51].x) / 2.0;
+    assert!((merged.values[50].x - mean).abs() < 1e-12);
+}
+
+#[test]
+fn row_62_equal_stamps_that_differ_by_more_than_noise_are_refused() {
+    let mut lines = rows(200);
+    lines.insert(51, "0.5000,1,2,3,4,5,6".to_owned());
+    let expected = [
+        "the stamp of the row before",
+        "several devices",
+        "--rate 100",
+    ];
+    refused(file(HEADER, &lines), "53", &expected);
 }
 
 #[test]

@@ -43,8 +43,8 @@ use self::cut::cut;
 use self::stepwise::{NO_GYROSCOPE, stepwise};
 use self::unusable_turns::TurnCount;
 use crate::calibration::Options;
-use crate::methods::Choice;
 use crate::methods::joint::{ClockMode, MOST_STATIC_INTERVALS, within_budget};
+use crate::methods::{Choice, cut_several};
 
 pub use crate::gravity::STANDARD_GRAVITY;
 
@@ -155,11 +155,13 @@ fn by_stamps(
     for (recording, found) in cleaned.iter().flatten() {
         warnings.extend(found.iter().map(|f| format!("{}: {f}", recording.name)));
     }
-    let mut choices = recordings
-        .iter()
-        .enumerate()
-        .map(|(k, recording)| cut(recording, request, Some(k)))
-        .collect::<Result<Vec<_>, _>>()?;
+    let mut choices = cut_several(recordings.len(), &request.detector, |k, detector| {
+        let request = Request {
+            detector: *detector,
+            ..request.clone()
+        };
+        cut(recordings[k], &request, Some(k))
+    })?;
     if !request.force_device {
         let cut = choices.iter().map(|choice| &choice.segmentation);
         none_is_there_twice(recordings.iter().copied().zip(cut))?;

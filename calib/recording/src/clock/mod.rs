@@ -4,24 +4,18 @@ pub(crate) mod drift;
 pub(crate) mod even;
 pub(crate) mod held;
 pub(crate) mod offset;
+pub(crate) mod restarts;
 pub(crate) mod time;
 pub(crate) mod time_of_day;
+pub(crate) mod wraps;
 
+use crate::clock::time_of_day::TimeOfDay;
 use crate::recording::options::ReadOptions;
 use crate::rows::number::{self, Dialects, Fault, LATEST};
 
 /// Stamps from here on are epochs: the first is subtracted as an integer, because a double holds
 /// nanoseconds since 1970 only to 256 ns.
 const EPOCH: i64 = 1_000_000_000;
-
-/// Where counters start again: 16 and 32 bits, also written as seconds of ms and µs.
-pub(crate) const MODULI: [f64; 5] = [
-    65_536.0,
-    4_294_967_296.0,
-    65.536,
-    4_294.967_296,
-    4_294_967.296,
-];
 
 /// How stamps are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,12 +38,9 @@ pub(crate) struct Clock {
     /// Lines at which the counter started again.
     pub wraps: Vec<u64>,
     pattern: Option<String>,
-    /// Stamps are sorted when all are read: a jump back says nothing yet.
-    unsorted: bool,
-    offset: f64,
-    first: Option<f64>,
-    last: f64,
-    count: u64,
+    time_of_day: TimeOfDay,
+    /// A stamp has been read.
+    begun: bool,
 }
 
 impl Clock {
@@ -58,22 +49,22 @@ impl Clock {
         Self {
             origin,
             pattern: options.time_format.clone(),
-            unsorted: options.sort_time,
             ..Self::default()
         }
     }
 
-    /// The stamp in `cell`, from the origin on, with wraps undone.
-    pub fn read(&mut self, cell: &[u8], decimal_comma: bool, line: u64) -> Result<f64, Fault> {
+    /// The stamp in `cell`, from the origin on.
+    pub fn read(&mut self, cell: &[u8], decimal_comma: bool) -> Result<f64, Fault> {
         let stamp = if self.dates || self.pattern.is_some() {
             self.date(cell)?
         } else {
             match self.number(cell, decimal_comma) {
-                Err(Fault::Text) if self.count == 0 => self.date(cell)?,
+                Err(Fault::Text) if !self.begun => self.date(cell)?,
                 other => other?,
             }
         };
-        Ok(self.unwrapped(stamp, line))
+        self.begun = true;
+        Ok(stamp)
     }
 
     fn number(&mut self, cell: &[u8], decimal_comma: bool) -> Result<f64, Fault> {
@@ -99,7 +90,7 @@ impl Clock {
 
     /// How the stamps that follow are written, where that is settled and nothing but a number.
     pub fn form(&self) -> Option<Stamps> {
-        let numbers = self.count > 0 && !self.dates && self.pattern.is_none();
+        let numbers = self.begun && !self.dates && self.pattern.is_none();
         match self.origin? {
             _ if !numbers => None,
             0 => Some(Stamps::Numbers),
@@ -109,49 +100,42 @@ impl Clock {
 
     fn date(&mut self, cell: &[u8]) -> Result<f64, Fault> {
         let text = std::str::from_utf8(cell).map_err(|_| Fault::Text)?;
-        let stamp = match &self.pattern {
-            Some(pattern) => jiff::fmt::strtime::parse(pattern, text)
-                .ok()
-                .and_then(|parsed| {
-                    parsed
-                        .to_timestamp()
-                        .or_else(|_| utc(parsed.to_datetime()?))
-                        .ok()
-                }),
-            None => iso(text),
+        let nanoseconds = match &self.pattern {
+            Some(pattern) => {
+                by_pattern(pattern, text, &mut self.time_of_day).ok_or(Fault::OtherDate)?
+            }
+            None => iso(text)
+                .map(jiff::Timestamp::as_nanosecond)
+                .or_else(|| Some(whole(self.time_of_day.read(text)?)))
+                .ok_or(Fault::Date)?,
         };
-        let fault = self
-            .pattern
-            .as_ref()
-            .map_or(Fault::Date, |_| Fault::OtherDate);
-        let nanoseconds = stamp.ok_or(fault)?.as_nanosecond();
         let nanoseconds = i64::try_from(nanoseconds).map_err(|_| Fault::Date)?;
         self.dates = true;
         let origin = *self.origin.get_or_insert(nanoseconds);
         Ok(nanoseconds.saturating_sub(origin) as f64)
     }
+}
 
-    /// A counter that jumps back by its modulus went on by one step: by its usual step, give or take
-    /// ten lost samples.
-    pub fn unwrapped(&mut self, stamp: f64, line: u64) -> f64 {
-        let mut stamp = stamp + self.offset;
-        let first = *self.first.get_or_insert(stamp);
-        if self.count >= 3 && stamp < self.last && !self.unsorted {
-            let step = (self.last - first) / (self.count - 1) as f64;
-            let jump = |modulus: &&f64| {
-                let forward = stamp + **modulus - self.last;
-                forward > 0.0 && forward <= 10.0 * step && step < **modulus / 100.0
-            };
-            if let Some(modulus) = MODULI.iter().find(jump) {
-                self.offset += modulus;
-                stamp += modulus;
-                self.wraps.push(line);
-            }
-        }
-        self.last = stamp;
-        self.count += 1;
-        stamp
+/// Seconds as nanoseconds.
+fn whole(seconds: f64) -> i128 {
+    (seconds * 1e9).round() as i128
+}
+
+/// The instant that `text` is by `pattern`, ns; a pattern without a date counts from midnight, and on over it.
+fn by_pattern(pattern: &str, text: &str, clock: &mut TimeOfDay) -> Option<i128> {
+    let parsed = jiff::fmt::strtime::parse(pattern, text).ok()?;
+    let stamp = parsed
+        .to_timestamp()
+        .or_else(|_| utc(parsed.to_datetime()?));
+    if let Ok(stamp) = stamp {
+        return Some(stamp.as_nanosecond());
     }
+    let time = parsed.to_time().ok()?;
+    let seconds = f64::from(time.hour()) * 3600.0
+        + f64::from(time.minute()) * 60.0
+        + f64::from(time.second())
+        + f64::from(time.subsec_nanosecond()) * 1e-9;
+    Some(whole(clock.count_on(seconds)))
 }
 
 /// The time from `origin` to the stamp in `cell`, both whole numbers but for decimals behind a mark;
@@ -260,8 +244,7 @@ mod tests {
         let mut clock = Clock::default();
         cells
             .iter()
-            .zip(1..)
-            .map(|(c, l)| clock.read(c.as_bytes(), false, l).unwrap())
+            .map(|c| clock.read(c.as_bytes(), false).unwrap())
             .collect()
     }
 
@@ -306,8 +289,14 @@ mod tests {
     }
 
     #[test]
-    fn a_sixteen_bit_counter_goes_on_after_it_wraps() {
-        let read = stamps(&["65500", "65510", "65520", "65530", "4", "14"]);
-        assert_eq!(read, [65500.0, 65510.0, 65520.0, 65530.0, 65540.0, 65550.0]);
+    fn times_of_day_go_on_after_midnight() {
+        assert_eq!(stamps(&["23:59:59.500", "00:00:00.500"]), [0.0, 1e9]);
+        let mut clock = Clock {
+            pattern: Some("%H:%M:%S%.f".to_owned()),
+            ..Clock::default()
+        };
+        let read =
+            ["10:22:00.000", "10:22:00.020"].map(|c| clock.read(c.as_bytes(), false).unwrap());
+        assert_eq!(read, [0.0, 2e7]);
     }
 }

@@ -1,7 +1,9 @@
 //! From stamps in the file's unit to seconds.
 
 use crate::Error;
+use crate::header::affine::Affine;
 use crate::recording::options::ReadOptions;
+use crate::recording::samples::Samples;
 use crate::rows::table::Table;
 use crate::shown::figure;
 use crate::source::place::in_file;
@@ -9,6 +11,17 @@ use crate::units::TimeUnit;
 
 /// Rates that a unit in the file may mean, Hz.
 const POSSIBLE: std::ops::RangeInclusive<f64> = 0.2..=60_000.0;
+
+/// Units that clocks of devices count in.
+const COUNTED: [TimeUnit; 4] = [
+    TimeUnit::Seconds,
+    TimeUnit::Milliseconds,
+    TimeUnit::Microseconds,
+    TimeUnit::Nanoseconds,
+];
+
+/// Rates of most recordings, Hz: of two units the one with such a rate is meant.
+const USUAL: std::ops::Range<f64> = 20.0..2000.0;
 
 /// Turns the stamps of every table, on one clock and in one unit, into seconds.
 pub(crate) fn to_seconds(
@@ -19,7 +32,7 @@ pub(crate) fn to_seconds(
     let Some(first) = tables.first() else {
         return Ok(());
     };
-    let unit = unit(first, options, warnings)?;
+    let first = unit(first, options, warnings)?;
     for table in tables {
         if let Some(line) = table.clock.wraps.first() {
             let count = table.clock.wraps.len();
@@ -28,13 +41,66 @@ pub(crate) fn to_seconds(
                 table.name
             ));
         }
-        let per_second = unit.per_second();
-        if per_second != 1.0 {
+        // Each sensor's stamps may have a unit of their own.
+        let own = table
+            .stated
+            .time
+            .filter(|_| options.time_unit.is_none() && !table.clock.dates);
+        let per_second = own
+            .filter(|_| table.time_affine.is_none())
+            .unwrap_or(first)
+            .per_second();
+        let Affine { scale, offset } = checked(table)?;
+        let change = |t: f64| match scale {
+            1.0 => (t + offset) / per_second,
+            _ => (scale * t + offset) / per_second,
+        };
+        if (scale, offset, per_second) != (1.0, 0.0, 1.0) {
             let columns = table.stamps_mut().into_iter();
-            columns.flatten().for_each(|t| *t /= per_second);
+            columns.flatten().for_each(|t| *t = change(*t));
         }
     }
     Ok(())
+}
+
+/// What the user makes of the stamps of a table.
+fn checked(table: &Table) -> Result<Affine, Error> {
+    let same = Affine {
+        scale: 1.0,
+        offset: 0.0,
+    };
+    let Some(affine) = table.time_affine else {
+        return Ok(same);
+    };
+    if table.clock.dates {
+        return Err(Error::Usage(format!(
+            "{}: --columns t=…: an expression takes numbers, and the column holds dates or times of day; leave the expression out",
+            table.name
+        )));
+    }
+    if affine.scale <= 0.0 {
+        return Err(Error::Usage(format!(
+            "{}: --columns t=…: a factor of {} lets time stand still or run back; a positive one expected",
+            table.name,
+            figure(affine.scale)
+        )));
+    }
+    Ok(affine)
+}
+
+/// The unit of stamps that the user has made of a column: seconds, unless it is given.
+fn of_expression(table: &Table, options: &ReadOptions, scale: f64) -> Result<TimeUnit, Error> {
+    let unit = options.time_unit.unwrap_or(TimeUnit::Seconds);
+    let rate = usual_step(table).map(|step| unit.per_second() / (scale * step));
+    match rate.filter(|rate| scale > 0.0 && !POSSIBLE.contains(rate)) {
+        None => Ok(unit),
+        Some(rate) => Err(Error::Usage(format!(
+            "{}: --columns t=…: the expression gives {}, in which the rate would be {} Hz; correct the factor, or say the unit that it gives, as in --time-unit ms",
+            table.name,
+            unit.name(),
+            figure(rate)
+        ))),
+    }
 }
 
 /// The unit that was given, or stated, or follows from an epoch or from the rate.
@@ -45,6 +111,9 @@ fn unit(
 ) -> Result<TimeUnit, Error> {
     if table.clock.dates {
         return Ok(TimeUnit::Nanoseconds);
+    }
+    if let Some(affine) = table.time_affine {
+        return of_expression(table, options, affine.scale);
     }
     if let Some(unit) = options.time_unit {
         return Ok(unit);
@@ -86,17 +155,21 @@ fn unit(
         }
         return Ok(unit);
     }
+    if step == 1.0 {
+        return unit_of_ones(table, warnings);
+    }
     if plausible(&TimeUnit::Seconds) {
-        if step == 1.0 {
-            warnings.push(format!(
-                "{}: stamps go up by 1, read as seconds; if they count samples say --rate, if they are milliseconds --time-unit ms",
-                table.name
-            ));
-        }
         return Ok(TimeUnit::Seconds);
     }
-    let fitting: Vec<TimeUnit> = TimeUnit::ALL.into_iter().filter(plausible).collect();
-    match fitting[..] {
+    let fitting = |rates: std::ops::Range<f64>| {
+        let fits = |unit: &TimeUnit| rates.contains(&(unit.per_second() / step));
+        COUNTED.into_iter().filter(fits).collect::<Vec<_>>()
+    };
+    let mut fitted = fitting(1.0..10_000.0);
+    if fitted.len() > 1 {
+        fitted = fitting(USUAL);
+    }
+    match fitted[..] {
         [unit] => {
             warnings.push(decided(
                 table,
@@ -124,6 +197,30 @@ fn unit(
     }
 }
 
+/// The unit of stamps that go up by 1: milliseconds, seconds by contract, or none where they count the rows.
+fn unit_of_ones(table: &Table, warnings: &mut Vec<String>) -> Result<TimeUnit, Error> {
+    let t = &longer(table).t;
+    let from_the_start = t.first().is_some_and(|first| (0.0..=1.0).contains(first))
+        && table.clock.origin.is_none_or(|origin| origin == 0);
+    let every_row = t.windows(2).all(|pair| pair[1] - pair[0] == 1.0);
+    if !(from_the_start && every_row) {
+        let unit = TimeUnit::Milliseconds;
+        warnings.push(decided(table, unit, "1 kHz rather than 1 Hz"));
+        return Ok(unit);
+    }
+    if table.plain_time {
+        warnings.push(format!(
+            "{}: stamps go up by 1, read as seconds; if they count samples say --rate, if they are milliseconds --time-unit ms",
+            table.name
+        ));
+        return Ok(TimeUnit::Seconds);
+    }
+    Err(in_file(
+        &table.name,
+        "stamps go up by 1 from row to row: do they count the rows? Say the rate, as in --rate 100, or the unit, as in --time-unit ms",
+    ))
+}
+
 fn decided(table: &Table, unit: TimeUnit, why: &str) -> String {
     format!(
         "{}: time taken as {} ({why}); --time-unit overrides",
@@ -142,10 +239,13 @@ fn of_epoch(stamp: i64) -> Option<TimeUnit> {
 
 /// The median step of the sensor with more samples.
 fn usual_step(table: &Table) -> Option<f64> {
-    let longer = if table.accel.t.len() >= table.gyro.t.len() {
+    crate::recording::stream::median_step(&longer(table).t)
+}
+
+fn longer(table: &Table) -> &Samples {
+    if table.accel.t.len() >= table.gyro.t.len() {
         &table.accel
     } else {
         &table.gyro
-    };
-    crate::recording::stream::median_step(&longer.t)
+    }
 }

@@ -31,12 +31,17 @@ pub(crate) fn seconds(text: &str) -> Option<f64> {
 impl TimeOfDay {
     /// The same, counted on over midnight.
     pub fn read(&mut self, text: &str) -> Option<f64> {
-        let now = self.before + seconds(text)?;
+        Some(self.count_on(seconds(text)?))
+    }
+
+    /// The seconds since the first midnight of what is `seconds` since the last.
+    pub fn count_on(&mut self, seconds: f64) -> f64 {
+        let now = self.before + seconds;
         let onwards = |wrap: &&f64| (0.0..=STEP).contains(&(now + **wrap - self.last));
         let wrap = WRAPS.iter().find(onwards).filter(|_| now < self.last);
         self.before += wrap.unwrap_or(&0.0);
         self.last = now + wrap.unwrap_or(&0.0);
-        Some(self.last)
+        self.last
     }
 }
 

@@ -5,6 +5,7 @@ use crate::Error;
 use crate::header::names::sensor_of_file;
 use crate::recording::assemble::assemble;
 use crate::recording::{ReadOptions, Recording};
+use crate::rows::parts;
 use crate::rows::table::Table;
 use crate::source::Source;
 
@@ -28,10 +29,10 @@ impl Format for Csv {
     fn read(&self, source: Source, options: &ReadOptions) -> Result<Recording, Error> {
         let input = text(source, self)?;
         let (name, only) = (input.name.clone(), sensor_of_file(&input.name));
-        assemble(
-            name,
-            vec![Table::read(input, only, None, options)?],
-            options,
-        )
+        let tables = match parts::with_own_stamps(&options.columns) {
+            Some(parts) => parts::read(input, &parts, options)?,
+            None => vec![Table::read(input, only, None, options)?],
+        };
+        assemble(name, tables, options)
     }
 }

@@ -11,6 +11,7 @@ use crate::recording::assemble::assemble;
 use crate::recording::options::Role;
 use crate::recording::samples::{Pushed, Samples};
 use crate::recording::{AppliedBefore, Magnetometer, ReadOptions, Recording};
+use crate::recording::sessions::refuse_part;
 use crate::rows::table::Table;
 use crate::shown::{shown, shown_list};
 use crate::source::Source;
@@ -58,6 +59,14 @@ impl Format for Measured {
             );
             return Err(Error::Usage(words));
         }
+        if let (Some(device), None) = (&options.device, options.instance) {
+            let words = format!(
+                "{name}: --instance {}: in this file it takes the number of a sensor, such as 0",
+                shown(device)
+            );
+            return Err(Error::Usage(words));
+        }
+        refuse_part(&name, options)?;
         let wanted = Wanted {
             topics: options.topics.clone(),
             instance: options.instance,

@@ -22,7 +22,7 @@ use super::units::{Stated, TimeUnit, looks_like_unit};
 use crate::header::affine::Affine;
 use crate::header::by_unit::by_unit;
 use crate::header::gravity::Split;
-use crate::header::names::{is_like_time, may_be_linear, role_of, take_apart};
+use crate::header::names::{is_like_time, may_be_linear, role_of, take_apart, unit_of_time};
 use crate::header::suggest::{nearest, suggestion};
 use crate::header::triads::Triad;
 use crate::recording::options::{ColumnMap, Role};
@@ -159,7 +159,9 @@ impl Layout {
         };
         let first = |triad: Option<[usize; 3]>| triad.map(|[x, ..]| x);
         let stated = Stated {
-            time: unit(self.time).and_then(|u| u.parse().ok()),
+            time: unit(self.time)
+                .and_then(|u| u.parse().ok())
+                .or_else(|| unit_of_time(self.names.get(self.time?)?)),
             accel: unit(first(self.accel)).and_then(|u| u.parse().ok()),
             gyro: unit(first(self.gyro)).and_then(|u| u.parse().ok()),
             temperature: unit(self.temperature).and_then(|u| u.parse().ok()),
@@ -178,6 +180,12 @@ impl Layout {
         self.stated = stated;
     }
 
+    /// What the user makes of the cells of a role.
+    pub fn affine_of(&self, role: Role) -> Option<Affine> {
+        let given = self.affine.iter().find(|(given, _)| *given == role);
+        given.map(|(_, affine)| *affine)
+    }
+
     /// True for a column that has a role.
     pub fn is_read(&self, column: usize) -> bool {
         let triads = self.accel.iter().chain(&self.gyro).chain(&self.field);
@@ -185,6 +193,11 @@ impl Layout {
         let triads = triads.flatten().copied().chain(gravity);
         let mut read = triads.chain(self.time).chain(self.temperature);
         read.any(|read| read == column)
+    }
+
+    /// How many columns have no role.
+    pub fn unread(&self) -> usize {
+        (0..self.width).filter(|at| !self.is_read(*at)).count()
     }
 
     /// Names of the columns that have no role.

@@ -4,7 +4,7 @@ use sensor::Sensor;
 
 use crate::recording::options::Role;
 use crate::units::field::FieldUnit;
-use crate::units::{self, AccelUnit, GyroUnit};
+use crate::units::{self, AccelUnit, GyroUnit, TimeUnit};
 
 /// Names that mean the time, without unit and punctuation.
 const TIME: &[&str] = &[
@@ -166,15 +166,73 @@ const TEMPERATURE: &[&str] = &[
 /// Parts of the names of stamps that are called otherwise.
 const LIKE_TIME: [&str; 6] = ["time", "stamp", "tick", "millis", "micros", "clock"];
 /// Parts of names that hold such a part and are no stamps.
-const NO_TIME: [&str; 9] = [
-    "zone", "valid", "status", "sync", "flag", "out", "diff", "delta", "relative",
+const NO_TIME: [&str; 22] = [
+    "zone", "valid", "status", "sync", "flag", "out", "diff", "delta", "relative", "latency",
+    "period", "interval", "duration", "delay", "age", "speed", "vel", "wind", "exec", "loop",
+    "jitter", "dt",
+];
+/// What the names of stamps end with, and the unit that it says.
+const UNITS_OF_TIME: [(&str, TimeUnit); 16] = [
+    ("millis", TimeUnit::Milliseconds),
+    ("millisec", TimeUnit::Milliseconds),
+    ("milliseconds", TimeUnit::Milliseconds),
+    ("msec", TimeUnit::Milliseconds),
+    ("ms", TimeUnit::Milliseconds),
+    ("micros", TimeUnit::Microseconds),
+    ("microsec", TimeUnit::Microseconds),
+    ("microseconds", TimeUnit::Microseconds),
+    ("usec", TimeUnit::Microseconds),
+    ("us", TimeUnit::Microseconds),
+    ("nanos", TimeUnit::Nanoseconds),
+    ("nanosec", TimeUnit::Nanoseconds),
+    ("nanoseconds", TimeUnit::Nanoseconds),
+    ("nsec", TimeUnit::Nanoseconds),
+    ("ns", TimeUnit::Nanoseconds),
+    ("seconds", TimeUnit::Seconds),
 ];
 
-/// True for a name that has no role and holds a word of the time: `Time Startup`, `recv_stamp`.
+/// True for a name that has no role and holds a word of the time, or a unit of it: `Time Startup`, `recv_stamp`,
+/// `now[ms]`.
 pub(crate) fn is_like_time(name: &str) -> bool {
-    let (word, _) = take_apart(name);
+    let (word, unit) = take_apart(name);
     let has = |parts: &[&str]| parts.iter().any(|part| word.contains(part));
-    word.len() <= LONGEST && has(&LIKE_TIME) && !has(&NO_TIME)
+    let in_time = || {
+        let unit = unit.and_then(|unit| unit.parse::<TimeUnit>().ok());
+        // `gyro_s` may be anything.
+        unit.is_some_and(|unit| unit.per_second() > 1.0)
+            || (unit == Some(TimeUnit::Seconds) && name.contains(['(', '[', '{']))
+    };
+    word.len() <= LONGEST && (has(&LIKE_TIME) || in_time()) && !has(&NO_TIME)
+}
+
+/// The unit of the time that a name says without brackets: `millis`, `timeMs`.
+pub(crate) fn unit_of_time(name: &str) -> Option<TimeUnit> {
+    let (word, _) = take_apart(name);
+    let says = |(end, _): &&(&str, TimeUnit)| {
+        let stem = word.strip_suffix(end);
+        // The `ms` of `items` is none.
+        stem.is_some_and(|stem| {
+            end.len() > 2 || stem.is_empty() || TIME.contains(&stem) || is_like_time(stem)
+        })
+    };
+    UNITS_OF_TIME.iter().find(says).map(|(_, unit)| *unit)
+}
+
+/// The sensor whose stamps a column holds by its name: `accel_ts`, `gyroTimestamp`, `t_acc`.
+pub(crate) fn stamps_of(name: &str) -> Option<Sensor> {
+    let (word, _) = take_apart(name);
+    let of_one = match (word.contains("acc"), word.contains("gyr")) {
+        _ if word == "ta" => Some(Sensor::Accelerometer),
+        _ if word == "tg" => Some(Sensor::Gyroscope),
+        (true, false) => Some(Sensor::Accelerometer),
+        (false, true) => Some(Sensor::Gyroscope),
+        _ => None,
+    };
+    let mut words = name.split(|c: char| !c.is_alphanumeric());
+    let is_time = |word: &str| TIME.contains(&word.to_lowercase().as_str());
+    of_one.filter(|_| {
+        matches!(word.as_str(), "ta" | "tg") || is_like_time(name) || words.any(is_time)
+    })
 }
 
 /// True for the name of an accelerometer's column that may be without gravity: `Linear Acceleration X`.
@@ -349,5 +407,40 @@ pub(crate) fn sensor_of_file(name: &str) -> Option<Sensor> {
         (true, false) => Some(Sensor::Accelerometer),
         (false, true) => Some(Sensor::Gyroscope),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_stamps_say_their_unit_and_their_sensor() {
+        for (name, unit) in [
+            ("millis", Some(TimeUnit::Milliseconds)),
+            ("micros", Some(TimeUnit::Microseconds)),
+            ("timeMs", Some(TimeUnit::Milliseconds)),
+            ("uptimeMillis", Some(TimeUnit::Milliseconds)),
+            ("seconds", Some(TimeUnit::Seconds)),
+            ("timestamps", None),
+            ("t", None),
+            ("items", None),
+        ] {
+            assert_eq!(unit_of_time(name), unit, "{name}");
+        }
+        assert!(is_like_time("now[ms]") && is_like_time("uptime_us") && is_like_time("clk (s)"));
+        assert!(
+            !is_like_time("dt[ms]") && !is_like_time("loop time (us)") && !is_like_time("speed_ms")
+        );
+        for name in ["accel_ts", "t_acc", "accTimestamp", "acc time (ms)", "ta"] {
+            assert_eq!(stamps_of(name), Some(Sensor::Accelerometer), "{name}");
+        }
+        assert_eq!(stamps_of("gyro_t"), Some(Sensor::Gyroscope));
+        assert_eq!(
+            stamps_of("gyro_x")
+                .or(stamps_of("acc_count"))
+                .or(stamps_of("time")),
+            None
+        );
     }
 }

@@ -12,8 +12,9 @@ use super::suggest::suggestion;
 use super::unit_row;
 use super::unnamed::Unnamed;
 use crate::Error;
+use crate::devices::labels::{self, Class};
 use crate::header::{self, Layout};
-use crate::recording::options::ReadOptions;
+use crate::recording::options::{ReadOptions, Role};
 use crate::rows::number::{self, Dialects};
 use crate::source::batches::Batch;
 use crate::source::cut::usual_tail;
@@ -49,6 +50,8 @@ pub(crate) struct Start {
     pub told_by_norm: bool,
     /// Names of columns without a role whose numbers change.
     pub unclear: Vec<String>,
+    /// Columns that may say which device a row is of.
+    pub labels: Vec<(usize, Class)>,
 }
 
 /// True if `head`, the beginning of a text, has a row of numbers before anything that could be a header.
@@ -122,6 +125,7 @@ impl Start {
             undecided: false,
             told_by_norm: false,
             unclear: Vec::new(),
+            labels: Vec::new(),
         };
         if dialect.decimal_comma {
             start
@@ -144,6 +148,7 @@ impl Start {
         }
         start.read_units(name, preface, options)?;
         start.unclear = start.unclear(&rows);
+        start.labels = labels::columns(&start.layout, &rows, dialect, options);
         if let Some(row) = row.filter(|_| preface.header.is_none()) {
             start.pass_torn(&kept, row);
         }
@@ -296,11 +301,12 @@ impl Start {
         let width = usual_width(rows, self.dialect).unwrap_or(0);
         let names: Vec<String> = (1..=width).map(|i| i.to_string()).collect();
         self.layout.width = width;
-        let roles = if options.columns.0.is_empty() {
+        let mut columns = options.columns.0.iter();
+        let roles = if columns.all(|(role, _)| *role == Role::Device) {
             let unnamed = Unnamed::of(rows, self.dialect);
             let told = unnamed.roles(only);
             self.told_by_norm = told.is_some();
-            self.undecided = matches!(width, 6..=8) && only.is_none();
+            self.undecided = matches!(unnamed.width(), 6..=8) && only.is_none();
             let roles = told.or_else(|| self.undecided.then(|| unnamed.two_triads()));
             let roles = roles.ok_or_else(|| {
                 refuse(format!(

@@ -126,6 +126,15 @@ fn asked(entries: &[String]) -> String {
     format!("say which is which: --columns '{}'", entries.join(","))
 }
 
+/// A word as a shell takes it.
+pub(crate) fn quoted(word: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "_-.:/+".contains(c);
+    match !word.is_empty() && word.chars().all(plain) && !word.starts_with('-') {
+        true => shown(word),
+        false => format!("'{}'", shown(word).replace('\'', "")),
+    }
+}
+
 /// What `--columns` calls a column.
 pub(crate) fn entry(names: &[String], at: usize) -> String {
     // A comma or quote in a name would end the entry, and of two of one name it would be the first; its number says

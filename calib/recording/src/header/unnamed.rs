@@ -13,7 +13,8 @@ use crate::rows::number::{self, Dialects};
 pub(crate) struct Unnamed {
     /// The median of every triple of columns' norm: `norms[i]` is that of columns i, i+1, i+2, the time first.
     norms: Vec<f64>,
-    width: usize,
+    /// The columns that may be a sensor's or the time, in their order; the others hold words, or few whole numbers.
+    columns: Vec<usize>,
     /// The last column goes up from row to row and the first does not: it is the time.
     time_last: bool,
 }
@@ -22,7 +23,9 @@ impl Unnamed {
     /// Looks at `rows`.
     pub fn of(rows: &[&Kept], dialect: Dialect) -> Self {
         let width = usual_width(rows, dialect).unwrap_or(0);
-        let mut table = numbers(rows, dialect, width);
+        let columns = without_labels(rows, dialect, width);
+        let mut table = numbers(rows, dialect, width, &columns);
+        let width = columns.len();
         let goes_up = |column: usize| {
             let pairs = table.windows(2);
             let mut steps = pairs.map(|pair| pair[1][column] - pair[0][column]);
@@ -40,29 +43,35 @@ impl Unnamed {
             .collect();
         Self {
             norms,
-            width,
+            columns,
             time_last,
         }
     }
 
-    /// Where a column is that would be `column` if the time came first.
+    /// Columns that may be a sensor's or the time.
+    pub fn width(&self) -> usize {
+        self.columns.len()
+    }
+
+    /// Where a column is that would be `column` if the time came first and no other were there.
     fn placed(&self, (role, column): (Role, usize)) -> (Role, usize) {
-        match (self.time_last, column) {
-            (false, column) => (role, column),
-            (true, 0) => (role, self.width - 1),
-            (true, column) => (role, column - 1),
-        }
+        let column = match (self.time_last, column) {
+            (false, column) => column,
+            (true, 0) => self.width() - 1,
+            (true, column) => column - 1,
+        };
+        (role, self.columns[column])
     }
 
     /// Roles by the known sensor, or by which triad has the length of gravity.
     pub fn roles(&self, only: Option<Sensor>) -> Option<Vec<(Role, usize)>> {
-        let roles = unnamed_roles(self.width, only, &self.norms)?;
+        let roles = unnamed_roles(self.width(), only, &self.norms)?;
         Some(roles.into_iter().map(|role| self.placed(role)).collect())
     }
 
     /// Roles of both sensors, until it is known which is which: the accelerometer first.
     pub fn two_triads(&self) -> Vec<(Role, usize)> {
-        let roles = two_triads(self.width).into_iter();
+        let roles = two_triads(self.width()).into_iter();
         roles.map(|role| self.placed(role)).collect()
     }
 }
@@ -79,24 +88,66 @@ pub(crate) fn with_temperature(slow: usize) -> String {
     format!("--columns 't=1,{},temp={slow}'", axes.join(","))
 }
 
-/// The rows that are `width` numbers.
-fn numbers(rows: &[&Kept], dialect: Dialect, width: usize) -> Vec<Vec<f64>> {
+/// The rows of `width` cells that hold numbers in `columns`: those numbers.
+fn numbers(rows: &[&Kept], dialect: Dialect, width: usize, columns: &[usize]) -> Vec<Vec<f64>> {
     rows.iter()
-        .map(|row| {
-            let value = |cell: Cell| {
-                number::parse(
-                    &row.bytes[cell],
-                    dialect.decimal_comma,
-                    &mut Dialects::default(),
-                )
-            };
-            cells(&row.bytes, dialect)
-                .into_iter()
-                .filter_map(|cell| value(cell).ok())
-                .collect()
+        .filter_map(|row| {
+            let cells = cells(&row.bytes, dialect);
+            let number = |at: &usize| number_in(row, cells.get(*at)?, dialect);
+            let numbers: Option<Vec<f64>> = columns.iter().map(number).collect();
+            numbers.filter(|_| cells.len() == width)
         })
-        .filter(|row: &Vec<f64>| row.len() == width)
         .collect()
+}
+
+fn number_in(row: &Kept, cell: &Cell, dialect: Dialect) -> Option<f64> {
+    let bytes = &row.bytes[cell.clone()];
+    number::parse(bytes, dialect.decimal_comma, &mut Dialects::default()).ok()
+}
+
+/// Whole numbers below this may say which device a row is of.
+const DEVICES: f64 = 16.0;
+
+/// The columns but for those at the ends, and behind the first, that hold words or a few small whole numbers, as devices
+/// and states have; all where the rest is no table of sensors.
+fn without_labels(rows: &[&Kept], dialect: Dialect, width: usize) -> Vec<usize> {
+    let all: Vec<usize> = (0..width).collect();
+    let is_label = |at: usize| {
+        let mut last = f64::NEG_INFINITY;
+        let mut goes_up = rows.len() > 2;
+        let labels = rows.iter().filter_map(|row| {
+            let cells = cells(&row.bytes, dialect);
+            let cell = cells.get(at).filter(|_| cells.len() == width)?;
+            let number = number_in(row, cell, dialect);
+            goes_up &= number.is_some_and(|number| number > last);
+            last = number.unwrap_or(last);
+            Some(match number {
+                None => !row.bytes[cell.clone()].is_empty(),
+                Some(number) => (0.0..DEVICES).contains(&number) && number.fract() == 0.0,
+            })
+        });
+        let are_labels = labels.fold(true, |all, is_label| all && is_label);
+        are_labels && !goes_up
+    };
+    let ends = [0, 1, width.wrapping_sub(2), width.wrapping_sub(1)];
+    let may_be = |at: &usize| ends.contains(at) && is_label(*at);
+    let labels: Vec<usize> = all.iter().copied().filter(may_be).collect();
+    let rest: Vec<usize> = all
+        .iter()
+        .copied()
+        .filter(|at| !labels.contains(at))
+        .collect();
+    // Six axes may come behind a device; of seven columns that begin with the time none is to spare.
+    let is_table = match width {
+        7 => labels == [0],
+        8 => matches!(labels.len(), 1 | 2),
+        9 => labels.len() == 2,
+        _ => false,
+    };
+    match is_table {
+        true => rest,
+        false => all,
+    }
 }
 
 /// Roles of unnamed columns of both sensors, until it is known which is which: the accelerometer first.
@@ -130,4 +181,44 @@ fn unnamed_roles(width: usize, only: Option<Sensor>, norms: &[f64]) -> Option<Ve
         _ => return None,
     }
     Some(roles)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::header::dialect::Separator;
+
+    fn width(row: impl Fn(usize) -> String) -> Vec<usize> {
+        let rows: Vec<Kept> = (0..20)
+            .map(|k| Kept {
+                number: k as u64 + 1,
+                comment: false,
+                bytes: row(k).into_bytes(),
+            })
+            .collect();
+        let dialect = Dialect {
+            separator: Separator::Byte(b','),
+            decimal_comma: false,
+        };
+        Unnamed::of(&rows.iter().collect::<Vec<_>>(), dialect).columns
+    }
+
+    #[test]
+    fn devices_are_no_columns_of_sensors() {
+        let axes = "0.1,0.2,9.8,0.01,0.02,0.03";
+        let found = width(|k| format!("{},{},{axes}", 20 * (k / 2), k % 2));
+        assert_eq!(found, [0, 2, 3, 4, 5, 6, 7]);
+        assert_eq!(
+            width(|k| format!("{},{axes},1", 20 * k)),
+            [0, 1, 2, 3, 4, 5, 6]
+        );
+        assert_eq!(
+            width(|k| format!("left,{},{axes}", 20 * k)),
+            [1, 2, 3, 4, 5, 6, 7]
+        );
+        assert_eq!(width(|k| format!("{},{axes}", k % 2)), [1, 2, 3, 4, 5, 6]);
+        // Time, six axes and a temperature.
+        assert_eq!(width(|k| format!("{},{axes},25.1", 20 * k)).len(), 8);
+        assert_eq!(width(|k| format!("{},{axes}", 20 * k)).len(), 7);
+    }
 }

@@ -76,6 +76,7 @@ impl Recording {
             Role::Gyro(_) => !rows.gyro.is_empty(),
             Role::Temperature => !rows.temperature.is_empty(),
             Role::Field(_) => !rows.mag.is_empty(),
+            Role::TimeOf(_) | Role::Device => false,
         });
         table.roles = used.map(|role| (role, role.name().to_owned())).collect();
         let mut recording = assemble(name.to_owned(), vec![table], &ReadOptions::default())?;

@@ -10,11 +10,11 @@ use super::samples::Samples;
 use super::{AppliedBefore, Described, Recording, Stream, Temperature, UnitBy};
 use crate::Error;
 use crate::clock::{held, time};
+use crate::devices::mixed;
 use crate::formats::robots::ardupilot_text;
 use crate::header::unclear;
 use crate::readings::{Finding, Frozen, frozen, without_frozen};
-use crate::recording::{checks, packets, thermometer};
-use crate::rows::sort;
+use crate::recording::{checks, packets, sessions, thermometer};
 use crate::rows::table::Table;
 use crate::shown::figure;
 use crate::source::place::in_file;
@@ -41,24 +41,35 @@ pub(crate) fn assemble(
         name,
         ..Recording::default()
     };
-    if options.sort_time {
-        sort::by_time(&mut tables);
-    }
+    let part = sessions::take_one(
+        &recording.name,
+        &mut tables,
+        options,
+        &mut recording.warnings,
+    )?;
+    recording.name.push_str(&part);
     if options.rate.is_none() {
         time::to_seconds(&mut tables, options, &mut recording.warnings)?;
     } else if tables.iter().any(|table| table.has_time) {
         recording.warnings.push(IGNORED.to_owned());
     }
     for Table {
-        name, accel, gyro, ..
+        name,
+        accel,
+        gyro,
+        magnetometer,
+        ..
     } in &mut tables
     {
         for (sensor, samples) in [(Sensor::Accelerometer, accel), (Sensor::Gyroscope, gyro)] {
             recording
                 .warnings
                 .extend(packets::apart(name, sensor, samples));
+            mixed::refuse(name, sensor, samples)?;
             checks::order(name, samples, &mut recording.warnings)?;
+            samples.merge_twins();
         }
+        magnetometer.merge_twins();
     }
     // Who says which columns are what knows what is left. Before magnetometers and thermometers are taken out: theirs
     // may be all that is understood.
@@ -71,6 +82,14 @@ pub(crate) fn assemble(
         // A temperature beside it is of no use without the sensors.
         true => tables.clear(),
         false => thermometer::join(&mut tables)?,
+    }
+    // A column that one sensor leaves is another's.
+    let read: HashSet<String> = tables
+        .iter()
+        .flat_map(|table| table.roles.iter().map(|(_, column)| column.clone()))
+        .collect();
+    for table in &mut tables {
+        table.unused.retain(|column| !read.contains(column));
     }
     let unused: Vec<String> = tables
         .iter()
@@ -229,7 +248,8 @@ fn describe(recording: &mut Recording, table: &Table, options: &ReadOptions) {
             Role::Time => true,
             Role::Accel(_) | Role::Temperature => sensor == Sensor::Accelerometer,
             Role::Gyro(_) => sensor == Sensor::Gyroscope,
-            Role::Field(_) => false,
+            Role::TimeOf(of) => *of == sensor,
+            Role::Field(_) | Role::Device => false,
         };
         let columns = table.roles.iter().filter(|(role, _)| is_of(role));
         recording.description.sensors.push(Described {
@@ -327,7 +347,7 @@ fn flip(recording: &mut Recording, axes: &[Role]) {
                     .map(|field| &mut field.stream),
                 *axis,
             ),
-            Role::Time | Role::Temperature => continue,
+            _ => continue,
         };
         for value in stream.into_iter().flat_map(|stream| &mut stream.values) {
             value[axis] = -value[axis];

@@ -26,26 +26,26 @@ pub(crate) fn order(
             repeats.first, repeats.count, repeats.first, repeats.last
         ));
     }
-    if samples.t.len() < 2 && samples.merged + repeats.count > 0 {
+    let merged = samples.other_twins().count();
+    if samples.t.len() < 2 && merged + repeats.count > 0 {
         return Err(in_file(
             name,
             "every time stamp is the same; --rate HZ reads the rows as evenly spaced",
         ));
     }
-    if samples.merged > samples.t.len() {
+    if merged > samples.t.len() {
         return Err(in_file(
             name,
             format!(
                 "{} of {} rows share their stamp with another: stamps are too coarse; --rate HZ reads the rows as evenly spaced",
-                samples.merged,
-                samples.merged + samples.t.len()
+                merged,
+                merged + samples.t.len()
             ),
         ));
     }
-    if samples.merged > 0 {
+    if merged > 0 {
         warnings.push(format!(
-            "{name}: {} rows with the stamp of another, merged to their mean",
-            samples.merged
+            "{name}: {merged} rows with the stamp of another, merged to their mean"
         ));
     }
     Ok(())

@@ -1,5 +1,6 @@
 //! What a caller may say about a recording before it is read.
 
+use std::fmt;
 use std::str::FromStr;
 
 use sensor::Sensor;
@@ -41,8 +42,13 @@ pub struct ReadOptions {
     pub entry: Option<String>,
     /// Topics, messages or variables of the sensors in a log.
     pub topics: Vec<String>,
-    /// Which of several sensors alike in a log.
+    /// Which of several sensors alike in a log, or of several devices in a table.
     pub instance: Option<u32>,
+    /// Which of several devices in a table, as the column that tells them apart calls it; `all` takes all rows for those
+    /// of one.
+    pub device: Option<String>,
+    /// Which recording, from 1, of a file in which the clock begins again.
+    pub part: Option<usize>,
     /// Rows after which reading is refused.
     pub max_rows: u64,
     /// Bytes of (decompressed) text after which reading is refused.
@@ -67,6 +73,8 @@ impl Default for ReadOptions {
             entry: None,
             topics: Vec::new(),
             instance: None,
+            device: None,
+            part: None,
             max_rows: 200_000_000,
             max_bytes: 16 << 30,
         }
@@ -74,6 +82,12 @@ impl Default for ReadOptions {
 }
 
 impl ReadOptions {
+    /// Which of several devices in a table is asked for.
+    pub(crate) fn wanted_device(&self) -> Option<String> {
+        let by_number = || self.instance.map(|number| number.to_string());
+        self.device.clone().or_else(by_number)
+    }
+
     /// Refuses contradictions before any file is opened.
     ///
     /// # Errors
@@ -102,11 +116,15 @@ pub enum Role {
     Temperature,
     /// Magnetic field along axis 0, 1 or 2.
     Field(usize),
+    /// Time stamp of one sensor, where each has its own.
+    TimeOf(Sensor),
+    /// Which device the row is of, where a table holds several.
+    Device,
 }
 
 impl Role {
     /// Every role, in the order of the plain CSV header.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 15] = [
         Self::Time,
         Self::Accel(0),
         Self::Accel(1),
@@ -118,6 +136,10 @@ impl Role {
         Self::Field(0),
         Self::Field(1),
         Self::Field(2),
+        Self::TimeOf(Sensor::Accelerometer),
+        Self::TimeOf(Sensor::Gyroscope),
+        Self::TimeOf(Sensor::Magnetometer),
+        Self::Device,
     ];
 
     /// An axis of a sensor.
@@ -138,6 +160,10 @@ impl Role {
             Self::Gyro(axis) => AXES[1][axis.min(2)],
             Self::Temperature => "temp",
             Self::Field(axis) => AXES[2][axis.min(2)],
+            Self::TimeOf(Sensor::Accelerometer) => "ta",
+            Self::TimeOf(Sensor::Gyroscope) => "tg",
+            Self::TimeOf(Sensor::Magnetometer) => "tm",
+            Self::Device => "device",
         }
     }
 
@@ -166,10 +192,24 @@ impl ColumnMap {
         self.0.iter().any(|(role, _)| is_sensor(role))
     }
 
+    /// True where it names a stamp of one sensor.
+    pub(crate) fn has_stamps_of_sensors(&self) -> bool {
+        let mut roles = self.0.iter();
+        roles.any(|(role, _)| matches!(role, Role::TimeOf(_)))
+    }
+
     /// True if it names the columns of a thermometer and no others.
     pub(crate) fn is_of_a_thermometer(&self) -> bool {
         let names = |wanted: Role| self.0.iter().any(|(role, _)| *role == wanted);
         self.0.len() == 2 && names(Role::Time) && names(Role::Temperature)
+    }
+}
+
+impl fmt::Display for ColumnMap {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let entry = |(role, column): &(Role, String)| format!("{}={column}", role.name());
+        let entries: Vec<String> = self.0.iter().map(entry).collect();
+        f.write_str(&entries.join(","))
     }
 }
 
@@ -184,7 +224,7 @@ impl FromStr for ColumnMap {
             })?;
             let role = Role::from_name(role.trim()).ok_or_else(|| {
                 format!(
-                    "`{}` is none of t, ax, ay, az, gx, gy, gz, temp, mx, my, mz",
+                    "`{}` is none of t, ax, ay, az, gx, gy, gz, temp, mx, my, mz, ta, tg, tm, device",
                     role.trim()
                 )
             })?;
@@ -195,13 +235,6 @@ impl FromStr for ColumnMap {
             if column.is_empty() {
                 return Err(format!(
                     "`{entry}` names no column, as ax=acc_x or ax=2 does"
-                ));
-            }
-            if let Some((other, _)) = map.iter().find(|(_, given)| *given == column) {
-                return Err(format!(
-                    "column `{column}` is given for both {} and {}; each has a column of its own",
-                    other.name(),
-                    role.name()
                 ));
             }
             map.push((role, column));

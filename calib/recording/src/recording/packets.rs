@@ -18,13 +18,12 @@ const ALIKE: f64 = 2.0;
 
 /// The rows of packets apart again, on the even clock behind their stamps (s); what is said of it. Other samples stay as they are.
 pub(crate) fn apart(name: &str, sensor: Sensor, samples: &mut Samples) -> Option<String> {
-    let rows = samples.t.len() + samples.extra.len();
-    if (samples.extra.len() as f64) < SHARE * rows as f64
-        || 2 * samples.merged < samples.extra.len()
-    {
+    let (twins, others) = (samples.twins.len(), samples.other_twins().count());
+    let rows = samples.t.len() + twins;
+    if (twins as f64) < SHARE * rows as f64 || 2 * others < twins {
         return None;
     }
-    let (t, values) = samples.unmerged();
+    let (t, values) = samples.apart();
     if !of_one_device(&t, &values) {
         return None;
     }

@@ -32,6 +32,43 @@ impl Recording {
         Ok(recording)
     }
 
+    /// Reads all recordings of the file or folder at `path`: several where its clock begins again, as after a reboot, or
+    /// where two logs were joined. They are called `name#1`, `name#2`, and are those of one device.
+    ///
+    /// # Errors
+    /// As [`Recording::read`]; [`Error::Parts`] for several on standard input, which cannot be read again.
+    pub fn read_all(path: &Path, options: &ReadOptions) -> Result<Vec<Self>, Error> {
+        match Self::read(path, options) {
+            Err(Error::Parts { message, count })
+                if path.as_os_str() != "-" && options.part.is_none() =>
+            {
+                let name = shown_path(path);
+                each_part(count, &message, &name, options, |o| Self::read(path, o))
+            }
+            one => one.map(|recording| vec![recording]),
+        }
+    }
+
+    /// All recordings of one file per sensor, as [`Recording::read_all`] has those of one.
+    ///
+    /// # Errors
+    /// As [`Recording::read`].
+    pub fn read_pair_all(
+        accel: &Path,
+        gyro: &Path,
+        options: &ReadOptions,
+    ) -> Result<Vec<Self>, Error> {
+        match Self::read_pair(accel, gyro, options) {
+            Err(Error::Parts { message, count }) if options.part.is_none() => {
+                let name = shown_path(accel);
+                each_part(count, &message, &name, options, |o| {
+                    Self::read_pair(accel, gyro, o)
+                })
+            }
+            one => one.map(|recording| vec![recording]),
+        }
+    }
+
     /// Reads a file that is in memory; `name` is what messages call it.
     ///
     /// # Errors
@@ -100,6 +137,33 @@ fn refuse_choice(source: &Source, options: &ReadOptions) -> Result<(), Error> {
         "{}: {why}; leave it out",
         source.name()
     )))
+}
+
+/// The recordings of a file one by one, the first of which says that there are several.
+fn each_part(
+    count: usize,
+    message: &str,
+    name: &str,
+    options: &ReadOptions,
+    read: impl Fn(&ReadOptions) -> Result<Recording, Error>,
+) -> Result<Vec<Recording>, Error> {
+    let part = |part| {
+        read(&ReadOptions {
+            part: Some(part),
+            ..options.clone()
+        })
+    };
+    let mut all: Vec<Recording> = (1..=count).map(part).collect::<Result<_, _>>()?;
+    let found = message.split_once("; ").map_or(message, |(found, _)| found);
+    let names: Vec<String> = all.iter().map(|recording| recording.name.clone()).collect();
+    let said = match all.len() {
+        2 => names.join(" and "),
+        _ => format!("{name}#1 to #{count}"),
+    };
+    if let Some(first) = all.first_mut() {
+        first.warnings.insert(0, format!("{found}; read as {said}"));
+    }
+    Ok(all)
 }
 
 /// A recording of one file per sensor.

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::line_numbers::LineNumbers;
 use super::memory::one_more;
 
 /// What became of a sample.
@@ -11,7 +12,7 @@ pub(crate) enum Pushed {
     Kept,
     /// Stamp and values had been there before, so the row says nothing new.
     Repeat,
-    /// Merged into the sample with the same stamp.
+    /// Kept beside the sample with the same stamp.
     SameStamp,
     /// Earlier than the last stamp, which is given.
     Backwards(f64),
@@ -24,16 +25,25 @@ pub(crate) struct Samples {
     pub t: Vec<f64>,
     /// Values.
     pub values: Vec<Vector3<f64>>,
-    /// `(index, line)` wherever the line is not one after the line of the sample before.
-    lines: Vec<(usize, u64)>,
-    /// Samples merged into the last one, itself included.
-    merged_into_last: usize,
+    /// Their lines.
+    lines: LineNumbers,
     /// Rows left out as repeats: count, first line, last line.
     pub repeats: Repeats,
-    /// Rows merged with another of the same stamp.
-    pub merged: usize,
-    /// Rows with the stamp of the sample at this place that are no samples of their own, and whether they are in its mean.
-    pub extra: Vec<(usize, Vector3<f64>, bool)>,
+    /// Rows with the stamp of a sample, in the order of the samples.
+    pub twins: Vec<Twin>,
+}
+
+/// A row with the stamp of a sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Twin {
+    /// The sample.
+    pub of: usize,
+    /// The values of the row.
+    pub value: Vector3<f64>,
+    /// Its line.
+    pub line: u64,
+    /// Its values are those of the sample: counted among the repeats.
+    pub is_repeat: bool,
 }
 
 /// Rows that repeat earlier ones.
@@ -51,36 +61,11 @@ impl Samples {
     /// Samples in order, numbered from 1.
     pub fn of(t: Vec<f64>, values: Vec<Vector3<f64>>) -> Self {
         Self {
-            lines: vec![(0, 1)],
+            lines: LineNumbers::from_one(),
             t,
             values,
-            merged_into_last: 1,
             ..Self::default()
         }
-    }
-
-    /// The same, numbered from the line of the first on.
-    pub fn beginning_at(mut self, line: u64) -> Self {
-        self.lines = vec![(0, line)];
-        self
-    }
-
-    /// All rows, those that share a stamp apart.
-    pub fn unmerged(&self) -> (Vec<f64>, Vec<Vector3<f64>>) {
-        let rows = self.t.len() + self.extra.len();
-        let (mut t, mut values) = (Vec::with_capacity(rows), Vec::with_capacity(rows));
-        let mut extra = self.extra.chunk_by(|a, b| a.0 == b.0).peekable();
-        for (k, (&stamp, &mean)) in self.t.iter().zip(&self.values).enumerate() {
-            let own = extra.next_if(|own| own[0].0 == k).unwrap_or_default();
-            let others = own.iter().filter(|row| row.2);
-            let (sum, count) =
-                others.fold((Vector3::zeros(), 1.0), |(s, n), row| (s + row.1, n + 1.0));
-            t.push(stamp);
-            values.push(mean * count - sum);
-            t.extend(own.iter().map(|_| stamp));
-            values.extend(own.iter().map(|row| row.1));
-        }
-        (t, values)
     }
 
     /// None yet, with memory for `count`.
@@ -103,18 +88,11 @@ impl Samples {
         }
     }
 
-    /// Adds a sample whatever its stamp; [`Samples::sort`] has to follow.
+    /// Adds a sample whatever its stamp; [`Samples::in_order`] or [`Samples::sort`] has to follow.
     pub fn append(&mut self, t: f64, value: Vector3<f64>, line: u64) {
-        let expected = self
-            .lines
-            .last()
-            .map(|&(i, l)| l + (self.t.len() - i) as u64);
-        if expected != Some(line) {
-            self.lines.push((self.t.len(), line));
-        }
+        self.lines.push(self.t.len(), line);
         self.t.push(t);
         self.values.push(value);
-        self.merged_into_last = 1;
     }
 
     /// Room for one more sample.
@@ -124,8 +102,8 @@ impl Samples {
     pub fn make_room(&mut self) -> Result<(), ()> {
         one_more(&mut self.t)?;
         one_more(&mut self.values)?;
-        one_more(&mut self.extra)?;
-        one_more(&mut self.lines)
+        one_more(&mut self.twins)?;
+        self.lines.make_room()
     }
 
     fn settle(&mut self, t: f64, value: Vector3<f64>, line: u64, last: f64) -> Pushed {
@@ -133,14 +111,25 @@ impl Samples {
         if self.t.get(at) == Some(&t) && self.values.get(at) == Some(&value) {
             self.repeat(line);
             if t == last {
-                self.extra.push((at, value, false));
+                self.twins.push(Twin {
+                    of: at,
+                    value,
+                    line,
+                    is_repeat: true,
+                });
             }
             return Pushed::Repeat;
         }
         if t < last {
             return Pushed::Backwards(last);
         }
-        self.merge(value);
+        let of = self.t.len() - 1;
+        self.twins.push(Twin {
+            of,
+            value,
+            line,
+            is_repeat: false,
+        });
         Pushed::SameStamp
     }
 
@@ -152,14 +141,25 @@ impl Samples {
         self.repeats.last = line;
     }
 
-    /// The last sample becomes the mean of all with its stamp.
-    fn merge(&mut self, value: Vector3<f64>) {
-        self.merged += 1;
-        self.merged_into_last += 1;
-        self.extra.push((self.t.len() - 1, value, true));
-        if let Some(mean) = self.values.last_mut() {
-            *mean += (value - *mean) / self.merged_into_last as f64;
+    /// Each stamp once, as [`Samples::push`] has it.
+    ///
+    /// # Errors
+    /// The first sample that is earlier than one before it.
+    pub fn in_order(self) -> Result<Self, Backwards> {
+        if self.t.windows(2).all(|pair| pair[0] < pair[1]) {
+            return Ok(self);
         }
+        let mut ordered = Self {
+            repeats: self.repeats,
+            ..Self::with_room(self.t.len())
+        };
+        for (i, (&t, &value)) in self.t.iter().zip(&self.values).enumerate() {
+            let line = self.line(i);
+            if let Pushed::Backwards(last) = ordered.push(t, value, line) {
+                return Err(Backwards { line, last, t });
+            }
+        }
+        Ok(ordered)
     }
 
     /// Sorts by stamp, then treats equal stamps as [`Samples::push`] does.
@@ -176,11 +176,73 @@ impl Samples {
         sorted
     }
 
+    /// Rows with the stamp of a sample and other values.
+    pub fn other_twins(&self) -> impl Iterator<Item = &Twin> {
+        self.twins.iter().filter(|twin| !twin.is_repeat)
+    }
+
+    /// All rows, those that share a stamp apart.
+    pub fn apart(&self) -> (Vec<f64>, Vec<Vector3<f64>>) {
+        let rows = self.t.len() + self.twins.len();
+        let (mut t, mut values) = (Vec::with_capacity(rows), Vec::with_capacity(rows));
+        let mut twins = self.twins.iter().peekable();
+        for (of, (&stamp, &value)) in self.t.iter().zip(&self.values).enumerate() {
+            t.push(stamp);
+            values.push(value);
+            while let Some(twin) = twins.next_if(|twin| twin.of == of) {
+                t.push(stamp);
+                values.push(twin.value);
+            }
+        }
+        (t, values)
+    }
+
+    /// The same, numbered from the line of the first on.
+    pub fn beginning_at(mut self, line: u64) -> Self {
+        self.lines = LineNumbers::default();
+        self.lines.push(0, line);
+        self
+    }
+
+    /// Every sample that has twins becomes the mean of all.
+    pub fn merge_twins(&mut self) {
+        let mut twins = std::mem::take(&mut self.twins);
+        twins.retain(|twin| !twin.is_repeat);
+        for rows in twins.chunk_by(|a, b| a.of == b.of) {
+            let Some(mean) = self.values.get_mut(rows[0].of) else {
+                continue;
+            };
+            for (count, twin) in (2..).zip(rows) {
+                *mean += (twin.value - *mean) / f64::from(count);
+            }
+        }
+    }
+
+    /// The samples on lines of which `keeps` is true; for those that are not in order yet.
+    pub fn on_lines(&self, keeps: impl Fn(u64) -> bool) -> Self {
+        let mut kept = Self::default();
+        for (i, (&t, &value)) in self.t.iter().zip(&self.values).enumerate() {
+            let line = self.line(i);
+            if keeps(line) {
+                kept.append(t, value, line);
+            }
+        }
+        kept
+    }
+
     /// The line that sample `index` stands on.
     pub fn line(&self, index: usize) -> u64 {
-        let after = self.lines.partition_point(|&(i, _)| i <= index);
-        self.lines
-            .get(after.wrapping_sub(1))
-            .map_or(0, |&(i, line)| line + (index - i) as u64)
+        self.lines.of(index)
     }
+}
+
+/// A sample that is earlier than one before it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Backwards {
+    /// Its line.
+    pub line: u64,
+    /// The stamp before.
+    pub last: f64,
+    /// Its stamp.
+    pub t: f64,
 }

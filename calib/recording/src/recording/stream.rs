@@ -87,16 +87,7 @@ impl Stream {
     /// The smallest step between neighbouring readings of each axis: the least significant bit of a
     /// quantised sensor. Infinite where the axis never changes.
     pub fn least_steps(&self) -> [f64; 3] {
-        let mut least = [f64::INFINITY; 3];
-        for pair in self.values.windows(2) {
-            for (axis, least) in least.iter_mut().enumerate() {
-                let step = (pair[1][axis] - pair[0][axis]).abs();
-                if step > 0.0 && step < *least {
-                    *least = step;
-                }
-            }
-        }
-        least
+        least_steps(&self.values)
     }
 
     /// The samples with `from <= t < to`, up to what rounding does to a stamp.
@@ -130,6 +121,20 @@ pub(crate) fn extreme_steps(t: &[f64]) -> Option<(f64, f64)> {
         (least, if step > largest { step } else { largest })
     });
     (t.len() >= 2).then_some(extremes)
+}
+
+/// The smallest step between neighbouring readings of each axis; infinite where it never changes.
+pub(crate) fn least_steps(values: &[Vector3<f64>]) -> [f64; 3] {
+    let mut least = [f64::INFINITY; 3];
+    for pair in values.windows(2) {
+        for (axis, least) in least.iter_mut().enumerate() {
+            let step = (pair[1][axis] - pair[0][axis]).abs();
+            if step > 0.0 && step < *least {
+                *least = step;
+            }
+        }
+    }
+    least
 }
 
 /// The median difference of neighbours; `None` with fewer than two.

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::{Others, Rows, Trouble};
+use super::{Others, Rows, Trouble, cell_of};
 use crate::Error;
 use crate::header::quotes::open_quote;
 use crate::rows::number::{self, Fault, LARGEST};
@@ -62,7 +62,13 @@ impl Rows<'_> {
             field,
             gravity,
         };
-        self.keep(t, accel, gyro, others, line)
+        self.keep(t, accel, gyro, others, line)?;
+        if !self.start.labels.is_empty() {
+            let (cells, columns) = (&self.cells, &self.start.labels);
+            let cell = |k: usize| cell_of(line.bytes, cells, columns[k].0);
+            self.table.labels.push(line.number, cell);
+        }
+        Ok(())
     }
 
     /// The magnetometer's reading; `None` where a number is missing, which is no reason to leave the row out.
@@ -98,7 +104,7 @@ impl Rows<'_> {
         };
         let cell = &line.bytes[self.cells[column].clone()];
         let decimal_comma = self.start.dialect.decimal_comma;
-        let stamp = self.table.clock.read(cell, decimal_comma, line.number);
+        let stamp = self.table.clock.read(cell, decimal_comma);
         stamp.map_err(|fault| self.fault(line, column, fault))
     }
 

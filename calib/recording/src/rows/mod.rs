@@ -17,16 +17,15 @@ use std::ops::Range;
 use nalgebra::Vector3;
 
 use crate::Error;
+use crate::devices::labels::{Labels, cell_of};
 use crate::header::dialect::Cell;
 use crate::header::preface::is_comment;
 use crate::header::sniff::Start;
 use crate::recording::memory::one_more;
 use crate::recording::options::ReadOptions;
-use crate::recording::samples::{Pushed, Samples};
 use crate::rows::number::Dialects;
 use crate::rows::plain::{Block, Plain, Row, Stamps};
 use crate::rows::table::Table;
-use crate::shown::figure;
 use crate::source::batches::{Batch, Batches, Stop};
 use crate::source::lines::{Line, end_of_line, lines};
 use crate::source::pipeline::parse_all;
@@ -70,6 +69,7 @@ pub(crate) struct Rows<'a> {
 impl<'a> Rows<'a> {
     /// Rows into `table`, as `start` says.
     pub fn new(table: &'a mut Table, start: &'a Start, options: &'a ReadOptions) -> Self {
+        table.labels = Labels::of(&start.labels, &start.layout.names);
         Self {
             table,
             start,
@@ -144,7 +144,8 @@ impl<'a> Rows<'a> {
             Some(_) if self.options.rate.is_none() => self.table.clock.form()?,
             _ => Stamps::Counted,
         };
-        Plain::new(*dialect, layout, stamps, header.as_deref())
+        let labels: Vec<usize> = self.start.labels.iter().map(|(at, _)| *at).collect();
+        Plain::new(*dialect, layout, stamps, header.as_deref(), &labels)
     }
 
     /// Takes a parsed batch over: its plain rows, and the lines between them one by one.
@@ -152,20 +153,26 @@ impl<'a> Rows<'a> {
         for block in blocks {
             let mut taken = 0;
             for odd in &block.odd {
-                self.plain_rows(&block.rows[taken..odd.after])?;
+                self.plain_rows(batch, block, taken..odd.after)?;
                 self.line(batch, odd.line.clone())?;
                 taken = odd.after;
             }
-            self.plain_rows(&block.rows[taken..])?;
+            self.plain_rows(batch, block, taken..block.rows.len())?;
         }
         Ok(())
     }
 
-    fn plain_rows(&mut self, rows: &[Row]) -> Result<(), Error> {
+    fn plain_rows(
+        &mut self,
+        batch: &Batch,
+        block: &Block,
+        range: Range<usize>,
+    ) -> Result<(), Error> {
         let layout = &self.start.layout;
         let triad =
             |row: &Row, first: usize| Vector3::new(row[first], row[first + 1], row[first + 2]);
-        for row in rows {
+        let labels = self.start.labels.len();
+        for (at, row) in range.clone().zip(&block.rows[range]) {
             self.settle_pending()?;
             self.lines += 1;
             let line = Line {
@@ -175,9 +182,7 @@ impl<'a> Rows<'a> {
                 ended: true,
             };
             let t = match layout.time {
-                Some(_) if self.options.rate.is_none() => {
-                    self.table.clock.unwrapped(row[plain::STAMP], line.number)
-                }
+                Some(_) if self.options.rate.is_none() => row[plain::STAMP],
                 _ => self.counted(),
             };
             let accel = layout.accel.map(|_| triad(row, plain::ACCEL));
@@ -188,6 +193,11 @@ impl<'a> Rows<'a> {
                 gravity: layout.gravity.map(|_| triad(row, plain::GRAVITY)),
             };
             let kept = self.keep(t, accel, gyro, others, line);
+            if kept.is_ok() && labels > 0 {
+                let cells = &block.labels[at * labels..(at + 1) * labels];
+                let cell = |k: usize| &batch.bytes[cells[k].clone()];
+                self.table.labels.push(line.number, cell);
+            }
             self.count(kept, line.number)?;
         }
         Ok(())
@@ -257,77 +267,37 @@ impl<'a> Rows<'a> {
             field,
             gravity,
         } = others;
-        if let Some(value) = accel {
-            let pushed = push(
-                &mut self.table.accel,
-                t,
-                value,
-                line.number,
-                self.options.sort_time,
-            );
-            self.in_order(pushed, t, line)?;
-        }
-        if let Some(value) = gyro {
-            let pushed = push(
-                &mut self.table.gyro,
-                t,
-                value,
-                line.number,
-                self.options.sort_time,
-            );
-            self.in_order(pushed, t, line)?;
-        }
-        if let Some(value) = gravity {
-            let samples = &mut self.table.gravity;
-            if push(samples, t, value, line.number, self.options.sort_time).is_none() {
-                return self.in_order(None, t, line);
+        let table = &mut *self.table;
+        let sensors = [
+            (&mut table.accel, accel),
+            (&mut table.gyro, gyro),
+            (&mut table.gravity, gravity),
+            (&mut table.magnetometer, field),
+        ];
+        let mut room = Ok(());
+        for (samples, value) in sensors {
+            let Some(value) = value else { continue };
+            room = room.and_then(|()| samples.make_room());
+            if room.is_ok() {
+                samples.append(t, value, line.number);
             }
         }
-        if let Some(value) = field {
-            let samples = &mut self.table.magnetometer;
-            // Stamps out of order are the other sensors' trouble.
-            if push(samples, t, value, line.number, self.options.sort_time).is_none() {
-                return self.in_order(None, t, line);
+        if let Some(temperature) = temperature {
+            room = room.and_then(|()| one_more(&mut table.temperature_t));
+            room = room.and_then(|()| one_more(&mut table.temperature));
+            room = room.and_then(|()| table.temperature_lines.make_room());
+            if room.is_ok() {
+                table
+                    .temperature_lines
+                    .push(table.temperature_t.len(), line.number);
+                table.temperature_t.push(t);
+                table.temperature.push(temperature);
             }
         }
-        if let Some(temperature) = temperature
-            && (self.options.sort_time
-                || self.table.temperature_t.last().is_none_or(|&last| t > last))
-        {
-            let stamps = one_more(&mut self.table.temperature_t);
-            if stamps
-                .and_then(|()| one_more(&mut self.table.temperature))
-                .is_err()
-            {
-                return self.in_order(None, t, line);
-            }
-            self.table.temperature_t.push(t);
-            self.table.temperature.push(temperature);
-        }
-        Ok(())
-    }
-
-    /// Refuses a stamp before the last, and rows for which there is no memory.
-    fn in_order(&self, pushed: Option<Pushed>, t: f64, line: Line<'_>) -> Result<(), Trouble> {
-        match pushed {
-            Some(Pushed::Backwards(last)) => {
-                let origin = match self.table.clock.origin {
-                    None | Some(0) => String::new(),
-                    Some(origin) => format!(" (counted from {origin})"),
-                };
-                let words = format!(
-                    "time goes back from {} to {}{origin}; --sort-time sorts the rows, or split the file here",
-                    figure(last),
-                    figure(t)
-                );
-                Err(Trouble::Refused(self.at(line, 0, words)))
-            }
-            Some(_) => Ok(()),
-            None => {
-                let words = "not enough memory for more rows; cut the recording here, or raise the limit (ulimit -v)".to_owned();
-                Err(Trouble::Refused(self.at(line, 0, words)))
-            }
-        }
+        room.map_err(|()| {
+            let words = "not enough memory for more rows; cut the recording here, or raise the limit (ulimit -v)".to_owned();
+            Trouble::Refused(self.at(line, 0, words))
+        })
     }
 
     /// The stamp of a row without one: rows so far, or their time at the given rate.
@@ -367,20 +337,4 @@ impl<'a> Rows<'a> {
         }
         Ok(())
     }
-}
-
-/// Adds a sample; `None` without memory for it.
-fn push(
-    samples: &mut Samples,
-    t: f64,
-    value: Vector3<f64>,
-    line: u64,
-    unsorted: bool,
-) -> Option<Pushed> {
-    samples.make_room().ok()?;
-    if unsorted {
-        samples.append(t, value, line);
-        return Some(Pushed::Kept);
-    }
-    Some(samples.push(t, value, line))
 }

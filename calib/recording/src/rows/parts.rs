@@ -147,15 +147,60 @@ impl Part {
     /// What the user said of the columns of this part's sensor.
     fn of_sensor(&self, map: &ColumnMap) -> Vec<(Role, String)> {
         let concerns = |role: &Role| match (self.only, role) {
-            (None, _) if self.is_field => matches!(role, Role::Field(_)),
-            (None, _) | (_, Role::Time) => true,
+            (None, _) if self.is_field => {
+                matches!(role, Role::Field(_) | Role::TimeOf(Sensor::Magnetometer))
+            }
+            (None, _) | (_, Role::Time | Role::Device) => true,
+            (Some(sensor), Role::TimeOf(of)) => sensor == *of,
             (Some(_), Role::Field(_)) => false,
             (Some(sensor), Role::Accel(_) | Role::Temperature) => sensor == Sensor::Accelerometer,
             (Some(sensor), Role::Gyro(_)) => sensor == Sensor::Gyroscope,
         };
+        let field = self.is_field.then_some(Sensor::Magnetometer);
+        let own = self.only.or(field).map(Role::TimeOf);
+        let has_own = map.0.iter().any(|(role, _)| Some(*role) == own);
         let given = map.0.iter().filter(|(role, _)| concerns(role));
-        given.cloned().collect()
+        let given = given.filter(|(role, _)| !(has_own && *role == Role::Time));
+        let as_time = |(role, column): &(Role, String)| match Some(*role) == own {
+            true => (Role::Time, column.clone()),
+            false => (*role, column.clone()),
+        };
+        given.map(as_time).collect()
     }
+}
+
+/// A part for each sensor, where the user says that each has stamps of its own; else none.
+pub(crate) fn with_own_stamps(map: &ColumnMap) -> Option<Vec<Part>> {
+    if !map.has_stamps_of_sensors() {
+        return None;
+    }
+    let sensors = [Sensor::Accelerometer, Sensor::Gyroscope];
+    let named = |sensor: &Sensor| {
+        let is_of = |role: &Role| (0..3).any(|axis| *role == Role::axis(*sensor, axis));
+        map.0.iter().any(|(role, _)| is_of(role))
+    };
+    // Who names the axes of one sensor goes on without the other.
+    let one = sensors.iter().filter(|sensor| named(sensor)).count() == 1;
+    let wanted = sensors.into_iter().filter(|sensor| !one || named(sensor));
+    let part = |sensor| Part {
+        padded: true,
+        ..Part::default().narrowed(sensor)
+    };
+    let mut parts: Vec<Part> = wanted.map(part).collect();
+    let has = |wanted: Role| map.0.iter().find(|(role, _)| *role == wanted);
+    let field = [
+        Role::TimeOf(Sensor::Magnetometer),
+        Role::Field(0),
+        Role::Field(1),
+        Role::Field(2),
+    ];
+    if let [Some(t), Some(x), Some(y), Some(z)] = field.map(has) {
+        parts.push(Part::of_field(
+            [&t.1, &x.1, &y.1, &z.1].map(String::as_str),
+            None,
+        ));
+    }
+    Some(parts)
 }
 
 /// The tables of `parts` of one text.
@@ -164,6 +209,8 @@ pub(crate) fn read(
     parts: &[Part],
     options: &ReadOptions,
 ) -> Result<Vec<Table>, Error> {
+    let own = with_own_stamps(&options.columns);
+    let parts = own.as_deref().unwrap_or(parts);
     let mut tables: Vec<Table> = Vec::new();
     let mut input = Some(input);
     for (k, part) in parts.iter().enumerate() {

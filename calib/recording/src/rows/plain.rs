@@ -37,6 +37,8 @@ enum Slot {
     Nothing,
     Number(usize),
     Since(i64),
+    /// A word, to be looked at again; which one of them.
+    Label(usize),
 }
 
 /// What the plain rows of a text look like.
@@ -44,6 +46,8 @@ enum Slot {
 pub struct Plain {
     dialect: Dialect,
     slots: Vec<Slot>,
+    /// Cells of every row that are to be looked at again.
+    labels: usize,
 }
 
 /// A part of a batch: its plain rows, and the lines between them.
@@ -51,6 +55,8 @@ pub struct Plain {
 pub struct Block {
     /// Plain rows.
     pub rows: Vec<Row>,
+    /// Where the cells lie in the batch that are to be looked at again, as many of every row.
+    pub labels: Vec<Range<usize>>,
     /// Lines that are none.
     pub odd: Vec<Odd>,
 }
@@ -65,13 +71,14 @@ pub struct Odd {
 }
 
 impl Plain {
-    /// The plain rows of `layout`; `None` where a column is read twice, or where a row like `header`
-    /// would be one.
+    /// The plain rows of `layout`, and of each the cells in the columns `labels`; `None` where a column is read twice, or
+    /// where a row like `header` would be one.
     pub(crate) fn new(
         dialect: Dialect,
         layout: &Layout,
         stamps: Stamps,
         header: Option<&[u8]>,
+        labels: &[usize],
     ) -> Option<Self> {
         let mut slots = vec![Slot::Nothing; layout.width];
         let mut set = |column: usize, slot| {
@@ -96,7 +103,14 @@ impl Plain {
             (Stamps::Since(origin), Some(column)) => set(column, Slot::Since(origin))?,
             _ => {}
         }
-        let plain = Self { dialect, slots };
+        for (k, column) in labels.iter().enumerate() {
+            set(*column, Slot::Label(k))?;
+        }
+        let plain = Self {
+            dialect,
+            slots,
+            labels: labels.len(),
+        };
         let is_row = |header: &[u8]| {
             let line = [header, b"\n"].concat();
             !plain.block(&line, 0..line.len()).rows.is_empty()
@@ -116,6 +130,7 @@ impl Plain {
                 decimal_comma: false,
             },
             slots: (0..width).map(slot).collect(),
+            labels: 0,
         }
     }
 
@@ -151,11 +166,15 @@ impl Plain {
         let spelled = points.as_deref().unwrap_or(&text[piece.clone()]);
         let mut block = Block::default();
         let mut row = Row::default();
+        let mut labels = vec![0..0; self.labels];
         let mut at = 0;
         while at < spelled.len() {
-            let length = match self.row(&spelled[at..], &mut row) {
+            let length = match self.row(&spelled[at..], &mut row, &mut labels) {
                 Some(length) if !is_too_long(length) => {
                     block.rows.push(row);
+                    let start = piece.start + at;
+                    let in_batch = |cell: &Range<usize>| start + cell.start..start + cell.end;
+                    block.labels.extend(labels.iter().map(in_batch));
                     length
                 }
                 _ => {
@@ -174,7 +193,7 @@ impl Plain {
 
     /// The row that `text` begins with, and its length with the line end; `None` for any other line.
     #[inline]
-    fn row(&self, text: &[u8], row: &mut Row) -> Option<usize> {
+    fn row(&self, text: &[u8], row: &mut Row, labels: &mut [Range<usize>]) -> Option<usize> {
         if matches!(text, [b'#' | b'%' | b'/', ..]) {
             return None;
         }
@@ -198,6 +217,11 @@ impl Plain {
                     cell.len()
                 }
                 Slot::Nothing => self.cell(rest)?.len(),
+                Slot::Label(k) => {
+                    let (cell, from) = (self.cell(rest)?, text.len() - rest.len());
+                    *labels.get_mut(k)? = from..from + cell.trim_ascii_end().len();
+                    cell.len()
+                }
             };
             rest = &rest[length..];
         }
@@ -258,8 +282,8 @@ impl Block {
     fn odd(text: &[u8], start: usize) -> Self {
         let odd = lines(text, start).map(|line| Odd { after: 0, line });
         Self {
-            rows: Vec::new(),
             odd: odd.collect(),
+            ..Self::default()
         }
     }
 }

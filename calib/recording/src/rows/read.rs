@@ -4,6 +4,7 @@ use sensor::Sensor;
 
 use crate::Error;
 use crate::clock::Clock;
+use crate::devices;
 use crate::header::affine::Affine;
 use crate::header::sniff::Start;
 use crate::header::suggest::{entry, suggestion};
@@ -42,6 +43,7 @@ impl Table {
             by_names: options.columns.0.is_empty(),
             roles: start.layout.roles(),
             has_time: start.layout.time.is_some(),
+            time_affine: start.layout.affine_of(Role::Time),
             plain_time: start
                 .layout
                 .time
@@ -67,6 +69,7 @@ impl Table {
         let batches = Batches::new(input.into_reader(), options.max_bytes);
         Rows::new(&mut table, &start, options).read(batches)?;
         unchanged.map_or(Ok(()), |file| file.check())?;
+        devices::choose(&mut table, options)?;
         apply(&mut table, &start.layout.affine);
         if let Some(split) = &start.layout.gravity {
             with_gravity::of_columns(&mut table, split)?;
@@ -88,9 +91,16 @@ impl Table {
 
     /// Tells the two sensors of a text without a header apart.
     fn decide_roles(&mut self, start: &Start) -> Result<(), Error> {
-        if start.layout.width == 8
+        // Of those with a device before the axes nothing is to spare.
+        let last = start.layout.width.saturating_sub(1);
+        let may_be_slow = start.layout.unread() == 0 || !start.layout.is_read(last);
+        if start.layout.width >= 8
+            && may_be_slow
             && let Some(slow) = self.slow_column()
         {
+            if start.layout.unread() > 0 {
+                return Err(self.unknown_columns(start));
+            }
             let words = format!(
                 "8 columns without a header, of which {slow} hardly changes beside the others: a temperature? Say which is which, as in {}",
                 with_temperature(slow)
@@ -112,15 +122,7 @@ impl Table {
                     };
                 }
             }
-            None => {
-                let names: Vec<String> = (1..=start.layout.width).map(|i| i.to_string()).collect();
-                let words = format!(
-                    "{} columns without a header, and neither gravity nor what changes between rests tells which are the accelerometer's; {}",
-                    start.layout.width,
-                    suggestion(&names)
-                );
-                return Err(at_line(&self.name, start.after + 1, words));
-            }
+            None => return Err(self.unknown_columns(start)),
         }
         self.roles
             .sort_by_key(|(_, column)| column.parse::<usize>().unwrap_or(0));
@@ -140,6 +142,17 @@ impl Table {
         );
         self.warnings.push(words);
         Ok(())
+    }
+
+    /// What is said where nothing tells the columns apart.
+    fn unknown_columns(&self, start: &Start) -> Error {
+        let names: Vec<String> = (1..=start.layout.width).map(|i| i.to_string()).collect();
+        let words = format!(
+            "{} columns without a header, and neither gravity nor what changes between rests tells which are the accelerometer's; {}",
+            start.layout.width,
+            suggestion(&names)
+        );
+        at_line(&self.name, start.after + 1, words)
     }
 
     /// The column, numbered from 1, of eight without names that is no axis: it keeps within a small part of the range of
@@ -216,8 +229,8 @@ fn apply(table: &mut Table, affines: &[(Role, Affine)]) {
                 .iter_mut()
                 .for_each(|value| change(&mut value[axis])),
             Role::Temperature => table.temperature.iter_mut().for_each(change),
-            // Stamps have --time-unit.
-            Role::Time => {}
+            // Those are changed when their wraps are undone.
+            Role::Time | Role::TimeOf(_) | Role::Device => {}
         }
     }
 }

@@ -1,13 +1,12 @@
 //! Rows in the order of their stamps, whatever order they were written in.
 
 use super::table::Table;
-use crate::clock::MODULI;
+use crate::clock::wraps::moduli;
 use crate::recording::samples::Samples;
 
 /// Sorts the samples of every table by stamp, so that a shuffled text is what the sorted one is.
 pub(crate) fn by_time(tables: &mut [Table]) {
     for table in &mut *tables {
-        count_on(table);
         for samples in [&mut table.accel, &mut table.gyro, &mut table.magnetometer] {
             *samples = std::mem::take(samples).sort();
         }
@@ -17,7 +16,7 @@ pub(crate) fn by_time(tables: &mut [Table]) {
 }
 
 /// Undoes the wraps of a counter before the sorting mixes what lies between them.
-fn count_on(table: &mut Table) {
+pub(crate) fn count_on(table: &mut Table) {
     let longer = longer(table);
     let (Some(modulus), Some(&first)) = (modulus(&longer.t), longer.t.first()) else {
         return;
@@ -56,7 +55,7 @@ fn modulus(stamps: &[f64]) -> Option<f64> {
         let one = |jump: f64| modulus - jump <= 10.0 * step;
         step < modulus / 100.0 && wraps.next().is_some_and(one) && wraps.all(one)
     };
-    MODULI.into_iter().find(is_modulus)
+    moduli().find(is_modulus)
 }
 
 fn sort_temperature(table: &mut Table) {

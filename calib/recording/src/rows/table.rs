@@ -4,6 +4,9 @@ use sensor::Sensor;
 
 use crate::Error;
 use crate::clock::Clock;
+use crate::devices::labels::Labels;
+use crate::header::affine::Affine;
+use crate::recording::line_numbers::LineNumbers;
 use crate::recording::options::Role;
 use crate::recording::samples::Samples;
 use crate::source::place::in_file;
@@ -26,6 +29,10 @@ pub(crate) struct Table {
     pub temperature_t: Vec<f64>,
     /// Temperature readings.
     pub temperature: Vec<f64>,
+    /// Their lines.
+    pub temperature_lines: LineNumbers,
+    /// What may say which device a row is of.
+    pub labels: Labels,
     /// Units in the header.
     pub stated: Stated,
     /// What the header states of the accelerometer and of the gyroscope, where that is no known unit.
@@ -44,6 +51,8 @@ pub(crate) struct Table {
     pub roles: Vec<(Role, String)>,
     /// It has a time column.
     pub has_time: bool,
+    /// What the user makes of its stamps.
+    pub time_affine: Option<Affine>,
     /// Its clock.
     pub clock: Clock,
     /// The accelerometer reads -1 g on the axis that points up.
@@ -68,6 +77,76 @@ impl Table {
             &mut self.magnetometer.t,
             &mut self.temperature_t,
         ]
+    }
+
+    /// Leaves out the rows on other lines than those that `keeps` is true of.
+    pub fn keep_lines(&mut self, keeps: impl Fn(u64) -> bool) {
+        for samples in [&mut self.accel, &mut self.gyro, &mut self.magnetometer] {
+            *samples = samples.on_lines(&keeps);
+        }
+        let (t, celsius) = (&self.temperature_t, &self.temperature);
+        let mut kept = (Vec::new(), Vec::new(), LineNumbers::default());
+        for (i, (t, celsius)) in t.iter().zip(celsius).enumerate() {
+            let line = self.temperature_lines.of(i);
+            if keeps(line) {
+                kept.2.push(kept.0.len(), line);
+                kept.0.push(*t);
+                kept.1.push(*celsius);
+            }
+        }
+        (self.temperature_t, self.temperature, self.temperature_lines) = kept;
+    }
+
+    /// True where no stamp is earlier than one before it.
+    pub fn ascends(&self) -> bool {
+        let samples = [&self.accel.t, &self.gyro.t, &self.magnetometer.t];
+        let mut all = samples.into_iter().chain([&self.temperature_t]);
+        all.all(|t| t.windows(2).all(|pair| pair[0] <= pair[1]))
+    }
+
+    /// True where rows that are earlier than others only say again what is there.
+    pub fn repeats(&self) -> bool {
+        let samples = [&self.accel, &self.gyro, &self.magnetometer];
+        samples
+            .into_iter()
+            .all(|samples| samples.clone().in_order().is_ok())
+    }
+
+    /// The lines of the rows that hold a reading, with their stamps, in the order of the text.
+    pub fn stamped_lines(&self) -> Vec<(u64, f64)> {
+        let sensors = [&self.accel, &self.gyro, &self.magnetometer];
+        let of = |samples: &Samples| {
+            let lines = (0..samples.t.len()).map(|i| (samples.line(i), samples.t[i]));
+            lines.collect::<Vec<_>>()
+        };
+        let temperature = self.temperature_t.iter().enumerate();
+        let mut all: Vec<(u64, f64)> = sensors.into_iter().flat_map(of).collect();
+        all.extend(temperature.map(|(i, t)| (self.temperature_lines.of(i), *t)));
+        all.sort_by_key(|(line, _)| *line);
+        all.dedup_by_key(|(line, _)| *line);
+        all
+    }
+
+    /// Stamps that count the rows there are.
+    pub fn count_rows(&mut self, rate: f64) {
+        let lines: Vec<u64> = self
+            .stamped_lines()
+            .into_iter()
+            .map(|(line, _)| line)
+            .collect();
+        self.restamp(|line, _| lines.partition_point(|other| *other < line) as f64 / rate);
+    }
+
+    /// Other stamps in place of those there are, by line and stamp.
+    pub fn restamp(&mut self, stamp: impl Fn(u64, f64) -> f64) {
+        for samples in [&mut self.accel, &mut self.gyro, &mut self.magnetometer] {
+            for i in 0..samples.t.len() {
+                samples.t[i] = stamp(samples.line(i), samples.t[i]);
+            }
+        }
+        for (i, t) in self.temperature_t.iter_mut().enumerate() {
+            *t = stamp(self.temperature_lines.of(i), *t);
+        }
     }
 
     /// Leaves out what a file of one sensor holds of the other.

@@ -87,6 +87,11 @@ const SIGNATURES: &[Signature] = &[
         "an ArduPilot log that was made a text",
         "name the .BIN that it was made of",
     ),
+    (
+        b"H Product:Blackbox",
+        "a Blackbox log of Betaflight or INAV",
+        "decode it, `blackbox_decode FILE`, and name the .csv",
+    ),
     // The last one, which an array of them is refused as.
     (
         b"{",

@@ -45,14 +45,16 @@ impl RecordingArgs {
 
     /// Reads them.
     pub fn read(&self, how: &ReadArgs) -> Result<Vec<Recording>, Failure> {
+        let mut all = Vec::new();
         match (&self.accel_file, &self.gyro_file) {
-            (Some(accel), Some(gyro)) => Ok(vec![read_pair(accel, gyro, how)?.decimated()]),
+            (Some(accel), Some(gyro)) => all = read_pair(accel, gyro, how)?,
             _ => {
-                let all = self.recordings.iter();
-                all.map(|path| read(path, how).map(Recording::decimated))
-                    .collect()
+                for path in &self.recordings {
+                    all.extend(read_all(path, how)?);
+                }
             }
         }
+        Ok(all.into_iter().map(Recording::decimated).collect())
     }
 }
 
@@ -231,12 +233,20 @@ pub fn read(path: &Path, args: &ReadArgs) -> Result<Recording, Failure> {
     Ok(recording)
 }
 
-/// Reads the two files of a recording that keeps its sensors apart.
-pub fn read_pair(accel: &Path, gyro: &Path, args: &ReadArgs) -> Result<Recording, Failure> {
-    let spinner = spinner("reading");
-    let recording = Recording::read_pair(accel, gyro, &args.clone().into())?;
+/// Reads all recordings of a file: several where its clock begins again.
+pub fn read_all(path: &Path, args: &ReadArgs) -> Result<Vec<Recording>, Failure> {
+    let spinner = spinner(&format!("reading {}", show::path(path)));
+    let recordings = Recording::read_all(path, &args.clone().into())?;
     spinner.finish_and_clear();
-    Ok(recording)
+    Ok(recordings)
+}
+
+/// Reads the two files of a recording that keeps its sensors apart.
+pub fn read_pair(accel: &Path, gyro: &Path, args: &ReadArgs) -> Result<Vec<Recording>, Failure> {
+    let spinner = spinner("reading");
+    let recordings = Recording::read_pair_all(accel, gyro, &args.clone().into())?;
+    spinner.finish_and_clear();
+    Ok(recordings)
 }
 
 /// Whether a calibration may be used on a recording of another unit or device.

@@ -7,8 +7,10 @@
 //! ```
 
 mod plateau;
+mod several;
 mod trial;
 
+pub use several::cut_several;
 pub use trial::Trial;
 
 use nalgebra::Vector3;

@@ -4,7 +4,7 @@ use sensor::Sensor;
 
 use super::text_format::TextFormat;
 use crate::header::look::Look;
-use crate::header::names::role_of;
+use crate::header::names::{role_of, stamps_of};
 use crate::recording::options::Role;
 use crate::rows::parts::Part;
 
@@ -18,30 +18,29 @@ pub(crate) static WIDE: TextFormat = TextFormat {
 fn parts(look: &Look) -> Option<Vec<Part>> {
     let names = look.first();
     let roles: Vec<Option<Role>> = names.iter().map(|name| role_of(name, None)).collect();
-    let times: Vec<usize> = (0..roles.len())
-        .filter(|&at| roles[at] == Some(Role::Time))
-        .collect();
-    let ends = times.iter().skip(1).copied().chain([roles.len()]);
+    let at = |wanted: Role| roles.iter().position(|role| *role == Some(wanted));
+    let is_time = |at: &usize| roles[*at] == Some(Role::Time) || stamps_of(&names[*at]).is_some();
+    let times: Vec<usize> = (0..names.len()).filter(is_time).collect();
     let mut parts: Vec<Part> = Vec::new();
-    for (&time, end) in times.iter().zip(ends) {
-        for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
-            let at =
-                |axis: usize| (time..end).find(|&at| roles[at] == Some(Role::axis(sensor, axis)));
-            if let (Some(x), Some(y), Some(z)) = (at(0), at(1), at(2)) {
-                let columns = [time, x, y, z].map(|at| (at + 1).to_string());
-                parts.push(Part {
-                    padded: true,
-                    ..Part::of(sensor, columns.each_ref().map(String::as_str))
-                });
-            }
-        }
+    for sensor in [Sensor::Accelerometer, Sensor::Gyroscope] {
+        let [Some(x), Some(y), Some(z)] = [0, 1, 2].map(|axis| at(Role::axis(sensor, axis))) else {
+            return None;
+        };
+        // The one called after the sensor, else the last one before it that is not called after the other.
+        let called = times
+            .iter()
+            .find(|at| stamps_of(&names[**at]) == Some(sensor));
+        let mut before = times.iter().rev();
+        let before = before.find(|at| **at < x && stamps_of(&names[**at]).is_none());
+        let columns = [*called.or(before)?, x, y, z].map(|at| (at + 1).to_string());
+        parts.push(Part {
+            padded: true,
+            ..Part::of(sensor, columns.each_ref().map(String::as_str))
+        });
     }
-    // One time before both is a table like any other.
-    let [first, second] = &parts[..] else {
-        return None;
-    };
+    // One time for both is a table like any other.
     let stamps = |part: &Part| part.columns.first().cloned();
-    (first.only != second.only && stamps(first) != stamps(second)).then_some(parts)
+    (stamps(&parts[0]) != stamps(&parts[1])).then_some(parts)
 }
 
 #[cfg(test)]
@@ -58,6 +57,10 @@ mod tests {
     fn each_sensor_has_the_time_before_it() {
         let header = "time,accX,accY,accZ,time,gyrX,gyrY,gyrZ\n";
         let expected = [["1", "2", "3", "4"], ["5", "6", "7", "8"]];
+        let expected = expected.map(|part| part.map(str::to_owned).to_vec());
+        assert_eq!(columns(header), Some(expected.to_vec()));
+        let header = "accel_ts,gyro_ts,ax,ay,az,gx,gy,gz\n";
+        let expected = [["1", "3", "4", "5"], ["2", "6", "7", "8"]];
         let expected = expected.map(|part| part.map(str::to_owned).to_vec());
         assert_eq!(columns(header), Some(expected.to_vec()));
         assert_eq!(columns("time,ax,ay,az,gx,gy,gz,timestamp\n"), None);

@@ -1,0 +1,125 @@
+//! Clocks that begin again: a reboot, a power cycle, two logs in one file. What follows is another recording.
+
+use crate::order_statistic::nth_smallest;
+use crate::rows::table::Table;
+
+/// Rows that make a recording of their own.
+const FEWEST: usize = 20;
+/// Steps that time goes back by rows that are out of order.
+const SHUFFLED: f64 = 50.0;
+/// More often no device begins again in one file.
+const MOST: usize = 100;
+
+/// One recording of a file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Session {
+    /// Its first line.
+    pub first: u64,
+    /// Its last line.
+    pub last: u64,
+    /// Its rows.
+    pub rows: usize,
+    /// Its first and last stamp, as they are written.
+    pub from: f64,
+    /// See `from`.
+    pub to: f64,
+}
+
+/// The recordings in `table`, one where its clock never begins again.
+pub(crate) fn sessions(table: &Table) -> Vec<Session> {
+    if table.ascends() || table.repeats() {
+        return Vec::new();
+    }
+    let rows = table.stamped_lines();
+    let restarts = restarts(&rows);
+    let starts = [0].into_iter().chain(restarts.iter().copied());
+    let ends = restarts.iter().copied().chain([rows.len()]);
+    let session = |(start, end): (usize, usize)| {
+        let part = &rows[start..end];
+        Some(Session {
+            first: part.first()?.0,
+            last: part.last()?.0,
+            rows: part.len(),
+            from: part.first()?.1,
+            to: part.last()?.1,
+        })
+    };
+    starts.zip(ends).filter_map(session).collect()
+}
+
+/// The rows at which the clock begins again; none where some stamps are out of order in another way.
+fn restarts(rows: &[(u64, f64)]) -> Vec<usize> {
+    let steps = || rows.windows(2).map(|pair| pair[1].1 - pair[0].1);
+    let count = steps().filter(|step| *step > 0.0).count();
+    let forwards = steps().map(|step| if step > 0.0 { step } else { f64::INFINITY });
+    let Some(usual) = nth_smallest(forwards, count.saturating_sub(1) / 2) else {
+        return Vec::new();
+    };
+    let t = |at: usize| rows[at].1;
+    let mut found: Vec<usize> = Vec::new();
+    let mut start = 0;
+    let mut latest = t(0);
+    for at in 1..rows.len() {
+        let back = latest - t(at);
+        let to_the_start = t(at) <= t(start) + 2.0 * usual && back > 2.0 * usual;
+        if t(at) < t(at - 1) && (back > SHUFFLED * usual || to_the_start) {
+            if at - start < FEWEST || found.len() == MOST {
+                return Vec::new();
+            }
+            found.push(at);
+            (start, latest) = (at, t(at));
+            continue;
+        }
+        // Back where the last one ended: rows that were written late.
+        if let Some(&last) = found.last()
+            && last == start
+        {
+            let ended = t(last - 1);
+            let lands = |stamp: f64| (stamp - ended).abs() <= SHUFFLED * usual;
+            if t(at) - t(at - 1) > SHUFFLED * usual && t(at - 1) < ended && lands(t(at)) {
+                return Vec::new();
+            }
+        }
+        latest = latest.max(t(at));
+    }
+    match rows.len() - start < FEWEST {
+        true => Vec::new(),
+        false => found,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rows(parts: &[(usize, f64)]) -> Vec<(u64, f64)> {
+        let stamps = parts
+            .iter()
+            .flat_map(|(count, from)| (0..*count).map(move |k| from + 0.01 * k as f64));
+        (2..).zip(stamps).collect()
+    }
+
+    #[test]
+    fn a_clock_that_begins_again_makes_two_recordings() {
+        assert_eq!(restarts(&rows(&[(1000, 0.0), (1000, 0.0)])), [1000]);
+        assert_eq!(
+            restarts(&rows(&[(1000, 50.0), (1000, 3.0), (40, 0.0)])),
+            [1000, 2000]
+        );
+        // A first boot of a third of a second.
+        assert_eq!(restarts(&rows(&[(30, 0.0), (1000, 0.0)])), [30]);
+    }
+
+    #[test]
+    fn rows_that_are_out_of_order_make_no_recording() {
+        // One row that came late.
+        assert!(restarts(&rows(&[(1000, 0.0), (1, 9.5), (1000, 10.0)])).is_empty());
+        // Two seconds that came late.
+        assert!(restarts(&rows(&[(1000, 0.0), (200, 7.0), (1000, 10.0)])).is_empty());
+        // Two rows that changed places, four seconds apart.
+        let mut swapped = rows(&[(2000, 0.0)]);
+        let (a, b) = (swapped[1000].1, swapped[1400].1);
+        (swapped[1000].1, swapped[1400].1) = (b, a);
+        assert!(restarts(&swapped).is_empty());
+    }
+}

@@ -1,0 +1,188 @@
+//! Rows of several devices in a table that has no column to tell them apart.
+
+use nalgebra::Vector3;
+use sensor::Sensor;
+
+use super::evidence::Rows;
+use crate::Error;
+use crate::averages::median;
+use crate::recording::samples::Samples;
+use crate::recording::stream::least_steps;
+use crate::shown::figure;
+use crate::source::place::at_line;
+
+/// Most devices that are looked for in rows by turns.
+const DEVICES: usize = 4;
+/// Rows looked at.
+const LOOKED_AT: usize = 100_000;
+/// Parts of the rows, in each of which devices have to show.
+const PARTS: usize = 4;
+/// Readings that far apart are those of different devices, in units of what those of one are apart.
+const APART: f64 = 3.0;
+
+/// Refuses samples in which rows of several devices stand by turns, or have one stamp.
+///
+/// # Errors
+/// The first place, how far readings are apart, and what to do.
+pub(crate) fn refuse(name: &str, sensor: Sensor, samples: &Samples) -> Result<(), Error> {
+    if let Some(found) = twins(samples) {
+        return Err(at_line(
+            name,
+            found.line,
+            format!(
+                "{} rows have the stamp of the row before, and their readings of the {} differ by {} where rows of one device differ by {}: are they of several devices? Export each by itself, or say the rate if all are one sensor's, as in --rate 100",
+                found.count,
+                sensor.name(),
+                rounded(found.apart),
+                rounded(found.usual)
+            ),
+        ));
+    }
+    if let Some(devices) = in_turn(&samples.values) {
+        return Err(at_line(
+            name,
+            samples.line(0),
+            format!(
+                "the readings of the {} repeat every {devices} rows and differ in between: rows of {devices} devices by turns, and no column tells them apart; export each by itself",
+                sensor.name()
+            ),
+        ));
+    }
+    Ok(())
+}
+
+/// A size in two digits.
+fn rounded(value: f64) -> String {
+    format!("{value:.1e}")
+        .parse::<f64>()
+        .map_or_else(|_| figure(value), figure)
+}
+
+/// Rows of one stamp.
+struct Twins {
+    line: u64,
+    count: usize,
+    apart: f64,
+    usual: f64,
+}
+
+/// Rows with the stamp of another from which they are further than the next of one device would be.
+fn twins(samples: &Samples) -> Option<Twins> {
+    let apart: Vec<f64> = samples
+        .other_twins()
+        .map(|twin| (twin.value - samples.values[twin.of]).norm())
+        .collect();
+    let first = samples.other_twins().next()?;
+    // The next stamp's first row is of the same device, and later than the twin.
+    let next = |of: usize| {
+        let neighbours = [of.checked_sub(1), Some(of + 1)];
+        let value = |at: usize| samples.values.get(at).copied();
+        let steps = neighbours.into_iter().flatten().filter_map(value);
+        let steps = steps.map(|value| (value - samples.values[of]).norm());
+        steps.fold(0.0, f64::max)
+    };
+    let usual = median(samples.other_twins().map(|twin| next(twin.of)))?;
+    let in_all = median(
+        samples
+            .values
+            .windows(2)
+            .map(|w| (w[1] - w[0]).norm())
+            .take(LOOKED_AT),
+    )?;
+    let usual = usual.max(in_all).max(least_step(&samples.values));
+    let middle = median(apart.iter().copied())?;
+    // Of few pairs the noise alone makes some large.
+    let factor = match apart.len() {
+        0..5 => 3.0 * APART,
+        5..20 => 1.5 * APART,
+        _ => 0.67 * APART,
+    };
+    (middle > factor * usual).then_some(Twins {
+        line: first.line,
+        count: apart.len(),
+        apart: middle,
+        usual,
+    })
+}
+
+/// The smallest change of a reading; 0 where there is none.
+fn least_step(values: &[Vector3<f64>]) -> f64 {
+    let steps = least_steps(&values[..values.len().min(LOOKED_AT)]);
+    let least = steps.into_iter().fold(f64::INFINITY, f64::min);
+    if least.is_finite() { least } else { 0.0 }
+}
+
+/// How many devices wrote rows by turns, where readings show it from beginning to end.
+pub fn in_turn(values: &[Vector3<f64>]) -> Option<usize> {
+    let values = &values[..values.len().min(LOOKED_AT)];
+    let part = values.len() / PARTS;
+    if part < 25 * DEVICES {
+        return None;
+    }
+    let step = least_step(values);
+    let shows = |devices: usize| {
+        values.chunks_exact(part).all(|values| {
+            let labels: Vec<u8> = (0..values.len()).map(|i| (i % devices) as u8).collect();
+            let rows = Rows {
+                t: &[],
+                values,
+                labels: &labels,
+            };
+            rows.ratio() >= APART && is_coarse(values, devices, step)
+        })
+    };
+    (2..=DEVICES).find(|devices| shows(*devices))
+}
+
+/// True where rows that follow one another differ by more than steps of a coarse sensor.
+fn is_coarse(values: &[Vector3<f64>], devices: usize, step: f64) -> bool {
+    let turns = values.windows(2).step_by(devices);
+    let apart = median(turns.map(|w| (w[1] - w[0]).amax()));
+    apart.is_some_and(|apart| apart > 4.0 * step)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Readings about `mean` with noise of 1.
+    fn noisy(k: usize, mean: f64) -> Vector3<f64> {
+        let noise = |n: usize| (((k * 7919 + n * 104_729) % 1009) as f64 / 1009.0 - 0.5) * 3.46;
+        Vector3::new(mean + noise(1), noise(2), 9.0 + noise(3))
+    }
+
+    #[test]
+    fn devices_that_write_by_turns_are_counted() {
+        for devices in 2..=4 {
+            let mean = |k: usize| 20.0 * ((k % devices) * (k % devices)) as f64;
+            let rows: Vec<_> = (0..2000).map(|k| noisy(k, mean(k))).collect();
+            assert_eq!(in_turn(&rows), Some(devices));
+        }
+        let one: Vec<_> = (0..2000).map(|k| noisy(k, 0.0)).collect();
+        assert_eq!(in_turn(&one), None);
+        // A coarse sensor that flickers between two counts.
+        let coarse: Vec<_> = (0..2000)
+            .map(|k| Vector3::new((k % 2) as f64, 0.0, 9.0))
+            .collect();
+        assert_eq!(in_turn(&coarse), None);
+        // One that moves.
+        let turning: Vec<_> = (0..2000)
+            .map(|k| noisy(k, (0.02 * k as f64).sin() * 300.0))
+            .collect();
+        assert_eq!(in_turn(&turning), None);
+    }
+
+    #[test]
+    fn equal_stamps_of_two_devices_are_told_from_those_of_a_coarse_clock() {
+        let samples = |offset: f64| {
+            let mut samples = Samples::default();
+            for k in 0..200 {
+                let mean = if k % 2 == 0 { 0.0 } else { offset };
+                samples.push((k / 2) as f64, noisy(k, mean), k as u64 + 1);
+            }
+            samples
+        };
+        assert!(twins(&samples(0.0)).is_none());
+        assert!(twins(&samples(20.0)).is_some());
+    }
+}
