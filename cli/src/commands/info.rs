@@ -183,10 +183,9 @@ impl<'a> Facts<'a> {
 
     fn rests(&self) -> Option<(usize, f64)> {
         let statics = &self.choice.as_ref()?.segmentation.statics;
-        Some((
-            statics.len(),
-            statics.iter().map(|rest| rest.span.length()).sum::<f64>() + 0.0,
-        ))
+        // The sum of none is −0.
+        let length = 0.0 + statics.iter().map(|rest| rest.span.length()).sum::<f64>();
+        Some((statics.len(), length))
     }
 
     fn document(&self) -> Value {
