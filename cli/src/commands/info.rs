@@ -216,10 +216,9 @@ impl<'a> Facts<'a> {
         let choice = self.choice.as_ref();
         let choice = choice.filter(|_| !self.recording.is_magnetometer_only())?;
         let statics = &choice.segmentation.statics;
-        Some((
-            statics.len(),
-            statics.iter().map(|rest| rest.span.length()).sum::<f64>() + 0.0,
-        ))
+        // The sum of none is −0.
+        let length = 0.0 + statics.iter().map(|rest| rest.span.length()).sum::<f64>();
+        Some((statics.len(), length))
     }
 
     fn document(&self) -> Value {

@@ -96,6 +96,7 @@ impl Calibration {
             misfit,
             left_out,
             failed_gates,
+            not_calibrated,
             limits,
             prior,
             clocks,
@@ -124,6 +125,9 @@ impl Calibration {
         add(&mut hash, &(gravity_source, method, magnetic_field))?;
         add(&mut hash, &(parameters, covariance, misfit, left_out))?;
         add(&mut hash, &(failed_gates, limits, prior, clocks, history))?;
+        for own in not_calibrated {
+            add(&mut hash, &(own.sensor.name(), own.reason, own.bias, own.bias_std))?;
+        }
         add(&mut hash, &(sign_convention, inputs, options))?;
         Some(hexadecimal(&hash.finalize()))
     }
