@@ -35,7 +35,6 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
-mod batch;
 #[cfg(feature = "bundle-adjustment")]
 pub mod bundle_adjustment;
 mod check;
@@ -50,8 +49,8 @@ mod graph;
 mod infinite;
 mod linear;
 mod loss;
+mod many;
 mod minimise;
-mod multistart;
 mod options;
 mod parameters;
 #[cfg(feature = "pose-graphs")]
@@ -63,7 +62,6 @@ mod search;
 mod solve;
 mod uncertainty;
 
-pub use batch::{Batch, BatchOptions, solve_batch};
 pub use check::{Mismatch, check_derivatives};
 /// A column-compressed matrix and the cones of a [`ConeProgram`].
 pub use clarabel::{algebra::CscMatrix, solver::SupportedConeT};
@@ -86,8 +84,9 @@ pub use linear::{Factor as Factorization, LinearMethod, LinearSolver, OwnLinearS
 pub use loss::check::{LossMismatch, check_loss};
 pub use loss::sandwich::sandwich_covariance;
 pub use loss::{Loss, LossFunction, LossScale, OwnLoss, RowLoss};
+pub use many::batch::{Batch, BatchOptions, solve_batch};
+pub use many::multistart::{Minimum, MultiStart, multi_start, spread};
 pub use minimise::system::Evaluations;
-pub use multistart::{Minimum, MultiStart, multi_start, spread};
 pub use options::{Damping, NewSearch, Options, OwnVariant, Variant};
 pub use parameters::{Mask, Parameters};
 pub use report::{Iteration, Report, Termination};

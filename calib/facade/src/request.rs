@@ -151,6 +151,7 @@ impl Request {
             None => None,
         };
         Ok(CalibRequest {
+            accelerometer_alone: false,
             method: match self.method {
                 Method::Auto => calib::calibrate::Method::Auto,
                 Method::Joint => calib::calibrate::Method::Joint,

@@ -3,7 +3,7 @@
 /// What a message calls an option of the command, and what it is called here.
 ///
 /// An entry for every flag that a message of the libraries names; a test reads their sources.
-const OPTIONS: [(&str, &str); 32] = [
+const OPTIONS: [(&str, &str); 35] = [
     ("--accel-file", "`Recording::from_pair`"),
     ("--accel-unit", "`ReadOptions::accel_unit`"),
     ("--altitude", "`Request::altitude`"),
@@ -31,6 +31,8 @@ const OPTIONS: [(&str, &str); 32] = [
     ("--noise", "`Request::walks`"),
     ("--part", "`ReadOptions::part`"),
     ("--rate", "`ReadOptions::rate`"),
+    ("--rest", "`rest`"),
+    ("--sensor", "a recording with only the"),
     ("--skip-bad-rows", "`ReadOptions::skip_bad_rows`"),
     ("--sort-time", "`ReadOptions::sort_time`"),
     ("--time-format", "`ReadOptions::time_format`"),
@@ -120,6 +122,8 @@ mod tests {
             "--release",
             "--ignored",
             "--prior",
+            "--unit-acceleration",
+            "--unit-rotation",
         ];
         let unknown: Vec<_> = flags
             .iter()

@@ -153,7 +153,12 @@ fn whole_files_of_every_format_give_every_sample() {
         assert_eq!(accel.stamps[1] - accel.stamps[0], 10_000_000);
         assert_eq!(content.cut, None);
     }
-    assert_eq!(FORMATS.len(), 7);
+    // What is only known, to name its decoder, has no samples.
+    let read = FORMATS
+        .iter()
+        .filter(|format| format.name() != "blackbox")
+        .count();
+    assert_eq!(read, 7);
 }
 
 #[test]

@@ -21,6 +21,8 @@ pub const CALLS: [Call; 25] = [
             "other.csv",
             "--effect-file",
             "fx.toml",
+            "--effects",
+            "gyro_cross",
             "--limits",
             "limits.toml",
         ],

@@ -184,6 +184,8 @@ pub fn case(command: &str, option: &str) -> Option<(&'static str, &'static str)>
         "--format" => ("short.csv", "--format ulog"),
         "--entry" => ("several", "--entry a.csv"),
         "--topic" => ("log.ulg", "--topic none"),
+        "--part" => ("parts.csv", "--part 2"),
+        "--mag-unit" => ("field.csv", "--mag-unit G"),
         "--instance" => ("log.ulg", "--instance 3"),
         "--columns" => ("odd.csv", "--columns t=1,ax=2,ay=3,az=4,gx=5,gy=6,gz=7"),
         "--skip-bad-rows" => ("broken.csv", "--skip-bad-rows 1"),

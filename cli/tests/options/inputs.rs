@@ -166,6 +166,12 @@ pub fn folder() -> tempfile::TempDir {
                 format!("{:.6}", rows[k][0] + 4e-3 * noise(k))
             }),
         ),
+        (
+            "parts.csv",
+            [csv(PLAIN, &rows), csv(PLAIN, &rows[500..])]
+                .concat()
+                .replacen(&format!("\n{PLAIN}\n"), "\n", 1),
+        ),
         ("sign.csv", csv(PLAIN, &mirrored)),
         ("still.csv", csv(PLAIN, &still(100))),
         ("six.csv", csv(PLAIN, &six())),
@@ -192,17 +198,18 @@ pub fn folder() -> tempfile::TempDir {
     for (name, text) in &recordings {
         std::fs::write(path.join(name), text).unwrap();
     }
-    let log: Vec<_> = short
-        .iter()
-        .map(|r| {
-            (
-                1_000_000_000 + (r[0] * 1e9) as i64,
-                [r[1], r[2], r[3]],
-                [r[4], r[5], r[6]],
-            )
-        })
-        .collect();
-    let log = make::ulog(&[("sensor_accel", 0, &log), ("sensor_gyro", 0, &log)], &[]);
+    let of = |first: usize| -> Vec<(i64, [f64; 3])> {
+        let stamped = |r: &Row| {
+            let nanoseconds = 1_000_000_000 + (r[0] * 1e9) as i64;
+            (nanoseconds, [r[first], r[first + 1], r[first + 2]])
+        };
+        short.iter().map(stamped).collect()
+    };
+    let (accel, gyro) = (of(1), of(4));
+    let log = make::ulog(
+        &[("sensor_accel", 0, &accel), ("sensor_gyro", 0, &gyro)],
+        &[],
+    );
     std::fs::write(path.join("log.ulg"), log).unwrap();
     std::fs::create_dir(path.join("several")).unwrap();
     for name in ["a.csv", "b.csv"] {

@@ -18,9 +18,12 @@ fn a_sensor_that_is_there_and_not_understood_stops_the_run() {
         .ends(0)
         .says(&["accelerometer only"]);
     let swapped = text.replacen("ax,ay,az,gx,gy,gz", "gx,gy,gz,ax,ay,az", 1);
-    calibrate("a.csv", swapped, &[])
+    let right = "gx=ax,gy=ay,gz=az,ax=gx,ay=gy,az=gz";
+    calibrate("a.csv", &swapped, &[])
         .ends(3)
-        .says(&["gravity has been removed"]);
+        .says(&["their names are swapped", right])
+        .is_silent_on(&["gravity has been removed"]);
+    calibrate("a.csv", &swapped, &["--columns", right]).ends(0);
     let toolbox = text.replacen("t,ax,ay,az,gx,gy,gz", "time,gFx,gFy,gFz,foo,bar,baz", 1);
     calibrate("a.csv", toolbox, &[])
         .ends(3)
@@ -248,10 +251,12 @@ fn a_log_of_several_sensors_is_listed_and_not_refused() {
         assert!(info.contains(part), "{part}: {info}");
     }
     let listed = bench.run(&["info", "a.ulg", "--json"]).ends(0).json();
-    assert_eq!(
-        listed["files"][0]["streams"].as_array().map(Vec::len),
-        Some(4)
-    );
+    let streams = listed["files"][0]["streams"].as_array().unwrap();
+    // An accelerometer has its thermometer beside it.
+    for sensor in ["accelerometer", "gyroscope", "thermometer"] {
+        let of = streams.iter().filter(|stream| stream["sensor"] == sensor);
+        assert_eq!(of.count(), 2, "{sensor}: {streams:?}");
+    }
     bench.run(&["info", "a.ulg", "--instance", "2"]).ends(0);
 }
 

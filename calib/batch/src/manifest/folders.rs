@@ -44,12 +44,12 @@ fn without_ending(name: &str) -> String {
     inner.unwrap_or(name).to_owned()
 }
 
-#[cfg(all(test, unix))]
+#[cfg(test)]
+#[cfg(unix)]
 mod tests {
     use std::ffi::OsStr;
     use std::os::unix::ffi::OsStrExt;
 
-    use super::*;
     use crate::Manifest;
 
     #[test]

@@ -6,7 +6,7 @@ use recording::shown::{shown, shown_path};
 use recording::{Error, figure};
 use sensor::AnyEffect;
 
-use super::not_calibrated::marks;
+use super::document::marks;
 use super::{Calibration, Outside, SCHEMA, Triad};
 
 /// Largest ratio of the singular values of `T`: sensitivities of one chip differ by a tenth, units of its axes not at all.

@@ -1,9 +1,9 @@
 //! The result: `cal.json`, and what it says of a raw reading.
 
-mod applied_before;
 mod apply;
 mod check;
 mod clock;
+mod document;
 mod doubts;
 mod frame;
 mod gravity;
@@ -14,11 +14,9 @@ mod not_calibrated;
 mod of_recording;
 mod outside;
 mod provenance;
-mod reading_unit;
 mod units;
 mod values;
 
-pub use applied_before::{Readings, system_name};
 pub use apply::{apply, apply_with};
 pub use check::FINDINGS_SCHEMA;
 pub use check::refuse_newer;
@@ -33,10 +31,10 @@ pub use misfit::{Remainder, TO_DISCOVER, WITH_WALKS, WITHOUT_WALKS};
 pub use not_calibrated::{NotCalibrated, NotCalibratedReason};
 pub use outside::Outside;
 pub use provenance::{
-    Edited, Input, Options, Provenance, SIGN_CONVENTION, SensorInput, TemperatureInput, fingerprint,
+    Edited, Input, Options, Provenance, Readings, SIGN_CONVENTION, SensorInput, TemperatureInput,
+    fingerprint, system_name,
 };
-pub use reading_unit::TriadUnits;
-pub use units::check_units;
+pub use units::{TriadUnits, check_units};
 
 use nalgebra::{Matrix3, Vector3};
 use recording::intervals::Segmentation;

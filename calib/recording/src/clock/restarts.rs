@@ -61,7 +61,9 @@ fn restarts(rows: &[(u64, f64)]) -> Vec<usize> {
     let mut latest = t(0);
     for at in 1..rows.len() {
         let back = latest - t(at);
-        let to_the_start = t(at) <= t(start) + 2.0 * usual && back > 2.0 * usual;
+        let to_the_start = back > 2.0 * usual
+            && (t(at) <= t(start) + 2.0 * usual
+                || (t(at) <= t(start) + SHUFFLED * usual && goes_on(&rows[at..], latest, usual)));
         if t(at) < t(at - 1) && (back > SHUFFLED * usual || to_the_start) {
             if at - start < FEWEST || found.len() == MOST {
                 return Vec::new();
@@ -88,6 +90,13 @@ fn restarts(rows: &[(u64, f64)]) -> Vec<usize> {
     }
 }
 
+/// Whether the time up to `latest` comes again row by row: rows that were written late leave a jump behind them.
+fn goes_on(rows: &[(u64, f64)], latest: f64, usual: f64) -> bool {
+    rows.windows(2)
+        .take_while(|pair| pair[0].1 <= latest)
+        .all(|pair| (0.0..=2.5 * usual).contains(&(pair[1].1 - pair[0].1)))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -108,12 +117,16 @@ mod tests {
         );
         // A first boot of a third of a second.
         assert_eq!(restarts(&rows(&[(30, 0.0), (1000, 0.0)])), [30]);
+        // The second took longer until its first row.
+        assert_eq!(restarts(&rows(&[(40, 0.0), (1000, 0.3)])), [40]);
     }
 
     #[test]
     fn rows_that_are_out_of_order_make_no_recording() {
         // One row that came late.
         assert!(restarts(&rows(&[(1000, 0.0), (1, 9.5), (1000, 10.0)])).is_empty());
+        // Rows that came late soon after the start.
+        assert!(restarts(&rows(&[(40, 0.0), (5, 0.3), (1000, 0.4)])).is_empty());
         // Two seconds that came late.
         assert!(restarts(&rows(&[(1000, 0.0), (200, 7.0), (1000, 10.0)])).is_empty());
         // Two rows that changed places, four seconds apart.

@@ -178,7 +178,8 @@ fn unit(
             ));
             Ok(unit)
         }
-        [] if table.plain_time => Ok(TimeUnit::Seconds),
+        // Seconds by contract, unless no sensor has that rate.
+        [] if table.plain_time && POSSIBLE.contains(&(1.0 / step)) => Ok(TimeUnit::Seconds),
         _ => {
             // Days since 1900, or since the year 0.
             let samples = [&table.accel, &table.gyro];

@@ -7,6 +7,9 @@ use crate::header::{Layout, roles_by_map};
 use crate::recording::line_numbers::LineNumbers;
 use crate::recording::options::{ReadOptions, Role};
 
+/// The name of a device that takes the rows for those of one.
+pub(crate) const ALL: &str = "all";
+
 /// Columns that are looked at.
 const COLUMNS: usize = 8;
 /// Nobody reads more devices into one table.
@@ -44,7 +47,7 @@ pub(crate) fn columns(
     dialect: Dialect,
     options: &ReadOptions,
 ) -> Vec<(usize, Class)> {
-    if options.device.as_deref() == Some(super::ALL) {
+    if options.device.as_deref() == Some(ALL) {
         return Vec::new();
     }
     let numbers: Vec<String> = (1..=layout.width).map(|at| at.to_string()).collect();

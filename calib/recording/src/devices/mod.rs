@@ -16,6 +16,7 @@ mod names;
 mod tests;
 
 use evidence::{Order, Rows};
+pub(crate) use labels::ALL;
 use labels::{Labelled, Labels};
 use names::Class;
 
@@ -25,9 +26,6 @@ use crate::recording::options::ReadOptions;
 use crate::recording::samples::Samples;
 use crate::rows::table::Table;
 use crate::shown::shown_cell;
-
-/// What `--instance` takes where all rows are of one device.
-pub(crate) const ALL: &str = "all";
 
 /// Rows below which a value is no device's but a fault of the file.
 const FEWEST: usize = 20;

@@ -7,15 +7,15 @@ pub(crate) mod gravity;
 pub(crate) mod look;
 pub(crate) mod names;
 pub(crate) mod preface;
+pub(crate) mod questions;
 pub(crate) mod quotes;
 mod row_shape;
 pub(crate) mod sniff;
-pub(crate) mod suggest;
 pub(crate) mod triads;
-pub(crate) mod unclear;
 pub(crate) mod unit_row;
 pub(crate) mod unnamed;
 
+pub(crate) use questions::{suggest, unclear};
 use sensor::Sensor;
 
 use super::units::{Stated, TimeUnit, looks_like_unit};

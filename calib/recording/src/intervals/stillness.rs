@@ -77,11 +77,17 @@ fn turns(
         let rates = gyroscope.values.get(of_rate.between(span.from, span.to))?;
         let forces = force.values.get(of_force.between(span.from, span.to))?;
         let (mean, error) = mean_and_error(rates)?;
-        let up = base.correct(&mean_and_error(forces)?.0).normalize();
+        let force = base.correct(&mean_and_error(forces)?.0);
+        let spread: f64 = forces
+            .iter()
+            .map(|f| (base.correct(f) - force).norm_squared())
+            .sum();
         Some(MeanRate {
             mean: mean * scale,
             error: error * scale,
-            up,
+            up: force.normalize(),
+            seconds: span.to - span.from,
+            spread: (spread / forces.len() as f64).sqrt() / force.norm(),
         })
     };
     let rates: Option<Vec<MeanRate>> = quiet.iter().map(rate).collect();

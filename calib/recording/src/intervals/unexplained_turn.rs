@@ -23,8 +23,15 @@ const ALONG: f64 = 2.5;
 /// A turn at more than this is one whatever else deviates, rad/s (1 °/s).
 const CERTAIN: f64 = 1.7e-2;
 
-/// A mean rate so far from the bias of the others is a turn about whatever axis, rad/s (3 °/s): so far no bias moves.
+/// A mean rate so far from the bias of the others is a turn about whatever axis, rad/s (3 °/s): so far no bias moves. Not
+/// where the force stays and more than this share of the rate is across it: the gyroscope's columns or unit are others.
 const NO_BIAS: f64 = 0.052;
+const ACROSS: f64 = 0.5;
+
+/// The force stays where it spreads by less than this share of what the rate across it makes; more than this angle, rad,
+/// counts as this angle.
+const STAYS: f64 = 0.5;
+const FULL: f64 = 1.0;
 
 /// Directions in which the intervals' own know the bias to less than this share of the best.
 const UNSEEN: f64 = 0.05;
@@ -41,6 +48,18 @@ pub(super) struct MeanRate {
     pub error: f64,
     /// Direction of specific force (3), unit length.
     pub up: Vector3<f64>,
+    /// Length of the interval, s.
+    pub seconds: f64,
+    /// Root mean square of specific force about its mean, over the mean.
+    pub spread: f64,
+}
+
+impl MeanRate {
+    /// Whether specific force spreads as little as it does where no rate of this size turns the device across it.
+    fn stays(&self, across: f64) -> bool {
+        let angle = (across * self.seconds).min(FULL);
+        self.spread < STAYS * angle / 12f64.sqrt()
+    }
 }
 
 /// The turn of each interval that turns, rad/s: about the vertical, or faster than any bias moves; `None` of the others.
@@ -70,7 +89,10 @@ pub(super) fn turning(rates: &[MeanRate]) -> Vec<Option<f64>> {
             let any = along.hypot(across);
             match about_the_vertical {
                 true => Some(along),
-                false => (any > NO_BIAS).then_some(any),
+                false => {
+                    let is_no_rotation = across > ACROSS * any && p.0.stays(across);
+                    (any > NO_BIAS && !is_no_rotation).then_some(any)
+                }
             }
         })
         .collect()
@@ -145,6 +167,8 @@ mod tests {
                 mean: BIAS + noise + rate(k, &up),
                 error: 1e-4,
                 up,
+                seconds: 5.0,
+                spread: 3e-3,
             }
         };
         (0..12).map(of).collect()
@@ -204,6 +228,8 @@ mod tests {
             mean: Vector3::new(0.004, -0.002, 0.003 + rate),
             error: 1e-4,
             up: Vector3::z(),
+            seconds: 5.0,
+            spread: 3e-3,
         };
         let all: Vec<MeanRate> = profile.iter().map(of).collect();
         let turns = turning(&all)
@@ -215,13 +241,28 @@ mod tests {
 
     #[test]
     fn a_rate_that_no_bias_reaches_is_a_turn_about_whatever_axis() {
-        let found = turning(&rates(|k, _| match k {
+        let mut all = rates(|k, _| match k {
             4 => Vector3::new(0.5, -0.3, 0.2),
             7 => Vector3::new(0.0, 0.09, 0.0),
             _ => Vector3::zeros(),
-        }));
-        for (k, rate) in found.iter().enumerate() {
+        });
+        all[4].spread = 0.6;
+        all[7].spread = 0.1;
+        for (k, rate) in turning(&all).iter().enumerate() {
             assert_eq!(rate.is_some(), [4, 7].contains(&k), "{k}");
         }
+    }
+
+    #[test]
+    fn a_rate_across_a_force_that_stays_is_no_turn() {
+        let across = |k: usize, up: &Vector3<f64>| match k {
+            8.. => up.cross(&Vector3::x()).normalize() * degrees(5.0),
+            _ => Vector3::zeros(),
+        };
+        let all = rates(across);
+        assert!(turning(&all).iter().all(Option::is_none));
+        let mut tumbling = all;
+        tumbling[8..].iter_mut().for_each(|rate| rate.spread = 0.13);
+        assert!(turning(&tumbling)[8..].iter().all(Option::is_some));
     }
 }

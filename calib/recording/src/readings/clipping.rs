@@ -13,8 +13,9 @@ const FEWEST: usize = 6;
 /// An axis whose readings repeat in more than this share elsewhere is coarse, and repeats at its peaks too.
 const REPEATS: f64 = 0.2;
 
-/// The end of a range lies at least this share of the sensor's largest excursion from an axis's usual reading ...
-const FAR: f64 = 0.5;
+/// The end of a range lies at least this share of the sensor's largest excursion from an axis's usual reading, which lies
+/// nearer to an end that is reached often ...
+const FAR: f64 = 1.0 / 3.0;
 /// ... and so many of its least steps.
 const STEPS: f64 = 4.0;
 

@@ -5,7 +5,7 @@ use std::fmt;
 use sensor::Sensor;
 use serde::Serialize;
 
-use super::frozen::Frozen;
+use crate::recording::Frozen;
 use crate::shown::figure;
 
 /// Most rows or intervals that a sentence lists.
@@ -302,7 +302,8 @@ impl fmt::Display for Finding {
                 if intervals.len() == 1 { "" } else { "s" },
                 listed(intervals),
                 if *from_here_on {
-                    ": from there on something is different, such as the range or the filter; split the recording there"
+                    ": from there on it vibrates (a fan, a motor), or the range or the filter was changed; switch that off, or \
+                     split the recording there"
                 } else {
                     ", as from vibration or a hand; lay the device down there too"
                 }

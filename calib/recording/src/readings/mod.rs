@@ -6,34 +6,31 @@
 
 mod clipping;
 mod dead_zone;
-mod erased_tail;
 mod finding;
-mod frozen;
 mod hand;
 mod level;
 mod of_sensor;
 mod quantisation;
 mod quietest;
+mod repeated;
 mod rezeroing;
 mod spikes;
-mod stopped;
-mod stuck;
 mod vibration;
 
+pub use crate::recording::Frozen;
 pub(crate) use clipping::{Excursion, limits};
 pub use dead_zone::{DeadZone, dead_zones};
-pub(crate) use erased_tail::cut_erased_tail;
 pub use finding::Finding;
-pub use frozen::Frozen;
-pub(crate) use frozen::{frozen, without_frozen};
 pub use hand::FASTEST_HAND;
 pub use hand::tremor;
 pub(crate) use level::{LevelChange, level_change};
 pub use quantisation::COARSE;
 pub use quietest::{Quiet, quietest};
+pub(crate) use repeated::erased_tail::cut_erased_tail;
+pub(crate) use repeated::frozen::{frozen, without_frozen};
+pub(crate) use repeated::stopped::refuse_stopped;
+pub(crate) use repeated::stuck::stuck;
 pub use spikes::without_spikes;
-pub(crate) use stopped::refuse_stopped;
-pub(crate) use stuck::stuck;
 
 use sensor::Sensor;
 

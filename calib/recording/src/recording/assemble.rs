@@ -7,19 +7,19 @@ use sensor::Sensor;
 use super::magnetometer::Magnetometer;
 use super::options::{ReadOptions, Role};
 use super::samples::Samples;
-use super::{AppliedBefore, Described, Recording, Stream, Temperature, UnitBy};
+use super::{AppliedBefore, Described, Frozen, Recording, Stream, Temperature, UnitBy};
 use crate::Error;
 use crate::clock::{held, time};
 use crate::devices::mixed;
 use crate::formats::robots::ardupilot_text;
 use crate::header::unclear;
-use crate::readings::{Finding, Frozen, frozen, without_frozen};
+use crate::readings::{Finding, frozen, without_frozen};
 use crate::recording::{checks, packets, sessions, thermometer};
 use crate::rows::table::Table;
 use crate::shown::figure;
 use crate::source::place::in_file;
 use crate::units::field::FieldUnit;
-use crate::units::{AccelUnit, GyroUnit, Stated, TimeUnit, decide, swapped, values};
+use crate::units::{AccelUnit, GyroUnit, Stated, TimeUnit, decide, repeated, swapped, values};
 
 /// What is said where stamps are not used.
 const IGNORED: &str = "--rate was given: time stamps are ignored";
@@ -311,6 +311,7 @@ fn finish<U>(
         ));
     }
     let mut warnings = Vec::new();
+    repeated::refuse(name, sensor, &samples)?;
     values::check(name, sensor, &samples, &mut warnings)?;
     let stream = Stream {
         t: samples.t,

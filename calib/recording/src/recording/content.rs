@@ -3,9 +3,9 @@
 use sensor::Sensor;
 
 use super::description::Description;
+use super::frozen::Frozen;
 use super::magnetometer::Magnetometer;
 use super::stream::{Stream, Temperature};
-use crate::readings::Frozen;
 
 /// One recording of one device.
 #[derive(Clone, Debug, Default)]

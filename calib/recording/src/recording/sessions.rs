@@ -1,6 +1,6 @@
 //! The one recording that is asked for, of a file in which the clock begins again.
 
-use super::options::ReadOptions;
+use super::options::{ReadOptions, Role};
 use super::samples::Backwards;
 use crate::Error;
 use crate::clock::restarts::{Session, sessions};
@@ -8,7 +8,7 @@ use crate::clock::wraps;
 use crate::rows::sort;
 use crate::rows::table::Table;
 use crate::shown::figure;
-use crate::source::place::{at_line, in_file};
+use crate::source::place::{at_column, at_line, in_file};
 
 /// A session of fewer rows is no recording: a device that was switched on twice.
 const FEWEST: usize = 200;
@@ -41,11 +41,12 @@ pub(crate) fn take_one(
     }
     for table in tables {
         let origin = table.clock.origin;
+        let time_first = time_is_first(table);
         let name = &table.name;
         for samples in [&mut table.accel, &mut table.gyro, &mut table.magnetometer] {
             *samples = std::mem::take(samples)
                 .in_order()
-                .map_err(|back| backwards(name, origin, back))?;
+                .map_err(|back| backwards(name, origin, time_first, back))?;
         }
         keep_ascending(&mut table.temperature_t, &mut table.temperature);
     }
@@ -153,21 +154,28 @@ fn several(table: &Table, sessions: &[Session], long: &[usize], given: Option<us
     }
 }
 
-fn backwards(name: &str, origin: Option<i64>, back: Backwards) -> Error {
+/// Whether a row begins with its stamp; where another does, only the line is known.
+fn time_is_first(table: &Table) -> bool {
+    let mut roles = table.roles.iter();
+    let time = roles.find(|(role, _)| *role == Role::Time);
+    time.is_some_and(|(_, column)| column == "1" || table.names.first() == Some(column))
+}
+
+fn backwards(name: &str, origin: Option<i64>, time_first: bool, back: Backwards) -> Error {
     let Backwards { line, last, t } = back;
     let origin = match origin {
         None | Some(0) => String::new(),
         Some(origin) => format!(" (counted from {origin})"),
     };
-    at_line(
-        name,
-        line,
-        format!(
-            "time goes back from {} to {}{origin}; --sort-time sorts the rows, or split the file here",
-            figure(last),
-            figure(t)
-        ),
-    )
+    let words = format!(
+        "time goes back from {} to {}{origin}; --sort-time sorts the rows, or split the file here",
+        figure(last),
+        figure(t)
+    );
+    match time_first {
+        true => at_column(name, line, 1, words),
+        false => at_line(name, line, words),
+    }
 }
 
 /// Leaves out the readings that are not later than all before them.

@@ -6,6 +6,8 @@ use nalgebra::Vector3;
 const SAME: f64 = 3e-4;
 /// ... or to a step in which the readings were written, if that is no coarser than this share.
 const COARSEST: f64 = 0.011;
+/// Fewest rows that show it.
+const FEWEST: usize = 500;
 /// The device turns by more than this, cosine of 30°.
 const TURNED: f64 = 0.87;
 /// Noise along a reading that was normalised is no more than this share of that across it, squared.
@@ -14,13 +16,15 @@ const FLAT: f64 = 0.1;
 const JUMPS: f64 = 0.25;
 /// ... and one in so many rows is.
 const NOISY: f64 = 0.02;
-/// Noise that is no more than so many steps is that of rounding.
+/// Noise that is no more than so many steps is that of rounding, if a step is so coarse a share of the length that it hides the
+/// sensor's own.
 const ROUNDING: f64 = 4.0;
+const HIDING: f64 = 8e-4;
 
 /// True for readings of the same length in every row, the turns among them, whose noise lies across them: a sensor that reads a
 /// force has noise along it, and turns add to its length.
 pub(super) fn is_direction(values: &[Vector3<f64>]) -> bool {
-    let Some(first) = values.first() else {
+    let Some(first) = values.first().filter(|_| values.len() >= FEWEST) else {
         return false;
     };
     let length = values.iter().map(Vector3::norm).sum::<f64>() / values.len() as f64;
@@ -33,7 +37,7 @@ pub(super) fn is_direction(values: &[Vector3<f64>]) -> bool {
     let turns = values
         .iter()
         .any(|value| value.dot(first) < TURNED * length * length);
-    turns && values.iter().all(same) && has_no_noise_along(values, step)
+    turns && values.iter().all(same) && has_no_noise_along(values, step, length)
 }
 
 /// The smallest change of an axis from row to row.
@@ -49,7 +53,7 @@ fn least_step(values: &[Vector3<f64>]) -> f64 {
 
 /// Second differences of rows that do not turn leave the length as it is, or are those of rounding. Readings without any noise
 /// are of no sensor.
-fn has_no_noise_along(values: &[Vector3<f64>], step: f64) -> bool {
+fn has_no_noise_along(values: &[Vector3<f64>], step: f64, length: f64) -> bool {
     let (mut along, mut all, mut count) = (0.0, 0.0, 0.0);
     for three in values.windows(3) {
         let second = three[2] - 2.0 * three[1] + three[0];
@@ -63,17 +67,21 @@ fn has_no_noise_along(values: &[Vector3<f64>], step: f64) -> bool {
         count += 1.0;
     }
     let across = (all - along).max(0.0) / 2.0;
-    count >= NOISY * values.len() as f64
-        && (along <= FLAT * across || all <= count * (ROUNDING * step).powi(2))
+    let of_rounding = all <= count * (ROUNDING * step).powi(2);
+    let noise = match of_rounding {
+        true => step >= HIDING * length,
+        false => along <= FLAT * across,
+    };
+    count >= NOISY * values.len() as f64 && noise
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Rests and turns of an accelerometer with noise.
-    fn readings() -> Vec<Vector3<f64>> {
-        let noise = |k: usize, i: usize| 0.02 * ((k * k * 7 + k * 13 + i * 31) as f64).sin();
+    /// Rests and turns of an accelerometer with noise of this size, m/s².
+    fn readings(size: f64) -> Vec<Vector3<f64>> {
+        let noise = |k: usize, i: usize| size * ((k * k * 7 + k * 13 + i * 31) as f64).sin();
         let value = |k: usize| {
             let at = (k / 200) as f64 + ((k % 200) as f64 / 100.0 - 1.0).max(0.0);
             let (sin, cos) = (0.7 * at).sin_cos();
@@ -85,7 +93,7 @@ mod tests {
 
     #[test]
     fn readings_of_one_length_in_turns_too_are_a_direction_however_they_are_rounded() {
-        let readings = readings();
+        let readings = readings(0.02);
         assert!(!is_direction(&readings));
         for digits in [2, 3, 4, 9] {
             let unit = 10f64.powi(digits);
@@ -98,9 +106,11 @@ mod tests {
     }
 
     #[test]
-    fn a_good_sensor_that_turns_slowly_reads_a_force() {
-        let quiet = |v: &Vector3<f64>| v.normalize() * 9.8 + (v - v.normalize() * 9.8) * 0.05;
-        let readings: Vec<_> = readings().iter().map(quiet).collect();
-        assert!(!is_direction(&readings));
+    fn a_good_sensor_and_readings_without_noise_are_a_force() {
+        for size in [0.001, 0.0] {
+            let written = |v: &Vector3<f64>| v.map(|x| (x * 1e6).round() * 1e-6);
+            let readings: Vec<_> = readings(size).iter().map(written).collect();
+            assert!(!is_direction(&readings), "{size}");
+        }
     }
 }

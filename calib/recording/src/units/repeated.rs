@@ -28,7 +28,7 @@ struct Repeat {
 ///
 /// # Errors
 /// [`Error::Input`] with the two columns.
-pub(super) fn refuse(name: &str, sensor: Sensor, samples: &Samples) -> Result<(), Error> {
+pub(crate) fn refuse(name: &str, sensor: Sensor, samples: &Samples) -> Result<(), Error> {
     let found: Vec<Repeat> = repeats(&samples.values);
     let Some(first) = found.first() else {
         return Ok(());

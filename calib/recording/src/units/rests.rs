@@ -101,6 +101,20 @@ pub(crate) fn accelerometer(sensors: [&[Vector3<f64>]; 2]) -> Option<usize> {
     told(shares(usual_distance)).or_else(|| told(shares(|means| moments(means).1.sqrt())))
 }
 
+/// Whether the means of the second sensor at rest are those of gravity: of one length, or on a sphere about its bias.
+pub(crate) fn is_gravity(first: &[Vector3<f64>], second: &[Vector3<f64>]) -> bool {
+    let [first, second] = [first, second].map(|values| &values[..values.len().min(LOOKED_AT)]);
+    let rests = rests(first, second);
+    let means: Vec<Vector3<f64>> = rests.iter().map(|rest| rest.means[1]).collect();
+    let Some(usual) = median(means.iter().map(Vector3::norm)) else {
+        return false;
+    };
+    let others = means
+        .iter()
+        .filter(|mean| (mean.norm() - usual).abs() > 0.25 * usual);
+    (usual > 0.0 && 10 * others.count() <= means.len()) || sphere(&means).is_some()
+}
+
 /// Whether a sensor reads more all the time than it changes by: an accelerometer in one attitude, and no gyroscope.
 pub(crate) fn has_gravity(values: &[Vector3<f64>]) -> bool {
     let (mean, square) = moments(&values[..values.len().min(LOOKED_AT)]);
@@ -249,6 +263,12 @@ mod tests {
                 });
             let turns: Vec<_> = turns.collect();
             assert!(at_one_reading(&turns) && !at_one_reading(&accel));
+            assert!(is_gravity(&gyro, &accel));
+            // The rates of a rate table are of no one length.
+            let rates: Vec<_> = (0..3200)
+                .map(|k| gyro[k % 200] + Vector3::x() * (k / 400) as f64)
+                .collect();
+            assert!(!is_gravity(&accel, &rates));
             let means: Vec<_> = rests(&accel, &gyro)
                 .iter()
                 .map(|rest| rest.means[0])

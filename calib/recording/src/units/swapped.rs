@@ -32,8 +32,12 @@ pub(crate) fn refuse(tables: &[Table]) -> Result<(), Error> {
         (None, true) => &accel.values,
         (None, false) => return Ok(()),
     };
-    // On a rate table the rate is another in every placement, but gravity is where it should be.
-    if rests::accelerometer([first, &gyro.values]) != Some(1) || rests::has_gravity(first) {
+    // On a rate table the rate is another in every placement, but gravity is where it should be. Without it, a rate is still of
+    // no length of its own.
+    let swapped = rests::accelerometer([first, &gyro.values]) == Some(1)
+        && !rests::has_gravity(first)
+        && rests::is_gravity(first, &gyro.values);
+    if !swapped {
         return Ok(());
     }
     let one_table = std::ptr::eq(of_accel, of_gyro);

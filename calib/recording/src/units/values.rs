@@ -11,7 +11,6 @@ use crate::recording::options::Role;
 use crate::recording::samples::Samples;
 use crate::shown::figure;
 use crate::source::place::{at_line, in_file};
-use crate::units::repeated;
 use crate::units::rests::{rests, sphere};
 
 /// Samples from which on statistics mean something.
@@ -35,7 +34,6 @@ pub(crate) fn check(
     samples: &Samples,
     warnings: &mut Vec<String>,
 ) -> Result<(), Error> {
-    repeated::refuse(name, sensor, samples)?;
     if sensor == Sensor::Accelerometer
         && samples.t.len() >= ENOUGH
         && let Some(change) = level_change(&samples.values)

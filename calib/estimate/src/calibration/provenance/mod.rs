@@ -1,8 +1,10 @@
 //! Where a calibration comes from, and whether it is as it was written.
 
+mod applied_before;
 mod inputs;
 mod seal;
 
+pub use applied_before::{Readings, system_name};
 pub use seal::Edited;
 
 pub use inputs::{

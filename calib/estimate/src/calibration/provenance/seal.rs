@@ -126,7 +126,10 @@ impl Calibration {
         add(&mut hash, &(parameters, covariance, misfit, left_out))?;
         add(&mut hash, &(failed_gates, limits, prior, clocks, history))?;
         for own in not_calibrated {
-            add(&mut hash, &(own.sensor.name(), own.reason, own.bias, own.bias_std))?;
+            add(
+                &mut hash,
+                &(own.sensor.name(), own.reason, own.bias, own.bias_std),
+            )?;
         }
         add(&mut hash, &(sign_convention, inputs, options))?;
         Some(hexadecimal(&hash.finalize()))
@@ -157,7 +160,7 @@ mod tests {
         let edits: [(fn(&mut Calibration), Edited); 8] = [
             (|c| c.gravity += 1e-4, Edited::Numbers),
             (|c| c.method = "joint".into(), Edited::Basis),
-            (|c| c.covariance[0][0] *= 0.5, Edited::Basis),
+            (|c| c.covariance[0][0] += 0.5, Edited::Basis),
             (|c| c.parameters[0] = "accel.s_q".into(), Edited::Basis),
             (|c| c.gravity_source = GravitySource::Assumed, Edited::Basis),
             (|c| c.failed_gates.push("a gate".into()), Edited::Basis),

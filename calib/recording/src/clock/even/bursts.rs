@@ -234,7 +234,13 @@ mod tests {
         let (truth, read) = arrived(50.0, 0.032, &[2000, 5000, 5001, 9000]);
         let found = bursts(&read).unwrap();
         assert_eq!(found.lost, 4);
-        assert!(scatter(&found, &truth) < 0.01);
+        // Of two samples with one stamp nothing tells which was lost: the other is at the time of either, 20 ms apart.
+        assert!(scatter(&found, &truth) < 0.021);
+        let mean = found.even.iter().sum::<f64>() - truth.iter().sum::<f64>();
+        let mean = mean / truth.len() as f64;
+        let pairs = found.even.iter().zip(&truth);
+        let off = pairs.filter(|(even, truth)| (*even - *truth - mean).abs() > 2e-3);
+        assert!(off.count() <= 3, "one beside each loss");
     }
 
     #[test]

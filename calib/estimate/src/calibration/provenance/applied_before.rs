@@ -3,7 +3,7 @@
 use recording::{AppliedBefore, Recording};
 use sensor::Sensor;
 
-use super::Calibration;
+use crate::calibration::Calibration;
 
 /// The readings of a sensor that a calibration is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,11 +111,11 @@ impl Calibration {
             });
         let (sensor, by) = mixed?;
         let inputs = self.provenance.inputs.iter();
-        let is = |input: &&super::Input| {
+        let is = |input: &&crate::calibration::Input| {
             claim(&input.applied_before, sensor) == Readings::CorrectedBy(by)
         };
         let (corrected, others): (Vec<_>, Vec<_>) = inputs.partition(is);
-        let names = |inputs: &[&super::Input]| {
+        let names = |inputs: &[&crate::calibration::Input]| {
             let names: Vec<&str> = inputs.iter().map(|i| i.recording.as_str()).collect();
             names.join(", ")
         };

@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 use sensor::Sensor;
 
-use super::samples::Samples;
+use super::Samples;
 use crate::clock::even::{Bursts, bursts};
 use crate::order_statistic::nth_smallest;
 use crate::shown::significant;

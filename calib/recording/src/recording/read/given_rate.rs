@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use super::content::Recording;
-use super::options::ReadOptions;
-use super::stream::Stream;
 use crate::clock::even::{Stamps, bursts, even_clock};
+use crate::recording::content::Recording;
+use crate::recording::options::ReadOptions;
+use crate::recording::stream::Stream;
 use crate::shown::{figure, significant};
 
 /// Rates that differ by less are those of two good oscillators.

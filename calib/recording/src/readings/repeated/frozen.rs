@@ -7,7 +7,7 @@ use sensor::Sensor;
 
 use crate::intervals::Span;
 use crate::order_statistic::nth_smallest;
-use crate::recording::Stream;
+use crate::recording::{Frozen, Stream};
 
 /// Fewer equal readings in a row are left to chance and to the clock.
 const SHORTEST: usize = 4;
@@ -32,36 +32,11 @@ const LEAP: f64 = 1.5;
 /// Repeated readings that are more of the recording than this are how the sensor reads.
 const MOST: f64 = 0.2;
 
-/// A sensor's readings that repeat one.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frozen {
-    /// The sensor.
-    pub sensor: Sensor,
-    /// The first row that repeats the one before, counted as in [`super::Finding`].
-    pub first_row: usize,
-    /// How many do.
-    pub rows: usize,
-    /// From the reading that is repeated to the next other one, s.
-    pub span: Span,
-}
-
-impl Frozen {
-    /// Whether it lies between two stamps: the interruption there is the one that leaving it out makes.
-    pub fn is_between(&self, from: f64, to: f64) -> bool {
-        self.span.from < to && from < self.span.to
-    }
-
-    /// Whether a sample at `t` is a repetition.
-    fn repeats(&self, t: f64) -> bool {
-        self.span.from < t && t < self.span.to
-    }
-}
-
 /// Where a sensor repeats one reading for longer than chance, steps of the readings and a slower clock make it.
 pub(crate) fn frozen(sensor: Sensor, stream: &Stream) -> Vec<Frozen> {
     let of = |run: Range<usize>| Frozen {
         sensor,
-        first_row: run.start + 1 + super::of_sensor::FIRST_ROW,
+        first_row: run.start + 1 + crate::readings::of_sensor::FIRST_ROW,
         rows: run.len() - 1,
         span: Span {
             from: stream.t[run.start],
@@ -179,7 +154,8 @@ fn extremes(values: &[Vector3<f64>]) -> (Vector3<f64>, Vector3<f64>) {
 
 /// The smallest step between readings of each axis; infinite where it never changes.
 fn least_steps(values: &[Vector3<f64>]) -> [f64; 3] {
-    [0, 1, 2].map(|axis| super::of_sensor::least_step(values, axis).unwrap_or(f64::INFINITY))
+    [0, 1, 2]
+        .map(|axis| crate::readings::of_sensor::least_step(values, axis).unwrap_or(f64::INFINITY))
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! Temperatures with stamps of their own: read between them, left out where they are of another clock.
 
-use super::options::{ColumnMap, Role};
-use super::{Recording, Stream};
 use crate::Error;
 use crate::header::look::Look;
+use crate::recording::options::{ColumnMap, Role};
+use crate::recording::{Recording, Stream};
 use crate::rows::table::Table;
 use crate::shown::figure;
 use crate::source::place::in_file;

@@ -2,9 +2,9 @@
 
 use nalgebra::Vector3;
 
-use super::finding::Finding;
-use super::of_sensor::FIRST_ROW;
 use crate::averages::median;
+use crate::readings::finding::Finding;
+use crate::readings::of_sensor::FIRST_ROW;
 use crate::recording::{Recording, Stream};
 
 /// Fewest rows of a tail in both sensors; alone, a sensor needs more.

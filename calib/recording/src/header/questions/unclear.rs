@@ -4,10 +4,10 @@ use std::collections::HashMap;
 
 use sensor::Sensor;
 
-use super::names::{compact, take_apart};
 use super::suggest::{completed, entry, suggestion};
-use super::triads::triads;
 use crate::Error;
+use crate::header::names::{compact, take_apart};
+use crate::header::triads::triads;
 use crate::recording::options::Role;
 use crate::rows::table::Table;
 use crate::shown::shown_list;

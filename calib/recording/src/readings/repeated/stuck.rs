@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
-use super::dead_zone::is_left_out;
-use super::of_sensor::least_step;
+use crate::readings::dead_zone::is_left_out;
+use crate::readings::of_sensor::least_step;
 
 /// Shortest run of equal values that is looked at, samples.
 const RUN: usize = 100;

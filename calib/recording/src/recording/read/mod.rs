@@ -1,5 +1,7 @@
 //! From a file, a folder, bytes or a pair of files to a recording.
 
+mod given_rate;
+
 use std::path::Path;
 use std::sync::Arc;
 
@@ -7,7 +9,6 @@ use sensor::Sensor;
 
 use super::assemble;
 use super::content::Recording;
-use super::given_rate;
 use super::options::ReadOptions;
 use crate::Error;
 use crate::formats;

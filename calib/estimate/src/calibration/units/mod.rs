@@ -1,9 +1,13 @@
 //! Whether a calibration speaks of a recording's units.
 
+mod reading_unit;
+
+pub use reading_unit::TriadUnits;
+
 use recording::{Error, Recording};
 use sensor::Sensor;
 
-use super::Calibration;
+use crate::calibration::Calibration;
 
 /// Corrected specific force whose median norm lies within these multiples of gravity is in the
 /// right unit: most of any recording is rest or gentle motion.

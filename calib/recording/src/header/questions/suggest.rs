@@ -2,8 +2,8 @@
 
 use sensor::Sensor;
 
-use super::names::{is_like_time, role_of, take_apart};
-use super::triads::{Triad, triads};
+use crate::header::names::{is_like_time, role_of, take_apart};
+use crate::header::triads::{Triad, triads};
 use crate::recording::options::Role;
 use crate::shown::shown;
 use crate::units::TimeUnit;

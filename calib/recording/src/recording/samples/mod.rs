@@ -1,9 +1,13 @@
 //! The samples of one sensor while they are read: in order, each stamp once.
 
+pub(crate) mod line_numbers;
+pub(crate) mod memory;
+pub(crate) mod packets;
+
 use nalgebra::Vector3;
 
-use super::line_numbers::LineNumbers;
-use super::memory::one_more;
+use self::line_numbers::LineNumbers;
+use self::memory::one_more;
 
 /// What became of a sample.
 #[derive(Clone, Copy, Debug, PartialEq)]

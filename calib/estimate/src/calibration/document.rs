@@ -1,0 +1,100 @@
+//! `cal.json` with sensors that are not calibrated: the reason stands in the place of the sensor.
+
+use sensor::Sensor;
+use serde::de::Error as _;
+use serde::ser::Error as _;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::Value;
+
+use super::not_calibrated::{NotCalibrated, NotCalibratedReason};
+use super::{Calibration, RecordingBias, Triad};
+
+impl NotCalibrated {
+    /// A gyroscope with what the static intervals say of its bias.
+    pub(crate) fn gyroscope(
+        reason: NotCalibratedReason,
+        text: String,
+        bias: Option<RecordingBias>,
+    ) -> Self {
+        Self {
+            sensor: Sensor::Gyroscope,
+            reason,
+            text,
+            bias_std: bias.as_ref().map_or([None; 3], |bias| bias.bias_std),
+            bias: bias.map(|bias| bias.bias),
+        }
+    }
+}
+
+impl Serialize for Calibration {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if self.not_calibrated.is_empty() {
+            return Calibration::serialize(self, serializer);
+        }
+        let value = Calibration::serialize(self, serde_json::value::Serializer);
+        let mut value = value.map_err(S::Error::custom)?;
+        for mark in &self.not_calibrated {
+            value[mark.sensor.name()] = mark.to_value();
+        }
+        value.serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Calibration {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let value = Value::deserialize(deserializer)?;
+        Self::from_value(value).map_err(D::Error::custom)
+    }
+}
+
+impl Calibration {
+    /// Of a document that may have sensors that are not calibrated.
+    pub(super) fn from_value(mut value: Value) -> Result<Self, serde_json::Error> {
+        let not_calibrated = marks(&value)?;
+        for mark in &not_calibrated {
+            value[mark.sensor.name()] = Value::Null;
+        }
+        Ok(Self {
+            not_calibrated,
+            ..Calibration::deserialize(value)?
+        })
+    }
+
+    /// Why a sensor is not calibrated, if it was recorded and is not.
+    pub fn why_not(&self, sensor: Sensor) -> Option<&NotCalibrated> {
+        self.not_calibrated.iter().find(|own| own.sensor == sensor)
+    }
+
+    /// What to say of the sensors of which only the bias is known.
+    pub fn bias_alone(&self) -> Vec<String> {
+        let inertial = [Sensor::Accelerometer, Sensor::Gyroscope].into_iter();
+        let bare = inertial.filter(|sensor| self.triad(*sensor).is_some_and(Triad::is_bias_only));
+        let bare = bare.map(|sensor| {
+            format!(
+                "of the {} only the bias is known: its scale factors and misalignments are left at those of a perfect sensor",
+                sensor.name()
+            )
+        });
+        bare.collect()
+    }
+}
+
+/// The sensors of a document that are not calibrated.
+pub(super) fn marks(value: &Value) -> Result<Vec<NotCalibrated>, serde_json::Error> {
+    let mut all = Vec::new();
+    for sensor in Sensor::ALL {
+        if let Some(own) = value.get(sensor.name()) {
+            all.extend(NotCalibrated::of_value(sensor, own)?);
+        }
+    }
+    Ok(all)
+}
+
+impl Triad {
+    /// Whether the bias was estimated and `T` is the identity because nothing showed it.
+    pub fn is_bias_only(&self) -> bool {
+        let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let fixed = self.t_std.iter().flatten().all(Option::is_none);
+        self.t == identity && fixed && self.bias_std.iter().any(Option::is_some)
+    }
+}

@@ -1,0 +1,4 @@
+//! Columns that are not understood: which they are, and the `--columns` line that answers.
+
+pub(crate) mod suggest;
+pub(crate) mod unclear;

@@ -1,0 +1,30 @@
+//! Rows in which a sensor repeated one reading.
+
+use sensor::Sensor;
+
+use crate::intervals::Span;
+
+/// A sensor's readings that repeat one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frozen {
+    /// The sensor.
+    pub sensor: Sensor,
+    /// The first row that repeats the one before, counted as in [`Finding`](crate::readings::Finding).
+    pub first_row: usize,
+    /// How many do.
+    pub rows: usize,
+    /// From the reading that is repeated to the next other one, s.
+    pub span: Span,
+}
+
+impl Frozen {
+    /// Whether it lies between two stamps: the interruption there is the one that leaving it out makes.
+    pub fn is_between(&self, from: f64, to: f64) -> bool {
+        self.span.from < to && from < self.span.to
+    }
+
+    /// Whether a sample at `t` is a repetition.
+    pub(crate) fn repeats(&self, t: f64) -> bool {
+        self.span.from < t && t < self.span.to
+    }
+}
