@@ -60,8 +60,6 @@ pub static FORMATS: &[&dyn Format] = &[
     &ros_text::ROSTOPIC,
     &ros_text::ROS2_TOPIC,
     &kalibr::KALIBR,
-    &betaflight::BETAFLIGHT,
-    &razor::RAZOR,
     &px4_text::SENSOR_COMBINED,
     &trackers::XSENS,
     &trackers::SHIMMER,

@@ -228,11 +228,12 @@ pub(crate) fn stamps_of(name: &str) -> Option<Sensor> {
         (false, true) => Some(Sensor::Gyroscope),
         _ => None,
     };
-    let mut words = name.split(|c: char| !c.is_alphanumeric());
-    let is_time = |word: &str| TIME.contains(&word.to_lowercase().as_str());
-    of_one.filter(|_| {
-        matches!(word.as_str(), "ta" | "tg") || is_like_time(name) || words.any(is_time)
-    })
+    let words = || name.split(|c: char| !c.is_alphanumeric());
+    let is = |wanted: &[&str]| words().any(|word| wanted.contains(&word.to_lowercase().as_str()));
+    // `gyro_x_deg_per_sec` is a reading.
+    of_one
+        .filter(|_| !is(&["x", "y", "z"]))
+        .filter(|_| matches!(word.as_str(), "ta" | "tg") || is_like_time(name) || is(TIME))
 }
 
 /// True for the name of an accelerometer's column that may be without gravity: `Linear Acceleration X`.

@@ -107,6 +107,14 @@ fn number_in(row: &Kept, cell: &Cell, dialect: Dialect) -> Option<f64> {
 
 /// Whole numbers below this may say which device a row is of.
 const DEVICES: f64 = 16.0;
+/// Words of which more than one in so many rows is another are no names of devices but stamps.
+const ROWS_PER_WORD: usize = 3;
+
+/// A number without decimals, or as tables of floating numbers write whole ones: `1.0`; not `0.000`.
+fn is_whole(cell: &[u8]) -> bool {
+    let decimals = cell.iter().position(|byte| *byte == b'.');
+    decimals.is_none_or(|at| matches!(&cell[at + 1..], b"" | b"0"))
+}
 
 /// The columns but for those at the ends, and behind the first, that hold words or a few small whole numbers, as devices
 /// and states have; all where the rest is no table of sensors.
@@ -115,6 +123,7 @@ fn without_labels(rows: &[&Kept], dialect: Dialect, width: usize) -> Vec<usize> 
     let is_label = |at: usize| {
         let mut last = f64::NEG_INFINITY;
         let mut goes_up = rows.len() > 2;
+        let mut words = std::collections::HashSet::new();
         let labels = rows.iter().filter_map(|row| {
             let cells = cells(&row.bytes, dialect);
             let cell = cells.get(at).filter(|_| cells.len() == width)?;
@@ -122,12 +131,17 @@ fn without_labels(rows: &[&Kept], dialect: Dialect, width: usize) -> Vec<usize> 
             goes_up &= number.is_some_and(|number| number > last);
             last = number.unwrap_or(last);
             Some(match number {
-                None => !row.bytes[cell.clone()].is_empty(),
-                Some(number) => (0.0..DEVICES).contains(&number) && number.fract() == 0.0,
+                None => {
+                    words.insert(&row.bytes[cell.clone()]);
+                    !row.bytes[cell.clone()].is_empty()
+                }
+                Some(number) => {
+                    (0.0..DEVICES).contains(&number) && is_whole(&row.bytes[cell.clone()])
+                }
             })
         });
         let are_labels = labels.fold(true, |all, is_label| all && is_label);
-        are_labels && !goes_up
+        are_labels && !goes_up && (words.len() <= 2 || ROWS_PER_WORD * words.len() <= rows.len())
     };
     let ends = [0, 1, width.wrapping_sub(2), width.wrapping_sub(1)];
     let may_be = |at: &usize| ends.contains(at) && is_label(*at);

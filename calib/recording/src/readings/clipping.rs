@@ -2,9 +2,9 @@
 
 use nalgebra::Vector3;
 
+use super::excursion::Excursion;
 use super::finding::Finding;
-use super::of_sensor::{FIRST_ROW, OfSensor, least_step};
-use crate::order_statistic::nth_smallest;
+use super::of_sensor::{FIRST_ROW, OfSensor};
 
 /// So many equal readings in a row at an extreme are no peak.
 const RUN: usize = 3;
@@ -12,43 +12,6 @@ const RUN: usize = 3;
 const FEWEST: usize = 6;
 /// An axis whose readings repeat in more than this share elsewhere is coarse, and repeats at its peaks too.
 const REPEATS: f64 = 0.2;
-
-/// The end of a range lies at least this share of the sensor's largest excursion from an axis's usual reading, which lies
-/// nearer to an end that is reached often ...
-const FAR: f64 = 1.0 / 3.0;
-/// ... and so many of its least steps.
-const STEPS: f64 = 4.0;
-
-/// How far from its usual reading an axis has to be to be cut off: nearer, a reading repeats because the device rests.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Excursion {
-    usual: Vector3<f64>,
-    least: Vector3<f64>,
-}
-
-impl Excursion {
-    /// Of a sensor.
-    pub fn of(values: &[Vector3<f64>]) -> Self {
-        let usual = Vector3::from_fn(|axis, _| {
-            let column = values.iter().map(move |v| v[axis]);
-            nth_smallest(column, values.len() / 2).unwrap_or(0.0)
-        });
-        let largest = values
-            .iter()
-            .map(|v| (v - usual).amax())
-            .fold(0.0, f64::max);
-        let steps = |axis| STEPS * least_step(values, axis).unwrap_or(0.0);
-        Self {
-            usual,
-            least: Vector3::from_fn(|axis, _| f64::max(FAR * largest, steps(axis))),
-        }
-    }
-
-    /// Whether a reading is so far.
-    pub fn reached(&self, axis: usize, value: f64) -> bool {
-        (value - self.usual[axis]).abs() >= self.least[axis]
-    }
-}
 
 /// Where an axis is cut off, from below and from above; infinite where it is not.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,6 +6,7 @@
 
 mod clipping;
 mod dead_zone;
+mod excursion;
 mod finding;
 mod hand;
 mod level;
@@ -18,8 +19,9 @@ mod spikes;
 mod vibration;
 
 pub use crate::recording::Frozen;
-pub(crate) use clipping::{Excursion, limits};
+pub(crate) use clipping::limits;
 pub use dead_zone::{DeadZone, dead_zones};
+pub(crate) use excursion::Excursion;
 pub use finding::Finding;
 pub use hand::FASTEST_HAND;
 pub use hand::tremor;

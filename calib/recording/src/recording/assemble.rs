@@ -49,7 +49,14 @@ pub(crate) fn assemble(
     )?;
     recording.name.push_str(&part);
     if options.rate.is_none() {
-        time::to_seconds(&mut tables, options, &mut recording.warnings)?;
+        let in_seconds = time::to_seconds(&mut tables, options, &mut recording.warnings);
+        if in_seconds.is_err() {
+            // Stamps that most rows share have no step that tells their unit.
+            for samples in tables.iter().flat_map(|table| [&table.accel, &table.gyro]) {
+                checks::order(&recording.name, samples, &mut Vec::new())?;
+            }
+        }
+        in_seconds?;
     } else if tables.iter().any(|table| table.has_time) {
         recording.warnings.push(IGNORED.to_owned());
     }

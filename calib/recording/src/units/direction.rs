@@ -2,6 +2,8 @@
 
 use nalgebra::Vector3;
 
+use crate::order_statistic::nth_smallest;
+
 /// Lengths of a normalised reading agree to this share of it, ...
 const SAME: f64 = 3e-4;
 /// ... or to a step in which the readings were written, if that is no coarser than this share.
@@ -14,8 +16,12 @@ const TURNED: f64 = 0.87;
 const FLAT: f64 = 0.1;
 /// A row is noise rather than a turn where it leaves the line through its neighbours by this part of their distance ...
 const JUMPS: f64 = 0.25;
-/// ... and one in so many rows is.
-const NOISY: f64 = 0.02;
+/// ... and so many of the rows are, at rest nearly all, where the steps of the readings hide no noise ...
+const NOISY: f64 = 0.3;
+/// ... and so many where they do.
+const NOISY_IN_STEPS: f64 = 0.02;
+/// Changes below this share of the length are the computer's rounding.
+const NOTHING: f64 = 1e-9;
 /// Noise that is no more than so many steps is that of rounding, if a step is so coarse a share of the length that it hides the
 /// sensor's own.
 const ROUNDING: f64 = 4.0;
@@ -31,7 +37,7 @@ pub(super) fn is_direction(values: &[Vector3<f64>]) -> bool {
     if !(length > 0.0 && length.is_finite()) {
         return false;
     }
-    let step = least_step(values);
+    let step = least_step(values, NOTHING * length);
     let allowed = (SAME * length).max(if step <= COARSEST * length { step } else { 0.0 });
     let same = |value: &Vector3<f64>| (value.norm() - length).abs() <= allowed;
     let turns = values
@@ -40,39 +46,41 @@ pub(super) fn is_direction(values: &[Vector3<f64>]) -> bool {
     turns && values.iter().all(same) && has_no_noise_along(values, step, length)
 }
 
-/// The smallest change of an axis from row to row.
-fn least_step(values: &[Vector3<f64>]) -> f64 {
+/// The smallest change of an axis from row to row beyond `nothing`.
+fn least_step(values: &[Vector3<f64>], nothing: f64) -> f64 {
     let changes = values.windows(2).flat_map(|pair| {
         let change = pair[1] - pair[0];
         [change.x.abs(), change.y.abs(), change.z.abs()]
     });
     changes
-        .filter(|change| *change > 0.0)
+        .filter(|change| *change > nothing)
         .fold(f64::INFINITY, f64::min)
 }
 
 /// Second differences of rows that do not turn leave the length as it is, or are those of rounding. Readings without any noise
-/// are of no sensor.
+/// are of no sensor. Medians: where a turn begins, the second difference is that of the turn.
 fn has_no_noise_along(values: &[Vector3<f64>], step: f64, length: f64) -> bool {
-    let (mut along, mut all, mut count) = (0.0, 0.0, 0.0);
+    let (mut along, mut all) = (Vec::new(), Vec::new());
     for three in values.windows(3) {
         let second = three[2] - 2.0 * three[1] + three[0];
         let is_noise = second.norm() > JUMPS * (three[2] - three[0]).norm();
-        if !is_noise || second.norm_squared() == 0.0 {
-            continue;
+        if is_noise && second.norm() > NOTHING * length {
+            let lengths = [0, 1, 2].map(|k| three[k].norm());
+            along.push((lengths[2] - 2.0 * lengths[1] + lengths[0]).powi(2));
+            all.push(second.norm_squared());
         }
-        let lengths = [0, 1, 2].map(|k| three[k].norm());
-        along += (lengths[2] - 2.0 * lengths[1] + lengths[0]).powi(2);
-        all += second.norm_squared();
-        count += 1.0;
     }
-    let across = (all - along).max(0.0) / 2.0;
-    let of_rounding = all <= count * (ROUNDING * step).powi(2);
-    let noise = match of_rounding {
-        true => step >= HIDING * length,
-        false => along <= FLAT * across,
+    let share = all.len() as f64 / values.len() as f64;
+    let middle = |squares: &[f64]| nth_smallest(squares.iter().copied(), squares.len() / 2);
+    let (Some(along), Some(all)) = (middle(&along), middle(&all)) else {
+        return false;
     };
-    count >= NOISY * values.len() as f64 && noise
+    // Steps so coarse a share of the length hide the sensor's own noise.
+    let in_steps = step >= HIDING * length && all <= (ROUNDING * step).powi(2);
+    match in_steps {
+        true => share >= NOISY_IN_STEPS,
+        false => share >= NOISY && along <= FLAT * (all - along).max(0.0) / 2.0,
+    }
 }
 
 #[cfg(test)]

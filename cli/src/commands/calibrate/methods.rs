@@ -18,7 +18,7 @@ const BOTH: &[Method] = &[Method::Stepwise, Method::Joint];
 const SIX_POSITION: &[Method] = &[Method::SixPosition];
 
 /// The options that are not every method's.
-pub static OF_METHODS: [OfMethods; 16] = [
+pub static OF_METHODS: [OfMethods; 17] = [
     of("--integrator", STEPWISE, |args| args.integrator.is_some()),
     of("--gyro-bias", STEPWISE, |args| args.gyro_bias.is_some()),
     of("--nominal-rate", STEPWISE, |args| {
@@ -30,6 +30,7 @@ pub static OF_METHODS: [OfMethods; 16] = [
     of("--first-order", SIX_POSITION, |args| args.first_order),
     of("--frame", BOTH, |args| args.frame.is_some()),
     of("--clock", BOTH, |args| args.clock.is_some()),
+    of("--mag-unit", BOTH, |args| args.read.mag_unit.is_some()),
     of("--field", BOTH, |args| args.field.is_some()),
     of("--effects", BOTH, |args| !args.effects.is_empty()),
     of("--effect-file", BOTH, |args| !args.effect_file.is_empty()),

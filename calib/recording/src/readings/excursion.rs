@@ -1,0 +1,43 @@
+//! How far an axis leaves its usual reading.
+
+use nalgebra::Vector3;
+
+use crate::order_statistic::nth_smallest;
+use crate::recording::stream::least_steps;
+
+/// The end of a range lies at least this share of the sensor's largest excursion from an axis's usual reading, which lies
+/// nearer to an end that is reached often ...
+const FAR: f64 = 1.0 / 3.0;
+/// ... and so many of its least steps.
+const STEPS: f64 = 4.0;
+
+/// How far from its usual reading an axis has to be to be cut off: nearer, a reading repeats because the device rests.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Excursion {
+    usual: Vector3<f64>,
+    least: Vector3<f64>,
+}
+
+impl Excursion {
+    /// Of a sensor.
+    pub fn of(values: &[Vector3<f64>]) -> Self {
+        let usual = Vector3::from_fn(|axis, _| {
+            let column = values.iter().map(move |v| v[axis]);
+            nth_smallest(column, values.len() / 2).unwrap_or(0.0)
+        });
+        let largest = values
+            .iter()
+            .map(|v| (v - usual).amax())
+            .fold(0.0, f64::max);
+        let steps = least_steps(values).map(|step| STEPS * step);
+        Self {
+            usual,
+            least: Vector3::from_fn(|axis, _| f64::max(FAR * largest, steps[axis])),
+        }
+    }
+
+    /// Whether a reading is so far.
+    pub fn reached(&self, axis: usize, value: f64) -> bool {
+        (value - self.usual[axis]).abs() >= self.least[axis]
+    }
+}
