@@ -84,6 +84,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .chain(&said.warnings)
         .for_each(|words| show::warn(words));
     let mut new = old.of_recording(&recording).into_owned();
+    new.seal_again(&old);
     let mut stretches = Vec::new();
     if !args.no_gyroscope {
         stretches = gyroscope_stretches(&new, &recording, &segmentation)?;

@@ -98,7 +98,8 @@ impl Table {
             && may_be_slow
             && let Some(slow) = self.slow_column()
         {
-            if start.layout.unread() > 0 {
+            // With a device among the columns they are not those that the line below names.
+            if start.layout.width > 8 || !(0..7).all(|column| start.layout.is_read(column)) {
                 return Err(self.unknown_columns(start));
             }
             let words = format!(
