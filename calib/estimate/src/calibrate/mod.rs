@@ -266,8 +266,8 @@ impl Parts<'_> {
         let count = TurnCount::of_cut(choices.iter().map(|choice| &choice.segmentation));
         let reason = count.reason()?;
         let cut = choices.iter().map(|choice| &choice.segmentation);
-        let known = self.recordings.iter().copied().zip(cut);
-        let mark = count.mark(reason, refused, known.last());
+        let mut known = self.recordings.iter().copied().zip(cut);
+        let mark = count.mark(reason, refused, known.next_back());
         let mut outcome = self.accelerometer_alone(choices).ok()?;
         let calibration = &mut outcome.calibration;
         calibration.failed_gates.push(mark.gate());

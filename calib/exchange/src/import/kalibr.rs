@@ -146,7 +146,7 @@ impl<'a> Imu<'a> {
     }
 
     /// `(M_g C)⁻¹` and the bias, and `G`.
-    fn gyroscope(&self, model: &str) -> Result<Option<(Base<f64>, Matrix3<f64>)>, Error> {
+    fn gyroscope(&self, model: &str) -> Result<Option<WithSensitivity>, Error> {
         let name = "gyroscopes";
         let Some(sensor) = self.root.as_mapping_get(name) else {
             return Ok(None);
@@ -247,3 +247,6 @@ fn input(place: &str, what: &str) -> Error {
         what: what.into(),
     }
 }
+
+/// A gyroscope's base model and its g-sensitivity, (rad/s)/(m/s²).
+type WithSensitivity = (Base<f64>, Matrix3<f64>);

@@ -243,7 +243,8 @@ fn with_a_rate_the_rows_of_one_device_are_counted() {
 
 #[test]
 fn one_device_is_never_taken_for_several() {
-    let columns: [(&str, fn(usize) -> String); 12] = [
+    type Cell = fn(usize) -> String;
+    let columns: [(&str, Cell); 12] = [
         ("id", |_| "5".to_owned()),
         ("Address", |_| "0x50".to_owned()),
         ("status", |k| (k * k % 7 % 2).to_string()),

@@ -140,8 +140,10 @@ fn without_labels(rows: &[&Kept], dialect: Dialect, width: usize) -> Vec<usize> 
                 }
             })
         });
-        let are_labels = labels.fold(true, |all, is_label| all && is_label);
-        are_labels && !goes_up && (words.len() <= 2 || ROWS_PER_WORD * words.len() <= rows.len())
+        let labels: Vec<bool> = labels.collect();
+        labels.iter().all(|is_label| *is_label)
+            && !goes_up
+            && (words.len() <= 2 || ROWS_PER_WORD * words.len() <= rows.len())
     };
     let ends = [0, 1, width.wrapping_sub(2), width.wrapping_sub(1)];
     let may_be = |at: &usize| ends.contains(at) && is_label(*at);

@@ -157,7 +157,8 @@ mod tests {
     fn every_entry_that_decides_is_under_a_seal() {
         let whole = written_and_read(&perfect());
         assert_eq!(whole.edited(), None);
-        let edits: [(fn(&mut Calibration), Edited); 8] = [
+        type Edit = fn(&mut Calibration);
+        let edits: [(Edit, Edited); 8] = [
             (|c| c.gravity += 1e-4, Edited::Numbers),
             (|c| c.method = "joint".into(), Edited::Basis),
             (|c| c.covariance[0][0] += 0.5, Edited::Basis),

@@ -36,8 +36,11 @@ enum Kind {
     Gyro(u8),
 }
 
+/// A sensor and its numbers.
+type Reading<'a> = (Kind, Vec<&'a str>);
+
 /// The kinds of a line's parts with their numbers, and what stands before the first.
-fn split(line: &str) -> Option<(&str, Vec<(Kind, Vec<&str>)>)> {
+fn split(line: &str) -> Option<(&str, Vec<Reading<'_>>)> {
     let at = line.find('#')?;
     let stamp = line[..at].trim_matches(|c: char| c.is_whitespace() || ",;->[]".contains(c));
     let mut all = Vec::new();

@@ -205,7 +205,8 @@ mod tests {
     fn a_single_one_is_found() {
         let mut values = readings(5, 0.1);
         freeze(&mut values, 3650..3660);
-        assert_eq!(frozen_runs(&values), [3650..3660]);
+        assert_eq!(frozen_runs(&values).first(), Some(&(3650..3660)));
+        assert_eq!(frozen_runs(&values).len(), 1);
     }
 
     #[test]
