@@ -1,5 +1,6 @@
 //! Changes of the mean within a rest that are no noise: steps, and drift in one direction.
 
+use recording::averages::median;
 use recording::intervals::Span;
 
 /// Means on either side of a place that are compared, in blocks.
@@ -63,12 +64,11 @@ pub(super) fn steps(means: &[Mean]) -> Vec<Step> {
     let prefix = prefix(means);
     for width in WINDOWS.into_iter().take_while(|w| HELD * w <= means.len()) {
         let differences = differences(means, &prefix, width);
-        let mut sorted: Vec<f64> = differences.iter().map(|d| d.1).collect();
-        let Some(usual) = median(&mut sorted) else {
+        let Some(usual) = median(differences.iter().map(|d| d.1)) else {
             continue;
         };
-        let mut away: Vec<f64> = differences.iter().map(|d| (d.1 - usual).abs()).collect();
-        let scale = MAD * median(&mut away).unwrap_or(0.0);
+        let away = differences.iter().map(|d| (d.1 - usual).abs());
+        let scale = MAD * median(away).unwrap_or(0.0);
         let mut evident: Vec<(usize, f64)> = differences
             .into_iter()
             .map(|(k, d)| (k, d - usual))
@@ -126,11 +126,6 @@ fn prefix(means: &[Mean]) -> Vec<f64> {
         Some(*sum)
     });
     std::iter::once(0.0).chain(sums).collect()
-}
-
-fn median(values: &mut [f64]) -> Option<f64> {
-    let middle = values.len() / 2;
-    (!values.is_empty()).then(|| *values.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
 /// A drift of a mean that goes so smoothly that no noise explains it: a curve of third order through the means.

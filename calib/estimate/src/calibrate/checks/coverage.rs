@@ -1,6 +1,7 @@
 //! Which orientations were recorded.
 
-use nalgebra::{Matrix3, SMatrix, Vector3};
+use nalgebra::{Matrix3, Vector3};
+use plan::{FORCE_NAMES, force_information};
 use recording::Error;
 
 use crate::residuals::StaticMean;
@@ -33,44 +34,19 @@ const SAME: f64 = 0.07;
 /// A combination of parameters of which the directions show less than this share of the best is open.
 const UNSEEN: f64 = 0.02;
 
-/// The parameters that the norm shows, in the order of the columns of [`shown_by_norm`].
-const BY_NORM: [&str; 9] = [
-    "accel.s_x",
-    "accel.s_y",
-    "accel.s_z",
-    "accel.alpha_yz",
-    "accel.alpha_zy",
-    "accel.alpha_zx",
-    "accel.b_x",
-    "accel.b_y",
-    "accel.b_z",
-];
-
-/// What the norm of specific force along a direction shows of scale factors, misalignments and biases: its derivatives.
-fn shown_by_norm(u: &Vector3<f64>) -> [f64; 9] {
-    let (x, y, z) = (u.x, u.y, u.z);
-    [x * x, y * y, z * z, x * y, x * z, y * z, x, y, z]
-}
-
 /// What so few directions leave open however often they are recorded, in words; `None` where they determine all.
 pub(in crate::calibrate) fn open_by_directions(directions: &[Vector3<f64>]) -> Option<String> {
     let distinct = distinct(directions);
-    let rows = SMatrix::<f64, 9, 9>::from_fn(|i, j| {
-        distinct
-            .iter()
-            .map(|u| shown_by_norm(u)[i] * shown_by_norm(u)[j])
-            .sum()
-    });
-    let seen = rows.symmetric_eigen();
+    let seen = force_information(&distinct).symmetric_eigen();
     let least = (UNSEEN * UNSEEN) * seen.eigenvalues.max();
-    let open: Vec<&str> = (0..BY_NORM.len())
+    let open: Vec<&str> = (0..FORCE_NAMES.len())
         .filter(|&k| {
             let vectors = seen.eigenvalues.iter().enumerate();
             let unseen = vectors.filter(|(_, value)| **value <= least);
             let share: f64 = unseen.map(|(j, _)| seen.eigenvectors[(k, j)].powi(2)).sum();
             share > 0.1
         })
-        .map(|k| BY_NORM[k])
+        .map(|k| FORCE_NAMES[k])
         .collect();
     (!open.is_empty()).then(|| {
         format!(

@@ -7,6 +7,7 @@ use sensor::Sensor;
 
 use crate::intervals::Span;
 use crate::order_statistic::nth_smallest;
+use crate::recording::stream::least_steps;
 use crate::recording::{Frozen, Stream};
 
 /// Fewer equal readings in a row are left to chance and to the clock.
@@ -150,12 +151,6 @@ fn extremes(values: &[Vector3<f64>]) -> (Vector3<f64>, Vector3<f64>) {
     values
         .iter()
         .fold(whole, |(low, high), v| (low.inf(v), high.sup(v)))
-}
-
-/// The smallest step between readings of each axis; infinite where it never changes.
-fn least_steps(values: &[Vector3<f64>]) -> [f64; 3] {
-    [0, 1, 2]
-        .map(|axis| crate::readings::of_sensor::least_step(values, axis).unwrap_or(f64::INFINITY))
 }
 
 #[cfg(test)]
