@@ -10,7 +10,7 @@ mod common;
 
 use std::path::Path;
 
-use blocks::{blocks, manual, pages, run, says};
+use blocks::{blocks, is_said, manual, pages, run};
 use common::{json, stillpoint};
 use stillpoint_tests::needed_data::skipped;
 
@@ -126,6 +126,11 @@ fn every_call_within_a_sentence_is_one_that_the_program_takes() {
         }
     }
     assert!(calls > 30, "{calls}");
+}
+
+/// A page says a figure, in these words.
+fn says(page: &str, words: &str) {
+    assert!(is_said(page, words), "{page} does not say `{words}`");
 }
 
 /// Whether a program of this name answers; if not, said aloud.

@@ -36,7 +36,12 @@ fn the_story_has_the_figures_that_its_commands_give() {
     let Some(phone) = phone() else { return };
     let dir = linked(&phone);
     blocks::run("experiment.md", dir.path());
-    let say = |words: &str| blocks::says("experiment.md", words);
+    let missing = std::cell::RefCell::new(Vec::new());
+    let say = |words: &str| {
+        if !blocks::is_said("experiment.md", words) {
+            missing.borrow_mut().push(words.to_owned());
+        }
+    };
     let read = |file: &str| -> serde_json::Value {
         serde_json::from_slice(&std::fs::read(dir.path().join(file)).unwrap()).unwrap()
     };
@@ -163,4 +168,6 @@ fn the_story_has_the_figures_that_its_commands_give() {
         "the walked distance is {walked:.2} m, off by {:.2} m",
         walked - 4.095
     ));
+    let missing = missing.into_inner();
+    assert!(missing.is_empty(), "not said: {missing:#?}");
 }
