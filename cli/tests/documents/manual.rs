@@ -215,6 +215,9 @@ fn the_first_calibration_gives_what_its_chapter_says() {
         page,
         &format!("off by {found:.3}° instead of {direction:.3}°"),
     );
+    let report = std::fs::read_to_string(folder.path().join("report.html")).unwrap();
+    assert!(report.contains("With care"));
+    says(page, "Here it is *With care*");
     // The pictures of the book are those that its commands draw.
     for (drawn, shown) in [
         (

@@ -105,6 +105,16 @@ fn the_story_has_the_figures_that_its_commands_give() {
         1e3 * moved.fold(0.0, f64::max)
     ));
 
+    // What the first chapter says of a phone.
+    let first = |words: &str| assert!(blocks::is_said("first_calibration.md", words), "{words}");
+    let turned = stepwise["gyroscope"]["bias"][0].as_f64().unwrap();
+    let (bias, rate) = (1e3 * axis(&stepwise, 0), turned.to_degrees());
+    first(&format!("{bias:.0} mm/s², {rate:.2} °/s"));
+    let of_t =
+        |row: usize, column: usize| stepwise["gyroscope"]["T"][row][column].as_f64().unwrap();
+    first(&format!("{:.1} %", 100.0 * (1.0 - of_t(0, 0))));
+    first(&format!("{:.2}°", of_t(0, 2).to_degrees()));
+
     let findings = read("findings.json");
     for effect in findings["effects"].as_array().unwrap() {
         say(&format!("| `{}` |", effect["name"].as_str().unwrap()));
