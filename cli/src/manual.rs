@@ -20,6 +20,9 @@ pub mod noise {}
 #[doc = include_str!("../manual/calibration_file.md")]
 pub mod calibration_file {}
 
+#[doc = include_str!("../manual/findings.md")]
+pub mod findings {}
+
 #[doc = include_str!("../manual/simulation.md")]
 pub mod simulation {}
 

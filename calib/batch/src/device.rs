@@ -282,6 +282,7 @@ fn recorded(record: Record, calibration: &Calibration, findings: Option<&Finding
         warnings: calibration.warnings.len(),
         verdict: findings.map(|f| f.verdict.name().to_owned()),
         findings: findings.map_or_else(Vec::new, |f| f.effects.iter().map(finding).collect()),
+        calibration_verdict: Some(calibration.verdict()),
         belongs,
         ..record
     };
