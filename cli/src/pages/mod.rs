@@ -8,7 +8,7 @@
 
 pub mod calibration;
 pub mod coverage;
-mod direction;
+pub mod direction;
 mod disturbed;
 pub mod evaluation;
 mod intervals_plot;
