@@ -4,6 +4,7 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod call;
 mod commands;
 mod exit;
 mod interrupt;
@@ -37,6 +38,7 @@ use exit::{Failure, USAGE};
     name = "stillpoint",
     version,
     max_term_width = terminal::COLUMNS,
+    help_template = commands::HELP,
     after_help = "\
 Example:
   stillpoint demo                              a simulated session, its hidden effect discovered
@@ -70,7 +72,9 @@ pub fn command() -> clap::Command {
 pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
     interrupt::install();
     threads::install();
-    let cli = match parsed(args.into_iter().collect()) {
+    let words: Vec<OsString> = args.into_iter().collect();
+    call::remember(&words);
+    let cli = match parsed(words) {
         Ok(cli) => cli,
         // Help and version go to standard output; one that is closed is no error.
         Err(error) if !error.use_stderr() => {

@@ -15,10 +15,10 @@ const NARROWEST: usize = 40;
 #[derive(Clone, Copy, Debug, clap::Args)]
 #[command(next_help_heading = "Terminal")]
 pub struct TerminalArgs {
-    /// Say nothing but results and errors
+    /// Say the verdict or the main figure only, and errors
     #[arg(short, long, global = true, conflicts_with = "verbose")]
     quiet: bool,
-    /// Say every warning, also those that are alike
+    /// Say everything: what stands behind the result, and every warning
     #[arg(short, long, global = true)]
     verbose: bool,
     /// Colour of warnings and errors

@@ -5,7 +5,7 @@ mod apply;
 mod batch;
 mod bias;
 pub mod calibrate;
-mod convert;
+pub mod convert;
 mod demo;
 mod discover;
 mod effects;
@@ -24,6 +24,40 @@ mod simulate;
 use clap::Subcommand;
 
 use crate::exit::Failure;
+
+/// The help of the program: its commands by what a person wants.
+pub const HELP: &str = "\
+{about-with-newline}
+{usage-heading} {usage}
+
+Look at a recording
+  info       what is in a file, and the command that calibrates it
+  segment    when the device was still and when it turned
+  allan      the noise of a device at rest
+  evaluate   calibrations side by side on another recording
+Record
+  plan       which placements and turns to record next
+  live       a session that is guided while it is recorded
+Calibrate
+  calibrate  the calibration of a device from its recordings
+  discover   what the model of the sensors lacks
+  demo       all of it on a simulated session, truth beside estimate
+  simulate   a recording whose truth is known
+  effects    the catalogue of effects
+Use a calibration
+  apply      corrects a recording
+  bias       renews the biases, keeps everything else
+  reckon     position from a recording, with each calibration
+  export     writes a calibration as another tool reads it
+  import     reads a calibration of another tool
+  convert    writes a recording as plain CSV
+Many devices
+  batch      calibrates many devices, in parts that can be resumed
+
+`stillpoint COMMAND --help` explains a command.
+
+Options:
+{options}{after-help}";
 
 /// The commands.
 #[derive(Debug, Subcommand)]
