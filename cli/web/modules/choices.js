@@ -60,7 +60,7 @@ export class Choices {
 
     /** All options, as pairs of an option and its value. */
     pairs() {
-        const given = [...this.fields].map(([option, field]) => [option, field.value.trim()]);
+        const given = [...this.fields].map(([option, field]) => [option, field.value.trim().replace(",", ".")]);
         return [...given.filter(([, value]) => value !== ""), ...pairs(split(this.more.value))];
     }
 

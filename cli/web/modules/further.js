@@ -3,7 +3,7 @@ import { chosen, recordings } from "./dropped.js";
 import { copied, element, focus, saved, show } from "./elements.js";
 import { failureOf, failureView } from "./failure_view.js";
 import { Kept } from "./kept.js";
-import { reportView } from "./report_view.js";
+import { reportViews } from "./report_view.js";
 import { commandLine } from "./shell_words.js";
 
 /** Tools, what is written for each, and its name. */
@@ -83,7 +83,7 @@ export class Further {
                 copied(commandLine(words)),
                 failure ? failureView(failure, (line, isOpen) => page.choose(line, isOpen)) : null,
                 element("p", { className: "choices" }, [...made].map(([name, bytes]) => saved(name, bytes))),
-                report ? reportView(new TextDecoder().decode(report)) : null,
+                ...(report ? reportViews(new TextDecoder().decode(report)) : []),
             );
             focus($("discovered"));
             const findings = made.get("findings.json");
@@ -126,7 +126,7 @@ export class Further {
                 failure ? failureView(failure, () => {}) : null,
                 element("p", { className: "choices" }, result.files.map(([name, bytes]) => saved(name, bytes))),
                 notes && !report ? element("pre", { tabIndex: 0 }, notes) : null,
-                report ? reportView(new TextDecoder().decode(report[1])) : null,
+                ...(report ? reportViews(new TextDecoder().decode(report[1])) : []),
             );
             focus($("done"));
         });

@@ -9,7 +9,7 @@ import { infoView } from "./info_view.js";
 import { Cancelled, Program } from "./program.js";
 import { commandLine } from "./shell_words.js";
 import { verdictView } from "./verdict_view.js";
-import { reportView } from "./report_view.js";
+import { reportViews } from "./report_view.js";
 
 const $ = (id) => document.getElementById(id);
 
@@ -58,7 +58,9 @@ class Page {
         }
         this.files = files;
         this.choices.clear();
+        this.results = undefined;
         $("result").hidden = true;
+        show($("pictures"));
         this.further.hide();
         const refused = tooLarge(files);
         if (refused) {
@@ -168,11 +170,13 @@ class Page {
         const text = report ? new TextDecoder().decode(report) : "";
         const document = calibration ? parsed(new TextDecoder().decode(calibration)) : undefined;
         const links = [...this.results].map(([name, bytes]) => saved(name, bytes));
+        const [head, rest] = report ? reportViews(text) : [null, null];
+        show($("pictures"), rest);
         return [
             failure ? failureView(failure, (line, isOpen) => this.choose(line, isOpen)) : null,
             verdictView(document),
+            head,
             links.length > 0 ? element("p", { className: "choices" }, links) : null,
-            report ? reportView(text) : null,
         ];
     }
 

@@ -102,7 +102,7 @@ class Browser:
     def open(self, page):
         """Loads a page and waits until its script has run."""
         self.send("Page.navigate", url=Path(page).resolve().as_uri())
-        self.until("document.documentElement.dataset.ready === 'true'")
+        self.until("document.documentElement?.dataset.ready === 'true'")
 
     def run(self, script):
         """The value of an expression in the page."""
@@ -114,7 +114,7 @@ class Browser:
     def until(self, condition):
         """Waits until an expression holds."""
         end = time.monotonic() + PATIENCE
-        while not self.run(condition):
+        while not self.run(f"Boolean({condition})"):
             if time.monotonic() > end:
                 raise TimeoutError(f"{condition}; {self.logs[-3:]}; {self.text('body')[-2000:]}")
             time.sleep(0.02)

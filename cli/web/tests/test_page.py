@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from browser import Browser, chromium
+from differences import furthest
 
 PAGE = os.environ.get("STILLPOINT_PAGE", "")
 PROGRAM = os.environ.get("STILLPOINT_BIN", "")
@@ -70,19 +71,6 @@ def calibrated(browser):
     browser.until("!document.getElementById('result').hidden")
     idle(browser)
     return browser.saved("cal.json")
-
-
-def furthest(one, other, path=""):
-    """The largest relative difference of the numbers of two documents that are equal otherwise, and its place."""
-    if isinstance(one, dict):
-        assert one.keys() == other.keys(), path
-        return max((furthest(one[key], other[key], f"{path}.{key}") for key in one if "sha256" not in key), default=(0.0, path))
-    if isinstance(one, list):
-        assert len(one) == len(other), path
-        return max((furthest(a, b, f"{path}[{k}]") for k, (a, b) in enumerate(zip(one, other))), default=(0.0, path))
-    if isinstance(one, float) or isinstance(other, float):
-        return (abs(one - other) / max(abs(one), abs(other), 1e-9), path)
-    return (0.0 if one == other else 1.0, path)
 
 
 def test_a_recording_gives_the_calibration_of_the_command_line(browser, folder):
