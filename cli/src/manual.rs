@@ -18,6 +18,9 @@ pub mod files {}
 #[doc = include_str!("../manual/simulation.md")]
 pub mod simulation {}
 
+#[doc = include_str!("../manual/browser.md")]
+pub mod browser {}
+
 #[doc = include_str!("../manual/safety.md")]
 pub mod safety {}
 

@@ -16,23 +16,27 @@ const READING = new Set([
 /** Options that stand alone. */
 const ALONE = new Set(["--sort-time"]);
 
-/** The options that a message offers, each as a line; a line with `…` or without a value is to be completed. */
+/** The options that a message offers: lines, and whether a person has to complete each. */
 export function offered(message) {
-    const lines = [];
-    for (const [, option, value] of message.matchAll(OPTION)) {
-        const complete = ALONE.has(option) ? option : `${option} ${value ?? "…"}`;
-        if (!READING.has(option) || lines.some((line) => line.startsWith(`${option} `) && !value)) {
+    const found = new Map();
+    for (const match of message.matchAll(OPTION)) {
+        const [, option, value] = match;
+        const isAgain = !value && [...found.keys()].some((line) => line.startsWith(option));
+        if (!READING.has(option) || isAgain) {
             continue;
         }
         const listed = option === "--instance" ? instances(message) : [];
-        lines.push(...(listed.length > 0 ? listed.map((name) => `${option} ${quoted(name)}`) : [complete]));
+        listed.forEach((name) => found.set(`${option} ${quoted(name)}`, false));
+        if (ALONE.has(option)) {
+            found.set(option, false);
+        } else if (listed.length === 0) {
+            // A value that is an example is not the answer.
+            const isExample = message.slice(0, match.index).endsWith("as in ");
+            const isOpen = !value || value.includes("…") || (isExample && option !== "--topic");
+            found.set(`${option} ${value ?? "…"}`, isOpen);
+        }
     }
-    return [...new Set(lines)];
-}
-
-/** Whether something is left to a person in the line. */
-export function isOpen(line) {
-    return line.includes("…");
+    return [...found].map(([line, isOpen]) => ({ line, isOpen }));
 }
 
 function instances(message) {

@@ -52,6 +52,23 @@ export class Choices {
         this.more.value = [...kept, line].join(" ");
     }
 
+    /** Brings a person to where a line is completed. */
+    complete(line) {
+        const [option] = split(line);
+        const field = this.fields.get(option);
+        if (!field) {
+            this.add(line);
+        }
+        const target = field ?? this.more;
+        target.closest("details")?.setAttribute("open", "");
+        target.focus();
+    }
+
+    /** Whether a line says how a recording is read, and not how it is calibrated. */
+    isReading(line) {
+        return !NOT_READING.has(split(line)[0]);
+    }
+
     clear() {
         [...this.fields.values(), this.more].forEach((field) => {
             field.value = "";

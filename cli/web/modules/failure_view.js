@@ -1,5 +1,5 @@
 // Why a call did not give what was asked, and what to do.
-import { isOpen, offered } from "./advice.js";
+import { offered } from "./advice.js";
 import { button, element } from "./elements.js";
 
 /** What a run says that failed, or null. */
@@ -21,7 +21,7 @@ export function failureOf(result) {
 /** The failure with buttons for the options that it offers; `choose` is given one of them. */
 export function failureView(failure, choose) {
     const lines = offered(`${failure.message}\n${failure.next ?? ""}`);
-    const choices = lines.map((line) => button(isOpen(line) ? `Complete ${line}` : `Use ${line}`, () => choose(line, isOpen(line))));
+    const choices = lines.map(({ line, isOpen }) => button(`${isOpen ? "Complete" : "Use"} ${line}`, () => choose(line, isOpen)));
     return element(
         "div",
         { className: "failure", role: "alert" },

@@ -29,7 +29,7 @@ export class Further {
     constructor(page) {
         this.page = page;
         this.calibration = undefined;
-        this.kept = new Kept($("kept"), (name, bytes) => this.offer(name, bytes, true));
+        this.kept = new Kept($("kept"), (name, bytes) => this.offer(name, bytes));
         $("target").append(...TARGETS.map(([value, name]) => element("option", { value }, name)));
         $("discover").addEventListener("click", () => this.discover());
         $("export").addEventListener("click", () => this.export());
@@ -51,12 +51,11 @@ export class Further {
         show($("done"));
     }
 
-    /** Offers what can be done with a calibration; `discover` needs its recording too. */
-    offer(name, bytes, isWhole) {
+    /** Offers what can be done with a calibration; discovery needs its recording too. */
+    offer(name, bytes) {
         this.calibration = [name, bytes];
-        this.name = name;
         $("further").hidden = false;
-        $("discovery").hidden = !isWhole || this.page.files.length === 0 || !this.page.results;
+        $("discovery").hidden = !this.page.results;
         $("of").textContent = name;
     }
 
@@ -64,7 +63,7 @@ export class Further {
     async takeCalibration(files) {
         const [path, file] = files[0];
         this.page.files = [];
-        this.offer(path, new Uint8Array(await file.arrayBuffer()), true);
+        this.offer(path, new Uint8Array(await file.arrayBuffer()));
         $("discovery").hidden = true;
     }
 
@@ -88,7 +87,7 @@ export class Further {
             focus($("discovered"));
             const findings = made.get("findings.json");
             if (findings) {
-                this.offer("findings.json", findings, true);
+                this.offer("findings.json", findings);
             }
         });
     }

@@ -129,13 +129,16 @@ class Page {
 
     /** An option that a message has offered; what is left open in it is a person's to complete. */
     choose(line, isOpen) {
-        this.choices.add(line);
         if (isOpen) {
-            $("read").open = true;
-            $("more-options").focus();
+            this.choices.complete(line);
             this.showCommand();
-        } else {
+            return;
+        }
+        this.choices.add(line);
+        if (this.choices.isReading(line)) {
             this.look();
+        } else {
+            this.calibrate();
         }
     }
 
@@ -159,7 +162,7 @@ class Page {
             show($("verdict"), ...this.resultView(result, calibration));
             focus($("result"));
             if (calibration) {
-                this.further.offer("cal.json", calibration, result.code === 0);
+                this.further.offer("cal.json", calibration);
             }
         });
     }
@@ -174,7 +177,7 @@ class Page {
         show($("pictures"), rest);
         return [
             failure ? failureView(failure, (line, isOpen) => this.choose(line, isOpen)) : null,
-            verdictView(document),
+            verdictView(document, head),
             head,
             links.length > 0 ? element("p", { className: "choices" }, links) : null,
         ];

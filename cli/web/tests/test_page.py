@@ -96,6 +96,16 @@ def test_a_folder_is_one_recording_and_two_files_of_one_sensor_each_are_too(brow
     assert apart["gyroscope"] == whole["gyroscope"]
 
 
+def test_a_file_that_is_dropped_is_taken_as_one_that_is_chosen(browser, folder):
+    text = json.dumps((folder / "session.csv").read_text())
+    browser.run(
+        f"(() => {{ const data = new DataTransfer(); data.items.add(new File([{text}], 'dropped.csv'));"
+        "document.getElementById('drop').dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true })); })()"
+    )
+    browser.until("document.querySelectorAll('#what table').length > 0")
+    assert "dropped.csv" in browser.text("#what")
+
+
 def test_a_choice_that_a_message_offers_is_a_button(browser, folder):
     given(browser, folder / "two.csv")
     assert "2 devices" in browser.text("#what")
@@ -144,6 +154,12 @@ def test_the_keyboard_alone_is_enough_and_escape_cancels(browser, folder):
         browser.key("Tab", 9)
         reached.add(browser.run("document.activeElement.id"))
     assert {"choose-files", "discover", "target", "export", "choose-other", "keep"} <= reached
+
+
+def test_a_simulated_recording_is_at_hand_for_those_who_have_none(browser):
+    browser.click("#try")
+    browser.until("document.querySelectorAll('#what table').length > 0")
+    assert "recording.csv" in browser.text("#what")
 
 
 def test_nothing_is_asked_of_a_network_and_no_script_of_a_file_runs(browser, folder):
