@@ -25,7 +25,7 @@ export function failureView(failure, choose) {
     return element(
         "div",
         { className: "failure", role: "alert" },
-        element("p", {}, capital(failure.message)),
+        element("p", {}, failure.message),
         choices.length > 0 ? element("p", { className: "choices" }, choices) : null,
         failure.detail ? element("pre", {}, failure.detail) : null,
     );
@@ -38,8 +38,4 @@ export function parsed(text) {
     } catch {
         return undefined;
     }
-}
-
-function capital(text) {
-    return text.charAt(0).toUpperCase() + text.slice(1);
 }

@@ -41,8 +41,12 @@ def folder(tmp_path_factory):
         (made / "phone" / f"{name}.csv").write_text("\n".join(rows) + "\n")
     # Rows of two devices.
     header, *rows = lines
-    both = [f"{row},{k % 2}" for k, row in enumerate(rows)]
-    (made / "two.csv").write_text("\n".join([header + ",I", *both]) + "\n")
+    both = []
+    for row in rows:
+        t, *values = row.split(",")
+        off = [f"{float(value) + bias:.6f}" for value, bias in zip(values, (0.3, -0.2, 0.4, 0.02, -0.03, 0.01))]
+        both += [",".join([t, "0", *values]), ",".join([t, "1", *off])]
+    (made / "two.csv").write_text("\n".join([header.replace("t,", "t,I,"), *both]) + "\n")
     return made
 
 
@@ -61,8 +65,9 @@ def idle(browser):
 
 def given(browser, *files, field="#files"):
     """Gives files to the page and waits until it says what is in them."""
+    browser.run("document.getElementById('what').replaceChildren()")
     browser.choose(field, *files)
-    browser.until("!document.getElementById('recording').hidden")
+    browser.until("document.getElementById('what').children.length > 0")
     idle(browser)
 
 
@@ -84,7 +89,7 @@ def test_a_recording_gives_the_calibration_of_the_command_line(browser, folder):
     assert distance < CLOSE, place
     shown = browser.run("document.querySelector('.shown').shadowRoot.textContent")
     assert "What to do next" in shown
-    assert browser.run("document.querySelector('.shown').shadowRoot.querySelectorAll('svg').length") > 5
+    assert browser.run("document.querySelector('#pictures .shown').shadowRoot.querySelectorAll('svg').length") > 5
 
 
 def test_a_folder_is_one_recording_and_two_files_of_one_sensor_each_are_too(browser, folder):
