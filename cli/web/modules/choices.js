@@ -1,6 +1,6 @@
 // What a person may choose before a recording is calibrated, as options of the command line.
 import { element } from "./elements.js";
-import { split } from "./shell_words.js";
+import { quoted, split } from "./shell_words.js";
 
 const PLACE = [
     ["--latitude", "Latitude, degrees", "47.4"],
@@ -39,17 +39,17 @@ export class Choices {
         return element("label", { htmlFor: id }, `${label} `, made);
     }
 
-    /** Adds a line of options; one that is there already is replaced. */
+    /** Adds a line of options; those that are there already are replaced. */
     add(line) {
-        const [option, ...value] = split(line);
-        const field = this.fields.get(option);
-        if (field) {
-            field.value = value.join(" ");
-            return;
+        for (const [option, ...value] of pairs(split(line))) {
+            const field = this.fields.get(option);
+            if (field) {
+                field.value = value.join(" ");
+                continue;
+            }
+            const others = pairs(split(this.more.value)).filter(([name]) => name !== option);
+            this.more.value = [...others, [option, ...value]].map((pair) => pair.map(quoted).join(" ")).join(" ");
         }
-        const others = pairs(split(this.more.value)).filter(([name]) => name !== option);
-        const kept = others.map((pair) => pair.map(again).join(" "));
-        this.more.value = [...kept, line].join(" ");
     }
 
     /** Brings a person to where a line is completed. */
@@ -95,10 +95,6 @@ export class Choices {
 /** A value that begins like an option has to stand behind the sign of equality. */
 function joined([option, ...values]) {
     return values.length === 1 && values[0].startsWith("-") ? [`${option}=${values[0]}`] : [option, ...values];
-}
-
-function again(word) {
-    return /\s/.test(word) ? `'${word}'` : word;
 }
 
 function pairs(words) {

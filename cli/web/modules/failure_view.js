@@ -18,15 +18,19 @@ export function failureOf(result) {
     return said ?? { message: result.error.replace(/^(.*\n)*stillpoint: /, "").trim() || `status ${result.code}`, next: "" };
 }
 
-/** The failure with buttons for the options that it offers; `choose` is given one of them. */
-export function failureView(failure, choose) {
+/** The failure with buttons for the options that it offers; `choose` is given one of them. Where a report says why, the buttons alone. */
+export function failureView(failure, choose, isReported = false) {
     const lines = offered(`${failure.message}\n${failure.next ?? ""}`);
     const choices = lines.map(({ line, isOpen }) => button(`${isOpen ? "Complete" : "Use"} ${line}`, () => choose(line, isOpen)));
+    const offers = choices.length > 0 ? element("p", { className: "choices" }, choices) : null;
+    if (isReported) {
+        return offers;
+    }
     return element(
         "div",
         { className: "failure", role: "alert" },
         element("p", {}, failure.message),
-        choices.length > 0 ? element("p", { className: "choices" }, choices) : null,
+        offers,
         failure.detail ? element("pre", {}, failure.detail) : null,
     );
 }

@@ -110,7 +110,10 @@ class Page {
         this.files = joined(this.files, documents);
         const choose = (line, isOpen) => this.choose(line, isOpen);
         // A log of several sensors has been read as far as this: which of them is asked.
-        const streams = documents.flatMap((document) => document.streams ?? []);
+        const all = documents.flatMap((document) => document.streams ?? []);
+        // The gyroscope that belongs to an accelerometer is found by itself.
+        const first = all.filter(({ sensor }) => sensor === "accelerometer");
+        const streams = first.length > 0 ? first : all;
         const options = [...new Set(streams.map(({ option }) => option).filter(Boolean))];
         const asked = options.map((line) => button(`Use ${line}`, () => choose(line, false)));
         show(
@@ -176,7 +179,7 @@ class Page {
         const [head, rest] = report ? reportViews(text) : [null, null];
         show($("pictures"), rest);
         return [
-            failure ? failureView(failure, (line, isOpen) => this.choose(line, isOpen)) : null,
+            failure ? failureView(failure, (line, isOpen) => this.choose(line, isOpen), report && !calibration) : null,
             verdictView(document, head),
             head,
             links.length > 0 ? element("p", { className: "choices" }, links) : null,

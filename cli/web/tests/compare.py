@@ -13,7 +13,7 @@ import time
 from pathlib import Path
 
 from browser import Browser, chromium
-from differences import furthest
+from differences import furthest, in_errors
 
 
 def native(program, recording, options, folder):
@@ -51,21 +51,22 @@ def main():
     page, program, *recordings = sys.argv[1:]
     browser = Browser(chromium())
     browser.open(page)
-    print(f"{'recording':34} {'exit':>4} {'same':>5} {'difference':>10} {'native s':>8} {'first s':>8} {'page s':>7}  where")
+    print(f"{'recording':34} {'exit':>4} {'same':>5} {'difference':>10} {'of sigma':>8} {'native s':>8} {'first s':>8} {'page s':>7}  furthest")
     for words in recordings:
         name, _, options = words.partition("::")
         recording, options = Path(name).resolve(), options.split()
         with tempfile.TemporaryDirectory() as folder:
             code, mine, seconds = native(program, recording, options, folder)
         theirs, (first, second) = in_page(browser, recording, options)
-        same, difference, place = mine == theirs, 0.0, ""
+        same, difference, errors, place = mine == theirs, 0.0, 0.0, ""
         if not same and mine and theirs:
             difference, place = furthest(json.loads(mine), json.loads(theirs))
+            errors = in_errors(json.loads(mine), json.loads(theirs))
         elif not same:
             difference, place = 1.0, "only one has a calibration"
         label = "/".join(recording.parts[-2:])[-34:]
         said = "yes" if same and mine else "none" if same else "no"
-        print(f"{label:34} {code:4} {said:>5} {difference:10.1e} {seconds:8.2f} {first:8.2f} {second:7.2f}  {place}", flush=True)
+        print(f"{label:34} {code:4} {said:>5} {difference:10.1e} {errors:8.0e} {seconds:8.2f} {first:8.2f} {second:7.2f}  {place}", flush=True)
     outside = [url for url in browser.requests if url.split(":")[0] not in ("file", "blob", "data", "about")]
     print(f"requests that left the page: {len(outside)}")
     browser.close()

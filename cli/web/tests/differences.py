@@ -22,3 +22,18 @@ def furthest(one, other, path=""):
     if isinstance(one, float) and isinstance(other, float):
         return (abs(one - other) / max(abs(one), abs(other), FLOOR), path)
     return (0.0 if one == other else 1.0, path)
+
+
+def in_errors(one, other):
+    """The largest difference of a parameter, in stated standard errors."""
+    largest = 0.0
+    for sensor in ("accelerometer", "gyroscope"):
+        for value, std in (("T", "T_std"), ("bias", "bias_std")):
+            triples = zip(*(numbers(part) for part in (one[sensor].get(value), other[sensor].get(value), one[sensor].get(std))))
+            largest = max([largest, *(abs(a - b) / s for a, b, s in triples if s)])
+    return largest
+
+
+def numbers(part):
+    """The numbers of a vector or a matrix, in order."""
+    return [cell for row in part or [] for cell in (row if isinstance(row, list) else [row])]
