@@ -1,5 +1,6 @@
 //! The page of a calibration.
 
+use ::findings::Front;
 use calib::Calibration;
 use calib::calibration::Triad;
 use sensor::Sensor;
@@ -152,7 +153,7 @@ pub fn page(
 pub fn notes(calibration: &Calibration) -> Vec<String> {
     let failed = limits::reasons(calibration).into_iter();
     let mut notes: Vec<String> = failed.map(|gate| format!("Do not use: {gate}")).collect();
-    notes.extend(calibration.warnings.iter().cloned());
+    notes.extend(calibration.warnings.texts(Front::CommandLine));
     show::folded(&notes)
 }
 

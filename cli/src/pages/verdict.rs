@@ -1,5 +1,6 @@
 //! Is the calibration good, and what next: in sentences.
 
+use ::findings::Front;
 use calib::Calibration;
 use calib::gravity::GravitySource;
 
@@ -74,7 +75,8 @@ pub fn judged(
             .map_or(message.as_str(), |s| s.body(message))
             .to_owned()
     };
-    let warnings: Vec<String> = calibration.warnings.iter().map(body).collect();
+    let said = calibration.warnings.texts(Front::CommandLine);
+    let warnings: Vec<String> = said.iter().map(body).collect();
     let gravest_warning = gravest(&warnings);
     let cause = gravest_warning.map(|(cause, _)| cause);
     let mut next = Vec::new();
@@ -100,8 +102,8 @@ pub fn judged(
             format!("Do not use this calibration: {}", sentence_of(gate)),
         )
     } else if let Some((k, at)) = gravest_warning {
-        let warning = &calibration.warnings[at];
-        let disturbed = leave_out(cause, &calibration.warnings);
+        let warning = &said[at];
+        let disturbed = leave_out(cause, &said);
         next.push(disturbed.unwrap_or_else(|| advice(k, warning)));
         // A wrong unit or rate is in every figure of the sensor.
         if k <= UNIT {
@@ -118,7 +120,7 @@ pub fn judged(
                 format!("Usable with care: {}", meaning(k, &sentence_of(warning))),
             )
         }
-    } else if let Some(warning) = calibration.warnings.iter().find(|w| !is_of_gravity(w)) {
+    } else if let Some(warning) = said.iter().find(|w| !is_of_gravity(w)) {
         (
             Level::Care,
             format!("Usable with care: {}", sentence_of(warning)),

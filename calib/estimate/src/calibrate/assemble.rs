@@ -1,5 +1,6 @@
 //! The fits written down as a [`Calibration`].
 
+use findings::Findings;
 use nalgebra::Matrix3;
 use recording::intervals::Segmentation;
 use recording::{Error, Recording};
@@ -25,7 +26,7 @@ pub(super) struct Parts<'a> {
     pub accelerometer: Option<&'a AccelerometerFit>,
     pub gyroscope: Option<&'a GyroscopeFit>,
     pub request: &'a Request,
-    pub warnings: Vec<String>,
+    pub warnings: Findings,
 }
 
 /// Writes the fits down, checks the quality gates, turns the result into the frame asked for.
@@ -40,7 +41,7 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
         mut warnings,
     } = parts;
     let mut table = Table::default();
-    let mut failed_gates = Vec::new();
+    let mut failed_gates = Findings::new();
     let norms = accelerometer.and_then(|fit| StaticNorms::of(fit, recordings, choices));
     let accelerometer_triad = accelerometer.map(|fit| {
         table.add(&fit.fitted);

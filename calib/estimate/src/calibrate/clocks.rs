@@ -1,5 +1,6 @@
 //! What the clocks of the recordings leave in doubt, and recordings on an even clock.
 
+use findings::Findings;
 use recording::{
     ClockDrift, Recording, Stamps, Stream, bursts, clock_drift, clock_offset, even_clock,
     significant,
@@ -64,7 +65,7 @@ pub(super) fn on_even_clocks(recordings: &[&Recording]) -> Vec<Recording> {
 }
 
 /// The recordings with even clocks where their stamps come in bursts, and what is said of it; `None` where none do.
-pub(crate) fn without_bursts(recordings: &[&Recording]) -> Option<(Vec<Recording>, Vec<String>)> {
+pub(crate) fn without_bursts(recordings: &[&Recording]) -> Option<(Vec<Recording>, Findings)> {
     let in_bursts = |recording: &&Recording| {
         let streams = [&recording.accelerometer, &recording.gyroscope];
         streams
@@ -75,7 +76,7 @@ pub(crate) fn without_bursts(recordings: &[&Recording]) -> Option<(Vec<Recording
     if !recordings.iter().any(in_bursts) {
         return None;
     }
-    let mut warnings = Vec::new();
+    let mut warnings = Findings::new();
     let mut all = Vec::with_capacity(recordings.len());
     for recording in recordings {
         let mut own = (*recording).clone();

@@ -61,8 +61,7 @@ pub fn apply_with(
         if own.is_some_and(|own| (own.unit == "uT") != field.unit.is_some()) {
             corrected.warnings.push(
                 "the unit of the magnetometer is known in this recording or in those of the calibration, not in both: it is \
-                 corrected as if it were the same"
-                    .into(),
+                 corrected as if it were the same",
             );
         }
     }

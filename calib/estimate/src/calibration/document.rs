@@ -1,5 +1,6 @@
 //! `cal.json` with sensors that are not calibrated: the reason stands in the place of the sensor.
 
+use findings::{Findings, Verdict};
 use sensor::Sensor;
 use serde::de::Error as _;
 use serde::ser::Error as _;
@@ -26,12 +27,31 @@ impl NotCalibrated {
     }
 }
 
+/// A calibration with what is made of its findings.
+#[derive(Serialize)]
+struct Document<'a> {
+    #[serde(flatten, serialize_with = "own")]
+    own: &'a Calibration,
+    verdict: Verdict,
+    findings: Findings,
+}
+
+/// The entries of the calibration itself.
+fn own<S: Serializer>(calibration: &&Calibration, serializer: S) -> Result<S::Ok, S::Error> {
+    Calibration::serialize(calibration, serializer)
+}
+
 impl Serialize for Calibration {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let document = Document {
+            own: self,
+            verdict: self.verdict(),
+            findings: self.findings(),
+        };
         if self.not_calibrated.is_empty() {
-            return Calibration::serialize(self, serializer);
+            return document.serialize(serializer);
         }
-        let value = Calibration::serialize(self, serde_json::value::Serializer);
+        let value = document.serialize(serde_json::value::Serializer);
         let mut value = value.map_err(S::Error::custom)?;
         for mark in &self.not_calibrated {
             value[mark.sensor.name()] = mark.to_value();
@@ -54,10 +74,31 @@ impl Calibration {
         for mark in &not_calibrated {
             value[mark.sensor.name()] = Value::Null;
         }
+        let found = match value.get_mut("findings") {
+            Some(found) => Some(Findings::deserialize(found.take())?),
+            None => None,
+        };
+        let mut own = Calibration::deserialize(value)?;
+        if let Some(found) = found {
+            own.failed_gates = found.gates().collect();
+            own.warnings = found.warnings().collect();
+        }
         Ok(Self {
             not_calibrated,
-            ..Calibration::deserialize(value)?
+            ..own
         })
+    }
+
+    /// All findings, those first that forbid its use.
+    pub fn findings(&self) -> Findings {
+        self.failed_gates.iter().chain(&self.warnings).collect()
+    }
+
+    /// The verdict on it, with commands for the recordings that it was made of.
+    pub fn verdict(&self) -> Verdict {
+        let inputs = self.provenance.inputs.iter();
+        let names: Vec<&str> = inputs.map(|input| input.recording.as_str()).collect();
+        Verdict::of_recordings(&self.findings(), &names)
     }
 
     /// Why a sensor is not calibrated, if it was recorded and is not.

@@ -178,6 +178,7 @@ mod tests {
                 .warnings
                 .last()
                 .unwrap()
+                .text(findings::Front::CommandLine)
                 .contains("accel.b_x is 14.1 standard deviations")
         );
     }

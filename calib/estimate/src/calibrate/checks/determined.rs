@@ -1,5 +1,6 @@
 //! Whether the data determine the parameters, in words a person can act on.
 
+use findings::Findings;
 use nalgebra::Vector3;
 use recording::Error;
 
@@ -76,7 +77,7 @@ impl<'a> RateEvidence<'a> {
 /// Refuses a fit whose parameters the data do not determine and warns of weak ones.
 pub(in crate::calibrate) fn accelerometer_is_determined(
     fit: &ForceEvidence<'_>,
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) -> Result<(), Error> {
     let directions = &fit.directions;
     let free = fit.fitted.free.len();
@@ -169,7 +170,7 @@ fn least_known(fit: &ForceEvidence<'_>) -> String {
 /// Refuses a fit that the turns do not determine and warns of weak parameters.
 pub(in crate::calibrate) fn gyroscope_is_determined(
     fit: &RateEvidence<'_>,
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) -> Result<(), Error> {
     let RateEvidence { fitted, turns, .. } = *fit;
     let refusal = |unknown: String, names: &[&str]| {

@@ -1,6 +1,7 @@
 //! What a joint fit leaves in doubt, in words.
 
 use crate::methods::joint::{Disturbance, Flagged, JointFit, Missing, Reason};
+use findings::Findings;
 
 /// A placement off by so much, m/s², though nothing shook it, was not touched: the sensor lies otherwise in its case, or
 /// something lifts it.
@@ -56,7 +57,7 @@ pub fn of_missing(missing: &Missing) -> Option<String> {
 }
 
 /// Names what was disturbed, with interval and times.
-pub fn disturbances(fit: &JointFit, warnings: &mut Vec<String>) {
+pub fn disturbances(fit: &JointFit, warnings: &mut Findings) {
     let name = |recording: usize| &fit.data.sources[recording].name;
     for lost in &fit.data.lost {
         warnings.push(format!(
@@ -138,7 +139,7 @@ pub fn disturbances(fit: &JointFit, warnings: &mut Vec<String>) {
 }
 
 /// Names the rests without which a parameter would be another.
-pub fn influences(fit: &JointFit, warnings: &mut Vec<String>) {
+pub fn influences(fit: &JointFit, warnings: &mut Findings) {
     for influence in fit.influences() {
         if influence.change > INFLUENTIAL && influence.change.is_finite() {
             let rest = &fit.data.rests[influence.rest];

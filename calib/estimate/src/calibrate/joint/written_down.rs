@@ -1,6 +1,7 @@
 //! A joint fit as a calibration.
 
 use effects::earth_rotation;
+use findings::Findings;
 use recording::{Error, Recording};
 use sensor::Sensor;
 
@@ -66,12 +67,12 @@ pub fn written_down(
     recordings: &[&Recording],
     choices: &[&Choice],
     account: &Account,
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) -> Result<Calibration, Error> {
     let force = fit.fitted(Sensor::Accelerometer);
     let rate = fit.has_gyroscope().then(|| fit.fitted(Sensor::Gyroscope));
     check_force(fit, &force, warnings)?;
-    let mut failed_gates = Vec::new();
+    let mut failed_gates = Findings::new();
     for (recording, choice) in recordings.iter().zip(choices) {
         let segmentation = &choice.segmentation;
         let scale = fit.force_unit.scale;
@@ -154,7 +155,7 @@ pub fn written_down(
         parameters: all.free,
         covariance: all.covariance,
         misfit: remainders,
-        warnings: Vec::new(),
+        warnings: Findings::new(),
         clocks: RecordingClock::of(fit),
         history: Vec::new(),
         failed_gates,

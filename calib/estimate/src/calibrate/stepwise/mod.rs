@@ -2,6 +2,7 @@
 
 mod gyro_data;
 
+use findings::Findings;
 use nalgebra::Vector3;
 use recording::intervals::Segmentation;
 use recording::{Error, Recording};
@@ -34,7 +35,7 @@ pub(super) fn stepwise(
     gyro_recordings: &[&Recording],
     choices: Vec<Choice>,
     request: &Request,
-    mut warnings: Vec<String>,
+    mut warnings: Findings,
 ) -> Result<Outcome, Error> {
     if request.static_means.is_empty() {
         let cut = choices.iter().map(|c| &c.segmentation);
@@ -103,11 +104,10 @@ fn accelerometer(
     recordings: &[&Recording],
     choices: &[Choice],
     request: &Request,
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) -> Result<Option<AccelerometerFit>, Error> {
     if request.static_means.is_empty() && recordings.iter().all(|r| r.accelerometer.is_none()) {
-        warnings
-            .push("no accelerometer in the recording: only the gyroscope's bias is found".into());
+        warnings.push("no accelerometer in the recording: only the gyroscope's bias is found");
         return Ok(None);
     }
     let mut names = Vec::new();
@@ -184,14 +184,14 @@ fn gyroscope(
     same_recordings: bool,
     accelerometer: Option<&AccelerometerFit>,
     request: &Request,
-    warnings: &mut Vec<String>,
+    warnings: &mut Findings,
 ) -> Result<Option<GyroscopeFit>, Error> {
     let Some(accelerometer) = accelerometer else {
         return Ok(None);
     };
     if turning.iter().all(|(r, _)| r.gyroscope.is_none()) {
         if !turning.is_empty() {
-            warnings.push(NO_GYROSCOPE.into());
+            warnings.push(NO_GYROSCOPE);
         }
         return Ok(None);
     }
@@ -259,7 +259,7 @@ pub fn gyroscope_data(
         accelerometer,
         request,
     };
-    let all = gyro_data::collect_all(&[of], &gyroscope_model(request), &mut Vec::new());
+    let all = gyro_data::collect_all(&[of], &gyroscope_model(request), &mut Findings::new());
     all.into_iter().next().unwrap_or_default()
 }
 

@@ -10,6 +10,7 @@ mod placement;
 pub use gyroscope::{EarthRotation, GyroscopePart};
 pub use placement::{Face, Placement, Six, placements};
 
+use findings::Findings;
 use std::borrow::Borrow;
 
 use nalgebra::{Matrix3, Matrix3x6, Vector3};
@@ -47,7 +48,7 @@ pub struct SixPosition {
     /// The gyroscope, where it was recorded.
     pub gyroscope: Option<GyroscopePart>,
     /// What the user should know.
-    pub warnings: Vec<String>,
+    pub warnings: Findings,
 }
 
 /// The method from recordings to a calibration.
@@ -180,7 +181,7 @@ impl SixPosition {
     }
 
     /// Why the result must not be used, if so.
-    fn failed_gates(&self) -> Vec<String> {
+    fn failed_gates(&self) -> Findings {
         let tilt = self.tilt();
         let gate = format!(
             "six positions: the placements are tilted by about {:.1}° (rms), {:.0}° at most expected: \
@@ -190,9 +191,9 @@ impl SixPosition {
         );
         // Also where the tilt is no number.
         if tilt <= TILT_GATE {
-            Vec::new()
+            Findings::new()
         } else {
-            vec![gate]
+            vec![gate].into()
         }
     }
 
@@ -339,7 +340,7 @@ mod tests {
         // The cosine of one degree adds 1.5e-4 of a difference along the axis.
         assert!((found.tilt() / expected - 1.0).abs() < 1e-3);
         assert!(
-            found.warnings[0].contains("tilted by about"),
+            found.warnings.texts(findings::Front::CommandLine)[0].contains("tilted by about"),
             "{:?}",
             found.warnings
         );
@@ -363,7 +364,7 @@ mod tests {
         };
         assert!(gates(1.0).is_empty());
         assert!(
-            gates(3.0)[0].contains("level the device"),
+            gates(3.0).texts(findings::Front::CommandLine)[0].contains("level the device"),
             "{:?}",
             gates(3.0)
         );

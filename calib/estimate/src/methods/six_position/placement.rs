@@ -1,5 +1,6 @@
 //! Six placements, found by the direction of gravity.
 
+use findings::Findings;
 use std::borrow::Borrow;
 
 use nalgebra::{Matrix3x6, Vector3};
@@ -76,7 +77,7 @@ pub struct Placement {
 pub struct Six {
     placements: [Placement; 6],
     /// Placements that were passed over, and why.
-    pub warnings: Vec<String>,
+    pub warnings: Findings,
 }
 
 impl Six {
@@ -88,7 +89,7 @@ impl Six {
     /// A face without placement; the message also names the faces that have two.
     pub fn sort(placements: Vec<Placement>, gravity: f64) -> Result<Self, Error> {
         let mut by_face: [Vec<Placement>; 6] = Default::default();
-        let mut warnings = Vec::new();
+        let mut warnings = Findings::new();
         for placement in placements {
             match Face::of(&placement.accelerometer) {
                 Some(face) => by_face[face as usize].push(placement),
@@ -258,6 +259,8 @@ mod tests {
         let six = Six::sort(all, 9.8).unwrap();
         assert_eq!(six.placements()[5].label, "z up");
         assert_eq!(six.warnings.len(), 2);
-        assert!(six.warnings[0].starts_with("edge: on no face"));
+        assert!(
+            six.warnings.texts(findings::Front::CommandLine)[0].starts_with("edge: on no face")
+        );
     }
 }

@@ -24,6 +24,7 @@ pub(in crate::calibrate) use field::turned_field;
 pub use readings::{implausible, implausible_base};
 pub use turned::none_is_turned;
 
+use findings::Findings;
 use nalgebra::Matrix3;
 
 /// The axes in every order with every sign.
@@ -38,9 +39,9 @@ pub(in crate::calibrate) fn signed_axes() -> Vec<Matrix3<f64>> {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Said {
     /// Reasons not to use a result as it stands.
-    pub gates: Vec<String>,
+    pub gates: Findings,
     /// Findings that a user should know.
-    pub warnings: Vec<String>,
+    pub warnings: Findings,
 }
 
 impl Said {
@@ -53,7 +54,7 @@ impl Said {
     }
 
     /// Adds to the gates and the warnings of a calibration.
-    pub fn add_to(self, gates: &mut Vec<String>, warnings: &mut Vec<String>) {
+    pub fn add_to(self, gates: &mut Findings, warnings: &mut Findings) {
         gates.extend(self.gates);
         warnings.extend(self.warnings);
     }
