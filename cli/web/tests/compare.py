@@ -31,9 +31,9 @@ def native(program, recording, options, folder):
 def in_page(browser, recording, options):
     """The same of the page. The second of two calibrations counts: the first compiles the program."""
     field = "#folder" if recording.is_dir() else "#files"
+    browser.run("document.getElementById('what').replaceChildren()")
     browser.choose(field, recording)
-    idle = "document.getElementById('busy').hidden && !document.body.hasAttribute('aria-busy') && !document.getElementById('recording').hidden"
-    browser.until(f"{idle} && document.getElementById('what').children.length > 0")
+    browser.until("document.getElementById('what').children.length > 0 && document.getElementById('busy').hidden")
     times = []
     for _ in range(2):
         browser.run(f"document.getElementById('more-options').value = {json.dumps(' '.join(options))}")
