@@ -16,6 +16,7 @@ mod quoted;
 mod read_args;
 mod report;
 mod show;
+mod steps;
 mod terminal;
 mod threads;
 #[doc(hidden)]
@@ -85,7 +86,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
     };
     cli.terminal.install();
     let result = std::panic::catch_unwind(AssertUnwindSafe(|| {
-        commands::run(cli.command, Cli::command)
+        steps::told(|| commands::run(cli.command, Cli::command))
     }));
     match result {
         Ok(Ok(())) => 0,

@@ -11,6 +11,9 @@ pub mod report {}
 #[doc = include_str!("../manual/experiment.md")]
 pub mod experiment {}
 
+#[doc = include_str!("../manual/browser.md")]
+pub mod browser {}
+
 #[doc = include_str!("../manual/files.md")]
 pub mod files {}
 

@@ -15,6 +15,7 @@ mod generate;
 mod import;
 mod info;
 mod live;
+mod page;
 mod plan;
 mod reckon;
 mod segment;
@@ -80,6 +81,7 @@ pub enum Command {
     Plan(Box<plan::Args>),
     Export(Box<export::Args>),
     Import(import::Args),
+    Page(page::Args),
     #[command(hide = true)]
     Generate(generate::Args),
 }
@@ -105,6 +107,7 @@ pub fn run(command: Command, whole: fn() -> clap::Command) -> Result<(), Failure
         Command::Plan(args) => plan::run(&args),
         Command::Export(args) => export::run(&args),
         Command::Import(args) => import::run(&args),
+        Command::Page(args) => page::run(&args),
         Command::Generate(args) => generate::run(&args, whole()),
     }
 }

@@ -6,7 +6,7 @@ mod common;
 
 use common::{files, folder, status, stderr, stdout, stillpoint};
 
-const COMMANDS: [&str; 18] = [
+const COMMANDS: [&str; 19] = [
     "batch",
     "live",
     "plan",
@@ -25,6 +25,7 @@ const COMMANDS: [&str; 18] = [
     "effects",
     "export",
     "import",
+    "page",
 ];
 
 /// No line is wider than a terminal of 80 columns.
