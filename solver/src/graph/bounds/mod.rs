@@ -1,4 +1,4 @@
-//! Bounds on the numbers of plain blocks: which there are, which hold, and what they leave of `H`.
+//! Bounds on the numbers of blocks: which there are, which hold, and what they leave of `H`.
 
 mod of_blocks;
 pub(crate) mod step;
@@ -49,10 +49,11 @@ impl Bounds {
             let place = variable
                 .free_coordinates()
                 .position(|k| k == coordinate as usize);
-            if let (true, Some(place)) = (position != NONE, place) {
+            let number = variable.plain(coordinate as usize);
+            if let (true, Some(place), Some(number)) = (position != NONE, place, number) {
                 all.push(Bound {
                     unknown: structure.first[position as usize] + place,
-                    value: variable.first + coordinate as usize,
+                    value: variable.first + number,
                     lower,
                     upper,
                     block: Block(block),
