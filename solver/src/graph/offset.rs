@@ -1,4 +1,4 @@
-//! How near a minimum a point of a graph is: offset and relative step, by the factor at hand.
+//! Distance of a graph's point from a minimum: offset and relative step, by the factor at hand.
 
 use super::solve::Run;
 use crate::linear::vector::{dot, scaled_norm};
@@ -21,7 +21,7 @@ impl Run<'_> {
         -dot(&self.normal.gradient, &self.step) - pressed
     }
 
-    /// Whether the offset is small by the factor at hand, that of the equations before the last step:
+    /// True where the offset is small by the factor at hand, that of the equations before the last step:
     /// where that did what the linearised problem said, they have hardly changed, and the last
     /// factorisation is spared. Leaves the step by this factor in `self.step`.
     pub(super) fn is_near_by_last_factor(&mut self, near: f64) -> bool {

@@ -77,7 +77,7 @@ pub struct Graph<'a> {
 pub(crate) struct Variable {
     pub name: Arc<str>,
     pub manifold: Arc<dyn AnyManifold>,
-    /// Where its stored values begin.
+    /// Begin of its stored values.
     pub first: usize,
     pub numbers: u32,
     pub dimension: u32,
@@ -275,7 +275,7 @@ impl<'a> Graph<'a> {
         all
     }
 
-    /// What is minimised, at stored values of all blocks: `½ ‖r‖²`, or half the sum of the losses.
+    /// Value of the minimised cost at stored values of all blocks: `½ ‖r‖²`, or half the sum of the losses.
     pub fn cost(&self, values: &[f64]) -> f64 {
         let (mut x, mut out, mut sum) = (Vec::new(), Vec::new(), 0.0);
         for (factor, entry) in self.factors.iter().enumerate() {
@@ -346,7 +346,7 @@ impl<'a> Graph<'a> {
         self.losses.get(index as usize - 1)
     }
 
-    /// What can be wrong before anything is evaluated.
+    /// Checks before anything is evaluated.
     pub(crate) fn check(&self) -> Result<(), Error> {
         for factor in 0..self.factors.len() {
             let blocks = self.blocks_of(factor);

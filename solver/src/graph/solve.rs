@@ -24,7 +24,7 @@ use crate::report::{Iteration, Termination};
 /// judged by the gradient.
 const NEAR: f64 = 1e-5;
 
-/// How near to 1 the last gain ratio is if the next step is linearised before its cost is known.
+/// Nearness to 1 of the last gain ratio if the next step is linearised before its cost is known.
 const PREDICTED: f64 = 0.25;
 
 /// Steps by a factor at hand that may be tried in vain.
@@ -129,19 +129,19 @@ pub(super) struct Run<'a> {
     pub deadline: Option<Moment>,
     pub offset: f64,
     pub relative_step: f64,
-    /// Whether the last step did what the linearised problem said.
+    /// True where the last step did what the linearised problem said.
     pub as_predicted: bool,
     /// Damping of the factor at hand; infinite where there is none.
     pub factor_damping: f64,
-    /// How often a step by the last factor may still be tried in vain: where steps fall slowly in
+    /// Number of steps by the last factor that may still be tried in vain: where steps fall slowly in
     /// directions that are hardly determined, it would be so again and again.
     pub tries: usize,
-    /// Where there are bounds.
+    /// The bounded step; `None` without bounds.
     pub bounded: Option<BoundedStep>,
     pub more: Vec<f64>,
     pub step: Vec<f64>,
     observer: Observer<'a>,
-    /// Whether the observer has asked to stop.
+    /// True where the observer has asked to stop.
     cancelled: bool,
 }
 

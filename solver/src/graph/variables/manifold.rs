@@ -1,4 +1,4 @@
-//! Where a block of variables lives: the numbers it stores and the steps it may take.
+//! Manifolds of blocks: the numbers stored and the steps that may be taken.
 
 use std::fmt::Debug;
 
@@ -37,10 +37,10 @@ use crate::scalar::{Jet, LANES, Scalar, derivatives, variable};
 /// assert!(check_manifold(&Positive, &[2.0], &[0.3]) < 1e-8);
 /// ```
 pub trait Manifold: Debug + Send + Sync + 'static {
-    /// How many values a point stores.
+    /// Number of values that a point stores.
     fn numbers(&self) -> usize;
 
-    /// How many coordinates a step has.
+    /// Number of coordinates of a step.
     fn dimension(&self) -> usize;
 
     /// Writes `x ⊞ δ`.
@@ -49,7 +49,7 @@ pub trait Manifold: Debug + Send + Sync + 'static {
     /// Writes `y ⊟ x`.
     fn local<D: Scalar>(&self, x: &[D], y: &[D], out: &mut [D]);
 
-    /// Whether `x ⊞ δ = x + δ`.
+    /// True where `x ⊞ δ = x + δ`.
     fn is_flat(&self) -> bool {
         false
     }
