@@ -34,7 +34,9 @@ fn numbers(seed: u64) -> impl FnMut() -> f64 {
             .wrapping_add(1_442_695_040_888_963_407);
         (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
     };
-    (0..5).for_each(|_| drop(next()));
+    (0..5).for_each(|_| {
+        next();
+    });
     next
 }
 
