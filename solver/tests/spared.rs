@@ -73,16 +73,36 @@ fn twenty_decays_take_hardly_more_jacobians_than_scipys_trf_to_the_same_toleranc
 }
 
 #[test]
-fn straight_steps_that_do_what_they_promise_ask_for_no_second_derivatives() {
-    // From nearby the linear model is good: one second derivative tells that there are any.
-    let mut next = numbers();
-    for decay in decays(&mut next) {
-        let near = Parameters::unnamed(&[2.0, 0.8]);
-        let report = solve(&decay, &near, &Mask::all(2), &Options::default()).unwrap();
-        let (spent, taken) = (
-            report.evaluations.second_derivatives,
-            report.iterations.len(),
-        );
-        assert!(spent <= 1 + taken / 2, "{report}");
+fn whole_hessians_take_no_more_second_derivatives_than_a_slow_run_is_worth() {
+    /// Rosenbrock's valley chained through twenty numbers: whole Hessians are 210 second derivatives each.
+    struct Chain;
+    impl<D: Scalar> Residual<D> for Chain {
+        fn residuals(&self, x: &[D], out: &mut Vec<D>) {
+            for pair in x.windows(2) {
+                out.extend([(pair[0] * pair[0] - pair[1]) * 10.0, pair[0] - 1.0]);
+            }
+        }
     }
+    let start: Vec<f64> = (0..20)
+        .map(|k| if k % 2 == 0 { -1.2 } else { 1.0 })
+        .collect();
+    let start = Parameters::unnamed(&start);
+    let report = solve(&Chain, &start, &Mask::all(20), &Options::default()).unwrap();
+    assert!(
+        report.termination.converged() && report.cost < 1e-20,
+        "{report}"
+    );
+    let taken = report
+        .iterations
+        .iter()
+        .filter(|step| step.accepted)
+        .count();
+    assert!(taken > 30, "{report}");
+    // Four a step taken, and one for every step bent.
+    let most = 4 * taken + report.iterations.len();
+    let last = 210;
+    assert!(
+        report.evaluations.second_derivatives <= most + last,
+        "{report}"
+    );
 }
