@@ -1,11 +1,17 @@
 //! The words of findings: one entry per kind, filled with a finding's numbers.
 
+mod clock;
 pub(crate) mod command;
 mod fit;
+mod format;
 mod human;
+mod import;
+mod noise;
 mod other;
+mod reading;
 mod remedies;
 mod template;
+mod units;
 
 pub use human::{human, significant};
 pub(crate) use remedies::step;
@@ -50,7 +56,18 @@ pub struct Entry {
 
 /// Entries of all kinds.
 pub fn entries() -> impl Iterator<Item = &'static Entry> {
-    [fit::ENTRIES, other::ENTRIES].into_iter().flatten()
+    [
+        fit::ENTRIES,
+        reading::ENTRIES,
+        clock::ENTRIES,
+        units::ENTRIES,
+        format::ENTRIES,
+        import::ENTRIES,
+        noise::ENTRIES,
+        other::ENTRIES,
+    ]
+    .into_iter()
+    .flatten()
 }
 
 /// The entry of a kind.

@@ -1,6 +1,6 @@
 //! Axes that are cut off at the end of their range.
 
-use findings::Findings;
+use findings::{Findings, Kind};
 use nalgebra::Vector3;
 
 use super::excursion::Excursion;
@@ -90,10 +90,11 @@ pub(super) fn found(of: &OfSensor<'_>, said: &Findings) -> Vec<Finding> {
         })
     };
     let named = |axis: usize| {
-        let sensor = of.sensor.name();
-        let words = format!("{sensor} {} is saturated", ["x", "y", "z"][axis]);
-        said.iter()
-            .any(|finding| finding.own_text().is_some_and(|text| text.contains(&words)))
+        said.iter().any(|own| {
+            own.kind == Kind::Saturated
+                && own.place.sensor == Some(of.sensor)
+                && own.word("axis") == Some(["x", "y", "z"][axis])
+        })
     };
     (0..3).filter(|&k| !named(k)).filter_map(one).collect()
 }
