@@ -11,7 +11,7 @@ use super::{Gap, Stream, temperature_counts};
 use crate::Error;
 use crate::header::suggest::entry;
 use crate::rows::table::Table;
-use crate::shown::{figure, significant};
+use crate::shown::significant;
 use crate::source::place::in_file;
 use crate::units::TemperatureUnit;
 

@@ -82,7 +82,7 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
         remark: Some(
             Finding::of(Kind::FilteredBefore)
                 .detail("system", "Betaflight")
-                .detail("gyro", stem)
+                .detail("gyro", *stem)
                 .detail("accel", "accSmooth"),
         ),
         ..Part::default()
