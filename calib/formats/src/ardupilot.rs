@@ -311,7 +311,7 @@ impl File {
         let kind = match (undone, complete) {
             (true, true) => Cause::CorrectionUndone,
             (false, true) => return,
-            _ => Cause::CorrectedBefore,
+            _ => Cause::CorrectedBySystem,
         };
         let found = Finding::of(kind)
             .detail("system", "ArduPilot")

@@ -1,15 +1,21 @@
 //! The words of findings: one entry per kind, filled with a finding's numbers.
 
-mod clock;
+mod axes;
+mod clocks;
 pub(crate) mod command;
+mod device;
 mod fit;
 mod format;
 mod human;
 mod import;
+mod intervals;
+mod magnetic;
 mod noise;
 mod other;
+mod part_way;
 mod reading;
 mod remedies;
+mod stamps;
 mod template;
 mod units;
 
@@ -59,11 +65,17 @@ pub fn entries() -> impl Iterator<Item = &'static Entry> {
     [
         fit::ENTRIES,
         reading::ENTRIES,
-        clock::ENTRIES,
+        stamps::ENTRIES,
         units::ENTRIES,
         format::ENTRIES,
         import::ENTRIES,
         noise::ENTRIES,
+        axes::ENTRIES,
+        clocks::ENTRIES,
+        device::ENTRIES,
+        intervals::ENTRIES,
+        magnetic::ENTRIES,
+        part_way::ENTRIES,
         other::ENTRIES,
     ]
     .into_iter()

@@ -106,7 +106,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         remedies: Vec::new,
     },
     Entry {
-        kind: Kind::SensorMissing,
+        kind: Kind::OneSensorOnly,
         level: Level::Remark,
         severity: 0.001,
         reason: "the recording has no {missing}",
@@ -130,7 +130,7 @@ pub(super) const ENTRIES: &[Entry] = &[
         remedies: Vec::new,
     },
     Entry {
-        kind: Kind::CorrectedBefore,
+        kind: Kind::CorrectedBySystem,
         level: Level::Care,
         severity: 0.1,
         reason: "{system} had corrected the readings before",

@@ -128,7 +128,7 @@ pub(super) fn undo(content: &mut Content, parameters: &Parameters, selected: Opt
         undone.push(format!("CAL_{kind}{sensor}"));
     }
     let kind = match left {
-        true => Kind::CorrectedBefore,
+        true => Kind::CorrectedBySystem,
         false => Kind::CorrectionUndone,
     };
     let are = if undone.len() == 1 { "is" } else { "are" };

@@ -141,7 +141,7 @@ pub(crate) fn assemble(
     thermometer::check_clock(&mut recording);
     let sensors = [&recording.accelerometer, &recording.gyroscope].map(Option::is_some);
     let only = |missing: &str, only: &str| {
-        findings::Finding::of(Kind::SensorMissing)
+        findings::Finding::of(Kind::OneSensorOnly)
             .detail("missing", missing)
             .detail("only", only)
     };

@@ -70,7 +70,7 @@ pub(crate) fn bursts(
     if let Some(median) = median.filter(in_bursts) {
         let rate = significant(1.0 / mean, 6);
         warnings.push(
-            Finding::of(Kind::StampsInBursts)
+            Finding::of(Kind::StampsOfArrival)
                 .in_recording(name)
                 .of_sensor(sensor)
                 .number("median", median, "s")

@@ -64,7 +64,7 @@ fn parts(look: &Look) -> Option<Vec<Part>> {
     });
     let gyro = GYRO.part(&names).or_else(|| {
         let part = PROCESSED.part(&names)?;
-        let corrected = Finding::of(Kind::CorrectedBefore)
+        let corrected = Finding::of(Kind::CorrectedBySystem)
             .detail("system", "iOS")
             .detail("columns", "motionRotationRate")
             .detail("raw", "gyroRotation");

@@ -7,7 +7,7 @@ const OWN: [&str; 6] = ["EG", "EA", "GH", "AH", "GHz", "AHz"];
 
 /// What is said of readings that ArduPilot had corrected.
 pub(crate) fn corrected() -> Finding {
-    Finding::of(Kind::CorrectedBefore)
+    Finding::of(Kind::CorrectedBySystem)
         .detail("system", "ArduPilot")
         .detail("columns", "IMU")
         .detail("raw", "The .BIN log, with the parameters,")

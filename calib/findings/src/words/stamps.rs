@@ -33,9 +33,9 @@ pub(super) const ENTRIES: &[Entry] = &[
         remedies: || vec![Remedy::if_wrong([OptionName::Rate])],
     },
     Entry {
-        kind: Kind::StampsInBursts,
+        kind: Kind::StampsOfArrival,
         level: Level::Care,
-        severity: 0.3,
+        severity: 0.05,
         reason: "the stamps tell when samples arrived, not when they were taken",
         text: "stamps of the {sensor} come in bursts (median step {median}, mean {mean}), as of arrival",
         remedies: || vec![Remedy::SensorStamps],
