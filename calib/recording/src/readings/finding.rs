@@ -324,3 +324,39 @@ impl fmt::Display for Finding {
         f.write_str(&findings::Finding::from(self).text(Front::CommandLine))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recording::{Described, UnitBy};
+
+    #[test]
+    fn steps_are_shown_in_the_unit_of_the_readings() {
+        let found = Finding::Quantised {
+            sensor: Sensor::Gyroscope,
+            axes: vec![0, 2],
+            step: 0.0349,
+            spread: 0.01,
+        };
+        let text = found.to_string();
+        assert!(text.contains("in steps of 2 °/s on x, z"), "{text}");
+        let mut recording = Recording {
+            name: "r".into(),
+            ..Recording::default()
+        };
+        let typed = found.in_recording(&recording);
+        assert_eq!(typed.place.recording.as_deref(), Some("r"));
+        assert!(typed.severity() > 1.0, "{}", typed.severity());
+        recording.description.sensors.push(Described {
+            sensor: Sensor::Gyroscope,
+            source: String::new(),
+            columns: Vec::new(),
+            unused: Vec::new(),
+            unit: "counts",
+            unit_by: UnitBy::File,
+            turned: false,
+        });
+        let typed = found.in_recording(&recording);
+        assert_eq!(typed.numbers[0].unit, "counts");
+    }
+}

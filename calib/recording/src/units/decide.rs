@@ -49,6 +49,11 @@ pub(crate) struct Said<'a, U> {
     pub strange: Option<&'a str>,
 }
 
+/// What was decided of a sensor.
+fn told(kind: Kind, name: &str, sensor: Sensor) -> Finding {
+    Finding::of(kind).in_recording(name).of_sensor(sensor)
+}
+
 /// The radius of the sphere that the means at rest lie on.
 fn gravity_at_rest(stream: &Stream) -> Option<f64> {
     let values = &stream.values[..stream.len().min(LOOKED_AT)];
@@ -102,16 +107,12 @@ pub(crate) fn accel_unit(
     if stated.is_none() {
         match unit {
             AccelUnit::G => warnings.push(
-                Finding::of(Kind::UnitByGravity)
-                    .in_recording(name)
-                    .of_sensor(Sensor::Accelerometer)
+                told(Kind::UnitByGravity, name, Sensor::Accelerometer)
                     .detail("unit", unit.name())
                     .number("norm", norm, "1"),
             ),
             AccelUnit::Counts => warnings.push(
-                Finding::of(Kind::ReadAsCounts)
-                    .in_recording(name)
-                    .of_sensor(Sensor::Accelerometer)
+                told(Kind::ReadAsCounts, name, Sensor::Accelerometer)
                     .number("norm", norm, "1")
                     .remedy(Remedy::if_wrong([OptionName::AccelUnit])),
             ),
@@ -275,9 +276,7 @@ pub(crate) fn gyro_unit(
     let integers = values::are_integers(stream.values.iter());
     let si = GyroUnit::RadiansPerSecond;
     let as_counts = || {
-        Finding::of(Kind::ReadAsCounts)
-            .in_recording(name)
-            .of_sensor(Sensor::Gyroscope)
+        told(Kind::ReadAsCounts, name, Sensor::Gyroscope)
             .remedy(Remedy::if_wrong([OptionName::GyroUnit]))
     };
     if by_turns.is_none()
@@ -291,10 +290,7 @@ pub(crate) fn gyro_unit(
         refuse_restless_rest(name, stream, accel, si)?;
     }
     let of = |kind: Kind, unit: GyroUnit| {
-        Finding::of(kind)
-            .in_recording(name)
-            .of_sensor(Sensor::Gyroscope)
-            .detail("unit", unit.name())
+        told(kind, name, Sensor::Gyroscope).detail("unit", unit.name())
     };
     let (unit, told) = match (by_turns, fastest) {
         (Some(GyroUnit::RadiansPerSecond), _) | (None, 0.0..FASTEST) => {
