@@ -7,7 +7,7 @@
 //! A library says what it found as data; nobody decides anything by a text.
 //!
 //! ```
-//! use findings::{Finding, Front, Kind, Level, Verdict};
+//! use stillpoint_findings::{Finding, Front, Kind, Level, Verdict};
 //! use sensor::Sensor;
 //!
 //! let found = Finding::of(Kind::GravityAssumed)

@@ -105,7 +105,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
         .iter()
         .chain(&spikes)
     {
-        warnings.push(format!("{}: {found}", recording.name));
+        warnings.push(found.in_recording(&recording));
     }
     let measure = |c, gravity| evaluate(&recording, &choice.segmentation, c, gravity);
     let mut rows: Vec<(String, Evaluation)> = vec![("raw".into(), measure(None, gravities.raw)?)];

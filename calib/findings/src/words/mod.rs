@@ -5,13 +5,19 @@ mod clocks;
 pub(crate) mod command;
 mod device;
 mod fit;
+mod format;
 mod human;
+mod import;
 mod intervals;
 mod magnetic;
+mod noise;
 mod other;
 mod part_way;
+mod reading;
 mod remedies;
+mod stamps;
 mod template;
+mod units;
 
 pub use human::{human, significant};
 pub(crate) use remedies::step;
@@ -58,6 +64,12 @@ pub struct Entry {
 pub fn entries() -> impl Iterator<Item = &'static Entry> {
     [
         fit::ENTRIES,
+        reading::ENTRIES,
+        stamps::ENTRIES,
+        units::ENTRIES,
+        format::ENTRIES,
+        import::ENTRIES,
+        noise::ENTRIES,
         axes::ENTRIES,
         clocks::ENTRIES,
         device::ENTRIES,
