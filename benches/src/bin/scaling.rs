@@ -50,7 +50,9 @@ fn main() -> ExitCode {
     let outcome = match (arguments.length, arguments.count) {
         (Some(length), _) => one(length, repeat),
         (None, Some(count)) => several(count, arguments.missing, repeat),
-        (None, None) if arguments.recordings => of_recordings(arguments.missing, repeat).map(|t| t.to_string()),
+        (None, None) if arguments.recordings => {
+            of_recordings(arguments.missing, repeat).map(|t| t.to_string())
+        }
         (None, None) => all(repeat).map(|table| table.to_string()),
     };
     match outcome {

@@ -64,7 +64,9 @@ pub(super) fn solved_in_place<const ALL: usize>(
     m: usize,
     damping: f64,
 ) -> Option<[f64; ALL]> {
-    let largest = (0..m).map(|k| normal[k][k]).fold(f64::NEG_INFINITY, f64::max);
+    let largest = (0..m)
+        .map(|k| normal[k][k])
+        .fold(f64::NEG_INFINITY, f64::max);
     for k in 0..m {
         normal[k][k] += damping * normal[k][k] + 1e-12 * largest;
     }
@@ -101,7 +103,10 @@ mod tests {
         let slopes = |i: usize, k: usize| ((i * 7 + k * 5 + i * k) % 11) as f64 - 5.0;
         for m in [9, ALL] {
             let a = DMatrix::from_fn(30, m, slopes);
-            let (whole, b) = (a.transpose() * &a, DVector::from_fn(m, |i, _| i as f64 - 3.0));
+            let (whole, b) = (
+                a.transpose() * &a,
+                DVector::from_fn(m, |i, _| i as f64 - 3.0),
+            );
             let mut normal = [[0.0; ALL]; ALL];
             let mut right = [0.0; ALL];
             for i in 0..m {

@@ -117,7 +117,11 @@ impl Arrow {
     pub fn add_diagonal(&mut self, column: usize, value: f64) {
         match self.places.of_column[column] {
             Place::Own(place) => {
-                let own = self.places.own.iter().position(|own| own.get(place) == Some(&column));
+                let own = self
+                    .places
+                    .own
+                    .iter()
+                    .position(|own| own.get(place) == Some(&column));
                 if let Some(group) = own {
                     self.parts[group].own[(place, place)] += value;
                 }

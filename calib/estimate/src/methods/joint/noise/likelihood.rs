@@ -22,6 +22,14 @@ const FEWEST_STEPS: f64 = 40.0;
 /// A relative change of every variance below this ends the search.
 const SETTLED: f64 = 1e-3;
 
+/// A log-likelihood that rises by less than this has settled too: variances are then within a seventieth of their standard errors.
+const NOTHING: f64 = 1e-4;
+
+/// A likelihood that will stay so many times [`WORTH_IT`] below another, were the way ahead so many times what a Newton step
+/// promises, is not worked out further.
+const FAR: f64 = 10.0;
+const AHEAD: f64 = 20.0;
+
 /// Share by which the diagonal of the information is larger in a step.
 const HELD_UP: f64 = 1e-3;
 
@@ -69,7 +77,7 @@ impl Restricted {
         let mut from = from.to_vec();
         let left = Cell::new(self.most_steps());
         loop {
-            let (theta, whole) = self.maximise(&active, &from, &left);
+            let (theta, whole) = self.maximise(&active, &from, &left, None);
             from.clone_from(&theta);
             for (on, value) in active.iter_mut().zip(&theta) {
                 *on &= *value > 0.0;
@@ -79,7 +87,10 @@ impl Restricted {
                 .map(|c| {
                     let mut without = active.clone();
                     without[c] = false;
-                    (c, 2.0 * (whole - self.maximise(&without, &theta, &left).1))
+                    (
+                        c,
+                        2.0 * (whole - self.maximise(&without, &theta, &left, Some(whole)).1),
+                    )
                 });
             match gains.min_by(|a, b| a.1.total_cmp(&b.1)) {
                 Some((c, gain)) if gain < WORTH_IT => {
@@ -99,7 +110,8 @@ impl Restricted {
     pub fn highest(&self) -> f64 {
         let count = self.mixed.components();
         let steps = Cell::new(self.most_steps());
-        self.maximise(&vec![true; count], &vec![0.0; count], &steps).1
+        self.maximise(&vec![true; count], &vec![0.0; count], &steps, None)
+            .1
     }
 
     /// `log L` at these variances, up to a constant.
@@ -108,9 +120,16 @@ impl Restricted {
         Some(self.measure(theta, f64::NEG_INFINITY)?.log_likelihood)
     }
 
-    /// Newton steps by the average information (Gilmour, Thompson & Cullis 1995), in no more than the steps that are left, over the active components from the variances `from`, zero for the others; variances and
-    /// log-likelihood.
-    fn maximise(&self, active: &[bool], from: &[f64], left: &Cell<usize>) -> (Vec<f64>, f64) {
+    /// Newton steps by the average information (Gilmour, Thompson & Cullis 1995), in no more than the steps that are left, over the
+    /// active components from the variances `from`, zero for the others; variances and log-likelihood. Where that will stay far
+    /// below `whole`, how far is not worked out.
+    fn maximise(
+        &self,
+        active: &[bool],
+        from: &[f64],
+        left: &Cell<usize>,
+        whole: Option<f64>,
+    ) -> (Vec<f64>, f64) {
         let start = from.iter().zip(active);
         let mut theta: Vec<f64> = start.map(|(&t, &on)| if on { t } else { 0.0 }).collect();
         let mut at = match self.measure(&theta, f64::NEG_INFINITY) {
@@ -119,9 +138,16 @@ impl Restricted {
         };
         for _ in 0..STEPS.min(left.get()) {
             left.set(left.get() - 1);
-            let Some(step) = self.slopes(&at, &theta, active).step(&theta, active) else {
+            let slopes = self.slopes(&at, &theta, active);
+            let Some(step) = slopes.step(&theta, active) else {
                 break;
             };
+            let ahead: f64 = step.iter().zip(&slopes.score).map(|(a, b)| a * b).sum();
+            let is_far =
+                |whole: f64| 2.0 * (whole - at.log_likelihood) - AHEAD * ahead > FAR * WORTH_IT;
+            if whole.is_some_and(is_far) {
+                break;
+            }
             let mut factor = 1.0;
             let mut next = None;
             while factor > 1e-3 {
@@ -137,13 +163,14 @@ impl Restricted {
                 factor *= 0.3;
             }
             let Some((tried, measured)) = next else { break };
-            let moved = tried
-                .iter()
-                .zip(&theta)
+            let pairs = tried.iter().zip(&theta);
+            let moved = pairs
+                .clone()
                 .any(|(a, b)| (a - b).abs() > SETTLED * a.max(*b));
+            let gained = measured.log_likelihood - at.log_likelihood;
             theta = tried;
             at = measured;
-            if !moved {
+            if !moved || gained < NOTHING {
                 break;
             }
         }
@@ -262,7 +289,8 @@ mod tests {
                 ..simulate::HandHeld::default()
             });
             spec.accelerometer.random_walk = 1e-4;
-            spec.parameters.extend(DEVICE.map(|(name, value)| (name.to_owned(), value)));
+            spec.parameters
+                .extend(DEVICE.map(|(name, value)| (name.to_owned(), value)));
             let effect = spec.effects.entry("gyro_g_sensitivity".into()).or_default();
             effect.extend([("xx", 3e-4), ("yz", -1.5e-4)].map(|(k, v)| (k.to_owned(), v)));
             let recording = spec.run().unwrap().recording;
@@ -277,10 +305,20 @@ mod tests {
     #[test]
     fn what_is_passed_on_is_the_covariance() {
         let fit = fit(2, 12);
-        let all = fit.components.iter().chain(&fit.flickering().0).cloned().collect::<Vec<_>>();
-        assert!(all.iter().any(|c| c.form.chain().is_none()), "no pattern was allowed for");
+        let all = fit
+            .components
+            .iter()
+            .chain(&fit.flickering().0)
+            .cloned()
+            .collect::<Vec<_>>();
+        assert!(
+            all.iter().any(|c| c.form.chain().is_none()),
+            "no pattern was allowed for"
+        );
         for component in all {
-            let Some(chain) = component.form.chain() else { continue };
+            let Some(chain) = component.form.chain() else {
+                continue;
+            };
             let (passed, whole) = (chain.to_dense(), component.covariance.to_dense());
             let most = whole.norm_max();
             for i in 0..whole.nrows() {
@@ -310,8 +348,13 @@ mod tests {
         let (quick, dense) = (Restricted::new(r, j, &all), Dense::new(r, j, &covariances));
         // As much of every component as makes the largest diagonal one or a hundredth.
         let sizes = |by: f64| -> Vec<f64> {
-            let largest = covariances.iter().map(|c| c.diagonal().fold(1e-300, f64::max));
-            largest.enumerate().map(|(k, d)| by / (1.0 + k as f64) / d).collect()
+            let largest = covariances
+                .iter()
+                .map(|c| c.diagonal().fold(1e-300, f64::max));
+            largest
+                .enumerate()
+                .map(|(k, d)| by / (1.0 + k as f64) / d)
+                .collect()
         };
         let none = vec![0.0; all.len()];
         let constant = quick.log_likelihood(&none).unwrap() - dense.log_likelihood(&none).unwrap();
@@ -321,17 +364,29 @@ mod tests {
             let exact = dense.log_likelihood(&theta).unwrap();
             let error = at.log_likelihood - exact - constant;
             // Errors of columns are not quite zero where they are zero.
-            assert!(error.abs() < 1e-3 * (1.0 + exact.abs()).sqrt(), "{error} of {exact}");
+            assert!(
+                error.abs() < 1e-3 * (1.0 + exact.abs()).sqrt(),
+                "{error} of {exact}"
+            );
             let slopes = quick.slopes(&at, &theta, &active);
             let (score, information) = dense.derivatives(&theta, &active);
             for i in 0..all.len() {
                 let scale = information[i][i].sqrt();
                 let error = slopes.score[i] - score[i];
-                assert!(error.abs() < 1e-4 * (scale + score[i].abs()), "{:?}", all[i].kind);
+                assert!(
+                    error.abs() < 1e-4 * (scale + score[i].abs()),
+                    "{:?}",
+                    all[i].kind
+                );
                 for k in 0..all.len() {
                     let scale = scale * information[k][k].sqrt();
                     let error = slopes.information[i][k] - information[i][k];
-                    assert!(error.abs() < 1e-5 * scale, "{:?} {:?}", all[i].kind, all[k].kind);
+                    assert!(
+                        error.abs() < 1e-5 * scale,
+                        "{:?} {:?}",
+                        all[i].kind,
+                        all[k].kind
+                    );
                 }
             }
         }
@@ -355,7 +410,12 @@ mod tests {
             (quick.evaluations.get() as f64, quick.work())
         };
         let (two, eight) = (work(2), work(8));
-        assert!(eight.0 <= 1.5 * two.0 + 10.0, "{} and {} evaluations", two.0, eight.0);
+        assert!(
+            eight.0 <= 1.5 * two.0 + 10.0,
+            "{} and {} evaluations",
+            two.0,
+            eight.0
+        );
         assert!(eight.1 <= 4.4 * two.1, "{} and {} products", two.1, eight.1);
     }
 }

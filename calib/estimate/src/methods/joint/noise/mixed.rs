@@ -1,6 +1,7 @@
 //! Residuals and columns under noise that is passed on along lines of stations, and under errors of few columns.
 //!
-//! `r ~ N(J x, I + Σ θ_c C_c)`. What is passed on (`C_c` a [`Chain`](super::chain::Chain)) is factored station by station. An error of columns
+//! `r ~ N(J x, I + Σ θ_c C_c)`. Columns of `J` that reach a few stations only, as those of the directions, are passed on too, with
+//! a variance that holds nothing: what is left of `J` are the parameters of the models. What is passed on (`C_c` a [`Chain`](super::chain::Chain)) is factored station by station. An error of columns
 //! `C_c = U Uᵀ` is fitted beside `J` instead, held by its variance (Henderson's mixed model equations, Henderson 1975, Biometrics 31):
 //! with `X = [J, √θ U]` and `D` the identity on `U`, `|V| |JᵀV⁻¹J| = |V₀| |XᵀV₀⁻¹X + D|`. No matrix is larger than
 //! the columns of one recording.
@@ -24,6 +25,14 @@ use crate::methods::joint::blocks::columns::Columns;
 /// Columns of unit length of which others leave less than this, as a square, depend on them.
 const DEPENDENT: f64 = 1e-11;
 
+/// A column that reaches no more than this share of the stations of a recording, or so many, is passed on as well.
+const SHARE: usize = 4;
+const FEW: usize = 8;
+
+/// The variance of what is passed on and may be of any size, of columns of unit length: what it leaves free of them is nothing, and
+/// half of the digits stay.
+const ANY_SIZE: f64 = 1e8;
+
 /// Errors of columns are at least so large, as the square of what they do to a row: their derivative at zero is that there.
 const LEAST_SQUARE: f64 = 1e-7;
 
@@ -35,6 +44,8 @@ pub struct Mixed {
     /// Number of columns `n`, those of errors included.
     columns: usize,
     kinds: Vec<Kind>,
+    /// Columns that others explain.
+    dropped: Vec<usize>,
 }
 
 /// How a component is treated.
@@ -95,10 +106,22 @@ impl Mixed {
     pub fn new(residuals: &[f64], jacobian: &Columns, components: &[&Component]) -> Self {
         let mut unit = jacobian.clone();
         let norms = jacobian.norms().into_iter();
-        unit.divide(&norms.map(|n| if n > 0.0 { n } else { 1.0 }).collect::<Vec<_>>());
-        let dependent = Arrow::gram(&unit).dependent(DEPENDENT);
-        let kept = (0..unit.ncols()).filter(|k| dependent.binary_search(k).is_err());
-        let mut all = unit.select(&kept.collect::<Vec<_>>());
+        unit.divide(
+            &norms
+                .map(|n| if n > 0.0 { n } else { 1.0 })
+                .collect::<Vec<_>>(),
+        );
+        let mut chains: Vec<Option<&Chain>> = components.iter().map(|c| c.form.chain()).collect();
+        let stations = match chains.iter().flatten().next() {
+            Some(chain) => chain.stations().clone(),
+            None => Stations::single(jacobian.groups()),
+        };
+        let (local, wide) = apart(&unit, &stations);
+        let mut passed = unit.select(&local);
+        passed.scale(ANY_SIZE.sqrt());
+        let passed = Chain::of_columns(&stations, &passed);
+        chains.push(Some(&passed));
+        let mut all = unit.select(&wide);
         let mut kinds = Vec::new();
         for component in components {
             kinds.push(match &component.form {
@@ -111,24 +134,36 @@ impl Mixed {
                 }
             });
         }
-        let chains: Vec<Option<&Chain>> = components.iter().map(|c| c.form.chain()).collect();
-        let stations = chains.iter().flatten().next();
-        let stations = stations.map_or_else(
-            || Stations::single(jacobian.groups()),
-            |chain| chain.stations().clone(),
-        );
-        let none = Chain::none(&stations);
-        let chains = match chains.iter().any(Option::is_some) {
-            true => chains,
-            false => vec![Some(&none)],
-        };
         let line = |line: Range<usize>| Line::new(&stations, line, &chains, &all, residuals);
-        Self {
-            lines: stations.lines().into_iter().map(line).collect(),
+        let lines = stations.lines().into_iter().map(line);
+        let mut mixed = Self {
+            lines: lines.collect(),
             places: Arc::new(Places::of(&all)),
             columns: all.ncols(),
             kinds,
+            dropped: Vec::new(),
+        };
+        mixed.drop_dependent(wide.len());
+        mixed
+    }
+
+    /// Takes out those of the first `count` columns that others of them explain under white noise.
+    fn drop_dependent(&mut self, count: usize) {
+        let none = vec![0.0; self.kinds.len()];
+        let mut sum = self.nothing();
+        for line in &self.lines {
+            if let Some(part) = line.part(&none) {
+                let own = line.columns.partition_point(|&column| column < count);
+                let columns = &line.columns[..own];
+                sum.normal.add(line.recording, columns, &part.gram);
+            }
         }
+        // Errors are held by their variance.
+        (count..self.columns).for_each(|k| sum.normal.add_diagonal(k, 1.0));
+        let dependent = sum.normal.dependent(DEPENDENT);
+        let lines = self.lines.iter_mut();
+        lines.for_each(|line| line.drop_columns(&dependent));
+        self.dropped = dependent;
     }
 
     /// Number of lines.
@@ -192,9 +227,13 @@ impl Mixed {
 
     /// The log-likelihood of a sum of all lines, and what it was worked out by; `None` where that is no number.
     fn solved(&self, mut sum: Sum) -> Option<(f64, ArrowFactor, Vec<f64>)> {
+        let dropped = self.dropped.iter();
+        dropped.for_each(|&k| sum.normal.add_diagonal(k, 1.0));
         for kind in &self.kinds {
             if let Kind::Columns(columns, _) = kind {
-                columns.clone().for_each(|k| sum.normal.add_diagonal(k, 1.0));
+                columns
+                    .clone()
+                    .for_each(|k| sum.normal.add_diagonal(k, 1.0));
             }
         }
         let factor = sum.normal.factor(0.0)?;
@@ -241,6 +280,34 @@ impl Mixed {
     }
 }
 
+/// The columns that reach few stations of one recording, and the others.
+fn apart(columns: &Columns, stations: &Stations) -> (Vec<usize>, Vec<usize>) {
+    let mut station_of = vec![0; columns.nrows()];
+    for (k, station) in stations.all().iter().enumerate() {
+        station.rows.clone().for_each(|row| station_of[row] = k);
+    }
+    let mut most = vec![FEW; stations.all().len()];
+    for line in stations.lines() {
+        most[line.clone()].fill(FEW.max(line.len() / SHARE));
+    }
+    let parts_of = columns.parts_of();
+    let mut reach: Vec<Option<(usize, usize)>> = vec![None; columns.ncols()];
+    for part in columns.parts() {
+        for (k, &column) in part.columns.iter().enumerate() {
+            for (i, row) in part.rows.iter().enumerate() {
+                if part.values[(i, k)] != 0.0 {
+                    let at = station_of[*row];
+                    let (first, last) = reach[column].unwrap_or((at, at));
+                    reach[column] = Some((first.min(at), last.max(at)));
+                }
+            }
+        }
+    }
+    (0..columns.ncols()).partition(|&k| {
+        parts_of[k] == 1 && reach[k].is_some_and(|(first, last)| last + 1 - first <= most[first])
+    })
+}
+
 impl Line {
     fn new(
         stations: &Stations,
@@ -253,7 +320,9 @@ impl Line {
         let rows: Vec<usize> = own.iter().flat_map(|s| s.rows.clone()).collect();
         let recording = rows.first().map_or(0, |&row| all.groups().of(row));
         let part = &all.parts()[recording];
-        let places = rows.iter().filter_map(|row| part.rows.binary_search(row).ok());
+        let places = rows
+            .iter()
+            .filter_map(|row| part.rows.binary_search(row).ok());
         let places: Vec<usize> = places.collect();
         let used: Vec<usize> = (0..part.columns.len())
             .filter(|&k| places.iter().any(|&i| part.values[(i, k)] != 0.0))
@@ -271,8 +340,24 @@ impl Line {
         }
     }
 
+    fn drop_columns(&mut self, dropped: &[usize]) {
+        let width = self.columns.len() + 1;
+        let is_kept = |k: &usize| dropped.binary_search(&self.columns[*k]).is_err();
+        let kept: Vec<usize> = (0..width - 1).filter(is_kept).collect();
+        if kept.len() + 1 < width {
+            let rows = self.bordered.chunks_exact(width);
+            let own = |row: &[f64]| {
+                let values = kept.iter().map(|&k| row[k]).chain([row[width - 1]]);
+                values.collect::<Vec<_>>()
+            };
+            self.bordered = rows.flat_map(own).collect();
+            self.columns = kept.into_iter().map(|k| self.columns[k]).collect();
+        }
+    }
+
     fn part(&self, theta: &[f64]) -> Option<Part> {
-        let factor = self.sequence.factor(theta)?;
+        // What is passed on and may be of any size is the last.
+        let factor = self.sequence.factor(&[theta, &[1.0]].concat())?;
         let mut whitened = self.bordered.clone();
         let width = self.columns.len() + 1;
         self.sequence.whiten(&factor, &mut whitened, width);

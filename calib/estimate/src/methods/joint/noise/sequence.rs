@@ -390,7 +390,11 @@ fn backward(lower: &Small, d: usize, a: &mut [f64], n: usize) {
         let (own, below) = a.split_at_mut((i + 1) * n);
         let own = &mut own[i * n..];
         for k in i + 1..d {
-            add_scaled(own, -lower[k * MOST + i], &below[(k - i - 1) * n..(k - i) * n]);
+            add_scaled(
+                own,
+                -lower[k * MOST + i],
+                &below[(k - i - 1) * n..(k - i) * n],
+            );
         }
         let pivot = lower[i * MOST + i].recip();
         own.iter_mut().for_each(|v| *v *= pivot);

@@ -11,19 +11,19 @@ use crate::methods::joint::blocks::groups::RowGroups;
 pub struct Station {
     /// The rows.
     pub rows: Range<usize>,
-    /// The recording, and whether the gyroscope measured it: stations share noise with others of the same line only.
-    pub line: (usize, bool),
+    /// The recording: stations share noise with others of the same one only.
+    pub line: usize,
     /// Whether it lies after the reference time, and by how much; the other way round before it.
     place: (bool, f64),
 }
 
-/// All rows, line by line and in each by time.
+/// All rows, recording by recording and in each by time.
 #[derive(Clone, Debug)]
 pub struct Stations(Arc<[Station]>);
 
 impl Stations {
-    /// Of rows of which the gyroscope's begin at `first_rate` and the turns' at `first_turn`.
-    pub fn new(noise: &RowNoise, first_rate: usize, first_turn: usize) -> Self {
+    /// Of rows of which the turns' begin at `first_turn`.
+    pub fn new(noise: &RowNoise, first_turn: usize) -> Self {
         let count = noise.variance.len();
         let mut place = vec![(true, f64::MAX); count];
         for exposure in noise.exposures.iter().flatten() {
@@ -33,7 +33,7 @@ impl Stations {
         let means = (0..first_turn).step_by(3).map(|row| row..row + 3);
         let turns = (first_turn..count).step_by(2).map(|row| row..row + 2);
         let station = |rows: Range<usize>| Station {
-            line: (noise.groups.of(rows.start), rows.start >= first_rate),
+            line: noise.groups.of(rows.start),
             place: place[rows.start],
             rows,
         };
@@ -44,7 +44,7 @@ impl Stations {
     pub fn single(groups: &RowGroups) -> Self {
         let station = |row: usize| Station {
             rows: row..row + 1,
-            line: (groups.of(row), false),
+            line: groups.of(row),
             place: (true, row as f64),
         };
         Self::sorted((0..groups.rows()).map(station).collect())
@@ -63,7 +63,7 @@ impl Stations {
         &self.0
     }
 
-    /// The places of the stations of every line.
+    /// The places of the stations of every recording.
     pub fn lines(&self) -> Vec<Range<usize>> {
         let mut lines: Vec<Range<usize>> = Vec::new();
         for (k, station) in self.0.iter().enumerate() {

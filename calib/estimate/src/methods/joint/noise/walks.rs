@@ -92,7 +92,9 @@ impl Walks {
     }
 
     fn parts(&self, theta: &[f64]) -> Option<Vec<Part>> {
-        (0..self.mixed.lines()).map(|line| self.mixed.part(line, theta)).collect()
+        (0..self.mixed.lines())
+            .map(|line| self.mixed.part(line, theta))
+            .collect()
     }
 
     /// The expected variance of walk `c`.
@@ -121,7 +123,10 @@ impl Walks {
 
     /// Works out anew what walk `c` changes; `false` where that fails.
     fn update(&self, c: usize, theta: &[f64], parts: &mut [Part]) -> bool {
-        let mut touched = parts.iter_mut().enumerate().filter(|(line, _)| self.mixed.feels(*line, c));
+        let mut touched = parts
+            .iter_mut()
+            .enumerate()
+            .filter(|(line, _)| self.mixed.feels(*line, c));
         touched.all(|(line, part)| {
             let new = self.mixed.part(line, theta);
             new.map(|new| *part = new).is_some()
@@ -209,7 +214,10 @@ mod tests {
         let values = Mat::from_fn(count, count, |i, k| (i.min(k) + 1) as f64);
         Component {
             kind: ComponentKind::GyroscopeWalk,
-            covariance: Covariance::of_blocks(groups.rows(), vec![(rows.clone().collect(), values)]),
+            covariance: Covariance::of_blocks(
+                groups.rows(),
+                vec![(rows.clone().collect(), values)],
+            ),
             form: Form::Passed(Chain::of_links(&stations, 1, rows.map(link))),
         }
     }

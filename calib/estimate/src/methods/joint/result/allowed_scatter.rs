@@ -153,7 +153,9 @@ impl Analysis {
 
     /// Scatter of the turns.
     pub(super) fn of_each_turn(&self, kind: ComponentKind, rows: &Rows<'_>) -> Component {
-        let covariance = self.white.both_sides(&identity(&turn_rows(rows), rows.count()));
+        let covariance = self
+            .white
+            .both_sides(&identity(&turn_rows(rows), rows.count()));
         Component {
             form: Form::Passed(Chain::of_each(&self.stations, &covariance)),
             covariance,

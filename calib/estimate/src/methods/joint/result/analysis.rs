@@ -172,7 +172,7 @@ pub(super) fn walk(kind: ComponentKind, exposures: &[Exposure], stations: &Stati
 impl Rows<'_> {
     /// The rows in the order in which the biases pass them.
     pub(crate) fn stations(&self, noise: &RowNoise) -> Stations {
-        Stations::new(noise, self.first_rate_row(), self.first_turn_row())
+        Stations::new(noise, self.first_turn_row())
     }
 }
 

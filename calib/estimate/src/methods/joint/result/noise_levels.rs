@@ -55,8 +55,8 @@ impl Analysis {
         let usual = walks.iter().map(|walk| usual_size(&walk.covariance, USUAL));
         let usual: Vec<f64> = usual.collect();
         let from = variances_of(&walks, before);
-        let expected = Walks::new(&self.residuals, &jacobian, &walks, &fixed)
-            .expected(&usual, NO_WALK, &from);
+        let expected =
+            Walks::new(&self.residuals, &jacobian, &walks, &fixed).expected(&usual, NO_WALK, &from);
         walks
             .into_iter()
             .zip(expected)

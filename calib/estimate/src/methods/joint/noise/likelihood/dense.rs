@@ -5,10 +5,10 @@ use std::cell::Cell;
 use faer::linalg::solvers::{DenseSolveCore, Llt, Solve};
 use faer::{Mat, Side};
 
+use super::left_null_space;
 use crate::methods::joint::blocks::basis::{RANK_TOLERANCE, orthonormal_with_pivots};
 use crate::methods::joint::blocks::columns::Columns;
 use crate::methods::joint::blocks::covariance::Covariance;
-use super::left_null_space;
 use crate::methods::joint::noise::bias::Within;
 
 /// Newton steps at most: usual ones are ten.

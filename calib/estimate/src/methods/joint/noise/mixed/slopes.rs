@@ -36,7 +36,10 @@ impl Mixed {
                     let left = at.factor.left_of_unit(columns.clone());
                     let weights = weights(&lines, columns.clone(), self.columns);
                     let square: f64 = weights.iter().map(|w| w * w).sum();
-                    (of_columns(&lines, &weights), 0.5 * (square - left / variance))
+                    (
+                        of_columns(&lines, &weights),
+                        0.5 * (square - left / variance),
+                    )
                 }
             };
             score[c] = slope;
@@ -103,17 +106,28 @@ struct AtLine<'a> {
 impl<'a> AtLine<'a> {
     fn new(line: &'a Line, part: &'a Part, at: &At, scales: &[f64]) -> Self {
         let c = line.columns.len();
-        let x: Vec<f64> = line.columns.iter().map(|&k| scales[k] * at.solution[k]).collect();
+        let x: Vec<f64> = line
+            .columns
+            .iter()
+            .map(|&k| scales[k] * at.solution[k])
+            .collect();
         let rows = part.whitened.chunks_exact(c + 1);
         let left: Vec<f64> = rows.map(|row| row[c] - dot(&row[..c], &x)).collect();
         let mut weighted = left.clone();
         line.sequence.unwhiten(&part.factor, &mut weighted, 1);
         let mut scaled = Vec::with_capacity(left.len() * c);
         for row in part.whitened.chunks_exact(c + 1) {
-            scaled.extend(row[..c].iter().zip(&line.columns).map(|(v, &k)| v * scales[k]));
+            scaled.extend(
+                row[..c]
+                    .iter()
+                    .zip(&line.columns)
+                    .map(|(v, &k)| v * scales[k]),
+            );
         }
         let scaled = MatRef::from_row_major_slice(&scaled, left.len(), c);
-        let (mut taken, width) = at.factor.forward_rows(line.recording, &line.columns, scaled);
+        let (mut taken, width) = at
+            .factor
+            .forward_rows(line.recording, &line.columns, scaled);
         line.sequence.unwhiten(&part.factor, &mut taken, width);
         Self {
             line,
@@ -160,7 +174,9 @@ fn passed(lines: &[AtLine<'_>], c: usize) -> (Moved, f64) {
 fn weights(lines: &[AtLine<'_>], columns: std::ops::Range<usize>, count: usize) -> Vec<f64> {
     let mut right = vec![0.0; count];
     let unit = vec![1.0; count];
-    lines.iter().for_each(|line| line.add_products(&line.left, &unit, &mut right));
+    lines
+        .iter()
+        .for_each(|line| line.add_products(&line.left, &unit, &mut right));
     let mut weights = vec![0.0; count];
     weights[columns.clone()].copy_from_slice(&right[columns]);
     weights
