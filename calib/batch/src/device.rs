@@ -203,6 +203,7 @@ pub(crate) fn empty(device: &Device, index: usize, key: String) -> Record {
         warnings: 0,
         verdict: None,
         findings: Vec::new(),
+        calibration_verdict: None,
         belongs: None,
     }
 }

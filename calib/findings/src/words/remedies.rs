@@ -210,7 +210,6 @@ pub(super) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::OneClock => "record all sensors by one clock",
         Remedy::RawReadings => "record readings that are neither rounded nor filtered",
         Remedy::Uncalibrated => "record uncalibrated readings, as the sensor itself gives them",
-        Remedy::Split => "split the recording there",
         Remedy::WriteFolder => "write a folder, which keeps both clocks",
         Remedy::Thermometer => "record the temperature too",
         Remedy::WarmUp => "let the device reach a steady temperature first",
