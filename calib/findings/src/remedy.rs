@@ -54,6 +54,8 @@ pub enum OptionName {
     Part,
     /// Sampling rate.
     Rate,
+    /// Sensor that is calibrated alone.
+    Sensor,
     /// Damaged rows left out.
     SkipBadRows,
     /// Rows sorted by their stamps.
@@ -105,6 +107,10 @@ pub enum Remedy {
     RecordAgain,
     /// Leave the place out of the fit.
     LeaveOut,
+    /// Split the recording at the place.
+    Split,
+    /// Level the device on each face.
+    Level,
     /// Lay the device down instead of holding it.
     LayDown,
     /// Keep the device still for longer in every placement.

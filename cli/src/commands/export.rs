@@ -85,7 +85,7 @@ pub fn run(args: &Args) -> Result<(), Failure> {
     calibration
         .bias_alone()
         .iter()
-        .for_each(|said| show::warn(said));
+        .for_each(|said| show::warn(&said.text(Front::CommandLine)));
     for note in &export.notes {
         show::note(&format!("note: {note}"));
     }

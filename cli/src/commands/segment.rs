@@ -104,7 +104,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 fn remarks(recording: &Recording, choice: &Choice) -> Vec<String> {
     let found = findings(recording, &choice.segmentation);
     let found = found.iter().map(ToString::to_string);
-    choice.remarks().into_iter().chain(found).collect()
+    let cut = choice.remarks();
+    let cut = cut.iter().map(|remark| remark.text(Front::CommandLine));
+    cut.chain(found).collect()
 }
 
 fn document(recording: &Recording, choice: &Choice) -> serde_json::Value {

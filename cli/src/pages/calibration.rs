@@ -88,7 +88,7 @@ pub fn page(
     units: [&str; 2],
 ) -> Result<Report, Failure> {
     let coverage = covered(session);
-    let judged = verdict::judged(calibration, Some(session), coverage.as_ref());
+    let judged = verdict::judged(calibration, coverage.as_ref());
     let mut report = Report::new(format!("Calibration from {}", names(session)))
         .verdict(judged.level, &judged.sentence)
         .figures(verdict::figures(calibration, session, coverage.as_ref()))

@@ -13,7 +13,7 @@ use super::static_norm::{StaticNorms, per_degree_of_freedom};
 use super::{checks, noise};
 use crate::calibration::{
     Calibration, EffectParameter, EffectValues, Outside, Provenance, RecordingBias, Remainder,
-    SCHEMA, TO_DISCOVER, Triad, WITHOUT_WALKS, effect_named,
+    SCHEMA, Triad, WITHOUT_WALKS, effect_named,
 };
 use crate::methods::joint::Channel;
 use crate::methods::{AccelerometerFit, Choice, Fitted, GyroscopeFit};
@@ -107,11 +107,7 @@ pub(super) fn calibration(parts: Parts<'_>) -> Result<Calibration, Error> {
     .into_iter()
     .flatten()
     .collect();
-    warnings.extend(
-        remainders
-            .iter()
-            .filter_map(|r| r.warning(WITHOUT_WALKS, TO_DISCOVER)),
-    );
+    warnings.extend(remainders.iter().filter_map(|r| r.finding(WITHOUT_WALKS)));
     let mut effects = Vec::new();
     for fit in [
         accelerometer.map(|fit| (&fit.model, &fit.fitted)),

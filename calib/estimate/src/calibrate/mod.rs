@@ -34,14 +34,14 @@ pub use stepwise::gyroscope_data;
 
 use std::borrow::Borrow;
 
-use findings::Findings;
+use findings::{Findings, Kind};
 use recording::intervals::{Segmentation, Span};
 use recording::readings::{FASTEST_HAND, Finding, tremor, without_spikes};
 use recording::{AppliedBefore, Error, Recording};
 use sensor::Sensor;
 
 use self::cut::cut;
-use self::stepwise::{NO_GYROSCOPE, stepwise};
+use self::stepwise::stepwise;
 use self::unusable_turns::TurnCount;
 use crate::calibration::Options;
 use crate::methods::joint::{ClockMode, MOST_STATIC_INTERVALS, within_budget};
@@ -305,7 +305,7 @@ impl Parts<'_> {
         outcome
             .calibration
             .warnings
-            .retain(|f| f.own_text() != Some(NO_GYROSCOPE));
+            .retain(|f| f.kind != Kind::NoGyroscope);
         Ok(outcome)
     }
 }

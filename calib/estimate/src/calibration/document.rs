@@ -1,6 +1,6 @@
 //! `cal.json` with sensors that are not calibrated: the reason stands in the place of the sensor.
 
-use findings::{Findings, Verdict};
+use findings::{Finding, Findings, Kind, Verdict};
 use sensor::Sensor;
 use serde::de::Error as _;
 use serde::ser::Error as _;
@@ -80,7 +80,8 @@ impl Calibration {
         };
         let mut own = Calibration::deserialize(value)?;
         if let Some(found) = found {
-            own.failed_gates = found.gates().collect();
+            let is_gate = |found: &&Finding| found.kind != Kind::LimitNotKept;
+            own.failed_gates = found.gates().filter(is_gate).collect();
             own.warnings = found.warnings().collect();
         }
         Ok(Self {
@@ -89,9 +90,19 @@ impl Calibration {
         })
     }
 
-    /// All findings, those first that forbid its use.
+    /// All findings, those first that forbid its use: failed gates, then limits that are not kept, then warnings.
     pub fn findings(&self) -> Findings {
-        self.failed_gates.iter().chain(&self.warnings).collect()
+        let mut all: Findings = self.failed_gates.iter().collect();
+        let mut failed: Vec<&str> = Vec::new();
+        for line in self.limits.iter().filter(|line| !line.pass) {
+            // Of a quantity that fails the file's limit the one built in is not repeated.
+            if !failed.contains(&line.name.as_str()) {
+                failed.push(&line.name);
+                all.push(line.finding());
+            }
+        }
+        all.extend(&self.warnings);
+        all
     }
 
     /// The verdict on it, with commands for the recordings that it was made of.
@@ -107,15 +118,10 @@ impl Calibration {
     }
 
     /// What to say of the sensors of which only the bias is known.
-    pub fn bias_alone(&self) -> Vec<String> {
+    pub fn bias_alone(&self) -> Vec<Finding> {
         let inertial = [Sensor::Accelerometer, Sensor::Gyroscope].into_iter();
         let bare = inertial.filter(|sensor| self.triad(*sensor).is_some_and(Triad::is_bias_only));
-        let bare = bare.map(|sensor| {
-            format!(
-                "of the {} only the bias is known: its scale factors and misalignments are left at those of a perfect sensor",
-                sensor.name()
-            )
-        });
+        let bare = bare.map(|sensor| Finding::of(Kind::BiasAlone).of_sensor(sensor));
         bare.collect()
     }
 }

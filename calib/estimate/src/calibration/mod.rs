@@ -27,7 +27,7 @@ pub use effects::{catalogue, effect_named};
 pub use frame::in_symmetric_frame;
 pub use left_out::{Enlarged, LeftOut};
 pub use magnetic_field::{MagneticField, RecordingField};
-pub use misfit::{Remainder, TO_DISCOVER, WITH_WALKS, WITHOUT_WALKS};
+pub use misfit::{Remainder, WITH_WALKS, WITHOUT_WALKS};
 pub use not_calibrated::{NotCalibrated, NotCalibratedReason};
 pub use outside::Outside;
 pub use provenance::{

@@ -12,9 +12,9 @@ pub(super) const ENTRIES: &[Entry] = &[
         level: Level::Care,
         severity: 0.02,
         reason: "the {channel} misfits: {rms} is left where the noise makes {noise}",
-        text: "the {channel} misfits: {rms} rms is left where the noise makes {noise}[, {ratio} times as much][. \
-               It changes with the orientation{pattern}, as neither noise nor a slow change of the bias does]. The standard errors are \
-               enlarged to it",
+        text: "the {channel} misfits: {rms} rms is left where the noise makes {noise} ({ratio} times the noise, p {p})[. It changes with \
+               the orientation, most like {pattern} (p {pattern_p}), as neither noise nor a slow change of the bias does]. The standard \
+               errors are enlarged to it",
         remedies: || vec![Remedy::Discover],
     },
     Entry {

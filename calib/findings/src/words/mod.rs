@@ -1,9 +1,15 @@
 //! The words of findings: one entry per kind, filled with a finding's numbers.
 
+mod axes;
+mod clocks;
 pub(crate) mod command;
+mod device;
 mod fit;
 mod human;
+mod intervals;
+mod magnetic;
 mod other;
+mod part_way;
 mod remedies;
 mod template;
 
@@ -50,7 +56,18 @@ pub struct Entry {
 
 /// Entries of all kinds.
 pub fn entries() -> impl Iterator<Item = &'static Entry> {
-    [fit::ENTRIES, other::ENTRIES].into_iter().flatten()
+    [
+        fit::ENTRIES,
+        axes::ENTRIES,
+        clocks::ENTRIES,
+        device::ENTRIES,
+        intervals::ENTRIES,
+        magnetic::ENTRIES,
+        part_way::ENTRIES,
+        other::ENTRIES,
+    ]
+    .into_iter()
+    .flatten()
 }
 
 /// The entry of a kind.

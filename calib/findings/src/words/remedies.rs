@@ -132,6 +132,12 @@ pub(super) fn names(option: OptionName) -> [&'static str; 4] {
             "part",
         ],
         O::Rate => ["the sampling rate", "--rate", "ReadOptions::rate", "rate"],
+        O::Sensor => [
+            "the sensor to calibrate alone",
+            "--sensor",
+            "a recording with only one sensor",
+            "sensor",
+        ],
         O::SkipBadRows => [
             "that damaged rows are left out",
             "--skip-bad-rows",
@@ -187,6 +193,8 @@ pub(super) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::Plan => "plan the next recording",
         Remedy::RecordAgain => "record it again",
         Remedy::LeaveOut => "leave it out",
+        Remedy::Split => "split the recording there",
+        Remedy::Level => "level the device on each face",
         Remedy::LayDown => "lay the device down",
         Remedy::RestLonger => "keep the device still for longer",
         Remedy::TurnSlower => "turn more slowly",

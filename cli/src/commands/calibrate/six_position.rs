@@ -137,7 +137,7 @@ fn report(
         (mean / mean.norm()).into()
     });
     let coverage = Coverage::of(&directions.collect::<Vec<_>>());
-    let judged = judge::judged(calibration, None, None);
+    let judged = judge::judged(calibration, None);
     let residual = format!("{:.1} mm/s²", 1e3 * solution.residual_rms);
     let tilt = format!(
         "placements tilted by about {:.2}°",

@@ -1,6 +1,6 @@
 //! One recording's turns, directions of gravity and static rates, for the gyroscope's fit.
 
-use findings::Findings;
+use findings::{Finding, Findings, Kind};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use recording::Recording;
 use recording::intervals::{Segmentation, Turn};
@@ -152,13 +152,13 @@ fn collect(source: &Source<'_>, rate: Option<&Sensing>, warnings: &mut Findings)
     let moved = source.moved();
     for turn in &segmentation.turns {
         if let Some(fault) = &turn.fault {
-            warnings.push(format!(
-                "{}: turn {} (t = {:.2} to {:.2} s) is not used: {fault}",
-                recording.name,
-                turn.from + 1,
-                turn.span.from,
-                turn.span.to
-            ));
+            warnings.push(
+                Finding::of(Kind::TurnLost)
+                    .in_recording(&recording.name)
+                    .at_turn(turn.from)
+                    .between(turn.span.from, turn.span.to)
+                    .detail("fault", fault.to_string()),
+            );
             continue;
         }
         if let Some((samples, bias)) = one_turn(source, &truth, rate, turn) {

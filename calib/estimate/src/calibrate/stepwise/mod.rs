@@ -2,7 +2,7 @@
 
 mod gyro_data;
 
-use findings::Findings;
+use findings::{Finding, Findings, Kind};
 use nalgebra::Vector3;
 use recording::intervals::Segmentation;
 use recording::{Error, Recording};
@@ -24,10 +24,6 @@ use crate::truth::{Models, Sensing, Truth};
 
 /// Fits at most after which the signs of changes of force are settled.
 const HISTORIES: usize = 4;
-
-/// Said where only the accelerometer is calibrated.
-pub(super) const NO_GYROSCOPE: &str =
-    "no gyroscope in the recording: only the accelerometer is calibrated";
 
 /// Accelerometer first, then the gyroscope.
 pub(super) fn stepwise(
@@ -107,7 +103,7 @@ fn accelerometer(
     warnings: &mut Findings,
 ) -> Result<Option<AccelerometerFit>, Error> {
     if request.static_means.is_empty() && recordings.iter().all(|r| r.accelerometer.is_none()) {
-        warnings.push("no accelerometer in the recording: only the gyroscope's bias is found");
+        warnings.push(Finding::of(Kind::NoAccelerometer));
         return Ok(None);
     }
     let mut names = Vec::new();
@@ -191,7 +187,7 @@ fn gyroscope(
     };
     if turning.iter().all(|(r, _)| r.gyroscope.is_none()) {
         if !turning.is_empty() {
-            warnings.push(NO_GYROSCOPE);
+            warnings.push(Finding::of(Kind::NoGyroscope));
         }
         return Ok(None);
     }
@@ -199,10 +195,7 @@ fn gyroscope(
     let mut sources = Vec::new();
     for (k, (recording, segmentation)) in turning.iter().enumerate() {
         if recording.gyroscope.is_none() || recording.accelerometer.is_none() {
-            warnings.push(format!(
-                "{}: a sensor is missing: the recording says nothing of the gyroscope",
-                recording.name
-            ));
+            warnings.push(Finding::of(Kind::SensorMissing).in_recording(&recording.name));
             continue;
         }
         let place = same_recordings.then_some(k);

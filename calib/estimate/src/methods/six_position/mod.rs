@@ -10,7 +10,7 @@ mod placement;
 pub use gyroscope::{EarthRotation, GyroscopePart};
 pub use placement::{Face, Placement, Six, placements};
 
-use findings::Findings;
+use findings::{Finding, Findings, Kind, Level};
 use std::borrow::Borrow;
 
 use nalgebra::{Matrix3, Matrix3x6, Vector3};
@@ -166,29 +166,25 @@ impl SixPosition {
         2.0 * (squares / 6.0).sqrt() / self.gravity
     }
 
-    fn tilt_warning(&self) -> Option<String> {
+    fn tilt_warning(&self) -> Option<Finding> {
         let tilt = self.tilt();
         (tilt > TILT_LIMIT).then(|| {
-            format!(
-                "the placements are tilted by about {:.2}° (rms): the biases carry about {:.0} mm/s² \
-                 and the misalignments about {:.4} of that; use --method stepwise, which needs no levelling",
-                tilt.to_degrees(),
-                // Six tilted means in a bias, of which two have the axis vertical; two in an element.
-                1e3 * self.gravity * tilt / 18f64.sqrt(),
-                tilt / 2.0,
-            )
+            // Six tilted means in a bias, of which two have the axis vertical.
+            let of_bias = self.gravity * tilt / 18f64.sqrt();
+            Finding::of(Kind::PlacementsTilted)
+                .number("tilt", tilt, "rad")
+                .affects("corrected_reading", of_bias, "m/s^2")
         })
     }
 
     /// Why the result must not be used, if so.
     fn failed_gates(&self) -> Findings {
         let tilt = self.tilt();
-        let gate = format!(
-            "six positions: the placements are tilted by about {:.1}° (rms), {:.0}° at most expected: \
-             level the device on each face, or use --method stepwise, which needs no levelling",
-            tilt.to_degrees(),
-            TILT_GATE.to_degrees()
-        );
+        let gate = Finding::of(Kind::PlacementsTilted)
+            .number("tilt", tilt, "rad")
+            .number("most", TILT_GATE, "rad")
+            .affects("corrected_reading", self.gravity * tilt, "m/s^2")
+            .at_level(Level::Bad);
         // Also where the tilt is no number.
         if tilt <= TILT_GATE {
             Findings::new()

@@ -1,6 +1,6 @@
 //! Six placements, found by the direction of gravity.
 
-use findings::Findings;
+use findings::{Finding, Findings, Kind};
 use std::borrow::Borrow;
 
 use nalgebra::{Matrix3x6, Vector3};
@@ -93,7 +93,7 @@ impl Six {
         for placement in placements {
             match Face::of(&placement.accelerometer) {
                 Some(face) => by_face[face as usize].push(placement),
-                None => warnings.push(format!("{}: on no face, not used", placement.label)),
+                None => warnings.push(Finding::of(Kind::OffFace).detail("label", placement.label)),
             }
         }
         let missing: Vec<&str> = faces(&by_face, |n| n == 0).collect();
@@ -118,7 +118,7 @@ impl Six {
         warnings.extend(
             doubled
                 .into_iter()
-                .map(|d| format!("{d}: the one nearest to gravity is used")),
+                .map(|face| Finding::of(Kind::FaceTwice).detail("face", face)),
         );
         let far = |p: &Placement| (p.accelerometer.norm() - gravity).abs();
         let mut chosen = by_face

@@ -24,7 +24,7 @@ pub(in crate::calibrate) use field::turned_field;
 pub use readings::{implausible, implausible_base};
 pub use turned::none_is_turned;
 
-use findings::Findings;
+use findings::{Finding, Findings, Level};
 use nalgebra::Matrix3;
 
 /// The axes in every order with every sign.
@@ -45,12 +45,13 @@ pub struct Said {
 }
 
 impl Said {
-    fn gate(&mut self, words: String) {
-        self.gates.push(words);
+    fn gate(&mut self, found: Finding) {
+        self.gates.push(found.at_level(Level::Bad));
     }
 
-    fn warn(&mut self, words: String) {
-        self.warnings.push(words);
+    fn warn(&mut self, found: Finding) {
+        let level = found.level.min(Level::Care);
+        self.warnings.push(found.at_level(level));
     }
 
     /// Adds to the gates and the warnings of a calibration.
