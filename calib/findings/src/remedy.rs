@@ -143,8 +143,6 @@ pub enum Remedy {
     RawReadings,
     /// Record what the sensor reads, without the device's own corrections.
     Uncalibrated,
-    /// Split the recording at the place.
-    Split,
     /// Write a folder, which has a clock per sensor.
     WriteFolder,
     /// Record with a thermometer.
