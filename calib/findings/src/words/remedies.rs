@@ -198,7 +198,6 @@ pub(super) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::Plan => "plan the next recording",
         Remedy::RecordAgain => "record it again",
         Remedy::LeaveOut => "leave it out",
-        Remedy::Split => "split the recording there",
         Remedy::Level => "level the device on each face",
         Remedy::LayDown => "lay the device down",
         Remedy::RestLonger => "keep the device still for longer",
