@@ -199,6 +199,7 @@ pub(super) fn words(remedy: &Remedy, front: Front) -> String {
         Remedy::RecordAgain => "record it again",
         Remedy::LeaveOut => "leave it out",
         Remedy::Level => "level the device on each face",
+        Remedy::Split => "split the recording there",
         Remedy::LayDown => "lay the device down",
         Remedy::RestLonger => "keep the device still for longer",
         Remedy::TurnSlower => "turn more slowly",
