@@ -345,7 +345,11 @@ fn readings_that_a_filter_or_a_bus_has_touched() {
     });
     named(&dead, "a dead zone", Place::Words("zero on x, y, z"));
     let held = spoilt(|k, row| row[1..4].copy_from_slice(&good()[k - k % 4][1..4]));
-    named(&held, "its readings are held", Place::Words("accelerometer"));
+    named(
+        &held,
+        "its readings are held",
+        Place::Words("accelerometer"),
+    );
     let noise = |k: usize, column: usize| {
         let phase = (k * 7 + column * 131) as f64;
         (phase * 12.9898).sin() + (phase * 78.233).sin() + (phase * 37.719).sin()

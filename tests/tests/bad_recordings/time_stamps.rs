@@ -340,10 +340,7 @@ fn row_79_values_that_a_slower_sensor_held_are_left_out() {
             .join(",")
         })
         .collect();
-    let recording = warned(
-        file(HEADER, &lines),
-        &["accelerometer", "2 times slower"],
-    );
+    let recording = warned(file(HEADER, &lines), &["accelerometer", "2 times slower"]);
     assert_eq!(recording.accelerometer.unwrap().len(), 200);
     assert_eq!(recording.gyroscope.unwrap().len(), 400);
 }
