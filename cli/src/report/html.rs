@@ -83,6 +83,11 @@ impl Figure {
             note: safe(note.into()),
         }
     }
+
+    /// The same three for a terminal.
+    pub fn words(&self) -> [&str; 3] {
+        [&self.label, &self.value, &self.note]
+    }
 }
 
 /// A limit that was asked for, and whether it holds.

@@ -88,6 +88,27 @@ pub fn entry(kind: Kind) -> &'static Entry {
     own.unwrap_or(&other::REMARK)
 }
 
+/// The table of all kinds for the manual: name, level, text with its names in braces, ways out.
+pub fn manual_table() -> String {
+    let mut table = String::from("| kind | level | says | to do |\n| --- | --- | --- | --- |\n");
+    for kind in Kind::ALL {
+        let entry = entry(*kind);
+        let remedies = (entry.remedies)();
+        let remedies: Vec<String> = remedies
+            .iter()
+            .map(|remedy| remedies::words(remedy, Front::CommandLine))
+            .collect();
+        let text = entry.text.replace(['[', ']'], "").replace('|', "\\|");
+        table.push_str(&format!(
+            "| `{}` | {} | {text} | {} |\n",
+            kind.name(),
+            entry.level.name(),
+            remedies.join("; or ")
+        ));
+    }
+    table
+}
+
 impl Finding {
     /// The finding in words: where, what, and what to do.
     pub fn text(&self, front: Front) -> String {
