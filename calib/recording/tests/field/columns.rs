@@ -114,7 +114,8 @@ fn temperatures_in_counts_are_never_degrees_and_the_offered_line_makes_them_so()
         let found = read(&text);
         assert!(found.temperature.is_none(), "{name}");
         let mut all = found.warnings.iter();
-        let said = all.find(|f| f.kind == Kind::TemperatureInCounts).unwrap();
+        let of_temperature = [Kind::TemperatureInCounts, Kind::TemperatureImpossible];
+        let said = all.find(|f| of_temperature.contains(&f.kind)).unwrap();
         let text = said.text(findings::Front::CommandLine);
         assert!(text.contains("MPU-6050"), "{text}");
         let Some(Remedy::Set { any_of }) = said.remedies.first() else {
