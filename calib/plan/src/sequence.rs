@@ -4,15 +4,18 @@ use nalgebra::Vector3;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
+use crate::direction::{edges, faces, faces_edges_corners};
 use crate::session::{
     Chain, Information, Link, Noise, Place, Timing, covariance, place, reading_errors,
 };
-use crate::turn::{Turn, ways};
+use crate::turn::{Turn, Way, ways};
 
 /// Sequences looked at, each an information matrix of both sensors.
 const BUDGET: usize = 9000;
 /// Random orders to begin with.
 const STARTS: usize = 6;
+/// Directions closer than this are one.
+const SAME: f64 = 1e-6;
 
 /// Placements in order with the turns between them.
 #[derive(Clone, Debug)]
@@ -25,8 +28,8 @@ pub struct Sequence {
     pub information: Information,
 }
 
-/// The best order and ways of `ups`, from `start` where the device lies already, beside what is known: the product of
-/// the errors of corrected readings of both sensors is the least.
+/// The best order and ways of `ups`, from `start` where the device lies already, beside what is known: the faces first, and
+/// the product of the errors of corrected readings of both sensors the least for what a hand has to do.
 ///
 /// Local search from random orders with a fixed number of trials: reversals, swaps and other ways. The same call gives
 /// the same sequence.
@@ -39,38 +42,68 @@ pub fn sequence(
 ) -> Sequence {
     let mut all: Vec<Vector3<f64>> = start.into_iter().copied().collect();
     all.extend_from_slice(ups);
-    let fixed = usize::from(start.is_some());
-    let table = Table::new(&all, noise, timing);
+    let begin = usize::from(start.is_some());
+    let mut first = in_order_of_faces(ups);
+    first.iter_mut().for_each(|k| *k += begin);
+    let fixed: Vec<usize> = (0..begin).chain(first).collect();
+    let others = (0..all.len()).filter(|k| !fixed.contains(k)).collect();
     let search = Search {
-        table: &table,
+        table: &Table::new(&all, noise, timing),
         known,
         noise,
-        first_known: fixed == 1,
+        first_known: begin == 1,
+        others: Vec::new(),
     };
-    let mut random = ChaCha8Rng::seed_from_u64(all.len() as u64);
-    let mut best: Option<(f64, Path)> = None;
-    for _ in 0..STARTS {
-        let mut order: Vec<usize> = (0..all.len()).collect();
-        for k in (fixed + 1..order.len()).rev() {
-            order.swap(k, random.random_range(fixed..=k));
-        }
-        let found = search.improve(order, fixed, &mut random);
-        if best.as_ref().is_none_or(|(value, _)| found.0 < *value) {
-            best = Some(found);
-        }
+    let mut found = search.best(&fixed, others);
+    found.order = found.order.split_off(begin.min(found.order.len()));
+    found.order.iter_mut().for_each(|k| *k -= begin);
+    found
+}
+
+/// The best session of `count` placements from nothing that a hand can follow: the faces first, then edges and corners that
+/// lower the errors of both sensors most, as [`sequence`]; the placements in order beside it.
+pub fn session_of(count: usize, noise: &Noise, timing: &Timing) -> (Vec<Vector3<f64>>, Sequence) {
+    let all = faces_edges_corners();
+    let first: Vec<usize> = in_order_of_faces(&all).into_iter().take(count).collect();
+    let search = Search {
+        table: &Table::new(&all, noise, timing),
+        known: &Information::zeros(),
+        noise,
+        first_known: false,
+        others: (0..all.len()).collect(),
+    };
+    let edge = faces().len();
+    let begin = (first.len()..count)
+        .map(|k| edge + k % edges().len())
+        .collect();
+    let mut found = search.best(&first, begin);
+    let ups = found.order.iter().map(|k| all[*k]).collect();
+    found.order = (0..found.order.len()).collect();
+    (ups, found)
+}
+
+/// The places of the faces among `ups` in the order they are asked for: z up, z down, x up, x down, y up, y down.
+fn in_order_of_faces(ups: &[Vector3<f64>]) -> Vec<usize> {
+    let faces = faces();
+    let wanted = [4, 5, 0, 1, 2, 3].map(|k| faces[k]);
+    let place = |face: Vector3<f64>| ups.iter().position(|up| (up - face).norm() < SAME);
+    wanted.into_iter().filter_map(place).collect()
+}
+
+/// What a turn has to gain, as a share of the product of both sensors' errors, to be asked of a hand.
+fn effort(turn: &Turn) -> f64 {
+    match turn.way {
+        Way::Short => 0.0,
+        Way::Via | Way::Long => 0.005,
+        Way::SpinLeft | Way::SpinRight => 0.01,
+        Way::Round => 0.03,
     }
-    let path = best.map_or_else(Path::default, |(_, path)| path);
-    Sequence {
-        information: search.information(&path),
-        turns: path
-            .pairs()
-            .map(|(from, to, way)| table.turns[from][to][way].clone())
-            .collect(),
-        order: path.order[fixed.min(path.order.len())..]
-            .iter()
-            .map(|k| k - fixed)
-            .collect(),
-    }
+}
+
+/// The same of a placement: corners are hard to hold.
+fn hold(up: &Vector3<f64>) -> f64 {
+    let parts = up.iter().filter(|c| c.abs() > SAME).count();
+    [0.0, 0.0, 0.005, 0.02][parts]
 }
 
 /// All turns between all placements.
@@ -79,6 +112,7 @@ struct Table {
     turns: Vec<Vec<Vec<Turn>>>,
     first: Vec<Place>,
     later: Vec<Place>,
+    hold: Vec<f64>,
 }
 
 impl Table {
@@ -101,6 +135,7 @@ impl Table {
                 .collect(),
             first: all.iter().map(|up| place(up, 0, timing)).collect(),
             later: all.iter().map(|up| place(up, 1, timing)).collect(),
+            hold: all.iter().map(hold).collect(),
             turns,
         }
     }
@@ -126,9 +161,36 @@ struct Search<'a> {
     noise: &'a Noise,
     /// The first placement is in what is known already.
     first_known: bool,
+    /// What a placement may be replaced by.
+    others: Vec<usize>,
 }
 
 impl Search<'_> {
+    /// The best of a few starts, `fixed` first.
+    fn best(&self, fixed: &[usize], movable: Vec<usize>) -> Sequence {
+        let mut random = ChaCha8Rng::seed_from_u64((fixed.len() + movable.len()) as u64);
+        let mut best: Option<(f64, Path)> = None;
+        for _ in 0..STARTS {
+            let mut order = [fixed, &movable].concat();
+            for k in (fixed.len() + 1..order.len()).rev() {
+                order.swap(k, random.random_range(fixed.len()..=k));
+            }
+            let found = self.improve(order, fixed.len(), &mut random);
+            if best.as_ref().is_none_or(|(value, _)| found.0 < *value) {
+                best = Some(found);
+            }
+        }
+        let path = best.map_or_else(Path::default, |(_, path)| path);
+        Sequence {
+            information: self.information(&path),
+            turns: path
+                .pairs()
+                .map(|(from, to, way)| self.table.turns[from][to][way].clone())
+                .collect(),
+            order: path.order,
+        }
+    }
+
     fn information(&self, path: &Path) -> Information {
         let mut chain = Chain::new(self.known, self.noise);
         let Some(&first) = path.order.first() else {
@@ -147,11 +209,16 @@ impl Search<'_> {
         chain.close()
     }
 
-    /// `ln` of the product of the errors; where parameters are open, far above, less with more information.
+    /// `ln` of the product of the errors and what a hand has to do; where parameters are open, far above, less with more
+    /// information.
     fn value(&self, path: &Path) -> f64 {
+        let turns = path.pairs();
+        let efforts = turns.map(|(from, to, way)| effort(&self.table.turns[from][to][way]));
+        let holds = path.order.iter().map(|k| self.table.hold[*k]);
+        let asked: f64 = efforts.chain(holds).sum();
         let information = self.information(path);
         let ridge = Information::identity();
-        match covariance(&information) {
+        let value = match covariance(&information) {
             Some(c) => {
                 let [force, rate] = reading_errors(&c, self.noise.gravity);
                 (force * rate).ln()
@@ -160,7 +227,8 @@ impl Search<'_> {
                 let [force, rate] = reading_errors(&c, self.noise.gravity);
                 100.0 + (force * rate).ln()
             }),
-        }
+        };
+        asked + value
     }
 
     fn improve(&self, order: Vec<usize>, fixed: usize, random: &mut ChaCha8Rng) -> (f64, Path) {
@@ -174,25 +242,32 @@ impl Search<'_> {
             return (value, path);
         }
         let movable = path.order.len() - fixed;
+        let kinds = match movable {
+            0 => 2,
+            _ if self.others.is_empty() => 4,
+            _ => 6,
+        };
         for _ in 0..BUDGET / STARTS {
             let mut trial = path.clone();
-            let kind = if movable < 2 {
-                0
-            } else {
-                random.random_range(0..4)
-            };
-            if kind < 2 {
-                let k = random.random_range(0..links);
-                let count = self.table.turns[trial.order[k]][trial.order[k + 1]].len();
-                trial.ways[k] = random.random_range(0..count);
-            } else {
-                let i = random.random_range(fixed..trial.order.len());
-                let j = random.random_range(fixed..trial.order.len());
-                let (i, j) = (i.min(j), i.max(j));
-                if kind == 2 {
-                    trial.order.swap(i, j);
-                } else {
-                    trial.order[i..=j].reverse();
+            match random.random_range(0..kinds) {
+                0 | 1 => {
+                    let k = random.random_range(0..links);
+                    let count = self.table.turns[trial.order[k]][trial.order[k + 1]].len();
+                    trial.ways[k] = random.random_range(0..count);
+                }
+                kind @ (2 | 3) => {
+                    let i = random.random_range(fixed..trial.order.len());
+                    let j = random.random_range(fixed..trial.order.len());
+                    let (i, j) = (i.min(j), i.max(j));
+                    if kind == 2 {
+                        trial.order.swap(i, j);
+                    } else {
+                        trial.order[i..=j].reverse();
+                    }
+                }
+                _ => {
+                    let k = random.random_range(fixed..trial.order.len());
+                    trial.order[k] = self.others[random.random_range(0..self.others.len())];
                 }
             }
             for (k, pair) in trial.order.windows(2).enumerate() {
