@@ -38,7 +38,9 @@ pub use direction::{
 };
 pub use exchange::{Criterion, exchange};
 pub use next::{next_placement, session_efficiency, worth};
-pub use protocol::{Known, Plan, Protocol, Step, best, finest, follow, force_part, plan, recorded};
+pub use protocol::{
+    Known, Plan, Protocol, Step, best, finest, follow, force_part, plan, plan_session, recorded,
+};
 pub use relaxation::{Efficiency, d_efficiency, efficiency, relaxation, weighted_information};
 pub use requirement::{
     Coverage, REQUIREMENT, Requirement, Wanted, best_next, coverage, fewest, is_determined,

@@ -134,6 +134,8 @@ pub struct Known {
     pub information: Option<Information>,
     /// What points up now, where the recording goes on.
     pub up: Option<Vector3<f64>>,
+    /// What all scale factors of the accelerometer are off by together whatever is recorded: of gravity, as a share.
+    pub scale: f64,
 }
 
 /// Puts placements in the best order and says by which turns.
@@ -175,7 +177,7 @@ pub fn follow(
     let then = |k: usize| {
         let (path, turns) = (&path[..=k + skipped], &turns[..k + skipped]);
         let sum = crate::session::session_information(path, turns, &information, noise, timing);
-        predict(&sum, noise)
+        predict(&sum, noise).with_scale(known.scale, noise)
     };
     let turn_before = |k: usize| {
         let before = (k + skipped).checked_sub(1)?;
@@ -200,12 +202,11 @@ pub fn follow(
             then: then(k),
         })
         .collect();
+    let before = predict(&information, noise).with_scale(known.scale, noise);
     Plan {
         duration: steps.iter().map(|s| s.rest + s.turn_duration).sum(),
-        before: predict(&information, noise),
-        after: steps
-            .last()
-            .map_or_else(|| predict(&information, noise), |s| s.then.clone()),
+        after: steps.last().map_or(&before, |s| &s.then).clone(),
+        before,
         steps,
     }
 }
@@ -302,24 +303,33 @@ mod tests {
                 .iter()
                 .filter_map(|s| Some(s.turn.as_ref()?.way))
                 .collect();
-            let count_of = |way: Way| ways.iter().filter(|w| **w == way).count();
-            let counts = [
-                Way::Via,
-                Way::Long,
-                Way::SpinLeft,
-                Way::SpinRight,
-                Way::Round,
-            ]
-            .map(count_of);
+            let slow = ways.iter().filter(|way| **way == Way::Round).count();
+            let sum = |range: std::ops::Range<usize>| 1e6 * errors[range].iter().sum::<f64>();
             println!(
-                "{count}: {ratio:.3?} via, long, spin, spin, round {counts:?} {:.0} s, {elapsed:.1?}",
+                "{count}: {ratio:.3?}, sums {:.1} {:.1}, {slow} all the way round, {:.0} s, {elapsed:.1?}",
+                sum(0..6),
+                sum(9..18),
                 found.duration
             );
-            if count == 12 {
-                for s in &found.steps {
-                    println!("{:?} {}", s.turn_words, s.axes);
-                }
-            }
+            // Beside six faces there are two or three placements to choose: the misalignments of the accelerometer wait for more.
+            let most = if count < 10 { 1.2 } else { 1.1 };
+            let within = ratio.iter().take(2).all(|r| *r <= most);
+            assert!(within, "{count}: {ratio:.3?}");
+            assert!(slow <= 2, "{count}: {ways:?}");
+        }
+    }
+
+    #[test]
+    fn a_session_shows_the_six_faces_first() {
+        let (noise, timing) = (Noise::default(), Timing::default());
+        for count in [6, 12, 18] {
+            let found = plan_session(count, &noise, &timing, Words::Phone);
+            let first: Vec<&str> = found.steps[..6].iter().map(|s| s.axes.as_str()).collect();
+            assert_eq!(
+                first,
+                ["z up", "z down", "x up", "x down", "y up", "y down"]
+            );
+            assert_eq!(found.steps.len(), count);
         }
     }
 

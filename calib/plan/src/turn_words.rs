@@ -91,12 +91,12 @@ fn own_axis(axis: &Vector3<f64>) -> Option<&'static str> {
 fn aslant(way: Way, after: &Vector3<f64>) -> String {
     let there = match after.map(|c| c.abs() > 0.5) {
         corner if corner.iter().all(|own| *own) => {
-            format!("onto the corner with {}", axes_up(after))
+            format!("onto the corner {}", axes_up(after))
         }
         _ => "straight to the next placement".into(),
     };
     match way {
-        Way::SpinLeft | Way::SpinRight => format!("spin it half round, then {there}"),
+        Way::SpinLeft | Way::SpinRight => format!("spin it half round, {there}"),
         _ => format!("turn it {there}"),
     }
 }
@@ -176,11 +176,15 @@ mod tests {
         );
         assert_eq!(
             first([1.0, 0.0, 1.0], [1.0, 1.0, 0.0]),
+            "turn it a quarter about x until y points half up"
+        );
+        assert_eq!(
+            first(z, [1.0, 1.0, 0.0]),
             "turn it until x points up, then about z until y points half up"
         );
         assert_eq!(
             first(z, [1.0, -1.0, 1.0]),
-            "turn it onto the corner with x up, y down and z up"
+            "turn it onto the corner x up, y down and z up"
         );
         let all = words_of(z, [0.0, 1.0, 0.0]);
         assert!(

@@ -1,6 +1,6 @@
 //! Instructions in words.
 
-use live::{Direction, Errors, Event, Instruction, Verdict, View};
+use live::{Direction, Errors, Event, Instruction, PROMISE, Shortfall, Verdict, View};
 
 use crate::show;
 
@@ -43,7 +43,11 @@ pub(super) fn instruction(instruction: &Instruction, planned: usize) -> [String;
         ),
         Instruction::Enough => [
             format!("Enough: {planned} placements' worth"),
-            "Both sensors are determined.".to_owned(),
+            format!("Both sensors are known as promised: {}.", promise()),
+        ],
+        Instruction::Short { of } => [
+            "Ended, and less is known than promised".to_owned(),
+            short(of),
         ],
         other => [format!("{other:?}"), String::new()],
     }
@@ -53,8 +57,40 @@ fn verdict(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Good => "Good",
         Verdict::GoodToo => "Good too",
-        Verdict::Repeated => "That one is there already",
+        Verdict::Repeated => "Worth little",
     }
+}
+
+/// What a session ends with.
+pub(super) fn promise() -> String {
+    format!(
+        "scale to {} %, misalignment to {} mrad ({:.1}°)",
+        show::figures(PROMISE.scale * 1e2, 1),
+        show::figures(PROMISE.misalignment * 1e3, 1),
+        PROMISE.misalignment.to_degrees()
+    )
+}
+
+/// What is short of it, and what helps.
+fn short(of: &Shortfall) -> String {
+    let sensor = if of.gyroscope {
+        "gyroscope"
+    } else {
+        "accelerometer"
+    };
+    let (what, factor, unit) = match of.misalignment {
+        true => ("misalignment", 1e3, "mrad"),
+        false => ("scale", 1e2, "%"),
+    };
+    let helps = match of.gyroscope {
+        true => "Record again with larger turns about each of its axes.",
+        false => "Record again with each face up once, and tilts between them.",
+    };
+    format!(
+        "The {what} of the {sensor} is known to {} {unit}, not to {} {unit}. {helps}",
+        show::figures(of.error * factor, 2),
+        show::figures(of.promised * factor, 1)
+    )
 }
 
 fn name(axis: usize) -> &'static str {
@@ -182,6 +218,28 @@ mod tests {
                 "{said:?}"
             );
         }
+    }
+
+    #[test]
+    fn what_adds_little_is_worth_little_and_what_is_short_is_said_with_the_promise() {
+        let to = Direction { signs: [0, 1, 0] };
+        let last = Verdict::Repeated;
+        let said = instruction(&Instruction::Turn { to, last }, 12);
+        assert_eq!(said[0], "Worth little: turn it, y up");
+        let of = Shortfall {
+            gyroscope: true,
+            misalignment: true,
+            error: 0.041,
+            promised: PROMISE.misalignment,
+        };
+        let said = instruction(&Instruction::Short { of }, 12);
+        assert!(
+            said[1].starts_with(
+                "The misalignment of the gyroscope is known to 41 mrad, not to 5 mrad."
+            ),
+            "{said:?}"
+        );
+        assert_eq!(promise(), "scale to 0.5 %, misalignment to 5 mrad (0.3°)");
     }
 
     #[test]

@@ -2,15 +2,19 @@
 
 use std::path::Path;
 
+use calib::Calibration;
+use calib::calibration::LeftOut;
 use calib::methods::{accelerometer_unit, cut, static_means};
 use nalgebra::Vector3;
 use plan::{
-    Coverage, ForceMatrix, Known, Noise, Timing, best, coverage, force_part, information_of,
+    Coverage, ForceMatrix, Information, Known, Noise, Timing, best, coverage, force_part,
+    information_of,
 };
 use serde_json::Value;
 
 use super::args::Args;
 use super::rivals::Rivals;
+use super::tables::unit_of;
 use crate::commands::shared::inputs::{load, read as read_recording};
 use crate::exit::{Failure, INPUT};
 use crate::show;
@@ -26,8 +30,8 @@ pub struct Input {
     pub known: Known,
     /// Which placements are there, of a recording.
     pub coverage: Option<Coverage>,
-    /// What would tell tied effects apart, of findings.
-    pub ties: Vec<String>,
+    /// What would tell tied effects apart, of findings; what no placement tells, of a calibration.
+    pub notes: Vec<String>,
     /// What was recorded of them.
     pub rivals: Rivals,
     /// The accelerometer's information in noises of one placement.
@@ -75,6 +79,64 @@ pub fn gravity(path: &Path) -> Option<f64> {
     own.get("gravity")?.as_f64()
 }
 
+/// What a placement misses beyond white noise by a calibration, mm/s².
+pub fn misfit(path: &Path) -> Option<f64> {
+    let document = document(path)?;
+    let own = document.get("calibration").unwrap_or(&document);
+    let misfits = own.get("misfit")?.as_array()?;
+    let norm = misfits.iter().find(|m| m["channel"] == "static_norm")?;
+    let [rms, noise] = ["rms", "noise"].map(|key| norm.get(key).and_then(Value::as_f64));
+    Some(1e3 * (rms?.powi(2) - noise?.powi(2)).max(0.0).sqrt())
+}
+
+/// The parameter that an effect which was left out may change most beside its standard error, in words.
+fn left_out(calibration: &Calibration) -> Option<String> {
+    let std = |name: &str| {
+        let k = calibration.parameters.iter().position(|own| own == name)?;
+        let variance = *calibration.covariance.get(k)?.get(k)?;
+        Some(variance.sqrt()).filter(|std| *std > 0.0)
+    };
+    let of = |left: &LeftOut| {
+        let std = std(&left.parameter)?;
+        Some((
+            left.std_added / std,
+            std.hypot(left.std_added),
+            left.clone(),
+        ))
+    };
+    let all = calibration.left_out.iter().filter_map(of);
+    let (share, with_it, left) = all.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let (factor, unit) = unit_of(&left.parameter);
+    (share > 1.0).then(|| {
+        format!(
+            "The errors hold for a sensor without further effects. If it has {}, as cal.json allows, {} is known to {} {unit} \
+             only; no placement lowers that.",
+            left.effect,
+            left.parameter,
+            show::figures(with_it * factor, 2)
+        )
+    })
+}
+
+/// The information of a calibration without what it does not know of gravity, and that as a share: more placements at the same
+/// place do not tell it.
+fn at_one_gravity(calibration: &Calibration) -> Option<(Information, f64)> {
+    let names = &calibration.parameters;
+    let share = calibration.gravity_source.std() / calibration.gravity;
+    let mut covariance = calibration.covariance.clone();
+    let is_scale = |k: &usize| names[*k].starts_with("accel.s_");
+    let scales: Vec<usize> = (0..names.len()).filter(is_scale).collect();
+    for i in &scales {
+        for j in &scales {
+            if let Some(entry) = covariance.get_mut(*i).and_then(|row| row.get_mut(*j)) {
+                *entry -= share * share;
+            }
+        }
+    }
+    let without = information_of(names, &covariance).map(|information| (information, share));
+    without.or_else(|| Some((information_of(names, &calibration.covariance)?, 0.0)))
+}
+
 fn of_calibration(
     path: &Path,
     document: &Value,
@@ -83,19 +145,28 @@ fn of_calibration(
 ) -> Result<Input, Failure> {
     let calibration = load(path)?;
     let name = show::path(path);
-    let information =
-        information_of(&calibration.parameters, &calibration.covariance).ok_or_else(|| {
-            let why = "its covariance is missing or no covariance; calibrate again";
-            Failure::new(INPUT, format!("{name}: {why}"))
-        })?;
+    let (information, scale) = at_one_gravity(&calibration).ok_or_else(|| {
+        let why = "its covariance is missing or no covariance; calibrate again";
+        Failure::new(INPUT, format!("{name}: {why}"))
+    })?;
+    let mut notes = ties(document);
+    notes.extend(left_out(&calibration));
+    if scale > 0.0 {
+        notes.push(format!(
+            "{:.0} ppm of the accelerometer's scale errors are gravity, which was not given: no placement lowers that. Calibrate with \
+             --gravity or --latitude.",
+            1e6 * scale
+        ));
+    }
     Ok(Input {
         name,
         known: Known {
             information: Some(information),
             up: None,
+            scale,
         },
         coverage: None,
-        ties: ties(document),
+        notes,
         rivals: Rivals::of(document),
         force: force_part(&information, noise, timing.used(1)),
     })
@@ -131,9 +202,10 @@ fn of_recording(
         known: Known {
             information,
             up: ups.last().copied(),
+            scale: 0.0,
         },
         coverage: Some(found),
-        ties: Vec::new(),
+        notes: Vec::new(),
         rivals: Rivals::default(),
     })
 }
