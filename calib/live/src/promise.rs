@@ -13,8 +13,7 @@ pub struct Promise {
     pub misalignment: f64,
 }
 
-/// Half a per cent, and 5 mrad (0.3°): what a quarter turn is wrong by is not seen by the eye then. A phone comes to a tenth of
-/// it in twelve placements.
+/// Half a per cent, and 5 mrad (0.3°): half a degree in a quarter turn.
 pub const PROMISE: Promise = Promise {
     scale: 0.005,
     misalignment: 0.005,

@@ -78,7 +78,10 @@ pub(super) fn refuse_outputs(args: &Args, folder: &Path) -> Result<(), Failure> 
 /// Calibrates `recording`; the page shows what came of it.
 pub(super) fn calibrate(args: &Args, recording: &Path, web: Option<&Web>) -> Result<(), Failure> {
     let done = calibrate::run_and_show(&parse(args, recording)?, &mut |recordings, outcome| {
-        web.map_or(Ok(()), |web| web.finish(&Finish::of(recordings, outcome)?))
+        if let Some(web) = web {
+            web.finish(&Finish::of(recordings, outcome)?);
+        }
+        Ok(())
     });
     if let (Err(failure), Some(web)) = (&done, web) {
         web.refuse(&failure.message);

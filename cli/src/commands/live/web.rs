@@ -42,8 +42,8 @@ struct State {
     asked: Option<Instant>,
 }
 
-/// A page asks five times a second; it is closed where it has not for so long.
-const CLOSED: Duration = Duration::from_secs(5);
+/// A page asks five times a second, behind another one once a minute; it is closed where it has not for so long.
+const CLOSED: Duration = Duration::from_secs(70);
 
 /// A page that follows the session.
 #[derive(Debug)]
@@ -104,11 +104,10 @@ impl Web {
     }
 
     /// Shows what the session came to, and offers it.
-    pub(super) fn finish(&self, finish: &Finish) -> Result<(), Failure> {
+    pub(super) fn finish(&self, finish: &Finish) {
         let mut state = self.0.state();
         state.document["result"] = finish.shown.clone();
         state.files = Some([finish.calibration.clone(), finish.report.clone()]);
-        Ok(())
     }
 
     /// Shows why there is no calibration; one that is there already stays.
@@ -265,8 +264,7 @@ mod tests {
             shown,
             calibration: "{}\n".into(),
             report: "<p>report</p>".into(),
-        })
-        .unwrap();
+        });
         let (calibration, report) = (get("cal.json"), get("report.html"));
         assert!(calibration.starts_with("HTTP/1.1 200") && calibration.ends_with("{}\n"));
         assert!(

@@ -109,8 +109,8 @@ fn left_out(calibration: &Calibration) -> Option<String> {
     let (factor, unit) = unit_of(&left.parameter);
     (share > 1.0).then(|| {
         format!(
-            "The errors hold for a sensor without further effects. If it has {}, as cal.json allows, {} is known to {} {unit} \
-             only; no placement lowers that.",
+            "The errors hold for a sensor without further effects. If it has {}, no larger than the recording would show, {} is \
+             known to {} {unit} only, however many placements follow.",
             left.effect,
             left.parameter,
             show::figures(with_it * factor, 2)
