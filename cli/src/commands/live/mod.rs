@@ -89,7 +89,9 @@ pub fn run(args: &Args) -> Result<(), Failure> {
 /// Waits while somebody looks at the page, to read the result and keep its files.
 fn keep_open(web: &Web) {
     if web.is_open() {
-        show::say("the page shows the result and offers its files; this ends a minute after it is closed");
+        show::say(
+            "the page shows the result and offers its files; this ends a minute after it is closed",
+        );
     }
     while web.is_open() {
         std::thread::sleep(Duration::from_millis(200));

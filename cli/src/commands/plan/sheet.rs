@@ -18,7 +18,7 @@ const SCALE: f64 = 78.0;
 const MIDDLE: f64 = 100.0;
 const TABLE: f64 = 158.0;
 /// How far the axes are drawn out of the device.
-const OUT: f64 = 0.2;
+const OUT: [f64; 3] = [0.2, 0.2, 0.4];
 /// From the top of the device to the middle of the word for it, across and up, pixels.
 const BESIDE: [f64; 2] = [46.0, 38.0];
 
@@ -110,8 +110,8 @@ fn picture(step: &Step) -> String {
     // The axes that turns are about, from the middle of the device out of it.
     for (k, name) in ["x", "y", "z"].into_iter().enumerate() {
         let axis = |length: f64| attitude * (Vector3::ith(k, 1.0) * length);
-        let [from, to] = [at(&axis(HALF[k])), at(&axis(HALF[k] + OUT))];
-        let [x, y] = at(&axis(HALF[k] + OUT + 0.1));
+        let [from, to] = [at(&axis(HALF[k])), at(&axis(HALF[k] + OUT[k]))];
+        let [x, y] = at(&axis(HALF[k] + OUT[k] + 0.1));
         let _ = write!(
             svg,
             "<line class=\"axis\" x1=\"{:.1}\" y1=\"{:.1}\" x2=\"{:.1}\" y2=\"{:.1}\"/>\
